@@ -1,0 +1,12 @@
+"""haptonic: surfaces whose friction is shaped by phononic crystals, from the unit cell to the proof.
+
+>>> study = haptonic.load("studies/touchpad.toml")
+>>> bands = study.bands()
+"""
+
+from haptonic.errors import HaptonicError, HaptonicWarning
+from haptonic.study import Study, load
+
+__version__ = "0.1.0"
+
+__all__ = ["HaptonicError", "HaptonicWarning", "Study", "__version__", "load"]

@@ -1,0 +1,20 @@
+"""Bands, gaps and modes of the infinite lattice, all from one small pencil of matrices."""
+
+from haptonic.bloch.bands import bands_dataset, gaps_dataset, gaps_of, mode_shapes
+from haptonic.bloch.gaps import Gap
+from haptonic.bloch.model import BlochModel, bloch_model
+from haptonic.bloch.pencil import Pencil, bloch_pencil
+from haptonic.bloch.resolution import Resolution
+
+__all__ = [
+    "BlochModel",
+    "Gap",
+    "Pencil",
+    "Resolution",
+    "bands_dataset",
+    "bloch_model",
+    "bloch_pencil",
+    "gaps_dataset",
+    "gaps_of",
+    "mode_shapes",
+]

@@ -1,0 +1,284 @@
+"""Bands, gaps and mode shapes of a cell as labelled arrays that explain themselves."""
+
+from __future__ import annotations
+
+import json
+from dataclasses import asdict
+from typing import Any
+
+import numpy as np
+import xarray as xr
+from numpy.typing import NDArray
+from threadpoolctl import threadpool_limits
+
+from haptonic.bloch.character import NAMES, characters
+from haptonic.bloch.gaps import Gap, complete_gaps, partial_gaps
+from haptonic.bloch.model import BlochModel, bloch_model, candidate_models
+from haptonic.bloch.pencil import Periodic
+from haptonic.bloch.resolution import Resolution
+from haptonic.bloch.tracking import Diagram, diagram
+from haptonic.bloch.zone import zone_surface
+from haptonic.cell import UnitCell
+from haptonic.superelement import dynamic_stiffness
+
+Array = NDArray[np.float64]
+
+SURFACE_DIVISIONS = 24  # of the irreducible zone's sides, for contours and the density of states
+DENSITY_BINS = 200
+
+
+@threadpool_limits.wrap(limits=1)  # these matrices are too small for threads inside the linear algebra
+def bands_dataset(
+    cell: UnitCell,
+    *,
+    count: int,
+    points: int,
+    accuracy: float,
+    resolution: Resolution | None = None,
+    surface: bool = False,
+) -> xr.Dataset:
+    """Band diagram, gaps and mode shapes of a cell.
+
+    Parameters
+    ----------
+    cell : the unit cell
+    count : bands, from the lowest
+    points : wavevectors along the edge of the irreducible zone
+    accuracy : relative error allowed for every frequency
+    resolution : overrides what the accuracy would choose
+    surface : also sample the whole zone evenly, for contours and the density of states
+
+    Returns
+    -------
+    dataset with dimensions ``wavevector``, ``band``, ``axis``, ``gap``, ``mode``, ``node``, ...; every
+    variable has its unit in ``units``
+
+    Raises
+    ------
+    ResourceError : the accuracy needs more memory than there is
+    """
+    model = bloch_model(cell, count, accuracy, resolution)
+    path = cell.lattice.path(points)
+    along = diagram(model, path)
+    gaps = complete_gaps(model)
+    dataset = _diagram_dataset(along)
+    dataset = dataset.merge(_gaps_dataset((*gaps, *partial_gaps(along, gaps))))
+    middle = 0.5 * (path.kappa[path.corners[1]] + path.kappa[path.corners[2]])
+    dataset = dataset.merge(mode_shapes(model, middle))
+    if surface:
+        dataset = dataset.merge(_surface_dataset(model))
+    levels = [gap.centre for gap in gaps] or [float(along.frequency[:, -1].min())]
+    checked, missed = count_check(model, levels)
+    plan = model.fine.superelement.mesh.topology.plan
+    dataset.attrs = {
+        "mesh": json.dumps(asdict(plan)),
+        "unknowns": model.fine.superelement.mesh.unknowns,
+        "condensed_unknowns": model.fine.superelement.size,
+        "basis_size": model.fine.pencil.size,
+        "projection_error": model.fine.projection_error,
+        "counts_checked": checked,
+        "counts_missed": missed,
+        "path_labels": json.dumps(path.labels),
+        "path_corners": json.dumps(path.corners),
+        "modes_at": f"middle of {path.labels[1]}-{path.labels[2]}",
+        "character_names": json.dumps(NAMES),
+        "accuracy": accuracy,
+    }
+    return dataset
+
+
+@threadpool_limits.wrap(limits=1)
+def gaps_dataset(
+    cell: UnitCell, *, count: int, accuracy: float, resolution: Resolution | None = None
+) -> xr.Dataset:
+    """The complete gaps of a cell alone: one design of a sweep.
+
+    Parameters and errors as in `bands_dataset`; here the accuracy is asked of the gaps' edges only.
+    """
+    for model in candidate_models(cell, count, accuracy, resolution, measured=False):
+        gaps = complete_gaps(model)
+        if resolution is not None or all(gap.relative_error <= accuracy for gap in gaps):
+            break
+    dataset = _gaps_dataset(gaps)
+    dataset["searched_up_to"] = (), float(model.solve(np.zeros(2)).frequency[-1])
+    _describe(dataset, {"searched_up_to": ("Hz", "highest band at Gamma, where the search ends")})
+    dataset.attrs["mesh"] = json.dumps(asdict(model.fine.superelement.mesh.topology.plan))
+    return dataset
+
+
+def gaps_of(dataset: xr.Dataset) -> tuple[Gap, ...]:
+    """The gaps in a dataset as values, complete ones first."""
+    found = []
+    for number in range(dataset.sizes["gap"]):
+        row = dataset.isel(gap=number)
+        found.append(
+            Gap(
+                between=(int(row["gap_below"]), int(row["gap_below"]) + 1),
+                lower=float(row["gap_lower"]),
+                upper=float(row["gap_upper"]),
+                lower_error=float(row["gap_lower_error"]),
+                upper_error=float(row["gap_upper_error"]),
+                lower_kappa=(float(row["gap_lower_kappa"][0]), float(row["gap_lower_kappa"][1])),
+                upper_kappa=(float(row["gap_upper_kappa"][0]), float(row["gap_upper_kappa"][1])),
+                complete=bool(row["gap_complete"]),
+                direction=str(row["gap_direction"].item()),
+                samples=int(row["gap_samples"]),
+            )
+        )
+    return tuple(found)
+
+
+def count_check(model: BlochModel, frequencies: list[float]) -> tuple[int, int]:
+    """Compare how many bands lie below some frequencies with an exact count in the full model.
+
+    Done at the corners of the irreducible zone and half-way between them; a wavevector at which a band
+    comes within its error of the frequency decides nothing and is left out.
+
+    Returns
+    -------
+    checked, missed : comparisons made, and bands that they found missing or too many
+    """
+    cell, plan = model.cell, model.fine.superelement.mesh.topology.plan
+    periodic = Periodic.of(model.fine.superelement).without_modes(model.fine.superelement)
+    wavevectors, _ = cell.lattice.zone_triangles(2)
+    checked = missed = 0
+    for level in frequencies:
+        dynamic = dynamic_stiffness(cell, plan, 2 * np.pi * level)
+        for kappa in wavevectors:
+            solution = model.solve(kappa)
+            if (np.abs(solution.frequency - level) < 2 * solution.error).any():
+                continue
+            folded = periodic.hermitian(dynamic.matrix, kappa)
+            exact = dynamic.below + int((np.linalg.eigvalsh(folded) < 0).sum())
+            found = int((solution.frequency < level).sum())
+            if found < model.count or exact <= model.count:
+                checked += 1
+                missed += abs(exact - found)
+    return checked, missed
+
+
+def mode_shapes(model: BlochModel, kappa: Array) -> xr.Dataset:
+    """Fields of all modes at one wavevector on the mesh, with linear sub-cells for drawing."""
+    superelement = model.fine.superelement
+    solution = model.solve(kappa)
+    shapes = superelement.lifted(solution.fields)
+    largest = np.abs(shapes).max(axis=(0, 1))
+    turned = shapes / largest
+    for k in range(turned.shape[2]):  # turn the phase so that the real part is largest
+        square = (turned[..., k] ** 2).sum()
+        turned[..., k] *= np.exp(-0.5j * np.angle(square))
+    named = characters(superelement, solution.fields)
+    mesh = superelement.mesh
+    dataset = xr.Dataset(
+        {
+            "node_position": (("node", "xyz"), mesh.points),
+            "subcell": (("cell", "corner"), mesh.linear_subcells()),
+            "mode_frequency": ("mode", solution.frequency),
+            "mode_error": ("mode", solution.error),
+            "mode_name": ("mode", named.name),
+            "mode_kappa": ("axis", kappa),
+            "mode_real": (("mode", "node", "xyz"), np.moveaxis(turned.real, 2, 0).astype(np.float32)),
+            "mode_imag": (("mode", "node", "xyz"), np.moveaxis(turned.imag, 2, 0).astype(np.float32)),
+        }
+    )
+    _describe(dataset, {
+        "node_position": ("m", "position of the mesh's nodes"),
+        "subcell": ("1", "eight corners of linear cells between nodes"),
+        "mode_frequency": ("Hz", "frequency"),
+        "mode_error": ("Hz", "bound of the frequency's error"),
+        "mode_name": ("1", "character, a position in character_names"),
+        "mode_kappa": ("rad", "phases k . a1 and k . a2"),
+        "mode_real": ("1", "displacement in phase, largest component 1"),
+        "mode_imag": ("1", "displacement a quarter period ahead"),
+    })  # fmt: skip
+    return dataset
+
+
+def _describe(dataset: xr.Dataset, words: dict[str, tuple[str, str]]) -> None:
+    for name, (unit, title) in words.items():
+        dataset[name].attrs = {"units": unit, "long_name": title}
+
+
+def _diagram_dataset(along: Diagram) -> xr.Dataset:
+    both = ("wavevector", "band")
+    dataset = xr.Dataset(
+        {
+            "kappa": (("wavevector", "axis"), along.path.kappa),
+            "distance": ("wavevector", along.path.distance),
+            "frequency": (both, along.frequency),
+            "frequency_error": (both, along.error),
+            "group_velocity": ((*both, "axis"), along.velocity),
+            "parity": (both, along.parity),
+            "branch": (both, along.branch),
+            "out_of_plane": (both, along.vertical),
+            "pillar_strain": (both, along.pillar_strain),
+            "pillar_kinetic": (both, along.pillar_kinetic),
+            "character": (both, along.name),
+        },
+        coords={"band": np.arange(1, along.frequency.shape[1] + 1)},
+    )
+    _describe(dataset, {
+        "kappa": ("rad", "phases k . a1 and k . a2"),
+        "distance": ("rad/m", "arc length of the wavevector along the edge of the irreducible zone"),
+        "frequency": ("Hz", "frequency"),
+        "frequency_error": ("Hz", "bound of the frequency's error"),
+        "group_velocity": ("m/s", "group velocity along x and y; NaN for rigid-body motions"),
+        "parity": ("1", "+1 even, -1 odd under the mirror of the segment, 0 without one"),
+        "branch": ("1", "number of the curve followed through crossings"),
+        "out_of_plane": ("1", "share of kinetic energy in motion along z"),
+        "pillar_strain": ("1", "share of strain energy in the pillar"),
+        "pillar_kinetic": ("1", "share of kinetic energy in the pillar"),
+        "character": ("1", "character, a position in character_names"),
+    })  # fmt: skip
+    return dataset
+
+
+def _gaps_dataset(gaps: tuple[Gap, ...]) -> xr.Dataset:
+    plain: dict[str, tuple[Any, str, str]] = {
+        "gap_lower": ([g.lower for g in gaps], "Hz", "lower edge"),
+        "gap_upper": ([g.upper for g in gaps], "Hz", "upper edge"),
+        "gap_lower_error": ([g.lower_error for g in gaps], "Hz", "bound of the lower edge's error"),
+        "gap_upper_error": ([g.upper_error for g in gaps], "Hz", "bound of the upper edge's error"),
+    }
+    dataset = xr.Dataset(
+        {name: ("gap", np.array(values, dtype=float)) for name, (values, _, _) in plain.items()}
+        | {
+            "gap_below": ("gap", np.array([g.between[0] for g in gaps], dtype=np.int64)),
+            "gap_lower_kappa": (("gap", "axis"), np.array([g.lower_kappa for g in gaps]).reshape(-1, 2)),
+            "gap_upper_kappa": (("gap", "axis"), np.array([g.upper_kappa for g in gaps]).reshape(-1, 2)),
+            "gap_complete": ("gap", np.array([g.complete for g in gaps], dtype=np.int8)),
+            "gap_direction": ("gap", np.array([g.direction for g in gaps], dtype=object).astype("U")),
+            "gap_samples": ("gap", np.array([g.samples for g in gaps], dtype=np.int64)),
+        }
+    )
+    _describe(dataset, {name: (unit, title) for name, (_, unit, title) in plain.items()} | {
+        "gap_below": ("1", "number of the band below, from 1"),
+        "gap_lower_kappa": ("rad", "phases at which the lower edge lies"),
+        "gap_upper_kappa": ("rad", "phases at which the upper edge lies"),
+        "gap_complete": ("1", "1 when it holds over the whole irreducible zone"),
+        "gap_direction": ("1", "segment of the path that it holds on"),
+        "gap_samples": ("1", "wavevectors that the claim rests on"),
+    })  # fmt: skip
+    return dataset
+
+
+def _surface_dataset(model: BlochModel) -> xr.Dataset:
+    surface = zone_surface(model, SURFACE_DIVISIONS)
+    edges = np.linspace(0.0, surface.frequency.max(), DENSITY_BINS + 1)
+    dataset = xr.Dataset(
+        {
+            "zone_kappa": (("zone_point", "axis"), surface.kappa),
+            "zone_triangle": (("triangle", "vertex"), surface.triangles),
+            "zone_frequency": (("zone_point", "band"), surface.frequency),
+            "density_of_states": ("bin", surface.density_of_states(edges)),
+            "density_frequency": ("bin", 0.5 * (edges[:-1] + edges[1:])),
+        }
+    )
+    _describe(dataset, {
+        "zone_kappa": ("rad", "phases over the irreducible zone"),
+        "zone_triangle": ("1", "triangles of the sampling"),
+        "zone_frequency": ("Hz", "frequency"),
+        "density_of_states": ("1/Hz", "states per cell and hertz"),
+        "density_frequency": ("Hz", "middle of the bin"),
+    })  # fmt: skip
+    return dataset

@@ -1,0 +1,74 @@
+"""What a mode is: measured on the mode itself, then named."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from haptonic.superelement import Superelement
+
+Array = NDArray[np.float64]
+Complex = NDArray[np.complex128]
+
+NAMES = (
+    "pillar bending 1",
+    "pillar bending 2",
+    "pillar bending 3",
+    "pillar bending 4+",
+    "torsion",
+    "traction",
+    "plate flexural",
+    "plate in-plane",
+    "rigid body",
+)
+BENDING, TORSION, TRACTION, FLEXURAL, IN_PLANE, RIGID = 0, 4, 5, 6, 7, 8
+PILLAR_LEADS = 0.5  # share of the kinetic energy from which a mode belongs to the pillar
+
+
+@dataclass(frozen=True)
+class Character:
+    """Measures of k modes, (k,) each, all between 0 and 1, and the name's number in `NAMES`.
+
+    vertical : share of the kinetic energy that is motion along z
+    pillar_strain, pillar_kinetic : shares of the strain and kinetic energy in the pillar
+    name : position in `NAMES`
+    """
+
+    vertical: Array
+    pillar_strain: Array
+    pillar_kinetic: Array
+    name: NDArray[np.int64]
+
+
+def characters(superelement: Superelement, fields: Complex) -> Character:
+    """Character of modes given as (t + m, k) unknowns of a superelement.
+
+    A mode whose kinetic energy is mostly in the pillar is named after the rigid motion of its sections
+    that carries most of it: bending (numbered by the nodes of its axis), traction, torsion. The others
+    are named after the plate's motion, out of its plane or in it.
+    """
+
+    def energy(form: Array) -> Array:
+        return np.asarray(np.einsum("ik,ik->k", fields.conj(), form @ fields).real)
+
+    measures = superelement.measures
+    assert measures is not None, "condense with measured=True"
+    kinetic = energy(superelement.mass)
+    in_pillar = energy(measures.pillar_mass) / kinetic
+    vertical = energy(measures.vertical_mass) / kinetic
+    strain = energy(superelement.stiffness)
+    moving = strain > 1e-7 * strain.max()  # a rigid-body motion has no strain to share
+    pillar_strain = np.divide(
+        energy(measures.pillar_stiffness), strain, out=np.zeros_like(strain), where=moving
+    )
+    name = np.where(vertical > 0.5, FLEXURAL, IN_PLANE)
+    if superelement.cell.pillar is not None:
+        sections = measures.sections
+        motions = np.stack(sections.energies(fields))
+        kind = np.argmax(motions, axis=0)
+        bending = BENDING + np.minimum(sections.bending_nodes(fields), 3)
+        of_pillar = np.choose(kind, [bending, np.full_like(kind, TRACTION), np.full_like(kind, TORSION)])
+        name = np.where(in_pillar > PILLAR_LEADS, of_pillar, name)
+    return Character(vertical, pillar_strain, in_pillar, np.where(moving, name, RIGID))

@@ -1,0 +1,195 @@
+"""Band gaps: complete ones from the whole irreducible zone, partial ones from the path."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from haptonic.bloch.model import BlochModel
+from haptonic.bloch.pencil import eigenpairs
+from haptonic.bloch.tracking import Diagram
+
+Array = NDArray[np.float64]
+Ints = NDArray[np.int64]
+
+COARSE_DIVISIONS = 8  # of the irreducible zone's sides in the first sampling
+STEEPER = 1.25  # by how much a slope inside a triangle may exceed those at its corners
+SEARCH_GOAL = 1e-4  # relative; the search for an edge stops when it can move by no more than this
+MOST_SAMPLES = 600  # wavevectors; when they are used up the remaining doubt goes into the error
+
+
+@dataclass(frozen=True)
+class Gap:
+    """Frequencies that no wave of some wavevectors has, between two neighbouring bands.
+
+    between : numbers of the bands below and above, counted from 1
+    lower, upper : edges, Hz; lower_error, upper_error : bounds of their errors, Hz
+    lower_kappa, upper_kappa : phases (rad) at which the edges were found
+    complete : True when the whole irreducible zone was searched; else ``direction`` names the segment
+    samples : wavevectors that the claim rests on
+    """
+
+    between: tuple[int, int]
+    lower: float
+    upper: float
+    lower_error: float
+    upper_error: float
+    lower_kappa: tuple[float, float]
+    upper_kappa: tuple[float, float]
+    complete: bool
+    direction: str
+    samples: int
+
+    @property
+    def width(self) -> float:
+        return self.upper - self.lower
+
+    @property
+    def centre(self) -> float:
+        return 0.5 * (self.lower + self.upper)
+
+    @property
+    def certain(self) -> bool:
+        """Whether the gap is wider than the doubt about its edges."""
+        return self.width > self.lower_error + self.upper_error
+
+    @property
+    def relative_error(self) -> float:
+        """Of the worse edge."""
+        return max(self.lower_error / self.lower, self.upper_error / self.upper)
+
+    def holds(self, frequency: float) -> bool:
+        """Whether a frequency lies inside, errors counted."""
+        return self.lower + self.lower_error < frequency < self.upper - self.upper_error
+
+
+class ZoneSampling:
+    """Frequencies at wavevectors of the irreducible zone, on triangles that are halved where it matters.
+
+    Grows while edges are searched; nothing outside this module holds one.
+    """
+
+    def __init__(self, model: BlochModel) -> None:
+        self.model = model
+        kappa, self.triangles = model.cell.lattice.zone_triangles(COARSE_DIVISIONS)
+        self.kappa: list[Array] = []
+        self.frequency: list[Array] = []
+        self.slope: list[Array] = []
+        self._middle: dict[tuple[int, int], int] = {}
+        for point in kappa:
+            self._add(point)
+
+    def _add(self, kappa: Array) -> int:
+        values, modes = eigenpairs(self.model.fine.pencil, kappa, self.model.count)
+        self.kappa.append(kappa)
+        self.frequency.append(np.sqrt(np.maximum(values, 0.0)) / (2 * np.pi))
+        gradient = self.model.gradient(kappa, modes)
+        self.slope.append(np.linalg.norm(np.nan_to_num(gradient), axis=1))
+        return len(self.kappa) - 1
+
+    def edge(self, band: int, sign: int) -> tuple[float, Array, float]:
+        """Highest (sign = +1) or lowest (-1) frequency of a band over the zone.
+
+        A triangle may hold a value beyond its corners by at most slope times distance to the nearest
+        corner; those that could beat the best value found are halved until none can by more than the goal.
+
+        Returns
+        -------
+        frequency : Hz; kappa : (2,) where; doubt : Hz, by how much a value not seen may exceed it
+        """
+        while True:
+            value = sign * np.array([f[band] for f in self.frequency])
+            slope = np.array([s[band] for s in self.slope])
+            corners = np.array(self.kappa)[self.triangles]
+            sides = np.linalg.norm(np.roll(corners, -1, axis=1) - corners, axis=2)
+            reach = 0.5 * sides.max(axis=1)
+            steepest = STEEPER * slope[self.triangles].max(axis=1)
+            ceiling = value[self.triangles].max(axis=1) + steepest * reach
+            best = int(value.argmax())
+            doubt = max(float(ceiling.max() - value[best]), 0.0)
+            goal = SEARCH_GOAL * abs(value[best])
+            if doubt <= goal or len(self.kappa) >= MOST_SAMPLES:
+                return float(sign * value[best]), self.kappa[best], doubt
+            self._halve(np.flatnonzero(ceiling > value[best] + goal), sides)
+
+    def _halve(self, chosen: Ints, sides: Array) -> None:
+        kept = np.delete(self.triangles, chosen, axis=0)
+        new = []
+        for number in chosen:
+            longest = int(sides[number].argmax())
+            a, b, c = np.roll(self.triangles[number], -longest)
+            key = (int(min(a, b)), int(max(a, b)))
+            if key not in self._middle:
+                self._middle[key] = self._add(0.5 * (self.kappa[a] + self.kappa[b]))
+            m = self._middle[key]
+            new += [(a, m, c), (m, b, c)]
+        self.triangles = np.concatenate([kept, np.array(new, dtype=np.int64)])
+
+
+def complete_gaps(model: BlochModel) -> tuple[Gap, ...]:
+    """Gaps between neighbouring bands that hold over the whole irreducible zone, lowest first."""
+    zone = ZoneSampling(model)
+    gaps = []
+    for band in range(model.count - 1):
+        frequency = np.array(zone.frequency)
+        if frequency[:, band].max() >= frequency[:, band + 1].min():
+            continue  # finer sampling can only bring the bands closer
+        lower, lower_kappa, lower_doubt = zone.edge(band, +1)
+        upper, upper_kappa, upper_doubt = zone.edge(band + 1, -1)
+        if lower >= upper:
+            continue
+        gaps.append(
+            Gap(
+                between=(band + 1, band + 2),
+                lower=lower,
+                upper=upper,
+                lower_error=float(model.solve(lower_kappa).error[band]) + lower_doubt,
+                upper_error=float(model.solve(upper_kappa).error[band + 1]) + upper_doubt,
+                lower_kappa=_phases(lower_kappa),
+                upper_kappa=_phases(upper_kappa),
+                complete=True,
+                direction="all",
+                samples=len(zone.kappa),
+            )
+        )
+    return tuple(gaps)
+
+
+def partial_gaps(diagram: Diagram, complete: tuple[Gap, ...]) -> tuple[Gap, ...]:
+    """Gaps for the wavevectors of one segment of the path only, where they are certain; without the complete ones.
+
+    The doubt of an edge is what its band could still do between two samples, by the slopes there.
+    """
+    known = {gap.between for gap in complete}
+    path, gaps = diagram.path, []
+    pieces = zip(path.corners, path.corners[1:], path.labels, path.labels[1:], strict=False)
+    for start, stop, first, last in pieces:
+        inside = slice(start, stop + 1)
+        step = np.diff(path.distance[inside]).max()
+        speed = np.nan_to_num(np.linalg.norm(diagram.velocity[inside], axis=2)) / (2 * np.pi)
+        frequency, error = diagram.frequency[inside], diagram.error[inside]
+        for band in range(frequency.shape[1] - 1):
+            low, high = int(frequency[:, band].argmax()), int(frequency[:, band + 1].argmin())
+            lower, upper = float(frequency[low, band]), float(frequency[high, band + 1])
+            if (band + 1, band + 2) in known or lower >= upper:
+                continue
+            gap = Gap(
+                between=(band + 1, band + 2),
+                lower=lower,
+                upper=upper,
+                lower_error=float(error[low, band] + 0.5 * step * speed[low, band]),
+                upper_error=float(error[high, band + 1] + 0.5 * step * speed[high, band + 1]),
+                lower_kappa=_phases(path.kappa[inside][low]),
+                upper_kappa=_phases(path.kappa[inside][high]),
+                complete=False,
+                direction=f"{first}-{last}",
+                samples=stop - start + 1,
+            )
+            gaps += [gap] if gap.certain else []
+    return tuple(gaps)
+
+
+def _phases(kappa: Array) -> tuple[float, float]:
+    return float(kappa[0]), float(kappa[1])

@@ -1,0 +1,142 @@
+"""The Bloch pencil, first waist of the program: everything periodic is computed from it.
+
+Conventions of the whole project, stated here once. Space: ``exp(+i k . r)``, so a Bloch field obeys
+``u(r + m a1 + n a2) = exp(i (m kappa_1 + n kappa_2)) u(r)`` with the phases ``kappa_j = k . a_j``.
+Time: ``exp(+i omega t)``.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+import scipy.linalg as la
+from numpy.typing import NDArray
+
+from haptonic.superelement import Superelement
+
+Array = NDArray[np.float64]
+Complex = NDArray[np.complex128]
+Ints = NDArray[np.int64]
+
+
+@dataclass(frozen=True)
+class Pencil:
+    """Laurent polynomials ``sum_mn A_mn exp(i (m kappa_1 + n kappa_2))`` for stiffness and mass.
+
+    Only one of each pair (m, n), (-m, -n) is kept, since ``A_-m,-n = A_m,n^T``; (0, 0) comes first.
+
+    shifts : (s, 2) integers
+    stiffness, mass : (s, n, n) real blocks
+    """
+
+    shifts: Ints
+    stiffness: Array
+    mass: Array
+
+    @property
+    def size(self) -> int:
+        return self.stiffness.shape[1]
+
+    def at(self, kappa: Array) -> tuple[Complex, Complex]:
+        """(n, n) Hermitian stiffness and mass at the phases (2,)."""
+        return self._hermitian(self.stiffness, kappa, None), self._hermitian(self.mass, kappa, None)
+
+    def slope(self, kappa: Array, direction: int) -> tuple[Complex, Complex]:
+        """Exact derivatives of stiffness and mass with respect to one phase."""
+        return (
+            self._hermitian(self.stiffness, kappa, direction),
+            self._hermitian(self.mass, kappa, direction),
+        )
+
+    def _hermitian(self, blocks: Array, kappa: Array, direction: int | None) -> Complex:
+        factor = np.exp(1j * (self.shifts[1:] @ kappa))
+        if direction is not None:
+            factor = factor * 1j * self.shifts[1:, direction]
+        half = np.tensordot(factor, blocks[1:], axes=1)
+        whole = half + half.conj().T
+        return np.asarray(whole if direction is not None else whole + blocks[0])
+
+    def projected(self, basis: Array) -> Pencil:
+        """The pencil on a constant real basis (n, r): again a pencil."""
+
+        def project(blocks: Array) -> Array:
+            return np.asarray(basis.T @ blocks @ basis)
+
+        return Pencil(self.shifts, project(self.stiffness), project(self.mass))
+
+
+@dataclass(frozen=True)
+class Periodic:
+    """How the unknowns of a superelement follow from the free ones of a lattice: a phase and a number.
+
+    free : (n,) the free unknowns among all; number : (t + m,) free unknown behind each
+    shift : (t + m, 2) integer translation from the free unknown to this one
+    """
+
+    free: Ints
+    number: Ints
+    shift: Ints
+
+    @classmethod
+    def of(cls, superelement: Superelement) -> Periodic:
+        topology = superelement.mesh.topology
+        places = topology.rim.shape[1]
+        trace = np.arange(superelement.trace_size).reshape(superelement.levels, places, 3)
+        master = trace[:, topology.rim_master].ravel()
+        modes = np.arange(superelement.trace_size, superelement.size)
+        source = np.concatenate([master, modes])
+        free, number = np.unique(source, return_inverse=True)
+        shift = np.zeros((len(source), 2), dtype=np.int64)
+        along = np.broadcast_to(topology.rim_shift[None, :, None, :], (superelement.levels, places, 3, 2))
+        shift[: superelement.trace_size] = along.reshape(-1, 2)
+        return cls(free, number, shift)
+
+    def expanded(self, fields: Complex, kappa: Array) -> Complex:
+        """(t + m, k) unknowns of one cell from the free ones (n, k)."""
+        return np.asarray(fields[self.number] * np.exp(1j * (self.shift @ kappa))[:, None])
+
+    def without_modes(self, superelement: Superelement) -> Periodic:
+        """The same for the trace alone."""
+        trace = slice(0, superelement.trace_size)
+        free, number = np.unique(self.free[self.number[trace]], return_inverse=True)
+        return Periodic(free, number, self.shift[trace])
+
+    def hermitian(self, form: Array, kappa: Array) -> Complex:
+        """``P(kappa)* form P(kappa)`` on the free unknowns."""
+        spread = np.zeros((len(self.number), len(self.free)), dtype=complex)
+        spread[np.arange(len(self.number)), self.number] = np.exp(1j * (self.shift @ kappa))
+        return np.asarray(spread.conj().T @ form @ spread)
+
+    def pencil_blocks(self, form: Array) -> dict[tuple[int, int], Array]:
+        """Blocks of ``P(kappa)* form P(kappa)``, one of each pair of opposite shifts."""
+        blocks: dict[tuple[int, int], Array] = {(0, 0): np.zeros((len(self.free),) * 2)}
+        groups = {
+            tuple(s): np.flatnonzero((self.shift == s).all(axis=1)) for s in np.unique(self.shift, axis=0)
+        }
+        for s, rows in groups.items():
+            for t, columns in groups.items():
+                step = (int(t[0] - s[0]), int(t[1] - s[1]))
+                if step < (0, 0):
+                    continue  # the transpose of its opposite
+                block = blocks.setdefault(step, np.zeros((len(self.free),) * 2))
+                block[np.ix_(self.number[rows], self.number[columns])] += form[np.ix_(rows, columns)]
+        return blocks
+
+
+def bloch_pencil(superelement: Superelement) -> Pencil:
+    """Pencil of the infinite lattice of a superelement."""
+    periodic = Periodic.of(superelement)
+    stiffness, mass = (periodic.pencil_blocks(f) for f in (superelement.stiffness, superelement.mass))
+    return Pencil(
+        shifts=np.array(list(stiffness)),
+        stiffness=np.stack(list(stiffness.values())),
+        mass=np.stack([mass[step] for step in stiffness]),
+    )
+
+
+def eigenpairs(pencil: Pencil, kappa: Array, count: int) -> tuple[Array, Complex]:
+    """The ``count`` lowest eigenvalues omega^2, (rad/s)^2, and modes (n, count) of unit mass."""
+    K, M = pencil.at(kappa)
+    values, modes = la.eigh(K, M, subset_by_index=(0, min(count, pencil.size) - 1), check_finite=False)
+    return values, modes

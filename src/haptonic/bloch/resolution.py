@@ -1,0 +1,92 @@
+"""From the accuracy asked for to a mesh: nobody has to choose one, and an expert can."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import psutil
+
+from haptonic.cell import MeshPlan, UnitCell
+from haptonic.errors import ResourceError
+
+
+@dataclass(frozen=True)
+class Resolution:
+    """How finely a cell is computed.
+
+    order : polynomial order of the elements
+    foot_rings : thin rings on either side of the pillar's foot
+    steps : blocks of the interior's Krylov space
+    """
+
+    order: int
+    foot_rings: int
+    steps: int = 2
+
+    def plan(self, cell: UnitCell) -> MeshPlan:
+        return MeshPlan.suited(cell, self.order, self.foot_rings)
+
+    @property
+    def remaining(self) -> float:
+        """Error of this order as a multiple of its distance to the next lower order.
+
+        At the re-entrant edge (270 degrees) stress grows as r^-0.4555, so on a given mesh the error of a
+        frequency falls as order^(-4 * 0.5445) once the edge is all that is left of it. Up to order 4 the
+        smooth part still counts and the error falls faster: there the factors are measured ones (the
+        benchmarks hold the distribution over many designs).
+        """
+        measured = {2: 1.0, 3: 0.4, 4: 0.82}
+        return measured.get(self.order) or 1.0 / ((self.order / (self.order - 1)) ** (4 * 0.5445) - 1.0)
+
+    def memory(self, cell: UnitCell) -> float:
+        """Estimate of the peak memory, bytes: dense answers to the trace, the factor, element matrices."""
+        plan = self.plan(cell)
+        nodes = plan.plate_levels * (plan.side**2 + 4 * plan.side * plan.order * plan.rings)
+        nodes += plan.pillar_levels * (plan.side**2 + 4 * plan.side * plan.order * plan.rings_inside)
+        trace = 3 * 4 * plan.side * (plan.order + 1)
+        elements = nodes / plan.order**3
+        quarter = 3 * nodes / 4
+        return 8.0 * (
+            5 * quarter * trace / 4  # static and dynamic answers of one class, and work space
+            + 4 * quarter * trace / 4  # what the four classes keep for lifting
+            + 40 * quarter ** (4 / 3)  # factor
+            + 3 * elements / 4 * 9 * (plan.order + 1) ** 6  # element matrices and their blocks
+            + 12 * (trace + 150) ** 2
+        )
+
+
+# Each rung costs about twice the one before; orders grow, the foot is graded further.
+LADDER = (
+    Resolution(3, 1),
+    Resolution(4, 1),
+    Resolution(4, 2),
+    Resolution(5, 2, 3),
+    Resolution(6, 2, 3),
+    Resolution(6, 3, 3),
+    Resolution(7, 3, 3),
+    Resolution(8, 4, 4),
+    Resolution(10, 4, 4),
+)
+EXPECTED = (2e-2, 2e-3, 6e-4, 3e-4, 1.5e-4, 5e-5, 2e-5, 5e-6, 1e-6)  # error each is tried for first
+
+
+def starting_rung(accuracy: float) -> int:
+    """The rung of the ladder that an accuracy (relative) is tried on first."""
+    for rung, expected in enumerate(EXPECTED):
+        if expected <= accuracy:
+            return rung
+    return len(LADDER) - 1
+
+
+def check_memory(cell: UnitCell, resolution: Resolution, accuracy: float) -> None:
+    """Refuse a resolution that this machine cannot hold."""
+    needed, there = resolution.memory(cell), float(psutil.virtual_memory().available)
+    if needed > 0.9 * there:
+        raise ResourceError(
+            argument="bands.accuracy",
+            given=f"{accuracy:g}",
+            allowed=f"what fits into the {there / 1e9:.1f} GB that are free",
+            cause=f"elements of order {resolution.order} with {resolution.foot_rings} rings at the foot "
+            f"would need about {needed / 1e9:.1f} GB",
+            next_step="ask for less accuracy, or use a machine with more memory",
+        )

@@ -1,0 +1,88 @@
+"""Even or odd: what the mirrors of a wavevector's little group say about its modes."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+import scipy.linalg as la
+from numpy.typing import NDArray
+
+from haptonic.lattice import Lattice, Operation
+from haptonic.superelement import Superelement
+
+Array = NDArray[np.float64]
+Complex = NDArray[np.complex128]
+Ints = NDArray[np.int64]
+
+SAME = 1e-5  # modes closer than this share of their frequency are treated as one degenerate group
+
+
+@dataclass(frozen=True)
+class TraceMirror:
+    """A reflection acting on traces: (R b) = sign * b[source]."""
+
+    source: Ints
+    sign: Array
+
+    @classmethod
+    def of(cls, superelement: Superelement, operation: Operation) -> TraceMirror:
+        """Reflections of square and rectangular lattices permute components up to a sign."""
+        topology = superelement.mesh.topology
+        first = topology.rim[0]
+        position = {int(node): place for place, node in enumerate(first)}
+        moved = np.array([position[int(n)] for n in topology.permutation(operation)[first]])
+        came_from = np.argsort(moved)
+        matrix = np.eye(3, dtype=np.int64)
+        matrix[:2, :2] = operation
+        component = np.abs(matrix).argmax(axis=1)
+        trace = np.arange(superelement.trace_size).reshape(superelement.levels, len(first), 3)
+        sign = np.broadcast_to(matrix.sum(axis=1), trace.shape)
+        return cls(trace[:, came_from][:, :, component].ravel(), sign.ravel().astype(float))
+
+    def applied(self, trace: Complex) -> Complex:
+        """Mirror image of (t, k) traces."""
+        return np.asarray(self.sign[:, None] * trace[self.source])
+
+
+def mirrors_at(lattice: Lattice, kappa: Array) -> dict[str, Operation]:
+    """The reflections by name that leave a wavevector unchanged up to a reciprocal lattice vector."""
+    little = lattice.little_group((float(kappa[0]), float(kappa[1])))
+    return {name: op for name, op in lattice.mirrors().items() if op in little}
+
+
+def clusters(frequency: Array, tolerance: float = SAME) -> list[slice]:
+    """Groups of neighbours that are degenerate within a relative tolerance; all those at rest are one."""
+    apart = np.diff(frequency) > np.maximum(tolerance * frequency[1:], 3 * tolerance * frequency[-1])
+    ends = [0, *(int(g) + 1 for g in np.flatnonzero(apart)), len(frequency)]
+    return [slice(a, b) for a, b in zip(ends, ends[1:], strict=False)]
+
+
+def sorted_by_parity(trace: Complex, mirror: TraceMirror, groups: list[slice]) -> tuple[Complex, Array]:
+    """Turn degenerate modes so that each is even or odd.
+
+    Parameters
+    ----------
+    trace : (t, k) traces of the modes on one cell, phases included
+    mirror : a reflection of the wavevector's little group
+    groups : degenerate groups of the modes
+
+    Returns
+    -------
+    turn : (k, k) unitary, block diagonal in the groups; new modes = old modes @ turn
+    parity : (k,) expectation of the reflection, +1 or -1 but for numerical error
+    """
+    count = trace.shape[1]
+    turn = np.zeros((count, count), dtype=complex)
+    parity = np.empty(count)
+    image = mirror.applied(trace)
+    for group in groups:
+        own = trace[:, group]
+        overlap, norm = own.conj().T @ image[:, group], own.conj().T @ own
+        values, vectors = la.eigh(0.5 * (overlap + overlap.conj().T), norm)
+        order = np.argsort(-values)
+        vectors = vectors[:, order]
+        # eigh normalises in the trace; bring the modes back to orthonormal combinations
+        turn[group, group] = np.linalg.qr(vectors)[0]
+        parity[group] = values[order]
+    return turn, parity

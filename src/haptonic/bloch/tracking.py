@@ -1,0 +1,128 @@
+"""Bands along the edge of the zone, followed by what they are and not by their rank."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.optimize import linear_sum_assignment
+
+from haptonic.bloch.character import Character, characters
+from haptonic.bloch.model import BlochModel, Solution
+from haptonic.bloch.symmetry import TraceMirror, clusters, mirrors_at, sorted_by_parity
+from haptonic.lattice import Path
+
+Array = NDArray[np.float64]
+Complex = NDArray[np.complex128]
+Ints = NDArray[np.int64]
+
+ALIKE = 0.2  # squared overlap from which two modes at neighbouring wavevectors may be one branch
+
+
+@dataclass(frozen=True)
+class Diagram:
+    """Dispersion along a path; n wavevectors, k bands sorted by frequency.
+
+    frequency, error : (n, k) Hz
+    velocity : (n, k, 2) group velocity, m/s; NaN for rigid-body motions, where it is not defined
+    parity : (n, k) +1 even, -1 odd under the mirror of the segment, 0 where it has none
+    branch : (n, k) number of the curve that the mode belongs to
+    vertical, pillar_strain, pillar_kinetic, name : (n, k), see `Character`
+    """
+
+    path: Path
+    frequency: Array
+    error: Array
+    velocity: Array
+    parity: Ints
+    branch: Ints
+    vertical: Array
+    pillar_strain: Array
+    pillar_kinetic: Array
+    name: Ints
+
+
+def diagram(model: BlochModel, path: Path) -> Diagram:
+    """Solve along a path and follow the branches.
+
+    On every segment a mirror leaves the wavevector alone; modes of opposite parity cross freely, so only
+    modes of equal parity are joined, and among these the ones whose fields overlap most.
+    """
+    solutions = [model.solve(kappa) for kappa in path.kappa]
+    superelement = model.fine.superelement
+    count, bands = len(solutions), model.count
+    parity = np.zeros((count, bands), dtype=np.int64)
+    branch = np.zeros((count, bands), dtype=np.int64)
+    velocity = np.empty((count, bands, 2))
+    found: list[Character] = []
+    used = 0
+    for start, stop in zip(path.corners, path.corners[1:], strict=False):
+        middle = 0.5 * (path.kappa[start] + path.kappa[stop])
+        operations = list(mirrors_at(model.cell.lattice, middle).values())
+        mirror = TraceMirror.of(superelement, operations[0]) if operations else None
+        before: tuple[Complex, Ints, Ints] | None = None
+        for i in range(start, stop + 1):
+            solution, signs = _turned(solutions[i], model, mirror)
+            if before is None and i > 0:  # a corner: the same modes, sorted by the next mirror
+                before = (corner_fields, np.zeros(bands, dtype=np.int64), branch[i].copy())
+            if before is None:
+                own = np.arange(used, used + bands)
+                used += bands
+            else:
+                own, used = _joined(before, (solution.fields, signs), superelement.mass, used)
+            before = (solution.fields, signs, own)
+            parity[i], branch[i] = signs, own
+            velocity[i] = group_velocity(model, solution)
+            if i < stop or stop == path.corners[-1]:
+                found.append(characters(superelement, solution.fields))
+        corner_fields = solution.fields
+    return Diagram(
+        path=path,
+        frequency=np.stack([s.frequency for s in solutions]),
+        error=np.stack([s.error for s in solutions]),
+        velocity=velocity,
+        parity=parity,
+        branch=branch,
+        vertical=np.stack([c.vertical for c in found]),
+        pillar_strain=np.stack([c.pillar_strain for c in found]),
+        pillar_kinetic=np.stack([c.pillar_kinetic for c in found]),
+        name=np.stack([c.name for c in found]),
+    )
+
+
+def group_velocity(model: BlochModel, solution: Solution) -> Array:
+    """(k, 2) analytic group velocity d omega / d k, m/s.
+
+    With kappa_j = k . a_j the gradient in k is the sum of a_j times the slope in kappa_j.
+    """
+    slopes = model.gradient(solution.kappa, solution.modes)
+    return np.asarray(2 * np.pi * slopes @ model.cell.lattice.vectors)
+
+
+def _turned(solution: Solution, model: BlochModel, mirror: TraceMirror | None) -> tuple[Solution, Ints]:
+    """The solution with degenerate modes turned to definite parity, and the parities."""
+    if mirror is None:
+        return solution, np.zeros(len(solution.frequency), dtype=np.int64)
+    trace = solution.fields[: model.fine.superelement.trace_size]
+    turn, values = sorted_by_parity(trace, mirror, clusters(solution.frequency))
+    return solution.turned(turn), np.sign(values).astype(np.int64)
+
+
+def _joined(
+    before: tuple[Complex, Ints, Ints], now: tuple[Complex, Ints], mass: Array, used: int
+) -> tuple[Ints, int]:
+    """Branch numbers of the modes now, from those before; new numbers where nothing fits."""
+    old_fields, old_signs, old_branch = before
+    fields, signs = now
+    overlap = np.abs(old_fields.conj().T @ (mass @ fields)) ** 2
+    differ = (old_signs[:, None] * signs[None, :]) < 0
+    overlap[differ] = 0.0
+    rows, columns = linear_sum_assignment(-overlap)
+    branch = np.full(len(signs), -1, dtype=np.int64)
+    for row, column in zip(rows, columns, strict=True):
+        if overlap[row, column] > ALIKE:
+            branch[column] = old_branch[row]
+    fresh = np.flatnonzero(branch < 0)
+    branch[fresh] = used + np.arange(len(fresh))
+    return branch, used + len(fresh)

@@ -1,0 +1,71 @@
+"""The whole zone at once: density of states and iso-frequency contours."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from haptonic.bloch.model import BlochModel
+from haptonic.bloch.pencil import eigenpairs
+from haptonic.lattice import Lattice
+
+Array = NDArray[np.float64]
+Ints = NDArray[np.int64]
+
+
+@dataclass(frozen=True)
+class ZoneSurface:
+    """Bands as surfaces over the irreducible zone.
+
+    kappa : (n, 2) phases, rad; triangles : (m, 3); frequency : (n, k) Hz
+    """
+
+    lattice: Lattice
+    kappa: Array
+    triangles: Ints
+    frequency: Array
+
+    def density_of_states(self, edges: Array) -> Array:
+        """(bins,) states per cell and Hz between the given frequencies (bins + 1,).
+
+        Linear interpolation on triangles, integrated exactly (Lehmann and Taut 1972,
+        doi 10.1002/pssb.2220540211, in two dimensions): every band holds one state per cell.
+        """
+        corners = self.kappa[self.triangles]
+        across = corners[:, 1:] - corners[:, :1]
+        area = np.abs(across[:, 0, 0] * across[:, 1, 1] - across[:, 0, 1] * across[:, 1, 0])
+        share = area / area.sum()
+        a, b, c = np.moveaxis(np.sort(self.frequency[self.triangles], axis=1), 1, 0)[..., None]
+        floor = 1e-9 * self.frequency.max()  # a flat triangle still is a (steep) ramp
+        b, c = np.maximum(b, a + floor), np.maximum(c, a + 2 * floor)
+        b = np.minimum(b, c - floor)
+        f = edges
+        rising = (np.clip(f, a, b) - a) ** 2 / ((b - a) * (c - a))
+        falling = 1 - (c - np.clip(f, b, c)) ** 2 / ((c - a) * (c - b))
+        below = np.where(f < b, rising, falling)
+        counted = np.einsum("mkf,m->f", below, share)
+        return np.asarray(np.diff(counted) / np.diff(edges))
+
+    def unfolded(self, band: int) -> tuple[Array, Ints, Array]:
+        """The band over the whole first zone, by the point group: wavevectors (rad/m), triangles, Hz."""
+        points, triangles, values = [], [], []
+        for operation in self.lattice.point_group:
+            start = sum(len(p) for p in points)
+            points.append(self.kappa @ np.linalg.inv(np.array(operation)))
+            triangles.append(self.triangles + start)
+            values.append(self.frequency[:, band])
+        return (
+            self.lattice.wavevector(np.concatenate(points)),
+            np.concatenate(triangles),
+            np.concatenate(values),
+        )
+
+
+def zone_surface(model: BlochModel, divisions: int) -> ZoneSurface:
+    """Sample the irreducible zone on a regular triangulation."""
+    kappa, triangles = model.cell.lattice.zone_triangles(divisions)
+    values = np.stack([eigenpairs(model.fine.pencil, point, model.count)[0] for point in kappa])
+    frequency = np.sqrt(np.maximum(values, 0.0)) / (2 * np.pi)
+    return ZoneSurface(model.cell.lattice, kappa, triangles, frequency)

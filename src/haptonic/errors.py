@@ -1,0 +1,70 @@
+"""The one error family. Every error that reaches a user has the same five parts."""
+
+from __future__ import annotations
+
+import difflib
+from collections.abc import Iterable
+
+
+class HaptonicError(Exception):
+    """Something that the user can put right.
+
+    Parameters
+    ----------
+    argument : which argument or key is concerned, with its path (``cell.pillar.diameter``)
+    given : what was given
+    allowed : what is allowed
+    cause : the likely cause
+    next_step : what to do now
+    """
+
+    def __init__(self, *, argument: str, given: object, allowed: str, cause: str, next_step: str) -> None:
+        self.argument = argument
+        self.given = str(given)
+        self.allowed = allowed
+        self.cause = cause
+        self.next_step = next_step
+        super().__init__(
+            f"{argument}: got {self.given}\n"
+            f"  allowed: {allowed}\n  likely cause: {cause}\n  next step: {next_step}"
+        )
+
+    def parts(self) -> dict[str, str]:
+        """The five parts as a mapping, for ``--json`` and for tables."""
+        return {
+            "argument": self.argument,
+            "given": self.given,
+            "allowed": self.allowed,
+            "cause": self.cause,
+            "next_step": self.next_step,
+        }
+
+    def __reduce__(self) -> tuple[object, ...]:
+        # Exceptions with keyword-only arguments do not pickle by default; workers send them back.
+        return (_rebuilt, (type(self), self.parts()))
+
+
+def _rebuilt(kind: type[HaptonicError], parts: dict[str, str]) -> HaptonicError:
+    return kind(**parts)
+
+
+class StudyError(HaptonicError):
+    """A study file, or a value in it, cannot be used."""
+
+
+class GeometryError(HaptonicError):
+    """Sizes that do not make a body."""
+
+
+class ResourceError(HaptonicError):
+    """The machine has too little memory, or a file cannot be read or written."""
+
+
+class HaptonicWarning(UserWarning):
+    """A value is allowed but so unusual that it is probably a slip."""
+
+
+def nearest(name: str, known: Iterable[str]) -> str | None:
+    """The known name closest to a misspelt one, or None when nothing is near."""
+    matches = difflib.get_close_matches(name, list(known), n=1, cutoff=0.5)
+    return matches[0] if matches else None

@@ -1,0 +1,365 @@
+"""Many computations, each kept in the store the moment it is finished.
+
+Parallel work goes through Dask: worker processes on this machine, or the workers of a scheduler. They send
+their datasets back and this process alone writes the store, so remote workers need no shared disk.
+"""
+
+from __future__ import annotations
+
+import asyncio
+import logging
+import os
+import signal
+import threading
+import warnings
+from collections import Counter
+from collections.abc import Callable, Generator, Iterator, Mapping, Sequence
+from concurrent.futures import CancelledError
+from contextlib import ExitStack, closing, contextmanager
+from dataclasses import dataclass
+from multiprocessing import resource_tracker
+from typing import TYPE_CHECKING, Any
+
+import xarray as xr
+
+from haptonic.errors import HaptonicError, ResourceError
+from haptonic.store import Store, content_key, fingerprint
+
+if TYPE_CHECKING:
+    from distributed import Client, Future, LocalCluster
+
+Function = Callable[[Any], xr.Dataset]
+Progress = Callable[[int, int, bool], None]
+Result = xr.Dataset | HaptonicError
+Results = Generator[tuple[str, Result], None, None]
+
+THREAD_LIMITS = ("OMP_NUM_THREADS", "MKL_NUM_THREADS", "OPENBLAS_NUM_THREADS")
+CONNECT_SECONDS = 5
+FIRST_WORKER_SECONDS = 30
+CLOSE_SECONDS = 0.5
+
+
+@dataclass(frozen=True)
+class Task:
+    """One computation: what names its result (see ``content_key``), and what the function is given."""
+
+    key_inputs: dict[str, object]
+    argument: object
+
+
+@dataclass(frozen=True, eq=False)
+class Outcome:
+    """What came of a task: either the dataset or the error that stands in its place."""
+
+    key: str
+    dataset: xr.Dataset | None
+    error: HaptonicError | None
+    from_store: bool
+
+
+def run_all(
+    function: Function,
+    tasks: Sequence[Task],
+    *,
+    store: Store,
+    workers: int = 0,
+    scheduler: str | None = None,
+    on_progress: Progress | None = None,
+) -> list[Outcome]:
+    """Compute every task that is not in the store yet; the outcomes, in the order of the tasks.
+
+    Parameters
+    ----------
+    function : takes a task's argument and returns a dataset; for parallel work it must be importable
+    workers : worker processes on this machine; 0 computes in this process
+    scheduler : address of a running Dask scheduler, whose workers are used instead
+    on_progress : called with (tasks done, tasks in all, whether this one was in the store)
+
+    A HaptonicError of one task becomes its outcome, as does a worker that dies on the same task twice; the
+    other tasks go on. Any other exception, and Ctrl-C, ends the run; what was finished is in the store, and
+    the next run goes on from there. Errors are not stored.
+
+    On this machine a task costs two workers before it is given up. A running scheduler has its own setting of
+    how many deaths one attempt may cause, and there are two attempts.
+
+    Raises
+    ------
+    HaptonicError : ``workers`` and ``scheduler`` do not go together, or ``workers`` is negative
+    ResourceError : no scheduler at that address, it has no workers, it is lost on the way, local workers do
+        not start, or the store cannot be used
+    """
+    _check(workers, scheduler)
+    keys = [content_key(task.key_inputs) for task in tasks]
+    arguments = {key: task.argument for key, task in zip(keys, tasks, strict=True)}
+    copies = Counter(keys)
+    outcomes: dict[str, Outcome] = {}
+    done = 0
+
+    def keep(outcome: Outcome) -> None:
+        nonlocal done
+        outcomes[outcome.key] = outcome
+        for _ in range(copies[outcome.key]):
+            done += 1
+            if on_progress is not None:
+                on_progress(done, len(keys), outcome.from_store)
+
+    for key in copies:
+        stored = store.get(key)
+        if stored is not None:
+            keep(Outcome(key, stored, None, from_store=True))
+
+    missing = {key: arguments[key] for key in copies if key not in outcomes}
+    if not missing or (workers == 0 and scheduler is None):
+        results = _computed_here(function, missing)
+    else:
+        results = _computed_by_dask(function, missing, workers, scheduler)
+    with closing(results):
+        for key, result in results:
+            if isinstance(result, HaptonicError):
+                keep(Outcome(key, None, result, from_store=False))
+            else:
+                store.put(key, result)
+                keep(Outcome(key, result, None, from_store=False))
+    return [outcomes[key] for key in keys]
+
+
+def _check(workers: int, scheduler: str | None) -> None:
+    if workers < 0 or (workers > 0 and scheduler is not None):
+        raise HaptonicError(
+            argument="workers",
+            given=workers if scheduler is None else f"{workers}, and the scheduler {scheduler}",
+            allowed="0 or more worker processes on this machine, or a scheduler with workers of its own",
+            cause="a slip, or two ways of computing asked for at once",
+            next_step="give --workers N or --scheduler ADDRESS, not both",
+        )
+
+
+def _computed_here(function: Function, missing: Mapping[str, object]) -> Results:
+    for key, argument in missing.items():
+        yield key, _attempt(function, argument)
+
+
+def _attempt(function: Function, argument: object) -> Result:
+    try:
+        dataset = function(argument)
+    except HaptonicError as error:
+        return error
+    assert isinstance(dataset, xr.Dataset), f"{function} returned {type(dataset).__name__}, not a dataset"
+    return dataset
+
+
+def _attempt_there(argument: object, function: Function, expected: str) -> Result:
+    """As ``_attempt``, on a worker; refused where the code is not the code that the result is filed under."""
+    if fingerprint() != expected:
+        return ResourceError(
+            argument="worker",
+            given="one with another version of haptonic, numpy or scipy",
+            allowed="workers with the same versions as this process, so that results do not mix",
+            cause="haptonic was updated, there or while this run was starting",
+            next_step="install the same versions everywhere, restart the workers, and start again",
+        )
+    return _attempt(function, argument)
+
+
+def _computed_by_dask(
+    function: Function, missing: Mapping[str, object], workers: int, scheduler: str | None
+) -> Results:
+    where = _local_workers(min(workers, len(missing))) if scheduler is None else _remote_workers(scheduler)
+    with _quiet(), where as client:
+        try:
+            yield from _collected(client, function, missing)
+        except CancelledError as error:
+            if scheduler is None:
+                raise
+            raise _no_scheduler(
+                scheduler, "it was ended, or the connection broke, while computing"
+            ) from error
+        except ImportError as error:
+            if scheduler is None:
+                raise
+            raise _no_scheduler(scheduler, f"its workers lack a module: {error}") from error
+
+
+def _collected(client: Client, function: Function, missing: Mapping[str, object]) -> Results:
+    from distributed import KilledWorker, as_completed  # here for the reason given in _local_workers
+
+    def submitted(keys: Sequence[str]) -> list[Future[Any]]:
+        arguments = [missing[key] for key in keys]
+        return client.map(_attempt_there, arguments, function=function, expected=fingerprint(), pure=False)
+
+    keys = list(missing)
+    futures = submitted(keys)
+    waiting = {future.key: (key, future) for key, future in zip(keys, futures, strict=True)}
+    finished = as_completed(futures, loop=client.loop)  # type: ignore[no-untyped-call]
+    del futures  # a worker keeps a dataset for as long as somebody holds its future
+    suspects = []
+    for future in finished:
+        key, _ = waiting.pop(future.key)
+        try:
+            yield key, future.result()
+        except KilledWorker:
+            suspects.append(key)
+        except Exception:
+            yield from (
+                (key, other.result()) for key, other in waiting.values() if other.status == "finished"
+            )
+            raise
+
+    # A worker that dies takes with it whatever it had been given, so the tasks it held are only suspected.
+    # Alone on the workers, a task answers for itself.
+    for key in suspects:
+        (future,) = submitted([key])
+        try:
+            yield key, future.result()
+        except KilledWorker:
+            yield key, _died_twice(missing[key])
+
+
+def _died_twice(argument: object) -> ResourceError:
+    return ResourceError(
+        argument="worker process",
+        given=f"died twice on the task {str(argument)[:200]}",
+        allowed="a task that a worker can finish",
+        cause="more memory needed than a worker has, or a crash inside a numerical library",
+        next_step="run it again with fewer workers (each has more memory), or take this design out",
+    )
+
+
+@contextmanager
+def _local_workers(count: int) -> Iterator[Client]:
+    # Importing distributed takes most of a second, which only a run that uses it should pay.
+    import dask
+    from dask.system import CPU_COUNT
+    from distributed import Client, LocalCluster
+
+    given = dask.config.get("distributed.nanny.pre-spawn-environ")
+    limits = dict.fromkeys(THREAD_LIMITS, str(max(1, CPU_COUNT // count)))
+    settings = {
+        "distributed.nanny.pre-spawn-environ": {**given, **limits},
+        "distributed.scheduler.allowed-failures": 0,  # the second attempt is made by _collected
+        "distributed.scheduler.worker-saturation": 1.0,  # no queue on a worker that would die with it
+        "distributed.scheduler.worker-ttl": None,  # a busy process is not a dead one; its end is noticed
+    }
+    with (
+        dask.config.set(settings),
+        _environment({**given, "PYTHONHASHSEED": None}, limits),
+        ExitStack() as stack,
+    ):
+        with _interrupts_held():
+            try:
+                cluster = LocalCluster(  # type: ignore[no-untyped-call]
+                    n_workers=count,
+                    threads_per_worker=1,
+                    processes=True,
+                    dashboard_address=None,
+                    silence_logs=logging.CRITICAL,
+                )
+            except (RuntimeError, OSError) as error:
+                raise ResourceError(
+                    argument="workers",
+                    given=count,
+                    allowed="as many worker processes as this machine can start",
+                    cause=f"too little memory, or a script without a main guard ({error})",
+                    next_step='put the call below `if __name__ == "__main__":`, or use fewer workers, or 0',
+                ) from error
+            stack.callback(_end, cluster)
+            client = stack.enter_context(Client(cluster, set_as_default=False))  # type: ignore[no-untyped-call]
+        yield client
+
+
+def _end(cluster: LocalCluster) -> None:
+    """End the workers without waiting for what they are doing, which nobody wants any more."""
+
+    async def end_workers() -> None:
+        nannies = cluster.workers.values()
+        await asyncio.gather(*(nanny.close(timeout=CLOSE_SECONDS) for nanny in nannies))
+
+    with _interrupts_held():
+        cluster.sync(end_workers)  # type: ignore[no-untyped-call]
+        cluster.close()
+
+
+@contextmanager
+def _interrupts_held() -> Iterator[None]:
+    """Let Ctrl-C wait until the block is done: Dask does not survive it while it starts or ends a cluster.
+
+    The signal is also blocked in the threads and processes that are started meanwhile. A terminal sends it to
+    every process of the run, and only this one is to react.
+    """
+    seen: list[int] = []
+    blocks = hasattr(signal, "pthread_sigmask")  # not on Windows
+    # Python allows handlers in the main thread only; elsewhere Ctrl-C does not arrive anyway.
+    handles = threading.current_thread() is threading.main_thread()
+    if handles:
+        handler = signal.signal(signal.SIGINT, lambda number, frame: seen.append(number))
+    if blocks:
+        # Started on demand otherwise, by a thread that would then unblock the signal.
+        resource_tracker.ensure_running()
+        mask = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})
+    try:
+        yield
+    finally:
+        if blocks:
+            signal.pthread_sigmask(signal.SIG_SETMASK, mask)
+        if handles:
+            signal.signal(signal.SIGINT, handler or signal.SIG_DFL)
+    if seen:
+        signal.raise_signal(signal.SIGINT)
+
+
+@contextmanager
+def _remote_workers(address: str) -> Iterator[Client]:
+    from distributed import Client  # here for the reason given in _local_workers
+
+    try:
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")  # about other versions there; the ones that matter are compared
+            client = Client(address, timeout=CONNECT_SECONDS, set_as_default=False)  # type: ignore[no-untyped-call]
+    except (OSError, ValueError) as error:
+        raise _no_scheduler(address, "it is not running, or the address is misspelt") from error
+    with client:
+        try:
+            client.wait_for_workers(1, timeout=FIRST_WORKER_SECONDS)
+        except TimeoutError as error:
+            raise _no_scheduler(address, "it has no workers") from error
+        yield client
+
+
+def _no_scheduler(address: str, cause: str) -> ResourceError:
+    return ResourceError(
+        argument="scheduler",
+        given=address,
+        allowed="the address of a running Dask scheduler with workers, such as tcp://127.0.0.1:8786",
+        cause=cause,
+        next_step="start `dask scheduler` and `dask worker ADDRESS`, or give --workers N instead; what was "
+        "finished is in the store",
+    )
+
+
+@contextmanager
+def _environment(touched: Mapping[str, object], values: Mapping[str, str]) -> Iterator[None]:
+    """Set variables for a while, then put back these and all that Dask is known to touch."""
+    before = {name: os.environ.get(name) for name in {*touched, *values}}
+    os.environ.update(values)
+    try:
+        yield
+    finally:
+        for name, value in before.items():
+            if value is None:
+                os.environ.pop(name, None)
+            else:
+                os.environ[name] = value
+
+
+@contextmanager
+def _quiet() -> Iterator[None]:
+    """Nothing from Dask's loggers: what a user has to know is in the outcomes and errors."""
+    loggers = [logging.getLogger(name) for name in ("distributed", "distributed.client", "distributed.gc")]
+    levels = [logger.level for logger in loggers]
+    for logger in loggers:
+        logger.setLevel(logging.CRITICAL)
+    try:
+        yield
+    finally:
+        for logger, level in zip(loggers, levels, strict=True):
+            logger.setLevel(level)

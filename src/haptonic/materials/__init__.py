@@ -1,0 +1,17 @@
+"""Materials: elastic constants, density and loss, each with its source and what is known of its spread."""
+
+from haptonic.materials.isotropic import INCOMPRESSIBLE, POISSON_BOUNDS, IsotropicMaterial
+from haptonic.materials.library import Material, library, material
+from haptonic.materials.orthotropic import OrthotropicMaterial
+from haptonic.materials.piezoelectric import PiezoelectricMaterial
+
+__all__ = [
+    "INCOMPRESSIBLE",
+    "POISSON_BOUNDS",
+    "IsotropicMaterial",
+    "Material",
+    "OrthotropicMaterial",
+    "PiezoelectricMaterial",
+    "library",
+    "material",
+]

@@ -1,0 +1,146 @@
+"""What all materials share: checks at construction, an immutable mapping, matrices as nested tuples."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Mapping, Sequence
+
+import numpy as np
+from numpy.typing import NDArray
+
+from haptonic.errors import StudyError, nearest
+from haptonic.units import format_quantity, shown
+
+Array = NDArray[np.float64]
+Rows = tuple[tuple[float, ...], ...]
+
+SYMMETRY_TOLERANCE = 1e-9  # relative to the largest entry of a matrix
+
+
+class Spread(Mapping[str, float]):
+    """Half-widths of the intervals in which properties plausibly lie, by field name and in SI units.
+
+    An immutable mapping, so that a material can be hashed and sent to another process.
+    """
+
+    __slots__ = ("_pairs",)
+
+    def __init__(self, widths: Mapping[str, float] | Sequence[tuple[str, float]] = ()) -> None:
+        self._pairs = tuple(sorted(dict(widths).items()))
+
+    def __getitem__(self, name: str) -> float:
+        for key, width in self._pairs:
+            if key == name:
+                return width
+        raise KeyError(name)
+
+    def __iter__(self) -> Iterator[str]:
+        return (key for key, _ in self._pairs)
+
+    def __len__(self) -> int:
+        return len(self._pairs)
+
+    def __hash__(self) -> int:
+        return hash(self._pairs)
+
+    def __repr__(self) -> str:
+        return f"Spread({dict(self._pairs)!r})"
+
+    def __reduce__(self) -> tuple[type[Spread], tuple[tuple[tuple[str, float], ...]]]:
+        return Spread, (self._pairs,)
+
+
+def require_name(name: object) -> None:
+    if not isinstance(name, str) or not name.strip():
+        raise StudyError(
+            argument="material.name",
+            given=shown(name),
+            allowed="a text that is not empty",
+            cause="the name was left out",
+            next_step="give the material a name; reports and plots show it",
+        )
+
+
+def require_between(
+    name: str,
+    value: object,
+    unit: str,
+    *,
+    above: float = -math.inf,
+    at_least: float = -math.inf,
+    below: float = math.inf,
+    hint: str = "",
+) -> None:
+    """Refuse anything but a finite number in the interval; ``hint`` says what to do about it."""
+    number = isinstance(value, int | float) and not isinstance(value, bool) and math.isfinite(value)
+    if number and above < value and at_least <= value < below:  # type: ignore[operator]
+        return
+    limits = {"above": above, "at least": at_least, "below": below}
+    words = [
+        f"{word} {format_quantity(limit, unit)}" for word, limit in limits.items() if math.isfinite(limit)
+    ]
+    raise StudyError(
+        argument=f"material.{name}",
+        given=format_quantity(float(value), unit) if number else shown(value),  # type: ignore[arg-type]
+        allowed="a finite number" + (f" {' and '.join(words)}" if words else f" in {unit}" * bool(unit)),
+        cause="outside what a stable solid can have" if number else "it is not a finite number",
+        next_step=hint or f"check the value and its unit{f' ({unit})' if unit else ''}",
+    )
+
+
+def spread_of(uncertainty: Mapping[str, float], properties: Mapping[str, str]) -> Spread:
+    """Checked copy of an ``uncertainty`` argument; ``properties`` maps each allowed name to its unit."""
+    for name, width in uncertainty.items():
+        if name not in properties:
+            guess = nearest(name, properties)
+            raise StudyError(
+                argument=f"material.uncertainty.{name}",
+                given=shown(width),
+                allowed=f"one of {', '.join(properties)}",
+                cause="this material has no such property",
+                next_step=f'write "{guess}"' if guess else "leave it out",
+            )
+        require_between(f"uncertainty.{name}", width, properties[name], at_least=0.0)
+    return Spread({name: float(width) for name, width in uncertainty.items()})
+
+
+def rows_of(name: str, matrix: object, shape: tuple[int, int]) -> Rows:
+    """A matrix as nested tuples, its shape and numbers checked."""
+    try:
+        array = np.asarray(matrix, dtype=float)
+    except (TypeError, ValueError):
+        array = np.full((1, 1), np.nan)
+    if array.shape != shape or not np.isfinite(array).all():
+        raise StudyError(
+            argument=f"material.{name}",
+            given=shown(matrix),
+            allowed=f"{shape[0]} rows of {shape[1]} finite numbers",
+            cause="a row or a number is missing, or one of them is not finite",
+            next_step="write the matrix in Voigt order 11, 22, 33, 23, 13, 12",
+        )
+    return tuple(tuple(float(entry) for entry in row) for row in array)
+
+
+def require_positive_definite(name: str, rows: Rows) -> None:
+    """Refuse a matrix that is not symmetric, or that lets some deformation cost no energy or gain it."""
+    array = np.array(rows)
+    scale = float(np.abs(array).max())
+    if float(np.abs(array - array.T).max()) > SYMMETRY_TOLERANCE * scale:
+        given, cause, next_step = (
+            "a matrix that is not symmetric",
+            "an entry was mistyped",
+            "make it symmetric",
+        )
+    elif (smallest := float(np.linalg.eigvalsh(array).min())) <= SYMMETRY_TOLERANCE * scale:
+        given = f"a smallest eigenvalue of {smallest:.3g}"
+        cause = "these constants together would let the solid deform by itself"
+        next_step = "check the signs, the order of the entries and which of them are compliances"
+    else:
+        return
+    raise StudyError(
+        argument=f"material.{name}",
+        given=given,
+        allowed="a symmetric positive definite matrix",
+        cause=cause,
+        next_step=next_step,
+    )

@@ -1,0 +1,229 @@
+"""Sparse symmetric direct solvers behind one small interface.
+
+A `Pattern` is analysed once; every set of numbers on it is then factorised without a new analysis. MKL
+Pardiso is used where it is installed, else CHOLMOD, else SciPy's SuperLU. ``HAPTONIC_SOLVER`` forces one.
+"""
+
+from __future__ import annotations
+
+import ctypes
+import importlib.util
+import os
+import sys
+from dataclasses import dataclass
+from functools import cache
+from typing import Any, Protocol
+
+import numpy as np
+import scipy.sparse as sp
+from numpy.typing import NDArray
+from scipy.sparse.linalg import splu
+
+from haptonic.errors import HaptonicError
+
+Array = NDArray[np.float64]
+Indices = NDArray[np.int32]
+
+
+@dataclass(frozen=True)
+class Pattern:
+    """Upper triangle of a symmetric sparse matrix in compressed rows, every diagonal entry present.
+
+    indptr : (n + 1,), indices : (nnz,) ascending within a row
+    """
+
+    indptr: Indices
+    indices: Indices
+
+    @property
+    def size(self) -> int:
+        return len(self.indptr) - 1
+
+    def matrix(self, data: Array) -> sp.csr_array:
+        """The whole symmetric matrix."""
+        upper = sp.csr_array((data, self.indices, self.indptr), shape=(self.size, self.size))
+        return sp.csr_array(upper + sp.triu(upper, 1).T)
+
+
+class Solver(Protocol):
+    """Analysed pattern that holds at most one factorisation at a time."""
+
+    name: str
+
+    def factorise(self, data: Array, *, definite: bool = True) -> int:
+        """Factorise the numbers ``data`` on the pattern; returns the count of negative eigenvalues.
+
+        Raises ``numpy.linalg.LinAlgError`` if the matrix is singular, or not definite when it should be.
+        """
+        ...
+
+    def solve(self, right: Array) -> Array:
+        """(n, m) solutions for (n, m) right-hand sides with the latest factorisation."""
+        ...
+
+
+class PardisoSolver:
+    """MKL Pardiso, without its iterative refinement, which costs a factor of 40 on many right-hand sides."""
+
+    name = "MKL Pardiso"
+
+    def __init__(self, pattern: Pattern) -> None:
+        self._pattern = pattern
+        self._rows, self._columns = pattern.indptr.astype(np.int32), pattern.indices.astype(np.int32)
+        self._handles: dict[int, NDArray[np.int64]] = {}
+        self._data: Array = np.empty(0)
+        self._type = 2
+        self._unused = np.zeros(1, dtype=np.int32)  # where a fill-reducing order of our own would go
+        self._settings = np.zeros(64, dtype=np.int32)
+        # numbers of the settings as in the MKL manual, less one
+        self._settings[[0, 1, 7, 9, 20, 34]] = 1, 2, 0, 8, 1, 1
+        self._settings[23] = 1  # two-level scheduling: good on few cores
+
+    def factorise(self, data: Array, *, definite: bool = True) -> int:
+        self._type = 2 if definite else -2
+        self._data = np.ascontiguousarray(data, dtype=np.float64)
+        if self._type not in self._handles:
+            self._handles[self._type] = np.zeros(64, dtype=np.int64)
+            self._call(11)
+        self._call(22)
+        return 0 if definite else int(self._settings[22])
+
+    def solve(self, right: Array) -> Array:
+        flat = np.asfortranarray(right, dtype=np.float64)
+        out = np.empty_like(flat, order="F")
+        self._call(33, flat, out)
+        return out
+
+    def _call(self, phase: int, right: Array | None = None, out: Array | None = None) -> None:
+        def number(value: int) -> Any:
+            return ctypes.byref(ctypes.c_int32(value))
+
+        def integers(array: Indices) -> Any:
+            return array.ctypes.data_as(ctypes.POINTER(ctypes.c_int32))
+
+        def reals(array: Array | None) -> Any:
+            return None if array is None else array.ctypes.data_as(ctypes.c_void_p)
+
+        count = 1 if right is None or right.ndim == 1 else right.shape[1]
+        handle = self._handles[self._type].ctypes.data_as(ctypes.POINTER(ctypes.c_int64))
+        error = ctypes.c_int32(0)
+        _pardiso_function()(
+            handle, number(1), number(1), number(self._type), number(phase), number(self._pattern.size),
+            reals(self._data), integers(self._rows), integers(self._columns), integers(self._unused),
+            number(count), integers(self._settings), number(0), reals(right), reals(out), ctypes.byref(error),
+        )  # fmt: skip
+        if error.value in (-4, -7):
+            raise np.linalg.LinAlgError("the matrix is singular or not definite")
+        if error.value == -2:
+            raise MemoryError("MKL Pardiso ran out of memory")
+        if error.value:
+            raise RuntimeError(f"MKL Pardiso stopped with error {error.value} in phase {phase}")
+
+    def __del__(self) -> None:
+        if sys.is_finalizing():
+            return  # the process takes its memory with it
+        for kind in list(self._handles):
+            self._type = kind
+            self._call(-1)
+
+
+class CholmodSolver:
+    """CHOLMOD of SuiteSparse, through scikit-sparse."""
+
+    name = "CHOLMOD"
+
+    def __init__(self, pattern: Pattern) -> None:
+        self._pattern = pattern
+        self._factor: Any = None
+        self._indefinite: SuperLUSolver | None = None
+
+    def factorise(self, data: Array, *, definite: bool = True) -> int:
+        if not definite:  # CHOLMOD's L D L' has no pivoting; SuperLU counts more safely
+            self._indefinite = SuperLUSolver(self._pattern)
+            return self._indefinite.factorise(data, definite=False)
+        from sksparse import cholmod  # optional dependency
+
+        self._indefinite = None
+        matrix = sp.csc_array(self._pattern.matrix(data))
+        try:
+            if self._factor is None:
+                self._factor = cholmod.analyze(matrix)
+            self._factor.cholesky_inplace(matrix)
+        except cholmod.CholmodNotPositiveDefiniteError:
+            raise np.linalg.LinAlgError("the matrix is not definite") from None
+        return 0
+
+    def solve(self, right: Array) -> Array:
+        if self._indefinite is not None:
+            return self._indefinite.solve(right)
+        return np.asarray(self._factor(right))
+
+
+class SuperLUSolver:
+    """SciPy's SuperLU: slower by an order of magnitude, but always there."""
+
+    name = "SciPy SuperLU"
+
+    def __init__(self, pattern: Pattern) -> None:
+        self._pattern = pattern
+        self._factor: Any = None
+
+    def factorise(self, data: Array, *, definite: bool = True) -> int:
+        matrix = sp.csc_array(self._pattern.matrix(data))
+        try:
+            self._factor = splu(
+                matrix,
+                permc_spec="MMD_AT_PLUS_A",
+                diag_pivot_thresh=0.0,
+                options={"SymmetricMode": True},
+            )
+        except RuntimeError:
+            raise np.linalg.LinAlgError("the matrix is singular") from None
+        # Without row exchanges U's diagonal is that of L D L', whose signs count eigenvalues (Sylvester).
+        if not np.array_equal(self._factor.perm_r, self._factor.perm_c):
+            raise np.linalg.LinAlgError("SuperLU had to exchange rows; the count of signs would be wrong")
+        negative = int((self._factor.U.diagonal() < 0).sum())
+        if definite and negative:
+            raise np.linalg.LinAlgError("the matrix is not definite")
+        return negative
+
+    def solve(self, right: Array) -> Array:
+        return np.asarray(self._factor.solve(np.asarray(right)))
+
+
+@cache
+def _pardiso_function() -> Any:
+    # idle threads of MKL otherwise spin for 0.2 s after every call and take the cores from others
+    os.environ.setdefault("KMP_BLOCKTIME", "0")
+    from pypardiso import PyPardisoSolver  # optional dependency; finds and loads the library
+
+    return PyPardisoSolver()._mkl_pardiso
+
+
+SOLVERS: dict[str, tuple[str | None, type[Solver]]] = {
+    "pardiso": ("pypardiso", PardisoSolver),
+    "cholmod": ("sksparse", CholmodSolver),
+    "superlu": (None, SuperLUSolver),
+}
+
+
+def available() -> list[str]:
+    """Short names of the solvers that are installed here, best first."""
+    return [
+        name for name, (module, _) in SOLVERS.items()
+        if module is None or importlib.util.find_spec(module) is not None
+    ]  # fmt: skip
+
+
+def chosen() -> type[Solver]:
+    """The best solver that is installed, or the one that ``HAPTONIC_SOLVER`` names."""
+    wanted = os.environ.get("HAPTONIC_SOLVER") or available()[0]
+    if wanted not in available():
+        raise HaptonicError(
+            argument="HAPTONIC_SOLVER",
+            given=wanted,
+            allowed="one of " + ", ".join(available()),
+            cause="the name is misspelt, or that solver's package is not installed",
+            next_step="unset the variable, or install the package",
+        )
+    return SOLVERS[wanted][1]

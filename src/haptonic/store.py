@@ -1,0 +1,263 @@
+"""Results on disk, found again by what made them.
+
+A result is filed under the SHA-256 of its inputs and of the code that computed it (``content_key``). So a run
+that was killed goes on where it was, a run that was done is instant, and a result is never taken from code
+that has changed since. A file appears whole or not at all: it is written under a temporary name, brought to
+the disk, then renamed.
+"""
+
+from __future__ import annotations
+
+import errno
+import hashlib
+import io
+import json
+import math
+import os
+import re
+import secrets
+import time
+import warnings
+from collections.abc import Callable, Mapping
+from contextlib import suppress
+from dataclasses import dataclass
+from functools import cache
+from pathlib import Path
+
+import numpy as np
+import platformdirs
+import scipy
+import xarray as xr
+
+from haptonic.errors import HaptonicWarning, ResourceError
+
+# Parts of the package that show results but do not make them.
+SHOWING = frozenset({"cli", "plots", "report"})
+
+DIGEST_BYTES = hashlib.sha256().digest_size
+STALE_SECONDS = 24 * 3600.0
+TEMPORARY = ".haptonic-"
+
+_KEY = re.compile(r"[0-9a-f]{64}")
+
+_CAUSES = {
+    errno.ENOSPC: "the disk is full",
+    errno.EDQUOT: "your share of the disk is used up",
+    errno.EFBIG: "the file is larger than the system lets you write",
+    errno.EACCES: "you may not write there",
+    errno.EPERM: "you may not write there",
+    errno.EROFS: "the disk can only be read",
+    errno.ENOTDIR: "a part of the path is a file, not a folder",
+    errno.EEXIST: "a part of the path is a file, not a folder",
+    errno.EISDIR: "there is a folder of that name",
+    errno.ENAMETOOLONG: "the name is too long",
+}
+
+
+@cache
+def fingerprint() -> str:
+    """Hash of the code that computes: the package's numerical source and the versions of numpy and scipy.
+
+    Read once per process.
+    """
+    return _fingerprint(Path(__file__).parent, {"numpy": np.__version__, "scipy": scipy.__version__})
+
+
+def _fingerprint(package: Path, versions: Mapping[str, str]) -> str:
+    digest = hashlib.sha256(json.dumps(versions, sort_keys=True).encode())
+    files = {
+        path.relative_to(package): path for path in package.rglob("*") if path.suffix in (".py", ".toml")
+    }
+    for name in sorted(files, key=lambda name: name.as_posix()):
+        if name.parts[0].removesuffix(".py") not in SHOWING:
+            content = files[name].read_bytes()
+            digest.update(f"\n{name.as_posix()} {len(content)}\n".encode())
+            digest.update(content)
+    return digest.hexdigest()
+
+
+def content_key(inputs: Mapping[str, object]) -> str:
+    """Key of a result: SHA-256 (64 hexadecimal digits) of its inputs and of ``fingerprint()``.
+
+    ``inputs`` must hold everything that the result depends on, the kind of computation included, in JSON
+    types: text, finite floats, integers, booleans, None, and lists, tuples and dicts of those. The order
+    of keys does not matter; 1 and 1.0 are different inputs; a list and a tuple are the same one.
+    """
+    plain = dict(inputs)
+    _assert_json(plain, "inputs")
+    canonical = json.dumps(plain, sort_keys=True, separators=(",", ":"), allow_nan=False)
+    return hashlib.sha256(f"{fingerprint()}\n{canonical}".encode()).hexdigest()
+
+
+def _assert_json(value: object, where: str) -> None:
+    if isinstance(value, dict):
+        for name, inner in value.items():
+            assert isinstance(name, str), f"{where}: the name {name!r} is not text"
+            _assert_json(inner, f"{where}.{name}")
+    elif isinstance(value, list | tuple):
+        for index, inner in enumerate(value):
+            _assert_json(inner, f"{where}[{index}]")
+    elif isinstance(value, float):
+        assert math.isfinite(value), f"{where}: {value} is not finite, so it cannot name a result"
+    else:
+        known = value is None or isinstance(value, str | int)
+        assert known, (
+            f"{where}: {type(value).__name__} is not a JSON type; convert it before it names a result"
+        )
+
+
+@dataclass(frozen=True)
+class Store:
+    """Datasets in files below ``root``, each named by its ``content_key``.
+
+    A file is NetCDF (HDF5), followed by the SHA-256 of all that comes before it. NetCDF readers ignore the
+    addition; ``get`` uses it to recognise a file that was cut short or damaged.
+    """
+
+    root: Path
+
+    @classmethod
+    def default(cls) -> Store:
+        """The folder named by ``$HAPTONIC_STORE``, else this user's cache folder."""
+        chosen = os.environ.get("HAPTONIC_STORE")
+        root = (
+            Path(chosen).expanduser() if chosen else platformdirs.user_cache_path("haptonic", appauthor=False)
+        )
+        return cls(root.absolute())
+
+    def path(self, key: str) -> Path:
+        """Where the result of this key is or would be."""
+        assert _KEY.fullmatch(key), f"{key!r} does not come from content_key"
+        return self.root / key[:2] / f"{key}.nc"
+
+    def __contains__(self, key: str) -> bool:
+        """Whether there is a file for this key; only ``get`` finds out whether it is sound."""
+        return self.path(key).is_file()
+
+    def get(self, key: str) -> xr.Dataset | None:
+        """The dataset of this key, in memory; None when there is none.
+
+        A damaged file counts as none: it is renamed to ``<name>.corrupt`` and a HaptonicWarning says so.
+
+        Raises
+        ------
+        ResourceError : the file is there and cannot be read, or the store is not a folder
+        """
+        path = self.path(key)
+        try:
+            content = path.read_bytes()
+            if not _is_sound(content):
+                _set_aside(path)
+                return None
+        except FileNotFoundError:
+            return None
+        except OSError as error:
+            raise self._unusable(path, error) from error
+        # A quantity whose unit is the second stays a number instead of becoming a timedelta.
+        return xr.load_dataset(io.BytesIO(content), engine="h5netcdf", decode_timedelta=False)
+
+    def put(self, key: str, dataset: xr.Dataset) -> None:
+        """Keep a dataset under this key, in place of one that is there.
+
+        Its attributes must be ones that NetCDF knows: text, numbers, and lists of numbers, not booleans.
+
+        Raises
+        ------
+        ResourceError : the folder cannot be made or written, or the disk is full
+        """
+        path = self.path(key)
+        # Made in memory first: HDF5 reports a full disk by errors of many kinds, a plain write by one.
+        content = io.BytesIO()
+        dataset.to_netcdf(content, engine="h5netcdf")
+        content.seek(0, io.SEEK_END)
+        content.write(hashlib.sha256(content.getbuffer()).digest())
+        try:
+            _replace(path, lambda temporary: temporary.write_bytes(content.getbuffer()))
+            _remove_stale(path.parent)
+        except OSError as error:
+            raise self._unusable(path, error) from error
+
+    def _unusable(self, path: Path, error: OSError) -> ResourceError:
+        return ResourceError(
+            argument="results store",
+            given=path,
+            allowed="a folder that can be read and written, with room for the results",
+            cause=_cause(error),
+            next_step="free or permit that folder, or name another one: HAPTONIC_STORE=FOLDER haptonic ...",
+        )
+
+
+def write_atomically(path: Path, writer: Callable[[Path], object]) -> None:
+    """Write a file so that it appears whole or not at all; missing folders are made.
+
+    ``writer`` is given a temporary path in the same folder and with the same suffix, and writes that. When
+    it fails, nothing is left behind and a file that was there before is untouched.
+
+    Raises
+    ------
+    ResourceError : the folder cannot be made or written, or the disk is full
+    """
+    try:
+        _replace(path, writer)
+    except OSError as error:
+        raise ResourceError(
+            argument="output file",
+            given=path,
+            allowed="a file in a folder that can be written, with room for it",
+            cause=_cause(error),
+            next_step="choose another folder for the output, or make this one writable",
+        ) from error
+
+
+def refuse_overwrite(path: Path, overwrite: bool) -> None:
+    """Raise ResourceError if something of that name exists and was not asked to be replaced."""
+    if os.path.lexists(path) and not overwrite:
+        raise ResourceError(
+            argument="output file",
+            given=path,
+            allowed="a name that is not taken, unless overwriting was asked for",
+            cause="an earlier run wrote it",
+            next_step="choose another folder for the output, or ask to overwrite",
+        )
+
+
+def _replace(path: Path, writer: Callable[[Path], object]) -> None:
+    path.parent.mkdir(parents=True, exist_ok=True)
+    # Not tempfile: its files are for their owner only, and results follow the umask like any other file.
+    temporary = path.parent / f"{TEMPORARY}{secrets.token_hex(8)}.tmp{path.suffix}"
+    try:
+        writer(temporary)
+        assert temporary.exists(), f"the writer of {path.name} wrote nothing"
+        with temporary.open("rb+") as written:
+            os.fsync(written.fileno())
+        temporary.replace(path)
+    finally:
+        temporary.unlink(missing_ok=True)
+
+
+def _remove_stale(folder: Path) -> None:
+    """Remove what killed runs left; what is younger than a day may be another run's work in progress."""
+    for leftover in folder.glob(f"{TEMPORARY}*.tmp*"):
+        with suppress(OSError):  # gone meanwhile, or somebody else's: not a reason to fail
+            if time.time() - leftover.stat().st_mtime > STALE_SECONDS:
+                leftover.unlink()
+
+
+def _is_sound(content: bytes) -> bool:
+    view = memoryview(content)
+    return hashlib.sha256(view[:-DIGEST_BYTES]).digest() == view[-DIGEST_BYTES:]
+
+
+def _set_aside(path: Path) -> None:
+    aside = path.with_name(f"{path.name}.corrupt")
+    path.replace(aside)
+    warnings.warn(
+        f"a stored result was damaged and will be computed again; the file is kept as {aside}",
+        HaptonicWarning,
+        stacklevel=3,
+    )
+
+
+def _cause(error: OSError) -> str:
+    known = _CAUSES.get(error.errno or 0)
+    return known or error.strerror or str(error)

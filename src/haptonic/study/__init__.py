@@ -1,0 +1,22 @@
+"""The study file: read, checked, written; one immutable value for everything that a run computes with."""
+
+from haptonic.study.keys import Key, table
+from haptonic.study.loading import load, loads
+from haptonic.study.schema import Study, SweepSection
+from haptonic.study.sections import BandsSection, CellSection, MaterialSection, MeshSection, PillarSection
+from haptonic.study.vary import solve
+
+__all__ = [
+    "BandsSection",
+    "CellSection",
+    "Key",
+    "MaterialSection",
+    "MeshSection",
+    "PillarSection",
+    "Study",
+    "SweepSection",
+    "load",
+    "loads",
+    "solve",
+    "table",
+]

@@ -1,0 +1,159 @@
+"""Every key of the study file as a flat table, read from the schema and from nothing else."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from functools import cache
+from types import NoneType, UnionType
+from typing import Annotated, Any, Literal, Union, get_args, get_origin
+
+import annotated_types
+from pydantic import BaseModel
+from pydantic.fields import FieldInfo
+
+from haptonic.study.quantity import Quantity
+
+
+@dataclass(frozen=True)
+class Key:
+    """One key of the study file.
+
+    path : dotted, such as ``cell.pillar.diameter``; ``sweep[].from`` for a key of every ``[[sweep]]``
+    kind : "quantity", "number", "integer", "text", "choice", "table" or "tables"
+    unit : SI unit; empty without one
+    default : as it would be written; None for a key that has to be given, "" for one that may be absent
+    bounds, typical : in words; empty without any
+    choices : the allowed words of a choice
+    quantity : the declaration itself, for a quantity or number
+    """
+
+    path: str
+    title: str
+    kind: str
+    unit: str
+    default: str | None
+    bounds: str
+    typical: str
+    description: str
+    choices: tuple[str, ...] = ()
+    quantity: Quantity | None = None
+
+    @property
+    def required(self) -> bool:
+        return self.default is None
+
+    @property
+    def label(self) -> str:
+        """For an axis or a column: ``Pitch (m)``."""
+        return f"{self.title} ({self.unit})" if self.unit else self.title
+
+
+@cache
+def table(model: type[BaseModel], prefix: str = "") -> dict[str, Key]:
+    """Every key of a model and of the tables in it, by path and in the order of declaration."""
+    keys: dict[str, Key] = {}
+    for name, field in model.model_fields.items():
+        path = f"{prefix}{field.alias or name}"
+        key = _key(path, field)
+        keys[path] = key
+        for below in _models(field.annotation):
+            keys |= table(below, f"{path}[]." if key.kind == "tables" else f"{path}.")
+    return keys
+
+
+def leaves(model: BaseModel, prefix: str = "") -> Iterator[tuple[str, Any, Quantity | None]]:
+    """(path, value, declaration) of every key that has a value, tables inside tables included."""
+    for name, field in type(model).model_fields.items():
+        path, value = f"{prefix}{field.alias or name}", getattr(model, name)
+        if isinstance(value, BaseModel):
+            yield from leaves(value, f"{path}.")
+        elif isinstance(value, tuple):
+            for index, item in enumerate(value, start=1):
+                yield from leaves(item, f"{path}[{index}].")
+        elif value is not None:
+            yield path, value, None if isinstance(value, str) else quantity_of(field)
+
+
+def _key(path: str, field: FieldInfo) -> Key:
+    quantity, kind = quantity_of(field), _kind(field)
+    bounds, typical = (quantity.limits, quantity.usual) if quantity else (_plain_bounds(field), "")
+    return Key(
+        path=path,
+        title=field.title or path,
+        kind=kind,
+        unit=quantity.unit if quantity else "",
+        default=_default(field, quantity),
+        bounds=bounds,
+        typical=typical,
+        description=field.description or "",
+        choices=_choices(field.annotation),
+        quantity=quantity,
+    )
+
+
+def _kind(field: FieldInfo) -> str:
+    quantity, parts = quantity_of(field), _parts(field.annotation)
+    if quantity:
+        return "quantity" if quantity.unit else "number"
+    if _choices(field.annotation):
+        return "choice"
+    if any(get_origin(part) is tuple for part in parts):
+        return "tables"
+    if any(_models(field.annotation)):
+        return "table"
+    plain = {get_args(part)[0] if get_origin(part) is Annotated else part for part in parts}
+    return "integer" if int in plain else "number" if float in plain else "text"
+
+
+def _default(field: FieldInfo, quantity: Quantity | None) -> str | None:
+    if field.is_required():
+        return None
+    value = field.get_default(call_default_factory=True)
+    if value is None or isinstance(value, BaseModel | tuple):
+        return ""
+    return str(value)
+
+
+def quantity_of(field: FieldInfo) -> Quantity | None:
+    """The declaration of a field, also of one that may be absent."""
+    found = [item for item in (*field.metadata, *_metadata(field.annotation)) if isinstance(item, Quantity)]
+    return found[0] if found else None
+
+
+def _metadata(annotation: Any) -> Iterator[Any]:
+    for part in _parts(annotation):
+        if get_origin(part) is Annotated:
+            for item in get_args(part)[1:]:
+                yield from item.metadata if isinstance(item, FieldInfo) else (item,)
+
+
+def _parts(annotation: Any) -> tuple[Any, ...]:
+    """The alternatives of a union without None; of anything else, itself."""
+    if get_origin(annotation) in (Union, UnionType):
+        return tuple(part for part in get_args(annotation) if part is not NoneType)
+    return (annotation,)
+
+
+def _models(annotation: Any) -> Iterator[type[BaseModel]]:
+    """The tables that an annotation can hold, however deep it wraps them."""
+    if isinstance(annotation, type) and issubclass(annotation, BaseModel):
+        yield annotation
+    elif get_origin(annotation) is not Literal:
+        for part in get_args(annotation):
+            yield from _models(part)
+
+
+def _choices(annotation: Any) -> tuple[str, ...]:
+    return tuple(get_args(annotation)) if get_origin(annotation) is Literal else ()
+
+
+def _plain_bounds(field: FieldInfo) -> str:
+    found = [*field.metadata, *_metadata(field.annotation)]
+    lowest = [f"at least {item.ge}" for item in found if isinstance(item, annotated_types.Ge)]
+    highest = [f"at most {item.le}" for item in found if isinstance(item, annotated_types.Le)]
+    counted = "of them" if _kind(field) == "tables" else "characters"
+    longest = [
+        f"at most {item.max_length} {counted}" for item in found if isinstance(item, annotated_types.MaxLen)
+    ]
+    return " and ".join([*lowest, *highest, *longest])

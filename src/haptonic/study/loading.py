@@ -1,0 +1,159 @@
+"""From a study file to a study, or to one error that names every problem in the file."""
+
+from __future__ import annotations
+
+import re
+import tomllib
+import warnings
+from pathlib import Path
+from typing import Any
+
+from pydantic import ValidationError
+
+from haptonic.errors import HaptonicWarning, StudyError, nearest
+from haptonic.study.problems import study_error
+from haptonic.study.schema import Study
+from haptonic.units import shown
+
+LARGEST_FILE = 1_000_000  # bytes; a study needs a few thousand
+DEEPEST = 20  # brackets within brackets; a study needs two
+MOST_DOTS = 500  # in one line; the parser takes minutes over a key of many thousand parts
+
+_PLACE = re.compile(r"\(at line (?P<line>\d+), column \d+\)$")
+_BARE_QUANTITY = re.compile(r"=\s*[+-]?[0-9.]+(?:[eE][+-]?[0-9]+)?\s*[A-Za-zµ]")
+
+
+def load(path: str | Path) -> Study:
+    """Read a study file.
+
+    Raises
+    ------
+    StudyError : the file cannot be read, is not TOML, or does not describe a possible study; paths of keys
+        count tables from 1 (``sweep[1].from`` belongs to the first ``[[sweep]]``)
+
+    Warns
+    -----
+    HaptonicWarning : a value outside its typical range
+    """
+    return loads(_read(Path(path)), str(path))
+
+
+def loads(text: str, origin: str = "study") -> Study:
+    """Read a study from text; ``origin`` is how errors and warnings call it. Otherwise as `load`."""
+    study = _checked(_parsed(text, origin), origin)
+    for words in study.unusual():
+        warnings.warn(f"{origin}: {words}", HaptonicWarning, stacklevel=2)
+    return study
+
+
+def _checked(data: dict[str, Any], origin: str) -> Study:
+    try:
+        return Study.model_validate(data)
+    except ValidationError as error:
+        refusal = study_error(error, Study, origin)
+    raise refusal  # out here it does not drag the whole file along as its context when it is pickled
+
+
+def _read(path: Path) -> str:
+    try:
+        with path.open("rb") as file:
+            content = file.read(LARGEST_FILE + 1)
+    except FileNotFoundError:
+        raise _unreadable(path, "no such file", _similar(path)) from None
+    except IsADirectoryError:
+        raise _unreadable(path, "it is a folder", _studies_in(path)) from None
+    except PermissionError:
+        raise _unreadable(path, "it may not be read by you", "change its permissions, or copy it") from None
+    except (OSError, ValueError) as error:
+        cause = getattr(error, "strerror", None) or str(error)
+        raise _unreadable(path, f"the system says: {cause}", "check the path") from None
+    if len(content) > LARGEST_FILE:
+        raise _unreadable(path, f"it is larger than {LARGEST_FILE} bytes", "check that it is a study file")
+    if content.startswith((b"\xff\xfe", b"\xfe\xff")):
+        raise _unreadable(path, "it is encoded as UTF-16", "save it as UTF-8")
+    try:
+        text = content.decode("utf-8-sig")
+    except UnicodeDecodeError as error:
+        line = content[: error.start].count(b"\n") + 1
+        raise _unreadable(
+            path, f"line {line} holds bytes that are not UTF-8 text", "save it as UTF-8"
+        ) from None
+    if "\0" in text:
+        raise _unreadable(path, "it is a binary file", "give the .toml file that describes the study")
+    return text
+
+
+def _parsed(text: str, origin: str) -> dict[str, Any]:
+    if _depth(text) > DEEPEST:
+        raise _malformed(text, origin, ValueError("brackets are nested too deeply"))
+    if max(line.count(".") for line in text.split("\n")) > MOST_DOTS:
+        raise _malformed(text, origin, ValueError("a line holds too many dots for a key or a value"))
+    try:
+        data = tomllib.loads(text)
+    except ValueError as error:  # ValueError: also for a number of thousands of digits
+        raise _malformed(text, origin, error) from None
+    if not data:
+        raise StudyError(
+            argument=origin,
+            given="a file without any key",
+            allowed="a study: at least [material] and [cell]",
+            cause="the file is empty, or everything in it is a comment",
+            next_step="start from studies/touchpad.toml",
+        )
+    return data
+
+
+def _depth(text: str) -> int:
+    """How deep brackets are nested; the parser of the standard library follows them without a limit."""
+    depth = deepest = 0
+    for bracket in re.findall(r"[][{}]", text):
+        depth = depth + 1 if bracket in "[{" else max(depth - 1, 0)
+        deepest = max(deepest, depth)
+    return deepest
+
+
+def _malformed(text: str, origin: str, error: Exception) -> StudyError:
+    """What is wrong with the TOML, and in which line."""
+    message, place = str(error), _PLACE.search(str(error))
+    lines = text.splitlines() or [""]
+    number = min(int(place["line"]), len(lines)) if place else len(lines)
+    line = lines[number - 1].strip() if place or "end of document" in message else ""
+    if "integer string conversion" in message:
+        message = "a whole number has thousands of digits"
+    next_step = "put that line right; texts and quantities stand in quotes, numbers do not"
+    if _BARE_QUANTITY.search(line):
+        next_step = 'put quotes around the number and its unit: pitch = "7 mm"'
+    elif line.startswith("[") and "twice" in message:
+        next_step = "a heading may stand there once only; several sweeps are headed [[sweep]] each"
+    return StudyError(
+        argument=f"{origin}, line {number}" if line else origin,
+        given=shown(line) if line else "text that is not TOML",
+        allowed='TOML: lines such as pitch = "7 mm" below headings such as [cell]',
+        cause=_PLACE.sub("", message).strip(),
+        next_step=next_step,
+    )
+
+
+def _unreadable(path: Path, cause: str, next_step: str) -> StudyError:
+    return StudyError(
+        argument="study",
+        given=shown(str(path), 200),
+        allowed="a readable text file in TOML",
+        cause=cause,
+        next_step=next_step,
+    )
+
+
+def _similar(path: Path) -> str:
+    """The nearest file name in the same folder, as a suggestion."""
+    try:
+        names = [entry.name for entry in path.parent.iterdir() if entry.suffix == ".toml"]
+    except OSError:
+        return "check the path: its folder does not exist either"
+    guess = nearest(path.name, names)
+    return f"did you mean {path.parent / guess}?" if guess else "check the path"
+
+
+def _studies_in(folder: Path) -> str:
+    names = sorted(entry.name for entry in folder.glob("*.toml"))
+    return f"give a file in it: {', '.join(names[:5])}" if names else "give the path of a .toml file"

@@ -1,0 +1,175 @@
+"""From pydantic's list of errors to errors with five parts."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
+
+from pydantic import BaseModel, ValidationError
+
+from haptonic.errors import StudyError, nearest
+from haptonic.study.keys import Key, table
+from haptonic.units import shown
+
+TAGS = {"name", "table"}  # of the union that a material is; pydantic puts them into the path
+PARTS = ("given", "allowed", "cause", "next_step")
+UNKNOWN = "extra_forbidden"  # pydantic's name for a key outside the schema
+MOST_LISTED = 20
+
+
+def study_error(error: ValidationError, model: type[BaseModel], origin: str) -> StudyError:
+    """One error for all problems of a study: the first in its parts, the others listed in the next step.
+
+    ``origin`` names the file; it is put before the path of the key.
+    """
+    keys = table(model)
+    details = error.errors(include_url=False)
+    slips = {_meant(each["loc"], keys) for each in details if each["type"] == UNKNOWN}
+    details = [each for each in details if each["type"] != "missing" or _path(each["loc"])[1] not in slips]
+    details.sort(key=lambda each: each["type"] != UNKNOWN)  # a slip in a name explains what follows from it
+    first, *others = (_translated(each, keys) for each in details)
+    next_step = first.next_step
+    if others:
+        lines = [
+            f"    {other.argument}: got {other.given}; {other.cause}; {other.next_step}" for other in others
+        ]
+        hidden = len(lines) - MOST_LISTED
+        lines = lines[:MOST_LISTED] + ([f"    and {hidden} more"] if hidden > 0 else [])
+        count = f"{len(others)} other problem{'s' if len(others) > 1 else ''}"
+        next_step = "\n".join([f"{next_step}\n  {count} in the same study:", *lines])
+    return StudyError(
+        argument=f"{origin}: {first.argument}" if origin else first.argument,
+        given=first.given,
+        allowed=first.allowed,
+        cause=first.cause,
+        next_step=next_step,
+    )
+
+
+def _translated(details: Any, keys: Mapping[str, Key]) -> StudyError:
+    """One error of pydantic in five parts."""
+    kind, context = details["type"], details.get("ctx", {})
+    path, pattern = _path(details["loc"])
+    if kind == "haptonic":
+        where = ".".join(part for part in (path, context["at"]) if part) or "the study"
+        return StudyError(argument=where, **{name: context[name] for name in PARTS})
+    if kind == UNKNOWN:
+        return _unknown(path, pattern, details["input"], keys)
+    key = keys.get(pattern)
+    title = key.title.lower() if key else "a value"
+    if kind == "missing":
+        given, cause = "nothing", f"the {title} was left out"
+        next_step = f"add {_written(key)}" if key else "add it"
+    elif key and key.choices:
+        given, cause = shown(details["input"]), "it is not one of the words known here"
+        guess = nearest(str(details["input"])[:40], key.choices)
+        next_step = f'write "{guess}"' if guess else "choose one of them"
+    else:
+        given, cause, next_step = shown(details["input"]), _cause(kind, details["msg"]), f"write {_form(key)}"
+    return StudyError(
+        argument=path or "the study", given=given, allowed=_form(key), cause=cause, next_step=next_step
+    )
+
+
+def _path(location: tuple[int | str, ...]) -> tuple[str, str]:
+    """(``sweep[1].from``, ``sweep[].from``): as shown, counted from 1, and as the table of keys has it."""
+    path = pattern = ""
+    for step in location:
+        if isinstance(step, int):
+            path, pattern = f"{path}[{step + 1}]", f"{pattern}[]"
+        elif not (path == "material" and step in TAGS):
+            name = (
+                step if step.replace("_", "").replace("-", "").isalnum() and len(step) < 60 else shown(step)
+            )
+            path, pattern = f"{path}.{name}".lstrip("."), f"{pattern}.{step}".lstrip(".")
+    return path, pattern
+
+
+def _neighbours(section: str, keys: Mapping[str, Key]) -> list[str]:
+    """Names of the keys of one table."""
+    start = f"{section}." if section else ""
+    names = [key.removeprefix(start) for key in keys if key.startswith(start)]
+    return [name for name in names if "." not in name]
+
+
+def _guess(pattern: str, keys: Mapping[str, Key]) -> str | None:
+    section, _, name = pattern.rpartition(".")
+    return nearest(name.lower(), _neighbours(section, keys))
+
+
+def _meant(location: tuple[int | str, ...], keys: Mapping[str, Key]) -> str:
+    """The key that a misspelt one stands for, as the table has it."""
+    pattern = _path(location)[1]
+    section = pattern.rpartition(".")[0]
+    return f"{section}.{_guess(pattern, keys)}".lstrip(".")
+
+
+def _unknown(path: str, pattern: str, value: object, keys: Mapping[str, Key]) -> StudyError:
+    section, _, name = pattern.rpartition(".")
+    here, guess = _neighbours(section, keys), _guess(pattern, keys)
+    elsewhere = [key for key in keys if key.rpartition(".")[2] == name]
+    if guess:
+        cause, next_step = "a slip in the name", f'write "{guess}"'
+    elif elsewhere:
+        table_name = elsewhere[0].rpartition(".")[0].replace("[]", "")
+        cause, next_step = (
+            "the key belongs elsewhere",
+            f"move it to [{table_name}]" if table_name else "move it to the top",
+        )
+    else:
+        cause, next_step = "no key has this name", "remove it, or look its name up in the list of keys"
+    where = f"the keys of [{section.replace('[]', '')}]" if section else "the keys at the top"
+    return StudyError(
+        argument=path,
+        given=f"an unknown key, with the value {shown(value, 40)}",
+        allowed=f"{where}: {', '.join(here)}",
+        cause=cause,
+        next_step=next_step,
+    )
+
+
+def _form(key: Key | None) -> str:
+    """What may stand at a key, in words."""
+    if key is None:
+        return "a value of the form that the key list gives"
+    if key.quantity:
+        return key.quantity.allowed
+    if key.choices:
+        return " or ".join(f'"{choice}"' for choice in key.choices)
+    bounds = f" {key.bounds}" if key.bounds else ""
+    forms = {
+        "number": "a number, or a quantity with its unit in quotes",
+        "integer": f"a whole number{bounds}, without quotes",
+        "text": f"a text in quotes{bounds and ','}{bounds}",
+        "table": f"a table, [{key.path}]",
+        "tables": f"tables with double brackets, [[{key.path}]],{bounds}",
+    }
+    return (
+        forms[key.kind] if key.path != "material" else "the name of a built-in material or a [material] table"
+    )
+
+
+def _written(key: Key) -> str:
+    """A line for the study file that gives the key."""
+    name = key.path.rpartition(".")[2]
+    if key.kind in {"table", "tables"} or key.path == "material":
+        return _form(key)
+    if key.quantity:
+        return f"{name} = {key.quantity.example}"
+    return (
+        f'{name} = "{key.choices[0] if key.choices else "..."}"' if key.kind != "integer" else f"{name} = 10"
+    )
+
+
+def _cause(kind: str, message: str) -> str:
+    if kind in {"greater_than_equal", "less_than_equal", "greater_than", "less_than"}:
+        return "the number is out of bounds"
+    if kind in {"int_type", "int_from_float", "int_parsing", "int_parsing_size"}:
+        return "it is not a whole number"
+    if kind in {"too_long", "string_too_long"}:
+        return "there is too much of it"
+    if kind == "string_type":
+        return "it is not a text"
+    if kind in {"model_type", "model_attributes_type", "tuple_type", "union_tag_not_found", "dict_type"}:
+        return "something else stands where a table belongs"
+    return message[:1].lower() + message[1:]

@@ -1,0 +1,136 @@
+"""A number of the study file with its unit, its bounds and its usual range, declared once.
+
+``Annotated[float, Quantity("m", at_least=1e-9, typical=(5e-4, 0.05))]`` makes a pydantic field that reads
+``"7 mm"`` and holds 0.007. Whatever else needs to know about the parameter (the check, the warning, the
+help, a label) reads the same declaration.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from contextlib import contextmanager
+from dataclasses import dataclass
+from typing import Any
+
+from pydantic import GetCoreSchemaHandler
+from pydantic_core import PydanticCustomError, core_schema
+
+from haptonic.errors import HaptonicError
+from haptonic.units import example_of, format_quantity, shown, to_si
+
+SI_NUMBERS = {"numbers are in SI units": True}  # validation context for numbers that were read before
+
+
+@dataclass(frozen=True)
+class Quantity:
+    """What is known of a parameter besides its name.
+
+    unit : SI unit; empty for a dimensionless number
+    above, at_least, at_most, below : hard bounds, in ``unit``; a value outside is refused
+    typical : (lowest, highest) of ordinary designs, in ``unit``; a value outside is warned about
+    hint : what to do about a value above the bounds, where that needs more than the bounds
+    """
+
+    unit: str
+    above: float = -math.inf
+    at_least: float = -math.inf
+    at_most: float = math.inf
+    below: float = math.inf
+    typical: tuple[float, float] | None = None
+    hint: str = ""
+
+    def __get_pydantic_core_schema__(
+        self, source: type[Any], handler: GetCoreSchemaHandler
+    ) -> core_schema.CoreSchema:
+        return core_schema.with_info_plain_validator_function(self._read)
+
+    def _read(self, value: object, info: core_schema.ValidationInfo[dict[str, bool] | None]) -> float:
+        if info.context == SI_NUMBERS and isinstance(value, float):
+            return self._bounded(value, value)
+        with collected(self.allowed):
+            number = to_si(value, self.unit, "")
+        return self._bounded(number, value)
+
+    def _bounded(self, number: float, given: object) -> float:
+        if self.above < number < self.below and self.at_least <= number <= self.at_most:
+            return number + 0.0  # a negative zero becomes the ordinary one, which is written the same
+        size = self.unit == "m"
+        if math.isnan(number):
+            cause = "it is not a finite number"
+        elif size and number == 0:
+            cause = "a size of zero: the part would not exist"
+        elif size and number < 0:
+            cause = "a size cannot be negative"
+        else:
+            cause = "the value is outside the range that this model describes"
+        text = shown(given) if isinstance(given, str) else format_quantity(number, self.unit)
+        hint = self.hint if number >= min(self.below, self.at_most) else ""
+        raise problem(text, self.allowed, cause, hint or f"choose a value that is {self.limits}")
+
+    @property
+    def limits(self) -> str:
+        """The hard bounds in words."""
+        bounds = {
+            "above": self.above,
+            "at least": self.at_least,
+            "below": self.below,
+            "at most": self.at_most,
+        }
+        words = [
+            f"{word} {format_quantity(limit, self.unit)}"
+            for word, limit in bounds.items()
+            if math.isfinite(limit)
+        ]
+        return " and ".join(words) or "finite"
+
+    @property
+    def example(self) -> str:
+        """A value as it stands in a study file."""
+        if self.typical is None or self.unit:
+            return f'"{example_of(self.unit)}"' if self.unit else format_quantity(self.at_least, "")
+        return format_quantity(self.typical[0], "")
+
+    @property
+    def allowed(self) -> str:
+        """What may stand in the file, in words."""
+        kind = f'a number with its unit, such as "{example_of(self.unit)}",' if self.unit else "a number"
+        return f"{kind} {self.limits}"
+
+    @property
+    def usual(self) -> str:
+        """The typical range in words; empty where none was declared."""
+        if self.typical is None:
+            return ""
+        lowest, highest = (format_quantity(end, self.unit) for end in self.typical)
+        return f"{lowest} to {highest}"
+
+    def unusual(self, value: float) -> str:
+        """Words on a value (in ``unit``) outside the typical range; empty for an ordinary one."""
+        if self.typical is None or self.typical[0] <= value <= self.typical[1]:
+            return ""
+        words = f"{format_quantity(value, self.unit)} is unusual: {self.usual} is typical"
+        near = self.typical[0] / 10 <= value <= self.typical[1] * 10  # too near to be a slip of the unit
+        for power in () if near or not self.unit else (3, -3, 6, -6, 9, -9):
+            slipped = value * 10.0**power
+            if self.typical[0] <= slipped <= self.typical[1]:
+                return f"{words}. Was {format_quantity(slipped, self.unit)} meant?"
+        return words
+
+
+def problem(given: str, allowed: str, cause: str, next_step: str, at: str = "") -> PydanticCustomError:
+    """An error for pydantic to collect; `haptonic.study.problems` turns it into one with five parts.
+
+    ``at`` names the parameter below the one that pydantic blames: ``pillar.diameter`` for a check of a cell.
+    """
+    parts = {"given": given, "allowed": allowed, "cause": cause, "next_step": next_step, "at": at}
+    return PydanticCustomError("haptonic", "{cause}", parts)
+
+
+@contextmanager
+def collected(allowed: str = "") -> Iterator[None]:
+    """Hand an error with five parts on to pydantic, which collects it and knows the path."""
+    try:
+        yield
+    except HaptonicError as error:
+        raise problem(error.given, allowed or error.allowed, error.cause, error.next_step) from None

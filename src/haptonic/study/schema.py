@@ -1,0 +1,236 @@
+"""The study: everything that one run computes with, as it stands in the study file.
+
+Together with `haptonic.study.sections` this is the single declaration of its keys. Checks, help, report
+labels and the written file follow from it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from typing import Annotated, Any
+
+from pydantic import (
+    AfterValidator,
+    Discriminator,
+    Field,
+    Tag,
+    ValidationError,
+    ValidationInfo,
+    field_validator,
+    model_validator,
+)
+
+from haptonic.cell import Pillar, UnitCell
+from haptonic.errors import HaptonicError
+from haptonic.lattice import Lattice
+from haptonic.materials import Material, material
+from haptonic.study.keys import leaves, table
+from haptonic.study.problems import study_error
+from haptonic.study.quantity import SI_NUMBERS, Quantity, collected, problem
+from haptonic.study.sections import BandsSection, CellSection, MaterialSection, MeshSection, Section
+from haptonic.study.vary import Expression, check_names, parse, solve
+from haptonic.study.writing import toml_of
+from haptonic.units import format_quantity, to_si
+
+MOST_SWEEPS = 50
+
+
+class SweepSection(Section):
+    """A row of designs: an expression of parameters taken from one value to another."""
+
+    vary: str = Field(title="Expression", description="The first parameter in it changes.", strict=True)
+    start: float = Field(alias="from", title="First value", description="With its unit, if it has one.")
+    stop: float = Field(alias="to", title="Last value", description="With its unit, if it has one.")
+    steps: Annotated[int, Field(ge=2, le=1000, strict=True)] = Field(
+        25, title="Steps", description="Number of designs, both ends included."
+    )
+
+    @field_validator("vary")
+    @classmethod
+    def _names_parameters(cls, text: str) -> str:
+        with collected():
+            check_names(parse(text), numeric_parameters(), {})
+        return text
+
+    @field_validator("start", "stop", mode="plain")
+    @classmethod
+    def _has_dimension(cls, value: object, info: ValidationInfo) -> float:
+        if "vary" not in info.data:  # refused already; without it the dimension is not known
+            return 0.0
+        with collected():
+            return to_si(value, parse(info.data["vary"]).unit(numeric_parameters()), "")
+
+    @model_validator(mode="after")
+    def _moves(self) -> SweepSection:
+        if self.start == self.stop:
+            raise problem(
+                format_quantity(self.stop, self.unit),
+                "a last value that differs from the first",
+                "all designs would be the same",
+                "change one end of the sweep, or remove it",
+                at="to",
+            )
+        return self
+
+    @property
+    def expression(self) -> Expression:
+        return parse(self.vary)
+
+    @property
+    def unit(self) -> str:
+        """SI unit of ``start``, ``stop`` and ``values``; empty when they are dimensionless."""
+        return self.expression.unit(numeric_parameters())
+
+    @property
+    def values(self) -> tuple[float, ...]:
+        """Value of the expression at every step, in SI units, both ends included."""
+        last = self.steps - 1
+        inner = ((self.start * (last - step) + self.stop * step) / last for step in range(1, last))
+        return (self.start, *inner, self.stop)
+
+
+def _material_kind(value: object) -> str | None:
+    if isinstance(value, str):
+        return "name"
+    return "table" if isinstance(value, Mapping | MaterialSection) else None
+
+
+def _in_library(name: str) -> str:
+    with collected():
+        material(name)
+    return name
+
+
+class Study(Section):
+    """Everything that one run computes with; immutable.
+
+    It is read by `haptonic.study.load`, which gives its errors five parts and warns about unusual values.
+    """
+
+    title: str = Field(
+        "Study", title="Title", description="Heads the report.", min_length=1, max_length=200, strict=True
+    )
+    carrier: Annotated[float, Quantity("Hz", at_least=1.0, at_most=1e9, typical=(10e3, 1e6))] | None = Field(
+        None, title="Carrier", description="Frequency of the drive; marked in the diagrams."
+    )
+    material: Annotated[
+        Annotated[str, AfterValidator(_in_library), Tag("name")] | Annotated[MaterialSection, Tag("table")],
+        Discriminator(_material_kind),
+    ] = Field(title="Material", description="Of the plate and its pillars: a built-in name or its constants.")
+    cell: CellSection = Field(title="Unit cell", description="One period of the plate.")
+    bands: BandsSection = Field(BandsSection(), title="Bands", description="What the band diagram shows.")
+    mesh: MeshSection = Field(
+        MeshSection(), title="Mesh", description="For experts; else the accuracy decides."
+    )
+    sweep: tuple[SweepSection, ...] = Field(
+        (), title="Sweeps", description="Rows of designs to compare.", max_length=MOST_SWEEPS
+    )
+
+    @model_validator(mode="after")
+    def _every_design_is_possible(self) -> Study:
+        try:
+            self.unit_cell()
+        except HaptonicError as error:
+            raise problem(
+                error.given, error.allowed, error.cause, error.next_step, at=error.argument
+            ) from None
+        for row, sweep in enumerate(self.sweep, start=1):
+            for step, value in enumerate(sweep.values, start=1):
+                try:
+                    solve(sweep.expression, value, self)
+                except HaptonicError as error:
+                    reached = format_quantity(value, sweep.unit)
+                    raise problem(
+                        f"{sweep.vary} = {reached} at step {step} of {sweep.steps}",
+                        f"a range in which every design is possible; {error.argument}: {error.allowed}",
+                        f"{error.argument} would be {error.given}: {error.cause}",
+                        "narrow the range between from and to",
+                        at=f"sweep[{row}]",
+                    ) from None
+        return self
+
+    def resolved_material(self) -> Material:
+        """The material as the core computes with it."""
+        return material(self.material) if isinstance(self.material, str) else self.material.frozen()
+
+    def unit_cell(self) -> UnitCell:
+        """The unit cell as the core computes with it, in SI units."""
+        cell = self.cell
+        lattice = (
+            Lattice.rectangular(cell.pitch, cell.pitch_y) if cell.pitch_y else Lattice.square(cell.pitch)
+        )
+        pillar = Pillar(cell.pillar.diameter, cell.pillar.height) if cell.pillar else None
+        return UnitCell(lattice, cell.thickness, self.resolved_material(), pillar)
+
+    def parameters(self) -> dict[str, float]:
+        """Value of every numeric parameter that this study gives, by path and in SI units."""
+        known = numeric_parameters()
+        return {path: value for path, value, _ in leaves(self) if path in known}
+
+    def absent_parameters(self) -> dict[str, str]:
+        """Why a numeric parameter cannot be named in this study, by path."""
+        built_in = "the material is a built-in one; give its constants in a [material] table to vary them"
+        return {
+            path: built_in if path.startswith("material.") else "this study does not give it"
+            for path in numeric_parameters().keys() - self.parameters().keys()
+        }
+
+    def with_parameter(self, path: str, value: float) -> Study:
+        """The same study with one numeric parameter (SI) changed and without sweeps: one design.
+
+        Raises
+        ------
+        StudyError : the value is out of bounds, or the design is not possible
+        """
+        assert path in self.parameters(), path
+        data = self.model_dump(by_alias=True, exclude_none=True, exclude={"sweep"})
+        *sections, name = path.split(".")
+        target: dict[str, Any] = data
+        for section in sections:
+            target = target[section]
+        target[name] = float(value)
+        try:
+            return Study.model_validate(data, context=SI_NUMBERS)
+        except ValidationError as error:
+            refusal = study_error(error, Study, "")
+        raise refusal
+
+    def designs(self, sweep: SweepSection) -> tuple[Study, ...]:
+        """One study for each step of a sweep, in order."""
+        return tuple(solve(sweep.expression, value, self) for value in sweep.values)
+
+    def unusual(self) -> tuple[str, ...]:
+        """A sentence on every value outside its typical range; on those that only a sweep reaches, if no
+        other is, because a sweep starts from the given values."""
+        found = tuple(f"{path}: {words}" for path, words in self._unusual_values().items())
+        return found or tuple(self._unusual_sweeps())
+
+    def _unusual_sweeps(self) -> Iterator[str]:
+        for row, sweep in enumerate(self.sweep, start=1):
+            name = sweep.expression.varied
+            ends = (solve(sweep.expression, end, self) for end in (sweep.start, sweep.stop))
+            words = [text for design in ends for text in design._unusual_values().values()]
+            if words:
+                yield f"sweep[{row}]: {name} leaves its usual range; {words[0]}"
+
+    def _unusual_values(self) -> dict[str, str]:
+        words = {path: quantity.unusual(value) for path, value, quantity in leaves(self) if quantity}
+        return {path: text for path, text in words.items() if text}
+
+    def to_toml(self) -> str:
+        """A study file that loads to an equal study."""
+        return toml_of(self)
+
+    def inputs(self) -> dict[str, Any]:
+        """Plain values in SI units of all that decides a result, for provenance and as a key of results.
+
+        The title is left out because it decides nothing; a built-in material is given by its constants, so
+        that a correction in the library changes the key.
+        """
+        data = self.model_dump(mode="json", by_alias=True, exclude={"title", "material"})
+        return {"material": self.resolved_material().to_dict(), **data}
+
+
+def numeric_parameters() -> dict[str, str]:
+    """SI unit of every parameter that an expression can name, by path."""
+    return {path: key.unit for path, key in table(Study).items() if key.quantity and "[]" not in path}

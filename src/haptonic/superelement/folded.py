@@ -1,0 +1,130 @@
+"""The matrices of a cell before condensation, one symmetry class after the other."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+import scipy.sparse as sp
+from numpy.typing import NDArray
+
+from haptonic.cell import HexMesh, UnitCell
+from haptonic.cell.quadrature import interpolation, lobatto
+from haptonic.elements import ElementMatrices, element_matrices
+from haptonic.lattice import Operation
+from haptonic.solvers import Solver, chosen
+from haptonic.superelement.assembly import Assembler, assembler_of
+from haptonic.superelement.symmetry import COMPONENT_SIGNS, Folding, fold
+from haptonic.superelement.trace import FoldedTrace
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True)
+class FoldedCell:
+    """One symmetry class of a cell; interior unknowns are (representative, component).
+
+    trace : the class's share of the trace
+    interior : numbers of the interior stiffness on the pattern of the classes
+    coupling : (3 interior, b) stiffness between interior and trace
+    trace_stiffness, trace_mass : (b, b)
+    mass : (3 interior,) lumped, 0 where the class forces a component to vanish
+    """
+
+    trace: FoldedTrace
+    interior: Array
+    coupling: Array
+    trace_stiffness: Array
+    trace_mass: Array
+    mass: Array
+
+
+def mirrors_of(cell: UnitCell) -> tuple[Operation, ...]:
+    """The mirrors x -> -x and y -> -y that lattice, pillar and material share."""
+    kept = []
+    for mirror, signs in COMPONENT_SIGNS.items():
+        voigt = np.array([1, 1, 1, signs[1] * signs[2], signs[0] * signs[2], signs[0] * signs[1]])
+        stiffness = cell.material.stiffness
+        unchanged = np.allclose(voigt[:, None] * stiffness * voigt, stiffness, rtol=1e-12, atol=0.0)
+        if mirror in cell.lattice.point_group and unchanged:
+            kept.append(mirror)
+    return tuple(kept)
+
+
+@dataclass(frozen=True)
+class FoldedMesh:
+    """What the symmetry classes of a cell share."""
+
+    cell: UnitCell
+    mesh: HexMesh
+    levels: int
+    assembler: Assembler
+    elements: ElementMatrices
+    through: Array
+    representative_mass: Array
+    nodal_mass: Array
+
+    @classmethod
+    def of(cls, cell: UnitCell, mesh: HexMesh, levels: int) -> FoldedMesh:
+        """Fold a cell's mesh, with ``levels`` trace nodes through the thickness."""
+        topology = mesh.topology
+        folding = fold(topology, mirrors_of(cell))
+        elements = element_matrices(mesh, cell.material, folding.elements)
+        nodes = topology.elements[folding.elements].reshape(len(folding.elements), -1)
+        mass = np.bincount(folding.node[nodes].ravel(), (elements.mass * folding.weight[:, None]).ravel())
+        levels_at = 0.5 * cell.thickness * (1 + lobatto(levels - 1)[0])
+        return cls(
+            cell=cell,
+            mesh=mesh,
+            levels=levels,
+            assembler=assembler_of(topology, folding),
+            elements=elements,
+            through=interpolation(levels_at, mesh.points[topology.rim[:, 0], 2]),
+            representative_mass=mass,
+            nodal_mass=(mass / np.bincount(folding.node))[folding.node],
+        )
+
+    @property
+    def folding(self) -> Folding:
+        return self.assembler.folding
+
+    def solver(self) -> Solver:
+        """A new solver, analysed for the interior's pattern, which all classes have."""
+        return chosen()(self.assembler.pattern)
+
+    def symmetry_class(self, q: int) -> FoldedCell:
+        """The matrices of one class."""
+        folding, through = self.folding, self.through
+        trace = FoldedTrace(self.mesh.topology, folding, q, self.levels)
+        stiffness = self.assembler.assembled(self.elements, folding.weight.astype(float), q)
+        shape = (len(through), trace.places, 3)
+        coupling = np.tensordot(through.T, stiffness.coupling().reshape(-1, *shape), axes=(1, 1))
+        rim = stiffness.boundary().reshape(*shape, *shape)
+        rim = np.einsum("lk,lpcmqd,mj->kpcjqd", through, rim, through, optimize=True)
+        rim_mass = self.representative_mass[folding.interior :].reshape(shape[:2])
+        weights = np.einsum("lk,lp,lj->kpj", through, rim_mass, through)
+        inertia = np.einsum("kpj,pq,cd->kpcjqd", weights, np.eye(trace.places), np.eye(3))
+        size = self.levels * trace.places * 3
+        own = np.ix_(trace.kept, trace.kept)
+        alive = folding.sign[q][folding.origin[: folding.interior]] != 0
+        return FoldedCell(
+            trace=trace,
+            interior=stiffness.interior(),
+            coupling=np.moveaxis(coupling, 0, 1).reshape(-1, size)[:, trace.kept],
+            trace_stiffness=rim.reshape(size, size)[own],
+            trace_mass=inertia.reshape(size, size)[own],
+            mass=(self.representative_mass[: folding.interior, None] * alive).ravel(),
+        )
+
+    def pillar_stiffness(self, q: int) -> sp.csr_array:
+        """The pillar's share of the interior stiffness of one class; it reaches no lateral face."""
+        in_pillar = self.folding.weight * self.mesh.topology.in_pillar[self.folding.elements]
+        return self.assembler.pattern.matrix(self.assembler.assembled(self.elements, in_pillar, q).unsprung())
+
+    @cached_property
+    def above(self) -> Array:
+        """(3 interior,) 1 for unknowns above the plate's top."""
+        heights = self.mesh.points[self.folding.origin[: self.folding.interior], 2]
+        top = self.mesh.points[self.mesh.topology.rim[-1, 0], 2]
+        return np.repeat(heights > top, 3).astype(float)

@@ -1,0 +1,59 @@
+"""What the interior adds to the static answers: a Krylov space of K^-1 M with the trace held at zero."""
+
+from __future__ import annotations
+
+import numpy as np
+import scipy.linalg as la
+from numpy.typing import NDArray
+
+from haptonic.solvers import Solver
+
+Array = NDArray[np.float64]
+
+BLOCK = 10  # directions taken from the answer to the static fields' inertia
+EXTRA = 3  # random ones beside them, for modes that hardly touch the trace
+
+
+def interior_modes(solver: Solver, mass: Array, inertia: Array, steps: int) -> tuple[Array, Array, Array]:
+    """Rayleigh-Ritz modes of the interior on a short Krylov space.
+
+    The space starts with what the inertia of the static answers excites most. It therefore holds the
+    dynamic answer to the trace to several orders in frequency, which far fewer vectors do than exact
+    modes would; all its Ritz modes are kept, converged or not.
+
+    Parameters
+    ----------
+    solver : has factorised the stiffness K
+    mass : (n,) lumped mass M
+    inertia : (n, b) M times the static answers
+    steps : blocks of the space
+
+    Returns
+    -------
+    values : (m,) eigenvalues, (rad/s)^2, ascending, never below the exact ones
+    modes : (n, m) with unit modal mass
+    dynamic : (n, b) K^-1 ``inertia``
+    """
+    root = np.sqrt(mass)[:, None]
+    random = mass[:, None] * np.random.default_rng(0).standard_normal((len(mass), EXTRA))
+    answers = solver.solve(np.hstack([inertia, random]))
+    dynamic, extra = np.split(answers, [inertia.shape[1]], axis=1)
+    scaled = root * dynamic
+    _, turn = la.eigh(scaled.T @ scaled)
+    blocks = [_orthonormal(np.hstack([scaled @ turn[:, -BLOCK:], root * extra]))]
+    for _ in range(steps - 1):
+        new = root * solver.solve(root * blocks[-1])
+        for _ in range(2):  # one pass of Gram and Schmidt is not enough
+            for old in blocks:
+                new = new - old @ (old.T @ new)
+            new = _orthonormal(new)
+        blocks.append(new)
+    loads = root * np.hstack(blocks)
+    fields = solver.solve(loads)
+    moving = root * fields
+    values, turn = la.eigh(loads.T @ fields, moving.T @ moving)
+    return values, fields @ turn, dynamic
+
+
+def _orthonormal(block: Array) -> Array:
+    return np.asarray(la.qr(block, mode="economic")[0])

@@ -1,0 +1,92 @@
+"""How the pillar moves, section by section: what tells bending from torsion and traction."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+import scipy.sparse as sp
+from numpy.typing import NDArray
+
+from haptonic.cell import HexMesh
+from haptonic.superelement.symmetry import Folding
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True)
+class PillarSections:
+    """Rigid-body part of the motion of each horizontal layer of nodes of the pillar.
+
+    height : (sections,) above the plate's flat face, m
+    mass : (sections,) kg; inertia : (sections,) about the pillar's axis, kg m^2
+    motion : (4, sections, t + m) linear forms on the unknowns of a superelement: momentum along x, y, z
+        (kg m) and angular momentum about the axis (kg m^2), each per rad/s
+    """
+
+    height: Array
+    mass: Array
+    inertia: Array
+    motion: Array
+
+    def energies(self, fields: NDArray[np.complex128]) -> tuple[Array, Array, Array]:
+        """Shares of the pillar's kinetic energy: (k,) each of bending, axial and twisting motion.
+
+        ``fields`` is (t + m, k); the result is in kg m^2, as ``u* M u``.
+        """
+        moved = np.abs(self.motion @ fields) ** 2
+        along = np.einsum("csk,s->ck", moved[:3], 1.0 / self.mass)
+        return along[0] + along[1], along[2], np.einsum("sk,s->k", moved[3], 1.0 / self.inertia)
+
+    def bending_nodes(self, fields: NDArray[np.complex128]) -> NDArray[np.int64]:
+        """(k,) how often the pillar's axis crosses the vertical through its foot, as a cantilever's would.
+
+        The axis is taken in the direction and phase in which it moves most.
+        """
+        path = (self.motion[:2] @ fields) / self.mass[:, None]
+        path -= path[:, :1]
+        count = np.empty(fields.shape[1], dtype=np.int64)
+        for k in range(fields.shape[1]):
+            # best real profile: leading singular vector of (direction and phase) x sections
+            rows = np.concatenate([path[:, :, k].real, path[:, :, k].imag])
+            profile = np.linalg.svd(rows, full_matrices=False)[2][0]
+            strong = profile[np.abs(profile) > 0.02 * np.abs(profile).max()]
+            count[k] = int((np.diff(np.sign(strong)) != 0).sum())
+        return count
+
+
+def section_levels(mesh: HexMesh) -> tuple[Array, NDArray[np.int64], NDArray[np.int64]]:
+    """Heights of the pillar's node levels, and for each of its nodes its number and level."""
+    plan, topology = mesh.topology.plan, mesh.topology
+    first = plan.plate_levels * topology.level_nodes
+    nodes = np.arange(first, topology.nodes)
+    level = np.repeat(np.arange(plan.pillar_levels), topology.disc_nodes)
+    return mesh.points[first :: topology.disc_nodes, 2][: plan.pillar_levels], nodes, level
+
+
+def momentum_forms(mesh: HexMesh, folding: Folding, symmetry_class: int, nodal_mass: Array) -> sp.csr_array:
+    """(4 sections, 3 interior representatives) sparse: the momenta of one class's own unknowns."""
+    heights, nodes, level = section_levels(mesh)
+    count = len(heights)
+    x, y = mesh.points[nodes, 0], mesh.points[nodes, 1]
+    m = nodal_mass[nodes]
+    sign = folding.sign[symmetry_class][nodes].astype(float)
+    own = 3 * folding.node[nodes]
+    entries = [(c, c, m) for c in range(3)] + [(3, 1, m * x), (3, 0, -m * y)]
+    rows = np.concatenate([row * count + level for row, _, _ in entries])
+    columns = np.concatenate([own + c for _, c, _ in entries])
+    values = np.concatenate([weight * sign[:, c] for _, c, weight in entries])
+    return sp.csr_array((values, (rows, columns)), shape=(4 * count, 3 * folding.interior))
+
+
+def pillar_sections(mesh: HexMesh, nodal_mass: Array, motion: Array) -> PillarSections:
+    """Sections of a mesh; ``motion`` is (4 sections, t + m)."""
+    heights, nodes, level = section_levels(mesh)
+    m = nodal_mass[nodes]
+    arm = m * (mesh.points[nodes, :2] ** 2).sum(axis=1)
+    return PillarSections(
+        height=heights,
+        mass=np.bincount(level, m, minlength=len(heights)),
+        inertia=np.bincount(level, arm, minlength=len(heights)),
+        motion=motion.reshape(4, len(heights), -1),
+    )

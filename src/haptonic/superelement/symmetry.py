@@ -1,0 +1,101 @@
+"""Folding a mirror-symmetric cell: every field splits into classes that are even or odd in each mirror.
+
+Within a class the values on a quarter of the cell give the whole field, so one problem becomes four of a
+quarter of the size, on one and the same sparsity pattern.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import lru_cache
+from itertools import product
+
+import numpy as np
+from numpy.typing import NDArray
+
+from haptonic.cell import Topology
+from haptonic.lattice import MIRROR_X, MIRROR_Y, Operation
+
+Ints = NDArray[np.int64]
+
+# what a mirror does to the components of a displacement
+COMPONENT_SIGNS: dict[Operation, tuple[int, int, int]] = {MIRROR_X: (-1, 1, 1), MIRROR_Y: (1, -1, 1)}
+
+
+@dataclass(frozen=True, eq=False)
+class Folding:
+    """Representatives of nodes and elements under the mirrors, and the signs that unfold a field.
+
+    node : (nodes,) number of each node's representative; interior ones come first
+    origin : (representatives,) node that each of them is in the mesh
+    interior : how many of the representatives are not on a lateral face
+    elements : (m,) one element of each set of images; weight : (m,) size of the set
+    sign : (classes, nodes, 3) value at a node = sign times value at its representative, 0 where a class
+        forces the component to vanish
+    parity : (classes, mirrors) +1 even, -1 odd
+    """
+
+    node: Ints
+    origin: Ints
+    interior: int
+    elements: Ints
+    weight: Ints
+    sign: NDArray[np.int8]
+    parity: NDArray[np.int8]
+
+    @property
+    def classes(self) -> int:
+        return len(self.sign)
+
+
+@lru_cache(maxsize=64)
+def fold(topology: Topology, mirrors: tuple[Operation, ...]) -> Folding:
+    """Fold a mesh along some of the mirrors x -> -x and y -> -y (none: one class, nothing folded)."""
+    nodes = np.arange(topology.nodes)
+    # images of every node under all products of the mirrors; the smallest number represents them
+    moves = [topology.permutation(op) for op in mirrors]
+    masks = list(product((0, 1), repeat=len(mirrors)))
+    images = []
+    for mask in masks:
+        image = nodes
+        for used, move in zip(mask, moves, strict=True):
+            image = move[image] if used else image
+        images.append(image)
+    table = np.stack(images)
+    representative = table.min(axis=0)
+    via = table.argmin(axis=0)  # which product leads there
+
+    on_side = np.zeros(len(nodes), dtype=bool)
+    on_side[topology.rim] = True
+    unique = np.unique(representative)
+    order = np.concatenate([unique[~on_side[unique]], unique[on_side[unique]]])
+    number = np.empty(len(nodes), dtype=np.int64)
+    number[order] = np.arange(len(order))
+
+    parities = list(product((1, -1), repeat=len(mirrors)))
+    parity = np.array(parities, dtype=np.int8).reshape(len(parities), len(mirrors))
+    component = np.array([COMPONENT_SIGNS[op] for op in mirrors], dtype=np.int8).reshape(len(mirrors), 3)
+    # factor[q, m]: what product m of the mirrors does to each component in class q
+    factor = np.ones((len(parity), len(masks), 3), dtype=np.int8)
+    for m, mask in enumerate(masks):
+        for k in np.flatnonzero(mask):
+            factor[:, m] *= parity[:, k, None] * component[k]
+    sign = factor[:, via]
+    for m in range(len(masks)):
+        fixed = table[m] == nodes  # on a mirror a component must equal its own image, or vanish
+        sign[:, fixed] *= (factor[:, m] == 1)[:, None, :]
+
+    # an element is known by its smallest and largest node: no two share both
+    of_element = topology.elements.reshape(len(topology.elements), -1)
+    keys = np.stack([np.sort(image[of_element], axis=1)[:, [0, -1]] for image in table])
+    codes = (keys[..., 0] * len(nodes) + keys[..., 1]).min(axis=0)
+    _, chosen, weight = np.unique(codes, return_index=True, return_counts=True)
+    return Folding(
+        node=number[representative],
+        origin=order,
+        interior=int((~on_side[unique]).sum()),
+        elements=chosen,
+        weight=weight,
+        sign=sign,
+        parity=parity,
+    )

@@ -1,0 +1,98 @@
+"""The trace of a field on the lateral faces: the only unknowns through which cells meet.
+
+On each place of the rim the trace is a polynomial through the thickness, given by its values on
+Gauss-Lobatto-Legendre levels. It does not depend on the layers that a mesh has inside.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+from numpy.typing import NDArray
+
+from haptonic.cell import Topology
+from haptonic.superelement.symmetry import Folding
+
+Array = NDArray[np.float64]
+Ints = NDArray[np.int64]
+
+
+@dataclass(frozen=True, eq=False)
+class FoldedTrace:
+    """Trace unknowns of one symmetry class, and how they stand for those of the whole cell.
+
+    The whole trace is ordered (level, place on the rim, component). The class has a share of it on the
+    representative places, without the components that it forces to vanish.
+    """
+
+    topology: Topology
+    folding: Folding
+    symmetry_class: int
+    levels: int
+
+    @cached_property
+    def _place(self) -> Ints:
+        """(places,) representative of each place on the rim."""
+        return self.folding.node[self.topology.rim[0]] - self.folding.interior
+
+    @property
+    def places(self) -> int:
+        """Number of representative places."""
+        return int(self._place.max()) + 1
+
+    @cached_property
+    def kept(self) -> Ints:
+        """(b,) own unknowns among (level, representative place, component)."""
+        on_rim = self.folding.origin[self.folding.interior :][: self.places]
+        alive = self.folding.sign[self.symmetry_class][on_rim] != 0
+        return np.flatnonzero(np.broadcast_to(alive, (self.levels, *alive.shape)))
+
+    @property
+    def is_vertical(self) -> Array:
+        """(b,) 1 for own unknowns along z."""
+        return (self.kept % 3 == 2).astype(float)
+
+    @cached_property
+    def number(self) -> Ints:
+        """(t,) own unknown behind each unknown of the whole trace (0 where its sign is 0)."""
+        own = np.zeros(self.levels * self.places * 3, dtype=np.int64)
+        own[self.kept] = np.arange(len(self.kept))
+        return own.reshape(self.levels, self.places, 3)[:, self._place].ravel()
+
+    @cached_property
+    def sign(self) -> Array:
+        """(t,) whole trace = sign * own trace."""
+        sign = self.folding.sign[self.symmetry_class][self.topology.rim[0]].astype(float)
+        return np.broadcast_to(sign, (self.levels, *sign.shape)).ravel()
+
+    @cached_property
+    def images(self) -> Array:
+        """(b,) how many unknowns of the whole trace each own one stands for."""
+        return np.bincount(self.number, np.abs(self.sign), minlength=len(self.kept))
+
+    def fold(self, whole: Array) -> Array:
+        """(b, k) share of a whole trace (t, k) that has this symmetry."""
+        out = np.zeros((len(self.kept), whole.shape[1]), dtype=whole.dtype)
+        np.add.at(out, self.number, whole * self.sign[:, None])
+        return np.asarray(out / self.images[:, None])
+
+    def unfold_form(self, own: Array) -> Array:
+        """(t, t) quadratic form on the whole trace that equals ``own`` (b, b) on the class, 0 on others."""
+        scaled = own / (self.images[:, None] * self.images)
+        whole = scaled[self.number[:, None], self.number]
+        whole *= self.sign[:, None]
+        whole *= self.sign
+        return np.asarray(whole)
+
+    def unfold_rows(self, own: Array) -> Array:
+        """(t, k) linear forms on the whole trace from (b, k) on the class."""
+        return np.asarray((own / self.images[:, None])[self.number] * self.sign[:, None])
+
+    def on_levels(self, through: Array, own: Array) -> Array:
+        """(plate levels * places, 3, k) values on the mesh's rim from own trace unknowns (b, k)."""
+        trace = np.zeros((self.levels * self.places * 3, own.shape[1]), dtype=own.dtype)
+        trace[self.kept] = own
+        rim = np.tensordot(through, trace.reshape(self.levels, -1), axes=1)
+        return rim.reshape(-1, 3, own.shape[1])

@@ -1,0 +1,226 @@
+"""Units at the border: text with a unit comes in, SI floats are used inside, text with a unit goes out.
+
+Text is matched against a fixed form, ``<number> <unit>``, before anything interprets it: study files come
+from other people, so nothing in them is ever evaluated. Numbers are converted as exact fractions and
+rounded once; ``"14.7 mm"`` is therefore the same float as ``0.0147``.
+"""
+
+from __future__ import annotations
+
+import math
+import re
+import reprlib
+from collections.abc import Callable
+from decimal import Decimal
+from fractions import Fraction
+from functools import cache
+from typing import TYPE_CHECKING
+
+from haptonic.errors import HaptonicError, nearest
+
+if TYPE_CHECKING:
+    import pint
+
+LONGEST_TEXT = 80
+LARGEST_EXPONENT = 400  # beyond the range of a float either way; a power of ten of that size is still cheap
+
+PREFIXES = {"n": -9, "µ": -6, "m": -3, "": 0, "k": 3, "M": 6, "G": 9, "T": 12}
+PREFIXES_OF = {
+    "m": "nµmk",
+    "s": "nµm",
+    "m/s": "nµm",
+    "Hz": "kMGT",
+    "Pa": "kMGT",
+    "N": "µmk",
+    "V": "µmk",
+    "F": "nµ",
+}
+EXAMPLES = {"m": "7 mm", "Hz": "60 kHz", "Pa": "70 GPa", "kg/m^3": "2700 kg/m^3"}
+KINDS = {"m": "length", "Hz": "frequency", "Pa": "pressure or stiffness", "kg/m^3": "density", "s": "time"}
+
+_NUMBER = r"(?P<number>[+-]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE](?P<exponent>[+-]?[0-9]+))?)"
+_NAME = r"[A-Za-zµ][A-Za-z0-9_µ]*(?:(?:\^|\*\*)-?[1-9])?"
+_QUANTITY = re.compile(rf"\s*{_NUMBER}\s*(?P<unit>{_NAME}(?:(?:\s*[*/]\s*|\s+){_NAME})*)?\s*")
+_NOT_FINITE = re.compile(r"\s*[+-]?(nan|inf|infinity)\b", re.IGNORECASE)
+_MU = "\u03bc"  # the Greek letter; prefixes are written with the micro sign, and people type either
+_TYPOGRAPHIC = str.maketrans({_MU: "µ", "·": "*", "²": "^2", "³": "^3"})
+
+
+@cache
+def registry() -> pint.UnitRegistry[Fraction]:
+    """The unit registry; made on first use.
+
+    Importing pint and building a registry takes most of a second, and the units of the table above, which
+    nearly every study uses, need neither: so this one import waits inside the function.
+    """
+    import pint
+
+    return pint.UnitRegistry(non_int_type=Fraction)
+
+
+def to_si(text: object, unit: str, argument: str) -> float:
+    """SI value of a quantity written with its unit.
+
+    Parameters
+    ----------
+    text : such as ``"7 mm"``; for a dimensionless quantity (``unit == ""``) also a plain number. Zero needs
+        no unit.
+    unit : SI unit of the same dimension, such as ``"m"``; empty for a dimensionless quantity
+    argument : name used in the error
+
+    Returns
+    -------
+    The value in ``unit``, correctly rounded and finite.
+
+    Raises
+    ------
+    HaptonicError : missing or wrong unit, text of another form, NaN, infinite, or outside a float's range
+    """
+    example = f'"{example_of(unit)}"' if unit else "0.33"
+    allowed = f"a number with its unit, such as {example}" if unit else f"a plain number, such as {example}"
+
+    def refused(cause: str, next_step: str = "") -> HaptonicError:
+        return HaptonicError(
+            argument=argument,
+            given=shown(text),
+            allowed=allowed,
+            cause=cause,
+            next_step=next_step or f"write {allowed}",
+        )
+
+    if isinstance(text, bool) or not isinstance(text, str | int | float):
+        raise refused("a value of the wrong type")
+    if isinstance(text, str):
+        number, unit_text = _split(text, refused)
+    elif isinstance(text, float) and not math.isfinite(text):
+        raise refused("it is not a finite number")
+    else:
+        number, unit_text = Fraction(text), ""
+    if unit and not unit_text and number != 0:
+        raise refused("the unit is missing", f"write the unit as well, with quotes around both: {example}")
+    if unit_text and not unit:
+        raise refused("a unit where none belongs", f"leave the unit out: write {allowed}")
+    try:
+        exact = number * (_factor(unit_text, unit) if unit_text else 1)
+        value = float(exact)
+    except _UnknownUnitError:
+        guess = _nearest_unit(unit_text, unit)
+        hint = f'"{guess}" is the nearest known unit' if guess else ""
+        raise refused(f'"{unit_text}" is not a known unit', hint) from None
+    except _OtherKindError:
+        raise refused(f'"{unit_text}" is not a unit of {KINDS.get(unit, unit)}') from None
+    except OverflowError:
+        raise refused("it is too large for a number in SI units") from None
+    if value == 0 and exact != 0:
+        raise refused("it is too small for a number in SI units")
+    return value
+
+
+def format_quantity(value: float, unit: str, *, prefer: str | None = None, digits: int | None = 4) -> str:
+    """Text with a unit, for people: ``format_quantity(0.007, "m")`` is ``"7 mm"``.
+
+    Parameters
+    ----------
+    value : in ``unit``
+    unit : SI unit, such as ``"m"``; empty for a dimensionless quantity
+    prefer : prefixed unit to write in, such as ``"mm"``; by default the one that leaves 1 to 999 before the
+        point
+    digits : significant digits; None writes as many as `to_si` needs to read the same float again
+    """
+    if not math.isfinite(value):
+        return f"{value} {unit}".rstrip()
+    exact = Decimal(repr(float(value)))
+    rounded = exact if digits is None or value == 0 else Decimal(f"{exact:.{digits - 1}e}")
+    scales = {f"{prefix}{unit}": PREFIXES[prefix] for prefix in ["", *PREFIXES_OF.get(unit, "")]}
+    if prefer is None:
+        fitting = (
+            [name for name, power in scales.items() if power <= rounded.adjusted()] if rounded else [unit]
+        )
+        prefer = max(fitting, key=scales.__getitem__) if fitting else min(scales, key=scales.__getitem__)
+    assert prefer in scales, f"{prefer} is not {unit} with a prefix"
+    return f"{_plain(rounded.scaleb(-scales[prefer]))} {prefer}".rstrip()
+
+
+def example_of(unit: str) -> str:
+    """A quantity in the given SI unit, as an example for a message: ``"7 mm"`` for ``"m"``."""
+    return EXAMPLES.get(unit, f"1 {unit}".rstrip())
+
+
+def shown(value: object, longest: int = 60) -> str:
+    """``repr`` of anything, cut in depth and length to what suits a message."""
+    short = reprlib.Repr()
+    short.maxlevel, short.maxstring, short.maxother = 2, longest, longest
+    try:
+        text = short.repr(value)
+    except ValueError:  # an integer of thousands of digits: Python refuses to print it
+        text = f"a number of {value.bit_length()} bits" if isinstance(value, int) else "a value without text"
+    return text if len(text) <= longest else f"{text[: longest - 3]}..."
+
+
+class _UnknownUnitError(Exception):
+    """No such unit."""
+
+
+class _OtherKindError(Exception):
+    """A unit of another dimension."""
+
+
+def _split(text: str, refused: Callable[[str], HaptonicError]) -> tuple[Fraction, str]:
+    """Number and unit of ``<number> <unit>``; the unit may be empty."""
+    if not text.strip():
+        raise refused("the text is empty")
+    if len(text) > LONGEST_TEXT:
+        raise refused(f"the text is {len(text)} characters long; a quantity needs at most {LONGEST_TEXT}")
+    if _NOT_FINITE.match(text):
+        raise refused("it is not a finite number")
+    match = _QUANTITY.fullmatch(text.translate(_TYPOGRAPHIC))
+    if match is None:
+        raise refused(_why_not_a_quantity(text))
+    if abs(int(match["exponent"] or 0)) > LARGEST_EXPONENT:
+        raise refused("the power of ten is outside the range of numbers")
+    return Fraction(match["number"]), match["unit"] or ""
+
+
+def _why_not_a_quantity(text: str) -> str:
+    if re.search(r"[0-9],[0-9]", text):
+        return "a decimal comma, where a decimal point is needed"
+    strange = [character for character in text if not character.isascii() and character not in f"µ{_MU}·²³"]
+    if strange:
+        return f"the character {strange[0]!a} is not expected here"
+    if re.match(r"\s*[A-Za-z]", text):
+        return "the number is missing"
+    return "it is not one number followed by one unit; nothing is calculated here"
+
+
+def _factor(unit_text: str, unit: str) -> Fraction:
+    """Value of one ``unit_text`` in ``unit``, exact."""
+    known = _table(unit)
+    if unit_text in known:
+        return known[unit_text]
+    try:
+        return Fraction(registry().Quantity(Fraction(1), unit_text).to(unit).magnitude)
+    except Exception as error:  # noqa: BLE001 - pint raises many kinds, some of them only while it writes its text
+        if type(error).__name__ in {"UndefinedUnitError", "DefinitionSyntaxError"}:
+            raise _UnknownUnitError from None
+        raise _OtherKindError from None
+
+
+@cache
+def _table(unit: str) -> dict[str, Fraction]:
+    """Units read without pint: the SI unit itself and the prefixes that are used for it."""
+    prefixes = ["", *PREFIXES_OF.get(unit, "")]
+    table = {f"{prefix}{unit}": Fraction(10) ** PREFIXES[prefix] for prefix in prefixes}
+    return table | {name.replace("µ", "u", 1): factor for name, factor in table.items() if "µ" in name}
+
+
+def _nearest_unit(unit_text: str, unit: str) -> str | None:
+    for name in _table(unit):
+        if name.casefold() == unit_text.casefold():
+            return name
+    return nearest(unit_text, _table(unit))
+
+
+def _plain(number: Decimal) -> str:
+    """Shortest text of a decimal: no trailing zeros, a power of ten only far from one."""
+    number = number.normalize()
+    return f"{number:f}" if -5 < number.adjusted() < 16 else f"{number:e}"

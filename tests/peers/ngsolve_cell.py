@@ -1,0 +1,238 @@
+"""Bloch waves of one plate-with-pillar cell with NGSolve: an independent peer for tests and benchmarks.
+
+Nothing here comes from haptonic, and nothing is shared with it but the mathematics: an OpenCascade solid,
+curved tetrahedra, hierarchical polynomials, quasi-periodic spaces, a complex Hermitian eigenproblem solved
+point by point. The mesh is made once (`meshed`) and serves every wavevector (`CellModel.solve`):
+
+    model = meshed(cell, order=3)
+    model.solve((np.pi, np.pi), count=8).frequencies
+
+The pillar's foot is a re-entrant edge where the stress is singular. Small isotropic elements cure that
+slowly, so the elements that touch the edge are split towards it instead (NGSolve's geometric hp-refinement).
+
+Threads are the caller's: `with ng.TaskManager():` around `solve` makes assembly and factorisation parallel.
+Do not on a busy machine: its threads spin while they wait, and a tenth of a second becomes many seconds.
+
+Lengths are scaled by the first pitch, stiffness by Young's modulus and mass by the density before anything
+is meshed or factorised: OpenCascade's tolerances are absolute, and the matrices are then of order one.
+"""
+
+from dataclasses import dataclass
+from time import perf_counter
+from typing import Literal
+
+import ngsolve as ng
+import numpy as np
+from netgen.occ import Box, Cylinder, IdentificationType, OCCGeometry, X, Y, Z, gp_Trsf
+from numpy.typing import NDArray
+from scipy.sparse.linalg import LinearOperator, eigsh
+
+Solver = Literal["arpack", "arnoldi"]
+
+SHIFT = -0.01
+"""Shift of the inverse in units of E / (rho pitch_x^2), about -(pitch_x omega / c)^2 of the lowest bands.
+Negative, so that the shifted matrix is positive definite even where the plate is free to translate."""
+
+
+FOOT_RATIO = 0.08
+"""Thickness of an hp-refinement layer at the foot over that of the next one outwards."""
+
+
+@dataclass(frozen=True)
+class PeerCell:
+    """A rectangular plate cell with a circular pillar at its centre, isotropic and lossless; SI units."""
+
+    pitch_x: float
+    pitch_y: float
+    thickness: float
+    diameter: float
+    height: float
+    youngs_modulus: float
+    poisson_ratio: float
+    density: float
+
+    @property
+    def frequency_unit(self) -> float:
+        """Hz per unit of the dimensionless angular frequency: sqrt(E / rho) / (2 pi pitch_x)."""
+        return float(np.sqrt(self.youngs_modulus / self.density) / (2 * np.pi * self.pitch_x))
+
+
+@dataclass(frozen=True)
+class BlochSolution:
+    """Lowest Bloch waves at one wavevector, and what they cost."""
+
+    kappa: tuple[float, float]
+    frequencies: NDArray[np.float64]  # (count,), Hz, ascending; rigid translations at Gamma give about 0
+    unknowns: int  # complex degrees of freedom after the periodic identification
+    assembly_seconds: float
+    factor_seconds: float  # part of eigen_seconds for "arnoldi", which factorises by itself
+    eigen_seconds: float
+
+    @property
+    def seconds(self) -> float:
+        """Wall time of this k-point, mesh excluded."""
+        return self.assembly_seconds + self.factor_seconds + self.eigen_seconds
+
+
+@dataclass(frozen=True)
+class CellModel:
+    """A meshed cell: all that does not depend on the wavevector."""
+
+    cell: PeerCell
+    mesh: ng.Mesh
+    order: int
+    mesh_seconds: float
+
+    def solve(self, kappa: tuple[float, float], count: int, *, solver: Solver = "arpack") -> BlochSolution:
+        """The `count` lowest Bloch waves with u(x + a_j) = exp(i kappa_j) u(x), kappa in radians.
+
+        `solver` is "arpack" (SciPy's implicitly restarted Lanczos around one NGSolve factorisation) or
+        "arnoldi" (NGSolve's own: one unrestarted Krylov space of twice the modes asked for).
+        """
+        start = perf_counter()
+        space = ng.Periodic(
+            ng.VectorH1(self.mesh, order=self.order, complex=True),
+            phase=[complex(np.exp(1j * angle)) for angle in kappa],
+        )
+        stiffness, mass = _assembled(space, self.cell.poisson_ratio)
+        assembled = perf_counter()
+        if solver == "arnoldi":
+            factorised = assembled
+            squares = _arnoldi(space, stiffness, mass, count)
+        else:
+            inverse = _shifted_inverse(space, stiffness, mass)
+            factorised = perf_counter()
+            squares = _arpack(stiffness, mass, inverse, count)
+        return BlochSolution(
+            kappa=kappa,
+            frequencies=np.sqrt(np.maximum(np.sort(squares)[:count], 0.0)) * self.cell.frequency_unit,
+            unknowns=sum(space.FreeDofs()),
+            assembly_seconds=assembled - start,
+            factor_seconds=factorised - assembled,
+            eigen_seconds=perf_counter() - factorised,
+        )
+
+
+def meshed(
+    cell: PeerCell,
+    *,
+    order: int = 3,
+    maxh: float | None = None,
+    foot_size: float | None = None,
+    foot_layers: int = 1,
+) -> CellModel:
+    """The cell's periodic mesh of curved elements of polynomial `order`.
+
+    Parameters
+    ----------
+    maxh
+        Largest element size in m; by default 1.5 plate thicknesses, at most 0.7 pillar diameters.
+    foot_size
+        Element size along the pillar's foot edge in m, by default a fifth of the diameter.
+    foot_layers
+        How many times the elements at the foot edge are split towards it, each time by `FOOT_RATIO`.
+    """
+    start = perf_counter()
+    unit = cell.pitch_x
+    pitch_x, pitch_y = 1.0, cell.pitch_y / unit
+    thickness, radius, height = cell.thickness / unit, cell.diameter / 2 / unit, cell.height / unit
+    maxh = min(1.5 * cell.thickness, 0.7 * cell.diameter) if maxh is None else maxh
+    foot_size = 0.2 * cell.diameter if foot_size is None else foot_size
+
+    plate = Box((-pitch_x / 2, -pitch_y / 2, 0.0), (pitch_x / 2, pitch_y / 2, thickness))
+    body = plate + Cylinder((0.0, 0.0, thickness), Z, r=radius, h=height)
+    on_top = [edge for edge in body.edges if abs(edge.center.z - thickness) < 1e-6]
+    foot = min(on_top, key=lambda edge: np.hypot(edge.center.x, edge.center.y))
+    foot.maxh = foot_size / unit
+    foot.hpref = 1
+    for name, direction, pitch in (("a1", X, pitch_x), ("a2", Y, pitch_y)):
+        shift = gp_Trsf.Translation(pitch * direction)
+        body.faces.Min(direction).Identify(
+            body.faces.Max(direction), name, IdentificationType.PERIODIC, shift
+        )
+
+    mesh = ng.Mesh(
+        OCCGeometry(body).GenerateMesh(
+            maxh=maxh / unit,
+            grading=0.5,
+            curvaturesafety=1.0,  # at the default of 2, the pillar's curvature alone decides on the size
+            parallel_meshing=False,
+        )
+    )
+    if foot_layers:
+        mesh.RefineHP(foot_layers, factor=FOOT_RATIO)
+    mesh.Curve(order)
+    return CellModel(cell, mesh, order, perf_counter() - start)
+
+
+def bloch_frequencies(
+    cell: PeerCell,
+    kappa: tuple[float, float],
+    count: int,
+    *,
+    order: int = 3,
+    maxh: float | None = None,
+    foot_size: float | None = None,
+) -> NDArray[np.float64]:
+    """The `count` lowest frequencies in Hz at one wavevector; see `meshed` and `CellModel.solve`."""
+    return meshed(cell, order=order, maxh=maxh, foot_size=foot_size).solve(kappa, count).frequencies
+
+
+def _assembled(space: ng.FESpace, poisson: float) -> tuple[ng.BaseMatrix, ng.BaseMatrix]:
+    """Stiffness and mass for E = rho = 1. The forms are bilinear: the space puts in P^H A P by itself."""
+    lame_mu = 1 / (2 * (1 + poisson))
+    lame_lambda = poisson / ((1 + poisson) * (1 - 2 * poisson))
+    u, v = space.TnT()
+    strain_u, strain_v = ng.Sym(ng.Grad(u)), ng.Sym(ng.Grad(v))
+    energy = 2 * lame_mu * ng.InnerProduct(strain_u, strain_v) + lame_lambda * ng.div(u) * ng.div(v)
+    return ng.BilinearForm(energy * ng.dx).Assemble().mat, ng.BilinearForm(u * v * ng.dx).Assemble().mat
+
+
+def _shifted_inverse(space: ng.FESpace, stiffness: ng.BaseMatrix, mass: ng.BaseMatrix) -> ng.BaseMatrix:
+    """Factorised K - SHIFT M on the master unknowns.
+
+    Not with NGSolve's "sparsecholesky": it takes a complex matrix for symmetric, and is silently wrong here.
+    MKL Pardiso's default of 16 refinement steps would make each solve ten times slower.
+    """
+    shifted = stiffness.CreateMatrix()
+    shifted.AsVector().data = stiffness.AsVector() - SHIFT * mass.AsVector()
+    shifted.inverse_flags = {"ordering": "metis", "refinement": 0}
+    return shifted.Inverse(space.FreeDofs(), inverse=_direct_solver())
+
+
+def _direct_solver() -> str:
+    """MKL Pardiso where its library is installed, else UMFPACK; both treat the matrix as unsymmetric."""
+    return "pardiso" if ng.la.BaseMatrix.GetDefaultInverseType() == "pardiso" else "umfpack"
+
+
+def _arpack(stiffness: ng.BaseMatrix, mass: ng.BaseMatrix, inverse: ng.BaseMatrix, count: int) -> NDArray:
+    """Eigenvalues nearest SHIFT. Slave unknowns have empty rows in M and in the inverse: no harm."""
+    source, target = stiffness.CreateColVector(), stiffness.CreateColVector()
+
+    def operator(matrix: ng.BaseMatrix) -> LinearOperator:
+        def apply(values: NDArray[np.complex128]) -> NDArray[np.complex128]:
+            source.FV().NumPy()[:] = values
+            target.data = matrix * source
+            return target.FV().NumPy().copy()
+
+        return LinearOperator((len(source), len(source)), matvec=apply, dtype=complex)
+
+    return eigsh(
+        operator(stiffness),
+        k=count + 2,  # so that a multiple eigenvalue is not cut at the end
+        M=operator(mass),
+        sigma=SHIFT,
+        OPinv=operator(inverse),
+        v0=np.random.default_rng(1).standard_normal(len(source)).astype(complex),
+        tol=1e-9,
+        return_eigenvectors=False,
+    )
+
+
+def _arnoldi(space: ng.FESpace, stiffness: ng.BaseMatrix, mass: ng.BaseMatrix, count: int) -> NDArray:
+    """As `_arpack`; without restarts the last few of the modes asked for are poor, hence four more."""
+    field = ng.GridFunction(space, multidim=count + 4)
+    values = ng.ArnoldiSolver(
+        stiffness, mass, space.FreeDofs(), list(field.vecs), shift=SHIFT, inverse=_direct_solver()
+    )
+    return np.real(np.array(values))

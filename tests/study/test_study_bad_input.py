@@ -1,0 +1,223 @@
+"""Bad input: five parts that name the key, the value, what is allowed, why, and what to do."""
+
+import json
+import pickle
+
+import pydantic
+import pytest
+
+from haptonic.errors import StudyError
+from haptonic.study import loads
+
+PITCH = 'pitch = "7 mm"'
+RATIO = "cell.pillar.height / cell.pitch"
+MATERIAL = "[material]"
+
+
+def refused(text: str) -> StudyError:
+    with pytest.raises(StudyError) as caught:
+        loads(text, "touchpad.toml")
+    error = caught.value
+    assert error.argument.startswith("touchpad.toml")
+    assert all(part.strip() for part in error.parts().values())
+    assert "Traceback" not in str(error)
+    assert "pydantic" not in str(error)
+    assert len(str(error)) < 5000
+    json.dumps(error.parts())
+    assert pickle.loads(pickle.dumps(error)).parts() == error.parts()
+    assert not isinstance(error.__context__, pydantic.ValidationError)  # some picklers follow the context
+    return error
+
+
+# (change of the reference study, path of the key, words of the error)
+NAMED_IN_THE_ISSUE = {
+    "unknown key": (("diameter =", "diametre ="), "cell.pillar.diametre", ["slip", 'write "diameter"']),
+    "missing unit": ((PITCH, "pitch = 7"), "cell.pitch", ["unit is missing", '"7 mm"']),
+    "wrong unit": ((PITCH, 'pitch = "7 kHz"'), "cell.pitch", ["'7 kHz'", "not a unit of length"]),
+    "pillar wider than the cell": (
+        ('"3.5 mm"', '"8 mm"'),
+        "cell.pillar.diameter",
+        ["8 mm", "less than 6.86 mm", "wider"],
+    ),
+    "pillar nearly as wide": (
+        ('"3.5 mm"', '"6.9 mm"'),
+        "cell.pillar.diameter",
+        ["6.9 mm", "less than 6.86 mm"],
+    ),
+    "zero size": (('"1.5 mm"', '"0 mm"'), "cell.thickness", ["zero"]),
+    "negative size": (('"14.7 mm"', '"-14.7 mm"'), "cell.pillar.height", ["negative"]),
+    "NaN in a text": ((PITCH, 'pitch = "nan mm"'), "cell.pitch", ["not a finite number"]),
+    "NaN": ((PITCH, "pitch = nan"), "cell.pitch", ["not a finite number"]),
+    "infinite": ((PITCH, "pitch = inf"), "cell.pitch", ["not a finite number"]),
+    "infinite in a text": ((PITCH, 'pitch = "-inf mm"'), "cell.pitch", ["not a finite number"]),
+    "absurd size": ((PITCH, 'pitch = "7000 km"'), "cell.pitch", ["7000 km", "at most 1 km"]),
+    "absurdly small": ((PITCH, 'pitch = "7e-20 m"'), "cell.pitch", ["at least 1 nm"]),
+    "Poisson ratio 0.5": (("0.33", "0.5"), "material.poisson_ratio", ["incompressible", "0.49"]),
+}
+
+NOT_NAMED_THERE = {
+    "unknown key at the top": (("carrier", "carier"), "carier", ['write "carrier"']),
+    "unknown table": (("[bands]", "[bnads]"), "bnads", ['write "bands"']),
+    "key of another table": (
+        (PITCH, PITCH + '\ndiameter = "2 mm"'),
+        "cell.diameter",
+        ["move it to [cell.pillar]"],
+    ),
+    "missing key": ((PITCH, ""), "cell.pitch", ["left out", 'add pitch = "7 mm"']),
+    "missing material": ((MATERIAL, "[stuff]"), "stuff", ["no key has this name", "material was left out"]),
+    "misspelt material": ((MATERIAL, "[materiel]"), "materiel", ['write "material"']),
+    "material of no kind": (
+        ("carrier =", "material = 3\ncarrier ="),
+        "touchpad.toml, line",
+        ["[material]", "overwrite"],
+    ),
+    "Poisson ratio -1": (("0.33", "-1.0"), "material.poisson_ratio", ["above -1"]),
+    "negative stiffness": (('"70 GPa"', '"-70 GPa"'), "material.youngs_modulus", ["at least 1 kPa"]),
+    "loss factor 1": (("loss_factor = 1e-3", "loss_factor = 1"), "material.loss_factor", ["below 1"]),
+    "unit on a plain number": (("0.33", '"0.33 mm"'), "material.poisson_ratio", ["unit where none belongs"]),
+    "boolean size": ((PITCH, "pitch = true"), "cell.pitch", ["True", "wrong type"]),
+    "list of sizes": ((PITCH, 'pitch = ["7 mm", "8 mm"]'), "cell.pitch", ["wrong type"]),
+    "date": ((PITCH, "pitch = 1979-05-27"), "cell.pitch", ["wrong type"]),
+    "huge hexadecimal number": ((PITCH, "pitch = 0x" + "f" * 5000), "cell.pitch", ["a number of 20000 bits"]),
+    "calculation": ((PITCH, 'pitch = "7 mm * 3"'), "cell.pitch", ["nothing is calculated"]),
+    "tower of powers": ((PITCH, 'pitch = "10**10**10 m"'), "cell.pitch", ["nothing is calculated"]),
+    "huge exponent": ((PITCH, 'pitch = "1e400 m"'), "cell.pitch", ["too large"]),
+    "empty text": ((PITCH, 'pitch = ""'), "cell.pitch", ["empty"]),
+    "very long text": ((PITCH, f'pitch = "{"7" * 10_000} mm"'), "cell.pitch", ["characters long"]),
+    "full-width digits": ((PITCH, 'pitch = "\uff17 mm"'), "cell.pitch", ["not expected"]),
+    "decimal comma": ((PITCH, 'pitch = "7,0 mm"'), "cell.pitch", ["decimal comma"]),
+    "fraction of a band": (("count = 10", "count = 10.5"), "bands.count", ["not a whole number"]),
+    "count in quotes": (("count = 10", 'count = "10"'), "bands.count", ["not a whole number"]),
+    "boolean count": (("count = 10", "count = true"), "bands.count", ["not a whole number"]),
+    "no bands": (("count = 10", "count = 0"), "bands.count", ["at least 1 and at most 60"]),
+    "too many bands": (("count = 10", "count = 61"), "bands.count", ["at least 1 and at most 60"]),
+    "too few points": (("points = 66", "points = 7"), "bands.points", ["at least 8"]),
+    "accuracy zero": (("accuracy = 2e-3", "accuracy = 0"), "bands.accuracy", ["at most 0.1"]),
+    "accuracy too coarse": (("accuracy = 2e-3", "accuracy = 0.2"), "bands.accuracy", ["at most 0.1"]),
+    "order too low": (("[bands]", "[mesh]\norder = 1\n[bands]"), "mesh.order", ["at least 2 and at most 10"]),
+    "too many rings": (("[bands]", "[mesh]\nfoot_rings = 7\n[bands]"), "mesh.foot_rings", ["at most 6"]),
+    "unknown lattice": (('"square"', '"sqare"'), "cell.lattice", ['write "square"', '"rectangular"']),
+    "lattice of later": (('"square"', '"triangular"'), "cell.lattice", ['"square" or "rectangular"']),
+    "rectangle with one side": (('"square"', '"rectangular"'), "cell.pitch_y", ["second period"]),
+    "square with two sides": ((PITCH, PITCH + '\npitch_y = "7 mm"'), "cell.pitch_y", ["one period only"]),
+    "blank name": (('"aluminium (paper)"', '" "'), "material.name", ["left out"]),
+    "empty title": (('"Touchpad with two waveguides"', '""'), "title", ["text"]),
+    "endless title": (
+        ('"Touchpad with two waveguides"', f'"{"x" * 201}"'),
+        "title",
+        ["at most 200 characters"],
+    ),
+    "number for a title": (('"Touchpad with two waveguides"', "5"), "title", ["not a text"]),
+    "carrier in mm": (('"60 kHz"', '"60 mm"'), "carrier", ["not a unit of frequency"]),
+    "code in vary": (
+        (RATIO, "__import__('os').system('true')"),
+        "sweep[2].vary",
+        ["not part of the grammar"],
+    ),
+    "unknown name in vary": ((RATIO, "cell.piller.height"), "sweep[2].vary", ['write "cell.pillar.height"']),
+    "text named in vary": ((RATIO, "cell.lattice / cell.pitch"), "sweep[2].vary", ["no numeric parameter"]),
+    "absent name in vary": ((RATIO, "cell.pitch_y / cell.pitch"), "sweep[2]", ["does not give it"]),
+    "missing unit in a sweep": (
+        (RATIO, "cell.pillar.height"),
+        "sweep[2].from",
+        ["unit is missing", "sweep[2].to"],
+    ),
+    "unit of another kind in a sweep": (
+        ("from = 1.0", 'from = "7 mm"'),
+        "sweep[2].from",
+        ["where none belongs"],
+    ),
+    "sweep that stands still": (("to = 0.8", "to = 0.2"), "sweep[1].to", ["the same"]),
+    "sweep of one step": (("steps = 25", "steps = 1"), "sweep[1].steps", ["at least 2"]),
+    "sweep of too many steps": (("steps = 25", "steps = 1001"), "sweep[1].steps", ["at most 1000"]),
+    "sweep to NaN": (("to = 0.8", "to = nan"), "sweep[1].to", ["not a finite number"]),
+    "sweep without end": (("to = 0.8", ""), "sweep[1].to", ["left out"]),
+    "sweep past the cell": (
+        ("to = 0.8", "to = 1.04"),
+        "sweep[1]",
+        ["= 1.005 at step 24 of 25", "cell.pillar.diameter would be 7.035 mm", "less than 6.86 mm"],
+    ),
+    "sweep through zero": (("from = 0.2", "from = -0.2"), "sweep[1]", ["at step 1 of 25", "negative"]),
+    "unknown key in a sweep": (("steps = 25", "stepps = 25"), "sweep[1].stepps", ['write "steps"']),
+}
+
+
+@pytest.mark.parametrize("case", {**NAMED_IN_THE_ISSUE, **NOT_NAMED_THERE}.items(), ids=lambda case: case[0])
+def test_bad_value_is_refused(case, edited):
+    change, path, words = case[1]
+    error = refused(edited(change))
+    assert error.argument.removeprefix("touchpad.toml: ").startswith(path)
+    assert [word for word in words if word not in str(error)] == []
+
+
+def test_misspelt_key_is_not_reported_as_missing_too(edited):
+    assert "problem" not in refused(edited(("diameter =", "diametre ="))).next_step
+
+
+def test_all_problems_are_reported_at_once(edited):
+    error = refused(
+        edited(
+            (PITCH, "pitch = 7"), ("0.33", "0.5"), ("points = 66", "points = 4"), ("height = ", "heigth = ")
+        )
+    )
+    assert error.argument == "touchpad.toml: cell.pillar.heigth"
+    assert "3 other problems" in error.next_step
+    for path in ("cell.pitch", "material.poisson_ratio", "bands.points"):
+        assert path in error.next_step
+
+
+def test_list_of_problems_is_cut():
+    error = refused("material = 'steel'\n[cell]\n" + "".join(f"zzz{number} = 1\n" for number in range(100)))
+    assert "101 other problems" in error.next_step  # the other unknown keys, and the two sizes left out
+    assert len(error.next_step.splitlines()) < 30
+
+
+def test_number_of_sweeps_is_limited(reference_text):
+    row = '[[sweep]]\nvary = "cell.pitch"\nfrom = "7 mm"\nto = "8 mm"\nsteps = 2\n'
+    assert "at most 50 of them" in refused(reference_text + row * 49).allowed
+    assert len(loads(reference_text + row * 48).sweep) == 50
+
+
+def test_unknown_library_material_suggests_the_nearest():
+    error = refused('material = "steal"\n[cell]\npitch = "7 mm"\nthickness = "1 mm"')
+    assert error.argument.endswith("material")
+    assert 'write "steel"' in error.next_step
+
+
+@pytest.mark.parametrize("value", ["3", "[1]", "true"])
+def test_material_has_to_be_a_name_or_a_table(value):
+    error = refused(f'material = {value}\n[cell]\npitch = "7 mm"\nthickness = "1 mm"')
+    assert "built-in material" in error.allowed
+
+
+def test_constants_of_a_built_in_material_cannot_be_varied():
+    error = refused(
+        'material = "steel"\n[cell]\npitch = "7 mm"\nthickness = "1 mm"\n'
+        '[[sweep]]\nvary = "material.density"\nfrom = "7000 kg/m^3"\nto = "8000 kg/m^3"\n'
+    )
+    assert "[material] table" in str(error)
+
+
+@pytest.mark.parametrize(
+    ("text", "words"),
+    [
+        ('material = "steel"\n[sweep]\nvary = "cell.pitch"', ["[[sweep]]"]),
+        ('material = "steel"\ncell = 3', ["table"]),
+        ("", ["empty"]),
+        ("# nothing but a comment\n\n", ["comment"]),
+        ('[cell]\npitch = 7 mm\nthickness = "1 mm"', ["line 2", "'pitch = 7 mm'", "quotes"]),
+        ("[cell\npitch = 3", ["line 1"]),
+        ('title = "open', ["line 1"]),
+        ('title = "a"\ntitle = "b"', ["line 2", "overwrite"]),
+        ("[cell]\n[cell]", ["line 2", "once only"]),
+        ("a = " + "[" * 100_000, ["nested"]),
+        ("a" + ".a" * 400 + " = 1", ["no key has this name", "{...}"]),
+        ("[a" + ".a" * 50_000 + "]", ["too many dots"]),
+        ("a = " + "9" * 5000, ["thousands of digits"]),
+        ("title = 'x'\x01", ["line 1"]),
+    ],
+    ids=lambda value: ascii(value)[:20] if isinstance(value, str) else "",
+)
+def test_text_that_is_no_study(text, words):
+    error = refused(text)
+    assert [word for word in words if word not in str(error)] == []

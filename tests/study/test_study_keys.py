@@ -1,0 +1,99 @@
+"""The table of keys says what the schema does."""
+
+import re
+import tomllib
+
+import pytest
+
+from haptonic.errors import StudyError
+from haptonic.study import Study, load, loads, table
+from haptonic.study.keys import leaves
+
+KEYS = table(Study)
+
+
+def paths_of(data, prefix=""):
+    for name, value in data.items():
+        if isinstance(value, list):
+            for item in value:
+                yield from paths_of(item, f"{prefix}{name}[].")
+        elif isinstance(value, dict):
+            yield from paths_of(value, f"{prefix}{name}.")
+        else:
+            yield f"{prefix}{name}"
+
+
+def test_every_key_of_the_reference_study_is_in_the_table(reference_path):
+    given = set(paths_of(tomllib.loads(reference_path.read_text("utf-8"))))
+    assert given <= set(KEYS)
+    left_out = {path for path, key in KEYS.items() if key.kind not in {"table", "tables"}} - given
+    assert left_out == {"cell.pitch_y", "material.source", "mesh.order", "mesh.foot_rings"}
+
+
+def test_every_key_explains_itself():
+    for key in KEYS.values():
+        assert key.title[0].isupper()
+        assert key.description.endswith(".")
+        assert key.kind in {"quantity", "number", "integer", "text", "choice", "table", "tables"}
+        assert (key.kind == "quantity") == bool(key.unit)
+
+
+def test_declared_once_and_read_everywhere():
+    pitch = KEYS["cell.pitch"]
+    assert (pitch.title, pitch.unit, pitch.kind, pitch.required) == ("Pitch", "m", "quantity", True)
+    assert pitch.label == "Pitch (m)"
+    assert pitch.typical == "100 µm to 100 mm"
+    assert KEYS["bands.count"].bounds == "at least 1 and at most 60"
+    assert KEYS["bands.count"].default == "10"
+    assert KEYS["mesh.order"].bounds == "at least 2 and at most 10"
+    assert KEYS["cell.lattice"].choices == ("square", "rectangular")
+    assert KEYS["material.poisson_ratio"].bounds == "above -1 and below 0.5"
+    assert not KEYS["carrier"].required
+    assert KEYS["title"].bounds == "at most 200 characters"
+    assert KEYS["sweep"].kind == "tables"
+
+
+@pytest.mark.parametrize("path", [path for path, key in KEYS.items() if key.required])
+def test_required_keys_are_those_that_cannot_be_left_out(path, reference_path):
+    *sections, name = re.split(r"\[?\]?\.", path)
+    lines: list[str] = []
+    heading, skipping = "", False
+    for line in reference_path.read_text("utf-8").splitlines():
+        if line.startswith("["):
+            heading = line.strip("[] ")
+            skipping = not sections and (heading == name or heading.startswith(f"{name}."))
+        is_key = heading == ".".join(sections) and line.split("=")[0].strip() == name
+        if not skipping and not is_key:
+            lines.append(line)
+    with pytest.raises(StudyError, match="left out"):
+        loads("\n".join(lines))
+
+
+def test_bounds_are_those_that_are_checked():
+    """Each quantity accepts its bounds and refuses what lies just outside."""
+    base = load_plain()
+    for path in base.parameters():
+        quantity = KEYS[path].quantity
+        for bound, step in ((quantity.at_least, -1e-6), (quantity.at_most, 1e-6)):
+            if abs(bound) in (0.0, float("inf")):
+                continue
+            with pytest.raises(StudyError):
+                base.with_parameter(path, bound * (1 + step))
+            assert base.with_parameter(path, bound).parameters()[path] == bound
+
+
+def load_plain() -> Study:
+    """A study without a pillar, so that every size can go to its bounds."""
+    return loads(
+        'carrier = "60 kHz"\n[material]\nyoungs_modulus = "70 GPa"\npoisson_ratio = 0.33\n'
+        'density = "2700 kg/m^3"\n[cell]\nlattice = "rectangular"\npitch = "7 mm"\npitch_y = "8 mm"\n'
+        'thickness = "1 mm"\n'
+    )
+
+
+def test_leaves_are_the_values_of_the_study(reference_path):
+    found = {path: value for path, value, _ in leaves(load(reference_path))}
+    assert found["cell.pillar.diameter"] == 0.0035
+    assert found["sweep[2].to"] == 3.0
+    assert found["material.name"] == "aluminium (paper)"
+    assert "cell.pitch_y" not in found

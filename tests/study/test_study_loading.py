@@ -1,0 +1,176 @@
+"""The reference study, what a study can leave out, and what reaches the core."""
+
+import json
+import math
+import os
+import pickle
+import subprocess
+import sys
+import warnings
+
+import pydantic
+import pytest
+
+from haptonic.errors import HaptonicWarning, StudyError
+from haptonic.materials import material
+from haptonic.study import load, loads
+
+PLAIN = """
+material = "steel"
+[cell]
+pitch = "10 mm"
+thickness = "1 mm"
+"""
+
+
+def test_reference_study_holds_the_prototype(reference_path):
+    study = load(reference_path)
+    assert study.title == "Touchpad with two waveguides"
+    assert study.carrier == 60e3
+    cell = study.unit_cell()
+    assert (cell.lattice.a1, cell.lattice.a2) == ((0.007, 0.0), (0.0, 0.007))
+    assert (cell.thickness, cell.pillar.diameter, cell.pillar.height) == (0.0015, 0.0035, 0.0147)
+    solid = cell.material
+    assert (solid.youngs_modulus, solid.poisson_ratio, solid.density) == (70e9, 0.33, 2700.0)
+    assert solid.loss_factor == 1e-3
+    assert (study.bands.count, study.bands.points, study.bands.accuracy) == (10, 66, 2e-3)
+    first, second = study.sweep
+    assert (first.start, first.stop, first.steps) == (0.2, 0.8, 25)
+    assert (second.start, second.stop, second.steps) == (1.0, 3.0, 25)
+
+
+def test_designs_of_the_reference_sweeps(reference_path):
+    study = load(reference_path)
+    widths = [design.unit_cell().pillar.diameter for design in study.designs(study.sweep[0])]
+    assert len(widths) == 25
+    assert widths[0] == pytest.approx(0.2 * 0.007, rel=1e-15)
+    assert widths[12] == pytest.approx(0.5 * 0.007, rel=1e-15)
+    assert widths[-1] == pytest.approx(0.8 * 0.007, rel=1e-15)
+    heights = [design.unit_cell().pillar.height for design in study.designs(study.sweep[1])]
+    assert heights[0] == pytest.approx(0.007, rel=1e-15)
+    assert heights[-1] == pytest.approx(0.021, rel=1e-15)
+    assert {design.sweep for design in study.designs(study.sweep[1])} == {()}
+
+
+def test_short_study_has_the_documented_defaults():
+    study = loads(PLAIN)
+    assert study.carrier is None
+    assert study.unit_cell().pillar is None
+    assert study.unit_cell().material == material("steel")
+    assert (study.bands.count, study.bands.points, study.bands.accuracy) == (10, 66, 2e-3)
+    assert (study.mesh.order, study.mesh.foot_rings) == (None, None)
+    assert study.sweep == ()
+
+
+def test_rectangular_lattice_has_two_periods():
+    text = PLAIN.replace("[cell]", '[cell]\nlattice = "rectangular"\npitch_y = "12 mm"')
+    lattice = loads(text).unit_cell().lattice
+    assert (lattice.a1, lattice.a2) == ((0.01, 0.0), (0.0, 0.012))
+
+
+def test_pillar_has_to_fit_into_the_shorter_period():
+    text = PLAIN.replace("[cell]", '[cell]\nlattice = "rectangular"\npitch_y = "5 mm"')
+    text += '[cell.pillar]\ndiameter = "4.95 mm"\nheight = "5 mm"\n'
+    with pytest.raises(StudyError, match=r"cell\.pillar\.diameter") as caught:
+        loads(text)
+    assert caught.value.allowed == "less than 4.8 mm, so that 2 % of the pitch stays free"
+    assert loads(text.replace("4.95", "4.75")).unit_cell().pillar.diameter == 0.00475
+
+
+def test_units_of_other_people_are_read():
+    text = PLAIN.replace('"10 mm"', '"0.5 inch"').replace('"1 mm"', '"1000 µm"')
+    study = loads(text)
+    assert (study.cell.pitch, study.cell.thickness) == (0.0127, 0.001)
+
+
+def test_expert_mesh_is_passed_on():
+    study = loads(PLAIN + "[mesh]\norder = 5\nfoot_rings = 0\n")
+    assert (study.mesh.order, study.mesh.foot_rings) == (5, 0)
+
+
+def test_byte_order_mark_and_windows_line_ends_are_accepted(tmp_path, reference_path, reference_text):
+    path = tmp_path / "study.toml"
+    path.write_bytes(b"\xef\xbb\xbf" + reference_text.replace("\n", "\r\n").encode())
+    assert load(path) == load(reference_path)
+
+
+def test_study_is_an_immutable_value(reference_path):
+    study = load(reference_path)
+    with pytest.raises(pydantic.ValidationError):
+        study.cell.pitch = 0.008
+    assert study == load(reference_path)
+    assert hash(study) == hash(load(reference_path))
+    assert pickle.loads(pickle.dumps(study)) == study
+
+
+def test_inputs_are_plain_si_values(reference_path):
+    inputs = json.loads(json.dumps(load(reference_path).inputs(), allow_nan=False))
+    assert inputs["cell"]["pillar"] == {"diameter": 0.0035, "height": 0.0147}
+    assert inputs["material"]["youngs_modulus"] == 70e9
+    assert inputs["sweep"][0]["from"] == 0.2
+    assert "title" not in inputs
+
+
+def test_inputs_ignore_how_a_value_was_written(edited, reference_path):
+    reference = load(reference_path)
+    same = loads(edited(('"7 mm"', '"0.7 cm"'), ('"60 kHz"', '"60000 Hz"'), ("Touchpad", "Another title")))
+    assert same.inputs() == reference.inputs()
+    changed = [
+        ('"7 mm"', '"7.0001 mm"'),
+        ("0.33", "0.34"),
+        ("count = 10", "count = 11"),
+        ("to = 0.8", "to = 0.7"),
+    ]
+    for change in changed:
+        assert loads(edited(change)).inputs() != reference.inputs()
+
+
+def test_inputs_of_a_design_do_not_tell_which_sweep_led_to_it(edited):
+    study = loads(edited(("to = 0.8", "to = 0.5"), ("from = 1.0", "from = 2.1")))
+    by_width, by_height = study.designs(study.sweep[0])[-1], study.designs(study.sweep[1])[0]
+    assert math.isclose(by_width.cell.pillar.height, by_height.cell.pillar.height)
+    assert by_width.inputs().keys() == by_height.inputs().keys()
+    assert by_width.inputs()["sweep"] == by_height.inputs()["sweep"] == []
+
+
+@pytest.mark.parametrize(
+    ("change", "words"),
+    [
+        (
+            ('pitch = "7 mm"', 'pitch = "7 m"'),
+            ["cell.pitch", "7 m is unusual", "100 mm is typical", "7 mm meant"],
+        ),
+        (('"1.5 mm"', '"1.5 m"'), ["cell.thickness", "1.5 mm meant"]),
+        (('"2700 kg/m^3"', '"2.7 kg/m^3"'), ["material.density", "2700 kg/m^3 meant"]),
+        (('"70 GPa"', '"70 MPa"'), ["material.youngs_modulus", "70 GPa meant"]),
+        (('"60 kHz"', '"60 Hz"'), ["carrier", "60 kHz meant"]),
+        (("to = 3.0", "to = 30.0"), ["sweep[2]", "cell.pillar.height", "210 mm is unusual"]),
+    ],
+)
+def test_unusual_value_is_warned_about_once(edited, change, words):
+    with warnings.catch_warnings(record=True) as caught:
+        warnings.simplefilter("always")
+        loads(edited(change), "touchpad.toml")
+    assert [warning.category for warning in caught] == [HaptonicWarning]
+    message = str(caught[0].message)
+    assert message.startswith("touchpad.toml: ")
+    assert [word for word in words if word not in message] == []
+
+
+def test_reference_study_is_usual(reference_path):
+    assert load(reference_path).unusual() == ()
+
+
+def test_loading_imports_nothing_heavy(reference_path):
+    code = (
+        "import sys; from haptonic.study import load; load(sys.argv[1]);"
+        "print([name for name in ('pint', 'xarray', 'matplotlib', 'distributed') if name in sys.modules])"
+    )
+    done = subprocess.run(
+        [sys.executable, "-c", code, str(reference_path)],
+        capture_output=True,
+        text=True,
+        check=True,
+        env={**os.environ, "PYTHONPATH": os.pathsep.join(sys.path)},
+    )
+    assert done.stdout.strip() == "[]"

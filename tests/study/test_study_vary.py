@@ -1,0 +1,194 @@
+"""The grammar of ``vary``: read like arithmetic, solved exactly, and never executed."""
+
+import math
+
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from haptonic.errors import StudyError
+from haptonic.study import Study, loads, solve
+from haptonic.study.schema import numeric_parameters
+from haptonic.study.vary import parse
+
+STUDY = loads("""
+carrier = "60 kHz"
+[material]
+youngs_modulus = "70 GPa"
+poisson_ratio = 0.33
+density = "2700 kg/m^3"
+loss_factor = 1e-3
+[cell]
+pitch = "7 mm"
+thickness = "1.5 mm"
+[cell.pillar]
+diameter = "3.5 mm"
+height = "14.7 mm"
+""")
+PARAMETERS = STUDY.parameters()
+FREE = ["cell.thickness", "cell.pillar.height", "material.density", "material.youngs_modulus", "carrier"]
+
+numbers = st.sampled_from(["2", "0.5", "1e3", "3.25", ".125", "7.", "1E-2"])
+
+
+@st.composite
+def expressions(draw):
+    """An expression whose first name can be changed freely; that name stands there once."""
+    varied = draw(st.sampled_from(FREE))
+    others = st.sampled_from([name for name in PARAMETERS if name != varied])
+    before = draw(st.lists(numbers, max_size=2))
+    after = draw(st.lists(numbers | others, max_size=4))
+    space = draw(st.sampled_from(["", " ", "  "]))
+    text = ""
+    for factor in [*before, varied, *after]:
+        operator = draw(st.sampled_from("*/")) if text else ""
+        text += f"{space}{operator}{space}{factor}" if text else factor
+    return text
+
+
+def by_python(text, parameters):
+    """Value of the same text as Python reads it."""
+    for name in sorted(parameters, key=len, reverse=True):
+        text = text.replace(name, f"({parameters[name]!r})")
+    return eval(text)  # a text that this test wrote itself
+
+
+@settings(deadline=None)
+@given(expressions())
+def test_value_is_that_of_ordinary_arithmetic(text):
+    assert parse(text).value(PARAMETERS) == pytest.approx(by_python(text, PARAMETERS), rel=1e-12)
+
+
+@settings(deadline=None)
+@given(expressions(), st.floats(0.5, 2.0))
+def test_solved_study_has_the_value_and_nothing_else_changed(text, factor):
+    expression = parse(text)
+    wanted = expression.value(PARAMETERS) * factor
+    solved = solve(expression, wanted, STUDY)
+    assert by_python(text, solved.parameters()) == pytest.approx(wanted, rel=1e-12)
+    changed = {name for name, value in solved.parameters().items() if value != PARAMETERS[name]}
+    assert changed <= {expression.varied}
+
+
+@settings(deadline=None)
+@given(st.floats(0.2, 0.9))
+def test_the_first_name_varies(ratio):
+    by_width = solve(parse("cell.pillar.diameter / cell.pitch"), ratio, STUDY)
+    assert by_width.cell.pillar.diameter == pytest.approx(ratio * 0.007, rel=1e-15)
+    assert by_width.cell.pitch == 0.007
+    by_pitch = solve(parse("1 / cell.pitch * cell.pillar.diameter"), ratio, STUDY)
+    assert by_pitch.cell.pitch == pytest.approx(0.0035 / ratio, rel=1e-15)
+    assert by_pitch.cell.pillar.diameter == 0.0035
+
+
+@pytest.mark.parametrize(
+    ("text", "unit"),
+    [
+        ("cell.pitch", "m"),
+        ("2 * cell.pitch", "m"),
+        ("cell.pillar.diameter / cell.pitch", ""),
+        ("cell.pillar.height / cell.pitch * material.poisson_ratio", ""),
+        ("cell.pillar.height * cell.pitch", "m^2"),
+        ("cell.thickness / cell.pitch / cell.pitch", "m^-1"),
+        ("material.density", "kg*m^-3"),
+        ("1 / material.density", "kg^-1*m^3"),
+        ("cell.thickness * carrier", "m*Hz"),
+        # a pure number, though no unit cancels by name: density times speed squared over stiffness
+        ("cell.pitch * cell.thickness * carrier * carrier * material.density / material.youngs_modulus", ""),
+    ],
+)
+def test_unit_of_an_expression(text, unit):
+    assert parse(text).unit(numeric_parameters()) == unit
+
+
+def test_dimensional_sweep_reads_units(edited):
+    text = edited(
+        ("cell.pillar.height / cell.pitch", "material.youngs_modulus / material.density"),
+        ("from = 1.0", 'from = "2e7 m^2/s^2"'),
+        ("to = 3.0", 'to = "30 GPa*m^3/Mg"'),
+    )
+    study = loads(text)
+    designs = study.designs(study.sweep[1])
+    assert designs[0].parameters()["material.youngs_modulus"] == pytest.approx(2e7 * 2700, rel=1e-14)
+    assert designs[-1].parameters()["material.youngs_modulus"] == pytest.approx(3e7 * 2700, rel=1e-14)
+    assert loads(study.to_toml()) == study
+
+
+@pytest.mark.parametrize(
+    ("text", "cause"),
+    [
+        ("", "empty"),
+        ("   ", "empty"),
+        ("cell.pitch " * 100, "too long"),
+        ("2 * 3", "no parameter"),
+        ("cell.pitch cell.thickness", "where * or / belongs"),
+        ("cell.pitch *", "missing at the end"),
+        ("* cell.pitch", "where a name or number belongs"),
+        ("cell.pitch * / 2", "where a name or number belongs"),
+        ("cell.pitch ** 2", "where a name or number belongs"),
+        ("cell.pitch / (2 * cell.thickness)", "'(' at position 14"),
+        ("cell.pitch ^ 2", "'^' at position 12"),
+        ("cell.pitch + 1", "'+' at position 12"),
+        ("-cell.pitch", "'-' at position 1"),
+        ("cell.pitch * 0", "not a positive"),
+        ("cell.pitch * 1e999", "not a positive"),
+        ("cell.pitch * 1e300 * 1e300", "outside the range"),
+        ("cell.pitch / 1e300 / 1e300", "outside the range"),
+        ("cell.pitch * cell.pitch", "more than once"),
+        ("cell.pitch / cell.pitch", "more than once"),
+        ("cell['pitch']", "'[' at position 5"),
+        ("cell.pitch; import os", "';' at position 11"),
+        ("cell..pitch", "'.' at position 5"),
+        ("cell.p\u00eftch", "position 7"),
+        ("lambda: 0", "':' at position 7"),
+    ],
+)
+def test_text_outside_the_grammar_is_refused(text, cause):
+    with pytest.raises(StudyError) as caught:
+        parse(text)
+    assert cause in caught.value.cause
+    assert caught.value.argument == "sweep.vary"
+    assert all(caught.value.parts().values())
+
+
+@settings(deadline=None)
+@given(st.text(max_size=60))
+def test_any_text_is_read_or_refused(text):
+    try:
+        expression = parse(text)
+    except StudyError:
+        return
+    assert expression.varied in text
+
+
+def test_dunder_names_are_only_names():
+    with pytest.raises(StudyError, match="no numeric parameter"):
+        solve(parse("cell.__class__ / cell.pitch"), 1.0, STUDY)
+
+
+@pytest.mark.parametrize(
+    ("text", "value"),
+    [
+        ("1 / cell.pitch", 0.0),
+        ("cell.pitch", math.inf),
+        ("cell.pitch", math.nan),
+        ("cell.thickness", 0.0),
+        ("cell.thickness", -1e-3),
+        ("cell.pillar.diameter", 0.00699),
+        ("material.poisson_ratio", 0.5),
+        ("cell.pitch / 1e300", 1e300),
+    ],
+)
+def test_impossible_designs_are_refused(text, value):
+    with pytest.raises(StudyError):
+        solve(parse(text), value, STUDY)
+
+
+def test_parameter_that_is_zero_cannot_be_divided_out():
+    lossless: Study = STUDY.with_parameter("material.loss_factor", 0.0)
+    with pytest.raises(StudyError, match=r"no finite cell\.pitch"):
+        solve(parse("cell.pitch * material.loss_factor"), 1e-6, lossless)
+
+
+def test_poisson_ratio_can_pass_through_zero():
+    assert solve(parse("material.poisson_ratio"), 0.0, STUDY).material.poisson_ratio == 0.0

@@ -1,0 +1,311 @@
+"""Elastic constants against closed forms, published values and second routes."""
+
+import json
+import pickle
+import re
+from pathlib import Path
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from haptonic.errors import StudyError
+from haptonic.materials import (
+    IsotropicMaterial,
+    OrthotropicMaterial,
+    PiezoelectricMaterial,
+    library,
+    material,
+)
+
+ROOT = Path(__file__).parents[1]
+VACUUM = 8.8541878128e-12  # F/m
+VOIGT = [(0, 0), (1, 1), (2, 2), (1, 2), (0, 2), (0, 1)]
+
+NAMES = {
+    "aluminium-2017a",
+    "aluminium-paper",
+    "aluminium-7075",
+    "steel",
+    "titanium-ti6al4v",
+    "brass",
+    "soda-lime-glass",
+    "borosilicate-glass",
+    "silicon",
+    "pmma",
+    "epoxy",
+    "pzt-4",
+}
+solids = st.builds(
+    IsotropicMaterial,
+    st.just("solid"),
+    st.floats(1e6, 1e12),
+    st.floats(-0.95, 0.495),
+    st.floats(100, 2e4),
+)
+
+
+def isotropic(**changed):
+    constants = {"youngs_modulus": 70e9, "poisson_ratio": 0.33, "density": 2700.0, **changed}
+    return IsotropicMaterial("solid", **constants)
+
+
+def silicon(**changed):
+    constants = dict.fromkeys(("c11", "c22", "c33"), 165.7e9)
+    constants |= dict.fromkeys(("c12", "c13", "c23"), 63.9e9)
+    constants |= dict.fromkeys(("c44", "c55", "c66"), 79.6e9)
+    return OrthotropicMaterial("crystal", **(constants | {"density": 2330.0} | changed))
+
+
+def fourth_order(stiffness):
+    """c_ijkl of a (6, 6) matrix in Voigt order."""
+    tensor = np.zeros((3, 3, 3, 3))
+    for row, (i, j) in enumerate(VOIGT):
+        for column, (k, m) in enumerate(VOIGT):
+            for a, b in {(i, j), (j, i)}:
+                for c, d in {(k, m), (m, k)}:
+                    tensor[a, b, c, d] = stiffness[row, column]
+    return tensor
+
+
+def youngs_modulus_along(stiffness, direction):
+    """1 / s'_1111 along a direction, from the inverse of the stiffness."""
+    n = np.array(direction) / np.linalg.norm(direction)
+    stress = np.array([n[i] * n[j] for i, j in VOIGT])  # of unit tension
+    strain = np.linalg.solve(stiffness, stress)
+    return 1 / (stress @ strain)  # stress : strain is the strain along n
+
+
+@settings(deadline=None)
+@given(solids)
+def test_isotropic_stiffness_inverts_the_compliance(solid):
+    young, nu = solid.youngs_modulus, solid.poisson_ratio
+    compliance = np.diag([1, 1, 1, *[2 * (1 + nu)] * 3])
+    compliance[:3, :3] += -nu * (1 - np.eye(3))
+    assert np.allclose(solid.stiffness @ compliance / young, np.eye(6), atol=1e-9)
+
+
+@settings(deadline=None)
+@given(solids, st.tuples(*[st.floats(-1, 1)] * 3).filter(lambda n: np.linalg.norm(n) > 0.1))
+def test_speeds_solve_christoffel_in_every_direction(solid, direction):
+    n = np.array(direction) / np.linalg.norm(direction)
+    christoffel = np.einsum("ijkm,j,m->ik", fourth_order(solid.stiffness), n, n) / solid.density
+    speeds = np.sqrt(np.linalg.eigvalsh(christoffel))
+    expected = sorted([solid.shear_speed, solid.shear_speed, solid.longitudinal_speed])
+    assert np.allclose(speeds, expected, rtol=1e-6)
+
+
+@pytest.mark.parametrize(
+    ("nu", "square"),
+    [(0.0, 3 - np.sqrt(5)), (0.25, 2 - 2 / np.sqrt(3))],
+)
+def test_rayleigh_speed_where_the_cubic_factors(nu, square):
+    solid = isotropic(poisson_ratio=nu)
+    assert solid.rayleigh_speed / solid.shear_speed == pytest.approx(np.sqrt(square), rel=1e-8)
+
+
+@settings(deadline=None)
+@given(solids)
+def test_rayleigh_speed_solves_the_equation_before_squaring(solid):
+    x = (solid.rayleigh_speed / solid.shear_speed) ** 2
+    ratio = (solid.shear_speed / solid.longitudinal_speed) ** 2
+    assert 0 < x < 1
+    assert (2 - x) ** 2 == pytest.approx(4 * np.sqrt(1 - x) * np.sqrt(1 - ratio * x), rel=1e-6)
+
+
+def test_rayleigh_speed_reaches_its_limit_for_a_nearly_incompressible_solid():
+    solid = isotropic(poisson_ratio=0.4999999)
+    assert solid.rayleigh_speed / solid.shear_speed == pytest.approx(0.9553, abs=1e-4)
+
+
+@pytest.mark.parametrize(
+    ("direction", "published"), [((1, 0, 0), 130e9), ((1, 1, 0), 169e9), ((1, 1, 1), 188e9)]
+)
+def test_silicon_has_the_published_youngs_moduli(direction, published):
+    """Values of [hopcroft2010], given to three digits there."""
+    found = youngs_modulus_along(material("silicon").stiffness, direction)
+    assert found == pytest.approx(published, rel=4e-3)
+
+
+def test_orthotropic_entries_stand_at_their_places():
+    constants = ("c11", "c22", "c33", "c23", "c13", "c12", "c44", "c55", "c66")
+    values = dict(zip(constants, [100e9, 110e9, 120e9, 23e9, 13e9, 12e9, 44e9, 55e9, 66e9], strict=True))
+    stiffness = silicon(**values).stiffness
+    for name, value in values.items():
+        row, column = int(name[1]) - 1, int(name[2]) - 1
+        assert stiffness[row, column] == stiffness[column, row] == value
+    assert np.count_nonzero(stiffness) == 12
+
+
+def test_cubic_is_the_orthotropic_solid_with_three_constants():
+    cubic = OrthotropicMaterial.cubic("crystal", c11=165.7e9, c12=63.9e9, c44=79.6e9, density=2330.0)
+    assert cubic == silicon()
+
+
+class TestPzt4:
+    """The stored stiffness form against the compliance form that the ceramic is published in."""
+
+    COMPLIANCE = 1e-12 * np.array(
+        [
+            [12.3, -4.05, -5.31, 0, 0, 0],
+            [-4.05, 12.3, -5.31, 0, 0, 0],
+            [-5.31, -5.31, 15.5, 0, 0, 0],
+            [0, 0, 0, 39.0, 0, 0],
+            [0, 0, 0, 0, 39.0, 0],
+            [0, 0, 0, 0, 0, 32.7],
+        ]
+    )
+    CHARGE = 1e-12 * np.array(
+        [[0, 0, 0, 0, 496, 0], [0, 0, 0, 496, 0, 0], [-123, -123, 289, 0, 0, 0]],
+    )
+
+    ceramic = material("pzt-4")
+
+    def test_stiffness_is_the_inverse_of_the_compliance(self):
+        assert np.allclose(self.ceramic.stiffness @ self.COMPLIANCE, np.eye(6), atol=3e-5)
+
+    def test_coupling_is_charge_constants_times_stiffness(self):
+        expected = self.CHARGE @ np.linalg.inv(self.COMPLIANCE)
+        assert np.allclose(np.array(self.ceramic.coupling), expected, atol=1e-4 * 15)
+
+    def test_stiffness_form_gives_the_published_free_permittivity(self):
+        charge = np.array(self.ceramic.coupling) @ np.linalg.inv(self.ceramic.stiffness)
+        free = np.array(self.ceramic.permittivity) + charge @ np.array(self.ceramic.coupling).T
+        assert np.allclose(free / VACUUM, np.diag([1475, 1475, 1300]), atol=1)
+
+    def test_coupling_factors_are_the_published_ones(self):
+        compliance = np.linalg.inv(self.ceramic.stiffness)
+        charge = np.array(self.ceramic.coupling) @ compliance
+        free = np.array(self.ceramic.permittivity) + charge @ np.array(self.ceramic.coupling).T
+        k33 = charge[2, 2] / np.sqrt(compliance[2, 2] * free[2, 2])
+        k31 = -charge[2, 0] / np.sqrt(compliance[0, 0] * free[2, 2])
+        k15 = charge[0, 4] / np.sqrt(compliance[4, 4] * free[0, 0])
+        assert (k33, k31, k15) == pytest.approx((0.70, 0.33, 0.71), abs=0.02)
+
+    def test_is_isotropic_across_the_poling_axis(self):
+        stiffness = self.ceramic.stiffness
+        assert stiffness[5, 5] == pytest.approx((stiffness[0, 0] - stiffness[0, 1]) / 2, rel=1e-4)
+
+
+def test_library_holds_what_was_promised():
+    assert set(library()) == NAMES
+    paper = material("aluminium-paper")
+    assert (paper.youngs_modulus, paper.poisson_ratio, paper.density) == (70e9, 0.33, 2700.0)
+    prototype = material("aluminium-2017a")
+    assert (prototype.youngs_modulus, prototype.density) == (72.4e9, 2790.0)
+
+
+@pytest.mark.parametrize("name", sorted(NAMES))
+def test_every_material_is_a_stable_value_with_a_source(name):
+    found = material(name)
+    assert found.name == name
+    assert found.source
+    assert found.stiffness.shape == (6, 6)
+    assert np.allclose(found.stiffness, found.stiffness.T)
+    assert np.linalg.eigvalsh(found.stiffness).min() > 0
+    assert 0 <= found.loss_factor < 0.1
+    assert found.loss_factor > 0 or name == "aluminium-paper"
+    assert pickle.loads(pickle.dumps(found)) == found
+    assert hash(pickle.loads(pickle.dumps(found))) == hash(found)
+    assert json.loads(json.dumps(found.to_dict()))["density"] == found.density
+
+
+def test_cited_keys_are_in_the_bibliography():
+    keys = set(
+        re.findall(r"^@\w+\{([^,]+),", (ROOT / "docs/references.bib").read_text("utf-8"), re.MULTILINE)
+    )
+    sources = [*(ROOT / "src/haptonic/materials").glob("*.py")]
+    text = "".join(path.read_text("utf-8") for path in sources)
+    cited = set(re.findall(r"\[([a-z]+[0-9]{3,4})\]", text))
+    for found in library().values():
+        cited |= set(re.findall(r"\[([a-z][a-z0-9-]+)\]", f"{found.source} {found.note}"))
+    assert len(cited) >= 8
+    assert cited <= keys
+
+
+def test_unknown_name_suggests_the_nearest():
+    with pytest.raises(StudyError) as caught:
+        material("Aluminum-7075")
+    assert caught.value.next_step == 'write "aluminium-7075"'
+    assert "titanium-ti6al4v" in caught.value.allowed
+
+
+def test_library_and_uncertainty_cannot_be_changed():
+    with pytest.raises(TypeError):
+        library()["wood"] = material("steel")
+    widths = {"density": 20.0}
+    solid = isotropic(uncertainty=widths)
+    widths["density"] = 1e9
+    assert solid.uncertainty == {"density": 20.0}
+    with pytest.raises(TypeError):
+        solid.uncertainty["density"] = 0.0
+
+
+def test_two_materials_that_differ_in_anything_have_different_dicts():
+    changes = [
+        {"youngs_modulus": 71e9},
+        {"loss_factor": 1e-3},
+        {"uncertainty": {"density": 1.0}},
+        {"note": "x"},
+    ]
+    texts = {json.dumps(isotropic(**change).to_dict(), sort_keys=True) for change in [{}, *changes]}
+    assert len(texts) == 5
+
+
+@pytest.mark.parametrize(
+    ("build", "change", "argument"),
+    [
+        (isotropic, {"poisson_ratio": 0.5}, "material.poisson_ratio"),
+        (isotropic, {"poisson_ratio": 0.51}, "material.poisson_ratio"),
+        (isotropic, {"poisson_ratio": -1.0}, "material.poisson_ratio"),
+        (isotropic, {"poisson_ratio": float("nan")}, "material.poisson_ratio"),
+        (isotropic, {"youngs_modulus": 0.0}, "material.youngs_modulus"),
+        (isotropic, {"youngs_modulus": float("inf")}, "material.youngs_modulus"),
+        (isotropic, {"youngs_modulus": "70 GPa"}, "material.youngs_modulus"),
+        (isotropic, {"density": -1.0}, "material.density"),
+        (isotropic, {"density": True}, "material.density"),
+        (isotropic, {"loss_factor": -1e-3}, "material.loss_factor"),
+        (isotropic, {"loss_factor": 1.0}, "material.loss_factor"),
+        (isotropic, {"uncertainty": {"densty": 1.0}}, "material.uncertainty.densty"),
+        (isotropic, {"uncertainty": {"density": -1.0}}, "material.uncertainty.density"),
+        (silicon, {"c12": 170e9}, "material.stiffness"),
+        (silicon, {"c44": 0.0}, "material.stiffness"),
+        (silicon, {"c55": float("nan")}, "material.c55"),
+        (silicon, {"density": 0}, "material.density"),
+    ],
+)
+def test_refuses_what_no_stable_solid_has(build, change, argument):
+    with pytest.raises(StudyError) as caught:
+        build(**change)
+    assert caught.value.argument == argument
+    assert all(caught.value.parts().values())
+
+
+def test_incompressible_is_explained():
+    with pytest.raises(StudyError, match="incompressible") as caught:
+        isotropic(poisson_ratio=0.5)
+    assert "0.49" in caught.value.next_step
+    with pytest.raises(StudyError) as caught:
+        isotropic(poisson_ratio=-1.0)
+    assert "incompressible" not in str(caught.value)
+
+
+@pytest.mark.parametrize(
+    ("change", "argument"),
+    [
+        ({"elastic": np.diag([1e9] * 5)}, "material.elastic"),
+        ({"elastic": -np.eye(6)}, "material.elastic"),
+        ({"elastic": np.eye(6) + np.eye(6, k=1) * 0.1}, "material.elastic"),
+        ({"elastic": "stiff"}, "material.elastic"),
+        ({"coupling": np.full((3, 6), np.nan)}, "material.coupling"),
+        ({"permittivity": np.zeros((3, 3))}, "material.permittivity"),
+        ({"dielectric_loss": 2.0}, "material.dielectric_loss"),
+        ({"name": " "}, "material.name"),
+    ],
+)
+def test_refuses_impossible_piezoelectrics(change, argument):
+    constants = {"elastic": np.eye(6) * 1e9, "coupling": np.zeros((3, 6)), "permittivity": np.eye(3) * 1e-9}
+    with pytest.raises(StudyError) as caught:
+        PiezoelectricMaterial(**({"name": "x", "density": 7500.0} | constants | change))
+    assert caught.value.argument == argument

@@ -1,0 +1,450 @@
+"""The store: keys that change when they must, files that are whole or absent."""
+
+from __future__ import annotations
+
+import json
+import os
+import signal
+import subprocess
+import sys
+import textwrap
+import time
+from collections.abc import Callable
+from pathlib import Path
+
+import numpy as np
+import platformdirs
+import pytest
+import xarray as xr
+from hypothesis import HealthCheck, given, settings
+from hypothesis import strategies as st
+
+from haptonic import store as module
+from haptonic.errors import HaptonicWarning, ResourceError
+from haptonic.store import Store, content_key, refuse_overwrite, write_atomically
+
+KEY = "ab" + "0" * 62
+leaves = (
+    st.none() | st.booleans() | st.integers() | st.floats(allow_nan=False, allow_infinity=False) | st.text()
+)
+values = st.recursive(
+    leaves, lambda inner: st.lists(inner, max_size=3) | st.dictionaries(st.text(), inner, max_size=3)
+)
+inputs = st.dictionaries(st.text(), values, max_size=4)
+
+
+def gaps(number: float = 1.0, count: int = 5) -> xr.Dataset:
+    frequency = number * np.arange(count, dtype=float)
+    return xr.Dataset({"frequency": ("band", frequency, {"units": "Hz"})}, attrs={"made_by": "a test"})
+
+
+def files_below(root: Path) -> list[str]:
+    return sorted(path.name for path in root.rglob("*") if path.is_file())
+
+
+def run_script(folder: Path, source: str, *arguments: object) -> subprocess.Popen[str]:
+    script = folder / "script.py"
+    script.write_text(textwrap.dedent(source))
+    command = [sys.executable, str(script), *map(str, arguments)]
+    return subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+
+
+class TestContentKey:
+    @settings(max_examples=30)
+    @given(inputs)
+    def test_the_order_of_names_does_not_matter(self, given_inputs: dict[str, object]) -> None:
+        turned = dict(reversed(list(given_inputs.items())))
+        assert content_key(turned) == content_key(given_inputs)
+
+    @settings(max_examples=30)
+    @given(inputs, inputs)
+    def test_different_inputs_have_different_keys(
+        self, one: dict[str, object], other: dict[str, object]
+    ) -> None:
+        def exact(value: object) -> object:  # True, 1 and 1.0, 0.0 and -0.0 are equal in Python, not here
+            if isinstance(value, dict):
+                return {name: exact(inner) for name, inner in value.items()}
+            return (
+                [exact(inner) for inner in value] if isinstance(value, list) else (type(value), repr(value))
+            )
+
+        assert (content_key(one) == content_key(other)) == (exact(one) == exact(other))
+
+    @given(st.floats(allow_nan=False, allow_infinity=False))
+    def test_the_next_float_is_another_input(self, number: float) -> None:
+        neighbour = np.nextafter(number, 0.0 if number else 1.0).item()
+        assert content_key({"pitch": number}) != content_key({"pitch": neighbour})
+
+    def test_a_numpy_float_is_the_same_input_as_a_float(self) -> None:
+        assert content_key({"pitch": np.float64(0.1)}) == content_key({"pitch": 0.1})
+
+    def test_it_is_the_same_in_another_process(self, tmp_path: Path) -> None:
+        source = """
+            from haptonic.store import content_key, fingerprint
+            print(fingerprint(), content_key({"b": [1, 2.5], "a": {"x": None, "y": "é"}}))
+        """
+        printed, _ = run_script(tmp_path, source).communicate(timeout=30)
+        key = content_key({"a": {"y": "é", "x": None}, "b": [1, 2.5]})
+        assert printed.split() == [module.fingerprint(), key]
+
+    def test_changed_code_changes_the_key(self, monkeypatch: pytest.MonkeyPatch) -> None:
+        before = content_key({"pitch": 0.007})
+        monkeypatch.setattr(module, "fingerprint", lambda: "0" * 64)
+        assert content_key({"pitch": 0.007}) != before
+
+    @pytest.mark.parametrize(
+        ("value", "said"),
+        [
+            (float("nan"), "inputs.cell.pitch: nan is not finite"),
+            (float("-inf"), "inputs.cell.pitch: -inf is not finite"),
+            ({1, 2}, "inputs.cell.pitch: set is not a JSON type"),
+            (np.int64(3), "inputs.cell.pitch: int64 is not a JSON type"),
+            (np.arange(3), "inputs.cell.pitch: ndarray is not a JSON type"),
+            ([1, [b"x"]], r"inputs.cell.pitch\[1\]\[0\]: bytes is not a JSON type"),
+            ({1: 2}, "inputs.cell.pitch: the name 1 is not text"),
+        ],
+    )
+    def test_what_json_cannot_hold_is_refused(self, value: object, said: str) -> None:
+        with pytest.raises(AssertionError, match=said):
+            content_key({"cell": {"pitch": value}})
+
+
+class TestFingerprint:
+    VERSIONS: dict[str, str] = {"numpy": "2.0", "scipy": "1.14"}  # noqa: RUF012 (a constant of the tests)
+
+    @pytest.fixture
+    def package(self, tmp_path: Path) -> Path:
+        for name in (
+            "bloch.py",
+            "cell/mesh.py",
+            "materials/library.toml",
+            "cli.py",
+            "report/gaps.py",
+            "plots.py",
+        ):
+            path = tmp_path / name
+            path.parent.mkdir(exist_ok=True)
+            path.write_text("one = 1\n")
+        return tmp_path
+
+    def of(self, package: Path) -> str:
+        return module._fingerprint(package, self.VERSIONS)
+
+    @pytest.mark.parametrize("name", ["bloch.py", "cell/mesh.py", "materials/library.toml", "cell/report.py"])
+    def test_it_changes_with_the_code_that_computes(self, package: Path, name: str) -> None:
+        before = self.of(package)
+        (package / name).write_text("one = 2\n")
+        assert self.of(package) != before
+
+    @pytest.mark.parametrize("name", ["cli.py", "report/gaps.py", "plots.py", "README.md", "cell/mesh.pyc"])
+    def test_it_does_not_change_with_what_only_shows(self, package: Path, name: str) -> None:
+        before = self.of(package)
+        (package / name).write_text("one = 2\n")
+        assert self.of(package) == before
+
+    def test_it_changes_when_a_file_is_renamed(self, package: Path) -> None:
+        before = self.of(package)
+        (package / "bloch.py").rename(package / "block.py")
+        assert self.of(package) != before
+
+    @pytest.mark.parametrize("library", ["numpy", "scipy"])
+    def test_it_changes_with_the_libraries(self, package: Path, library: str) -> None:
+        assert module._fingerprint(package, {**self.VERSIONS, library: "9"}) != self.of(package)
+
+    def test_the_package_itself_is_read(self) -> None:
+        package = Path(module.__file__).parent
+        versions = {"numpy": np.__version__, "scipy": module.scipy.__version__}
+        assert module.fingerprint() == module._fingerprint(package, versions)
+
+
+class TestPutAndGet:
+    def test_what_was_put_comes_back(self, tmp_path: Path) -> None:
+        dataset = gaps().assign(
+            mode=("band", np.exp(1j * np.arange(5))),
+            complete=("band", np.arange(5) > 2),
+            label=("band", np.array(list("ΓXMΓX"))),
+            duration=((), 2.5, {"units": "seconds"}),
+            nothing=("empty", np.zeros(0)),
+            undefined=("band", np.full(5, np.nan)),
+        )
+        store = Store(tmp_path / "not" / "there" / "yet")
+        assert store.get(KEY) is None
+        assert KEY not in store
+        store.put(KEY, dataset)
+        assert KEY in store
+        xr.testing.assert_identical(store.get(KEY), dataset)
+        assert files_below(tmp_path) == [f"{KEY}.nc"]
+        assert store.path(KEY).parent.name == KEY[:2]
+
+    @settings(max_examples=20, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture])
+    @given(st.lists(st.floats(), max_size=8))
+    def test_numbers_come_back_bit_by_bit(self, tmp_path: Path, numbers: list[float]) -> None:
+        store = Store(tmp_path)
+        array = np.array(numbers, dtype=float)
+        store.put(KEY, xr.Dataset({"frequency": ("band", array)}))
+        found = store.get(KEY)
+        assert found is not None
+        np.testing.assert_array_equal(found.frequency.values.view(np.int64), array.view(np.int64))
+
+    def test_other_programs_can_read_the_file(self, tmp_path: Path) -> None:
+        store = Store(tmp_path)
+        store.put(KEY, gaps())
+        xr.testing.assert_identical(xr.load_dataset(store.path(KEY), engine="h5netcdf"), gaps())
+
+    def test_a_result_is_replaced(self, tmp_path: Path) -> None:
+        store = Store(tmp_path)
+        store.put(KEY, gaps(1.0))
+        store.put(KEY, gaps(2.0))
+        xr.testing.assert_identical(store.get(KEY), gaps(2.0))
+
+    def test_a_dataset_that_netcdf_cannot_hold_leaves_nothing(self, tmp_path: Path) -> None:
+        with pytest.raises(TypeError, match="Invalid value for attr"):
+            Store(tmp_path).put(KEY, gaps().assign_attrs(inputs={"pitch": 0.007}))
+        assert files_below(tmp_path) == []
+
+    def test_names_that_are_not_keys_are_refused(self, tmp_path: Path) -> None:
+        with pytest.raises(AssertionError, match="does not come from content_key"):
+            Store(tmp_path).path("../../elsewhere")
+
+    def test_the_file_follows_the_umask(self, tmp_path: Path) -> None:
+        before = os.umask(0o027)
+        try:
+            Store(tmp_path).put(KEY, gaps())
+        finally:
+            os.umask(before)
+        assert Store(tmp_path).path(KEY).stat().st_mode & 0o777 == 0o640
+
+
+class TestDamage:
+    def damaged(self, folder: Path, damage: Callable[[bytes], bytes]) -> None:
+        store = Store(folder)
+        store.put(KEY, gaps())
+        path = store.path(KEY)
+        content = damage(path.read_bytes())
+        path.write_bytes(content)
+        with pytest.warns(HaptonicWarning, match="damaged and will be computed again"):
+            assert store.get(KEY) is None
+        aside = path.with_name(f"{KEY}.nc.corrupt")
+        assert aside.read_bytes() == content
+        assert KEY not in store
+        aside.unlink()
+
+    @settings(max_examples=15, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture])
+    @given(st.floats(0.0, 1.0, exclude_max=True))
+    def test_a_file_cut_short_counts_as_absent(self, tmp_path: Path, share: float) -> None:
+        self.damaged(tmp_path, lambda content: content[: int(share * len(content))])
+
+    @settings(max_examples=15, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture])
+    @given(st.floats(0.0, 1.0, exclude_max=True), st.integers(1, 255))
+    def test_one_changed_byte_is_noticed(self, tmp_path: Path, share: float, change: int) -> None:
+        def damage(content: bytes) -> bytes:
+            place = int(share * len(content))
+            return content[:place] + bytes([content[place] ^ change]) + content[place + 1 :]
+
+        self.damaged(tmp_path, damage)
+
+    def test_a_file_of_zeros_counts_as_absent(self, tmp_path: Path) -> None:
+        self.damaged(tmp_path, lambda content: bytes(len(content)))
+
+    def test_it_can_be_put_again(self, tmp_path: Path) -> None:
+        self.damaged(tmp_path, lambda content: content[:100])
+        Store(tmp_path).put(KEY, gaps())
+        xr.testing.assert_identical(Store(tmp_path).get(KEY), gaps())
+
+
+class TestAtomicity:
+    @pytest.mark.parametrize("failure", [ValueError, KeyboardInterrupt])
+    def test_an_exception_leaves_what_was_there(self, tmp_path: Path, failure: type[BaseException]) -> None:
+        path = tmp_path / "gaps.csv"
+        path.write_text("old")
+
+        def writer(temporary: Path) -> None:
+            temporary.write_text("half of the n")
+            raise failure
+
+        with pytest.raises(failure):
+            write_atomically(path, writer)
+        assert path.read_text() == "old"
+        assert files_below(tmp_path) == ["gaps.csv"]
+
+    def test_the_temporary_has_the_same_suffix_and_folder(self, tmp_path: Path) -> None:
+        seen = []
+
+        def writer(temporary: Path) -> None:
+            seen.append(temporary)
+            temporary.write_text("<svg/>")
+
+        path = tmp_path / "new" / "bands.svg"
+        write_atomically(path, writer)
+        assert path.read_text() == "<svg/>"
+        assert [(temporary.parent, temporary.suffix) for temporary in seen] == [(path.parent, ".svg")]
+        assert files_below(tmp_path) == ["bands.svg"]
+
+    def test_a_failing_put_leaves_what_was_there(
+        self, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+    ) -> None:
+        store = Store(tmp_path)
+        store.put(KEY, gaps(1.0))
+
+        def fails(_: int) -> None:
+            raise OSError(28, "No space left on device")
+
+        monkeypatch.setattr(os, "fsync", fails)
+        with pytest.raises(ResourceError, match="the disk is full"):
+            store.put(KEY, gaps(2.0))
+        xr.testing.assert_identical(store.get(KEY), gaps(1.0))
+        assert files_below(tmp_path) == [f"{KEY}.nc"]
+
+    def test_a_process_killed_in_the_middle_of_a_put(self, tmp_path: Path) -> None:
+        source = """
+            import os, sys, time
+            from pathlib import Path
+            import xarray as xr
+            from haptonic.store import Store
+
+            def never_done(_):
+                print("written, not renamed", flush=True)
+                time.sleep(60)
+
+            os.fsync = never_done
+            Store(Path(sys.argv[1])).put(sys.argv[2], xr.Dataset({"x": ("n", [1.0])}))
+        """
+        store = Store(tmp_path / "store")
+        child = run_script(tmp_path, source, store.root, KEY)
+        assert child.stdout is not None
+        assert child.stdout.readline() == "written, not renamed\n"
+        child.kill()
+        child.communicate()
+        (leftover,) = files_below(store.root)
+        assert leftover.startswith(".haptonic-")
+        assert KEY not in store
+        assert store.get(KEY) is None
+
+        store.put(KEY, gaps())
+        assert files_below(store.root) == [leftover, f"{KEY}.nc"], "it may belong to a run that goes on"
+        yesterday = time.time() - 25 * 3600
+        os.utime(store.path(KEY).parent / leftover, (yesterday, yesterday))
+        store.put(KEY, gaps())
+        assert files_below(store.root) == [f"{KEY}.nc"]
+
+    WRITER = """
+        import sys
+        from pathlib import Path
+        import numpy as np, xarray as xr
+        from haptonic.store import Store
+
+        store, number = Store(Path(sys.argv[1])), float(sys.argv[3])
+        dataset = xr.Dataset({"frequency": ("band", np.full(20000, number))})
+        for turn in range(int(sys.argv[4])):
+            store.put(sys.argv[2], dataset)
+            if turn == 0:
+                print("begun", flush=True)
+    """
+
+    def test_two_writers_of_one_key_and_a_reader(self, tmp_path: Path) -> None:
+        store = Store(tmp_path / "store")
+        writers = [run_script(tmp_path, self.WRITER, store.root, KEY, number, 8) for number in (1.0, 2.0)]
+        seen = set()
+        while any(writer.poll() is None for writer in writers):
+            found = store.get(KEY)  # a torn file would warn, and warnings are errors here
+            if found is not None:
+                seen.add(tuple(np.unique(found.frequency.values)))
+        for writer in writers:
+            assert writer.communicate()[1] == ""
+            assert writer.returncode == 0
+        assert seen <= {(1.0,), (2.0,)}
+        assert seen
+        assert files_below(store.root) == [f"{KEY}.nc"]
+
+    @pytest.mark.parametrize("delay", [0.0, 0.023])
+    def test_kills_at_any_moment(self, tmp_path: Path, delay: float) -> None:
+        store = Store(tmp_path / "store")
+        child = run_script(tmp_path, self.WRITER, store.root, KEY, 3.0, 10**6)
+        assert child.stdout is not None
+        child.stdout.readline()
+        time.sleep(delay)
+        child.send_signal(signal.SIGKILL)
+        child.communicate()
+        found = store.get(KEY)
+        assert found is not None
+        assert np.all(found.frequency.values == 3.0)
+
+
+class TestUnusableFolders:
+    """By a regular file in the path: permissions would not stop a test that runs as root."""
+
+    @pytest.fixture
+    def blocked(self, tmp_path: Path) -> Path:
+        (tmp_path / "file").write_text("not a folder")
+        return tmp_path / "file" / "store"
+
+    def test_put(self, blocked: Path) -> None:
+        with pytest.raises(ResourceError, match="a part of the path is a file, not a folder") as caught:
+            Store(blocked).put(KEY, gaps())
+        assert caught.value.argument == "results store"
+        assert str(blocked) in caught.value.given
+        assert all(caught.value.parts().values())
+
+    def test_get(self, blocked: Path) -> None:
+        with pytest.raises(ResourceError, match="HAPTONIC_STORE"):
+            Store(blocked).get(KEY)
+
+    def test_a_folder_in_the_place_of_a_result(self, tmp_path: Path) -> None:
+        Store(tmp_path).path(KEY).mkdir(parents=True)
+        for use in (lambda: Store(tmp_path).get(KEY), lambda: Store(tmp_path).put(KEY, gaps())):
+            with pytest.raises(ResourceError, match="there is a folder of that name"):
+                use()
+
+    def test_output(self, blocked: Path) -> None:
+        with pytest.raises(ResourceError, match="output file") as caught:
+            write_atomically(blocked / "gaps.csv", lambda temporary: temporary.write_text("x"))
+        assert all(caught.value.parts().values())
+
+    @pytest.mark.skipif(sys.platform == "win32", reason="there is no limit on file sizes there")
+    def test_a_disk_that_fills_up(self, tmp_path: Path) -> None:
+        source = """
+            import resource, signal, sys
+            from pathlib import Path
+            import numpy as np, xarray as xr
+            from haptonic.errors import ResourceError
+            from haptonic.store import Store
+
+            store = Store(Path(sys.argv[1]))
+            store.put(sys.argv[2], xr.Dataset({"x": ("n", [1.0])}))
+            signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
+            resource.setrlimit(resource.RLIMIT_FSIZE, (50_000, 50_000))
+            try:
+                store.put(sys.argv[2], xr.Dataset({"x": ("n", np.arange(1e5))}))
+            except ResourceError as error:
+                print(error.cause)
+        """
+        printed, noise = run_script(tmp_path, source, tmp_path / "store", KEY).communicate(timeout=30)
+        assert noise == ""
+        assert printed == "the file is larger than the system lets you write\n"
+        assert files_below(tmp_path / "store") == [f"{KEY}.nc"]
+        found = Store(tmp_path / "store").get(KEY)
+        assert found is not None
+        assert found.x.values == [1.0]
+
+
+class TestPlaces:
+    def test_the_variable_names_the_store(self, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+        monkeypatch.chdir(tmp_path)
+        monkeypatch.setenv("HAPTONIC_STORE", "results")
+        assert Store.default() == Store(tmp_path / "results")
+
+    @pytest.mark.parametrize("value", [None, ""])
+    def test_else_it_is_the_cache_folder(self, monkeypatch: pytest.MonkeyPatch, value: str | None) -> None:
+        monkeypatch.delenv("HAPTONIC_STORE", raising=False)
+        if value is not None:
+            monkeypatch.setenv("HAPTONIC_STORE", value)
+        assert Store.default().root == platformdirs.user_cache_path("haptonic", appauthor=False)
+
+    def test_overwriting_has_to_be_asked_for(self, tmp_path: Path) -> None:
+        path = tmp_path / "bands.nc"
+        refuse_overwrite(path, overwrite=False)
+        path.symlink_to(tmp_path / "gone")  # a link counts, wherever it leads
+        refuse_overwrite(path, overwrite=True)
+        with pytest.raises(ResourceError, match="not taken") as caught:
+            refuse_overwrite(path, overwrite=False)
+        assert json.loads(json.dumps(caught.value.parts()))["given"] == str(path)
