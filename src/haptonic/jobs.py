@@ -190,7 +190,7 @@ def _collected(client: Client, function: Function, missing: Mapping[str, object]
     keys = list(missing)
     futures = submitted(keys)
     waiting = {future.key: (key, future) for key, future in zip(keys, futures, strict=True)}
-    finished = as_completed(futures, loop=client.loop)  # type: ignore[no-untyped-call]
+    finished = as_completed(futures, loop=client.loop)
     del futures  # a worker keeps a dataset for as long as somebody holds its future
     suspects = []
     for future in finished:
@@ -247,7 +247,7 @@ def _local_workers(count: int) -> Iterator[Client]:
     ):
         with _interrupts_held():
             try:
-                cluster = LocalCluster(  # type: ignore[no-untyped-call]
+                cluster = LocalCluster(
                     n_workers=count,
                     threads_per_worker=1,
                     processes=True,
@@ -263,7 +263,7 @@ def _local_workers(count: int) -> Iterator[Client]:
                     next_step='put the call below `if __name__ == "__main__":`, or use fewer workers, or 0',
                 ) from error
             stack.callback(_end, cluster)
-            client = stack.enter_context(Client(cluster, set_as_default=False))  # type: ignore[no-untyped-call]
+            client = stack.enter_context(Client(cluster, set_as_default=False))
         yield client
 
 
@@ -275,7 +275,7 @@ def _end(cluster: LocalCluster) -> None:
         await asyncio.gather(*(nanny.close(timeout=CLOSE_SECONDS) for nanny in nannies))
 
     with _interrupts_held():
-        cluster.sync(end_workers)  # type: ignore[no-untyped-call]
+        cluster.sync(end_workers)
         cluster.close()
 
 
@@ -314,7 +314,7 @@ def _remote_workers(address: str) -> Iterator[Client]:
     try:
         with warnings.catch_warnings():
             warnings.simplefilter("ignore")  # about other versions there; the ones that matter are compared
-            client = Client(address, timeout=CONNECT_SECONDS, set_as_default=False)  # type: ignore[no-untyped-call]
+            client = Client(address, timeout=CONNECT_SECONDS, set_as_default=False)
     except (OSError, ValueError) as error:
         raise _no_scheduler(address, "it is not running, or the address is misspelt") from error
     with client:

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import cached_property
+from itertools import pairwise
 
 import numpy as np
 from numpy.typing import NDArray
@@ -131,9 +132,7 @@ class Lattice:
         """
         labels = [label for label, _ in self.zone]
         corners = [self.corner_phases[label] for label in [*labels, labels[0]]]
-        lengths = [
-            float(np.linalg.norm(self.wavevector(b - a))) for a, b in zip(corners, corners[1:], strict=False)
-        ]
+        lengths = [float(np.linalg.norm(self.wavevector(b - a))) for a, b in pairwise(corners)]
         if points < 2 * len(lengths) + 1:
             raise GeometryError(
                 argument="bands.points",

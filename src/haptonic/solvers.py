@@ -50,6 +50,8 @@ class Solver(Protocol):
 
     name: str
 
+    def __init__(self, pattern: Pattern) -> None: ...
+
     def factorise(self, data: Array, *, definite: bool = True) -> int:
         """Factorise the numbers ``data`` on the pattern; returns the count of negative eigenvalues.
 

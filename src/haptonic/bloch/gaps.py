@@ -158,7 +158,7 @@ def complete_gaps(model: BlochModel) -> tuple[Gap, ...]:
 
 
 def partial_gaps(diagram: Diagram, complete: tuple[Gap, ...]) -> tuple[Gap, ...]:
-    """Gaps for the wavevectors of one segment of the path only, where they are certain; without the complete ones.
+    """Gaps for the wavevectors of one segment of the path only, as far as they are certain and not complete.
 
     The doubt of an edge is what its band could still do between two samples, by the slopes there.
     """

@@ -54,9 +54,7 @@ class ReducedCell:
             basis = _common_basis(full, fields)
             small = full.projected(basis)
             error = max(
-                float(
-                    np.max(0.5 * (eigenpairs(small, kappa, count)[0] / np.maximum(values[:count], 1.0) - 1.0))
-                )
+                float(np.max(eigenpairs(small, kappa, count)[0] / values[:count])) / 2 - 0.5
                 for kappa, (values, _) in zip(checks, exact, strict=True)
             )
             if error < PROJECTION_GOAL or len(fields) > len(training):

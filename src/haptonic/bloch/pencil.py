@@ -36,7 +36,7 @@ class Pencil:
 
     @property
     def size(self) -> int:
-        return self.stiffness.shape[1]
+        return int(self.stiffness.shape[1])
 
     def at(self, kappa: Array) -> tuple[Complex, Complex]:
         """(n, n) Hermitian stiffness and mass at the phases (2,)."""

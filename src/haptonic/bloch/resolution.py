@@ -46,7 +46,7 @@ class Resolution:
         trace = 3 * 4 * plan.side * (plan.order + 1)
         elements = nodes / plan.order**3
         quarter = 3 * nodes / 4
-        return 8.0 * (
+        return 8.0 * float(
             5 * quarter * trace / 4  # static and dynamic answers of one class, and work space
             + 4 * quarter * trace / 4  # what the four classes keep for lifting
             + 40 * quarter ** (4 / 3)  # factor

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from itertools import pairwise
 
 import numpy as np
 import scipy.linalg as la
@@ -55,7 +56,7 @@ def clusters(frequency: Array, tolerance: float = SAME) -> list[slice]:
     """Groups of neighbours that are degenerate within a relative tolerance; all those at rest are one."""
     apart = np.diff(frequency) > np.maximum(tolerance * frequency[1:], 3 * tolerance * frequency[-1])
     ends = [0, *(int(g) + 1 for g in np.flatnonzero(apart)), len(frequency)]
-    return [slice(a, b) for a, b in zip(ends, ends[1:], strict=False)]
+    return [slice(a, b) for a, b in pairwise(ends)]
 
 
 def sorted_by_parity(trace: Complex, mirror: TraceMirror, groups: list[slice]) -> tuple[Complex, Array]:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from itertools import pairwise
 
 import numpy as np
 from numpy.typing import NDArray
@@ -57,15 +58,15 @@ def diagram(model: BlochModel, path: Path) -> Diagram:
     velocity = np.empty((count, bands, 2))
     found: list[Character] = []
     used = 0
-    for start, stop in zip(path.corners, path.corners[1:], strict=False):
+    before: tuple[Complex, Ints, Ints] | None = None
+    for start, stop in pairwise(path.corners):
         middle = 0.5 * (path.kappa[start] + path.kappa[stop])
         operations = list(mirrors_at(model.cell.lattice, middle).values())
         mirror = TraceMirror.of(superelement, operations[0]) if operations else None
-        before: tuple[Complex, Ints, Ints] | None = None
+        if before is not None:  # at a corner the same modes are sorted anew, by the next mirror
+            before = (before[0], np.zeros(bands, dtype=np.int64), before[2])
         for i in range(start, stop + 1):
             solution, signs = _turned(solutions[i], model, mirror)
-            if before is None and i > 0:  # a corner: the same modes, sorted by the next mirror
-                before = (corner_fields, np.zeros(bands, dtype=np.int64), branch[i].copy())
             if before is None:
                 own = np.arange(used, used + bands)
                 used += bands
@@ -76,7 +77,6 @@ def diagram(model: BlochModel, path: Path) -> Diagram:
             velocity[i] = group_velocity(model, solution)
             if i < stop or stop == path.corners[-1]:
                 found.append(characters(superelement, solution.fields))
-        corner_fields = solution.fields
     return Diagram(
         path=path,
         frequency=np.stack([s.frequency for s in solutions]),

@@ -50,17 +50,11 @@ class ZoneSurface:
 
     def unfolded(self, band: int) -> tuple[Array, Ints, Array]:
         """The band over the whole first zone, by the point group: wavevectors (rad/m), triangles, Hz."""
-        points, triangles, values = [], [], []
-        for operation in self.lattice.point_group:
-            start = sum(len(p) for p in points)
-            points.append(self.kappa @ np.linalg.inv(np.array(operation)))
-            triangles.append(self.triangles + start)
-            values.append(self.frequency[:, band])
-        return (
-            self.lattice.wavevector(np.concatenate(points)),
-            np.concatenate(triangles),
-            np.concatenate(values),
-        )
+        operations = self.lattice.point_group
+        images = [self.kappa @ np.linalg.inv(np.array(operation)) for operation in operations]
+        triangles = [self.triangles + copy * len(self.kappa) for copy in range(len(operations))]
+        values = np.tile(self.frequency[:, band], len(operations))
+        return self.lattice.wavevector(np.concatenate(images)), np.concatenate(triangles), values
 
 
 def zone_surface(model: BlochModel, divisions: int) -> ZoneSurface:

@@ -10,6 +10,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, replace
 from functools import lru_cache
+from itertools import pairwise
 
 import numpy as np
 from numpy.typing import NDArray
@@ -254,7 +255,7 @@ def _level_points(cell: UnitCell, plan: MeshPlan) -> Array:
     square = np.empty((plan.side + 1, plan.side + 1, 2))
     square[_perimeter(plan.side)] = edge
     points = [_transfinite(square, np.append(share, 1.0))[1:-1, 1:-1].reshape(-1, 2), edge]
-    for a, b in zip(curves, curves[1:], strict=False):
+    for a, b in pairwise(curves):
         points += [a + s * (b - a) for s in inner_share[1:]]
     return np.concatenate(points)
 
@@ -294,5 +295,5 @@ def _heights(cell: UnitCell, plan: MeshPlan) -> Array:
         breaks += list(np.linspace(first, end, plan.pillar_layers))
     share = 0.5 * (1 + lobatto(plan.order)[0])
     levels = [np.array(breaks[:1])]
-    levels += [a + share[1:] * (b - a) for a, b in zip(breaks, breaks[1:], strict=False)]
+    levels += [a + share[1:] * (b - a) for a, b in pairwise(breaks)]
     return np.concatenate(levels)

@@ -42,7 +42,7 @@ def lobatto(order: int) -> tuple[Array, Array, Array]:
 
 
 def interpolation(points: Array, targets: Array) -> Array:
-    """(targets, points) values at ``targets`` of the Lagrange polynomials on ``points`` (barycentric form)."""
+    """(targets, points) values at ``targets`` of the Lagrange polynomials on ``points``, by barycentres."""
     apart = points[:, None] - points[None, :]
     np.fill_diagonal(apart, 1.0)
     weights = 1.0 / np.prod(apart, axis=1)

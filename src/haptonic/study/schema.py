@@ -6,7 +6,7 @@ labels and the written file follow from it.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from typing import Annotated, Any
 
 from pydantic import (
@@ -20,10 +20,13 @@ from pydantic import (
     model_validator,
 )
 
+from haptonic.bloch.resolution import LADDER, Resolution, starting_rung
 from haptonic.cell import Pillar, UnitCell
-from haptonic.errors import HaptonicError
+from haptonic.errors import HaptonicError, StudyError
 from haptonic.lattice import Lattice
 from haptonic.materials import Material, material
+from haptonic.results import Asked, Bands, Sweep, compute_bands, compute_sweep
+from haptonic.store import Store
 from haptonic.study.keys import leaves, table
 from haptonic.study.problems import study_error
 from haptonic.study.quantity import SI_NUMBERS, Quantity, collected, problem
@@ -118,7 +121,9 @@ class Study(Section):
         Discriminator(_material_kind),
     ] = Field(title="Material", description="Of the plate and its pillars: a built-in name or its constants.")
     cell: CellSection = Field(title="Unit cell", description="One period of the plate.")
-    bands: BandsSection = Field(BandsSection(), title="Bands", description="What the band diagram shows.")
+    bands_section: BandsSection = Field(
+        BandsSection(), alias="bands", title="Bands", description="What the band diagram shows."
+    )
     mesh: MeshSection = Field(
         MeshSection(), title="Mesh", description="For experts; else the accuracy decides."
     )
@@ -161,6 +166,77 @@ class Study(Section):
         )
         pillar = Pillar(cell.pillar.diameter, cell.pillar.height) if cell.pillar else None
         return UnitCell(lattice, cell.thickness, self.resolved_material(), pillar)
+
+    def asked(self) -> Asked:
+        """What is asked of the bands."""
+        bands, mesh = self.bands_section, self.mesh
+        resolution = None
+        if mesh.order is not None or mesh.foot_rings is not None:
+            rung = LADDER[starting_rung(bands.accuracy)]
+            order = rung.order if mesh.order is None else mesh.order
+            rings = rung.foot_rings if mesh.foot_rings is None else mesh.foot_rings
+            resolution = Resolution(order, rings, rung.steps)
+        return Asked(bands.count, bands.points, bands.accuracy, resolution)
+
+    def need_sweeps(self) -> None:
+        """Raise StudyError if the study has no sweep."""
+        if not self.sweep:
+            raise StudyError(
+                argument="sweep",
+                given="nothing",
+                allowed="at least one [[sweep]] table",
+                cause="the study describes a single design",
+                next_step='add [[sweep]] with vary = "cell.pillar.diameter / cell.pitch", from, to and steps',
+            )
+
+    def bands(self, *, surface: bool = False, store: Store | None = None) -> Bands:
+        """Band diagram, gaps and mode shapes of the unit cell.
+
+        Parameters
+        ----------
+        surface : also sample the whole zone evenly, for contours and the density of states
+        store : where results are kept; the user's own by default
+
+        Raises
+        ------
+        ResourceError : the accuracy needs more memory than there is
+        """
+        return compute_bands(
+            self.unit_cell(),
+            self.asked(),
+            surface=surface,
+            inputs=self.inputs(),
+            carrier=self.carrier,
+            store=store or Store.default(),
+        )
+
+    def swept(
+        self,
+        sweep: SweepSection,
+        *,
+        store: Store | None = None,
+        workers: int = 0,
+        scheduler: str | None = None,
+        on_progress: Callable[[int, int, bool], None] | None = None,
+    ) -> Sweep:
+        """Complete gaps of every design of one of the study's sweeps; see `haptonic.jobs.run_all`."""
+        labels = {
+            "expression": sweep.vary,
+            "units": sweep.unit,
+            "own_value": sweep.expression.value(self.parameters()),
+            "carrier_hz": self.carrier,
+        }
+        return compute_sweep(
+            sweep.values,
+            [design.unit_cell() for design in self.designs(sweep)],
+            self.asked(),
+            labels=labels,
+            inputs=self.inputs(),
+            store=store or Store.default(),
+            workers=workers,
+            scheduler=scheduler,
+            on_progress=on_progress,
+        )
 
     def parameters(self) -> dict[str, float]:
         """Value of every numeric parameter that this study gives, by path and in SI units."""

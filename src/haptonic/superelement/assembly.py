@@ -63,7 +63,7 @@ class FoldedStiffness:
     blocks: Array
 
     def interior(self) -> Array:
-        """Numbers on the interior pattern; a component that the class forces to vanish is held by a spring."""
+        """Numbers on the interior pattern; components that the class forces to vanish hang on springs."""
         data = self.unsprung()
         pivots = data[self.assembler.diagonal]
         data[self.assembler.diagonal] = np.where(pivots == 0.0, pivots.max(), pivots)

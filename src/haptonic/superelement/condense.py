@@ -6,6 +6,7 @@ Inside the cell a field is the static answer to its trace, plus modes that have 
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 import scipy.linalg as la
@@ -20,6 +21,7 @@ from haptonic.superelement.sections import PillarSections, momentum_forms, pilla
 from haptonic.superelement.trace import FoldedTrace
 
 Array = NDArray[np.float64]
+Fields = NDArray[Any]  # real or complex
 
 
 @dataclass(frozen=True)
@@ -31,7 +33,7 @@ class Part:
     static: Array
     modes: Array
 
-    def lifted(self, trace: Array, amplitudes: Array) -> Array:
+    def lifted(self, trace: Fields, amplitudes: Fields) -> Fields:
         """(nodes, 3, k) displacement from a whole trace (t, k) and the class's modal amplitudes (m, k)."""
         own = self.trace.fold(trace)
         inside = self.static @ own + self.modes @ amplitudes
@@ -87,14 +89,13 @@ class Superelement:
     def size(self) -> int:
         return len(self.stiffness)
 
-    def lifted(self, fields: Array) -> Array:
+    def lifted(self, fields: Fields) -> Fields:
         """(nodes, 3, k) displacement on the mesh from (t + m, k) unknowns, real or complex."""
         trace, amplitudes = np.split(fields, [self.trace_size])
         ends = np.cumsum([part.modes.shape[1] for part in self.parts])
         shares = np.split(amplitudes, ends[:-1])
-        return np.asarray(
-            sum(part.lifted(trace, share) for part, share in zip(self.parts, shares, strict=True))
-        )
+        pieces = (part.lifted(trace, share) for part, share in zip(self.parts, shares, strict=True))
+        return np.asarray(sum(pieces))
 
 
 def condense(cell: UnitCell, plan: MeshPlan, steps: int = 2, *, measured: bool = True) -> Superelement:
@@ -111,18 +112,20 @@ def condense(cell: UnitCell, plan: MeshPlan, steps: int = 2, *, measured: bool =
     pieces = for_each_class(shared, lambda q, solver: _condense_class(shared, q, solver, steps, measured))
     layouts = [piece.part.trace for piece in pieces]
 
+    def on_trace(own: list[Array]) -> Array:
+        pairs = zip(layouts, own, strict=True)
+        return np.asarray(np.sum([layout.unfold_form(form) for layout, form in pairs], axis=0))
+
     def whole(name: str) -> Array:
         forms = [piece.forms[name] for piece in pieces]
-        corner = sum(layout.unfold_form(f.corner) for layout, f in zip(layouts, forms, strict=True))
+        corner = on_trace([f.corner for f in forms])
         side = np.hstack([layout.unfold_rows(f.side) for layout, f in zip(layouts, forms, strict=True)])
         return np.block([[corner, side], [side.T, la.block_diag(*(f.modal for f in forms))]])
 
     measures = None
     if measured:
-        on_trace = sum(
-            layout.unfold_rows(p.momenta_of_trace.T).T for layout, p in zip(layouts, pieces, strict=True)
-        )
-        momenta = np.hstack([on_trace, *(p.momenta_of_modes for p in pieces)])
+        of_trace = np.sum([p.part.trace.unfold_rows(p.momenta_of_trace.T) for p in pieces], axis=0)
+        momenta = np.hstack([of_trace.T, *(p.momenta_of_modes for p in pieces)])
         sections = pillar_sections(mesh, shared.nodal_mass, momenta)
         measures = Measures(whole("pillar_stiffness"), whole("pillar_mass"), whole("vertical_mass"), sections)
     return Superelement(
@@ -131,9 +134,7 @@ def condense(cell: UnitCell, plan: MeshPlan, steps: int = 2, *, measured: bool =
         levels=shared.levels,
         stiffness=whole("stiffness"),
         mass=whole("mass"),
-        omission=np.sum(
-            [layout.unfold_form(p.omission) for layout, p in zip(layouts, pieces, strict=True)], axis=0
-        ),
+        omission=on_trace([p.omission for p in pieces]),
         nodal_mass=shared.nodal_mass,
         parts=tuple(piece.part for piece in pieces),
         measures=measures,

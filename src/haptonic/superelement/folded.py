@@ -72,7 +72,9 @@ class FoldedMesh:
         folding = fold(topology, mirrors_of(cell))
         elements = element_matrices(mesh, cell.material, folding.elements)
         nodes = topology.elements[folding.elements].reshape(len(folding.elements), -1)
-        mass = np.bincount(folding.node[nodes].ravel(), (elements.mass * folding.weight[:, None]).ravel())
+        mass = np.bincount(
+            folding.node[nodes].ravel(), (elements.mass * folding.weight[:, None]).ravel()
+        ).astype(float)
         levels_at = 0.5 * cell.thickness * (1 + lobatto(levels - 1)[0])
         return cls(
             cell=cell,
@@ -119,7 +121,7 @@ class FoldedMesh:
 
     def pillar_stiffness(self, q: int) -> sp.csr_array:
         """The pillar's share of the interior stiffness of one class; it reaches no lateral face."""
-        in_pillar = self.folding.weight * self.mesh.topology.in_pillar[self.folding.elements]
+        in_pillar = self.folding.weight * self.mesh.topology.in_pillar[self.folding.elements].astype(float)
         return self.assembler.pattern.matrix(self.assembler.assembled(self.elements, in_pillar, q).unsprung())
 
     @cached_property

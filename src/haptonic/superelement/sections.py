@@ -86,7 +86,7 @@ def pillar_sections(mesh: HexMesh, nodal_mass: Array, motion: Array) -> PillarSe
     arm = m * (mesh.points[nodes, :2] ** 2).sum(axis=1)
     return PillarSections(
         height=heights,
-        mass=np.bincount(level, m, minlength=len(heights)),
-        inertia=np.bincount(level, arm, minlength=len(heights)),
+        mass=np.bincount(level, m, minlength=len(heights)).astype(float),
+        inertia=np.bincount(level, arm, minlength=len(heights)).astype(float),
         motion=motion.reshape(4, len(heights), -1),
     )

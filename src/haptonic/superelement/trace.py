@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import cached_property
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -35,7 +36,7 @@ class FoldedTrace:
     @cached_property
     def _place(self) -> Ints:
         """(places,) representative of each place on the rim."""
-        return self.folding.node[self.topology.rim[0]] - self.folding.interior
+        return np.asarray(self.folding.node[self.topology.rim[0]] - self.folding.interior)
 
     @property
     def places(self) -> int:
@@ -52,27 +53,27 @@ class FoldedTrace:
     @property
     def is_vertical(self) -> Array:
         """(b,) 1 for own unknowns along z."""
-        return (self.kept % 3 == 2).astype(float)
+        return np.asarray(self.kept % 3 == 2, dtype=float)
 
     @cached_property
     def number(self) -> Ints:
         """(t,) own unknown behind each unknown of the whole trace (0 where its sign is 0)."""
         own = np.zeros(self.levels * self.places * 3, dtype=np.int64)
         own[self.kept] = np.arange(len(self.kept))
-        return own.reshape(self.levels, self.places, 3)[:, self._place].ravel()
+        return np.asarray(own.reshape(self.levels, self.places, 3)[:, self._place].ravel())
 
     @cached_property
     def sign(self) -> Array:
         """(t,) whole trace = sign * own trace."""
         sign = self.folding.sign[self.symmetry_class][self.topology.rim[0]].astype(float)
-        return np.broadcast_to(sign, (self.levels, *sign.shape)).ravel()
+        return np.asarray(np.broadcast_to(sign, (self.levels, *sign.shape)).ravel())
 
     @cached_property
     def images(self) -> Array:
         """(b,) how many unknowns of the whole trace each own one stands for."""
-        return np.bincount(self.number, np.abs(self.sign), minlength=len(self.kept))
+        return np.bincount(self.number, np.abs(self.sign), minlength=len(self.kept)).astype(float)
 
-    def fold(self, whole: Array) -> Array:
+    def fold(self, whole: NDArray[Any]) -> NDArray[Any]:
         """(b, k) share of a whole trace (t, k) that has this symmetry."""
         out = np.zeros((len(self.kept), whole.shape[1]), dtype=whole.dtype)
         np.add.at(out, self.number, whole * self.sign[:, None])
@@ -90,7 +91,7 @@ class FoldedTrace:
         """(t, k) linear forms on the whole trace from (b, k) on the class."""
         return np.asarray((own / self.images[:, None])[self.number] * self.sign[:, None])
 
-    def on_levels(self, through: Array, own: Array) -> Array:
+    def on_levels(self, through: Array, own: NDArray[Any]) -> NDArray[Any]:
         """(plate levels * places, 3, k) values on the mesh's rim from own trace unknowns (b, k)."""
         trace = np.zeros((self.levels * self.places * 3, own.shape[1]), dtype=own.dtype)
         trace[self.kept] = own

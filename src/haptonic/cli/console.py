@@ -1,0 +1,123 @@
+"""How commands speak: to people on standard error and in tables, to machines in one JSON object."""
+
+from __future__ import annotations
+
+import json
+import sys
+import warnings
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from dataclasses import dataclass, field
+from typing import Any
+
+from rich.console import Console
+from rich.markup import escape
+from rich.progress import (
+    BarColumn,
+    MofNCompleteColumn,
+    Progress,
+    SpinnerColumn,
+    TextColumn,
+    TimeElapsedColumn,
+    TimeRemainingColumn,
+)
+
+from haptonic.errors import HaptonicError, HaptonicWarning
+
+USER_ERROR = 2
+INTERRUPTED = 130
+
+
+@dataclass
+class Voice:
+    """One command's two channels.
+
+    machine : True when ``--json`` was given: then standard output holds one object and nothing else
+    """
+
+    machine: bool
+    out: Console = field(default_factory=Console)
+    err: Console = field(default_factory=lambda: Console(stderr=True))
+    warned: list[str] = field(default_factory=list)
+
+    def tell(self, content: object) -> None:
+        """Show something to a person; silent for machines."""
+        if not self.machine:
+            self.out.print(content)
+
+    def answer(self, values: dict[str, Any]) -> None:
+        """Give the machine its object; silent for people."""
+        if self.machine:
+            _print_json({**values, "warnings": self.warned})
+
+    def refuse(self, error: HaptonicError) -> None:
+        """Say what is wrong, in five parts."""
+        if self.machine:
+            _print_json({"error": error.parts(), "warnings": self.warned})
+        rows = {
+            "argument": error.argument,
+            "given": error.given,
+            "allowed": error.allowed,
+            "likely cause": error.cause,
+            "next step": error.next_step,
+        }
+        self.err.print("[bold red]error[/]")
+        for title, text in rows.items():
+            self.err.print(f"  [bold]{title:<13}[/]{escape(text)}", soft_wrap=True, highlight=False)
+
+    def warn(self, text: str) -> None:
+        self.warned.append(text)
+        self.err.print(f"[yellow]warning[/] {escape(text)}", soft_wrap=True, highlight=False)
+
+    @contextmanager
+    def busy(self, what: str) -> Iterator[None]:
+        """A spinner with the time gone by, on standard error."""
+        columns = (SpinnerColumn(), TextColumn("{task.description}"), TimeElapsedColumn())
+        with Progress(*columns, console=self.err, transient=True) as progress:
+            progress.add_task(what, total=None)
+            yield
+
+    @contextmanager
+    def counted(self, what: str, total: int) -> Iterator[Callable[[int, int, bool], None]]:
+        """A bar with the time left, on standard error; yields what to call with (done, total, stored)."""
+        columns = (
+            TextColumn("{task.description}"), BarColumn(), MofNCompleteColumn(), TextColumn("elapsed"),
+            TimeElapsedColumn(), TextColumn("left"), TimeRemainingColumn(),
+        )  # fmt: skip
+        with Progress(*columns, console=self.err, transient=True) as progress:
+            task = progress.add_task(what, total=total)
+            yield lambda done, _total, _stored: progress.update(task, completed=done)
+
+
+@contextmanager
+def speaking(machine: bool, kept: str = "") -> Iterator[Voice]:
+    """Run a command's work: errors in five parts and exit code 2, Ctrl-C with a word on what is kept."""
+    voice = Voice(machine)
+    with warnings.catch_warnings():
+        warnings.simplefilter("always", HaptonicWarning)
+        default = warnings.showwarning
+
+        def show(message: Any, category: Any, *rest: Any, **more: Any) -> None:
+            if issubclass(category, HaptonicWarning):
+                voice.warn(str(message))
+            else:
+                default(message, category, *rest, **more)
+
+        warnings.showwarning = show
+        try:
+            yield voice
+        except HaptonicError as error:
+            voice.refuse(error)
+            raise SystemExit(USER_ERROR) from None
+        except KeyboardInterrupt:
+            if machine:
+                _print_json({"interrupted": True, "warnings": voice.warned})
+            voice.err.print(f"[yellow]interrupted[/]{': ' + kept if kept else ''}")
+            raise SystemExit(INTERRUPTED) from None
+        finally:
+            warnings.showwarning = default
+
+
+def _print_json(values: dict[str, Any]) -> None:
+    sys.stdout.write(json.dumps(values, allow_nan=False) + "\n")
+    sys.stdout.flush()

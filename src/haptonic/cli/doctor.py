@@ -1,0 +1,58 @@
+"""Is this machine fit to compute, and does the physics come out right on it?"""
+
+from __future__ import annotations
+
+import platform
+import time
+from importlib.metadata import version
+from typing import Any
+
+import numpy as np
+import psutil
+
+from haptonic import __version__
+from haptonic.bloch import bloch_pencil
+from haptonic.bloch.pencil import eigenpairs
+from haptonic.cell import MeshPlan, UnitCell
+from haptonic.lattice import Lattice
+from haptonic.materials import IsotropicMaterial
+from haptonic.solvers import available, chosen
+from haptonic.store import Store
+from haptonic.superelement import condense
+from haptonic.superelement.parallel import threads
+
+PACKAGES = ("numpy", "scipy", "xarray", "h5netcdf", "pydantic", "matplotlib", "distributed")
+TOLERANCE = 1e-4  # relative
+
+
+def examined() -> dict[str, Any]:
+    """What a bug report needs, and ``healthy``: whether the check of the physics came out right."""
+    start = time.perf_counter()
+    error = shear_wave_error()
+    memory = psutil.virtual_memory()
+    return {
+        "haptonic": __version__,
+        "python": platform.python_version(),
+        "system": f"{platform.system()} {platform.machine()}",
+        **{name: version(name) for name in PACKAGES},
+        "solver": chosen().name,
+        "solvers_installed": ", ".join(available()),
+        "threads": threads(),
+        "memory_gb": round(memory.total / 1e9, 1),
+        "memory_free_gb": round(memory.available / 1e9, 1),
+        "store": str(Store.default().root),
+        "physics_error": float(error),
+        "physics_seconds": round(time.perf_counter() - start, 2),
+        "healthy": bool(error < TOLERANCE),
+    }
+
+
+def shear_wave_error() -> float:
+    """Relative error of a shear wave along a plain plate, whose exact frequency is speed / wavelength."""
+    material = IsotropicMaterial("check", 70e9, 0.33, 2700.0)
+    cell = UnitCell(Lattice.square(7e-3), 1.5e-3, material)
+    kappa = np.array([0.5 * np.pi, 0.0])
+    pencil = bloch_pencil(condense(cell, MeshPlan(4, 0, 0), measured=False))
+    frequencies = np.sqrt(np.maximum(eigenpairs(pencil, kappa, 6)[0], 0.0)) / (2 * np.pi)
+    exact = material.shear_speed * float(kappa[0]) / (2 * np.pi * cell.lattice.pitch)
+    return float(np.abs(frequencies / exact - 1.0).min())
