@@ -91,10 +91,11 @@ class Bands:
                 "out_of_plane": data["out_of_plane"].values.tolist(),
                 "pillar_strain": data["pillar_strain"].values.tolist(),
                 "parity": data["parity"].values.tolist(),
+                "corner_symmetry": data["corner_symmetry"].values.tolist(),
                 "branch": data["branch"].values.tolist(),
                 "character": [[names[i] for i in row] for row in data["character"].values],
             },
-            "counts": {"checked": int(data.attrs["counts_checked"]), "missed": int(data.attrs["counts_missed"])},
+            "counts": {name: int(data.attrs[f"counts_{name}"]) for name in ("checked", "missed")},
             "mesh": json.loads(data.attrs["mesh"]) | {"unknowns": int(data.attrs["unknowns"])},
             "inputs": json.loads(data.attrs["inputs"]),
             "version": data.attrs["haptonic_version"],
@@ -239,8 +240,8 @@ def compute_sweep(
             "timoshenko": (("step", "resonance"), np.stack([stocky for _, stocky in beams])),
         }
     )
-    for name, variable in dataset.items():
-        variable.attrs = {"units": "1" if name == "gap_below" else "Hz"}
+    for variable in dataset.values():
+        variable.attrs = {"units": "1" if variable.name == "gap_below" else "Hz"}
     dataset["value"].attrs = {"units": labels["units"] or "1", "long_name": labels["expression"]}
     dataset.attrs = {name: value for name, value in labels.items() if name != "units" and value is not None}
     failed = {step: o.error.parts() for step, o in enumerate(outcomes) if o.error is not None}
@@ -250,9 +251,10 @@ def compute_sweep(
 def design_gaps(design: tuple[UnitCell, Asked]) -> xr.Dataset:
     """Complete gaps of one design; what a worker is given to do."""
     cell, asked = design
-    return gaps_dataset(
+    found: xr.Dataset = gaps_dataset(
         cell, count=asked.count, accuracy=asked.accuracy, resolution=asked.resolution
     )
+    return found
 
 
 def write_files(
@@ -316,4 +318,4 @@ def _cantilever(cell: UnitCell) -> tuple[np.ndarray, np.ndarray]:
 
 def _no_nan(array: np.ndarray) -> Any:
     """Nested lists with null in place of NaN, which JSON does not have."""
-    return np.where(np.isnan(array), None, array).tolist()
+    return np.where(np.isnan(array), np.array(None), array).tolist()

@@ -100,8 +100,12 @@ def gaps_dataset(
         if resolution is not None or all(gap.relative_error <= accuracy for gap in gaps):
             break
     dataset = _gaps_dataset(gaps)
-    dataset["searched_up_to"] = (), float(model.solve(np.zeros(2)).frequency[-1])
-    _describe(dataset, {"searched_up_to": ("Hz", "highest band at Gamma, where the search ends")})
+    wavevectors, _ = cell.lattice.zone_triangles(2)
+    lowest = min(float(model.solve(kappa).frequency[-1]) for kappa in wavevectors)
+    dataset["searched_up_to"] = (), lowest
+    _describe(
+        dataset, {"searched_up_to": ("Hz", "lowest value seen of the last band; above it more bands exist")}
+    )
     dataset.attrs["mesh"] = json.dumps(asdict(model.fine.superelement.mesh.topology.plan))
     return dataset
 
@@ -209,6 +213,7 @@ def _diagram_dataset(along: Diagram) -> xr.Dataset:
             "frequency_error": (both, along.error),
             "group_velocity": ((*both, "axis"), along.velocity),
             "parity": (both, along.parity),
+            "corner_symmetry": (("path_corner", "band"), np.array(along.corner_symmetry).astype("U")),
             "branch": (both, along.branch),
             "out_of_plane": (both, along.vertical),
             "pillar_strain": (both, along.pillar_strain),
@@ -224,6 +229,7 @@ def _diagram_dataset(along: Diagram) -> xr.Dataset:
         "frequency_error": ("Hz", "bound of the frequency's error"),
         "group_velocity": ("m/s", "group velocity along x and y; NaN for rigid-body motions"),
         "parity": ("1", "+1 even, -1 odd under the mirror of the segment, 0 without one"),
+        "corner_symmetry": ("1", "behaviour under the mirrors of the corner's little group"),
         "branch": ("1", "number of the curve followed through crossings"),
         "out_of_plane": ("1", "share of kinetic energy in motion along z"),
         "pillar_strain": ("1", "share of strain energy in the pillar"),

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
+from functools import cached_property
 
 import numpy as np
 import scipy.linalg as la
@@ -18,10 +19,12 @@ from haptonic.superelement import Superelement, condense
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 
-TRAINING_DIVISIONS = 3  # of the irreducible zone's sides, for the wavevectors that span the small basis
+TRAINING_DIVISIONS = (2, 3, 4, 6)  # of the zone's sides, for the wavevectors that span the small basis
 SPARE_MODES = 3  # modes beyond those asked for that go into the small basis
 LOST_DIRECTION = 1e-13  # smallest share of the snapshots' inertia that still makes a basis vector
-PROJECTION_GOAL = 2e-5  # relative error of a frequency that the small basis may add
+PROJECTION_GOAL = 3e-5  # relative error of a frequency that the small basis may add where it is checked
+UNSEEN = 3.0  # by how much that error may be larger at wavevectors that were not checked
+ERROR_DIVISIONS = 3  # of the zone's sides, for the wavevectors at which a model's errors are judged
 REST = 1e-4  # share of the highest frequency below which a mode counts as a rigid-body motion
 
 
@@ -32,7 +35,8 @@ class ReducedCell:
     superelement : the condensed cell; periodic : its free unknowns
     pencil : on the small basis; basis : (free unknowns, r)
     omission : pencil of the superelement's omission, as a mass
-    projection_error : largest relative error of a frequency seen at wavevectors not used for the basis
+    projection_error : relative error of a frequency that the basis may add, from wavevectors that did not
+        go into it
     """
 
     superelement: Superelement
@@ -45,22 +49,23 @@ class ReducedCell:
     def of(cls, cell: UnitCell, plan: MeshPlan, steps: int, count: int, *, measured: bool) -> ReducedCell:
         superelement = condense(cell, plan, steps, measured=measured)
         full = bloch_pencil(superelement)
-        training, _ = cell.lattice.zone_triangles(TRAINING_DIVISIONS)
-        fields = [eigenpairs(full, kappa, count + SPARE_MODES)[1] for kappa in training]
         corners, triangles = cell.lattice.zone_triangles(2)
         checks = corners[triangles].mean(axis=1)
-        exact = [eigenpairs(full, kappa, count + SPARE_MODES) for kappa in checks]
-        while True:
+        exact = [eigenpairs(full, kappa, count)[0] for kappa in checks]
+        for divisions in TRAINING_DIVISIONS:
+            training, _ = cell.lattice.zone_triangles(divisions)
+            fields = [eigenpairs(full, kappa, count + SPARE_MODES)[1] for kappa in training]
             basis = _common_basis(full, fields)
             small = full.projected(basis)
             error = max(
-                float(np.max(eigenpairs(small, kappa, count)[0] / values[:count])) / 2 - 0.5
-                for kappa, (values, _) in zip(checks, exact, strict=True)
+                float(np.max(eigenpairs(small, kappa, count)[0] / values)) / 2 - 0.5
+                for kappa, values in zip(checks, exact, strict=True)
             )
-            if error < PROJECTION_GOAL or len(fields) > len(training):
+            if error < PROJECTION_GOAL:
                 break
-            fields += [modes for _, modes in exact]
-        return cls(superelement, Periodic.of(superelement), small, basis, max(error, 0.0))
+        # a few checks cannot vouch for less than what was aimed at
+        claimed = max(UNSEEN * error, PROJECTION_GOAL)
+        return cls(superelement, Periodic.of(superelement), small, basis, projection_error=claimed)
 
     def expanded(self, modes: Complex, kappa: Array) -> Complex:
         """(t + m, k) unknowns of the superelement from (r, k) modes of the small pencil."""
@@ -96,6 +101,16 @@ class Solution:
         """The same with new modes = old modes @ turn, (k, k) unitary among degenerate ones."""
         return replace(self, fields=self.fields @ turn, modes=self.modes @ turn)
 
+    def lowest(self, count: int) -> Solution:
+        """The first ``count`` modes."""
+        return Solution(
+            self.kappa,
+            self.frequency[:count],
+            self.error[:count],
+            self.fields[:, :count],
+            self.modes[:, :count],
+        )
+
 
 @dataclass(frozen=True)
 class BlochModel:
@@ -124,17 +139,23 @@ class BlochModel:
             ),
         )
 
-    def solve(self, kappa: Array) -> Solution:
-        """Modes and error estimates at the phases (2,)."""
-        values, modes = eigenpairs(self.fine.pencil, kappa, self.count)
+    def solve(self, kappa: Array, spare: int = 0) -> Solution:
+        """Modes and error estimates at the phases (2,); ``spare`` more than the bands asked for."""
+        count = self.count + spare
+        values, modes = eigenpairs(self.fine.pencil, kappa, count)
         frequency = _hertz(values)
         fields = self.fine.expanded(modes, kappa)
-        coarse = _hertz(eigenpairs(self.coarse.pencil, kappa, self.count)[0])
+        coarse = _hertz(eigenpairs(self.coarse.pencil, kappa, count)[0])
         trace = fields[: self.fine.superelement.trace_size]
         omitted = 0.5 * values * _form(self.fine.superelement.omission, trace)
-        error = self.resolution.remaining * np.abs(coarse - frequency)
+        error = self.resolution.remaining(self.cell) * np.abs(coarse - frequency)
         error += frequency * (np.abs(omitted) + self.fine.projection_error)
         return Solution(kappa, frequency, error, fields, modes)
+
+    @cached_property
+    def highest(self) -> float:
+        """Frequency of the last band at rest phase, Hz: the yardstick for what is at rest."""
+        return float(_hertz(eigenpairs(self.fine.pencil, np.zeros(2), self.count)[0])[-1])
 
     def gradient(self, kappa: Array, modes: Complex) -> Array:
         """(k, 2) exact derivatives of the frequencies with respect to the phases, Hz/rad.
@@ -149,7 +170,7 @@ class BlochModel:
         for direction in range(2):
             dK, dM = self.fine.pencil.slope(kappa, direction)
             slopes[:, direction] = _form(dK, modes) - values * _form(dM, modes)
-        moving = frequency > REST * frequency.max()
+        moving = frequency > REST * self.highest
         slopes[~moving] = np.nan
         slopes[moving] /= 8 * np.pi**2 * frequency[moving, None]
         return slopes
@@ -209,10 +230,10 @@ def bloch_model(
 
 def worst_error(model: BlochModel) -> float:
     """Largest relative error estimate over a coarse sampling of the irreducible zone, rest left out."""
-    wavevectors, _ = model.cell.lattice.zone_triangles(TRAINING_DIVISIONS)
+    wavevectors, _ = model.cell.lattice.zone_triangles(ERROR_DIVISIONS)
     worst = 0.0
     for kappa in wavevectors:
         solution = model.solve(kappa)
-        moving = solution.frequency > REST * solution.frequency[-1]
+        moving = solution.frequency > REST * model.highest
         worst = max(worst, float((solution.error[moving] / solution.frequency[moving]).max()))
     return worst

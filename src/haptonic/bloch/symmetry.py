@@ -87,3 +87,37 @@ def sorted_by_parity(trace: Complex, mirror: TraceMirror, groups: list[slice]) -
         turn[group, group] = np.linalg.qr(vectors)[0]
         parity[group] = values[order]
     return turn, parity
+
+
+MULLIKEN = {"x+ y+ d+": "A1", "x- y- d-": "A2", "x+ y+ d-": "B1", "x- y- d+": "B2"}
+
+
+def corner_labels(trace: Complex, mirrors: dict[str, TraceMirror], groups: list[slice]) -> list[str]:
+    """How modes at a corner of the zone behave under all mirrors of its little group.
+
+    A single mode is even (+) or odd (-) under each of them, such as ``x+ y-``; where all mirrors of the
+    square are there its irreducible representation is named too. A pair that the mirrors mix is ``E``.
+
+    Parameters
+    ----------
+    trace : (t, k) traces of the modes; groups : degenerate groups of them
+    mirrors : by name, see `haptonic.lattice.Lattice.mirrors`
+    """
+    labels: list[str] = []
+    for group in groups:
+        own = trace[:, group]
+        norm = own.conj().T @ own
+        # the character of a reflection: its trace on the group, whatever basis the solver chose
+        characters = {
+            name: float(np.trace(la.solve(norm, own.conj().T @ mirror.applied(own))).real)
+            for name, mirror in mirrors.items()
+        }
+        if own.shape[1] == 1:
+            text = " ".join(f"{name}{'+' if value > 0 else '-'}" for name, value in characters.items())
+            symbol = MULLIKEN.get(text)
+            labels.append(f"{symbol} ({text})" if symbol else text)
+        elif own.shape[1] == 2 and all(abs(value) < 0.5 for value in characters.values()):
+            labels += ["E", "E"]
+        else:
+            labels += ["several"] * own.shape[1]
+    return labels

@@ -10,8 +10,14 @@ from numpy.typing import NDArray
 from scipy.optimize import linear_sum_assignment
 
 from haptonic.bloch.character import Character, characters
-from haptonic.bloch.model import BlochModel, Solution
-from haptonic.bloch.symmetry import TraceMirror, clusters, mirrors_at, sorted_by_parity
+from haptonic.bloch.model import REST, SPARE_MODES, BlochModel, Solution
+from haptonic.bloch.symmetry import (
+    TraceMirror,
+    clusters,
+    corner_labels,
+    mirrors_at,
+    sorted_by_parity,
+)
 from haptonic.lattice import Path
 
 Array = NDArray[np.float64]
@@ -28,6 +34,7 @@ class Diagram:
     frequency, error : (n, k) Hz
     velocity : (n, k, 2) group velocity, m/s; NaN for rigid-body motions, where it is not defined
     parity : (n, k) +1 even, -1 odd under the mirror of the segment, 0 where it has none
+    corner_symmetry : for each corner of the path the labels of its modes, see `corner_labels`
     branch : (n, k) number of the curve that the mode belongs to
     vertical, pillar_strain, pillar_kinetic, name : (n, k), see `Character`
     """
@@ -37,6 +44,7 @@ class Diagram:
     error: Array
     velocity: Array
     parity: Ints
+    corner_symmetry: tuple[list[str], ...]
     branch: Ints
     vertical: Array
     pillar_strain: Array
@@ -50,7 +58,8 @@ def diagram(model: BlochModel, path: Path) -> Diagram:
     On every segment a mirror leaves the wavevector alone; modes of opposite parity cross freely, so only
     modes of equal parity are joined, and among these the ones whose fields overlap most.
     """
-    solutions = [model.solve(kappa) for kappa in path.kappa]
+    # a degenerate pair must not be cut in two by the last band asked for
+    solutions = [model.solve(kappa, spare=SPARE_MODES) for kappa in path.kappa]
     superelement = model.fine.superelement
     count, bands = len(solutions), model.count
     parity = np.zeros((count, bands), dtype=np.int64)
@@ -79,10 +88,11 @@ def diagram(model: BlochModel, path: Path) -> Diagram:
                 found.append(characters(superelement, solution.fields))
     return Diagram(
         path=path,
-        frequency=np.stack([s.frequency for s in solutions]),
-        error=np.stack([s.error for s in solutions]),
+        frequency=np.stack([s.frequency[:bands] for s in solutions]),
+        error=np.stack([s.error[:bands] for s in solutions]),
         velocity=velocity,
         parity=parity,
+        corner_symmetry=tuple(_labels(model, solutions[corner]) for corner in path.corners),
         branch=branch,
         vertical=np.stack([c.vertical for c in found]),
         pillar_strain=np.stack([c.pillar_strain for c in found]),
@@ -101,12 +111,25 @@ def group_velocity(model: BlochModel, solution: Solution) -> Array:
 
 
 def _turned(solution: Solution, model: BlochModel, mirror: TraceMirror | None) -> tuple[Solution, Ints]:
-    """The solution with degenerate modes turned to definite parity, and the parities."""
+    """The bands asked for, degenerate modes turned to definite parity, and the parities."""
     if mirror is None:
-        return solution, np.zeros(len(solution.frequency), dtype=np.int64)
+        return solution.lowest(model.count), np.zeros(model.count, dtype=np.int64)
     trace = solution.fields[: model.fine.superelement.trace_size]
     turn, values = sorted_by_parity(trace, mirror, clusters(solution.frequency))
-    return solution.turned(turn), np.sign(values).astype(np.int64)
+    parity = np.sign(values[: model.count]).astype(np.int64)
+    return solution.turned(turn).lowest(model.count), parity
+
+
+def _labels(model: BlochModel, solution: Solution) -> list[str]:
+    superelement = model.fine.superelement
+    operations = mirrors_at(model.cell.lattice, solution.kappa)
+    mirrors = {name: TraceMirror.of(superelement, op) for name, op in operations.items()}
+    trace = solution.fields[: superelement.trace_size]
+    labels = corner_labels(trace, mirrors, clusters(solution.frequency))
+    resting = solution.frequency < REST * model.highest
+    return ["translation" if rest else label for label, rest in zip(labels, resting, strict=True)][
+        : model.count
+    ]
 
 
 def _joined(

@@ -15,7 +15,6 @@ from haptonic.cli.console import Voice, speaking
 from haptonic.cli.doctor import examined
 from haptonic.report import Results, write_report
 from haptonic.results import Bands, Sweep, refuse_taken, write_files, write_netcdf
-from haptonic.store import Store
 from haptonic.study import Study, load, table
 
 app = typer.Typer(
@@ -148,9 +147,8 @@ def reproduce(
         for one in swept:
             _tell_failures(voice, one)
         voice.tell(f"report: {report}")
-        voice.answer(
-            {"report": str(report), **result.to_json(), "sweeps": [s.to_json() for s in swept], "seconds": timings}
-        )
+        answer = {"report": str(report), "seconds": timings, "sweeps": [one.to_json() for one in swept]}
+        voice.answer({**result.to_json(), **answer})
 
 
 @app.command()
@@ -226,9 +224,7 @@ def _swept(loaded: Study, voice: Voice, workers: int, scheduler: str | None) -> 
     results = []
     for number, section in enumerate(loaded.sweep, start=1):
         with voice.counted(f"sweep {number} of {len(loaded.sweep)}", section.steps) as progress:
-            results.append(
-                loaded.swept(section, workers=workers, scheduler=scheduler, on_progress=progress)
-            )
+            results.append(loaded.swept(section, workers=workers, scheduler=scheduler, on_progress=progress))
     return results
 
 

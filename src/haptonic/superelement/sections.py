@@ -88,5 +88,5 @@ def pillar_sections(mesh: HexMesh, nodal_mass: Array, motion: Array) -> PillarSe
         height=heights,
         mass=np.bincount(level, m, minlength=len(heights)).astype(float),
         inertia=np.bincount(level, arm, minlength=len(heights)).astype(float),
-        motion=motion.reshape(4, len(heights), -1),
+        motion=motion.reshape(4, len(heights), motion.shape[1]),
     )

@@ -1,0 +1,5 @@
+"""``python -m haptonic``."""
+
+from haptonic.cli import main
+
+main()

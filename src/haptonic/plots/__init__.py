@@ -1,0 +1,9 @@
+"""Pictures: each function turns a result into a matplotlib figure. No physics, no state."""
+
+from haptonic.plots.bands import dispersion
+from haptonic.plots.modes import mode_shapes
+from haptonic.plots.style import save
+from haptonic.plots.sweeps import sweep
+from haptonic.plots.zone import density_of_states, iso_frequency
+
+__all__ = ["density_of_states", "dispersion", "iso_frequency", "mode_shapes", "save", "sweep"]

@@ -1,0 +1,159 @@
+"""The band diagram: frequency along the edge of the irreducible zone."""
+
+from __future__ import annotations
+
+import json
+from dataclasses import dataclass
+
+import numpy as np
+import xarray as xr
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+from numpy.typing import NDArray
+
+from haptonic.plots import style
+from haptonic.plots.words import khz
+
+Array = NDArray[np.float64]
+Ints = NDArray[np.int64]
+
+MARK_EVERY = 5  # wavevectors between two markers on a curve
+
+
+@dataclass(frozen=True)
+class Stroke:
+    """How the curves of one character are drawn."""
+
+    colour: str
+    dashes: style.Dashes
+    marker: str
+
+
+STROKES = {
+    "pillar bending 1": Stroke(style.BLUE, style.SOLID, "o"),
+    "pillar bending 2": Stroke(style.RED, style.SOLID, "s"),
+    "pillar bending 3": Stroke(style.SKY, style.DASHED, "v"),
+    "pillar bending 4+": Stroke("#7a4b00", style.DASH_DOT_DOTTED, "P"),
+    "torsion": Stroke(style.GREEN, style.DASH_DOTTED, "D"),
+    "traction": Stroke(style.PURPLE, style.DOTTED, "^"),
+    "plate flexural": Stroke(style.INK, style.SOLID, ""),
+    "plate in-plane": Stroke(style.ORANGE, style.DASHED, "X"),
+}
+RIGID = "rigid body"
+
+
+@style.drawn
+def dispersion(dataset: xr.Dataset, carrier_hz: float | None = None, title: str = "") -> Figure:
+    """Every mode along the path, coloured by what it is; complete gaps shaded, the carrier dashed.
+
+    A branch is followed by character, not by rank: where a mode changes its nature along a branch, the colour
+    changes with it.
+
+    Parameters
+    ----------
+    dataset : from `haptonic.bloch.bands_dataset`
+    carrier_hz : drive frequency, Hz
+    """
+    figure = style.blank(11.5)
+    axes = figure.add_subplot()
+    distance = dataset["distance"].values
+    frequency = dataset["frequency"].values / 1e3
+    axes.set_xlim(distance[0], distance[-1])
+    axes.set_ylim(0, 1.03 * frequency.max())
+    for lower, upper, _, _ in complete_gaps(dataset):
+        axes.axhspan(lower / 1e3, upper / 1e3, facecolor=style.GAP, edgecolor="none", zorder=0, gid="gap")
+    present = _draw_branches(axes, dataset, distance, frequency)
+    mark_corners(axes, dataset)
+    axes.set_ylabel("frequency (kHz)")
+    if title:
+        axes.set_title(title, parse_math=False)
+    for name in present:
+        stroke = STROKES[name]
+        axes.plot([], [], color=stroke.colour, ls=stroke.dashes, marker=stroke.marker, ms=3.5, label=name)
+    figure.legend(loc="outside lower center", ncols=min(3, max(1, len(present))), handlelength=3.4)
+    labels = [(centre, text, style.GAP_EDGE) for centre, text in _gap_labels(dataset)]
+    if carrier_hz is not None:
+        if carrier_hz / 1e3 > axes.get_ylim()[1]:
+            axes.set_ylim(0, 1.05 * carrier_hz / 1e3)
+        axes.axhline(carrier_hz / 1e3, color=style.CARRIER, ls=style.DASHED, lw=1.1, gid="carrier", zorder=4)
+        labels.append((carrier_hz / 1e3, f"carrier\n{carrier_hz / 1e3:g} kHz", style.CARRIER))
+    style.label_right(axes, labels, lines=3)
+    return figure
+
+
+def complete_gaps(dataset: xr.Dataset) -> list[tuple[float, float, float, float]]:
+    """Edges and the bounds of their errors of the complete gaps, Hz, lowest first."""
+    chosen = dataset["gap_complete"].values.astype(bool)
+    names = ("gap_lower", "gap_upper", "gap_lower_error", "gap_upper_error")
+    columns = [dataset[name].values[chosen] for name in names]
+    return sorted((float(a), float(b), float(c), float(d)) for a, b, c, d in zip(*columns, strict=True))
+
+
+def _gap_labels(dataset: xr.Dataset) -> list[tuple[float, str]]:
+    return [
+        (
+            0.5 * (lower + upper) / 1e3,
+            f"complete gap\n{khz(lower, lower_error)}\nto {khz(upper, upper_error)} kHz",
+        )
+        for lower, upper, lower_error, upper_error in complete_gaps(dataset)
+    ]
+
+
+def mark_corners(axes: Axes, dataset: xr.Dataset) -> None:
+    """Name the corners of the irreducible zone below the axes, with a line at each."""
+    corners = json.loads(dataset.attrs["path_corners"])
+    places = dataset["distance"].values[corners]
+    for place in places[1:-1]:
+        axes.axvline(place, color=style.PALE_INK, lw=0.6, zorder=1)
+    axes.set_xticks(places, json.loads(dataset.attrs["path_labels"]))
+    longest = float(dataset["distance"][-1]) / 1e3
+    axes.set_xlabel(f"wavevector along the edge of the irreducible zone ({longest:.3g} rad/mm in all)")
+
+
+def _draw_branches(axes: Axes, dataset: xr.Dataset, distance: Array, frequency: Array) -> list[str]:
+    """Draw all curves; the names of the characters that occur, in the order of the legend."""
+    names = json.loads(dataset.attrs["character_names"])
+    branch, character = dataset["branch"].values, dataset["character"].values
+    seen: set[str] = set()
+    for number in np.unique(branch):
+        rows, columns = np.nonzero(branch == number)
+        for part in np.split(np.arange(len(rows)), np.flatnonzero(np.diff(rows) > 1) + 1):
+            i, j = rows[part], columns[part]
+            kind = _without_rigid(character[i, j], names.index(RIGID))
+            for start, stop in _runs(kind):
+                name = names[kind[start]]
+                if name == RIGID:  # nothing else on this branch: points at zero frequency
+                    continue
+                seen.add(name)
+                x, y = _stretched(distance[i], frequency[i, j], start, stop)
+                stroke = STROKES[name]
+                marked = np.flatnonzero(i[start:stop] % MARK_EVERY == 2) + (start > 0)
+                axes.plot(
+                    x, y, color=stroke.colour, ls=stroke.dashes, marker=stroke.marker, ms=2.8,
+                    markevery=marked.tolist(), gid=f"branch {number} {name}", zorder=3,
+                )  # fmt: skip
+    return [name for name in STROKES if name in seen]
+
+
+def _without_rigid(kind: Ints, rigid: int) -> Ints:
+    """At zero frequency, where a mode is a rigid motion, take the name that the branch has next to it."""
+    known = np.flatnonzero(kind != rigid)
+    if not len(known):
+        return kind
+    nearest = known[np.abs(np.arange(len(kind))[:, None] - known).argmin(axis=1)]
+    return np.asarray(kind[nearest])
+
+
+def _runs(kind: Ints) -> list[tuple[int, int]]:
+    """(start, stop) of the stretches of equal numbers."""
+    ends = np.flatnonzero(np.diff(kind)) + 1
+    return list(zip([0, *ends.tolist()], [*ends.tolist(), len(kind)], strict=True))
+
+
+def _stretched(x: Array, y: Array, start: int, stop: int) -> tuple[Array, Array]:
+    """Points start to stop, with half of the step to each neighbour of another colour."""
+    before = [0.5 * (start - 1 + start)] if start else []
+    after = [stop - 0.5] if stop < len(x) else []
+    places = np.array([*before, *range(start, stop), *after])
+    index = np.arange(len(x))
+    return np.interp(places, index, x), np.interp(places, index, y)

@@ -1,0 +1,166 @@
+"""Mode shapes: the deformed cell, seen from one place, coloured by how far it moves."""
+
+from __future__ import annotations
+
+import json
+from itertools import pairwise, product
+
+import numpy as np
+import xarray as xr
+from matplotlib.axes import Axes
+from matplotlib.cm import ScalarMappable
+from matplotlib.collections import LineCollection, PolyCollection
+from matplotlib.colors import Normalize
+from matplotlib.figure import Figure
+from numpy.typing import NDArray
+
+from haptonic.plots import style
+
+Array = NDArray[np.float64]
+Ints = NDArray[np.int64]
+Bools = NDArray[np.bool_]
+
+SHOWN = 8  # modes, as in Fig. 4B of the paper
+COLUMNS = 4
+PIECES = 4  # faces drawn along an element's side, at most
+LARGEST = 0.2  # drawn displacement, as a share of the period
+SHARP = np.cos(np.radians(35))  # faces that meet at a larger angle make an edge of the outline
+AZIMUTH, ELEVATION = np.radians(-62), np.radians(20)  # where the camera is
+
+VTK_CORNERS = [(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0), (0, 0, 1), (1, 0, 1), (1, 1, 1), (0, 1, 1)]
+# a hexahedron's faces by its corners, anticlockwise seen from outside
+FACES = np.array([[0, 3, 2, 1], [4, 5, 6, 7], [0, 1, 5, 4], [1, 2, 6, 5], [2, 3, 7, 6], [3, 0, 4, 7]])
+
+
+@style.drawn
+def mode_shapes(dataset: xr.Dataset) -> Figure:
+    """The lowest eight modes at one wavevector, numbered M1 to M8.
+
+    The displacement is the real part, at the moment when it is largest; every mode is scaled to the same
+    largest displacement, because the size of a free vibration means nothing. All share camera and scale.
+
+    Parameters
+    ----------
+    dataset : from `haptonic.bloch.bands_dataset`
+    """
+    count = min(SHOWN, dataset.sizes["mode"])
+    columns = min(COLUMNS, count)
+    position = dataset["node_position"].values * 1e3
+    cells, on_edge = drawing_cells(dataset["subcell"].values, json.loads(dataset.attrs["mesh"])["order"])
+    faces = outer_faces(cells)
+    sides = np.unique(np.sort(np.stack([faces, np.roll(faces, -1, axis=1)], -1).reshape(-1, 2)), axis=0)
+    borders = sides[np.isin(sides, on_edge).all(axis=1)]
+    outline = outline_edges(position, faces)
+    swing = LARGEST * np.ptp(position[:, 0])
+    names = json.loads(dataset.attrs["character_names"])
+    fields = (dataset["mode_real"].values + 1j * dataset["mode_imag"].values)[:count].astype(complex)
+    amounts = np.linalg.norm(fields, axis=2)
+    amounts /= amounts.max(axis=1, keepdims=True)
+    moved = [position + swing * field.real for field in fields]
+    seen = np.concatenate([_projected(points)[:, :2] for points in [position, *moved]])
+    low, high = seen.min(axis=0), seen.max(axis=0)
+    rows = -(-count // columns)
+    column = (style.WIDTH - 1.0) / columns
+    tall = (column - 0.2) * (high - low)[1] / (high - low)[0]
+    figure = style.blank(rows * (min(tall, 7.0) + 1.2) + 1.9)
+    panels = figure.subplots(rows, columns, squeeze=False).ravel()
+    for axes in panels:
+        axes.set_axis_off()
+    for k in range(count):
+        axes = panels[k]
+        axes.set(xlim=(low[0], high[0]), ylim=(low[1], high[1]), aspect="equal")
+        rest = _projected(position)[:, :2][outline]
+        axes.add_collection(
+            LineCollection(list(rest), colors=style.PALE_INK, linewidths=0.5, zorder=0, gid="undeformed")
+        )
+        _draw_body(axes, moved[k], amounts[k], faces, borders)
+        name = names[int(dataset["mode_name"][k])]
+        frequency = float(dataset["mode_frequency"][k]) / 1e3
+        axes.set_title(f"M{k + 1}  {frequency:.2f} kHz\n{name}", fontsize=8.5)
+    bar = figure.colorbar(
+        ScalarMappable(Normalize(0, 1), style.perceptual()),
+        ax=list(panels), location="bottom", shrink=0.5, aspect=35, pad=0.02,
+    )  # fmt: skip
+    bar.set_label("displacement, relative to its maximum")
+    return figure
+
+
+def _draw_body(axes: Axes, points: Array, amount: Array, faces: Ints, borders: Ints) -> None:
+    """Faces that look at the camera and the borders of the elements, painted from the back to the front."""
+    seen = _projected(points)
+    corners = seen[faces]
+    first, second = corners[:, 2, :2] - corners[:, 0, :2], corners[:, 3, :2] - corners[:, 1, :2]
+    front = first[:, 0] * second[:, 1] - first[:, 1] * second[:, 0] > 0
+    shade = style.perceptual()(amount[faces[front]].mean(axis=1))
+    used = np.isin(borders, np.unique(faces[front])).all(axis=1)
+    lines = seen[borders[used]]
+    # A line is a polygon of no area; it lies on its faces, so it has to come a little nearer than they do.
+    lift = 0.02 * np.ptp(seen[:, 1])
+    shapes = [*corners[front][..., :2], *lines[..., :2]]
+    nearness = np.concatenate([corners[front][..., 2].mean(axis=1), lines[..., 2].mean(axis=1) + lift])
+    ink = np.broadcast_to([0.0, 0.0, 0.0, 0.35], (len(lines), 4))
+    colours = np.concatenate([shade, ink])
+    widths = np.concatenate([np.full(len(shade), 0.3), np.full(len(lines), 0.35)])
+    order = np.argsort(nearness, kind="stable")
+    body = PolyCollection([shapes[i] for i in order], rasterized=True, gid="deformed")
+    body.set(facecolors=colours[order], edgecolors=colours[order], linewidths=widths[order])
+    axes.add_collection(body)
+
+
+def _projected(points: Array) -> Array:
+    """(n, 3): to the right, upwards, and towards the camera, without perspective."""
+    right = np.array([-np.sin(AZIMUTH), np.cos(AZIMUTH), 0.0])
+    towards = np.array(
+        [np.cos(AZIMUTH) * np.cos(ELEVATION), np.sin(AZIMUTH) * np.cos(ELEVATION), np.sin(ELEVATION)]
+    )
+    return np.asarray(points @ np.stack([right, np.cross(towards, right), towards], axis=1))
+
+
+def drawing_cells(subcells: Ints, order: int) -> tuple[Ints, Ints]:
+    """Hexahedra that are large enough to draw, and what to draw their borders by.
+
+    Parameters
+    ----------
+    subcells : (elements order^3, 8) corners of the small cells between nodes, in VTK's order
+    order : of the elements
+
+    Returns
+    -------
+    cells : (n, 8) corners, at most `PIECES` cells along an element's side
+    on_edge : nodes on the edges of elements
+    """
+    small = subcells.reshape(-1, order, order, order, 8)
+    marks = np.unique(np.round(np.linspace(0, order, min(PIECES, order) + 1)).astype(int)).tolist()
+    cells, on_edge = [], []
+    for ends in product(pairwise(marks), repeat=3):
+        block = []
+        for number, corner in enumerate(VTK_CORNERS):
+            place = [ends[axis][corner[axis]] for axis in range(3)]
+            i, j, k = (mark - side for mark, side in zip(place, corner, strict=True))
+            nodes = small[:, i, j, k, number]
+            block.append(nodes)
+            if sum(mark in (0, order) for mark in place) >= 2:
+                on_edge.append(nodes)
+        cells.append(np.stack(block, axis=-1))
+    return np.concatenate(cells), np.unique(np.concatenate(on_edge))
+
+
+def outer_faces(cells: Ints) -> Ints:
+    """(m, 4) corners of the faces that belong to one cell only."""
+    faces = cells[:, FACES].reshape(-1, 4)
+    _, first, times = np.unique(np.sort(faces, axis=1), axis=0, return_index=True, return_counts=True)
+    return np.asarray(faces[first[times == 1]])
+
+
+def outline_edges(position: Array, faces: Ints) -> Ints:
+    """(n, 2) ends of the edges at which two of the faces meet at a marked angle."""
+    corners = position[faces]
+    normal = np.cross(corners[:, 2] - corners[:, 0], corners[:, 3] - corners[:, 1])
+    normal /= np.linalg.norm(normal, axis=1, keepdims=True)
+    edges = np.sort(np.stack([faces, np.roll(faces, -1, axis=1)], axis=-1).reshape(-1, 2), axis=1)
+    order = np.lexsort(edges.T)
+    edges = edges[order].reshape(-1, 2, 2)
+    owner = np.repeat(np.arange(len(faces)), 4)[order].reshape(-1, 2)
+    assert (edges[:, 0] == edges[:, 1]).all(), "an outer surface has two faces at every edge"
+    meet = (normal[owner[:, 0]] * normal[owner[:, 1]]).sum(axis=1)
+    return np.asarray(edges[meet < SHARP, 0])

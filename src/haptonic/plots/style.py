@@ -1,0 +1,182 @@
+"""What all pictures share: size, type, colours that everybody can tell apart, and how they are written."""
+
+from __future__ import annotations
+
+import io
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager
+from functools import wraps
+from pathlib import Path
+from typing import Any, Literal, ParamSpec
+
+import matplotlib as mpl
+from matplotlib.axes import Axes
+from matplotlib.colors import Colormap
+from matplotlib.figure import Figure
+
+from haptonic.store import refuse_overwrite, write_atomically
+
+P = ParamSpec("P")
+
+CENTIMETRE = 1 / 2.54  # inch, in which matplotlib counts
+WIDTH = 15.0  # cm; type of 9 points is still 7 points when a picture is shrunk to 12 cm
+DOTS_PER_INCH = 200
+FILE_KINDS = ("svg", "png")
+
+INK = "#222222"
+PALE_INK = "#8a8a8a"
+GAP = "#f3d9a4"
+GAP_EDGE = "#a8741a"
+CARRIER = "#b3123f"
+BEYOND = "#e4e4e4"  # where nothing was computed
+
+# After Okabe and Ito, without their yellow, which is too pale for a line on white.
+BLUE, SKY, GREEN, ORANGE, RED, PURPLE = "#0072B2", "#56B4E9", "#009E73", "#E69F00", "#D55E00", "#CC79A7"
+
+Dashes = Literal["-"] | tuple[float, tuple[float, ...]]
+SOLID: Dashes = "-"
+DASHED: Dashes = (0, (5, 2))
+DOTTED: Dashes = (0, (1.2, 1.4))
+DASH_DOTTED: Dashes = (0, (6, 1.6, 1.2, 1.6))
+DASH_DOT_DOTTED: Dashes = (0, (5, 1.5, 1.2, 1.5, 1.2, 1.5))
+
+_STYLE: dict[str, Any] = {
+    "font.family": "DejaVu Sans",  # comes with matplotlib: the same picture on every machine
+    "font.size": 9,
+    "axes.titlesize": 10,
+    "axes.labelsize": 9,
+    "axes.linewidth": 0.7,
+    "axes.edgecolor": INK,
+    "axes.labelcolor": INK,
+    "text.color": INK,
+    "xtick.labelsize": 8.5,
+    "ytick.labelsize": 8.5,
+    "xtick.color": INK,
+    "ytick.color": INK,
+    "legend.fontsize": 8.5,
+    "legend.frameon": False,
+    "lines.linewidth": 1.3,
+    "hatch.linewidth": 0.6,
+    "figure.facecolor": "white",
+    "savefig.facecolor": "white",
+    "figure.dpi": 100,
+    "svg.fonttype": "path",
+    "svg.hashsalt": "haptonic",  # the same picture is the same file
+}
+
+
+@contextmanager
+def styled() -> Iterator[None]:
+    """The common style, for as long as the block lasts, whatever the user's own settings are."""
+    with mpl.rc_context():
+        mpl.rcdefaults()
+        mpl.rcParams.update(_STYLE)  # type: ignore[arg-type]  # the stubs want literal keys
+        yield
+
+
+def drawn(make: Callable[P, Figure]) -> Callable[P, Figure]:
+    """Make a figure in the common style."""
+
+    @wraps(make)
+    def inside(*args: P.args, **kwargs: P.kwargs) -> Figure:
+        with styled():
+            figure = make(*args, **kwargs)
+            figure.draw_without_rendering()  # ticks and their labels are made late: make them in this style
+            return figure
+
+    return inside
+
+
+def blank(height: float, width: float = WIDTH) -> Figure:
+    """An empty figure of a size in cm, with its parts arranged so that they do not overlap."""
+    return Figure(figsize=(width * CENTIMETRE, height * CENTIMETRE), layout="constrained")
+
+
+def perceptual() -> Colormap:
+    """Colours for an amount: even steps look even, also in grey and to the colour-blind."""
+    return mpl.colormaps["viridis"]
+
+
+def save(figure: Figure, folder: Path, name: str, *, overwrite: bool = False) -> list[Path]:
+    """Write a figure as ``name.svg`` and ``name.png`` into a folder; each file whole or not at all.
+
+    Returns
+    -------
+    the two paths
+
+    Raises
+    ------
+    ResourceError : one of the names is taken and ``overwrite`` is False, or the folder cannot be written
+    """
+    paths = [Path(folder) / f"{name}.{kind}" for kind in FILE_KINDS]
+    for path in paths:
+        refuse_overwrite(path, overwrite)
+    for path, kind in zip(paths, FILE_KINDS, strict=True):
+        content = rendered(figure, kind)
+        write_atomically(path, lambda temporary, content=content: temporary.write_bytes(content))  # type: ignore[misc]
+    return paths
+
+
+def rendered(figure: Figure, kind: str) -> bytes:
+    """The figure as the bytes of a file of this kind, ``svg`` or ``png``."""
+    stream = io.BytesIO()
+    with styled():
+        metadata = {"Date": None} if kind == "svg" else None
+        figure.savefig(stream, format=kind, dpi=DOTS_PER_INCH, metadata=metadata)
+    return stream.getvalue()
+
+
+def spread(places: Sequence[float], apart: float, low: float, high: float) -> list[float]:
+    """Places moved as little as needed so that neighbours are ``apart`` and all lie in [low, high]."""
+    order = sorted(range(len(places)), key=lambda i: places[i])
+    apart = min(apart, (high - low) / max(len(places) - 1, 1))
+    clusters: list[tuple[float, list[int]]] = []  # centre, members from below
+    for i in order:
+        centre, members = places[i], [i]
+        while clusters:
+            centre = min(max(centre, low + _half(members, apart)), high - _half(members, apart))
+            below, others = clusters[-1]
+            if centre - _half(members, apart) - (below + _half(others, apart)) >= apart * (1 - 1e-9):
+                break
+            clusters.pop()
+            members = others + members
+            first = sum(places[m] - apart * k for k, m in enumerate(members)) / len(members)
+            centre = first + _half(members, apart)
+        centre = min(max(centre, low + _half(members, apart)), high - _half(members, apart))
+        clusters.append((centre, members))
+    moved = list(places)
+    for centre, members in clusters:
+        for k, member in enumerate(members):
+            moved[member] = centre - _half(members, apart) + apart * k
+    return moved
+
+
+def _half(members: Sequence[int], apart: float) -> float:
+    return 0.5 * apart * (len(members) - 1)
+
+
+def label_right(axes: Axes, labels: Sequence[tuple[float, str, str]], lines: int = 1) -> None:
+    """Write (height in data units, text, colour) to the right of the axes, moved apart where needed."""
+    low, high = axes.get_ylim()
+    figure = axes.get_figure()
+    assert isinstance(figure, Figure)
+    tall = axes.get_position().height * figure.get_figheight() * 72  # points
+    apart = 1.35 * lines * float(mpl.rcParams["legend.fontsize"]) / tall * (high - low)
+    margin = 0.5 * apart
+    heights = [height for height, _, _ in labels]
+    for (height, text, colour), place in zip(
+        labels, spread(heights, apart, low + margin, high - margin), strict=True
+    ):
+        axes.annotate(
+            text,
+            xy=(1.0, height),
+            xytext=(1.045, place),
+            xycoords=("axes fraction", "data"),
+            textcoords=("axes fraction", "data"),
+            va="center",
+            ha="left",
+            color=colour,
+            fontsize=mpl.rcParams["legend.fontsize"],
+            arrowprops={"arrowstyle": "-", "color": colour, "lw": 0.7, "shrinkA": 1, "shrinkB": 0},
+            annotation_clip=False,
+        )

@@ -1,0 +1,43 @@
+"""Numbers and names as people read them on an axis or in a table."""
+
+from __future__ import annotations
+
+import math
+import re
+
+_SCALED = {"m": ("mm", 1e3), "Hz": ("kHz", 1e-3), "Pa": ("GPa", 1e-9)}
+MOST_DECIMALS = 6
+
+
+def khz(frequency: float, error: float) -> str:
+    """``52.51 ± 0.05``: kHz, from a frequency and the bound of its error in Hz.
+
+    The bound is rounded up to one digit, the value to the same decimals.
+    """
+    bound = error / 1e3
+    if not (math.isfinite(bound) and bound > 0):
+        return f"{frequency / 1e3:.3f}"
+    power = math.floor(math.log10(bound) + 1e-9)
+    digit = math.ceil(bound / 10.0**power - 1e-9)
+    if digit == 10:
+        digit, power = 1, power + 1
+    decimals = min(max(-power, 0), MOST_DECIMALS)
+    return f"{frequency / 1e3:.{decimals}f} ± {digit * 10.0**power:.{decimals}f}"
+
+
+def readable(expression: str) -> str:
+    """A swept expression in words: ``cell.pillar.diameter / cell.pitch`` is ``pillar diameter / pitch``."""
+    plain = re.sub(r"\bcell\.", "", expression)
+    return re.sub(r"(?<=[A-Za-z])[._](?=[A-Za-z])", " ", plain)
+
+
+def scaled_unit(unit: str) -> tuple[str, float]:
+    """The unit to draw in, in words, and what to multiply SI values by."""
+    if unit in ("", "1"):
+        return "dimensionless", 1.0
+    return _SCALED.get(unit, (unit, 1.0))
+
+
+def minus(text: str) -> str:
+    """The text of a number with the sign that is as wide as a plus."""
+    return text.replace("-", "\N{MINUS SIGN}")

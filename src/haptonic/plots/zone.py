@@ -1,0 +1,132 @@
+"""The whole Brillouin zone: contours of equal frequency, and the density of states."""
+
+from __future__ import annotations
+
+import json
+
+import numpy as np
+import xarray as xr
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+from matplotlib.ticker import MaxNLocator
+from matplotlib.tri import Triangulation
+
+from haptonic.bloch.zone import ZoneSurface
+from haptonic.lattice import Lattice
+from haptonic.plots import style
+from haptonic.plots.bands import complete_gaps
+from haptonic.plots.words import khz
+
+LEVELS = 9
+
+
+@style.drawn
+def iso_frequency(dataset: xr.Dataset, bands: tuple[int, ...] = ()) -> Figure:
+    """Contours of equal frequency over the first Brillouin zone, one panel for each band.
+
+    Parameters
+    ----------
+    dataset : from `haptonic.bloch.bands_dataset` with ``surface=True`` and its lattice in the attributes
+    bands : numbers, counted from 1; by default the first band and the one below the widest complete gap
+    """
+    chosen = bands or _telling_bands(dataset)
+    figure = style.blank(9.0, style.WIDTH if len(chosen) > 1 else 0.55 * style.WIDTH)
+    surface = _surface(dataset)
+    panels = figure.subplots(1, len(chosen), squeeze=False)[0]
+    for axes, band in zip(panels, chosen, strict=True):
+        _contours(figure, axes, surface, band)
+        axes.set_xlabel(r"$k_x$ (rad/mm)")
+    panels[0].set_ylabel(r"$k_y$ (rad/mm)")
+    return figure
+
+
+def _contours(figure: Figure, axes: Axes, surface: ZoneSurface, band: int) -> None:
+    wavevectors, triangles, frequency = surface.unfolded(band - 1)
+    k = wavevectors / 1e3
+    values = frequency / 1e3
+    levels = MaxNLocator(LEVELS).tick_values(values.min(), values.max())
+    plane = Triangulation(k[:, 0], k[:, 1], triangles)
+    filled = axes.tricontourf(plane, values, levels=levels, cmap=style.perceptual(), gid="frequency")
+    axes.tricontour(plane, values, levels=levels, colors="white", linewidths=0.6)
+    bar = figure.colorbar(filled, ax=axes, location="bottom", aspect=25, pad=0.03)
+    bar.set_label("frequency (kHz)")
+    bar.locator = MaxNLocator(5)
+    bar.update_ticks()
+    labels = surface.lattice.corner_phases
+    corners = surface.lattice.wavevector(np.array(list(labels.values()))) / 1e3
+    outline = np.concatenate([corners, corners[:1]])
+    axes.plot(
+        outline[:, 0], outline[:, 1], color=style.CARRIER, ls=style.DASHED, lw=1.2, gid="irreducible zone",
+        clip_on=False,
+    )  # fmt: skip
+    middle = corners.mean(axis=0)
+    for label, place in zip(labels, corners, strict=True):
+        axes.annotate(
+            label, place, textcoords="offset points", xytext=8 * np.sign(np.round(place - middle, 6)),
+            color=style.INK, ha="center", va="center", fontsize=8.5, annotation_clip=False,
+            bbox={"boxstyle": "round,pad=0.2", "facecolor": "white", "edgecolor": "none"},
+        )  # fmt: skip
+    axes.set_aspect("equal")
+    axes.set_title(f"band {band}")
+    axes.xaxis.set_major_locator(MaxNLocator(5, symmetric=True))
+    axes.yaxis.set_major_locator(MaxNLocator(5, symmetric=True))
+
+
+@style.drawn
+def density_of_states(dataset: xr.Dataset) -> Figure:
+    """States per cell and kHz against frequency; complete gaps shaded.
+
+    Above the lowest frequency of the highest band, states of bands that were not computed are missing: that
+    range is grey.
+    """
+    figure = style.blank(7.5)
+    axes = figure.add_subplot()
+    middle = dataset["density_frequency"].values / 1e3
+    density = dataset["density_of_states"].values * 1e3
+    edges = np.linspace(0, middle[0] + middle[-1], len(middle) + 1)
+    end = edges[-1]
+    whole = float(dataset["zone_frequency"][:, -1].min()) / 1e3
+    axes.set_xlim(0, end)
+    axes.set_ylim(0, 1.08 * density.max())
+    found = complete_gaps(dataset)
+    for lower, upper, lower_error, upper_error in found:
+        axes.axvspan(
+            lower / 1e3, upper / 1e3, facecolor=style.GAP, edgecolor="none", zorder=0, gid="gap",
+            label=f"complete gap, {khz(lower, lower_error)} to {khz(upper, upper_error)} kHz",
+        )  # fmt: skip
+    axes.axvspan(whole, end, facecolor=style.BEYOND, edgecolor="none", zorder=0, gid="beyond",
+                 label="states of higher bands, which were not computed, are missing")  # fmt: skip
+    axes.stairs(density, edges, fill=True, color=style.SKY, alpha=0.55, lw=0, zorder=2)
+    axes.stairs(density, edges, color=style.BLUE, lw=0.9, zorder=3, gid="density")
+    axes.set_xlabel("frequency (kHz)")
+    axes.set_ylabel("density of states\n(states per cell and kHz)")
+    figure.legend(loc="outside lower center", ncols=1)
+    return figure
+
+
+def _telling_bands(dataset: xr.Dataset) -> tuple[int, ...]:
+    complete = dataset["gap_complete"].values.astype(bool)
+    if not complete.any():
+        return (1, min(2, dataset.sizes["band"]))
+    width = (dataset["gap_upper"] - dataset["gap_lower"]).values[complete]
+    below = int(dataset["gap_below"].values[complete][width.argmax()])
+    return (1, below) if below > 1 else (1, 2)
+
+
+def _surface(dataset: xr.Dataset) -> ZoneSurface:
+    return ZoneSurface(
+        lattice=lattice_of(dataset),
+        kappa=dataset["zone_kappa"].values,
+        triangles=dataset["zone_triangle"].values,
+        frequency=dataset["zone_frequency"].values,
+    )
+
+
+def lattice_of(dataset: xr.Dataset) -> Lattice:
+    """The lattice that a result belongs to: periods and path labels are in its attributes."""
+    ax, ay, bx, by = json.loads(dataset.attrs["lattice"])
+    labels = json.loads(dataset.attrs["path_labels"])[:-1]
+    for lattice in (Lattice.square(ax), Lattice.rectangular(ax, by)):
+        if [label for label, _ in lattice.zone] == labels and (ay, bx) == (0.0, 0.0):
+            return lattice
+    raise AssertionError(f"no lattice with the corners {labels}")

@@ -1,0 +1,6 @@
+"""One page that shows what a study gave: self-contained, printable, with the paper beside it."""
+
+from haptonic.report.chapter import Absent, Chapter, Picture, Results, Table
+from haptonic.report.page import write_report
+
+__all__ = ["Absent", "Chapter", "Picture", "Results", "Table", "write_report"]

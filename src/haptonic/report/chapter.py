@@ -1,0 +1,71 @@
+"""What a report is made from, and what a chapter of it is."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from datetime import datetime
+
+import xarray as xr
+from matplotlib.figure import Figure
+
+from haptonic.study import Study
+
+
+@dataclass(frozen=True, eq=False)
+class Results:
+    """All that a run gave.
+
+    study : what was asked
+    bands : from `haptonic.bloch.bands_dataset`
+    sweeps : one dataset for each of the study's sweeps that was computed; may be empty
+    timings : seconds that each part of the run took, by name
+    started : when the run began, with its time zone
+    """
+
+    study: Study
+    bands: xr.Dataset
+    sweeps: tuple[xr.Dataset, ...] = ()
+    timings: Mapping[str, float] = field(default_factory=dict)
+    started: datetime | None = None
+
+
+@dataclass(frozen=True, eq=False)
+class Picture:
+    """A figure with the sentence below it and the words that stand for it where it cannot be seen."""
+
+    figure: Figure
+    caption: str
+    alternative: str
+
+
+@dataclass(frozen=True)
+class Table:
+    """Rows of text below a head; ``caption`` says what they are. The first column names the row."""
+
+    caption: str
+    head: tuple[str, ...]
+    rows: tuple[tuple[str, ...], ...]
+
+    def __post_init__(self) -> None:
+        assert all(len(row) == len(self.head) for row in self.rows), self.caption
+
+
+@dataclass(frozen=True, eq=False)
+class Chapter:
+    """One part of the report; ``identifier`` is its anchor in the page."""
+
+    title: str
+    identifier: str
+    paragraphs: tuple[str, ...] = ()
+    findings: tuple[str, ...] = ()
+    pictures: tuple[Picture, ...] = ()
+    tables: tuple[Table, ...] = ()
+
+
+@dataclass(frozen=True)
+class Absent:
+    """A chapter that could not be written, and why."""
+
+    title: str
+    reason: str

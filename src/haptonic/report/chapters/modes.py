@@ -1,0 +1,57 @@
+"""Mode shapes at one wavevector: Fig. 4B of the paper."""
+
+from __future__ import annotations
+
+import json
+
+import xarray as xr
+
+from haptonic import plots
+from haptonic.plots.modes import SHOWN
+from haptonic.plots.words import khz
+from haptonic.report.chapter import Absent, Chapter, Picture, Results, Table
+
+
+def chapter(results: Results) -> Chapter | Absent:
+    """What moves in the lowest modes."""
+    data = results.bands
+    if "mode_real" not in data:
+        return Absent("Mode shapes", "the result holds no mode shapes")
+    named = mode_names(data)[:SHOWN]
+    where = data.attrs["modes_at"]
+    rows = tuple(
+        (f"M{k + 1}", khz(float(data["mode_frequency"][k]), float(data["mode_error"][k])), name)
+        for k, name in enumerate(named)
+    )
+    twisted = [f"M{k + 1}" for k, name in enumerate(named) if name == "torsion"]
+    note = (
+        f"In {' and '.join(twisted)} the pillar turns about its axis. A displacement that is drawn larger "
+        "than it is moves every point along the tangent, so the pillar looks wider than it becomes.",
+    )
+    return Chapter(
+        title="Mode shapes",
+        identifier="modes",
+        paragraphs=(
+            f"The lowest {len(named)} modes at the {where}, numbered by frequency. Each is named after the "
+            "motion that holds most of its kinetic energy: of the pillar's sections if the pillar holds more "
+            "than half, else of the plate.",
+            *(note if twisted else ()),
+        ),
+        pictures=(
+            Picture(
+                plots.mode_shapes(data),
+                f"Simulated mode shapes at the {where}; the body at rest in grey lines. Same view and scale "
+                "for all; each mode's largest displacement is drawn equally large. (Fig. 4B of the paper)",
+                "Deformed unit cells, one for each mode: "
+                + ", ".join(f"{number} {name} at {frequency} kHz" for number, frequency, name in rows)
+                + ".",
+            ),
+        ),
+        tables=(Table(f"Modes at the {where}.", ("Mode", "Frequency (kHz)", "Name"), rows),),
+    )
+
+
+def mode_names(data: xr.Dataset) -> list[str]:
+    """Names of the modes at the one wavevector, in order of frequency."""
+    names = json.loads(data.attrs["character_names"])
+    return [names[int(number)] for number in data["mode_name"].values]

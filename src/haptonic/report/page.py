@@ -1,0 +1,184 @@
+"""The chapters, a head and an appendix as one file that needs no other."""
+
+from __future__ import annotations
+
+import base64
+import json
+import platform
+import re
+from importlib.metadata import version
+from importlib.resources import files
+from pathlib import Path
+
+import numpy as np
+from jinja2 import Environment, StrictUndefined
+from matplotlib.figure import Figure
+
+from haptonic.bloch import gaps_of
+from haptonic.plots.style import rendered
+from haptonic.plots.words import khz
+from haptonic.report.chapter import Absent, Chapter, Results, Table
+from haptonic.report.chapters import IN_ORDER
+from haptonic.report.chapters.dispersion import in_words
+from haptonic.store import refuse_overwrite, write_atomically
+from haptonic.study import Study, table
+from haptonic.study.keys import leaves
+from haptonic.units import format_quantity
+
+TEMPLATE = "page.html"
+LIBRARIES = ("haptonic", "numpy", "scipy", "xarray", "matplotlib", "meshio")
+
+
+def write_report(results: Results, path: Path, overwrite: bool = False) -> Path:
+    """Write the report as one HTML file: pictures and style inside, no script, nothing from elsewhere.
+
+    Raises
+    ------
+    ResourceError : the file exists and ``overwrite`` is False, or it cannot be written
+    """
+    refuse_overwrite(path, overwrite)
+    content = page(results).encode()
+    write_atomically(path, lambda temporary: temporary.write_bytes(content))
+    return path
+
+
+def page(results: Results) -> str:
+    """The report as text."""
+    made = [chapter(results) for chapter in IN_ORDER]
+    chapters = [one for one in made if isinstance(one, Chapter)]
+    environment = Environment(
+        autoescape=True, undefined=StrictUndefined, trim_blocks=True, lstrip_blocks=True
+    )
+    environment.filters["embedded"] = _embedded
+    template = environment.from_string(files("haptonic.report").joinpath(TEMPLATE).read_text("utf-8"))
+    return template.render(
+        study=results.study,
+        facts=_key_numbers(results),
+        chapters=chapters,
+        absent=[one for one in made if isinstance(one, Absent)],
+        appendix=_appendix(results),
+        version=version("haptonic"),
+    )
+
+
+def _embedded(figure: Figure) -> str:
+    """The figure as an address that holds all of it."""
+    return "data:image/svg+xml;base64," + base64.b64encode(rendered(figure, "svg")).decode()
+
+
+def _key_numbers(results: Results) -> list[tuple[str, str]]:
+    study, data = results.study, results.bands
+    cell = study.unit_cell()
+    sizes = [f"pitch {_length(cell.lattice.pitch)}", f"plate {_length(cell.thickness)}"]
+    if cell.pillar:
+        pillar = f"{_length(cell.pillar.diameter)} wide, {_length(cell.pillar.height)} high"
+        sizes.append(f"pillar {pillar}")
+    complete = [gap for gap in gaps_of(data) if gap.complete and gap.certain]
+    facts = [
+        ("Unit cell", f"{cell.lattice.name} lattice; {'; '.join(sizes)}"),
+        ("Material", study.resolved_material().name),
+        ("Carrier", "not given" if study.carrier is None else f"{study.carrier / 1e3:g} kHz"),
+        ("Complete gap", "; ".join(in_words(gap) for gap in complete) or "none found"),
+    ]
+    if complete:
+        widest = max(complete, key=lambda gap: gap.width)
+        relative = widest.width / widest.centre
+        width = khz(widest.width, widest.lower_error + widest.upper_error)
+        facts.append(("Width of the gap", f"{width} kHz, {relative:.1%} of its centre"))
+    if results.started is not None:
+        facts.append(("Computed", results.started.strftime("%d %B %Y, %H:%M %Z").strip()))
+    return facts
+
+
+def _length(value: float) -> str:
+    return format_quantity(value, "m")
+
+
+def _appendix(results: Results) -> Chapter:
+    tables = [_inputs(results.study), _mesh(results), _errors(results), _versions(results)]
+    if results.timings:
+        rows = tuple((name, f"{seconds:.1f}") for name, seconds in results.timings.items())
+        tables.append(
+            Table("Run times. What was in the store already takes no time.", ("Part", "Seconds"), rows)
+        )
+    return Chapter(
+        title="Appendix: inputs, errors, versions",
+        identifier="appendix",
+        paragraphs=(
+            "Every error is a bound that rests on the residual of the reduced solution in the full model and "
+            "on a comparison with a coarser mesh.",
+        ),
+        tables=tuple(tables),
+    )
+
+
+def _inputs(study: Study) -> Table:
+    """Every key that has a value, defaults included, and the constants of a material given by name."""
+    keys = table(Study)
+    rows = []
+    for path, value, quantity in leaves(study):
+        key = keys[re.sub(r"\[\d+\]", "[]", path)]
+        if quantity:
+            shown = format_quantity(value, quantity.unit)
+        elif path.endswith((".from", ".to")):
+            row = int(path[path.index("[") + 1 : path.index("]")]) - 1
+            shown = format_quantity(value, study.sweep[row].unit)
+        else:
+            shown = str(value) or "-"
+        rows.append((path, key.title, shown))
+    if isinstance(study.material, str):
+        constants = study.resolved_material().to_dict()
+        rows += [(f"material: {name}", "", str(value)) for name, value in constants.items()]
+    return Table("Inputs, defaults included.", ("Key", "Title", "Value"), tuple(rows))
+
+
+def _mesh(results: Results) -> Table:
+    data = results.bands.attrs
+    names = {
+        "order": "Order of the elements",
+        "foot_rings": "Thin rings on either side of the pillar's foot",
+        "pillar_layers": "Layers of elements in the pillar",
+        "blocks": "Elements along a side of the core",
+        "plate_layers": "Layers of elements in the plate",
+    }
+    plan = json.loads(data["mesh"])
+    rows = [(names.get(key, key.replace("_", " ")), str(value)) for key, value in plan.items()]
+    rows += [
+        ("Unknowns of the cell", f"{int(data['unknowns']):,}".replace(",", " ")),
+        ("Unknowns after condensation", str(int(data["condensed_unknowns"]))),
+        ("Unknowns at every wavevector", str(int(data["basis_size"]))),
+        ("Accuracy asked for", f"{float(data['accuracy']):.1g} of every frequency"),
+    ]
+    return Table("Mesh and model, chosen by the accuracy asked for.", ("What", "Value"), tuple(rows))
+
+
+def _errors(results: Results) -> Table:
+    data = results.bands
+    frequency, error = data["frequency"].values, data["frequency_error"].values
+    rows = []
+    for k, band in enumerate(data["band"].values):
+        worst = int(np.argmax(error[:, k]))
+        relative = _largest_relative(frequency[:, k], error[:, k])
+        low, high = frequency[:, k].min() / 1e3, frequency[:, k].max() / 1e3
+        rows.append((f"{band}", f"{low:.2f} to {high:.2f}", f"{float(f'{error[worst, k]:.2g}'):g}", relative))
+    checked, missed = int(data.attrs["counts_checked"]), int(data.attrs["counts_missed"])
+    caption = (
+        "Bounds of the errors along the path. "
+        f"Exact counts of the modes below a frequency were compared {checked} times; modes missed: {missed}."
+    )
+    return Table(caption, ("Band", "Frequency (kHz)", "Largest error (Hz)", "Relative"), tuple(rows))
+
+
+def _largest_relative(frequency: np.ndarray, error: np.ndarray) -> str:
+    """Of a band, leaving out rigid motions, whose frequency is zero."""
+    moving = frequency > 1e-3 * frequency.max()
+    return f"{(error[moving] / frequency[moving]).max():.1e}" if moving.any() else "-"
+
+
+def _versions(results: Results) -> Table:
+    rows = [(name, version(name)) for name in LIBRARIES]
+    rows += [("Python", platform.python_version()), ("System", f"{platform.system()} {platform.machine()}")]
+    attrs = results.bands.attrs
+    if "code_fingerprint" in attrs:
+        rows.append(("Fingerprint of the numerical code", str(attrs["code_fingerprint"])[:16]))
+    return Table("Versions.", ("What", "Version"), tuple(rows))

@@ -1,0 +1,45 @@
+"""Mode shapes in VTK's unstructured format, for ParaView and its like."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import meshio
+import numpy as np
+import xarray as xr
+
+from haptonic.store import refuse_overwrite, write_atomically
+
+
+def write_modes(path: Path, dataset: xr.Dataset, overwrite: bool = False) -> Path:
+    """Write the mode shapes of a result as one file.
+
+    The mesh is that of the small hexahedra between the nodes, in m. Every mode is a pair of vectors on the
+    nodes, named such as ``M1 7.66 kHz real`` and ``M1 7.66 kHz imaginary``, with the largest component 1; an
+    integer field on the mesh, ``element``, numbers the spectral element that a small cell belongs to.
+
+    Parameters
+    ----------
+    dataset : from `haptonic.bloch.bands_dataset`
+
+    Raises
+    ------
+    ResourceError : the file exists and ``overwrite`` is False, or it cannot be written
+    """
+    refuse_overwrite(path, overwrite)
+    cells = dataset["subcell"].values
+    order = int(json.loads(dataset.attrs["mesh"])["order"])
+    fields = {}
+    for k in range(dataset.sizes["mode"]):
+        name = f"M{k + 1} {float(dataset['mode_frequency'][k]) / 1e3:.2f} kHz"
+        fields[f"{name} real"] = dataset["mode_real"].values[k]
+        fields[f"{name} imaginary"] = dataset["mode_imag"].values[k]
+    mesh = meshio.Mesh(
+        dataset["node_position"].values,
+        [("hexahedron", cells)],
+        point_data=fields,
+        cell_data={"element": [np.arange(len(cells)) // order**3]},
+    )
+    write_atomically(path, lambda temporary: mesh.write(temporary, file_format="vtu"))
+    return path

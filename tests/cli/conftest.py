@@ -1,0 +1,103 @@
+"""A study that computes in about a second: few bands, a coarse mesh chosen by hand."""
+
+from __future__ import annotations
+
+import json
+import os
+import subprocess
+import sys
+from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+QUICK = """
+title = "Quick"
+carrier = "60 kHz"
+material = "aluminium-paper"
+
+[cell]
+pitch = "7 mm"
+thickness = "1.5 mm"
+
+[cell.pillar]
+diameter = "3.5 mm"
+height = "14.7 mm"
+
+[bands]
+count = 8
+points = 13
+accuracy = 2e-2
+
+[mesh]
+order = 2
+foot_rings = 0
+
+[[sweep]]
+vary = "cell.pillar.diameter / cell.pitch"
+from = 0.4
+to = 0.6
+steps = 3
+"""
+
+
+@dataclass(frozen=True)
+class Ran:
+    """How a command ended."""
+
+    code: int
+    out: str
+    err: str
+
+    @property
+    def json(self) -> dict[str, Any]:
+        return json.loads(self.out)
+
+
+@pytest.fixture(scope="session")
+def store_folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    return tmp_path_factory.mktemp("store")
+
+
+@pytest.fixture(scope="session")
+def haptonic(store_folder: Path) -> Callable[..., Ran]:
+    """Run the program in a process of its own, with a store of its own; warnings are errors there too."""
+
+    def run(*arguments: object, cwd: Path | None = None, store: Path | None = None) -> Ran:
+        environment = {
+            **os.environ,
+            "HAPTONIC_STORE": str(store or store_folder),
+            "COLUMNS": "200",
+            "OMP_NUM_THREADS": "1",
+            "NO_COLOR": "1",
+        }
+        done = subprocess.run(
+            [sys.executable, "-W", "error", "-m", "haptonic", *map(str, arguments)],
+            capture_output=True,
+            text=True,
+            cwd=cwd,
+            env=environment,
+            timeout=300,
+            check=False,
+        )
+        return Ran(done.returncode, done.stdout, done.stderr)
+
+    return run
+
+
+@pytest.fixture
+def study(tmp_path: Path) -> Callable[[str], Path]:
+    """Write a study file: the quick one, with pieces of text replaced."""
+
+    def write(*changes: tuple[str, str], name: str = "quick.toml") -> Path:
+        text = QUICK
+        for old, new in changes:
+            assert old in text, old
+            text = text.replace(old, new)
+        path = tmp_path / name
+        path.write_text(text, encoding="utf-8")
+        return path
+
+    return write

@@ -1,0 +1,217 @@
+"""Commands from the outside: what they print, write and refuse."""
+
+from __future__ import annotations
+
+import csv
+import json
+import os
+import signal
+import subprocess
+import sys
+import time
+
+import numpy as np
+import pytest
+import xarray as xr
+
+PARTS = ("argument", "given", "allowed", "likely cause", "next step")
+
+
+def assert_five_parts(ran, *words: str) -> None:
+    assert ran.code == 2, ran.err
+    assert "Traceback" not in ran.err + ran.out
+    for part in PARTS:
+        assert part in ran.err, (part, ran.err)
+    for word in words:
+        assert word in ran.err, (word, ran.err)
+
+
+def test_bands_writes_its_files_and_a_table(haptonic, study, tmp_path):
+    out = tmp_path / "out"
+    ran = haptonic("bands", study(), "--out", out, "--surface")
+    assert ran.code == 0, ran.err
+    assert "band gaps" in ran.out
+    names = {path.name for path in out.iterdir()}
+    pictures = {
+        f"{name}.{kind}"
+        for name in ("dispersion", "modes", "iso_frequency", "density_of_states")
+        for kind in ("svg", "png")
+    }
+    assert names == {"bands.nc", "gaps.csv", "modes.vtu"} | pictures
+    data = xr.load_dataset(out / "bands.nc", engine="h5netcdf")
+    assert data["frequency"].attrs["units"] == "Hz"
+    assert json.loads(data.attrs["inputs"])["cell"]["pitch"] == 0.007
+    assert data.attrs["origin"] == "simulated"
+    assert {"haptonic_version", "mesh", "code_fingerprint"} <= set(data.attrs)
+    rows = list(csv.DictReader((out / "gaps.csv").read_text().splitlines()))
+    complete = [row for row in rows if row["complete"] == "True"]
+    assert [(row["band_below"], row["band_above"]) for row in complete] == [("6", "7")]
+
+
+def test_json_is_one_object_and_nothing_is_written_without_out(haptonic, study, tmp_path):
+    path = study()
+    ran = haptonic("bands", path, "--json", cwd=tmp_path)
+    assert ran.code == 0, ran.err
+    answer = ran.json
+    assert len(ran.out.splitlines()) == 1
+    gap = next(g for g in answer["gaps"] if g["complete"])
+    assert set(gap) >= {"lower_hz", "upper_hz", "lower_error_hz", "upper_error_hz", "complete", "between"}
+    assert gap["between"] == [6, 7]
+    bands = answer["bands"]
+    assert np.array(bands["kappa"]).shape == (13, 2)
+    assert np.array(bands["frequency_hz"]).shape == (13, 8)
+    assert bands["labels"] == ["Γ", "X", "M", "Γ"]
+    assert bands["group_velocity_m_per_s"][0][0] == [None, None]
+    assert answer["counts"]["missed"] == 0
+    assert {path.name for path in tmp_path.iterdir()} == {"quick.toml"}
+
+
+def test_a_second_run_is_taken_from_the_store(haptonic, study, tmp_path):
+    store = tmp_path / "store"
+    path = study()
+    first = haptonic("sweep", path, "--json", store=store)
+    assert first.code == 0, first.err
+    files = {f: f.stat().st_mtime_ns for f in store.rglob("*.nc")}
+    assert len(files) == 3
+    second = haptonic("sweep", path, "--json", store=store)
+    assert second.json == first.json
+    assert {f: f.stat().st_mtime_ns for f in store.rglob("*.nc")} == files
+
+
+def test_sweep_answers_every_design(haptonic, study, tmp_path):
+    ran = haptonic("sweep", study(), "--out", tmp_path / "out", "--workers", 2)
+    assert ran.code == 0, ran.err
+    assert {p.name for p in (tmp_path / "out").iterdir()} == {"sweep_1.nc", "sweep_1.svg", "sweep_1.png"}
+    data = xr.load_dataset(tmp_path / "out" / "sweep_1.nc", engine="h5netcdf")
+    assert data["value"].values.tolist() == [0.4, 0.5, 0.6]
+    assert data.attrs["own_value"] == 0.5
+
+
+def test_nothing_is_overwritten_without_being_told(haptonic, study, tmp_path):
+    out = tmp_path / "out"
+    out.mkdir()
+    (out / "gaps.csv").write_text("mine")
+    assert_five_parts(haptonic("bands", study(), "--out", out), "gaps.csv")
+    assert (out / "gaps.csv").read_text() == "mine"
+    assert [path.name for path in out.iterdir()] == ["gaps.csv"]
+    assert haptonic("bands", study(), "--out", out, "--overwrite").code == 0
+    assert (out / "gaps.csv").read_text() != "mine"
+
+
+@pytest.mark.parametrize(
+    ("change", "words"),
+    [
+        (("thickness =", "thicknes ="), ("cell.thicknes", "thickness")),
+        (('"7 mm"', '"7 kHz"'), ("cell.pitch", "7 kHz")),
+        (('"7 mm"', '"7"'), ("cell.pitch", "unit")),
+        (('"3.5 mm"', '"7.5 mm"'), ("cell.pillar.diameter", "wider")),
+        (('"1.5 mm"', '"0 mm"'), ("cell.thickness",)),
+        (('"1.5 mm"', '"-1 mm"'), ("cell.thickness",)),
+        (('"1.5 mm"', '"nan mm"'), ("cell.thickness",)),
+        (('"aluminium-paper"', '"aluminium-papr"'), ("material", "aluminium-paper")),
+        (("accuracy = 2e-2", "accuracy = 0"), ("bands.accuracy",)),
+        (("count = 8", "count = 0"), ("bands.count",)),
+        (("cell.pillar.diameter / cell.pitch", "__import__('os')"), ("sweep[1].vary",)),
+    ],
+)
+def test_bad_values_are_refused_in_five_parts(haptonic, study, tmp_path, change, words):
+    out = tmp_path / "out"
+    assert_five_parts(haptonic("bands", study(change), "--out", out), *words)
+    assert not out.exists()
+
+
+def test_poisson_ratio_of_one_half_is_refused(haptonic, study):
+    constants = 'youngs_modulus = "70 GPa"\npoisson_ratio = 0.5\ndensity = "2700 kg/m^3"\n'
+    path = study(('material = "aluminium-paper"\n', ""), ("[cell]\n", f"[material]\n{constants}\n[cell]\n"))
+    assert_five_parts(haptonic("bands", path), "material.poisson_ratio", "0.49")
+
+
+def test_an_error_is_one_object_for_machines(haptonic, study):
+    ran = haptonic("bands", study(('"7 mm"', '"7 kHz"')), "--json")
+    assert ran.code == 2
+    assert ran.json["error"]["argument"].endswith("cell.pitch")
+
+
+def test_absurd_sizes_warn(haptonic, study):
+    changes = [(f'"{size} mm"', f'"{size} m"') for size in ("7", "1.5", "3.5", "14.7")]
+    ran = haptonic("bands", study(*changes), "--json")
+    assert ran.code == 0, ran.err
+    assert any("cell.pitch" in text and "typical" in text for text in ran.json["warnings"])
+
+
+def test_accuracy_beyond_the_memory_says_how_much(haptonic, study):
+    path = study(("accuracy = 2e-2", "accuracy = 1e-6"), ("[mesh]\norder = 2\nfoot_rings = 0\n", ""))
+    assert_five_parts(haptonic("bands", path), "bands.accuracy", "GB")
+
+
+def test_unreadable_files_and_folders(haptonic, study, tmp_path):
+    assert_five_parts(haptonic("bands", tmp_path / "none.toml"), "none.toml")
+    assert_five_parts(haptonic("bands", tmp_path), str(tmp_path))
+    (tmp_path / "binary.toml").write_bytes(bytes(range(256)))
+    assert_five_parts(haptonic("bands", tmp_path / "binary.toml"))
+    blocked = tmp_path / "file"
+    blocked.write_text("")
+    assert_five_parts(haptonic("bands", study(), "--out", blocked / "below"))
+    assert_five_parts(haptonic("bands", study(), "--json", store=blocked / "store"))
+
+
+def test_a_study_without_sweeps_cannot_be_swept(haptonic, study):
+    text = study().read_text()
+    path = study((text[text.index("[[sweep]]") :], ""))
+    assert_five_parts(haptonic("sweep", path), "sweep")
+
+
+def test_ctrl_c_keeps_what_was_done(study, tmp_path):
+    path = study(("steps = 3", "steps = 60"))
+    store = tmp_path / "store"
+    environment = {**os.environ, "HAPTONIC_STORE": str(store), "OMP_NUM_THREADS": "1"}
+    process = subprocess.Popen(
+        [sys.executable, "-m", "haptonic", "sweep", str(path), "--json"],
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+        text=True,
+        env=environment,
+    )
+    deadline = time.monotonic() + 120
+    while len(list(store.rglob("*.nc"))) < 2 and time.monotonic() < deadline:
+        time.sleep(0.05)
+    process.send_signal(signal.SIGINT)
+    out, err = process.communicate(timeout=60)
+    assert process.returncode == 130, err
+    assert "Traceback" not in err
+    assert json.loads(out)["interrupted"] is True
+    assert 2 <= len(list(store.rglob("*.nc"))) < 60
+
+
+def test_doctor_checks_the_physics(haptonic):
+    ran = haptonic("doctor", "--json")
+    assert ran.code == 0, ran.err
+    assert ran.json["healthy"] is True
+    assert 0 < ran.json["physics_error"] < 1e-4
+    assert ran.json["solver"]
+    assert ran.json["threads"] >= 1
+
+
+def test_keys_come_from_the_schema(haptonic):
+    found = {key["path"]: key for key in haptonic("keys", "--json").json["keys"]}
+    assert found["cell.pillar.diameter"]["unit"] == "m"
+    assert found["bands.accuracy"]["default"] == "0.002"
+
+
+def test_help_and_version(haptonic):
+    assert "reproduce" in haptonic("--help").out
+    assert haptonic("--version").out.startswith("haptonic 0.")
+    assert haptonic("nonsense").code == 2
+
+
+def test_reproduce_ends_with_a_report(haptonic, study, tmp_path):
+    out = tmp_path / "out"
+    ran = haptonic("reproduce", study(), "--out", out)
+    assert ran.code == 0, ran.err
+    assert str(out / "report.html") in ran.out.replace("\n", "")
+    page = (out / "report.html").read_text(encoding="utf-8")
+    assert "simulated" in page
+    assert (out / "sweep_1.nc").exists()
+    assert (out / "bands.nc").exists()
+    again = haptonic("reproduce", study(), "--out", out)
+    assert_five_parts(again, str(out))

@@ -1,0 +1,164 @@
+"""The layout shows the flow: which part may import which, held by reading the sources."""
+
+import ast
+import sys
+from pathlib import Path
+
+import pytest
+
+import haptonic
+
+SOURCE = Path(haptonic.__file__).parent
+FILES = sorted(SOURCE.rglob("*.py"))
+
+BASE = {"errors", "units"}
+CORE = BASE | {"materials", "lattice", "cell", "elements", "solvers", "superelement", "bloch"}
+ALLOWED: dict[str, set[str]] = {
+    "errors": set(),
+    "units": {"errors"},
+    "materials": BASE,
+    "lattice": BASE,
+    "solvers": {"errors"},
+    "store": {"errors"},
+    "jobs": BASE | {"store"},
+    "cell": BASE | {"materials", "lattice"},
+    "elements": {"cell", "materials"},
+    "superelement": {"solvers", "elements", "cell", "lattice", "materials"},
+    "bloch": {"superelement", "cell", "lattice", "errors"},
+    "response": BASE,
+    "vibrometry": BASE | {"response"},
+    "friction": BASE | {"response"},
+    "design": CORE,
+    "plate": CORE - {"bloch"} | {"response"},
+}
+# users meet these; they may import each other (without a cycle) and everything below
+TOP = {"study", "results", "vtu", "report", "plots", "cli", "studio", "doctor", "__init__", "__main__"}
+INSIDE_FUNCTIONS = {
+    "solvers": {"pypardiso", "sksparse"},
+    "units": {"pint"},
+    "jobs": {"dask", "distributed"},
+}
+
+
+def module_name(file: Path) -> str:
+    parts = ["haptonic", *file.relative_to(SOURCE).with_suffix("").parts]
+    return ".".join(parts[:-1] if parts[-1] == "__init__" else parts)
+
+
+def part_of(module: str) -> str:
+    """``haptonic.cell.mesh`` belongs to ``cell``; ``haptonic`` itself to ``__init__``."""
+    return [*module.split("."), "__init__"][1]
+
+
+TREES = {module_name(file): ast.parse(file.read_text("utf-8")) for file in FILES}
+
+
+def imported(node: ast.AST) -> list[str]:
+    """Modules that an import statement names; a name in a package counts if it is a module."""
+    if isinstance(node, ast.Import):
+        return [alias.name for alias in node.names]
+    assert isinstance(node, ast.ImportFrom)
+    assert node.level == 0, "relative import"
+    inner = [f"{node.module}.{alias.name}" for alias in node.names]
+    modules = [name for name in inner if name in TREES]
+    # with only modules taken out of it, the package itself is no more than the road to them
+    return modules if len(modules) == len(inner) else [node.module or "", *modules]
+
+
+def imports_of(module: str, *, at_run_time: bool = False) -> set[str]:
+    """All imports of a module; ``at_run_time`` leaves out those that only a type checker follows."""
+    tree = TREES[module]
+    for_types = {
+        inner
+        for node in ast.walk(tree)
+        if isinstance(node, ast.If) and ast.unparse(node.test) == "TYPE_CHECKING"
+        for inner in ast.walk(node)
+    }
+    nodes = [n for n in ast.walk(tree) if isinstance(n, ast.Import | ast.ImportFrom)]
+    return {name for node in nodes if not (at_run_time and node in for_types) for name in imported(node)}
+
+
+def own_imports_of(module: str, *, at_run_time: bool = False) -> set[str]:
+    names = imports_of(module, at_run_time=at_run_time)
+    return {name for name in names if name == "haptonic" or name.startswith("haptonic.")}
+
+
+@pytest.mark.parametrize("module", TREES)
+def test_imports_follow_the_table(module):
+    part = part_of(module)
+    assert part in ALLOWED.keys() | TOP, f"{part} is not in the table of parts"
+    for name in own_imports_of(module):
+        other = part_of(name)
+        if part in TOP or other == part:
+            continue
+        assert other in ALLOWED[part], f"{module} must not import {name}"
+
+
+def cycle_in(graph: dict[str, set[str]]) -> list[str]:
+    """Some cycle, or nothing."""
+    done: set[str] = set()
+
+    def visit(node: str, trail: list[str]) -> list[str]:
+        if node in trail:
+            return [*trail[trail.index(node) :], node]
+        if node in done:
+            return []
+        for following in sorted(graph.get(node, set())):
+            found = visit(following, [*trail, node])
+            if found:
+                return found
+        done.add(node)
+        return []
+
+    for node in graph:
+        found = visit(node, [])
+        if found:
+            return found
+    return []
+
+
+def test_a_cycle_would_be_found():
+    assert cycle_in({"a": {"b"}, "b": {"c"}, "c": {"b"}}) == ["b", "c", "b"]
+    assert cycle_in({"a": {"b", "c"}, "b": {"c"}}) == []
+
+
+def test_no_import_cycle_between_modules():
+    graph = {module: own_imports_of(module, at_run_time=True) & TREES.keys() - {module} for module in TREES}
+    found = " -> ".join(cycle_in(graph))
+    assert not found, found
+
+
+def test_no_import_cycle_between_parts():
+    graph: dict[str, set[str]] = {}
+    for module in TREES:
+        others = {part_of(name) for name in own_imports_of(module)}
+        graph.setdefault(part_of(module), set()).update(others - {part_of(module)})
+    # `haptonic` itself, for its version, is imported by the parts that it opens to the user
+    for part in TOP:
+        graph.get(part, set()).discard("__init__")
+    found = " -> ".join(cycle_in(graph))
+    assert not found, found
+
+
+@pytest.mark.parametrize("module", TREES)
+def test_only_optional_dependencies_are_imported_inside_functions(module):
+    functions = (ast.FunctionDef, ast.AsyncFunctionDef, ast.Lambda)
+    hidden = set()
+    for function in (n for n in ast.walk(TREES[module]) if isinstance(n, functions)):
+        for node in ast.walk(function):
+            if isinstance(node, ast.Import | ast.ImportFrom):
+                hidden |= {name.split(".")[0] for name in imported(node)}
+    assert hidden <= INSIDE_FUNCTIONS.get(part_of(module), set())
+
+
+@pytest.mark.parametrize("file", FILES, ids=lambda file: str(file.relative_to(SOURCE)))
+def test_no_module_is_longer_than_400_lines(file):
+    assert len(file.read_text("utf-8").splitlines()) <= 400, "make it a folder with the same public name"
+
+
+def test_the_core_needs_no_more_than_numpy_scipy_and_what_counts_memory_and_threads():
+    outside = {"numpy", "scipy", "psutil", "threadpoolctl", "xarray", "pypardiso", "sksparse", "haptonic"}
+    for module in TREES:
+        if part_of(module) in CORE - {"units", "materials"}:
+            roots = {name.split(".")[0] for name in imports_of(module)} - set(sys.stdlib_module_names)
+            assert roots <= outside, module

@@ -1,0 +1,141 @@
+"""Spectral hexahedra on curved meshes: patch tests, rigid motions and mass against closed forms."""
+
+import numpy as np
+import pytest
+from brute import assembled
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from strategies import cells, plans, reference_cell
+
+from haptonic.cell import MeshPlan, mesh_cell
+from haptonic.elements import elasticity_tensor, element_matrices
+from haptonic.materials import IsotropicMaterial, OrthotropicMaterial
+
+# nine constants that differ, so that no two entries can be swapped unseen
+WOOD = OrthotropicMaterial(
+    "wood-like", 11e9, 13e9, 17e9, 2.3e9, 1.9e9, 1.7e9, 3.1e9, 4.3e9, 5.7e9, density=600.0
+)
+SHEARED = [(1, 2), (0, 2), (0, 1)]
+
+
+def unit_strains(points):
+    """(6, 3 nodes) linear displacements with unit engineering strain 11, 22, 33, 23, 13, 12."""
+    fields = np.zeros((6, *points.shape))
+    for i in range(3):
+        fields[i, :, i] = points[:, i]
+        a, b = SHEARED[i]
+        fields[3 + i, :, a] = points[:, b]  # not symmetric: the rotation in it must cost nothing
+    return fields.reshape(6, -1)
+
+
+def rigid_motions(points):
+    """(6, 3 nodes) translations, then rotations about the axes."""
+    motions = np.zeros((6, *points.shape))
+    for i in range(3):
+        motions[i, :, i] = 1.0
+        motions[3 + i] = np.cross(np.eye(3)[i], points)
+    return motions.reshape(6, -1)
+
+
+@settings(max_examples=6)
+@given(st.data(), st.sampled_from([WOOD, IsotropicMaterial("steel", 200e9, 0.3, 7850.0)]))
+def test_constant_strains_have_the_energy_of_the_voigt_matrix(data, material):
+    cell = data.draw(cells())
+    mesh = mesh_cell(cell, data.draw(plans(cell, highest=3)))
+    K, mass = assembled(mesh, material)
+    volume = mass.sum() / 3 / material.density
+    fields = unit_strains(mesh.points)
+    energy = fields @ (K @ fields.T) / volume
+    assert np.abs(energy - material.stiffness).max() < 1e-9 * material.stiffness.max()
+
+
+@settings(max_examples=6)
+@given(st.data())
+def test_constant_stress_is_in_balance_inside_curved_meshes(data):
+    cell = data.draw(cells())
+    mesh = mesh_cell(cell, data.draw(plans(cell, highest=2)))
+    K, _ = assembled(mesh, WOOD)
+    forces = (K @ unit_strains(mesh.points).T).reshape(-1, 3, 6)
+    x, y, z = mesh.points.T
+    half = 0.5 * np.diag(cell.lattice.vectors)
+    on_lateral = (np.abs(np.abs(mesh.points[:, :2]) - half) < 1e-9 * cell.lattice.pitch).any(axis=1)
+    in_plate = (z > 0) & (z < cell.thickness * (1 - 1e-9)) & ~on_lateral
+    above = z > cell.thickness * (1 + 1e-9)
+    at_top = z > (cell.thickness + cell.pillar.height) * (1 - 1e-9)
+    in_pillar = above & ~at_top & (np.hypot(x, y) < cell.pillar.radius * (1 - 1e-9))
+    assert in_plate.any()
+    assert in_pillar.any()
+    assert np.abs(forces[in_plate | in_pillar]).max() < 1e-9 * np.abs(forces).max()
+
+
+@settings(max_examples=6)
+@given(st.data())
+def test_exactly_the_rigid_motions_are_free_of_energy(data):
+    cell = data.draw(cells())
+    mesh = mesh_cell(cell, data.draw(plans(cell, highest=3)))
+    K, _ = assembled(mesh, WOOD)
+    motions = rigid_motions(mesh.points)
+    largest = np.abs(K).max() * (motions**2).sum(axis=1)
+    assert (np.abs(motions @ (K @ motions.T)).diagonal() < 1e-12 * largest).all()
+
+
+def test_a_single_element_has_six_free_motions_and_no_more():
+    """No hourglass modes, although nodes and quadrature points coincide."""
+    mesh = mesh_cell(reference_cell(), MeshPlan(2, 1, 2))
+    matrices = element_matrices(mesh, WOOD, np.arange(len(mesh.topology.elements)))
+    whole = matrices.stiffness.swapaxes(2, 3).reshape(len(matrices.mass), 81, 81)
+    values = np.linalg.eigvalsh(whole)
+    assert (np.abs(values[:, :6]) < 1e-13 * values[:, -1:]).all()
+    assert (values[:, 6] > 1e-9 * values[:, -1]).all()  # thin elements bend easily, yet not freely
+
+
+@settings(max_examples=6)
+@given(st.data())
+def test_element_matrices_are_symmetric(data):
+    cell = data.draw(cells())
+    mesh = mesh_cell(cell, data.draw(plans(cell, highest=3)))
+    chosen = np.arange(0, len(mesh.topology.elements), 7)
+    stiffness = element_matrices(mesh, WOOD, chosen).stiffness
+    assert np.abs(stiffness - stiffness.transpose(0, 2, 1, 4, 3)).max() < 1e-12 * np.abs(stiffness).max()
+
+
+@settings(max_examples=6)
+@given(st.data())
+def test_mass_and_its_moments_are_those_of_the_body(data):
+    cell = data.draw(cells())
+    mesh = mesh_cell(cell, MeshPlan.suited(cell, 4, data.draw(st.integers(0, 1))))
+    mass = np.zeros(len(mesh.points))
+    for element, nodes in enumerate(mesh.topology.elements):
+        own = element_matrices(mesh, cell.material, np.array([element])).mass
+        np.add.at(mass, nodes.ravel(), own.ravel())
+    assert mass.min() > 0
+    rho, (e, h, r) = cell.material.density, (cell.thickness, cell.pillar.height, cell.pillar.radius)
+    plate, cylinder = rho * cell.lattice.area * e, rho * np.pi * r**2 * h
+    z = mesh.points[:, 2]
+    assert mass.sum() == pytest.approx(plate + cylinder, rel=1e-6)
+    assert mass @ z == pytest.approx(plate * e / 2 + cylinder * (e + h / 2), rel=1e-6)
+    assert mass @ z**2 == pytest.approx(
+        plate * e**2 / 3 + cylinder * ((e + h) ** 3 - e**3) / (3 * h), rel=1e-6
+    )
+    (ax, _), (_, ay) = cell.lattice.a1, cell.lattice.a2
+    polar = mass @ (mesh.points[:, :2] ** 2).sum(axis=1)
+    assert polar == pytest.approx(plate * (ax**2 + ay**2) / 12 + cylinder * r**2 / 2, rel=1e-6)
+
+
+def test_chosen_elements_are_those_of_the_whole():
+    mesh = mesh_cell(reference_cell(), MeshPlan(2, 1, 2))
+    chosen = np.array([5, 0, 17])
+    every = element_matrices(mesh, WOOD, np.arange(len(mesh.topology.elements)))
+    some = element_matrices(mesh, WOOD, chosen)
+    assert np.allclose(some.stiffness, every.stiffness[chosen], rtol=1e-12, atol=1e-9 * every.stiffness.max())
+    assert np.allclose(some.mass, every.mass[chosen], rtol=1e-12)
+
+
+def test_the_tensor_is_that_of_hooke():
+    steel = IsotropicMaterial("steel", 200e9, 0.3, 7850.0)
+    delta = np.eye(3)
+    hooke = steel.lame * np.einsum("ik,jl->ikjl", delta, delta)
+    hooke += steel.shear_modulus * (
+        np.einsum("ij,kl->ikjl", delta, delta) + np.einsum("il,kj->ikjl", delta, delta)
+    )
+    assert elasticity_tensor(steel.stiffness) == pytest.approx(hooke)

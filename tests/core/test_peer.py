@@ -1,0 +1,48 @@
+"""Bands of three other geometries against an independent finite-element library."""
+
+import numpy as np
+import pytest
+
+from haptonic.bloch import BlochModel, Resolution
+from haptonic.cell import Pillar, UnitCell
+from haptonic.lattice import Lattice
+from haptonic.materials import IsotropicMaterial
+
+pytest.importorskip("ngsolve")
+
+from peers.ngsolve_cell import PeerCell, meshed
+
+INSIDE, CORNER = (1.1, 0.4), (np.pi, np.pi)
+COUNT = 8
+# pitches, thickness, diameter, height (m), Young's modulus (Pa), Poisson ratio, density (kg/m^3)
+GEOMETRIES = {
+    "A": (5e-3, 5e-3, 1e-3, 3e-3, 6e-3, 70e9, 0.33, 2700.0),
+    "B": (8e-3, 6e-3, 2e-3, 2.4e-3, 9e-3, 200e9, 0.30, 7850.0),
+    "C": (4e-3, 4e-3, 0.8e-3, 1.2e-3, 10e-3, 64e9, 0.20, 2230.0),
+}
+
+
+def own_cell(name: str) -> UnitCell:
+    pitch_x, pitch_y, thickness, diameter, height, modulus, poisson, density = GEOMETRIES[name]
+    lattice = Lattice.square(pitch_x) if pitch_x == pitch_y else Lattice.rectangular(pitch_x, pitch_y)
+    material = IsotropicMaterial(name, modulus, poisson, density)
+    return UnitCell(lattice, thickness, material, Pillar(diameter, height))
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(
+    ("name", "kappa"),
+    [
+        pytest.param("A", INSIDE, marks=pytest.mark.nightly),
+        pytest.param("A", CORNER, marks=pytest.mark.nightly),
+        ("B", INSIDE),
+        pytest.param("B", CORNER, marks=pytest.mark.nightly),
+        ("C", CORNER),
+        pytest.param("C", INSIDE, marks=pytest.mark.nightly),
+    ],
+    ids=lambda value: value if isinstance(value, str) else ("inside" if value == INSIDE else "corner"),
+)
+def test_frequencies_agree_with_the_peer(name, kappa):
+    peer = meshed(PeerCell(*GEOMETRIES[name]), order=3).solve(kappa, COUNT).frequencies
+    model = BlochModel.of(own_cell(name), Resolution(4, 1), COUNT, measured=False)
+    assert model.solve(np.array(kappa)).frequency == pytest.approx(peer, rel=5e-3)

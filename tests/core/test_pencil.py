@@ -1,0 +1,137 @@
+"""The Bloch pencil: what every Laurent polynomial of a lattice must obey."""
+
+from functools import cache
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from strategies import ALUMINIUM, reference_cell
+
+from haptonic.bloch.pencil import Pencil, Periodic, bloch_pencil, eigenpairs
+from haptonic.cell import MeshPlan, Pillar, UnitCell
+from haptonic.lattice import Lattice
+from haptonic.superelement import condense
+
+phases = st.tuples(st.floats(-4, 4), st.floats(-4, 4)).map(np.array)
+seeds = st.integers(0, 2**32 - 1)
+SHIFTS = np.array([(0, 0), (0, 1), (1, -1), (1, 0), (1, 1)])
+
+
+def random_pencil(seed: int, size: int = 7) -> Pencil:
+    rng = np.random.default_rng(seed)
+    stiffness, mass = rng.standard_normal((2, len(SHIFTS), size, size))
+    stiffness[0] += stiffness[0].T.copy()
+    mass[0] += mass[0].T.copy() + 40 * np.eye(size)
+    return Pencil(SHIFTS, stiffness, mass)
+
+
+@cache
+def condensed(name: str):
+    if name == "square":
+        return condense(reference_cell(), MeshPlan(2, 1, 2), measured=False)
+    cell = UnitCell(Lattice.rectangular(8e-3, 6e-3), 2e-3, ALUMINIUM, Pillar(2.4e-3, 9e-3))
+    return condense(cell, MeshPlan(2, 0, 2), measured=False)
+
+
+physical = pytest.mark.parametrize("name", ["square", "rectangular"])
+
+
+@given(seeds, phases)
+def test_random_pencils_are_hermitian_and_periodic(seed, kappa):
+    pencil = random_pencil(seed)
+    for here, there in zip(pencil.at(kappa), pencil.at(kappa + 2 * np.pi * np.array([1, -2])), strict=True):
+        assert np.array_equal(here, here.conj().T)
+        assert there == pytest.approx(here, abs=1e-12)
+    K, _ = pencil.at(kappa)
+    whole = sum(
+        np.exp(1j * sign * (shift @ kappa)) * (block if sign > 0 else block.T)
+        for shift, block in zip(SHIFTS[1:], pencil.stiffness[1:], strict=True)
+        for sign in (1, -1)
+    )
+    assert np.abs(whole + pencil.stiffness[0] - K).max() < 1e-12 * np.abs(K).max()
+
+
+@given(seeds, phases, st.integers(1, 7))
+def test_projection_commutes_with_evaluation(seed, kappa, size):
+    pencil = random_pencil(seed)
+    basis = np.random.default_rng(seed + 1).standard_normal((7, size))
+    projected = pencil.projected(basis)
+    assert projected.size == size
+    pairs = [(projected.at(kappa), pencil.at(kappa))]
+    pairs += [(projected.slope(kappa, d), pencil.slope(kappa, d)) for d in (0, 1)]
+    for after, before in pairs:
+        for small, large in zip(after, before, strict=True):
+            assert small == pytest.approx(basis.T @ large @ basis, abs=1e-10)
+
+
+@given(seeds, phases, st.integers(0, 1))
+def test_slope_against_differences(seed, kappa, direction):
+    pencil = random_pencil(seed)
+    step = 1e-5 * np.eye(2)[direction]
+    for exact, ahead, behind in zip(
+        pencil.slope(kappa, direction), pencil.at(kappa + step), pencil.at(kappa - step), strict=True
+    ):
+        assert exact == pytest.approx((ahead - behind) / 2e-5, abs=1e-8)
+        assert np.array_equal(exact, exact.conj().T)
+
+
+@physical
+@settings(max_examples=10)
+@given(kappa=phases)
+def test_the_pencil_of_a_cell_is_its_matrices_between_bloch_fields(name, kappa):
+    superelement = condensed(name)
+    pencil, periodic = bloch_pencil(superelement), Periodic.of(superelement)
+    P = periodic.expanded(np.eye(pencil.size), kappa)
+    K, M = pencil.at(kappa)
+    for small, large in ((K, superelement.stiffness), (M, superelement.mass)):
+        assert np.abs(small - P.conj().T @ large @ P).max() < 1e-12 * np.abs(large).max()
+    assert np.abs(periodic.hermitian(superelement.stiffness, kappa) - K).max() < 1e-12 * np.abs(K).max()
+    np.linalg.cholesky(M)  # positive definite at every wavevector
+
+
+@physical
+def test_blocks_reach_the_eight_neighbours_at_most_and_one_of_each_pair_is_kept(name):
+    pencil = bloch_pencil(condensed(name))
+    shifts = [tuple(s) for s in pencil.shifts.tolist()]
+    assert shifts[0] == (0, 0)
+    assert set(shifts) == {(0, 0), (0, 1), (1, -1), (1, 0), (1, 1)}
+    assert np.abs(pencil.stiffness[0] - pencil.stiffness[0].T).max() < 1e-12 * np.abs(pencil.stiffness).max()
+
+
+@physical
+@pytest.mark.parametrize("point", [(0, 0), (1, 0), (0, 1), (1, 1)])
+def test_the_pencil_is_real_where_minus_k_is_k(name, point):
+    for matrix in bloch_pencil(condensed(name)).at(np.pi * np.array(point)):
+        assert np.abs(matrix.imag).max() < 1e-12 * np.abs(matrix).max()
+
+
+@physical
+@settings(max_examples=10)
+@given(kappa=phases)
+def test_waves_run_both_ways_and_repeat_with_the_reciprocal_lattice(name, kappa):
+    pencil = bloch_pencil(condensed(name))
+    values = eigenpairs(pencil, kappa, 8)[0]
+    for same in (-kappa, kappa + 2 * np.pi * np.array([1, -1]), kappa * [1, -1], kappa * [-1, 1]):
+        assert eigenpairs(pencil, same, 8)[0] == pytest.approx(values, rel=1e-8, abs=1e-8 * values[-1])
+
+
+@settings(max_examples=10)
+@given(kappa=phases)
+def test_the_square_cell_looks_the_same_along_both_axes(kappa):
+    pencil = bloch_pencil(condensed("square"))
+    values = eigenpairs(pencil, kappa, 6)[0]
+    # the interior's Krylov space is not built to have the diagonal's symmetry
+    assert eigenpairs(pencil, kappa[::-1], 6)[0] == pytest.approx(values, rel=1e-4, abs=1e-8 * values[-1])
+
+
+@physical
+def test_eigenpairs_have_unit_mass_and_no_residual(name):
+    pencil = bloch_pencil(condensed(name))
+    kappa = np.array([0.7, 1.9])
+    K, M = pencil.at(kappa)
+    values, modes = eigenpairs(pencil, kappa, 5)
+    assert (np.diff(values) >= 0).all()
+    assert modes.conj().T @ M @ modes == pytest.approx(np.eye(5), abs=1e-10)
+    assert np.abs(K @ modes - M @ modes * values).max() < 1e-9 * np.abs(K @ modes).max()
+    assert len(eigenpairs(random_pencil(0), kappa, 100)[0]) == 7  # no more than there are

@@ -1,0 +1,68 @@
+"""Results for tests of pictures and pages: a real, coarse one of the reference cell, and a made-up sweep."""
+
+from __future__ import annotations
+
+import json
+from functools import cache
+from pathlib import Path
+
+import numpy as np
+import xarray as xr
+
+import haptonic
+from haptonic.bloch import Resolution, bands_dataset
+from haptonic.study import Study
+
+CELL_AXES = [0.007, 0.0, 0.0, 0.007]
+
+
+@cache
+def reference_study() -> Study:
+    return haptonic.load(Path(__file__).parents[1] / "studies" / "touchpad.toml")
+
+
+@cache
+def _reference_bands() -> xr.Dataset:
+    dataset = bands_dataset(
+        reference_study().unit_cell(),
+        count=10,
+        points=24,
+        accuracy=2e-2,
+        resolution=Resolution(3, 1),
+        surface=True,
+    )
+    dataset.attrs |= {"lattice": json.dumps(CELL_AXES), "code_fingerprint": "0" * 64}
+    return dataset
+
+
+def reference_bands() -> xr.Dataset:
+    """Bands of the reference cell on a coarse mesh; a copy, so that a test may change it."""
+    return _reference_bands().copy(deep=True)
+
+
+def made_up_sweep(steps: int = 9, exponent: float = 0.8, **attrs: object) -> xr.Dataset:
+    """A gap between bands 6 and 7 whose edges follow a power of the swept value exactly; below it, in the
+    first four designs, a gap that is narrower than its errors; the last design has a third gap."""
+    value = np.linspace(0.4, 0.8, steps)
+    names = ("gap_lower", "gap_upper", "gap_lower_error", "gap_upper_error", "gap_below")
+    gaps = {name: np.full((steps, 3), np.nan) for name in names}
+    gaps["gap_lower"][:, 0] = 50e3 * (value / 0.5) ** exponent
+    gaps["gap_upper"][:, 0] = 60e3 * (value / 0.5) ** exponent
+    gaps["gap_below"][:, 0] = 6
+    gaps["gap_lower"][:4, 1], gaps["gap_upper"][:4, 1], gaps["gap_below"][:4, 1] = 20e3, 20.1e3, 3
+    gaps["gap_lower"][-1, 2], gaps["gap_upper"][-1, 2], gaps["gap_below"][-1, 2] = 110e3, 120e3, 8
+    there = np.isfinite(gaps["gap_lower"])
+    gaps["gap_lower_error"][there] = gaps["gap_upper_error"][there] = 80.0
+    slender = np.outer(value / 0.5, [11.5e3, 72.3e3, 202.5e3])
+    dataset = xr.Dataset(
+        {
+            "value": ("step", value, {"units": "1", "long_name": "cell.pillar.diameter / cell.pitch"}),
+            **{name: (("step", "gap_slot"), array, {"units": "Hz"}) for name, array in gaps.items()},
+            "searched_up_to": ("step", np.linspace(110e3, 150e3, steps)),
+            "euler_bernoulli": (("step", "resonance"), slender),
+            "timoshenko": (("step", "resonance"), 0.83 * slender),
+        },
+        attrs={"expression": "cell.pillar.diameter / cell.pitch", "own_value": 0.5, "carrier_hz": 60e3},
+    )
+    dataset.attrs |= attrs
+    return dataset

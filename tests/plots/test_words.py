@@ -1,0 +1,36 @@
+"""Numbers and names as they are shown."""
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from haptonic.plots.words import khz, readable, scaled_unit
+
+
+@pytest.mark.parametrize(
+    ("frequency", "error", "text"),
+    [
+        (52510.1, 41.5, "52.51 ± 0.05"),
+        (60214.6, 9.0, "60.215 ± 0.009"),
+        (60214.6, 96.0, "60.2 ± 0.1"),
+        (60214.6, 2300.0, "60 ± 3"),
+        (7658.0, 0.0, "7.658"),
+    ],
+)
+def test_a_frequency_with_its_bound(frequency, error, text):
+    assert khz(frequency, error) == text
+
+
+@given(st.floats(1.0, 1e6), st.floats(1e-2, 1e4))
+def test_the_shown_bound_is_never_smaller_than_the_bound(frequency, error):
+    shown = khz(frequency, error).split(" ± ")[1]
+    assert float(shown) * 1e3 >= error * (1 - 1e-6)
+    assert float(shown) * 1e3 <= 2 * error * (1 + 1e-6)
+
+
+def test_expressions_in_words():
+    assert readable("cell.pillar.diameter / cell.pitch") == "pillar diameter / pitch"
+    assert readable("material.youngs_modulus") == "material youngs modulus"
+    assert scaled_unit("1") == ("dimensionless", 1.0)
+    assert scaled_unit("m") == ("mm", 1e3)
+    assert scaled_unit("kg/m^3") == ("kg/m^3", 1.0)

@@ -1,0 +1,348 @@
+"""The report: one file that stands alone, says what is missing, and shows the numbers that it was given."""
+
+from __future__ import annotations
+
+import base64
+import re
+from dataclasses import replace
+from datetime import UTC, datetime
+from html.parser import HTMLParser
+
+import numpy as np
+import pytest
+
+from haptonic.errors import ResourceError
+from haptonic.report import Absent, Chapter, Results, paper, write_report
+from haptonic.report.chapters import IN_ORDER, comparison, dispersion, sweeps
+from haptonic.report.page import page
+from haptonic.report.trend import fitted_power, trend_of
+from haptonic.study import Study
+from made_up import made_up_sweep, reference_bands, reference_study
+
+STARTED = datetime(2030, 1, 2, 3, 4, tzinfo=UTC)
+VOID = {"meta", "img", "br", "hr", "link", "input"}
+
+
+class Reader(HTMLParser):
+    """Tags with their attributes, the text, and whether every element was closed in order."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.tags: list[tuple[str, dict[str, str | None]]] = []
+        self.words: list[str] = []
+        self.open: list[str] = []
+
+    def handle_starttag(self, tag, attrs):
+        self.tags.append((tag, dict(attrs)))
+        if tag not in VOID:
+            self.open.append(tag)
+
+    def handle_endtag(self, tag):
+        assert self.open.pop() == tag
+
+    def handle_data(self, data):
+        if not self.open or self.open[-1] != "style":
+            self.words.append(data)
+
+    @property
+    def text(self) -> str:
+        return " ".join(" ".join(self.words).split())
+
+    def of(self, tag: str) -> list[dict[str, str | None]]:
+        return [attributes for name, attributes in self.tags if name == tag]
+
+
+def read(content: str) -> Reader:
+    reader = Reader()
+    reader.feed(content)
+    reader.close()
+    assert not reader.open
+    return reader
+
+
+def results(**changes) -> Results:
+    sweeps = (made_up_sweep(), made_up_sweep(expression="cell.pillar.height / cell.pitch", own_value=0.6))
+    whole = Results(reference_study(), reference_bands(), sweeps, {"bands": 1.26, "sweeps": 20.0}, STARTED)
+    return replace(whole, **changes)
+
+
+def study_with(**changes: object) -> Study:
+    return reference_study().model_copy(update=changes)
+
+
+@pytest.fixture
+def empty_pictures(monkeypatch):
+    """Pictures are drawn but not rendered, which takes most of the time of a page."""
+    monkeypatch.setattr("haptonic.report.page.rendered", lambda figure, kind: b"<svg/>")
+
+
+@pytest.fixture(scope="module")
+def whole(tmp_path_factory):
+    path = write_report(results(), tmp_path_factory.mktemp("report") / "report.html")
+    return path.read_text("utf-8")
+
+
+class TestOneFile:
+    def test_it_needs_nothing_from_elsewhere(self, whole):
+        reader = read(whole)
+        for tag, attributes in reader.tags:
+            assert tag not in {"script", "link", "iframe", "object", "embed", "base"}
+            for name in ("src", "href", "srcset", "data", "action", "poster"):
+                value = attributes.get(name)
+                assert value is None or value.startswith(("#", "data:image/")), (tag, name)
+            assert not [name for name in attributes if name.startswith("on")]
+        style = re.search(r"<style>(.*?)</style>", whole, re.S).group(1)
+        assert "url(" not in style
+        assert "@import" not in style
+
+    def test_pictures_hold_all_of_themselves_and_have_words_in_their_place(self, whole):
+        images = read(whole).of("img")
+        assert len(images) == 6
+        for image in images:
+            assert len(image["alt"]) > 30
+            kind, content = image["src"].split(",", 1)
+            assert kind == "data:image/svg+xml;base64"
+            svg = base64.b64decode(content).decode()
+            assert not re.findall(r'href="(?!#|data:)', svg)
+
+    def test_every_entry_of_the_contents_leads_somewhere_once(self, whole):
+        reader = read(whole)
+        identifiers = [attributes["id"] for _, attributes in reader.tags if "id" in attributes]
+        assert len(set(identifiers)) == len(identifiers)
+        targets = [link["href"].removeprefix("#") for link in reader.of("a")]
+        assert targets == ["dispersion", "modes", "sweeps", "comparison", "appendix"]
+        assert set(targets) <= set(identifiers)
+
+    def test_it_names_its_language_and_fits_a_phone(self, whole):
+        reader = read(whole)
+        assert reader.of("html")[0]["lang"] == "en"
+        assert any(meta.get("name") == "viewport" for meta in reader.of("meta"))
+        assert "@media print" in whole
+
+    def test_it_is_not_replaced_unasked(self, tmp_path):
+        path = tmp_path / "report.html"
+        path.write_text("mine")
+        with pytest.raises(ResourceError, match="overwriting"):
+            write_report(results(), path)
+        assert path.read_text() == "mine"
+        assert [one.name for one in tmp_path.iterdir()] == ["report.html"]
+
+
+@pytest.mark.usefixtures("empty_pictures")
+class TestHostileInput:
+    TITLE = '<script>alert(1)</script> & "quotes" \' {{ 7 * 7 }}'
+
+    def test_a_title_is_text_and_nothing_else(self):
+        content = page(results(study=study_with(title=self.TITLE)))
+        reader = read(content)
+        assert not reader.of("script")
+        assert self.TITLE in reader.text
+        assert "49" not in reader.words[0]
+
+    def test_names_in_the_material_and_the_sweep_are_text(self):
+        material = reference_study().material.model_copy(update={"name": "<img src=x onerror=alert(1)>"})
+        sweep = made_up_sweep(expression="<b>$x$ / y_{</b>")
+        reader = read(page(results(study=study_with(material=material), sweeps=(sweep,))))
+        assert not reader.of("b")
+        assert all(image["src"].startswith("data:") for image in reader.of("img"))
+
+
+@pytest.mark.usefixtures("empty_pictures")
+class TestChaptersLeftOut:
+    def test_without_sweeps_their_chapter_is_left_out_and_the_head_says_so(self):
+        reader = read(page(results(sweeps=())))
+        assert "sweeps" not in [link["href"].removeprefix("#") for link in reader.of("a")]
+        assert "Left out: Sweeps, because they were not computed in this run." in reader.text
+
+    def test_a_study_without_sweeps_is_told_from_one_that_was_not_run(self):
+        text = read(page(results(study=study_with(sweep=()), sweeps=()))).text
+        assert "because the study describes none" in text
+
+    def test_without_mode_shapes(self):
+        bands = reference_bands().drop_vars(["mode_real", "mode_imag"])
+        text = read(page(results(bands=bands))).text
+        assert "Left out: Mode shapes" in text
+
+    def test_without_the_whole_zone_its_pictures_are_left_out(self):
+        bands = reference_bands().drop_vars(["zone_frequency"])
+        assert len(read(page(results(bands=bands))).of("img")) == 4
+
+    def test_another_cell_is_not_compared_with_the_paper(self):
+        other = results(study=reference_study().with_parameter("cell.thickness", 2e-3), sweeps=())
+        text = read(page(other)).text
+        assert "Left out: Comparison with the paper" in text
+        assert "61.4" not in text
+
+    def test_a_plate_without_a_pillar_has_a_report(self):
+        cell = reference_study().cell.model_copy(update={"pillar": None})
+        made = read(page(results(study=study_with(cell=cell, sweep=()), sweeps=())))
+        assert "pitch 7 mm; plate 1.5 mm" in made.text
+
+    def test_every_chapter_is_a_chapter_or_says_why_not(self):
+        for chapter in IN_ORDER:
+            assert isinstance(chapter(results()), Chapter)
+            made = chapter(results(study=study_with(sweep=()), sweeps=()))
+            assert isinstance(made, Chapter | Absent)
+
+
+@pytest.mark.usefixtures("empty_pictures")
+class TestWords:
+    def test_it_says_that_all_is_simulated(self, whole):
+        text = read(whole).text
+        assert "All results on this page are simulated" in text
+        for caption in re.findall(r"<figcaption>(.*?)</figcaption>", whole):
+            assert caption.startswith("Simulated")
+
+    def test_numbers_follow_the_results(self, whole):
+        """Frequencies doubled: no number of the first report's gap may be left, but the paper's own."""
+        bands = reference_bands()
+        for name in ("gap_lower", "gap_upper", "frequency", "mode_frequency"):
+            bands[name] = 2 * bands[name]
+        text = read(page(results(bands=bands, sweeps=()))).text
+        for name in ("gap_lower", "gap_upper"):
+            value = float(reference_bands()[name][0]) / 1e3
+            assert f"{value:.1f}" in read(whole).text
+            assert not re.search(rf"(?<!\d){value:.1f}\d? ±", text)
+            assert f"{2 * value:.1f}" in text
+
+    def test_inputs_are_listed_with_title_and_unit(self, whole):
+        rows = re.findall(r"<tr><th scope=\"row\">(.*?)</th><td.*?>(.*?)</td><td.*?>(.*?)</td></tr>", whole)
+        listed = {key: (title, value) for key, title, value in rows}
+        assert listed["cell.pitch"] == ("Pitch", "7 mm")
+        assert listed["material.density"] == ("Density", "2700 kg/m^3")
+        assert listed["sweep[2].to"] == ("Last value", "3")
+
+    def test_constants_of_a_material_given_by_name_are_listed(self):
+        text = read(page(results(study=study_with(material="aluminium-paper"), sweeps=()))).text
+        assert "material: youngs_modulus" in text
+
+    def test_run_times_are_listed(self, whole):
+        assert (
+            "1.3"
+            in dict(re.findall(r"<tr><th scope=\"row\">(.*?)</th><td.*?>(.*?)</td></tr>", whole))["bands"]
+        )
+
+    def test_no_machine_path_or_address_is_named(self, whole):
+        text = read(whole).text
+        assert "/work" not in text
+        assert "/tmp" not in text
+        assert "http" not in text
+
+    @pytest.mark.parametrize(
+        ("carrier", "said"),
+        [(56e3, "lies inside the gap"), (40e3, "lies in no complete gap"), (60.0e3, "close enough")],
+    )
+    def test_the_carrier_is_judged(self, carrier, said):
+        bands = reference_bands()
+        bands["gap_upper_error"][0] = 30.0
+        made = dispersion.chapter(results(bands=bands, study=study_with(carrier=carrier)))
+        assert said in " ".join(made.findings)
+
+    def test_a_carrier_within_the_error_of_an_edge_is_not_called_safe(self):
+        bands = reference_bands()
+        carrier = float(bands["gap_upper"][0]) - 0.5 * float(bands["gap_upper_error"][0])
+        made = dispersion.chapter(results(study=study_with(carrier=carrier)))
+        assert "within the error of that edge" in made.findings[-1]
+
+
+class TestComparison:
+    def rows(self, **changes):
+        return {row[0]: row for row in comparison.chapter(results(**changes)).tables[0].rows}
+
+    def test_the_gap_is_beside_the_papers_with_its_difference(self):
+        row = self.rows()["Complete gap, upper edge"]
+        ours = float(reference_bands()["gap_upper"][0]) / 1e3
+        assert row[1] == "61.4 kHz"
+        assert float(row[3].split()[0].replace("\N{MINUS SIGN}", "-")) == pytest.approx(
+            ours - 61.4, abs=0.006
+        )
+        assert "not known" in row[4]
+        assert "61.5 kHz" in row[4]
+
+    def test_an_edge_that_agrees_is_said_to_agree(self):
+        bands = reference_bands()
+        bands["gap_upper"][0] = 61.42e3
+        assert self.rows(bands=bands)["Complete gap, upper edge"][4] == "Agrees within our error."
+
+    def test_bands_and_names(self):
+        rows = self.rows()
+        assert rows["Bands below and above the gap"][2:4] == ("6 and 7", "none")
+        assert rows["M3"][1:4] == ("traction", "traction", "none")
+        assert rows["M5"][1:4] == ("expansion", "torsion", "name")
+        assert rows["M1 and M2"][2] == "pillar bending 1"
+        assert rows["Lower edge formed by"][2] == "bands 3, 4, 5, 6"
+        assert "at Γ" in rows["Upper edge formed by"][2]
+
+    def test_the_lower_edge_is_placed(self):
+        assert "between X and M, not at a corner" in self.rows()["Complete gap, lower edge"][4]
+
+    def test_the_bragg_period(self):
+        row = self.rows()["Period for Bragg scattering, c / f"]
+        shear = np.sqrt(70e9 / (2 * 1.33) / 2700)
+        assert row[1] == "51 mm"
+        assert row[2] == f"{shear / 60e3 * 1e3:.0f} mm"
+
+    def test_without_a_gap_the_table_says_none(self):
+        bands = reference_bands()
+        bands["gap_complete"][:] = 0
+        assert self.rows(bands=bands)["Complete gap"][2] == "none found"
+
+    def test_one_row_for_each_sweep(self):
+        assert sum(name.startswith("Exponent") for name in self.rows()) == 2
+        assert not any(name.startswith("Exponent") for name in self.rows(sweeps=()))
+
+
+class TestTrend:
+    @pytest.mark.parametrize("exponent", [1.0, -2.0, 0.37])
+    def test_an_exact_power_is_found(self, exponent):
+        trend = trend_of(made_up_sweep(exponent=exponent))
+        power = trend.power(trend.upper)
+        assert power.exponent == pytest.approx(exponent)
+        assert power.error < 1e-9
+        assert (trend.below, len(trend.value)) == (6, 9)
+
+    def test_the_standard_error_is_that_of_the_textbook(self):
+        """Slopes of many noisy samples scatter as much as the fit says."""
+        random = np.random.default_rng(1)
+        value = np.linspace(1, 2, 12)
+        fits = [fitted_power(value, value**1.5 * np.exp(0.01 * random.normal(size=12))) for _ in range(800)]
+        scatter = np.std([fit.exponent for fit in fits])
+        claimed = np.sqrt(np.mean([fit.error**2 for fit in fits]))
+        assert claimed == pytest.approx(scatter, rel=0.1)
+
+    def test_a_line_through_equation_3_is_straight(self):
+        assert trend_of(made_up_sweep(exponent=1.0)).straightness < 1e-6
+        assert trend_of(made_up_sweep(exponent=2.0)).straightness > 1e3
+
+    @pytest.mark.parametrize(
+        ("exponent", "said"), [(0.8, "is a straight line"), (3.0, "leaves a straight line")]
+    )
+    def test_a_bent_edge_is_not_called_straight(self, exponent, said):
+        made = sweeps.chapter(results(sweeps=(made_up_sweep(exponent=exponent),)))
+        assert said in made.findings[1]
+
+    def test_the_gap_is_followed_without_a_break(self):
+        sweep = made_up_sweep()
+        sweep["gap_lower"][6, 0] = np.nan
+        assert len(trend_of(sweep).value) == 6
+
+    def test_a_gap_in_another_slot_is_the_same_gap(self):
+        sweep = made_up_sweep()
+        for name in ("gap_lower", "gap_upper", "gap_lower_error", "gap_upper_error", "gap_below"):
+            sweep[name][0, [0, 1]] = sweep[name][0, [1, 0]].values
+        assert len(trend_of(sweep).value) == 9
+
+    @pytest.mark.parametrize("attrs", [{"own_value": 2.0}, {"own_value": None}])
+    def test_no_trend_without_the_own_design(self, attrs):
+        assert trend_of(made_up_sweep(**attrs)) is None
+
+    def test_no_trend_from_three_designs_or_from_none_with_a_gap(self):
+        assert trend_of(made_up_sweep(steps=3)) is None
+        sweep = made_up_sweep()
+        sweep["gap_upper"][:] = sweep["gap_lower"]
+        assert trend_of(sweep) is None
+
+
+def test_the_reference_study_is_the_papers_cell():
+    assert paper.is_its_cell(reference_study())
+    assert not paper.is_its_cell(reference_study().with_parameter("material.density", 2710.0))

@@ -1,0 +1,55 @@
+"""Whatever the documents print is executed."""
+
+from __future__ import annotations
+
+import re
+import shlex
+from pathlib import Path
+
+import pytest
+
+from haptonic.cli.app import app
+from haptonic.study import load
+
+ROOT = Path(__file__).parent.parent
+BLOCK = re.compile(r"```(\w+)\n(.*?)```", re.DOTALL)
+
+
+def blocks(document: str, language: str) -> list[str]:
+    found = [text for kind, text in BLOCK.findall((ROOT / document).read_text("utf-8")) if kind == language]
+    assert found, f"{document} has no {language} block"
+    return found
+
+
+@pytest.mark.slow
+def test_the_readme_python_runs_and_says_what_it_should(tmp_path, monkeypatch, capsys):
+    monkeypatch.setenv("HAPTONIC_STORE", str(tmp_path / "store"))
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "studies").symlink_to(ROOT / "studies")
+    for text in blocks("README.md", "python"):
+        exec(compile(text, "README.md", "exec"), {})
+    assert capsys.readouterr().out == "52.5 to 60.2 kHz, complete: True\n"
+    assert (tmp_path / "dispersion.png").stat().st_size > 10_000
+
+
+def test_the_readme_commands_exist():
+    lines = [line for text in blocks("README.md", "sh") for line in text.splitlines() if line]
+    targets = set(re.findall(r"^(\w+):", (ROOT / "Makefile").read_text(), re.MULTILINE))
+    known = {command.name or command.callback.__name__ for command in app.registered_commands}
+    for line in lines:
+        program, what, *rest = shlex.split(line, comments=True)
+        assert what in (targets if program == "make" else known), line
+        for word in rest:
+            assert not word.endswith(".toml") or (ROOT / word).exists(), line
+
+
+def test_the_images_and_pages_that_documents_name_exist():
+    for document in [ROOT / "README.md", *(ROOT / "docs").glob("*.md")]:
+        for target in re.findall(r"\]\(([^)#]+)\)", document.read_text("utf-8")):
+            assert (document.parent / target).exists(), f"{document.name}: {target}"
+
+
+def test_the_reference_study_loads_without_a_warning():
+    study = load(ROOT / "studies" / "touchpad.toml")
+    assert study.carrier == 60e3
+    assert len(study.sweep) == 2
