@@ -22,9 +22,11 @@ from haptonic.bloch.symmetry import TraceMirror, clusters, mirrors_at, sorted_by
 from haptonic.bloch.tracking import group_velocity
 from haptonic.bloch.zone import zone_surface
 from haptonic.cell import MeshPlan, Pillar, UnitCell, mesh_cell
+from haptonic.errors import HaptonicError
 from haptonic.lattice import Lattice
-from haptonic.materials import IsotropicMaterial
+from haptonic.materials import IsotropicMaterial, OrthotropicMaterial
 from haptonic.superelement import condense
+from haptonic.superelement.sections import PillarSections
 
 DATA = Path(__file__).parents[1] / "data"
 REFERENCE = json.loads((DATA / "reference_cell.json").read_text("utf-8"))
@@ -67,6 +69,20 @@ def test_the_complete_gap_of_the_reference_cell():
     assert np.array(gap.upper_kappa) == pytest.approx([0, 0], abs=1e-9)
     at_corners = max(model().solve(np.array(k)).frequency[5] for k in CORNERS.values())
     assert gap.lower > at_corners + 200
+
+
+def test_no_wavevector_lies_beyond_the_edges_found():
+    """A dense walk along X-M and points drawn all over the zone, against the adaptive search."""
+    (gap,) = (gap for gap in gaps_of(dataset()) if gap.complete)
+    walk = np.stack([np.full(300, np.pi), np.linspace(0, np.pi, 300)], axis=-1)
+    drawn = np.random.default_rng(7).uniform(-np.pi, np.pi, (300, 2))
+    pencil = model().fine.pencil
+    values = np.array(
+        [eigenpairs(pencil, kappa, 7)[0] for kappa in np.concatenate([walk, drawn, np.zeros((1, 2))])]
+    )
+    frequency = np.sqrt(np.maximum(values, 0)) / (2 * np.pi)
+    assert gap.lower == pytest.approx(frequency[:, 5].max(), rel=1e-4)
+    assert gap.upper == pytest.approx(frequency[:, 6].min(), rel=1e-4)
 
 
 @pytest.mark.parametrize("corner", CORNERS)
@@ -153,6 +169,20 @@ def test_whole_models_scale_with_their_estimates():
     assert group_velocity(scaled, there) == pytest.approx(
         group_velocity(small_model(), here), rel=1e-5, abs=1e-3
     )
+
+
+@pytest.mark.xfail(reason="a square lattice keeps its diagonal whatever the material", strict=True)
+def test_a_zone_is_reduced_only_by_symmetries_that_the_material_shares():
+    """Either such a cell is refused, or every operation of its lattice leaves its bands alone."""
+    ply = OrthotropicMaterial("ply", 40e9, 10e9, 9e9, 3e9, 2.5e9, 4e9, 3.1e9, 4.3e9, 5.7e9, density=1500.0)
+    try:
+        cell = UnitCell(Lattice.square(7e-3), 1.5e-3, ply, Pillar(3.5e-3, 7e-3))
+    except HaptonicError:
+        return
+    kappa = np.array([2.5, 0.7])
+    images = [np.linalg.inv(np.array(operation)).T @ kappa for operation in cell.lattice.point_group]
+    values = coarse_values(cell, kappas=images)
+    assert values == pytest.approx(np.broadcast_to(values[0], values.shape), rel=1e-3)
 
 
 def test_a_rectangle_with_equal_pitches_is_a_square():
@@ -432,6 +462,24 @@ def test_characters_at_the_middle_of_xm_are_those_of_the_paper():
     assert [json.loads(data.attrs["character_names"])[k] for k in data.mode_name.values[:8]] == names
 
 
+@pytest.mark.parametrize("offset", [0.0, 3.0, -3.0])
+def test_bending_is_numbered_by_the_nodes_of_the_axis_seen_from_the_foot(offset):
+    """Exact cantilever shapes, riding on a foot that moves, in any direction and phase."""
+    x = np.linspace(0, 1, 60)[1:]
+    shapes = []
+    for root in (1.875104, 4.694091, 7.854757):
+        ratio = (np.cosh(root) + np.cos(root)) / (np.sinh(root) + np.sin(root))
+        z = root * x
+        shapes.append(np.cosh(z) - np.cos(z) - ratio * (np.sinh(z) - np.sin(z)))
+    shapes = np.array(shapes).T + offset
+    count = len(x)
+    motion = np.zeros((4, count, 2 * count))
+    motion[0, :, :count], motion[1, :, count:] = np.eye(count), np.eye(count)
+    sections = PillarSections(x, np.ones(count), np.ones(count), motion)
+    fields = np.concatenate([0.6 * shapes, 0.8 * shapes]) * np.exp(0.7j)
+    assert sections.bending_nodes(fields).tolist() == [0, 1, 2]
+
+
 def test_an_empty_plate_has_plate_waves_only():
     plate = BlochModel.of(reference_cell().without_pillar(), Resolution(3, 0), 5)
     names = characters(plate.fine.superelement, plate.solve(np.array([1.2, 0.0])).fields)
@@ -520,4 +568,4 @@ def test_estimates_bound_the_error_of_one_drawn_design():
 @pytest.mark.nightly
 @pytest.mark.parametrize("number", range(6))
 def test_estimates_bound_the_error_of_drawn_designs(number):
-    assert_estimates_hold(list(designs())[number], Resolution(6, 3, 3))
+    assert_estimates_hold(list(designs())[number], Resolution(6, 2, 3))

@@ -79,7 +79,7 @@ def exact_modes(solver, mass, inertia, steps):
             ),
         ),
         2,
-        3,
+        pytest.param(3, marks=pytest.mark.nightly),
     ],
 )
 @pytest.mark.parametrize("material", [ALUMINIUM, PLY], ids=lambda material: material.name)

@@ -370,6 +370,13 @@ class TestZone:
         titles = [axes.get_title() for axes in drawn["iso"].axes if axes.get_title()]
         assert titles == ["band 1", "band 6"]
 
+    def test_the_contours_are_those_of_the_band(self, drawn):
+        for contours, band in zip(artists(drawn["iso"], "frequency"), (1, 6), strict=True):
+            values = reference_bands()["zone_frequency"].sel(band=band).values / 1e3
+            step = np.diff(contours.levels).max()
+            assert 0 <= values.min() - contours.levels[0] <= step
+            assert 0 <= contours.levels[-1] - values.max() <= step
+
     def test_bands_can_be_chosen(self):
         figure = plots.iso_frequency(reference_bands(), (3,))
         assert [axes.get_title() for axes in figure.axes if axes.get_title()] == ["band 3"]

@@ -33,7 +33,11 @@ def test_reference_study_holds_the_prototype(reference_path):
     solid = cell.material
     assert (solid.youngs_modulus, solid.poisson_ratio, solid.density) == (70e9, 0.33, 2700.0)
     assert solid.loss_factor == 1e-3
-    assert (study.bands_section.count, study.bands_section.points, study.bands_section.accuracy) == (10, 66, 2e-3)
+    assert (study.bands_section.count, study.bands_section.points, study.bands_section.accuracy) == (
+        10,
+        66,
+        2e-3,
+    )
     first, second = study.sweep
     assert (first.start, first.stop, first.steps) == (0.2, 0.8, 25)
     assert (second.start, second.stop, second.steps) == (1.0, 3.0, 25)
@@ -57,7 +61,11 @@ def test_short_study_has_the_documented_defaults():
     assert study.carrier is None
     assert study.unit_cell().pillar is None
     assert study.unit_cell().material == material("steel")
-    assert (study.bands_section.count, study.bands_section.points, study.bands_section.accuracy) == (10, 66, 2e-3)
+    assert (study.bands_section.count, study.bands_section.points, study.bands_section.accuracy) == (
+        10,
+        66,
+        2e-3,
+    )
     assert (study.mesh.order, study.mesh.foot_rings) == (None, None)
     assert study.sweep == ()
 

@@ -105,7 +105,7 @@ def _draw_gaps(axes: Axes, dataset: xr.Dataset, value: Array, width: float) -> l
 def _draw_limit(axes: Axes, value: Array, searched: Array, half: float) -> list[Artist]:
     top = axes.get_ylim()[1]
     computed = np.isfinite(searched)
-    look: dict[str, Any] = {"facecolor": style.BEYOND, "edgecolor": "none"}
+    look: dict[str, Any] = {"facecolor": style.BEYOND, "edgecolor": style.BEYOND, "lw": 0.4}
     if computed.any():
         axes.bar(
             value[computed],

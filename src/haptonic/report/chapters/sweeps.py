@@ -94,13 +94,13 @@ def _findings(sweep: xr.Dataset) -> list[str]:
         share_off = off / trend.upper.mean()
         shape = "is a straight line to within" if share_off < STRAIGHT else "leaves a straight line by up to"
         why = (
-            "but the line does not go through the origin, so the exponent below is not equation (3)'s"
+            "the line does not go through the origin, so the exponent below is not equation (3)'s"
             if share_off < STRAIGHT
             else "equation (3) holds for slender pillars only"
         )
         said.append(
-            f"Against equation (3)'s {resonance} the upper edge of the study's gap {shape} {off / 1e3:.1g} kHz "
-            f"({share_off:.1%} of the edge) over {len(trend.value)} designs; {why}."
+            f"Against equation (3)'s {resonance} the upper edge of the study's gap {shape} "
+            f"{max(off / 1e3, 0.1):.1f} kHz ({share_off:.1%} of the edge) over {len(trend.value)} designs; {why}."
         )
     return said
 
