@@ -14,8 +14,9 @@ from haptonic.bloch.tracking import Diagram
 Array = NDArray[np.float64]
 Ints = NDArray[np.int64]
 
-COARSE_DIVISIONS = 8  # of the irreducible zone's sides in the first sampling
-STEEPER = 1.25  # by how much a slope inside a triangle may exceed those at its corners
+COARSE_DIVISIONS = 12  # of the irreducible zone's sides in the first sampling
+DOUBT = 0.5  # share by which a band may rise more, or fall less, than its slope at a corner says
+INSIDE = np.array([(i, j, 6 - i - j) for i in range(7) for j in range(7 - i)]) / 6.0  # of a triangle
 SEARCH_GOAL = 1e-4  # relative; the search for an edge stops when it can move by no more than this
 MOST_SAMPLES = 600  # wavevectors; when they are used up the remaining doubt goes into the error
 
@@ -85,15 +86,16 @@ class ZoneSampling:
         values, modes = eigenpairs(self.model.fine.pencil, kappa, self.model.count)
         self.kappa.append(kappa)
         self.frequency.append(np.sqrt(np.maximum(values, 0.0)) / (2 * np.pi))
-        gradient = self.model.gradient(kappa, modes)
-        self.slope.append(np.linalg.norm(np.nan_to_num(gradient), axis=1))
+        self.slope.append(np.nan_to_num(self.model.gradient(kappa, modes)))
         return len(self.kappa) - 1
 
     def edge(self, band: int, sign: int) -> tuple[float, Array, float]:
         """Highest (sign = +1) or lowest (-1) frequency of a band over the zone.
 
-        A triangle may hold a value beyond its corners by at most slope times distance to the nearest
-        corner; those that could beat the best value found are halved until none can by more than the goal.
+        Inside a triangle a band stays below the lowest of the planes that touch it at the corners, if those
+        rise a little more than the band does; that also holds where it is the lower of two bands that
+        cross. Triangles that could beat the best value found are halved until none can by more than the
+        goal.
 
         Returns
         -------
@@ -101,17 +103,19 @@ class ZoneSampling:
         """
         while True:
             value = sign * np.array([f[band] for f in self.frequency])
-            slope = np.array([s[band] for s in self.slope])
+            slope = sign * np.array([s[band] for s in self.slope])
             corners = np.array(self.kappa)[self.triangles]
-            sides = np.linalg.norm(np.roll(corners, -1, axis=1) - corners, axis=2)
-            reach = 0.5 * sides.max(axis=1)
-            steepest = STEEPER * slope[self.triangles].max(axis=1)
-            ceiling = value[self.triangles].max(axis=1) + steepest * reach
+            at_corners = value[self.triangles]
+            away = np.einsum("sv,tvk->tsk", INSIDE, corners)[:, :, None] - corners[:, None]
+            change = np.einsum("tsvk,tvk->tsv", away, slope[self.triangles])
+            planes = at_corners[:, None] + change + DOUBT * np.abs(change)
+            ceiling = np.maximum(at_corners.max(axis=1), planes.min(axis=2).max(axis=1))
             best = int(value.argmax())
-            doubt = max(float(ceiling.max() - value[best]), 0.0)
+            doubt = float(ceiling.max() - value[best])
             goal = SEARCH_GOAL * abs(value[best])
             if doubt <= goal or len(self.kappa) >= MOST_SAMPLES:
                 return float(sign * value[best]), self.kappa[best], doubt
+            sides = np.linalg.norm(np.roll(corners, -1, axis=1) - corners, axis=2)
             self._halve(np.flatnonzero(ceiling > value[best] + goal), sides)
 
     def _halve(self, chosen: Ints, sides: Array) -> None:
@@ -138,8 +142,8 @@ def complete_gaps(model: BlochModel) -> tuple[Gap, ...]:
             continue  # finer sampling can only bring the bands closer
         lower, lower_kappa, lower_doubt = zone.edge(band, +1)
         upper, upper_kappa, upper_doubt = zone.edge(band + 1, -1)
-        if lower >= upper:
-            continue
+        if upper - lower <= lower_doubt + upper_doubt:
+            continue  # bands that touch somewhere between the samples look like this
         gaps.append(
             Gap(
                 between=(band + 1, band + 2),
