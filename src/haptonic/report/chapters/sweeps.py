@@ -98,9 +98,10 @@ def _findings(sweep: xr.Dataset) -> list[str]:
             if share_off < STRAIGHT
             else "equation (3) holds for slender pillars only"
         )
+        apart = f"{max(off / 1e3, 0.1):.1f} kHz ({share_off:.1%} of the edge)"
         said.append(
-            f"Against equation (3)'s {resonance} the upper edge of the study's gap {shape} "
-            f"{max(off / 1e3, 0.1):.1f} kHz ({share_off:.1%} of the edge) over {len(trend.value)} designs; {why}."
+            f"Against equation (3)'s {resonance} the upper edge of the study's gap {shape} {apart} over "
+            f"{len(trend.value)} designs; {why}."
         )
     return said
 
