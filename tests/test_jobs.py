@@ -22,6 +22,7 @@ from haptonic import jobs
 from haptonic.errors import HaptonicError, ResourceError, StudyError
 from haptonic.jobs import Outcome, Task, run_all
 from haptonic.store import Store
+from interrupts import hear_interrupts
 
 if TYPE_CHECKING:
     from distributed import LocalCluster
@@ -317,6 +318,7 @@ class TestInterrupted:
             stderr=subprocess.PIPE,
             text=True,
             start_new_session=True,
+            preexec_fn=hear_interrupts,
         )
         assert child.stdout is not None
         for line in child.stdout:

@@ -14,6 +14,8 @@ import numpy as np
 import pytest
 import xarray as xr
 
+from interrupts import hear_interrupts
+
 PARTS = ("argument", "given", "allowed", "likely cause", "next step")
 
 
@@ -171,6 +173,7 @@ def test_ctrl_c_keeps_what_was_done(study, tmp_path):
         stderr=subprocess.PIPE,
         text=True,
         env=environment,
+        preexec_fn=hear_interrupts,
     )
     deadline = time.monotonic() + 120
     while len(list(store.rglob("*.nc"))) < 2 and time.monotonic() < deadline:
