@@ -13,18 +13,9 @@ from numpy.typing import NDArray
 
 from haptonic.cell import HexMesh
 from haptonic.cell.quadrature import lobatto
-from haptonic.materials import Material
+from haptonic.materials import Material, elasticity_tensor
 
 Array = NDArray[np.float64]
-
-VOIGT = ((0, 5, 4), (5, 1, 3), (4, 3, 2))  # Voigt number of the pair (i, j); order 11 22 33 23 13 12
-
-
-def elasticity_tensor(stiffness: Array) -> Array:
-    """(3, 3, 3, 3) tensor c_ikjl from the (6, 6) Voigt matrix, Pa."""
-    voigt = np.array(VOIGT)
-    return np.asarray(stiffness[voigt[:, :, None, None], voigt[None, None, :, :]])
-
 
 @dataclass(frozen=True)
 class ElementMatrices:

@@ -101,6 +101,15 @@ class Lattice:
         """Area of the cell, m^2."""
         return float(abs(np.linalg.det(self.vectors)))
 
+    def operations(self) -> list[Array]:
+        """The point group as orthogonal maps (3, 3) of space that keep the plate's normal."""
+        maps = []
+        for op in self.point_group:
+            space = np.eye(3)
+            space[:2, :2] = self.vectors.T @ np.array(op) @ np.linalg.inv(self.vectors.T)
+            maps.append(space)
+        return maps
+
     def wavevector(self, kappa: Array) -> Array:
         """(..., 2) wavevectors in rad/m from (..., 2) phases: k . a_j = kappa_j."""
         return np.asarray(kappa) @ np.linalg.inv(self.vectors).T

@@ -84,10 +84,14 @@ class PardisoSolver:
     def factorise(self, data: Array, *, definite: bool = True) -> int:
         self._type = 2 if definite else -2
         self._data = np.ascontiguousarray(data, dtype=np.float64)
+        if definite and not (self._data[self._rows[:-1]] > 0).all():  # pivots that it would not look at
+            raise np.linalg.LinAlgError("the matrix is not definite: its diagonal is not positive")
         if self._type not in self._handles:
             self._handles[self._type] = np.zeros(64, dtype=np.int64)
             self._call(11)
         self._call(22)
+        if not definite and self._settings[13]:
+            raise np.linalg.LinAlgError("the matrix is singular: pivots had to be perturbed")
         return 0 if definite else int(self._settings[22])
 
     def solve(self, right: Array) -> Array:
@@ -149,7 +153,7 @@ class CholmodSolver:
         matrix = sp.csc_array(self._pattern.matrix(data))
         try:
             if self._factor is None:
-                self._factor = cholmod.analyze(matrix)
+                self._factor = cholmod.analyze(matrix, mode="supernodal")
             self._factor.cholesky_inplace(matrix)
         except cholmod.CholmodNotPositiveDefiniteError:
             raise np.linalg.LinAlgError("the matrix is not definite") from None

@@ -8,8 +8,8 @@ from hypothesis import strategies as st
 from strategies import cells, plans, reference_cell
 
 from haptonic.cell import MeshPlan, mesh_cell
-from haptonic.elements import elasticity_tensor, element_matrices
-from haptonic.materials import IsotropicMaterial, OrthotropicMaterial
+from haptonic.elements import element_matrices
+from haptonic.materials import IsotropicMaterial, OrthotropicMaterial, elasticity_tensor
 
 # nine constants that differ, so that no two entries can be swapped unseen
 WOOD = OrthotropicMaterial(

@@ -71,7 +71,6 @@ def test_body_reaches_exactly_to_its_faces(data):
     assert plate[:, 2].max() == pytest.approx(cell.thickness)
 
 
-@pytest.mark.xfail(reason="one pillar layer ends at the foot layer's height", strict=True)
 def test_a_plan_with_one_layer_along_the_pillar_reaches_its_top():
     cell = reference_cell()
     mesh = mesh_cell(cell, MeshPlan(order=2, foot_rings=0, pillar_layers=1))

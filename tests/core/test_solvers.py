@@ -124,14 +124,7 @@ def test_an_indefinite_matrix_is_refused_where_a_definite_one_is_expected(name, 
         analysed(name, pattern).factorise(data)
 
 
-def silent_in_pardiso(reason: str):
-    """The solvers as parameters, with a known fault of Pardiso's marked."""
-    pardiso = [*installed("pardiso").marks, pytest.mark.xfail(reason=reason, strict=True)]
-    others = [installed(name) for name in SOLVERS if name != "pardiso"]
-    return pytest.mark.parametrize("name", [pytest.param("pardiso", marks=pardiso), *others])
-
-
-@silent_in_pardiso("a negative pivot that no other row touches ends in NaN, not in an error")
+@every_solver
 def test_a_negative_entry_that_stands_alone_is_refused(name):
     pattern, data = pattern_of(np.diag([2.0, -3.0, 4.0]))
     solver = analysed(name, pattern)
@@ -148,7 +141,7 @@ def test_a_singular_matrix_is_refused(name):
         analysed(name, pattern).factorise(data)
 
 
-@silent_in_pardiso("a zero pivot is perturbed without a word")
+@every_solver
 def test_a_singular_matrix_is_refused_when_counting(name):
     matrix = definite(12, 8)
     matrix[5], matrix[:, 5] = 0.0, 0.0

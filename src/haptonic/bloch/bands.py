@@ -193,7 +193,7 @@ def mode_shapes(model: BlochModel, kappa: Array) -> xr.Dataset:
         "mode_name": ("1", "character, a position in character_names"),
         "mode_kappa": ("rad", "phases k . a1 and k . a2"),
         "mode_real": ("1", "displacement in phase, largest component 1"),
-        "mode_imag": ("1", "displacement a quarter period ahead"),
+        "mode_imag": ("1", "displacement a quarter period earlier"),
     })  # fmt: skip
     return dataset
 

@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 
 from haptonic.errors import GeometryError
 from haptonic.lattice import Lattice
-from haptonic.materials import Material
+from haptonic.materials import Material, is_symmetry
 
 
 @dataclass(frozen=True)
@@ -28,7 +28,8 @@ class UnitCell:
 
     Raises
     ------
-    GeometryError : sizes that are not positive, or a pillar that does not fit into the period
+    GeometryError : sizes that are not positive, a pillar that does not fit into the period, or a material
+        with less symmetry than the lattice
     """
 
     lattice: Lattice
@@ -37,6 +38,14 @@ class UnitCell:
     pillar: Pillar | None = None
 
     def __post_init__(self) -> None:
+        if not all(is_symmetry(self.material.stiffness, op) for op in self.lattice.operations()):
+            raise GeometryError(
+                argument="cell.lattice",
+                given=f"{self.lattice.name}, of {self.material.name}",
+                allowed="a lattice whose turns and mirrors leave the material as it is",
+                cause="the material is stiffer along one axis than along the other",
+                next_step='write lattice = "rectangular" with pitch_y = pitch: it does without the diagonal',
+            )
         sizes = {"cell.thickness": self.thickness}
         if self.pillar is not None:
             sizes |= {

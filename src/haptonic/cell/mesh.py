@@ -292,7 +292,7 @@ def _heights(cell: UnitCell, plan: MeshPlan) -> Array:
         breaks += [top + w for w in reversed(reach)]
         end = top + cell.pillar.height
         first = top + min(FOOT_LAYER * cell.pillar.diameter, cell.pillar.height / plan.pillar_layers)
-        breaks += list(np.linspace(first, end, plan.pillar_layers))
+        breaks += [*np.linspace(first, end, plan.pillar_layers)[:-1], end]
     share = 0.5 * (1 + lobatto(plan.order)[0])
     levels = [np.array(breaks[:1])]
     levels += [a + share[1:] * (b - a) for a, b in pairwise(breaks)]

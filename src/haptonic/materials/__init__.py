@@ -1,5 +1,6 @@
 """Materials: elastic constants, density and loss, each with its source and what is known of its spread."""
 
+from haptonic.materials.common import elasticity_tensor, is_symmetry
 from haptonic.materials.isotropic import INCOMPRESSIBLE, POISSON_BOUNDS, IsotropicMaterial
 from haptonic.materials.library import Material, library, material
 from haptonic.materials.orthotropic import OrthotropicMaterial
@@ -12,6 +13,8 @@ __all__ = [
     "Material",
     "OrthotropicMaterial",
     "PiezoelectricMaterial",
+    "elasticity_tensor",
+    "is_symmetry",
     "library",
     "material",
 ]

@@ -14,6 +14,7 @@ from haptonic.units import format_quantity, shown
 Array = NDArray[np.float64]
 Rows = tuple[tuple[float, ...], ...]
 
+VOIGT = ((0, 5, 4), (5, 1, 3), (4, 3, 2))  # Voigt number of the pair (i, j); order 11 22 33 23 13 12
 SYMMETRY_TOLERANCE = 1e-9  # relative to the largest entry of a matrix
 
 
@@ -48,6 +49,19 @@ class Spread(Mapping[str, float]):
 
     def __reduce__(self) -> tuple[type[Spread], tuple[tuple[tuple[str, float], ...]]]:
         return Spread, (self._pairs,)
+
+
+def elasticity_tensor(stiffness: Array) -> Array:
+    """(3, 3, 3, 3) tensor c_ikjl from the (6, 6) Voigt matrix, Pa."""
+    voigt = np.array(VOIGT)
+    return np.asarray(stiffness[voigt[:, :, None, None], voigt[None, None, :, :]])
+
+
+def is_symmetry(stiffness: Array, operation: Array) -> bool:
+    """Whether an orthogonal map (3, 3) of space leaves a stiffness (6, 6) as it is."""
+    tensor = elasticity_tensor(stiffness)
+    image = np.einsum("ai,bj,ck,dl,ijkl->abcd", *[operation] * 4, tensor, optimize=True)
+    return bool(np.abs(image - tensor).max() <= SYMMETRY_TOLERANCE * np.abs(tensor).max())
 
 
 def require_name(name: object) -> None:

@@ -177,8 +177,7 @@ def _condense_class(
         "mass": _Form(folded.trace_mass + static.T @ inertia, to_modes, np.eye(len(values))),
     }
     # inertia of the static answers that the modes do not carry, answered by the inverse stiffness
-    crossed = dynamic.T @ (mass * modes) @ to_modes.T
-    omission = inertia.T @ dynamic - crossed - crossed.T + (to_modes / values) @ to_modes.T
+    omission = inertia.T @ dynamic - (to_modes / values) @ to_modes.T
     part = Part(folded.trace, shared.through, static, modes)
     momenta = momentum_forms(shared.mesh, shared.folding, q, shared.nodal_mass)
     if measured:

@@ -21,7 +21,10 @@ Result = TypeVar("Result")
 def threads() -> int:
     """Threads to use: ``OMP_NUM_THREADS`` if it is set, else the cores that this process may run on."""
     wanted = os.environ.get("OMP_NUM_THREADS", "")
-    return max(1, int(wanted)) if wanted.isdigit() else len(os.sched_getaffinity(0))
+    if wanted.isdigit():
+        return max(1, int(wanted))
+    # not every system can tell which cores a process may use
+    return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
 
 
 def for_each_class(shared: FoldedMesh, work: Callable[[int, Solver], Result]) -> list[Result]:

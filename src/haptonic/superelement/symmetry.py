@@ -85,10 +85,10 @@ def fold(topology: Topology, mirrors: tuple[Operation, ...]) -> Folding:
         fixed = table[m] == nodes  # on a mirror a component must equal its own image, or vanish
         sign[:, fixed] *= (factor[:, m] == 1)[:, None, :]
 
-    # an element is known by its smallest and largest node: no two share both
+    # an element is known by the set of its nodes
     of_element = topology.elements.reshape(len(topology.elements), -1)
-    keys = np.stack([np.sort(image[of_element], axis=1)[:, [0, -1]] for image in table])
-    codes = (keys[..., 0] * len(nodes) + keys[..., 1]).min(axis=0)
+    keys = np.concatenate([np.sort(image[of_element], axis=1) for image in table])
+    codes = np.unique(keys, axis=0, return_inverse=True)[1].reshape(len(table), -1).min(axis=0)
     _, chosen, weight = np.unique(codes, return_index=True, return_counts=True)
     return Folding(
         node=number[representative],
