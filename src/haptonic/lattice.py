@@ -21,6 +21,7 @@ Operation = tuple[tuple[int, int], tuple[int, int]]
 IDENTITY: Operation = ((1, 0), (0, 1))
 MIRROR_X: Operation = ((-1, 0), (0, 1))
 MIRROR_Y: Operation = ((1, 0), (0, -1))
+HALF_TURN: Operation = ((-1, 0), (0, -1))
 DIAGONAL: Operation = ((0, 1), (1, 0))
 
 
@@ -74,7 +75,7 @@ class Lattice:
     @classmethod
     def square(cls, pitch: float) -> Lattice:
         """Square lattice of period ``pitch`` (m)."""
-        mirrors = (IDENTITY, MIRROR_X, MIRROR_Y, ((-1, 0), (0, -1)))
+        mirrors = (IDENTITY, MIRROR_X, MIRROR_Y, HALF_TURN)
         turned = (DIAGONAL, ((0, -1), (1, 0)), ((0, 1), (-1, 0)), ((0, -1), (-1, 0)))
         zone = (("Γ", (0.0, 0.0)), ("X", (1.0, 0.0)), ("M", (1.0, 1.0)))
         return cls("square", (pitch, 0.0), (0.0, pitch), mirrors + turned, zone)
@@ -83,7 +84,7 @@ class Lattice:
     def rectangular(cls, pitch: float, pitch_y: float) -> Lattice:
         """Rectangular lattice of periods ``pitch`` along x and ``pitch_y`` along y (m)."""
         zone = (("Γ", (0.0, 0.0)), ("X", (1.0, 0.0)), ("S", (1.0, 1.0)), ("Y", (0.0, 1.0)))
-        mirrors = (IDENTITY, MIRROR_X, MIRROR_Y, ((-1, 0), (0, -1)))
+        mirrors = (IDENTITY, MIRROR_X, MIRROR_Y, HALF_TURN)
         return cls("rectangular", (pitch, 0.0), (0.0, pitch_y), mirrors, zone)
 
     @cached_property

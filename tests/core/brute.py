@@ -10,18 +10,18 @@ from haptonic.elements import element_matrices
 
 def assembled(mesh: HexMesh, material):
     """Stiffness (3 nodes, 3 nodes), sparse, and the diagonal (3 nodes,) of the mass."""
-    every = mesh.topology.elements.reshape(len(mesh.topology.elements), -1)
     K, mass = sp.csr_array((mesh.unknowns,) * 2), np.zeros(mesh.unknowns)
-    for start in range(0, len(every), 64):  # a fine mesh would need too much memory at once
-        chosen = np.arange(start, min(start + 64, len(every)))
-        matrices = element_matrices(mesh, material, chosen)
-        unknown = (3 * every[chosen][..., None] + np.arange(3)).reshape(len(chosen), -1)
-        count = unknown.shape[1]
-        values = matrices.stiffness.swapaxes(2, 3).reshape(len(chosen), count, count)
-        rows = np.broadcast_to(unknown[:, :, None], values.shape)
-        columns = np.broadcast_to(unknown[:, None, :], values.shape)
-        K = K + sp.coo_array((values.ravel(), (rows.ravel(), columns.ravel())), shape=K.shape).tocsr()
-        mass += np.bincount(unknown.ravel(), np.repeat(matrices.mass, 3, axis=1).ravel(), mesh.unknowns)
+    for family in mesh.topology.families:
+        for start in range(0, len(family), 64):  # a fine mesh would need too much memory at once
+            nodes = family.nodes[start : start + 64]
+            matrices = element_matrices(mesh.points, nodes, material)
+            unknown = (3 * nodes.reshape(len(nodes), -1)[..., None] + np.arange(3)).reshape(len(nodes), -1)
+            count = unknown.shape[1]
+            values = matrices.stiffness.swapaxes(2, 3).reshape(len(nodes), count, count)
+            rows = np.broadcast_to(unknown[:, :, None], values.shape)
+            columns = np.broadcast_to(unknown[:, None, :], values.shape)
+            K = K + sp.coo_array((values.ravel(), (rows.ravel(), columns.ravel())), shape=K.shape).tocsr()
+            mass += np.bincount(unknown.ravel(), np.repeat(matrices.mass, 3, axis=1).ravel(), mesh.unknowns)
     return K, mass
 
 

@@ -32,7 +32,7 @@ def cells(draw: st.DrawFn) -> UnitCell:
     diameter = short * draw(st.floats(0.1, 0.95) | st.sampled_from([0.1, 0.95]))
     height = short * draw(st.floats(0.2, 4.0) | st.sampled_from([0.2, 4.0]))
     thickness = short * draw(st.floats(0.05, 1.0) | st.sampled_from([0.05, 1.0]))
-    clear = 0.5 * (short - diameter) >= 0.01 * lattice.pitch
+    clear = 0.5 * (short - diameter) > 0.0101 * lattice.pitch
     pillar = Pillar(diameter, height) if clear else Pillar(0.5 * short, height)
     return UnitCell(lattice, thickness, ALUMINIUM, pillar)
 

@@ -18,7 +18,7 @@ from haptonic.bloch.bands import count_check
 from haptonic.bloch.character import NAMES, characters
 from haptonic.bloch.gaps import complete_gaps
 from haptonic.bloch.pencil import eigenpairs
-from haptonic.bloch.symmetry import TraceMirror, clusters, mirrors_at, sorted_by_parity
+from haptonic.bloch.symmetry import clusters, mirrors_at, sorted_by_parity
 from haptonic.bloch.tracking import group_velocity
 from haptonic.bloch.zone import zone_surface
 from haptonic.cell import MeshPlan, Pillar, UnitCell, mesh_cell
@@ -367,7 +367,7 @@ def path_points():
     for start, stop in pairwise(path.corners):
         middle = 0.5 * (path.kappa[start] + path.kappa[stop])
         (operation,) = mirrors_at(reference_cell().lattice, middle).values()
-        mirror = TraceMirror.of(model().fine.superelement, operation)
+        mirror = model().fine.superelement.mirror(operation)
         for kappa in path.kappa[start : stop + 1]:
             yield mirror, model().solve(kappa, spare=3)  # no pair is cut by the last band then
 

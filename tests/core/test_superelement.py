@@ -14,6 +14,7 @@ from strategies import ALUMINIUM, reference_cell
 
 from haptonic.bloch.pencil import Periodic, bloch_pencil, eigenpairs
 from haptonic.cell import MeshPlan, Pillar, UnitCell, mesh_cell
+from haptonic.cell.mesh import Elements
 from haptonic.cell.quadrature import interpolation, lobatto
 from haptonic.errors import GeometryError
 from haptonic.lattice import IDENTITY, MIRROR_X, MIRROR_Y, Lattice
@@ -146,7 +147,7 @@ def test_rigid_motions_are_carried_by_the_trace_and_weigh_what_the_cell_does(cel
     weight = cell.lattice.area * cell.thickness + np.pi * cell.pillar.radius**2 * cell.pillar.height
     weight *= cell.material.density
     mass = fields.T @ superelement.mass @ fields
-    assert mass[:3, :3] == pytest.approx(weight * np.eye(3), rel=1e-6, abs=1e-9 * weight)
+    assert mass[:3, :3] == pytest.approx(weight * np.eye(3), rel=3e-6, abs=1e-9 * weight)
     lifted = superelement.lifted(fields)
     assert lifted[..., 3:] == pytest.approx(
         np.stack([np.cross(axis, points) for axis in np.eye(3)], axis=-1), abs=1e-9 * cell.lattice.pitch
@@ -156,7 +157,7 @@ def test_rigid_motions_are_carried_by_the_trace_and_weigh_what_the_cell_does(cel
 CASES = {
     "square": (reference_cell(), MeshPlan(2, 1, 3)),
     "rectangular": (RECTANGULAR, MeshPlan(2, 1, 2)),
-    "without mirrors": (WHOLE, MeshPlan(2, 0, 2)),
+    "without mirrors": (WHOLE, MeshPlan(2, 0, 2, blocks=2)),
     "plain": (reference_cell().without_pillar(), MeshPlan(3, 0, 0)),
 }
 
@@ -244,8 +245,9 @@ def test_measures_are_energies_of_the_lifted_field(cell):
     above = z > cell.thickness * (1 + 1e-9)
     assert energy(measures.pillar_mass) == pytest.approx(mass[above].sum(axis=(0, 1)))
 
-    held = replace(mesh.topology, elements=mesh.topology.elements[mesh.topology.in_pillar])
-    K, _ = assembled(replace(mesh, topology=held), cell.material)
+    families = mesh.topology.families
+    pillar = tuple(Elements(f.nodes[f.in_pillar], f.in_pillar[f.in_pillar]) for f in families)
+    K, _ = assembled(replace(mesh, topology=replace(mesh.topology, families=pillar)), cell.material)
     flat = displacement.reshape(-1, 3)
     strain = np.einsum("ik,ik->k", flat.conj(), K @ flat).real
     assert energy(measures.pillar_stiffness) == pytest.approx(strain)

@@ -10,75 +10,98 @@ import numpy as np
 import scipy.linalg as la
 from numpy.typing import NDArray
 
-from haptonic.bloch.pencil import Pencil, Periodic, bloch_pencil, eigenpairs
+from haptonic.bloch.centred import CentredPencil, RealPencil
+from haptonic.bloch.pencil import Fields, Periodic, eigenpairs
 from haptonic.bloch.resolution import LADDER, Resolution, check_memory, starting_rung
 from haptonic.cell import MeshPlan, UnitCell
 from haptonic.errors import ResourceError
+from haptonic.lattice import Lattice
 from haptonic.superelement import Superelement, condense
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 
-TRAINING_DIVISIONS = (2, 3, 4, 6)  # of the zone's sides, for the wavevectors that span the small basis
+TRAINING_DIVISIONS = (2, 4, 8)  # of the zone's sides, for the wavevectors that span the small basis
 SPARE_MODES = 3  # modes beyond those asked for that go into the small basis
-LOST_DIRECTION = 1e-13  # smallest share of the snapshots' inertia that still makes a basis vector
-PROJECTION_GOAL = 3e-5  # relative error of a frequency that the small basis may add where it is checked
-UNSEEN = 3.0  # by how much that error may be larger at wavevectors that were not checked
+LOST_DIRECTION = 1e-10  # smallest share of the snapshots' inertia that still makes a basis vector
 ERROR_DIVISIONS = 3  # of the zone's sides, for the wavevectors at which a model's errors are judged
 REST = 1e-4  # share of the highest frequency below which a mode counts as a rigid-body motion
 
 
 @dataclass(frozen=True)
 class ReducedCell:
-    """A condensed cell in a small basis that serves the whole zone.
+    """A condensed cell in a small basis that serves the whole irreducible zone, long waves included.
 
-    superelement : the condensed cell; periodic : its free unknowns
+    superelement : the condensed cell; periodic : its free unknowns; centred : its real pencil
     pencil : on the small basis; basis : (free unknowns, r)
-    omission : pencil of the superelement's omission, as a mass
-    projection_error : relative error of a frequency that the basis may add, from wavevectors that did not
-        go into it
+    projection_error : relative error of a frequency that the basis may add, seen at wavevectors that had
+        not gone into it then
+    rounding : (rad/s)^2, by how much rounding moves the eigenvalues of rest modes
     """
 
     superelement: Superelement
     periodic: Periodic
-    pencil: Pencil
+    centred: CentredPencil
+    pencil: RealPencil
     basis: Array
     projection_error: float
+    rounding: float
 
     @classmethod
-    def of(cls, cell: UnitCell, plan: MeshPlan, steps: int, count: int, *, measured: bool) -> ReducedCell:
+    def of(
+        cls, cell: UnitCell, plan: MeshPlan, steps: int, count: int, goal: float, *, measured: bool
+    ) -> ReducedCell:
+        """Condense a cell and enrich a basis until it adds less than ``goal`` (relative) to frequencies."""
         superelement = condense(cell, plan, steps, measured=measured)
-        full = bloch_pencil(superelement)
-        corners, triangles = cell.lattice.zone_triangles(2)
-        checks = corners[triangles].mean(axis=1)
-        exact = [eigenpairs(full, kappa, count)[0] for kappa in checks]
-        for divisions in TRAINING_DIVISIONS:
-            training, _ = cell.lattice.zone_triangles(divisions)
-            fields = [eigenpairs(full, kappa, count + SPARE_MODES)[1] for kappa in training]
-            basis = _common_basis(full, fields)
-            small = full.projected(basis)
-            error = max(
-                float(np.max(eigenpairs(small, kappa, count)[0] / values)) / 2 - 0.5
-                for kappa, values in zip(checks, exact, strict=True)
+        full = CentredPencil.of(superelement)
+        _, mass = full.at(np.zeros(2))
+        rest = _orthonormal(full.near_rest(), mass)
+        snapshots: list[Array] = []
+        error, small, basis = np.inf, None, rest
+        for wavevectors in _training(cell.lattice):
+            values, modes = zip(
+                *(eigenpairs(full, kappa, count + SPARE_MODES) for kappa in wavevectors), strict=True
             )
-            if error < PROJECTION_GOAL:
+            if small is not None:
+                found = [eigenpairs(small, kappa, count)[0] for kappa in wavevectors]
+                error = max(
+                    float((np.sqrt(above / exact[:count]) - 1).max())
+                    for above, exact in zip(found, values, strict=True)
+                )
+            snapshots += modes
+            new = np.hstack(snapshots)
+            for _ in range(2):  # one pass of Gram and Schmidt is not enough
+                new = new - rest @ (rest.T @ (mass @ new))
+            basis = np.hstack([rest, _orthonormal(new, mass)])
+            small = full.projected(basis)
+            if error < goal:
                 break
-        # a few checks cannot vouch for less than what was aimed at
-        claimed = max(UNSEEN * error, PROJECTION_GOAL)
-        return cls(superelement, Periodic.of(superelement), small, basis, projection_error=claimed)
+        assert small is not None
+        rounding = float(np.abs(eigenpairs(small, np.zeros(2), 3)[0]).max())
+        return cls(superelement, Periodic.of(superelement), full, small, basis, error, rounding)
 
-    def expanded(self, modes: Complex, kappa: Array) -> Complex:
+    def expanded(self, modes: Fields, kappa: Array) -> Complex:
         """(t + m, k) unknowns of the superelement from (r, k) modes of the small pencil."""
-        return self.periodic.expanded(self.basis @ modes, kappa)
+        return self.periodic.expanded(self.centred.free(self.basis @ modes, kappa), kappa)
 
 
-def _common_basis(pencil: Pencil, fields: list[Complex]) -> Array:
-    """(n, r) real basis of unit modal mass (at zero phase) that spans all the complex fields."""
-    snapshots = np.hstack([part for field in fields for part in (field.real, field.imag)])
-    mass = pencil.mass[0]
-    inertia, turn = la.eigh(snapshots.T @ mass @ snapshots)
-    kept = inertia > LOST_DIRECTION * inertia[-1]
-    return np.asarray(snapshots @ (turn[:, kept] / np.sqrt(inertia[kept])))
+def _training(lattice: Lattice) -> Iterator[Array]:
+    """Wavevectors of the irreducible zone in ever denser batches, each only once."""
+    seen = np.empty((0, 2))
+    for divisions in TRAINING_DIVISIONS:
+        vertices, triangles = lattice.zone_triangles(divisions)
+        for batch in (vertices, vertices[triangles].mean(axis=1)):
+            apart = np.linalg.norm(batch[:, None] - seen, axis=2).min(axis=1, initial=np.inf)
+            new = batch[apart > 1e-6]
+            seen = np.concatenate([seen, new])
+            yield new
+
+
+def _orthonormal(fields: Array, mass: Array) -> Array:
+    """(n, r) basis of unit modal mass that spans fields (n, k) of unit mass, but for what is hardly there."""
+    values, turn = la.eigh(fields.T @ mass @ fields)
+    kept = values > LOST_DIRECTION * values[-1]
+    return np.asarray(fields @ (turn[:, kept] / np.sqrt(values[kept])))
 
 
 @dataclass(frozen=True)
@@ -88,16 +111,16 @@ class Solution:
     kappa : (2,) phases, rad
     frequency, error : (k,) Hz; the error bounds the distance to the exact frequency of the model
     fields : (t + m, k) unknowns of the superelement, unit mass
-    modes : (r, k) the same in the small basis
+    modes : (r, k) the same in the small basis; real, unless degenerate ones were turned
     """
 
     kappa: Array
     frequency: Array
     error: Array
     fields: Complex
-    modes: Complex
+    modes: Fields
 
-    def turned(self, turn: Complex) -> Solution:
+    def turned(self, turn: Fields) -> Solution:
         """The same with new modes = old modes @ turn, (k, k) unitary among degenerate ones."""
         return replace(self, fields=self.fields @ turn, modes=self.modes @ turn)
 
@@ -128,16 +151,12 @@ class BlochModel:
 
     @classmethod
     def of(cls, cell: UnitCell, resolution: Resolution, count: int, *, measured: bool = True) -> BlochModel:
-        plan = resolution.plan(cell)
-        return cls(
-            cell,
-            resolution,
-            count,
-            fine=ReducedCell.of(cell, plan, resolution.steps, count, measured=measured),
-            coarse=ReducedCell.of(
-                cell, plan.with_order(plan.order - 1), resolution.steps, count, measured=False
-            ),
+        plan, goal = resolution.plan(cell), resolution.projection_goal
+        fine, coarse = (
+            ReducedCell.of(cell, each, resolution.steps, count, goal, measured=measured and each is plan)
+            for each in (plan, plan.lowered())
         )
+        return cls(cell, resolution, count, fine, coarse)
 
     def solve(self, kappa: Array, spare: int = 0) -> Solution:
         """Modes and error estimates at the phases (2,); ``spare`` more than the bands asked for."""
@@ -150,6 +169,7 @@ class BlochModel:
         omitted = 0.5 * values * _form(self.fine.superelement.omission, trace)
         error = self.resolution.remaining(self.cell) * np.abs(coarse - frequency)
         error += frequency * (np.abs(omitted) + self.fine.projection_error)
+        error += self.fine.rounding / (8 * np.pi**2 * np.maximum(frequency, REST * self.highest))
         return Solution(kappa, frequency, error, fields, modes)
 
     @cached_property
@@ -157,7 +177,7 @@ class BlochModel:
         """Frequency of the last band at rest phase, Hz: the yardstick for what is at rest."""
         return float(_hertz(eigenpairs(self.fine.pencil, np.zeros(2), self.count)[0])[-1])
 
-    def gradient(self, kappa: Array, modes: Complex) -> Array:
+    def gradient(self, kappa: Array, modes: Fields) -> Array:
         """(k, 2) exact derivatives of the frequencies with respect to the phases, Hz/rad.
 
         ``modes`` are those of the small pencil at ``kappa``, of unit mass; degenerate ones must have been
@@ -176,7 +196,7 @@ class BlochModel:
         return slopes
 
 
-def _form(matrix: Array | Complex, fields: Complex) -> Array:
+def _form(matrix: Fields, fields: Fields) -> Array:
     """(k,) values of a Hermitian form on fields (n, k)."""
     return np.asarray(np.einsum("ik,ik->k", fields.conj(), matrix @ fields).real)
 

@@ -8,6 +8,7 @@ Time: ``exp(+i omega t)``.
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Any, Protocol
 
 import numpy as np
 import scipy.linalg as la
@@ -17,6 +18,7 @@ from haptonic.superelement import Superelement
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
+Fields = NDArray[Any]  # real or complex
 Ints = NDArray[np.int64]
 
 
@@ -135,8 +137,20 @@ def bloch_pencil(superelement: Superelement) -> Pencil:
     )
 
 
-def eigenpairs(pencil: Pencil, kappa: Array, count: int) -> tuple[Array, Complex]:
-    """The ``count`` lowest eigenvalues omega^2, (rad/s)^2, and modes (n, count) of unit mass."""
+class Evaluated(Protocol):
+    """Anything that gives Hermitian, or real symmetric, stiffness and mass at a wavevector."""
+
+    @property
+    def size(self) -> int: ...
+
+    def at(self, kappa: Array, /) -> tuple[Fields, Fields]: ...
+
+
+def eigenpairs(pencil: Evaluated, kappa: Array, count: int) -> tuple[Array, Fields]:
+    """The ``count`` lowest eigenvalues omega^2, (rad/s)^2, and modes (n, count) of unit mass.
+
+    Modes are real where the pencil is.
+    """
     K, M = pencil.at(kappa)
     values, modes = la.eigh(K, M, subset_by_index=(0, min(count, pencil.size) - 1), check_finite=False)
     return values, modes

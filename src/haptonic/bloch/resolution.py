@@ -14,7 +14,7 @@ from haptonic.errors import ResourceError
 class Resolution:
     """How finely a cell is computed.
 
-    order : polynomial order of the elements
+    order : polynomial order of the elements; two more around the pillar, one less in thin rings and layers
     foot_rings : thin rings on either side of the pillar's foot
     steps : blocks of the interior's Krylov space
     """
@@ -25,6 +25,11 @@ class Resolution:
 
     def plan(self, cell: UnitCell) -> MeshPlan:
         return MeshPlan.suited(cell, self.order, self.foot_rings)
+
+    @property
+    def projection_goal(self) -> float:
+        """Relative error of a frequency that a small basis may add: little beside what the order leaves."""
+        return 1e-4 * 0.4 ** max(self.order - 4, 0)
 
     def remaining(self, cell: UnitCell) -> float:
         """Error of this order as a multiple of its distance to the next lower order.
@@ -45,9 +50,9 @@ class Resolution:
         It counts dense answers to the trace, the sparse factor, element matrices and the condensed ones.
         """
         plan = self.plan(cell)
-        nodes = plan.plate_levels * (plan.side**2 + 4 * plan.side * plan.order * plan.rings)
-        nodes += plan.pillar_levels * (plan.side**2 + 4 * plan.side * plan.order * plan.rings_inside)
-        trace = 3 * 4 * plan.side * (plan.order + 1)
+        nodes = plan.plate_levels * (plan.side**2 + 4 * plan.side * sum(plan.rings))
+        nodes += plan.pillar_levels * (plan.side**2 + 4 * plan.side * sum(plan.disc_rings))
+        trace = 3 * 4 * plan.side * (plan.upward + 1)
         elements = nodes / plan.order**3
         quarter = 3 * nodes / 4
         return 2e8 + 14.0 * float(

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from itertools import pairwise
 
 import numpy as np
@@ -10,40 +9,13 @@ import scipy.linalg as la
 from numpy.typing import NDArray
 
 from haptonic.lattice import Lattice, Operation
-from haptonic.superelement import Superelement
+from haptonic.superelement import TraceMirror
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 Ints = NDArray[np.int64]
 
 SAME = 1e-5  # modes closer than this share of their frequency are treated as one degenerate group
-
-
-@dataclass(frozen=True)
-class TraceMirror:
-    """A reflection acting on traces: (R b) = sign * b[source]."""
-
-    source: Ints
-    sign: Array
-
-    @classmethod
-    def of(cls, superelement: Superelement, operation: Operation) -> TraceMirror:
-        """Reflections of square and rectangular lattices permute components up to a sign."""
-        topology = superelement.mesh.topology
-        first = topology.rim[0]
-        position = {int(node): place for place, node in enumerate(first)}
-        moved = np.array([position[int(n)] for n in topology.permutation(operation)[first]])
-        came_from = np.argsort(moved)
-        matrix = np.eye(3, dtype=np.int64)
-        matrix[:2, :2] = operation
-        component = np.abs(matrix).argmax(axis=1)
-        trace = np.arange(superelement.trace_size).reshape(superelement.levels, len(first), 3)
-        sign = np.broadcast_to(matrix.sum(axis=1), trace.shape)
-        return cls(trace[:, came_from][:, :, component].ravel(), sign.ravel().astype(float))
-
-    def applied(self, trace: Complex) -> Complex:
-        """Mirror image of (t, k) traces."""
-        return np.asarray(self.sign[:, None] * trace[self.source])
 
 
 def mirrors_at(lattice: Lattice, kappa: Array) -> dict[str, Operation]:

@@ -11,14 +11,9 @@ from scipy.optimize import linear_sum_assignment
 
 from haptonic.bloch.character import Character, characters
 from haptonic.bloch.model import REST, SPARE_MODES, BlochModel, Solution
-from haptonic.bloch.symmetry import (
-    TraceMirror,
-    clusters,
-    corner_labels,
-    mirrors_at,
-    sorted_by_parity,
-)
+from haptonic.bloch.symmetry import clusters, corner_labels, mirrors_at, sorted_by_parity
 from haptonic.lattice import Path
+from haptonic.superelement import TraceMirror
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
@@ -71,7 +66,7 @@ def diagram(model: BlochModel, path: Path) -> Diagram:
     for start, stop in pairwise(path.corners):
         middle = 0.5 * (path.kappa[start] + path.kappa[stop])
         operations = list(mirrors_at(model.cell.lattice, middle).values())
-        mirror = TraceMirror.of(superelement, operations[0]) if operations else None
+        mirror = superelement.mirror(operations[0]) if operations else None
         if before is not None:  # at a corner the same modes are sorted anew, by the next mirror
             before = (before[0], np.zeros(bands, dtype=np.int64), before[2])
         for i in range(start, stop + 1):
@@ -123,7 +118,7 @@ def _turned(solution: Solution, model: BlochModel, mirror: TraceMirror | None) -
 def _labels(model: BlochModel, solution: Solution) -> list[str]:
     superelement = model.fine.superelement
     operations = mirrors_at(model.cell.lattice, solution.kappa)
-    mirrors = {name: TraceMirror.of(superelement, op) for name, op in operations.items()}
+    mirrors = {name: superelement.mirror(op) for name, op in operations.items()}
     trace = solution.fields[: superelement.trace_size]
     labels = corner_labels(trace, mirrors, clusters(solution.frequency))
     resting = solution.frequency < REST * model.highest

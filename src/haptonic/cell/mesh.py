@@ -27,6 +27,7 @@ LAYER_LENGTH = 1.4  # of an element along the pillar, in diameters
 FOOT_LAYER = 0.3  # height of the pillar's lowest layer, in diameters: stresses of the foot die out in it
 FOOT_WIDTH = 0.15  # outermost thin ring, as a share of the smallest length at the foot
 FOOT_GRADING = 0.2  # each further ring reaches to this share of the one before
+FOOT_CROWDING = 0.35  # spacing of nodes next to the foot, as a share of an even one: stress is singular there
 CORE_RADIUS = 0.55  # core square's corners, as a share of the circle around it
 CORE_BULGE = 0.45  # its edges: 0 straight, 1 arcs
 PLAIN_RADIUS = 0.6  # circle that the ring follows where there is no pillar, as a share of the inradius
@@ -36,30 +37,54 @@ PLAIN_RADIUS = 0.6  # circle that the ring follows where there is no pillar, as 
 class MeshPlan:
     """Resolution and topology of a mesh, free of any length.
 
-    order : polynomial order of the elements
+    order : polynomial order of the elements around the pillar and in the core
     foot_rings : thin rings on either side of the pillar's foot, and as many thin layers
     pillar_layers : layers of elements along the pillar above the thin ones; 0 means no pillar
     blocks : elements along each side of the cell, and along each quarter of every ring
     plate_layers : layers through the plate below the thin ones
+    outward : polynomial order across the rings; upward : along z; thin : across thin rings and thin
+        layers; 0 means as ``order``
     """
 
     order: int
     foot_rings: int
     pillar_layers: int
-    blocks: int = 2
+    blocks: int = 1
     plate_layers: int = 1
+    outward: int = 0
+    upward: int = 0
+    thin: int = 0
+
+    def __post_init__(self) -> None:
+        for name in ("outward", "upward", "thin"):
+            object.__setattr__(self, name, getattr(self, name) or self.order)
 
     @classmethod
     def suited(cls, cell: UnitCell, order: int, foot_rings: int) -> MeshPlan:
-        """Plan whose elements are not much longer than the pillar is wide."""
-        if cell.pillar is None:
-            return cls(order, 0, 0)
-        beyond = cell.pillar.height / (LAYER_LENGTH * cell.pillar.diameter)
-        return cls(order, foot_rings, 1 + max(1, round(beyond)))
+        """Plan of similar errors in all directions, its elements not much longer than the pillar is wide.
 
-    def with_order(self, order: int) -> MeshPlan:
-        """The same blocks with another order."""
-        return replace(self, order=order)
+        Around the pillar an element spans a quarter turn and gets two orders more; at the foot the thin rings
+        and layers, which crowd towards the singular edge, do with one less.
+        """
+        orders = {"outward": order, "upward": order, "thin": max(order - 1, 1)}
+        if cell.pillar is None:
+            return cls(order + 2, 0, 0, **orders)
+        beyond = cell.pillar.height / (LAYER_LENGTH * cell.pillar.diameter)
+        return cls(order + 2, foot_rings, 1 + max(1, round(beyond)), **orders)
+
+    def lowered(self) -> MeshPlan:
+        """The same blocks with orders one lower, around the pillar two.
+
+        Fields that are even along a quarter of a turn gain nothing from an odd order more: two orders show
+        what one would hide.
+        """
+        return replace(
+            self,
+            order=max(self.order - 2, 1),
+            outward=max(self.outward - 1, 1),
+            upward=max(self.upward - 1, 1),
+            thin=max(self.thin - 1, 1),
+        )
 
     @property
     def side(self) -> int:
@@ -67,23 +92,51 @@ class MeshPlan:
         return self.order * self.blocks
 
     @property
-    def rings_inside(self) -> int:
-        """Rings between the core and the foot."""
-        return 1 + self.foot_rings
+    def disc_rings(self) -> tuple[int, ...]:
+        """Order across each ring from the core to the foot."""
+        return (self.outward, *(self.thin,) * self.foot_rings)
 
     @property
-    def rings(self) -> int:
-        return self.rings_inside + self.foot_rings + 1
+    def rings(self) -> tuple[int, ...]:
+        """Order across each ring from the core to the sides of the cell."""
+        return (*self.disc_rings, *(self.thin,) * self.foot_rings, self.outward)
+
+    @property
+    def plate_layer_orders(self) -> tuple[int, ...]:
+        """Order through each layer of the plate, from the flat face up."""
+        return (*(self.upward,) * self.plate_layers, *(self.thin,) * self.foot_rings)
+
+    @property
+    def pillar_layer_orders(self) -> tuple[int, ...]:
+        """Order through each layer above the plate's top."""
+        if not self.pillar_layers:
+            return ()
+        return (*(self.thin,) * self.foot_rings, *(self.upward,) * self.pillar_layers)
 
     @property
     def plate_levels(self) -> int:
         """Node levels from the flat face up to the plate's top, both counted."""
-        return self.order * (self.plate_layers + self.foot_rings) + 1
+        return sum(self.plate_layer_orders) + 1
 
     @property
     def pillar_levels(self) -> int:
         """Node levels above the plate's top."""
-        return self.order * (self.pillar_layers + self.foot_rings) if self.pillar_layers else 0
+        return sum(self.pillar_layer_orders)
+
+
+@dataclass(frozen=True, eq=False)
+class Elements:
+    """Elements of the same polynomial orders.
+
+    nodes : (m, n1, n2, n3) node numbers in a right-handed local frame, last axis along z
+    in_pillar : (m,) True above the plate's top
+    """
+
+    nodes: Ints
+    in_pillar: NDArray[np.bool_]
+
+    def __len__(self) -> int:
+        return len(self.nodes)
 
 
 @dataclass(frozen=True, eq=False)
@@ -95,8 +148,7 @@ class Topology:
     plan : what it was made from
     core : (side+1, side+1) numbers of the core square's nodes, first axis along a1
     level_nodes, disc_nodes : nodes of a level of the plate, and those of them that the pillar goes on with
-    elements : (elements, p+1, p+1, p+1) node numbers in a right-handed local frame, last axis along z
-    in_pillar : (elements,) True above the plate's top
+    families : all elements, grouped by their orders
     rim : (plate levels, 4 side) nodes on the lateral faces, anticlockwise from the first corner
     rim_master : (4 side,) for each place on the rim the place that it repeats, itself included
     rim_shift : (4 side, 2) integer lattice translation from that place to this one
@@ -106,8 +158,7 @@ class Topology:
     core: Ints
     level_nodes: int
     disc_nodes: int
-    elements: Ints
-    in_pillar: NDArray[np.bool_]
+    families: tuple[Elements, ...]
     rim: Ints
     rim_master: Ints
     rim_shift: Ints
@@ -134,7 +185,7 @@ class Topology:
 
 @dataclass(frozen=True)
 class HexMesh:
-    """Hexahedra of order p on Gauss-Lobatto-Legendre points.
+    """Hexahedra on Gauss-Lobatto-Legendre points.
 
     topology : numbers of nodes and elements
     points : (nodes, 3) coordinates, m
@@ -144,21 +195,18 @@ class HexMesh:
     points: Array
 
     @property
-    def order(self) -> int:
-        return self.topology.plan.order
-
-    @property
     def unknowns(self) -> int:
         """Number of displacement components."""
         return 3 * len(self.points)
 
     def linear_subcells(self) -> Ints:
-        """(p^3 elements, 8) corners of the small hexahedra between neighbouring nodes, in VTK's order."""
-        e = self.topology.elements
+        """(cells, 8) corners of the small hexahedra between neighbouring nodes, in VTK's order."""
         low, high = slice(None, -1), slice(1, None)
         turn = [(low, low), (high, low), (high, high), (low, high)]
-        corners = [e[:, a, b, c] for c in (low, high) for a, b in turn]
-        return np.stack(corners, axis=-1).reshape(-1, 8)
+        return np.concatenate([
+            np.stack([e.nodes[:, a, b, c] for c in (low, high) for a, b in turn], axis=-1).reshape(-1, 8)
+            for e in self.topology.families
+        ])  # fmt: skip
 
 
 def mesh_cell(cell: UnitCell, plan: MeshPlan) -> HexMesh:
@@ -182,28 +230,30 @@ def topology_of(plan: MeshPlan) -> Topology:
     core[1:-1, 1:-1] = np.arange(inner).reshape(side - 1, side - 1)
     core[_perimeter(side)] = inner + np.arange(around)
 
-    step = np.arange(p + 1)
-    blocks = range(plan.blocks)
-    # quadrilaterals seen from above, (p+1, p+1) node numbers each
-    faces = [core[np.ix_(a * p + step, b * p + step)] for a in blocks for b in blocks]
-    for ring in range(plan.rings):
-        for sector in range(4 * plan.blocks):
-            turn = (sector * p + step) % around
-            faces.append(inner + (ring * p + step)[:, None] * around + turn)
-    level_nodes = inner + around * (1 + plan.rings * p)
-    disc_nodes = inner + around * (1 + plan.rings_inside * p)
-    disc_faces = plan.blocks**2 + 4 * plan.blocks * plan.rings_inside
+    # quadrilaterals seen from above, (n1, n2) node numbers each, and whether the pillar stands on them
+    step, blocks = np.arange(p + 1), range(plan.blocks)
+    faces = [(core[np.ix_(a * p + step, b * p + step)], True) for a in blocks for b in blocks]
+    start = inner
+    for ring, order in enumerate(plan.rings):
+        across = start + np.arange(order + 1)[:, None] * around
+        turns = [(sector * p + step) % around for sector in range(4 * plan.blocks)]
+        faces += [(across + turn, ring < len(plan.disc_rings)) for turn in turns]
+        start += order * around
+    level_nodes = start + around
+    disc_nodes = inner + around * (1 + sum(plan.disc_rings))
 
     levels = plan.plate_levels + plan.pillar_levels
     first = np.arange(levels) * level_nodes
     first[plan.plate_levels :] = plan.plate_levels * level_nodes + np.arange(plan.pillar_levels) * disc_nodes
-    columns = np.stack(faces)[..., None]
-    elements, in_pillar = [], []
-    for layer in range((levels - 1) // p):
-        above = layer >= (plan.plate_levels - 1) // p
-        here = columns[:disc_faces] if above else columns
-        elements.append(here + first[layer * p + np.arange(p + 1)])
-        in_pillar.append(np.full(len(here), above))
+    families: dict[tuple[int, ...], list[tuple[Ints, bool]]] = {}
+    low = 0
+    for order in (*plan.plate_layer_orders, *plan.pillar_layer_orders):
+        above = low >= plan.plate_levels - 1
+        for face, on_disc in faces:
+            if on_disc or not above:
+                nodes = face[..., None] + first[low : low + order + 1]
+                families.setdefault(nodes.shape, []).append((nodes, above))
+        low += order
 
     x, y = _perimeter(side)
     place = {(i, j): k for k, (i, j) in enumerate(zip(x, y, strict=True))}
@@ -215,8 +265,10 @@ def topology_of(plan: MeshPlan) -> Topology:
         core=core,
         level_nodes=level_nodes,
         disc_nodes=disc_nodes,
-        elements=np.concatenate(elements),
-        in_pillar=np.concatenate(in_pillar),
+        families=tuple(
+            Elements(np.stack([nodes for nodes, _ in members]), np.array([above for _, above in members]))
+            for members in families.values()
+        ),
         rim=per_level + level_nodes - around + np.arange(around),
         rim_master=np.array(master),
         rim_shift=shift,
@@ -234,8 +286,8 @@ def _level_points(cell: UnitCell, plan: MeshPlan) -> Array:
     """(level nodes, 2) positions of one level's nodes, m."""
     radius = cell.pillar.radius if cell.pillar else PLAIN_RADIUS * cell.inradius
     reach = _foot_reach(cell, plan)
-    inner_share = 0.5 * (1 + lobatto(plan.order)[0])
-    share = (np.arange(plan.blocks)[:, None] + inner_share[:-1]).ravel() / plan.blocks
+    along = 0.5 * (1 + lobatto(plan.order)[0])
+    share = (np.arange(plan.blocks)[:, None] + along[:-1]).ravel() / plan.blocks
 
     vectors = cell.lattice.vectors
     diagonals = CORNERS @ (vectors / np.linalg.norm(vectors, axis=1, keepdims=True))
@@ -255,8 +307,9 @@ def _level_points(cell: UnitCell, plan: MeshPlan) -> Array:
     square = np.empty((plan.side + 1, plan.side + 1, 2))
     square[_perimeter(plan.side)] = edge
     points = [_transfinite(square, np.append(share, 1.0))[1:-1, 1:-1].reshape(-1, 2), edge]
-    for a, b in pairwise(curves):
-        points += [a + s * (b - a) for s in inner_share[1:]]
+    shares = _shares(plan.rings, len(plan.disc_rings) if reach else None)
+    for (a, b), share in zip(pairwise(curves), shares, strict=True):
+        points += [a + s * (b - a) for s in share[1:]]
     return np.concatenate(points)
 
 
@@ -293,7 +346,21 @@ def _heights(cell: UnitCell, plan: MeshPlan) -> Array:
         end = top + cell.pillar.height
         first = top + min(FOOT_LAYER * cell.pillar.diameter, cell.pillar.height / plan.pillar_layers)
         breaks += [*np.linspace(first, end, plan.pillar_layers)[:-1], end]
-    share = 0.5 * (1 + lobatto(plan.order)[0])
+    orders = (*plan.plate_layer_orders, *plan.pillar_layer_orders)
+    shares = _shares(orders, len(plan.plate_layer_orders) if reach else None)
     levels = [np.array(breaks[:1])]
-    levels += [a + share[1:] * (b - a) for a, b in pairwise(breaks)]
+    levels += [a + s[1:] * (b - a) for (a, b), s in zip(pairwise(breaks), shares, strict=True)]
     return np.concatenate(levels)
+
+
+def _shares(orders: tuple[int, ...], foot: int | None) -> list[Array]:
+    """Positions of the nodes within intervals of some orders, 0 to 1.
+
+    On the two intervals that meet at break number ``foot`` the nodes crowd towards it.
+    """
+    shares = [0.5 * (1 + lobatto(order)[0]) for order in orders]
+    if foot is not None:
+        before, after = 1 - shares[foot - 1][::-1], shares[foot]
+        shares[foot - 1] = 1 - (FOOT_CROWDING * before + (1 - FOOT_CROWDING) * before**2)[::-1]
+        shares[foot] = FOOT_CROWDING * after + (1 - FOOT_CROWDING) * after**2
+    return shares

@@ -2,5 +2,6 @@
 
 from haptonic.superelement.condense import Superelement, condense
 from haptonic.superelement.counting import DynamicStiffness, dynamic_stiffness
+from haptonic.superelement.trace import TraceMirror
 
-__all__ = ["DynamicStiffness", "Superelement", "condense", "dynamic_stiffness"]
+__all__ = ["DynamicStiffness", "Superelement", "TraceMirror", "condense", "dynamic_stiffness"]

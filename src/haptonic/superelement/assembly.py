@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from functools import lru_cache
+from functools import cached_property, lru_cache
 
 import numpy as np
 import scipy.sparse as sp
@@ -22,9 +22,11 @@ Ints = NDArray[np.int64]
 class Assembler:
     """Where each pair of element nodes goes in the folded matrix, as 3 x 3 blocks of its upper triangle.
 
-    pairs : (3, k) number among the folding's elements, and the two nodes within the element
-    ends : (2, k) node numbers of those two in the mesh
-    gather : (blocks, k) sparse matrix of ones that adds pairs into blocks
+    pairs : for each family, (3, k) number among the folding's elements, and the two nodes within the element
+    ends : (2, pairs of all families) node numbers of those two in the mesh
+    weight : (pairs,) how many images the pair's element stands for
+    in_pillar : (pairs,) whether it lies above the plate's top
+    gather : (blocks, pairs) sparse matrix of ones that adds pairs into blocks
     rows, columns : (blocks,) representatives that a block couples, row <= column
     inner : blocks among interior nodes only; pattern : these, as a scalar upper triangle
     source : for each entry of the pattern its position among the raveled inner blocks
@@ -33,8 +35,10 @@ class Assembler:
     """
 
     folding: Folding
-    pairs: tuple[Ints, Ints, Ints]
-    ends: tuple[Ints, Ints]
+    pairs: tuple[Ints, ...]
+    ends: Ints
+    weight: Array
+    in_pillar: NDArray[np.bool_]
     gather: sp.csr_array
     rows: Ints
     columns: Ints
@@ -45,14 +49,23 @@ class Assembler:
     coupling: Ints
     outer: Ints
 
-    def assembled(self, elements: ElementMatrices, scale: Array, symmetry_class: int) -> FoldedStiffness:
-        """Stiffness of one symmetry class; ``scale`` (elements,) weighs them, 0 leaves one out."""
-        e, a, b = self.pairs
-        sign = self.folding.sign[symmetry_class].astype(float)
-        values = elements.stiffness[e, a, b] * scale[e, None, None]
-        values *= sign[self.ends[0]][:, :, None]
-        values *= sign[self.ends[1]][:, None, :]
-        return FoldedStiffness(self, np.asarray(self.gather @ values.reshape(-1, 9)).reshape(-1, 3, 3))
+    @cached_property
+    def signs(self) -> tuple[NDArray[np.int8], ...]:
+        """For each symmetry class (pairs, 9) what it does to the stiffness of a pair of nodes."""
+        return tuple(
+            (sign[self.ends[0]][:, :, None] * sign[self.ends[1]][:, None, :]).reshape(-1, 9)
+            for sign in self.folding.sign
+        )
+
+    def paired(self, elements: tuple[ElementMatrices, ...]) -> Array:
+        """(pairs, 9) stiffness between pairs of nodes, images counted."""
+        picked = [family.stiffness[e, a, b] for family, (e, a, b) in zip(elements, self.pairs, strict=True)]
+        return np.asarray(np.concatenate(picked).reshape(-1, 9) * self.weight[:, None])
+
+    def assembled(self, paired: Array, symmetry_class: int) -> FoldedStiffness:
+        """Stiffness of one symmetry class from the stiffness between pairs of nodes."""
+        blocks = self.gather @ (paired * self.signs[symmetry_class])
+        return FoldedStiffness(self, np.asarray(blocks).reshape(-1, 3, 3))
 
 
 @dataclass(frozen=True)
@@ -96,16 +109,23 @@ class FoldedStiffness:
 @lru_cache(maxsize=16)
 def assembler_of(topology: Topology, folding: Folding) -> Assembler:
     """The index work of a topology; the same object for the same arguments."""
-    n = topology.plan.order + 1
-    nodes = topology.elements[folding.elements].reshape(-1, n**3)
-    place = np.stack(np.unravel_index(np.arange(n**3), (n, n, n)))
-    coupled = (place[:, :, None] == place[:, None, :]).any(axis=0)
-    a, b = np.nonzero(coupled)
-    representative = folding.node[nodes]
-    e, pair = np.nonzero(representative[:, a] <= representative[:, b])
-    a, b = a[pair], b[pair]
+    pairs, ends, keys, weights, above = [], [], [], [], []
     count = len(folding.origin)
-    key = representative[e, a] * count + representative[e, b]
+    for family, chosen, weight in zip(topology.families, folding.chosen, folding.weight, strict=True):
+        nodes = family.nodes[chosen]
+        place = np.stack(np.unravel_index(np.arange(nodes[0].size), nodes.shape[1:]))
+        coupled = (place[:, :, None] == place[:, None, :]).any(axis=0)
+        a, b = np.nonzero(coupled)
+        nodes = nodes.reshape(len(nodes), -1)
+        representative = folding.node[nodes]
+        e, pair = np.nonzero(representative[:, a] <= representative[:, b])
+        a, b = a[pair], b[pair]
+        pairs.append(np.stack([e, a, b]))
+        ends.append(np.stack([nodes[e, a], nodes[e, b]]))
+        keys.append(representative[e, a] * count + representative[e, b])
+        weights.append(weight[e])
+        above.append(family.in_pillar[chosen][e])
+    key = np.concatenate(keys)
     code, block = np.unique(key, return_inverse=True)
     rows, columns = np.divmod(code, count)
     gather = sp.csr_array((np.ones(len(key)), (block, np.arange(len(key)))), shape=(len(code), len(key)))
@@ -122,8 +142,10 @@ def assembler_of(topology: Topology, folding: Folding) -> Assembler:
     i, j = i[order], j[order]
     return Assembler(
         folding=folding,
-        pairs=(e, a, b),
-        ends=(nodes[e, a], nodes[e, b]),
+        pairs=tuple(pairs),
+        ends=np.concatenate(ends, axis=1),
+        weight=np.concatenate(weights).astype(float),
+        in_pillar=np.concatenate(above),
         gather=gather,
         rows=rows,
         columns=columns,

@@ -5,7 +5,7 @@ Inside the cell a field is the static answer to its trace, plus modes that have 
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
@@ -13,12 +13,13 @@ import scipy.linalg as la
 from numpy.typing import NDArray
 
 from haptonic.cell import HexMesh, MeshPlan, UnitCell, mesh_cell
+from haptonic.lattice import DIAGONAL, Operation
 from haptonic.solvers import Solver
-from haptonic.superelement.folded import FoldedCell, FoldedMesh
+from haptonic.superelement.folded import FoldedMesh
 from haptonic.superelement.interior import interior_modes
 from haptonic.superelement.parallel import for_each_class
-from haptonic.superelement.sections import PillarSections, momentum_forms, pillar_sections
-from haptonic.superelement.trace import FoldedTrace
+from haptonic.superelement.sections import PillarSections, mirrored_momenta, momentum_forms, pillar_sections
+from haptonic.superelement.trace import FoldedTrace, TraceMirror
 
 Array = NDArray[np.float64]
 Fields = NDArray[Any]  # real or complex
@@ -26,21 +27,38 @@ Fields = NDArray[Any]  # real or complex
 
 @dataclass(frozen=True)
 class Part:
-    """How one symmetry class is lifted back: static answers (3 interior, b) and modes (3 interior, m)."""
+    """How one symmetry class is lifted back: static answers (3 interior, b) and modes (3 interior, m).
+
+    ``image`` is for a class that is the diagonal's mirror image of the one that all this belongs to.
+    """
 
     trace: FoldedTrace
     through: Array
     static: Array
     modes: Array
+    image: DiagonalImage | None = None
 
     def lifted(self, trace: Fields, amplitudes: Fields) -> Fields:
         """(nodes, 3, k) displacement from a whole trace (t, k) and the class's modal amplitudes (m, k)."""
-        own = self.trace.fold(trace)
+        own = self.trace.fold(self.image.trace.applied(trace) if self.image else trace)
         inside = self.static @ own + self.modes @ amplitudes
         rim = self.trace.on_levels(self.through, own)
         values = np.concatenate([inside.reshape(-1, 3, own.shape[1]), rim])
         folding = self.trace.folding
-        return np.asarray(folding.sign[self.trace.symmetry_class][:, :, None] * values[folding.node])
+        field = np.asarray(folding.sign[self.trace.symmetry_class][:, :, None] * values[folding.node])
+        return self.image.applied(field) if self.image else field
+
+
+@dataclass(frozen=True)
+class DiagonalImage:
+    """The mirror on the diagonal of a square cell: on traces, and where it takes each node."""
+
+    trace: TraceMirror
+    moved: NDArray[np.int64]
+
+    def applied(self, field: Fields) -> Fields:
+        """Mirror image of a field (nodes, 3, k)."""
+        return np.asarray(field[self.moved][:, [1, 0, 2]])
 
 
 @dataclass(frozen=True)
@@ -89,6 +107,16 @@ class Superelement:
     def size(self) -> int:
         return len(self.stiffness)
 
+    @property
+    def half_turn_parity(self) -> Array:
+        """(m,) +1 for modes that the half-turn about the normal leaves alone, -1 for those it turns over."""
+        counts = [part.modes.shape[1] for part in self.parts]
+        return np.repeat(self.parts[0].trace.folding.parity.prod(axis=1), counts).astype(float)
+
+    def mirror(self, operation: Operation) -> TraceMirror:
+        """How a mirror, or the half-turn, acts on traces."""
+        return TraceMirror.of(self.mesh.topology, self.levels, operation)
+
     def lifted(self, fields: Fields) -> Fields:
         """(nodes, 3, k) displacement on the mesh from (t + m, k) unknowns, real or complex."""
         trace, amplitudes = np.split(fields, [self.trace_size])
@@ -108,24 +136,29 @@ def condense(cell: UnitCell, plan: MeshPlan, steps: int = 2, *, measured: bool =
     measured : also make what characterises motion
     """
     mesh = mesh_cell(cell, plan)
-    shared = FoldedMesh.of(cell, mesh, plan.order + 1)
-    pieces = for_each_class(shared, lambda q, solver: _condense_class(shared, q, solver, steps, measured))
-    layouts = [piece.part.trace for piece in pieces]
-
-    def on_trace(own: list[Array]) -> Array:
-        pairs = zip(layouts, own, strict=True)
-        return np.asarray(np.sum([layout.unfold_form(form) for layout, form in pairs], axis=0))
+    shared = FoldedMesh.of(cell, mesh, plan.upward + 1)
+    own_classes, images = shared.classes_and_images()
+    found = for_each_class(
+        shared, lambda q, solver: _condense_class(shared, q, solver, steps, measured), own_classes
+    )
+    by_class = dict(zip(own_classes, found, strict=True))
+    if images:
+        mirror = DiagonalImage(
+            TraceMirror.of(mesh.topology, shared.levels, DIAGONAL), mesh.topology.permutation(DIAGONAL)
+        )
+        by_class |= {q: by_class[original].mirrored(mirror) for q, original in images.items()}
+    pieces = [by_class[q] for q in sorted(by_class)]
 
     def whole(name: str) -> Array:
         forms = [piece.forms[name] for piece in pieces]
-        corner = on_trace([f.corner for f in forms])
-        side = np.hstack([layout.unfold_rows(f.side) for layout, f in zip(layouts, forms, strict=True)])
-        return np.block([[corner, side], [side.T, la.block_diag(*(f.modal for f in forms))]])
+        corner = np.sum([form.corner for form in forms], axis=0)
+        side = np.hstack([form.side for form in forms])
+        return np.block([[corner, side], [side.T, la.block_diag(*(form.modal for form in forms))]])
 
     measures = None
     if measured:
-        of_trace = np.sum([p.part.trace.unfold_rows(p.momenta_of_trace.T) for p in pieces], axis=0)
-        momenta = np.hstack([of_trace.T, *(p.momenta_of_modes for p in pieces)])
+        of_trace = np.sum([piece.momenta_of_trace for piece in pieces], axis=0)
+        momenta = np.hstack([of_trace, *(piece.momenta_of_modes for piece in pieces)])
         sections = pillar_sections(mesh, shared.nodal_mass, momenta)
         measures = Measures(whole("pillar_stiffness"), whole("pillar_mass"), whole("vertical_mass"), sections)
     return Superelement(
@@ -134,7 +167,7 @@ def condense(cell: UnitCell, plan: MeshPlan, steps: int = 2, *, measured: bool =
         levels=shared.levels,
         stiffness=whole("stiffness"),
         mass=whole("mass"),
-        omission=on_trace([p.omission for p in pieces]),
+        omission=np.sum([piece.omission for piece in pieces], axis=0),
         nodal_mass=shared.nodal_mass,
         parts=tuple(piece.part for piece in pieces),
         measures=measures,
@@ -143,11 +176,15 @@ def condense(cell: UnitCell, plan: MeshPlan, steps: int = 2, *, measured: bool =
 
 @dataclass(frozen=True)
 class _Form:
-    """Quadratic form of one class: among own trace unknowns, between these and modes, among modes."""
+    """Quadratic form of one class: on the whole trace, between this and the class's modes, among these."""
 
     corner: Array
     side: Array
     modal: Array
+
+    def mirrored(self, mirror: TraceMirror) -> _Form:
+        corner = mirror.applied(mirror.applied(self.corner).T).T
+        return _Form(corner, mirror.applied(self.side), self.modal)
 
 
 @dataclass(frozen=True)
@@ -158,47 +195,57 @@ class _CondensedClass:
     momenta_of_trace: Array
     momenta_of_modes: Array
 
+    def mirrored(self, mirror: DiagonalImage) -> _CondensedClass:
+        """The class that consists of this one's mirror images."""
+        return _CondensedClass(
+            part=replace(self.part, image=mirror),
+            forms={name: form.mirrored(mirror.trace) for name, form in self.forms.items()},
+            omission=mirror.trace.applied(mirror.trace.applied(self.omission).T).T,
+            momenta_of_trace=mirrored_momenta(mirror.trace.applied(self.momenta_of_trace.T).T),
+            momenta_of_modes=mirrored_momenta(self.momenta_of_modes),
+        )
+
 
 def _condense_class(
     shared: FoldedMesh, q: int, solver: Solver, steps: int, measured: bool
 ) -> _CondensedClass:
     folded = shared.symmetry_class(q)
-    mass = folded.mass[:, None]
+    trace = folded.trace
     solver.factorise(folded.interior)
     static = solver.solve(-folded.coupling)
-    inertia = mass * static
+    inertia = folded.mass[:, None] * static
     values, modes, dynamic = interior_modes(solver, folded.mass, inertia, steps)
     to_modes = inertia.T @ modes
+
+    def unfolded(corner: Array, side: Array, modal: Array) -> _Form:
+        return _Form(trace.unfold_form(corner), trace.unfold_rows(side), modal)
+
     # static answers do no work on fields without a trace, so stiffness does not couple the two
     forms = {
-        "stiffness": _Form(
+        "stiffness": unfolded(
             folded.trace_stiffness + folded.coupling.T @ static, np.zeros_like(to_modes), np.diag(values)
         ),
-        "mass": _Form(folded.trace_mass + static.T @ inertia, to_modes, np.eye(len(values))),
+        "mass": unfolded(folded.trace_mass + static.T @ inertia, to_modes, np.eye(len(values))),
     }
     # inertia of the static answers that the modes do not carry, answered by the inverse stiffness
     omission = inertia.T @ dynamic - (to_modes / values) @ to_modes.T
-    part = Part(folded.trace, shared.through, static, modes)
     momenta = momentum_forms(shared.mesh, shared.folding, q, shared.nodal_mass)
     if measured:
-        forms |= _measuring_forms(shared, q, folded, static, modes)
-    return _CondensedClass(part, forms, 0.5 * (omission + omission.T), momenta @ static, momenta @ modes)
-
-
-def _measuring_forms(
-    shared: FoldedMesh, q: int, folded: FoldedCell, static: Array, modes: Array
-) -> dict[str, _Form]:
-    def form(on_static: Array, on_modes: Array) -> _Form:
-        return _Form(static.T @ on_static, static.T @ on_modes, modes.T @ on_modes)
-
-    pillar = shared.pillar_stiffness(q)
-    in_pillar = (folded.mass * shared.above)[:, None]
-    along_z = np.tile([0.0, 0.0, 1.0], len(folded.mass) // 3)
-    vertical = (folded.mass * along_z)[:, None]
-    moving = form(vertical * static, vertical * modes)
-    on_rim = folded.trace_mass * folded.trace.is_vertical
-    return {
-        "pillar_stiffness": form(pillar @ static, pillar @ modes),
-        "pillar_mass": form(in_pillar * static, in_pillar * modes),
-        "vertical_mass": _Form(moving.corner + on_rim, moving.side, moving.modal),
-    }
+        pillar = shared.pillar_stiffness(q)
+        in_pillar = (folded.mass * shared.above)[:, None]
+        along_z = np.tile([0.0, 0.0, 1.0], len(folded.mass) // 3)
+        vertical = (folded.mass * along_z)[:, None]
+        on_rim = folded.trace_mass * trace.is_vertical
+        for name, on_static, on_modes, at_trace in (
+            ("pillar_stiffness", pillar @ static, pillar @ modes, 0.0),
+            ("pillar_mass", in_pillar * static, in_pillar * modes, 0.0),
+            ("vertical_mass", vertical * static, vertical * modes, on_rim),
+        ):
+            forms[name] = unfolded(static.T @ on_static + at_trace, static.T @ on_modes, modes.T @ on_modes)
+    return _CondensedClass(
+        part=Part(trace, shared.through, static, modes),
+        forms=forms,
+        omission=trace.unfold_form(0.5 * (omission + omission.T)),
+        momenta_of_trace=trace.unfold_rows((momenta @ static).T).T,
+        momenta_of_modes=momenta @ modes,
+    )

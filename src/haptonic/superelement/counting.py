@@ -13,9 +13,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from haptonic.cell import MeshPlan, UnitCell, mesh_cell
+from haptonic.lattice import DIAGONAL
 from haptonic.solvers import Solver
 from haptonic.superelement.folded import FoldedMesh
 from haptonic.superelement.parallel import for_each_class
+from haptonic.superelement.trace import TraceMirror
 
 Array = NDArray[np.float64]
 
@@ -34,7 +36,7 @@ class DynamicStiffness:
 
 def dynamic_stiffness(cell: UnitCell, plan: MeshPlan, omega: float) -> DynamicStiffness:
     """Exact dynamic condensation of the mesh's own K - omega^2 M, without any interior modes."""
-    shared = FoldedMesh.of(cell, mesh_cell(cell, plan), plan.order + 1)
+    shared = FoldedMesh.of(cell, mesh_cell(cell, plan), plan.upward + 1)
     diagonal = shared.assembler.diagonal
 
     def one(q: int, solver: Solver) -> tuple[Array, int]:
@@ -46,5 +48,12 @@ def dynamic_stiffness(cell: UnitCell, plan: MeshPlan, omega: float) -> DynamicSt
         own -= folded.coupling.T @ solver.solve(folded.coupling)
         return folded.trace.unfold_form(0.5 * (own + own.T)), below
 
-    matrices, below = zip(*for_each_class(shared, one), strict=True)
-    return DynamicStiffness(omega, np.sum(matrices, axis=0), sum(below))
+    own_classes, images = shared.classes_and_images()
+    counted = dict(zip(own_classes, for_each_class(shared, one, own_classes), strict=True))
+    if images:
+        mirror = TraceMirror.of(shared.mesh.topology, shared.levels, DIAGONAL)
+        for q, original in images.items():
+            matrix, below = counted[original]
+            counted[q] = mirror.applied(mirror.applied(matrix).T).T, below
+    matrices, below_each = zip(*counted.values(), strict=True)
+    return DynamicStiffness(omega, np.sum(matrices, axis=0), sum(below_each))

@@ -11,8 +11,8 @@ from numpy.typing import NDArray
 
 from haptonic.cell import HexMesh, UnitCell
 from haptonic.cell.quadrature import interpolation, lobatto
-from haptonic.elements import ElementMatrices, element_matrices
-from haptonic.lattice import Operation
+from haptonic.elements import element_matrices
+from haptonic.lattice import DIAGONAL, Operation
 from haptonic.solvers import Solver, chosen
 from haptonic.superelement.assembly import Assembler, assembler_of
 from haptonic.superelement.symmetry import COMPONENT_SIGNS, Folding, fold
@@ -47,13 +47,18 @@ def mirrors_of(cell: UnitCell) -> tuple[Operation, ...]:
 
 @dataclass(frozen=True)
 class FoldedMesh:
-    """What the symmetry classes of a cell share."""
+    """What the symmetry classes of a cell share.
+
+    levels : trace nodes through the thickness; through : (plate levels, levels) from these to the mesh's
+    paired : (pairs, 9) stiffness between pairs of nodes, see `Assembler`
+    representative_mass, nodal_mass : lumped mass of the folded and of the whole mesh, kg
+    """
 
     cell: UnitCell
     mesh: HexMesh
     levels: int
     assembler: Assembler
-    elements: ElementMatrices
+    paired: Array
     through: Array
     representative_mass: Array
     nodal_mass: Array
@@ -63,18 +68,21 @@ class FoldedMesh:
         """Fold a cell's mesh, with ``levels`` trace nodes through the thickness."""
         topology = mesh.topology
         folding = fold(topology, mirrors_of(cell))
-        elements = element_matrices(mesh, cell.material, folding.elements)
-        nodes = topology.elements[folding.elements].reshape(len(folding.elements), -1)
-        mass = np.bincount(
-            folding.node[nodes].ravel(), (elements.mass * folding.weight[:, None]).ravel()
-        ).astype(float)
+        elements, mass = [], np.zeros(len(folding.origin))
+        for family, picked, weight in zip(topology.families, folding.chosen, folding.weight, strict=True):
+            nodes = family.nodes[picked]
+            matrices = element_matrices(mesh.points, nodes, cell.material)
+            own = (matrices.mass * weight[:, None]).ravel()
+            mass += np.bincount(folding.node[nodes].ravel(), own, minlength=len(mass))
+            elements.append(matrices)
+        assembler = assembler_of(topology, folding)
         levels_at = 0.5 * cell.thickness * (1 + lobatto(levels - 1)[0])
         return cls(
             cell=cell,
             mesh=mesh,
             levels=levels,
-            assembler=assembler_of(topology, folding),
-            elements=elements,
+            assembler=assembler,
+            paired=assembler.paired(tuple(elements)),
             through=interpolation(levels_at, mesh.points[topology.rim[:, 0], 2]),
             representative_mass=mass,
             nodal_mass=(mass / np.bincount(folding.node))[folding.node],
@@ -84,6 +92,14 @@ class FoldedMesh:
     def folding(self) -> Folding:
         return self.assembler.folding
 
+    def classes_and_images(self) -> tuple[list[int], dict[int, int]]:
+        """Symmetry classes to compute, and those that are images of another in the diagonal of a square."""
+        parity = [tuple(int(sign) for sign in signs) for signs in self.folding.parity]
+        images = {}
+        if DIAGONAL in self.cell.lattice.point_group and len(parity) == 4:
+            images[parity.index((-1, 1))] = parity.index((1, -1))
+        return [q for q in range(len(parity)) if q not in images], images
+
     def solver(self) -> Solver:
         """A new solver, analysed for the interior's pattern, which all classes have."""
         return chosen()(self.assembler.pattern)
@@ -92,7 +108,7 @@ class FoldedMesh:
         """The matrices of one class."""
         folding, through = self.folding, self.through
         trace = FoldedTrace(self.mesh.topology, folding, q, self.levels)
-        stiffness = self.assembler.assembled(self.elements, folding.weight.astype(float), q)
+        stiffness = self.assembler.assembled(self.paired, q)
         shape = (len(through), trace.places, 3)
         coupling = np.tensordot(through.T, stiffness.coupling().reshape(-1, *shape), axes=(1, 1))
         rim = stiffness.boundary().reshape(*shape, *shape)
@@ -114,8 +130,9 @@ class FoldedMesh:
 
     def pillar_stiffness(self, q: int) -> sp.csr_array:
         """The pillar's share of the interior stiffness of one class; it reaches no lateral face."""
-        in_pillar = self.folding.weight * self.mesh.topology.in_pillar[self.folding.elements].astype(float)
-        return self.assembler.pattern.matrix(self.assembler.assembled(self.elements, in_pillar, q).unsprung())
+        assembler = self.assembler
+        in_pillar = self.paired * assembler.in_pillar[:, None]
+        return assembler.pattern.matrix(assembler.assembled(in_pillar, q).unsprung())
 
     @cached_property
     def above(self) -> Array:

@@ -6,7 +6,7 @@ Threads of our own on the classes beat threads inside the linear algebra, whose 
 from __future__ import annotations
 
 import os
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from typing import TypeVar
 
@@ -27,9 +27,10 @@ def threads() -> int:
     return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
 
 
-def for_each_class(shared: FoldedMesh, work: Callable[[int, Solver], Result]) -> list[Result]:
-    """``work(class, solver)`` for every symmetry class, in order; each thread has a solver of its own."""
-    classes = range(shared.folding.classes)
+def for_each_class(
+    shared: FoldedMesh, work: Callable[[int, Solver], Result], classes: Sequence[int]
+) -> list[Result]:
+    """``work(class, solver)`` for some symmetry classes, in order; each thread has a solver of its own."""
     workers = min(threads(), len(classes))
 
     def share(start: int) -> list[Result]:
@@ -41,4 +42,4 @@ def for_each_class(shared: FoldedMesh, work: Callable[[int, Solver], Result]) ->
             return share(0)
         with ThreadPoolExecutor(workers) as pool:
             shares = list(pool.map(share, range(workers)))
-    return [shares[q % workers][q // workers] for q in classes]
+    return [shares[number % workers][number // workers] for number in range(len(classes))]

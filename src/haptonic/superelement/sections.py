@@ -79,6 +79,12 @@ def momentum_forms(mesh: HexMesh, folding: Folding, symmetry_class: int, nodal_m
     return sp.csr_array((values, (rows, columns)), shape=(4 * count, 3 * folding.interior))
 
 
+def mirrored_momenta(momenta: Array) -> Array:
+    """Momenta (4 sections, k) of fields from those of their images in the diagonal: x and y change places."""
+    x, y, z, turning = np.split(momenta, 4)
+    return np.concatenate([y, x, z, -turning])
+
+
 def pillar_sections(mesh: HexMesh, nodal_mass: Array, motion: Array) -> PillarSections:
     """Sections of a mesh; ``motion`` is (4 sections, t + m)."""
     heights, nodes, level = section_levels(mesh)

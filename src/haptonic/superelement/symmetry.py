@@ -29,7 +29,7 @@ class Folding:
     node : (nodes,) number of each node's representative; interior ones come first
     origin : (representatives,) node that each of them is in the mesh
     interior : how many of the representatives are not on a lateral face
-    elements : (m,) one element of each set of images; weight : (m,) size of the set
+    chosen : for each family of elements (m,) numbers, one of each set of images; weight : sizes of the sets
     sign : (classes, nodes, 3) value at a node = sign times value at its representative, 0 where a class
         forces the component to vanish
     parity : (classes, mirrors) +1 even, -1 odd
@@ -38,8 +38,8 @@ class Folding:
     node: Ints
     origin: Ints
     interior: int
-    elements: Ints
-    weight: Ints
+    chosen: tuple[Ints, ...]
+    weight: tuple[Ints, ...]
     sign: NDArray[np.int8]
     parity: NDArray[np.int8]
 
@@ -85,17 +85,23 @@ def fold(topology: Topology, mirrors: tuple[Operation, ...]) -> Folding:
         fixed = table[m] == nodes  # on a mirror a component must equal its own image, or vanish
         sign[:, fixed] *= (factor[:, m] == 1)[:, None, :]
 
-    # an element is known by the set of its nodes
-    of_element = topology.elements.reshape(len(topology.elements), -1)
-    keys = np.concatenate([np.sort(image[of_element], axis=1) for image in table])
-    codes = np.unique(keys, axis=0, return_inverse=True)[1].reshape(len(table), -1).min(axis=0)
-    _, chosen, weight = np.unique(codes, return_index=True, return_counts=True)
+    picked = [_representative_elements(family.nodes, table) for family in topology.families]
     return Folding(
         node=number[representative],
         origin=order,
         interior=int((~on_side[unique]).sum()),
-        elements=chosen,
-        weight=weight,
+        chosen=tuple(chosen for chosen, _ in picked),
+        weight=tuple(weight for _, weight in picked),
         sign=sign,
         parity=parity,
     )
+
+
+def _representative_elements(nodes: Ints, table: Ints) -> tuple[Ints, Ints]:
+    """One element of each set of images under the mirrors (images, nodes), and the sizes of the sets."""
+    # an element is known by the set of its nodes
+    of_element = nodes.reshape(len(nodes), -1)
+    keys = np.concatenate([np.sort(image[of_element], axis=1) for image in table])
+    codes = np.unique(keys, axis=0, return_inverse=True)[1].reshape(len(table), -1).min(axis=0)
+    _, chosen, weight = np.unique(codes, return_index=True, return_counts=True)
+    return chosen, weight

@@ -14,6 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from haptonic.cell import Topology
+from haptonic.lattice import Operation
 from haptonic.superelement.symmetry import Folding
 
 Array = NDArray[np.float64]
@@ -97,3 +98,29 @@ class FoldedTrace:
         trace[self.kept] = own
         rim = np.tensordot(through, trace.reshape(self.levels, -1), axes=1)
         return rim.reshape(-1, 3, own.shape[1])
+
+
+@dataclass(frozen=True, eq=False)
+class TraceMirror:
+    """A symmetry operation that is its own inverse, acting on whole traces: (R b) = sign * b[source]."""
+
+    source: Ints
+    sign: Array
+
+    @classmethod
+    def of(cls, topology: Topology, levels: int, operation: Operation) -> TraceMirror:
+        """Operations of square and rectangular lattices permute components up to a sign."""
+        first = topology.rim[0]
+        position = {int(node): place for place, node in enumerate(first)}
+        moved = np.array([position[int(n)] for n in topology.permutation(operation)[first]])
+        came_from = np.argsort(moved)
+        matrix = np.eye(3, dtype=np.int64)
+        matrix[:2, :2] = operation
+        component = np.abs(matrix).argmax(axis=1)
+        trace = np.arange(levels * len(first) * 3).reshape(levels, len(first), 3)
+        sign = np.broadcast_to(matrix.sum(axis=1), trace.shape)
+        return cls(trace[:, came_from][:, :, component].ravel(), sign.ravel().astype(float))
+
+    def applied(self, trace: NDArray[Any]) -> NDArray[Any]:
+        """Image of (t, k) traces, or of the rows (t, k) of linear forms on them."""
+        return np.asarray(self.sign[:, None] * trace[self.source])
