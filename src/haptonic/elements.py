@@ -7,6 +7,7 @@ sums in the stiffness collapse to a single product.
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import lru_cache
 
 import numpy as np
 from numpy.typing import NDArray
@@ -15,27 +16,31 @@ from haptonic.cell.quadrature import lobatto
 from haptonic.materials import Material, elasticity_tensor
 
 Array = NDArray[np.float64]
+Ints = NDArray[np.int64]
 
 
 @dataclass(frozen=True)
 class ElementMatrices:
-    """Per element, with its nodes raveled.
+    """Stiffness and mass of elements of the same orders.
 
-    stiffness : (elements, nodes, nodes, 3, 3), N/m; the last axes are the two displacement components
+    stiffness : (elements, k, 3, 3) contributions to the stiffness between two nodes, N/m; the last axes are
+        the two displacement components
+    pairs : (2, k) local numbers, in raveled order, of those two nodes; the same two may be met several times
     mass : (elements, nodes), kg; the same for each component
     """
 
     stiffness: Array
+    pairs: Ints
     mass: Array
 
 
-def element_matrices(points: Array, nodes: NDArray[np.int64], material: Material) -> ElementMatrices:
+def element_matrices(points: Array, nodes: Ints, material: Material) -> ElementMatrices:
     """Stiffness and lumped mass of elements of the same orders.
 
     With local derivatives ``D``, quadrature weights ``w``, the inverse Jacobian ``G`` and elasticity
     ``c``, the stiffness of nodes I, J is the sum over points of ``D_a[q, I] C_ab[q] D_b[q, J]`` where
     ``C_ab = w det(J) G_ak c_ikjl G_bl``. For a = b the points share two indices with both nodes, for
-    a != b the sum has a single term.
+    a != b the sum has a single term. So each term of the sum couples few pairs, and no others are kept.
 
     Parameters
     ----------
@@ -56,37 +61,39 @@ def element_matrices(points: Array, nodes: NDArray[np.int64], material: Material
     tensor = elasticity_tensor(material.stiffness)
     half = np.einsum("xabcmk,ikjl->xabcmijl", inverse, tensor, optimize=True)
     C = np.einsum("xabcmijl,xabcnl,xabc->mnxabcij", half, inverse, volume, optimize=True)
-
-    K = np.zeros((len(nodes), *sizes, *sizes, 3, 3))
-    np.einsum("xabcdbcij->xabcdij", K)[...] += np.einsum(
-        "qa,qd,xqbcij->xabcdij", D1, D1, C[0, 0], optimize=True
-    )
-    np.einsum("xabcaecij->xabceij", K)[...] += np.einsum(
-        "qb,qe,xaqcij->xabceij", D2, D2, C[1, 1], optimize=True
-    )
-    np.einsum("xabcabfij->xabcfij", K)[...] += np.einsum(
-        "qc,qf,xabqij->xabcfij", D3, D3, C[2, 2], optimize=True
-    )
-    np.einsum("xabcdecij->xabcdeij", K)[...] += np.einsum(
-        "da,be,xdbcij->xabcdeij", D1, D2, C[0, 1], optimize=True
-    )
-    np.einsum("xabcdbfij->xabcdfij", K)[...] += np.einsum(
-        "da,cf,xdbcij->xabcdfij", D1, D3, C[0, 2], optimize=True
-    )
-    np.einsum("xabcaefij->xabcefij", K)[...] += np.einsum(
-        "eb,cf,xaecij->xabcefij", D2, D3, C[1, 2], optimize=True
-    )
-    np.einsum("xabcdecij->xabcdeij", K)[...] += np.einsum(
-        "eb,ad,xaecij->xabcdeij", D2, D1, C[1, 0], optimize=True
-    )
-    np.einsum("xabcdbfij->xabcdfij", K)[...] += np.einsum(
-        "fc,ad,xabfij->xabcdfij", D3, D1, C[2, 0], optimize=True
-    )
-    np.einsum("xabcaefij->xabcefij", K)[...] += np.einsum(
-        "fc,be,xabfij->xabcefij", D3, D2, C[2, 1], optimize=True
-    )
-    count = nodes[0].size
+    D = (D1, D2, D3)
+    terms = []
+    for formulas in TERMS.values():
+        sums = [np.einsum(f, D[a], D[b], C[a, b], optimize=True) for (a, b), f in formulas.items()]
+        terms.append(sum(sums[1:], start=sums[0]).reshape(len(nodes), -1, 3, 3))
     return ElementMatrices(
-        stiffness=K.reshape(len(nodes), count, count, 3, 3),
-        mass=material.density * volume.reshape(len(nodes), count),
+        stiffness=np.concatenate(terms, axis=1),
+        pairs=coupled_pairs(sizes),
+        mass=material.density * volume.reshape(len(nodes), -1),
     )
+
+
+# which nodes (a, b, c), (d, e, f) are coupled by which sums over points, for each pair of derivatives
+TERMS = {
+    "abc,dbc": {(0, 0): "qa,qd,xqbcij->xabcdij"},
+    "abc,aec": {(1, 1): "qb,qe,xaqcij->xabceij"},
+    "abc,abf": {(2, 2): "qc,qf,xabqij->xabcfij"},
+    "abc,dec": {(0, 1): "da,be,xdbcij->xabcdeij", (1, 0): "eb,ad,xaecij->xabcdeij"},
+    "abc,dbf": {(0, 2): "da,cf,xdbcij->xabcdfij", (2, 0): "fc,ad,xabfij->xabcdfij"},
+    "abc,aef": {(1, 2): "eb,cf,xaecij->xabcefij", (2, 1): "fc,be,xabfij->xabcefij"},
+}
+
+
+@lru_cache(maxsize=64)
+def coupled_pairs(sizes: tuple[int, int, int]) -> Ints:
+    """(2, k) local numbers of the two nodes of each contribution to the stiffness of an element."""
+    number = np.arange(np.prod(sizes)).reshape(sizes)
+    found = []
+    for ends in TERMS:
+        first, second = ends.split(",")
+        letters = first + "".join(x for x in second if x not in first)
+        shape = [sizes["abcdef".index(x) % 3] for x in letters]
+        grid = dict(zip(letters, np.ix_(*map(range, shape)), strict=True))
+        both = (number[tuple(grid[x] for x in end)] for end in (first, second))
+        found.append(np.stack([np.broadcast_to(one, shape).ravel() for one in both]))
+    return np.concatenate(found, axis=1)

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from haptonic.superelement import Superelement
+from haptonic.superelement import Superelement, on_each
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
@@ -49,19 +49,15 @@ def characters(superelement: Superelement, fields: Complex) -> Character:
     that carries most of it: bending (numbered by the nodes of its axis), traction, torsion. The others
     are named after the plate's motion, out of its plane or in it.
     """
-
-    def energy(form: Array) -> Array:
-        return np.asarray(np.einsum("ik,ik->k", fields.conj(), form @ fields).real)
-
     measures = superelement.measures
     assert measures is not None, "condense with measured=True"
-    kinetic = energy(superelement.mass)
-    in_pillar = energy(measures.pillar_mass) / kinetic
-    vertical = energy(measures.vertical_mass) / kinetic
-    strain = energy(superelement.stiffness)
+    kinetic = on_each(superelement.mass, fields)
+    in_pillar = on_each(measures.pillar_mass, fields) / kinetic
+    vertical = on_each(measures.vertical_mass, fields) / kinetic
+    strain = on_each(superelement.stiffness, fields)
     moving = strain > 1e-7 * strain.max()  # a rigid-body motion has no strain to share
     pillar_strain = np.divide(
-        energy(measures.pillar_stiffness), strain, out=np.zeros_like(strain), where=moving
+        on_each(measures.pillar_stiffness, fields), strain, out=np.zeros_like(strain), where=moving
     )
     name = np.where(vertical > 0.5, FLEXURAL, IN_PLANE)
     if superelement.cell.pillar is not None:

@@ -16,6 +16,9 @@ Ints = NDArray[np.int64]
 
 COARSE_DIVISIONS = 12  # of the irreducible zone's sides in the first sampling
 DOUBT = 0.5  # share by which a band may rise more, or fall less, than its slope at a corner says
+FLAT = (
+    0.05  # slope at a corner, as a share of the steepest of its triangle, that says nothing about the inside
+)
 INSIDE = np.array([(i, j, 6 - i - j) for i in range(7) for j in range(7 - i)]) / 6.0  # of a triangle
 SEARCH_GOAL = 1e-4  # relative; the search for an edge stops when it can move by no more than this
 MOST_SAMPLES = 600  # wavevectors; when they are used up the remaining doubt goes into the error
@@ -94,7 +97,8 @@ class ZoneSampling:
 
         Inside a triangle a band stays below the lowest of the planes that touch it at the corners, if those
         rise a little more than the band does; that also holds where it is the lower of two bands that
-        cross. Triangles that could beat the best value found are halved until none can by more than the
+        cross. Corners where the band is level, as symmetry makes it at some, are asked only when all three
+        are. Triangles that could beat the best value found are halved until none can by more than the
         goal.
 
         Returns
@@ -109,7 +113,11 @@ class ZoneSampling:
             away = np.einsum("sv,tvk->tsk", INSIDE, corners)[:, :, None] - corners[:, None]
             change = np.einsum("tsvk,tvk->tsv", away, slope[self.triangles])
             planes = at_corners[:, None] + change + DOUBT * np.abs(change)
-            ceiling = np.maximum(at_corners.max(axis=1), planes.min(axis=2).max(axis=1))
+            steepness = np.linalg.norm(slope[self.triangles], axis=2)
+            flat = steepness <= FLAT * steepness.max(axis=1, keepdims=True)
+            planes = np.where(flat[:, None], np.inf, planes)  # the two others know better
+            highest = np.where(flat.all(axis=1), -np.inf, planes.min(axis=2).max(axis=1))
+            ceiling = np.maximum(at_corners.max(axis=1), highest)
             best = int(value.argmax())
             doubt = float(ceiling.max() - value[best])
             goal = SEARCH_GOAL * abs(value[best])

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, replace
 from functools import cached_property
 
@@ -12,11 +13,11 @@ from numpy.typing import NDArray
 
 from haptonic.bloch.centred import CentredPencil, RealPencil
 from haptonic.bloch.pencil import Fields, Periodic, eigenpairs
-from haptonic.bloch.resolution import LADDER, Resolution, check_memory, starting_rung
+from haptonic.bloch.resolution import LADDER, SHARED, Resolution, check_memory, starting_rung
 from haptonic.cell import MeshPlan, UnitCell
 from haptonic.errors import ResourceError
 from haptonic.lattice import Lattice
-from haptonic.superelement import Superelement, condense
+from haptonic.superelement import Superelement, condense, on_each
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
@@ -151,12 +152,17 @@ class BlochModel:
 
     @classmethod
     def of(cls, cell: UnitCell, resolution: Resolution, count: int, *, measured: bool = True) -> BlochModel:
-        plan, goal = resolution.plan(cell), resolution.projection_goal
-        fine, coarse = (
-            ReducedCell.of(cell, each, resolution.steps, count, goal, measured=measured and each is plan)
-            for each in (plan, plan.lowered())
-        )
-        return cls(cell, resolution, count, fine, coarse)
+        plan = resolution.plan(cell)
+
+        def reduced(plan: MeshPlan, measured: bool) -> ReducedCell:
+            return ReducedCell.of(
+                cell, plan, resolution.steps, count, resolution.projection_goal, measured=measured
+            )
+
+        with ThreadPoolExecutor(1) as aside:  # both share the threads that symmetry classes are given to
+            coarse = aside.submit(reduced, plan.lowered(), False)
+            fine = reduced(plan, measured)
+            return cls(cell, resolution, count, fine, coarse.result())
 
     def solve(self, kappa: Array, spare: int = 0) -> Solution:
         """Modes and error estimates at the phases (2,); ``spare`` more than the bands asked for."""
@@ -166,8 +172,14 @@ class BlochModel:
         fields = self.fine.expanded(modes, kappa)
         coarse = _hertz(eigenpairs(self.coarse.pencil, kappa, count)[0])
         trace = fields[: self.fine.superelement.trace_size]
-        omitted = 0.5 * values * _form(self.fine.superelement.omission, trace)
-        error = self.resolution.remaining(self.cell) * np.abs(coarse - frequency)
+        omitted = 0.5 * values * on_each(self.fine.superelement.omission, trace)
+        # a band may come out alike in both by chance, hence a share of the worst one's distance for all
+        distance = np.abs(coarse - frequency)
+        moving = frequency > REST * self.highest
+        worst = np.max(
+            distance[: self.count] / frequency[: self.count], where=moving[: self.count], initial=0.0
+        )
+        error = self.resolution.remaining(self.cell) * (distance + SHARED * worst * frequency)
         error += frequency * (np.abs(omitted) + self.fine.projection_error)
         error += self.fine.rounding / (8 * np.pi**2 * np.maximum(frequency, REST * self.highest))
         return Solution(kappa, frequency, error, fields, modes)
@@ -184,21 +196,16 @@ class BlochModel:
         turned so that the derivative is diagonal among them. At zero frequency it is not defined: NaN.
         """
         K, _ = self.fine.pencil.at(kappa)
-        values = _form(K, modes)
+        values = on_each(K, modes)
         frequency = _hertz(values)
         slopes = np.empty((len(values), 2))
         for direction in range(2):
             dK, dM = self.fine.pencil.slope(kappa, direction)
-            slopes[:, direction] = _form(dK, modes) - values * _form(dM, modes)
+            slopes[:, direction] = on_each(dK, modes) - values * on_each(dM, modes)
         moving = frequency > REST * self.highest
         slopes[~moving] = np.nan
         slopes[moving] /= 8 * np.pi**2 * frequency[moving, None]
         return slopes
-
-
-def _form(matrix: Fields, fields: Fields) -> Array:
-    """(k,) values of a Hermitian form on fields (n, k)."""
-    return np.asarray(np.einsum("ik,ik->k", fields.conj(), matrix @ fields).real)
 
 
 def _hertz(values: Array) -> Array:

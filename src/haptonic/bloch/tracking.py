@@ -4,12 +4,13 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from itertools import pairwise
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 from scipy.optimize import linear_sum_assignment
 
-from haptonic.bloch.character import Character, characters
+from haptonic.bloch.character import characters
 from haptonic.bloch.model import REST, SPARE_MODES, BlochModel, Solution
 from haptonic.bloch.symmetry import clusters, corner_labels, mirrors_at, sorted_by_parity
 from haptonic.lattice import Path
@@ -60,7 +61,7 @@ def diagram(model: BlochModel, path: Path) -> Diagram:
     parity = np.zeros((count, bands), dtype=np.int64)
     branch = np.zeros((count, bands), dtype=np.int64)
     velocity = np.empty((count, bands, 2))
-    found: list[Character] = []
+    followed: list[Complex] = []
     used = 0
     before: tuple[Complex, Ints, Ints] | None = None
     for start, stop in pairwise(path.corners):
@@ -80,7 +81,12 @@ def diagram(model: BlochModel, path: Path) -> Diagram:
             parity[i], branch[i] = signs, own
             velocity[i] = group_velocity(model, solution)
             if i < stop or stop == path.corners[-1]:
-                found.append(characters(superelement, solution.fields))
+                followed.append(solution.fields)
+    motion = characters(superelement, np.hstack(followed))
+
+    def per_mode(values: NDArray[Any]) -> NDArray[Any]:
+        return values.reshape(count, bands)
+
     return Diagram(
         path=path,
         frequency=np.stack([s.frequency[:bands] for s in solutions]),
@@ -89,10 +95,10 @@ def diagram(model: BlochModel, path: Path) -> Diagram:
         parity=parity,
         corner_symmetry=tuple(_labels(model, solutions[corner]) for corner in path.corners),
         branch=branch,
-        vertical=np.stack([c.vertical for c in found]),
-        pillar_strain=np.stack([c.pillar_strain for c in found]),
-        pillar_kinetic=np.stack([c.pillar_kinetic for c in found]),
-        name=np.stack([c.name for c in found]),
+        vertical=per_mode(motion.vertical),
+        pillar_strain=per_mode(motion.pillar_strain),
+        pillar_kinetic=per_mode(motion.pillar_kinetic),
+        name=per_mode(motion.name),
     )
 
 
@@ -133,7 +139,8 @@ def _joined(
     """Branch numbers of the modes now, from those before; new numbers where nothing fits."""
     old_fields, old_signs, old_branch = before
     fields, signs = now
-    overlap = np.abs(old_fields.conj().T @ (mass @ fields)) ** 2
+    weighed = mass @ fields.real + 1j * (mass @ fields.imag)
+    overlap = np.abs(old_fields.conj().T @ weighed) ** 2
     differ = (old_signs[:, None] * signs[None, :]) < 0
     overlap[differ] = 0.0
     rows, columns = linear_sum_assignment(-overlap)

@@ -63,10 +63,9 @@ class MeshPlan:
     def suited(cls, cell: UnitCell, order: int, foot_rings: int) -> MeshPlan:
         """Plan of similar errors in all directions, its elements not much longer than the pillar is wide.
 
-        Around the pillar an element spans a quarter turn and gets two orders more; at the foot the thin rings
-        and layers, which crowd towards the singular edge, do with one less.
+        Around the pillar an element spans a quarter turn and gets two orders more.
         """
-        orders = {"outward": order, "upward": order, "thin": max(order - 1, 1)}
+        orders = {"outward": order, "upward": order, "thin": order}
         if cell.pillar is None:
             return cls(order + 2, 0, 0, **orders)
         beyond = cell.pillar.height / (LAYER_LENGTH * cell.pillar.diameter)

@@ -10,7 +10,7 @@ import scipy.sparse as sp
 from numpy.typing import NDArray
 
 from haptonic.cell import Topology
-from haptonic.elements import ElementMatrices
+from haptonic.elements import ElementMatrices, coupled_pairs
 from haptonic.solvers import Pattern
 from haptonic.superelement.symmetry import Folding
 
@@ -22,7 +22,7 @@ Ints = NDArray[np.int64]
 class Assembler:
     """Where each pair of element nodes goes in the folded matrix, as 3 x 3 blocks of its upper triangle.
 
-    pairs : for each family, (3, k) number among the folding's elements, and the two nodes within the element
+    kept : for each family, numbers of the contributions to keep among (elements, k) raveled
     ends : (2, pairs of all families) node numbers of those two in the mesh
     weight : (pairs,) how many images the pair's element stands for
     in_pillar : (pairs,) whether it lies above the plate's top
@@ -35,7 +35,7 @@ class Assembler:
     """
 
     folding: Folding
-    pairs: tuple[Ints, ...]
+    kept: tuple[Ints, ...]
     ends: Ints
     weight: Array
     in_pillar: NDArray[np.bool_]
@@ -59,8 +59,8 @@ class Assembler:
 
     def paired(self, elements: tuple[ElementMatrices, ...]) -> Array:
         """(pairs, 9) stiffness between pairs of nodes, images counted."""
-        picked = [family.stiffness[e, a, b] for family, (e, a, b) in zip(elements, self.pairs, strict=True)]
-        return np.asarray(np.concatenate(picked).reshape(-1, 9) * self.weight[:, None])
+        picked = [e.stiffness.reshape(-1, 9)[kept] for e, kept in zip(elements, self.kept, strict=True)]
+        return np.asarray(np.concatenate(picked) * self.weight[:, None])
 
     def assembled(self, paired: Array, symmetry_class: int) -> FoldedStiffness:
         """Stiffness of one symmetry class from the stiffness between pairs of nodes."""
@@ -109,18 +109,16 @@ class FoldedStiffness:
 @lru_cache(maxsize=16)
 def assembler_of(topology: Topology, folding: Folding) -> Assembler:
     """The index work of a topology; the same object for the same arguments."""
-    pairs, ends, keys, weights, above = [], [], [], [], []
+    kept, ends, keys, weights, above = [], [], [], [], []
     count = len(folding.origin)
     for family, chosen, weight in zip(topology.families, folding.chosen, folding.weight, strict=True):
         nodes = family.nodes[chosen]
-        place = np.stack(np.unravel_index(np.arange(nodes[0].size), nodes.shape[1:]))
-        coupled = (place[:, :, None] == place[:, None, :]).any(axis=0)
-        a, b = np.nonzero(coupled)
+        a, b = coupled_pairs(nodes.shape[1:])
         nodes = nodes.reshape(len(nodes), -1)
         representative = folding.node[nodes]
         e, pair = np.nonzero(representative[:, a] <= representative[:, b])
+        kept.append(e * len(a) + pair)
         a, b = a[pair], b[pair]
-        pairs.append(np.stack([e, a, b]))
         ends.append(np.stack([nodes[e, a], nodes[e, b]]))
         keys.append(representative[e, a] * count + representative[e, b])
         weights.append(weight[e])
@@ -142,7 +140,7 @@ def assembler_of(topology: Topology, folding: Folding) -> Assembler:
     i, j = i[order], j[order]
     return Assembler(
         folding=folding,
-        pairs=tuple(pairs),
+        kept=tuple(kept),
         ends=np.concatenate(ends, axis=1),
         weight=np.concatenate(weights).astype(float),
         in_pillar=np.concatenate(above),

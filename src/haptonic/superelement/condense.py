@@ -24,6 +24,8 @@ from haptonic.superelement.trace import FoldedTrace, TraceMirror
 Array = NDArray[np.float64]
 Fields = NDArray[Any]  # real or complex
 
+SOFT_TRACES = 24  # of each symmetry class, whose inertia the interior's modes have to answer
+
 
 @dataclass(frozen=True)
 class Part:
@@ -126,6 +128,13 @@ class Superelement:
         return np.asarray(sum(pieces))
 
 
+def on_each(form: Array, fields: Fields) -> Array:
+    """(k,) values of a real quadratic form (n, n) on fields (n, k), real or complex."""
+    parts = np.hstack([fields.real, fields.imag]) if np.iscomplexobj(fields) else fields
+    values = np.einsum("ik,ik->k", parts, form @ parts)
+    return np.asarray(values.reshape(-1, fields.shape[1]).sum(axis=0))
+
+
 def condense(cell: UnitCell, plan: MeshPlan, steps: int = 2, *, measured: bool = True) -> Superelement:
     """Condense a cell onto its lateral faces.
 
@@ -206,6 +215,16 @@ class _CondensedClass:
         )
 
 
+def _softest(stiffness: Array, mass: Array) -> tuple[Array, Array]:
+    """(b, s) the traces that move at the lowest frequencies if the interior just follows, and their dual.
+
+    With M-orthonormal traces W every trace b is ``W (M W)^T b``; of these the first are kept.
+    """
+    count = min(SOFT_TRACES, len(mass))
+    _, soft = la.eigh(stiffness, mass, subset_by_index=(0, count - 1))
+    return soft, mass @ soft
+
+
 def _condense_class(
     shared: FoldedMesh, q: int, solver: Solver, steps: int, measured: bool
 ) -> _CondensedClass:
@@ -214,7 +233,10 @@ def _condense_class(
     solver.factorise(folded.interior)
     static = solver.solve(-folded.coupling)
     inertia = folded.mass[:, None] * static
-    values, modes, dynamic = interior_modes(solver, folded.mass, inertia, steps)
+    stiffness = folded.trace_stiffness + folded.coupling.T @ static
+    mass = folded.trace_mass + static.T @ inertia
+    soft, dual = _softest(stiffness, mass)
+    values, modes, dynamic = interior_modes(solver, folded.mass, inertia @ soft, steps)
     to_modes = inertia.T @ modes
 
     def unfolded(corner: Array, side: Array, modal: Array) -> _Form:
@@ -222,13 +244,14 @@ def _condense_class(
 
     # static answers do no work on fields without a trace, so stiffness does not couple the two
     forms = {
-        "stiffness": unfolded(
-            folded.trace_stiffness + folded.coupling.T @ static, np.zeros_like(to_modes), np.diag(values)
-        ),
-        "mass": unfolded(folded.trace_mass + static.T @ inertia, to_modes, np.eye(len(values))),
+        "stiffness": unfolded(stiffness, np.zeros_like(to_modes), np.diag(values)),
+        "mass": unfolded(mass, to_modes, np.eye(len(values))),
     }
-    # inertia of the static answers that the modes do not carry, answered by the inverse stiffness
-    omission = inertia.T @ dynamic - (to_modes / values) @ to_modes.T
+    # inertia of the soft traces' static answers that the modes do not carry, answered by the inverse
+    # stiffness
+    soft_to_modes = soft.T @ to_modes
+    missing = (inertia @ soft).T @ dynamic - (soft_to_modes / values) @ soft_to_modes.T
+    omission = dual @ missing @ dual.T
     momenta = momentum_forms(shared.mesh, shared.folding, q, shared.nodal_mass)
     if measured:
         pillar = shared.pillar_stiffness(q)

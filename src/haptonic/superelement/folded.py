@@ -13,7 +13,6 @@ from haptonic.cell import HexMesh, UnitCell
 from haptonic.cell.quadrature import interpolation, lobatto
 from haptonic.elements import element_matrices
 from haptonic.lattice import DIAGONAL, Operation
-from haptonic.solvers import Solver, chosen
 from haptonic.superelement.assembly import Assembler, assembler_of
 from haptonic.superelement.symmetry import COMPONENT_SIGNS, Folding, fold
 from haptonic.superelement.trace import FoldedTrace
@@ -99,10 +98,6 @@ class FoldedMesh:
         if DIAGONAL in self.cell.lattice.point_group and len(parity) == 4:
             images[parity.index((-1, 1))] = parity.index((1, -1))
         return [q for q in range(len(parity)) if q not in images], images
-
-    def solver(self) -> Solver:
-        """A new solver, analysed for the interior's pattern, which all classes have."""
-        return chosen()(self.assembler.pattern)
 
     def symmetry_class(self, q: int) -> FoldedCell:
         """The matrices of one class."""

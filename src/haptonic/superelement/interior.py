@@ -25,7 +25,7 @@ def interior_modes(solver: Solver, mass: Array, inertia: Array, steps: int) -> t
     ----------
     solver : has factorised the stiffness K
     mass : (n,) lumped mass M
-    inertia : (n, b) M times the static answers
+    inertia : (n, b) M times static answers
     steps : blocks of the space
 
     Returns
@@ -40,20 +40,18 @@ def interior_modes(solver: Solver, mass: Array, inertia: Array, steps: int) -> t
     dynamic, extra = np.split(answers, [inertia.shape[1]], axis=1)
     scaled = root * dynamic
     _, turn = la.eigh(scaled.T @ scaled)
-    blocks = [_orthonormal(np.hstack([scaled @ turn[:, -BLOCK:], root * extra]))]
-    for _ in range(steps - 1):
-        new = root * solver.solve(root * blocks[-1])
+    new = np.hstack([scaled @ turn[:, -BLOCK:], root * extra])
+    blocks: list[Array] = []
+    answers_to: list[Array] = []
+    for _ in range(steps):
         for _ in range(2):  # one pass of Gram and Schmidt is not enough
             for old in blocks:
                 new = new - old @ (old.T @ new)
-            new = _orthonormal(new)
+            new = np.asarray(la.qr(new, mode="economic")[0])
         blocks.append(new)
-    loads = root * np.hstack(blocks)
-    fields = solver.solve(loads)
+        answers_to.append(solver.solve(root * new))
+        new = root * answers_to[-1]
+    fields = np.hstack(answers_to)
     moving = root * fields
-    values, turn = la.eigh(loads.T @ fields, moving.T @ moving)
+    values, turn = la.eigh(np.hstack(blocks).T @ moving, moving.T @ moving)
     return values, fields @ turn, dynamic
-
-
-def _orthonormal(block: Array) -> Array:
-    return np.asarray(la.qr(block, mode="economic")[0])

@@ -6,16 +6,24 @@ Threads of our own on the classes beat threads inside the linear algebra, whose 
 from __future__ import annotations
 
 import os
+from collections import deque
 from collections.abc import Callable, Sequence
 from concurrent.futures import ThreadPoolExecutor
+from functools import cache
 from typing import TypeVar
 
 from threadpoolctl import threadpool_limits
 
-from haptonic.solvers import Solver
+from haptonic.solvers import Solver, chosen
+from haptonic.superelement.assembly import Assembler
 from haptonic.superelement.folded import FoldedMesh
 
 Result = TypeVar("Result")
+
+KEPT_SOLVERS = 6  # analysed solvers that wait for the next cell of the same topology
+KEPT_ENTRIES = 5_000_000  # of a pattern; the factors of larger ones would hold too much memory
+
+_idle: deque[tuple[Assembler, Solver]] = deque(maxlen=KEPT_SOLVERS)
 
 
 def threads() -> int:
@@ -30,16 +38,34 @@ def threads() -> int:
 def for_each_class(
     shared: FoldedMesh, work: Callable[[int, Solver], Result], classes: Sequence[int]
 ) -> list[Result]:
-    """``work(class, solver)`` for some symmetry classes, in order; each thread has a solver of its own."""
-    workers = min(threads(), len(classes))
+    """``work(class, solver)`` for some symmetry classes, in order; no two at a time share a solver."""
 
-    def share(start: int) -> list[Result]:
-        solver = shared.solver()
-        return [work(q, solver) for q in classes[start::workers]]
+    def one(q: int) -> Result:
+        solver = _taken(shared.assembler)
+        result = work(q, solver)
+        if len(shared.assembler.pattern.indices) <= KEPT_ENTRIES:
+            _idle.append((shared.assembler, solver))
+        return result
 
     with threadpool_limits(1):
-        if workers == 1:
-            return share(0)
-        with ThreadPoolExecutor(workers) as pool:
-            shares = list(pool.map(share, range(workers)))
-    return [shares[number % workers][number // workers] for number in range(len(classes))]
+        if threads() == 1:
+            return [one(q) for q in classes]
+        return list(_pool(threads()).map(one, classes))
+
+
+def _taken(assembler: Assembler) -> Solver:
+    """An idle solver that has analysed the assembler's pattern, or a new one."""
+    for _ in range(len(_idle)):
+        try:
+            whose, solver = _idle.popleft()
+        except IndexError:  # another thread was faster
+            break
+        if whose is assembler and isinstance(solver, chosen()):
+            return solver
+        _idle.append((whose, solver))
+    return chosen()(assembler.pattern)
+
+
+@cache
+def _pool(workers: int) -> ThreadPoolExecutor:
+    return ThreadPoolExecutor(workers, thread_name_prefix="haptonic-class")

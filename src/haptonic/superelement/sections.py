@@ -45,11 +45,11 @@ class PillarSections:
         """
         path = (self.motion[:2] @ fields) / self.mass[:, None]
         path -= path[:, :1]
-        count = np.empty(fields.shape[1], dtype=np.int64)
-        for k in range(fields.shape[1]):
-            # best real profile: leading singular vector of (direction and phase) x sections
-            rows = np.concatenate([path[:, :, k].real, path[:, :, k].imag])
-            profile = np.linalg.svd(rows, full_matrices=False)[2][0]
+        # best real profiles: leading singular vectors of (direction and phase) x sections
+        rows = np.moveaxis(np.concatenate([path.real, path.imag]), 2, 0)
+        profiles = np.linalg.svd(rows, full_matrices=False)[2][:, 0]
+        count = np.empty(len(profiles), dtype=np.int64)
+        for k, profile in enumerate(profiles):
             strong = profile[np.abs(profile) > 0.02 * np.abs(profile).max()]
             count[k] = int((np.diff(np.sign(strong)) != 0).sum())
         return count
