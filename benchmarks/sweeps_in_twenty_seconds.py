@@ -1,4 +1,4 @@
-"""Claim: the two sweeps of the reference study, 50 designs and their complete gaps, take 20 s on two cores."""
+"""Claim: the two sweeps of the reference study, 50 designs with complete gaps, take 20 s on two cores."""
 
 from __future__ import annotations
 

@@ -10,14 +10,15 @@ from functools import cached_property
 import numpy as np
 import scipy.linalg as la
 from numpy.typing import NDArray
+from threadpoolctl import threadpool_limits
 
 from haptonic.bloch.centred import CentredPencil, RealPencil
 from haptonic.bloch.pencil import Fields, Periodic, eigenpairs
 from haptonic.bloch.resolution import LADDER, SHARED, Resolution, check_memory, starting_rung
-from haptonic.cell import MeshPlan, UnitCell
+from haptonic.cell import UnitCell
 from haptonic.errors import ResourceError
 from haptonic.lattice import Lattice
-from haptonic.superelement import Superelement, condense, on_each
+from haptonic.superelement import FoldedMesh, Superelement, condense, condensed, on_each
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
@@ -49,17 +50,14 @@ class ReducedCell:
     rounding: float
 
     @classmethod
-    def of(
-        cls, cell: UnitCell, plan: MeshPlan, steps: int, count: int, goal: float, *, measured: bool
-    ) -> ReducedCell:
-        """Condense a cell and enrich a basis until it adds less than ``goal`` (relative) to frequencies."""
-        superelement = condense(cell, plan, steps, measured=measured)
+    def of(cls, superelement: Superelement, count: int, goal: float) -> ReducedCell:
+        """Enrich a basis until it adds less than ``goal`` (relative) to ``count`` frequencies."""
         full = CentredPencil.of(superelement)
         _, mass = full.at(np.zeros(2))
         rest = _orthonormal(full.near_rest(), mass)
         snapshots: list[Array] = []
         error, small, basis = np.inf, None, rest
-        for wavevectors in _training(cell.lattice):
+        for wavevectors in _training(superelement.cell.lattice):
             values, modes = zip(
                 *(eigenpairs(full, kappa, count + SPARE_MODES) for kappa in wavevectors), strict=True
             )
@@ -152,16 +150,17 @@ class BlochModel:
 
     @classmethod
     def of(cls, cell: UnitCell, resolution: Resolution, count: int, *, measured: bool = True) -> BlochModel:
-        plan = resolution.plan(cell)
+        plan, steps, goal = resolution.plan(cell), resolution.steps, resolution.projection_goal
 
-        def reduced(plan: MeshPlan, measured: bool) -> ReducedCell:
-            return ReducedCell.of(
-                cell, plan, resolution.steps, count, resolution.projection_goal, measured=measured
-            )
+        def lowered() -> ReducedCell:
+            return ReducedCell.of(condense(cell, plan.lowered(), steps, measured=False), count, goal)
 
-        with ThreadPoolExecutor(1) as aside:  # both share the threads that symmetry classes are given to
-            coarse = aside.submit(reduced, plan.lowered(), False)
-            fine = reduced(plan, measured)
+        # these matrices are too small for threads inside the linear algebra; both models share the threads
+        # that symmetry classes are given to, the larger one first
+        with threadpool_limits(1), ThreadPoolExecutor(1) as aside:
+            mesh = FoldedMesh.of(cell, plan)
+            coarse = aside.submit(lowered)
+            fine = ReducedCell.of(condensed(mesh, steps, measured=measured), count, goal)
             return cls(cell, resolution, count, fine, coarse.result())
 
     def solve(self, kappa: Array, spare: int = 0) -> Solution:

@@ -1,7 +1,17 @@
 """One superelement, many uses: K and M of a cell condensed onto its lateral faces."""
 
-from haptonic.superelement.condense import Superelement, condense, on_each
+from haptonic.superelement.condense import Superelement, condense, condensed, on_each
 from haptonic.superelement.counting import DynamicStiffness, dynamic_stiffness
+from haptonic.superelement.folded import FoldedMesh
 from haptonic.superelement.trace import TraceMirror
 
-__all__ = ["DynamicStiffness", "Superelement", "TraceMirror", "condense", "dynamic_stiffness", "on_each"]
+__all__ = [
+    "DynamicStiffness",
+    "FoldedMesh",
+    "Superelement",
+    "TraceMirror",
+    "condense",
+    "condensed",
+    "dynamic_stiffness",
+    "on_each",
+]

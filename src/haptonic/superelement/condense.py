@@ -12,7 +12,7 @@ import numpy as np
 import scipy.linalg as la
 from numpy.typing import NDArray
 
-from haptonic.cell import HexMesh, MeshPlan, UnitCell, mesh_cell
+from haptonic.cell import HexMesh, MeshPlan, UnitCell
 from haptonic.lattice import DIAGONAL, Operation
 from haptonic.solvers import Solver
 from haptonic.superelement.folded import FoldedMesh
@@ -144,8 +144,12 @@ def condense(cell: UnitCell, plan: MeshPlan, steps: int = 2, *, measured: bool =
     steps : blocks of the Krylov space that stands for the interior's own motion
     measured : also make what characterises motion
     """
-    mesh = mesh_cell(cell, plan)
-    shared = FoldedMesh.of(cell, mesh, plan.upward + 1)
+    return condensed(FoldedMesh.of(cell, plan), steps, measured=measured)
+
+
+def condensed(shared: FoldedMesh, steps: int, *, measured: bool) -> Superelement:
+    """The superelement of a mesh that is folded already; see `condense`."""
+    mesh = shared.mesh
     own_classes, images = shared.classes_and_images()
     found = for_each_class(
         shared, lambda q, solver: _condense_class(shared, q, solver, steps, measured), own_classes
@@ -171,7 +175,7 @@ def condense(cell: UnitCell, plan: MeshPlan, steps: int = 2, *, measured: bool =
         sections = pillar_sections(mesh, shared.nodal_mass, momenta)
         measures = Measures(whole("pillar_stiffness"), whole("pillar_mass"), whole("vertical_mass"), sections)
     return Superelement(
-        cell=cell,
+        cell=shared.cell,
         mesh=mesh,
         levels=shared.levels,
         stiffness=whole("stiffness"),

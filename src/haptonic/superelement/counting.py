@@ -12,7 +12,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from haptonic.cell import MeshPlan, UnitCell, mesh_cell
+from haptonic.cell import MeshPlan, UnitCell
 from haptonic.lattice import DIAGONAL
 from haptonic.solvers import Solver
 from haptonic.superelement.folded import FoldedMesh
@@ -36,7 +36,7 @@ class DynamicStiffness:
 
 def dynamic_stiffness(cell: UnitCell, plan: MeshPlan, omega: float) -> DynamicStiffness:
     """Exact dynamic condensation of the mesh's own K - omega^2 M, without any interior modes."""
-    shared = FoldedMesh.of(cell, mesh_cell(cell, plan), plan.upward + 1)
+    shared = FoldedMesh.of(cell, plan)
     diagonal = shared.assembler.diagonal
 
     def one(q: int, solver: Solver) -> tuple[Array, int]:

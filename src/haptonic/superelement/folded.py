@@ -9,7 +9,7 @@ import numpy as np
 import scipy.sparse as sp
 from numpy.typing import NDArray
 
-from haptonic.cell import HexMesh, UnitCell
+from haptonic.cell import HexMesh, MeshPlan, UnitCell, mesh_cell
 from haptonic.cell.quadrature import interpolation, lobatto
 from haptonic.elements import element_matrices
 from haptonic.lattice import DIAGONAL, Operation
@@ -63,8 +63,9 @@ class FoldedMesh:
     nodal_mass: Array
 
     @classmethod
-    def of(cls, cell: UnitCell, mesh: HexMesh, levels: int) -> FoldedMesh:
-        """Fold a cell's mesh, with ``levels`` trace nodes through the thickness."""
+    def of(cls, cell: UnitCell, plan: MeshPlan) -> FoldedMesh:
+        """Mesh a cell and fold it along its mirrors."""
+        mesh, levels = mesh_cell(cell, plan), plan.upward + 1
         topology = mesh.topology
         folding = fold(topology, mirrors_of(cell))
         elements, mass = [], np.zeros(len(folding.origin))
