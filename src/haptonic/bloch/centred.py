@@ -103,32 +103,36 @@ class CentredPencil:
 
     def projected(self, basis: Array) -> RealPencil:
         """The pencil on a constant real basis (n, r)."""
+        size = basis.shape[1]
+        sums: dict[tuple[float, float], Array] = {}
+        for piece in self._pieces:
+            # Re of (1, i, -i) exp(i x) is (cos x, -sin x, sin x)
+            total = sums.setdefault(piece.shift, np.zeros((2, 2, size, size)))[1 if piece.turned else 0]
+            left, right = basis[piece.rows].T, basis[piece.columns]
+            total += (-piece.turned or 1) * (left @ piece.forms @ right)
+        stacked = np.stack(list(sums.values()), axis=2)  # cosine or sine, form, shift, r, r
+        return RealPencil(np.array(list(sums)), stacked[0], stacked[1])
+
+    @cached_property
+    def _pieces(self) -> list[_Piece]:
+        """The parts of the pencil between unknowns of the same offset and parity that are not zero."""
         kinds, member = np.unique(np.column_stack([2 * self.offset, self.odd]), axis=0, return_inverse=True)
         groups = [np.flatnonzero(member.ravel() == kind) for kind in range(len(kinds))]
-        whole = [basis[group] for group in groups]
-        sums: dict[tuple[float, float], Array] = {}
-        for number, shift in enumerate(self.pencil.shifts):
+        pencil, found = self.pencil, []
+        for number, shift in enumerate(pencil.shifts):
+            both = np.stack([pencil.stiffness[number], pencil.mass[number]])
             for sign in (1, -1) if shift.any() else (1,):
+                forms = both if sign > 0 else both.swapaxes(1, 2)
                 for g, rows in enumerate(groups):
                     for h, columns in enumerate(groups):
-                        where = np.ix_(rows, columns) if sign > 0 else np.ix_(columns, rows)
-                        parts = [form[number][where] for form in (self.pencil.stiffness, self.pencil.mass)]
-                        if not any(part.any() for part in parts):
+                        part = forms[:, rows[:, None], columns]
+                        if not part.any():
                             continue
                         step = sign * shift + 0.5 * (kinds[g, :2] - kinds[h, :2])
-                        turned = kinds[h, 2] - kinds[g, 2]  # 1: times i, -1: times -i
                         forward = 1 if tuple(step) >= (0, 0) else -1
-                        total = sums.setdefault(
-                            tuple(forward * step), np.zeros((2, 2, *(basis.shape[1],) * 2))
-                        )
-                        for total_of, part in zip(total, parts, strict=True):
-                            small = whole[g].T @ (part if sign > 0 else part.T) @ whole[h]
-                            # Re of (1, i, -i) exp(i x) is (cos x, -sin x, sin x)
-                            total_of[0 if turned == 0 else 1] += (
-                                small if turned == 0 else -turned * forward * small
-                            )
-        stacked = np.stack(list(sums.values()), axis=2)  # form, cosine or sine, shift, r, r
-        return RealPencil(np.array(list(sums)), stacked[:, 0], stacked[:, 1])
+                        turned = int(forward * (kinds[h, 2] - kinds[g, 2]))
+                        found.append(_Piece(tuple(forward * step), turned, rows, columns, part))
+        return found
 
     def near_rest(self) -> Array:
         """(n, 12) translations, and what they turn into as the wavevector grows from zero.
@@ -160,6 +164,17 @@ class CentredPencil:
             answer(-first[0] @ along_2 - first[1] @ along_1 - (bent[2] - bent[0] - bent[1]) @ up),
         ]
         return np.hstack([rest, *slopes, *curvatures])
+
+
+@dataclass(frozen=True)
+class _Piece:
+    """Stiffness and mass (2, rows, columns) times cos(shift . kappa), or -turned * sin if turned is not 0."""
+
+    shift: tuple[float, float]
+    turned: int
+    rows: NDArray[np.int64]
+    columns: NDArray[np.int64]
+    forms: Array
 
 
 @dataclass(frozen=True)

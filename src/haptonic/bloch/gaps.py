@@ -14,7 +14,7 @@ from haptonic.bloch.tracking import Diagram
 Array = NDArray[np.float64]
 Ints = NDArray[np.int64]
 
-COARSE_DIVISIONS = 12  # of the irreducible zone's sides in the first sampling
+COARSE_DIVISIONS = 8  # of the irreducible zone's sides in the first sampling
 DOUBT = 0.5  # share by which a band may rise more, or fall less, than its slope at a corner says
 FLAT = (
     0.05  # slope at a corner, as a share of the steepest of its triangle, that says nothing about the inside
@@ -97,9 +97,9 @@ class ZoneSampling:
 
         Inside a triangle a band stays below the lowest of the planes that touch it at the corners, if those
         rise a little more than the band does; that also holds where it is the lower of two bands that
-        cross. Corners where the band is level, as symmetry makes it at some, are asked only when all three
-        are. Triangles that could beat the best value found are halved until none can by more than the
-        goal.
+        cross. A corner where the band is level, as symmetry makes it at some, is asked only if it is the
+        highest of its triangle. Triangles that could beat the best value found are halved until none can
+        by more than the goal.
 
         Returns
         -------
@@ -115,9 +115,9 @@ class ZoneSampling:
             planes = at_corners[:, None] + change + DOUBT * np.abs(change)
             steepness = np.linalg.norm(slope[self.triangles], axis=2)
             flat = steepness <= FLAT * steepness.max(axis=1, keepdims=True)
+            flat &= at_corners < at_corners.max(axis=1, keepdims=True)
             planes = np.where(flat[:, None], np.inf, planes)  # the two others know better
-            highest = np.where(flat.all(axis=1), -np.inf, planes.min(axis=2).max(axis=1))
-            ceiling = np.maximum(at_corners.max(axis=1), highest)
+            ceiling = np.maximum(at_corners.max(axis=1), planes.min(axis=2).max(axis=1))
             best = int(value.argmax())
             doubt = float(ceiling.max() - value[best])
             goal = SEARCH_GOAL * abs(value[best])

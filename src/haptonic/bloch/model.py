@@ -51,7 +51,10 @@ class ReducedCell:
 
     @classmethod
     def of(cls, superelement: Superelement, count: int, goal: float) -> ReducedCell:
-        """Enrich a basis until it adds less than ``goal`` (relative) to ``count`` frequencies."""
+        """Enrich a basis until it adds no more than ``goal`` (relative) to ``count`` frequencies.
+
+        An infinite goal asks for a first basis without any check.
+        """
         full = CentredPencil.of(superelement)
         _, mass = full.at(np.zeros(2))
         rest = _orthonormal(full.near_rest(), mass)
@@ -73,7 +76,7 @@ class ReducedCell:
                 new = new - rest @ (rest.T @ (mass @ new))
             basis = np.hstack([rest, _orthonormal(new, mass)])
             small = full.projected(basis)
-            if error < goal:
+            if error <= goal:
                 break
         assert small is not None
         rounding = float(np.abs(eigenpairs(small, np.zeros(2), 3)[0]).max())
@@ -153,7 +156,7 @@ class BlochModel:
         plan, steps, goal = resolution.plan(cell), resolution.steps, resolution.projection_goal
 
         def lowered() -> ReducedCell:
-            return ReducedCell.of(condense(cell, plan.lowered(), steps, measured=False), count, goal)
+            return ReducedCell.of(condense(cell, plan.lowered(), steps, measured=False), count, np.inf)
 
         # these matrices are too small for threads inside the linear algebra; both models share the threads
         # that symmetry classes are given to, the larger one first

@@ -65,7 +65,7 @@ class FoldedMesh:
     @classmethod
     def of(cls, cell: UnitCell, plan: MeshPlan) -> FoldedMesh:
         """Mesh a cell and fold it along its mirrors."""
-        mesh, levels = mesh_cell(cell, plan), plan.upward + 1
+        mesh, levels = mesh_cell(cell, plan), max(plan.upward, 3)
         topology = mesh.topology
         folding = fold(topology, mirrors_of(cell))
         elements, mass = [], np.zeros(len(folding.origin))
