@@ -34,6 +34,8 @@ Result = xr.Dataset | HaptonicError
 Results = Generator[tuple[str, Result], None, None]
 
 THREAD_LIMITS = ("OMP_NUM_THREADS", "MKL_NUM_THREADS", "OPENBLAS_NUM_THREADS")
+# Dask has workers give freed memory back at once; to be given it anew costs this work half of its time.
+KEEP_MEMORY = {"MALLOC_TRIM_THRESHOLD_": str(2**31), "MALLOC_MMAP_THRESHOLD_": str(2**30)}
 CONNECT_SECONDS = 5
 FIRST_WORKER_SECONDS = 30
 CLOSE_SECONDS = 0.5
@@ -233,7 +235,7 @@ def _local_workers(count: int) -> Iterator[Client]:
     from distributed import Client, LocalCluster
 
     given = dask.config.get("distributed.nanny.pre-spawn-environ")
-    limits = dict.fromkeys(THREAD_LIMITS, str(max(1, CPU_COUNT // count)))
+    limits = dict.fromkeys(THREAD_LIMITS, str(max(1, CPU_COUNT // count))) | KEEP_MEMORY
     settings = {
         "distributed.nanny.pre-spawn-environ": {**given, **limits},
         "distributed.scheduler.allowed-failures": 0,  # the second attempt is made by _collected

@@ -18,7 +18,7 @@ from haptonic import plots, vtu
 from haptonic.bloch import Gap, Resolution, bands_dataset, gaps_dataset, gaps_of
 from haptonic.cell import UnitCell
 from haptonic.cell.cantilever import euler_bernoulli, timoshenko
-from haptonic.jobs import Task, run_all
+from haptonic.jobs import Outcome, Task, run_all
 from haptonic.materials import IsotropicMaterial
 from haptonic.store import Store, content_key, fingerprint, refuse_overwrite, write_atomically
 
@@ -197,30 +197,48 @@ def compute_bands(
     return Bands(_stamped(dataset, inputs))
 
 
-def compute_sweep(
-    values: Sequence[float],
-    cells: Sequence[UnitCell],
+@dataclass(frozen=True)
+class Row:
+    """A row of designs: the swept value and the cell of each.
+
+    labels : attributes of the result: ``expression``, ``units``, and if known ``own_value``, ``carrier_hz``
+    """
+
+    values: Sequence[float]
+    cells: Sequence[UnitCell]
+    labels: Mapping[str, Any]
+
+
+def compute_sweeps(
+    rows: Sequence[Row],
     asked: Asked,
     *,
-    labels: Mapping[str, Any],
     inputs: Mapping[str, Any],
     store: Store,
     workers: int = 0,
     scheduler: str | None = None,
     on_progress: Callable[[int, int, bool], None] | None = None,
-) -> Sweep:
-    """Complete gaps of many designs, kept one by one in the store as they are finished.
+) -> tuple[Sweep, ...]:
+    """Complete gaps of rows of designs, kept one by one in the store as they are finished.
 
     Parameters
     ----------
-    values, cells : the swept value and the cell of each design
-    labels : attributes of the result: ``expression``, ``units``, and if known ``own_value``, ``carrier_hz``
-    workers, scheduler, on_progress : see `haptonic.jobs.run_all`
+    inputs : plain values of what was asked, for the results' attributes
+    workers, scheduler, on_progress : see `haptonic.jobs.run_all`; all rows are computed as one
     """
-    tasks = [Task({"kind": "gaps", **_key_of(cell, asked)}, (cell, asked)) for cell in cells]
-    outcomes = run_all(
-        design_gaps, tasks, store=store, workers=workers, scheduler=scheduler, on_progress=on_progress
+    tasks = [
+        Task({"kind": "gaps", **_key_of(cell, asked)}, (cell, asked)) for row in rows for cell in row.cells
+    ]
+    outcomes = iter(
+        run_all(
+            design_gaps, tasks, store=store, workers=workers, scheduler=scheduler, on_progress=on_progress
+        )
     )
+    return tuple(_sweep(row, [next(outcomes) for _ in row.cells], inputs) for row in rows)
+
+
+def _sweep(row: Row, outcomes: Sequence[Outcome], inputs: Mapping[str, Any]) -> Sweep:
+    cells, labels = row.cells, row.labels
     slots = max([o.dataset.sizes["gap"] for o in outcomes if o.dataset is not None], default=0)
     names = ("gap_lower", "gap_upper", "gap_lower_error", "gap_upper_error", "gap_below")
     table = {name: np.full((len(cells), slots), np.nan) for name in names}
@@ -233,7 +251,7 @@ def compute_sweep(
     beams = [_cantilever(cell) for cell in cells]
     dataset = xr.Dataset(
         {
-            "value": ("step", np.asarray(values)),
+            "value": ("step", np.asarray(row.values)),
             **{name: (("step", "gap_slot"), array) for name, array in table.items()},
             "searched_up_to": ("step", highest),
             "euler_bernoulli": (("step", "resonance"), np.stack([slender for slender, _ in beams])),

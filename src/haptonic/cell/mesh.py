@@ -23,7 +23,7 @@ Array = NDArray[np.float64]
 Ints = NDArray[np.int64]
 
 CORNERS = np.array([(-1, -1), (1, -1), (1, 1), (-1, 1)])  # of the cell, anticlockwise, in half translations
-LAYER_LENGTH = 1.4  # of an element along the pillar, in diameters
+LAYER_LENGTH = 1.9  # of an element along the pillar, in diameters
 FOOT_LAYER = 0.3  # height of the pillar's lowest layer, in diameters: stresses of the foot die out in it
 FOOT_WIDTH = 0.15  # outermost thin ring, as a share of the smallest length at the foot
 FOOT_GRADING = 0.2  # each further ring reaches to this share of the one before

@@ -220,12 +220,11 @@ def sweep_table(result: Sweep) -> Table:
     return shown
 
 
-def _swept(loaded: Study, voice: Voice, workers: int, scheduler: str | None) -> list[Sweep]:
-    results = []
-    for number, section in enumerate(loaded.sweep, start=1):
-        with voice.counted(f"sweep {number} of {len(loaded.sweep)}", section.steps) as progress:
-            results.append(loaded.swept(section, workers=workers, scheduler=scheduler, on_progress=progress))
-    return results
+def _swept(loaded: Study, voice: Voice, workers: int, scheduler: str | None) -> tuple[Sweep, ...]:
+    if not loaded.sweep:
+        return ()
+    with voice.counted("sweeps", sum(section.steps for section in loaded.sweep)) as progress:
+        return loaded.swept(workers=workers, scheduler=scheduler, on_progress=progress)
 
 
 def _folder(study: Path, out: Path | None, json: bool, command: str) -> Path | None:

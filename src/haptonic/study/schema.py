@@ -25,7 +25,7 @@ from haptonic.cell import Pillar, UnitCell
 from haptonic.errors import HaptonicError, StudyError
 from haptonic.lattice import Lattice
 from haptonic.materials import Material, material
-from haptonic.results import Asked, Bands, Sweep, compute_bands, compute_sweep
+from haptonic.results import Asked, Bands, Row, Sweep, compute_bands, compute_sweeps
 from haptonic.store import Store
 from haptonic.study.keys import leaves, table
 from haptonic.study.problems import study_error
@@ -212,25 +212,29 @@ class Study(Section):
 
     def swept(
         self,
-        sweep: SweepSection,
         *,
         store: Store | None = None,
         workers: int = 0,
         scheduler: str | None = None,
         on_progress: Callable[[int, int, bool], None] | None = None,
-    ) -> Sweep:
-        """Complete gaps of every design of one of the study's sweeps; see `haptonic.jobs.run_all`."""
-        labels = {
-            "expression": sweep.vary,
-            "units": sweep.unit,
-            "own_value": sweep.expression.value(self.parameters()),
-            "carrier_hz": self.carrier,
-        }
-        return compute_sweep(
-            sweep.values,
-            [design.unit_cell() for design in self.designs(sweep)],
+    ) -> tuple[Sweep, ...]:
+        """Complete gaps of every design of the study's sweeps; see `haptonic.jobs.run_all`."""
+        rows = [
+            Row(
+                sweep.values,
+                [design.unit_cell() for design in self.designs(sweep)],
+                {
+                    "expression": sweep.vary,
+                    "units": sweep.unit,
+                    "own_value": sweep.expression.value(self.parameters()),
+                    "carrier_hz": self.carrier,
+                },
+            )
+            for sweep in self.sweep
+        ]
+        return compute_sweeps(
+            rows,
             self.asked(),
-            labels=labels,
             inputs=self.inputs(),
             store=store or Store.default(),
             workers=workers,
