@@ -28,7 +28,7 @@ def _reference_bands() -> xr.Dataset:
         count=10,
         points=24,
         accuracy=2e-2,
-        resolution=Resolution(3, 1),
+        resolution=Resolution(4, 1),
         surface=True,
     )
     dataset.attrs |= {"lattice": json.dumps(CELL_AXES), "code_fingerprint": "0" * 64}

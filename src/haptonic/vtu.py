@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from math import prod
 from pathlib import Path
 
 import meshio
@@ -29,7 +30,9 @@ def write_modes(path: Path, dataset: xr.Dataset, overwrite: bool = False) -> Pat
     """
     refuse_overwrite(path, overwrite)
     cells = dataset["subcell"].values
-    order = int(json.loads(dataset.attrs["mesh"])["order"])
+    cells_of_each = [
+        prod(p) for number, *p in json.loads(dataset.attrs["element_grids"]) for _ in range(number)
+    ]
     fields = {}
     for k in range(dataset.sizes["mode"]):
         name = f"M{k + 1} {float(dataset['mode_frequency'][k]) / 1e3:.2f} kHz"
@@ -39,7 +42,7 @@ def write_modes(path: Path, dataset: xr.Dataset, overwrite: bool = False) -> Pat
         dataset["node_position"].values,
         [("hexahedron", cells)],
         point_data=fields,
-        cell_data={"element": [np.arange(len(cells)) // order**3]},
+        cell_data={"element": [np.repeat(np.arange(len(cells_of_each)), cells_of_each)]},
     )
     write_atomically(path, lambda temporary: mesh.write(temporary, file_format="vtu"))
     return path

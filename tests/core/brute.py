@@ -8,6 +8,16 @@ from haptonic.cell import HexMesh
 from haptonic.elements import element_matrices
 
 
+def dense(matrices):
+    """(elements, 3 nodes, 3 nodes) stiffness of single elements from the contributions of their pairs."""
+    elements, nodes = matrices.mass.shape
+    K = np.zeros((elements, nodes, 3, nodes, 3))
+    first, second = matrices.pairs
+    for i, j in np.ndindex(3, 3):
+        np.add.at(K, (slice(None), first, i, second, j), matrices.stiffness[..., i, j])
+    return K.reshape(elements, 3 * nodes, 3 * nodes)
+
+
 def assembled(mesh: HexMesh, material):
     """Stiffness (3 nodes, 3 nodes), sparse, and the diagonal (3 nodes,) of the mass."""
     K, mass = sp.csr_array((mesh.unknowns,) * 2), np.zeros(mesh.unknowns)
@@ -15,12 +25,13 @@ def assembled(mesh: HexMesh, material):
         for start in range(0, len(family), 64):  # a fine mesh would need too much memory at once
             nodes = family.nodes[start : start + 64]
             matrices = element_matrices(mesh.points, nodes, material)
-            unknown = (3 * nodes.reshape(len(nodes), -1)[..., None] + np.arange(3)).reshape(len(nodes), -1)
-            count = unknown.shape[1]
-            values = matrices.stiffness.swapaxes(2, 3).reshape(len(nodes), count, count)
-            rows = np.broadcast_to(unknown[:, :, None], values.shape)
-            columns = np.broadcast_to(unknown[:, None, :], values.shape)
-            K = K + sp.coo_array((values.ravel(), (rows.ravel(), columns.ravel())), shape=K.shape).tocsr()
+            unknown = 3 * nodes.reshape(len(nodes), -1)[..., None] + np.arange(3)
+            first, second = matrices.pairs
+            shape = matrices.stiffness.shape
+            rows = np.broadcast_to(unknown[:, first, :, None], shape)
+            columns = np.broadcast_to(unknown[:, second, None, :], shape)
+            entries = (matrices.stiffness.ravel(), (rows.ravel(), columns.ravel()))
+            K = K + sp.coo_array(entries, shape=K.shape).tocsr()
             mass += np.bincount(unknown.ravel(), np.repeat(matrices.mass, 3, axis=1).ravel(), mesh.unknowns)
     return K, mass
 

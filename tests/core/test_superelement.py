@@ -21,6 +21,7 @@ from haptonic.lattice import IDENTITY, MIRROR_X, MIRROR_Y, Lattice
 from haptonic.materials import OrthotropicMaterial
 from haptonic.superelement import condense, dynamic_stiffness, folded
 from haptonic.superelement.folded import mirrors_of
+from haptonic.superelement.trace import trace_levels
 
 PLY = OrthotropicMaterial("ply", 20e9, 11e9, 9e9, 3e9, 2.5e9, 4e9, 3.1e9, 4.3e9, 5.7e9, density=1500.0)
 RECTANGULAR = UnitCell(Lattice.rectangular(8e-3, 6e-3), 2e-3, ALUMINIUM, Pillar(2.4e-3, 9e-3))
@@ -56,7 +57,7 @@ def constrained_brute_force(cell, plan, kappa, count):
     mesh = mesh_cell(cell, plan)
     K, mass = assembled(mesh, cell.material)
     rim = mesh.topology.rim
-    levels = 0.5 * cell.thickness * (1 + lobatto(plan.order)[0])
+    levels = 0.5 * cell.thickness * (1 + lobatto(trace_levels(plan) - 1)[0])
     through = interpolation(levels, mesh.points[rim[:, 0], 2])
     P = periodic_projection(mesh.points, cell.lattice.vectors, kappa, through, rim)
     return frequencies(K, mass, P, count)
@@ -158,7 +159,7 @@ CASES = {
     "square": (reference_cell(), MeshPlan(2, 1, 3)),
     "rectangular": (RECTANGULAR, MeshPlan(2, 1, 2)),
     "without mirrors": (WHOLE, MeshPlan(2, 0, 2, blocks=2)),
-    "plain": (reference_cell().without_pillar(), MeshPlan(3, 0, 0)),
+    "plain": (reference_cell().without_pillar(), MeshPlan(3, 0, 0, blocks=2)),
 }
 
 
@@ -178,7 +179,7 @@ def losses(case: str, steps: int):
 def test_condensed_frequencies_against_brute_force_on_the_same_mesh(case):
     lost, _ = losses(case, 2)
     assert (lost > -1e-9).all(), "Rayleigh-Ritz never falls below"
-    assert (lost[:6] < 1e-4).all()
+    assert (lost[:6] < 2e-4).all()
     finer, _ = losses(case, 3)
     assert (finer < lost + 1e-9).all()
     assert finer[-1] < 0.6 * lost[-1]

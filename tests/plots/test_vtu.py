@@ -22,8 +22,9 @@ def test_what_is_written_is_read_back(tmp_path):
         name = f"M{k + 1} {float(bands['mode_frequency'][k]) / 1e3:.2f} kHz"
         for part, variable in (("real", "mode_real"), ("imaginary", "mode_imag")):
             assert (mesh.point_data[f"{name} {part}"] == bands[variable].values[k]).all()
-    order = json.loads(bands.attrs["mesh"])["order"]
-    assert np.unique(mesh.cell_data["element"][0], return_counts=True)[1] == pytest.approx(order**3)
+    grids = json.loads(bands.attrs["element_grids"])
+    expected = np.concatenate([np.full(number, np.prod(orders)) for number, *orders in grids])
+    assert np.array_equal(np.unique(mesh.cell_data["element"][0], return_counts=True)[1], expected)
 
 
 def test_every_hexahedron_has_a_positive_volume(tmp_path):

@@ -72,6 +72,7 @@ def bands_dataset(
     plan = model.fine.superelement.mesh.topology.plan
     dataset.attrs = {
         "mesh": json.dumps(asdict(plan)),
+        "element_grids": json.dumps(model.fine.superelement.mesh.grids()),
         "unknowns": model.fine.superelement.mesh.unknowns,
         "condensed_unknowns": model.fine.superelement.size,
         "basis_size": model.fine.pencil.size,

@@ -14,7 +14,7 @@ from haptonic.bloch.tracking import Diagram
 Array = NDArray[np.float64]
 Ints = NDArray[np.int64]
 
-COARSE_DIVISIONS = 8  # of the irreducible zone's sides in the first sampling
+COARSE_DIVISIONS = 12  # of the irreducible zone's sides in the first sampling
 DOUBT = 0.5  # share by which a band may rise more, or fall less, than its slope at a corner says
 FLAT = (
     0.05  # slope at a corner, as a share of the steepest of its triangle, that says nothing about the inside

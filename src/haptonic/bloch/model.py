@@ -102,7 +102,7 @@ def _training(lattice: Lattice) -> Iterator[Array]:
 def _orthonormal(fields: Array, mass: Array) -> Array:
     """(n, r) basis of unit modal mass that spans fields (n, k) of unit mass, but for what is hardly there."""
     values, turn = la.eigh(fields.T @ mass @ fields)
-    kept = values > LOST_DIRECTION * values[-1]
+    kept = values > LOST_DIRECTION * max(values[-1], 1.0)  # one direction may be all that is left
     return np.asarray(fields @ (turn[:, kept] / np.sqrt(values[kept])))
 
 
@@ -178,9 +178,8 @@ class BlochModel:
         # a band may come out alike in both by chance, hence a share of the worst one's distance for all
         distance = np.abs(coarse - frequency)
         moving = frequency > REST * self.highest
-        worst = np.max(
-            distance[: self.count] / frequency[: self.count], where=moving[: self.count], initial=0.0
-        )
+        relative = np.divide(distance, frequency, out=np.zeros_like(distance), where=moving)
+        worst = relative[: self.count].max()
         error = self.resolution.remaining(self.cell) * (distance + SHARED * worst * frequency)
         error += frequency * (np.abs(omitted) + self.fine.projection_error)
         error += self.fine.rounding / (8 * np.pi**2 * np.maximum(frequency, REST * self.highest))

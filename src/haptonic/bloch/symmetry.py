@@ -15,7 +15,7 @@ Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 Ints = NDArray[np.int64]
 
-SAME = 1e-5  # modes closer than this share of their frequency are treated as one degenerate group
+SAME = 1e-4  # modes closer than this share of their frequency are treated as one degenerate group
 
 
 def mirrors_at(lattice: Lattice, kappa: Array) -> dict[str, Operation]:

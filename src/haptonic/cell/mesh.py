@@ -23,7 +23,7 @@ Array = NDArray[np.float64]
 Ints = NDArray[np.int64]
 
 CORNERS = np.array([(-1, -1), (1, -1), (1, 1), (-1, 1)])  # of the cell, anticlockwise, in half translations
-LAYER_LENGTH = 1.9  # of an element along the pillar, in diameters
+LAYER_LENGTH = 1.4  # of an element along the pillar, in diameters
 FOOT_LAYER = 0.3  # height of the pillar's lowest layer, in diameters: stresses of the foot die out in it
 FOOT_WIDTH = 0.15  # outermost thin ring, as a share of the smallest length at the foot
 FOOT_GRADING = 0.2  # each further ring reaches to this share of the one before
@@ -198,8 +198,15 @@ class HexMesh:
         """Number of displacement components."""
         return 3 * len(self.points)
 
+    def grids(self) -> list[tuple[int, ...]]:
+        """(elements, p1, p2, p3) for each family: how many elements of which orders."""
+        return [(len(family), *(n - 1 for n in family.nodes.shape[1:])) for family in self.topology.families]
+
     def linear_subcells(self) -> Ints:
-        """(cells, 8) corners of the small hexahedra between neighbouring nodes, in VTK's order."""
+        """(cells, 8) corners of the small hexahedra between neighbouring nodes, in VTK's order.
+
+        Family by family, element by element, the last of the three local axes running fastest.
+        """
         low, high = slice(None, -1), slice(1, None)
         turn = [(low, low), (high, low), (high, high), (low, high)]
         return np.concatenate([

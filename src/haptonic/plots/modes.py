@@ -22,7 +22,7 @@ Bools = NDArray[np.bool_]
 
 SHOWN = 8  # modes, as in Fig. 4B of the paper
 COLUMNS = 4
-PIECES = 4  # faces drawn along an element's side, at most
+PIECES = 8  # faces drawn along an element's side, at most
 LARGEST = 0.2  # drawn displacement, as a share of the period
 SHARP = np.cos(np.radians(35))  # faces that meet at a larger angle make an edge of the outline
 AZIMUTH, ELEVATION = np.radians(-62), np.radians(20)  # where the camera is
@@ -46,7 +46,7 @@ def mode_shapes(dataset: xr.Dataset) -> Figure:
     count = min(SHOWN, dataset.sizes["mode"])
     columns = min(COLUMNS, count)
     position = dataset["node_position"].values * 1e3
-    cells, on_edge = drawing_cells(dataset["subcell"].values, json.loads(dataset.attrs["mesh"])["order"])
+    cells, on_edge = drawing_cells(dataset["subcell"].values, json.loads(dataset.attrs["element_grids"]))
     faces = outer_faces(cells)
     sides = np.unique(np.sort(np.stack([faces, np.roll(faces, -1, axis=1)], -1).reshape(-1, 2)), axis=0)
     borders = sides[np.isin(sides, on_edge).all(axis=1)]
@@ -116,32 +116,40 @@ def _projected(points: Array) -> Array:
     return np.asarray(points @ np.stack([right, np.cross(towards, right), towards], axis=1))
 
 
-def drawing_cells(subcells: Ints, order: int) -> tuple[Ints, Ints]:
+def drawing_cells(subcells: Ints, grids: list[list[int]]) -> tuple[Ints, Ints]:
     """Hexahedra that are large enough to draw, and what to draw their borders by.
 
     Parameters
     ----------
-    subcells : (elements order^3, 8) corners of the small cells between nodes, in VTK's order
-    order : of the elements
+    subcells : (cells, 8) corners of the small cells between nodes, in VTK's order
+    grids : for each family of elements (elements, p1, p2, p3), their number and how many cells each has
+        along its axes; see `haptonic.cell.HexMesh.linear_subcells`
 
     Returns
     -------
     cells : (n, 8) corners, at most `PIECES` cells along an element's side
     on_edge : nodes on the edges of elements
     """
-    small = subcells.reshape(-1, order, order, order, 8)
-    marks = np.unique(np.round(np.linspace(0, order, min(PIECES, order) + 1)).astype(int)).tolist()
     cells, on_edge = [], []
-    for ends in product(pairwise(marks), repeat=3):
-        block = []
-        for number, corner in enumerate(VTK_CORNERS):
-            place = [ends[axis][corner[axis]] for axis in range(3)]
-            i, j, k = (mark - side for mark, side in zip(place, corner, strict=True))
-            nodes = small[:, i, j, k, number]
-            block.append(nodes)
-            if sum(mark in (0, order) for mark in place) >= 2:
-                on_edge.append(nodes)
-        cells.append(np.stack(block, axis=-1))
+    start = 0
+    for elements, *orders in grids:
+        stop = start + elements * int(np.prod(orders))
+        small = subcells[start:stop].reshape(elements, *orders, 8)
+        start = stop
+        marks = [
+            np.unique(np.round(np.linspace(0, order, min(PIECES, order) + 1)).astype(int)).tolist()
+            for order in orders
+        ]
+        for ends in product(*(pairwise(along) for along in marks)):
+            block = []
+            for number, corner in enumerate(VTK_CORNERS):
+                place = [ends[axis][corner[axis]] for axis in range(3)]
+                i, j, k = (mark - side for mark, side in zip(place, corner, strict=True))
+                nodes = small[:, i, j, k, number]
+                block.append(nodes)
+                if sum(mark in (0, order) for mark, order in zip(place, orders, strict=True)) >= 2:
+                    on_edge.append(nodes)
+            cells.append(np.stack(block, axis=-1))
     return np.concatenate(cells), np.unique(np.concatenate(on_edge))
 
 

@@ -135,7 +135,10 @@ def _inputs(study: Study) -> Table:
 def _mesh(results: Results) -> Table:
     data = results.bands.attrs
     names = {
-        "order": "Order of the elements",
+        "order": "Order of the elements around the pillar and in the core",
+        "outward": "Order across the rings",
+        "upward": "Order along z",
+        "thin": "Order across the thin rings and layers",
         "foot_rings": "Thin rings on either side of the pillar's foot",
         "pillar_layers": "Layers of elements in the pillar",
         "blocks": "Elements along a side of the core",

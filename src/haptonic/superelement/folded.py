@@ -15,7 +15,7 @@ from haptonic.elements import element_matrices
 from haptonic.lattice import DIAGONAL, Operation
 from haptonic.superelement.assembly import Assembler, assembler_of
 from haptonic.superelement.symmetry import COMPONENT_SIGNS, Folding, fold
-from haptonic.superelement.trace import FoldedTrace
+from haptonic.superelement.trace import FoldedTrace, trace_levels
 
 Array = NDArray[np.float64]
 
@@ -65,7 +65,7 @@ class FoldedMesh:
     @classmethod
     def of(cls, cell: UnitCell, plan: MeshPlan) -> FoldedMesh:
         """Mesh a cell and fold it along its mirrors."""
-        mesh, levels = mesh_cell(cell, plan), max(plan.upward, 3)
+        mesh, levels = mesh_cell(cell, plan), trace_levels(plan)
         topology = mesh.topology
         folding = fold(topology, mirrors_of(cell))
         elements, mass = [], np.zeros(len(folding.origin))

@@ -11,6 +11,7 @@ from haptonic.solvers import Solver
 Array = NDArray[np.float64]
 
 BLOCK = 10  # directions taken from the answer to the static fields' inertia
+DEPENDENT = 1e-13  # share of the largest inertia below which a direction repeats others
 EXTRA = 3  # random ones beside them, for modes that hardly touch the trace
 
 
@@ -53,5 +54,9 @@ def interior_modes(solver: Solver, mass: Array, inertia: Array, steps: int) -> t
         new = root * answers_to[-1]
     fields = np.hstack(answers_to)
     moving = root * fields
-    values, turn = la.eigh(np.hstack(blocks).T @ moving, moving.T @ moving)
-    return values, fields @ turn, dynamic
+    # a small interior has not room for all the blocks
+    weights, turn = la.eigh(moving.T @ moving)
+    kept = weights > DEPENDENT * weights[-1]
+    basis = turn[:, kept] / np.sqrt(weights[kept])
+    values, turn = la.eigh(basis.T @ (np.hstack(blocks).T @ moving) @ basis)
+    return values, fields @ (basis @ turn), dynamic

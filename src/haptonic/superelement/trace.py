@@ -13,12 +13,22 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from haptonic.cell import Topology
+from haptonic.cell import MeshPlan, Topology
 from haptonic.lattice import Operation
 from haptonic.superelement.symmetry import Folding
 
 Array = NDArray[np.float64]
 Ints = NDArray[np.int64]
+
+
+def trace_levels(plan: MeshPlan) -> int:
+    """Levels of the trace: the mesh's own where the plate has one layer.
+
+    Where it has several, for the sake of the pillar's foot, a polynomial of one order less than theirs is
+    enough far from it, but a parabola at least.
+    """
+    layers = len(plan.plate_layer_orders)
+    return plan.plate_levels if layers == 1 else max(plan.upward, 3)
 
 
 @dataclass(frozen=True, eq=False)
