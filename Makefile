@@ -4,7 +4,7 @@ VENV := .venv
 BIN := $(VENV)/bin
 CORES := $(shell getconf _NPROCESSORS_ONLN)
 
-.PHONY: reproduce test nightly clean
+.PHONY: reproduce test nightly bench clean
 
 reproduce: $(VENV)/ready
 	$(BIN)/haptonic reproduce studies/touchpad.toml --out results/touchpad-report --workers $(CORES) --overwrite
@@ -17,6 +17,11 @@ test: $(VENV)/ready-test
 
 nightly: $(VENV)/ready-test
 	OMP_NUM_THREADS=$(CORES) $(BIN)/pytest -m nightly
+
+# One script per claim; docs/benchmarks.md shows what they measured.
+bench: $(VENV)/ready-test
+	cd benchmarks && for claim in diagram_in_a_second sweeps_in_twenty_seconds thousand_times_cheaper \
+		cost_growth estimates_hold render; do ../$(BIN)/python $$claim.py || exit 1; done
 
 $(VENV)/ready: pyproject.toml
 	test -x $(BIN)/python || $(PYTHON) -m venv $(VENV)

@@ -12,6 +12,7 @@ import sys
 
 import numpy as np
 from record import CORNERS, STUDY, peak_memory, timed, true_error, write
+from threadpoolctl import threadpool_limits
 
 import haptonic
 from haptonic.bloch import BlochModel, bloch_model
@@ -89,7 +90,8 @@ def in_a_process_of_its_own(name: str) -> dict[str, float]:
 
 if __name__ == "__main__":
     if len(sys.argv) > 1:
-        print(json.dumps({"measure": measure, "whole_command": whole_command}[sys.argv[1]]()))
+        with threadpool_limits(1):  # as in the commands
+            print(json.dumps({"measure": measure, "whole_command": whole_command}[sys.argv[1]]()))
     else:
         write(
             "diagram_in_a_second",

@@ -27,7 +27,7 @@ LOWEST = np.array([3e-3, 0.08, 0.2, 0.5, 0.2])
 HIGHEST = np.array([15e-3, 0.4, 0.8, 3.0, 0.42])
 BANDS = 10
 TRIED = (Resolution(3, 1), Resolution(4, 1), Resolution(5, 1), Resolution(5, 2, 3))
-CONVERGED = Resolution(7, 3, 3)
+CONVERGED = Resolution(6, 3, 3)
 KAPPA = np.pi * np.array([(1, 0), (1, 1), (1, 0.5), (0.5, 0.5), (0.6, 0.3), (0.15, 0.05)])
 
 

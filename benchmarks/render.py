@@ -1,0 +1,193 @@
+"""Tables and pictures of the benchmarks' records: docs/benchmarks.md."""
+
+from __future__ import annotations
+
+import json
+from typing import Any
+
+import numpy as np
+from matplotlib.figure import Figure
+from record import RESULTS, ROOT
+
+from haptonic.plots import style
+
+IMAGES = ROOT / "docs" / "images"
+PAGE = ROOT / "docs" / "benchmarks.md"
+NAMES = (
+    "diagram_in_a_second", "thousand_times_cheaper", "sweeps_in_twenty_seconds", "estimates_hold", "cost_growth"
+)  # fmt: skip
+
+
+def table(heads: list[str], rows: list[list[Any]]) -> str:
+    lines = [heads, ["---"] * len(heads), *rows]
+    return "\n".join("| " + " | ".join(str(cell) for cell in line) + " |" for line in lines)
+
+
+def measured_on(record: dict[str, Any]) -> str:
+    machine = record["machine"]
+    versions = ", ".join(f"{name} {number}" for name, number in machine["versions"].items())
+    return (
+        f"*{machine['date']}, {machine['processor']}, {machine['cores']} cores, load before "
+        f"{machine['load_before']:.1f}; Python {machine['python']}, {versions}; commit {machine['commit']}.*"
+    )
+
+
+def diagram(record: dict[str, Any]) -> str:
+    m, w = record["measure"], record["whole_command"]
+    rows = [
+        ["66 wavevectors, 10 bands: frequencies, errors, group velocities", "1.0 s", f"{m['later_s']:.2f} s"],
+        ["the same, first in its process", "", f"{m['first_s']:.2f} s"],
+        ["one more wavevector", "5 ms", f"{1e3 * m['one_more_point_s']:.1f} ms"],
+        [
+            "diagram and search of the whole zone for the complete gap",
+            "2 s",
+            f"{m['diagram_and_gap_s']:.2f} s",
+        ],
+        ["all of `haptonic bands`: also branches, names, shapes, exact counts", "", f"{w['later_s']:.2f} s"],
+        ["the same, first in its process", "", f"{w['first_s']:.2f} s"],
+        ["largest true error at the zone's corners", "0.2 %", f"{100 * m['true_error']:.3f} %"],
+        ["largest estimate along the path", "0.2 %", f"{100 * m['largest_estimate']:.3f} %"],
+        ["peak memory of the process", "1 GB", f"{w['peak_memory_bytes'] / 1e9:.2f} GB"],
+    ]
+    lower, upper = (f / 1e3 for f in m["gap_hz"])
+    below, above = (f / 1e3 for f in m["gap_error_hz"])
+    return f"""## A diagram in a second
+
+The reference cell, `accuracy = 2e-3`, from the study file on; imports are not counted. The mesh that the
+accuracy leads to has order {m["order"]} with {m["foot_rings"]} ring at the foot, {m["unknowns"]} unknowns. The
+complete gap: {lower:.2f} ± {below:.2f} to {upper:.2f} ± {above:.2f} kHz, from {m["gap_samples"]} wavevectors.
+
+{table(["what", "budget", "measured"], rows)}
+
+{measured_on(record)}
+"""
+
+
+@style.drawn
+def race(record: dict[str, Any]) -> Figure:
+    """Error against time of both codes."""
+    figure = style.blank(4.2)
+    axes = figure.subplots()
+    for name, marker, colour in (("haptonic", "o", "#0072B2"), ("ngsolve", "s", "#D55E00")):
+        runs = sorted(record[name], key=lambda run: run["diagram_s"])
+        axes.loglog(
+            [run["diagram_s"] for run in runs], [100 * run["true_error"] for run in runs],
+            marker=marker, color=colour, label="NGSolve" if name == "ngsolve" else name,
+        )  # fmt: skip
+    axes.axhline(100 * record["accuracy"], color="0.6", linewidth=0.8, linestyle="--")
+    axes.set(xlabel="time of the whole diagram / s", ylabel="largest true error / %")
+    axes.legend()
+    return figure
+
+
+def peer(record: dict[str, Any]) -> str:
+    def row(name: str, run: dict[str, Any], settings: str) -> list[str]:
+        return [
+            name,
+            settings,
+            str(run["unknowns"]),
+            f"{run['diagram_s']:.2f} s",
+            f"{100 * run['true_error']:.3f} %",
+        ]
+
+    rows = [
+        row("haptonic", run, f"order {run['order']}, {run['foot_rings']} ring(s)")
+        for run in record["haptonic"]
+    ] + [
+        row("NGSolve", run, f"order {run['order']}, {run.get('foot_layers', 1)} layer(s) at the foot")
+        for run in record["ngsolve"]
+    ]
+    style.save(race(record), IMAGES, "bench_peer", overwrite=True)
+    times = record["diagram_s_at_accuracy"]
+    return f"""## Against a general finite-element library
+
+The same diagram, {record["points"]} wavevectors and 10 bands, with NGSolve {record["ngsolve_version"]}:
+OpenCascade geometry, curved tetrahedra refined towards the foot, periodic phases, all cores. Its mesh is made
+once; {record["ngsolve"][0]["timed_points"]} of its wavevectors are timed and scaled to {record["points"]}. The error of both is
+the largest of bands 1 to 10 at the zone's corners, against converged values of a third code. On the lines
+between the runs, at {100 * record["accuracy"]:.1f} %, haptonic takes {times["haptonic"]:.2f} s and NGSolve
+{times["ngsolve"]:.0f} s: **{record["ratio"]:.0f} times** as long (the aim is 1000).
+
+![Error against time of both](images/bench_peer.svg)
+
+{table(["code", "settings", "unknowns", "diagram", "largest error"], rows)}
+
+{measured_on(record)}
+"""
+
+
+def sweeps(record: dict[str, Any]) -> str:
+    rows = [
+        ["both sweeps of the reference study", "20 s", f"{record['total_s']:.1f} s"],
+        ["one more design of a long sweep", "0.25 s", f"{record['per_design_s']:.2f} s"],
+        ["until the first design is finished (workers start)", "", f"{record['first_design_s']:.1f} s"],
+    ]
+    return f"""## Two sweeps
+
+{record["designs"]} designs with their complete gaps, every edge within 0.2 % by its own estimate,
+{record["workers"]} worker processes; {record["failed"]} failed.
+
+{table(["what", "budget", "measured"], rows)}
+
+{measured_on(record)}
+"""
+
+
+def estimates(record: dict[str, Any]) -> str:
+    rows = []
+    for row in record["rows"]:
+        p = row["ratio_percentiles"]
+        rows.append(
+            [
+                f"order {row['order']}, {row['foot_rings']} ring(s)", row["frequencies"], row["below_true"],
+                f"{p['0']:.2f}", f"{p['5']:.1f}", f"{p['50']:.1f}", f"{p['95']:.0f}",
+                f"{100 * row['error_median']:.4f} %", f"{100 * np.median(row['largest_error_of_each_design']):.3f} %",
+                f"{100 * np.median(row['largest_estimate_of_each_design']):.3f} %",
+            ]
+        )  # fmt: skip
+    heads = ["mesh", "frequencies", "estimate below true", "ratio: least", "5 %", "median", "95 %",
+             "true error, median", "largest of a design, median", "its estimate"]  # fmt: skip
+    return f"""## Estimates hold
+
+{record["designs"]} cells drawn over the design range (pitch 3 to 15 mm, thickness 0.08 to 0.4, diameter 0.2 to
+0.8 and height 0.5 to 3 pitches, Poisson ratio 0.2 to 0.42), ten bands at six wavevectors, against elements of
+order 6 with three rings. "Ratio" is the estimate over the true error. Inertia counts at order 4 compared
+{record["counts_checked"]} numbers of bands and found {record["counts_missed"]} missed or invented.
+
+{table(heads, rows)}
+
+{measured_on(record)}
+"""
+
+
+def growth(record: dict[str, Any]) -> str:
+    rows = [
+        [row["order"], row["unknowns"], row["trace"], f"{row['condense_s']:.2f} s",
+         f"{row['peak_memory_bytes'] / 1e9:.2f} GB", f"{row['memory_foreseen_bytes'] / 1e9:.2f} GB"]
+        for row in record["rows"]
+    ]  # fmt: skip
+    heads = ["order", "unknowns", "trace", "condensation", "peak memory", "foreseen for a whole model"]
+    return f"""## Growth
+
+Condensation of the reference cell with one ring at the foot. From order 4 on the time grows with the unknowns
+to the power {record["exponent"]:.2f}.
+
+{table(heads, rows)}
+
+{measured_on(record)}
+"""
+
+
+def main() -> None:
+    records = {name: json.loads((RESULTS / f"{name}.json").read_text("utf-8")) for name in NAMES}
+    writers = (diagram, peer, sweeps, estimates, growth)
+    chapters = [writer(records[name]) for name, writer in zip(NAMES, writers, strict=True)]
+    head = (
+        "# Benchmarks\n\nWritten by `make bench` from the records in `benchmarks/results`. Machines differ and "
+        "are shared: compare ratios rather than seconds.\n"
+    )
+    PAGE.write_text("\n".join([head, *chapters]), "utf-8")
+
+
+if __name__ == "__main__":
+    main()
