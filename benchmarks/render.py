@@ -151,7 +151,7 @@ def estimates(record: dict[str, Any]) -> str:
 
 {record["designs"]} cells drawn over the design range (pitch 3 to 15 mm, thickness 0.08 to 0.4, diameter 0.2 to
 0.8 and height 0.5 to 3 pitches, Poisson ratio 0.2 to 0.42), ten bands at six wavevectors, against elements of
-order 6 with three rings. "Ratio" is the estimate over the true error. Inertia counts at order 4 compared
+order {record["reference"][0]} with {record["reference"][1]} rings. "Ratio" is the estimate over the true error. Inertia counts at order 4 compared
 {record["counts_checked"]} numbers of bands and found {record["counts_missed"]} missed or invented.
 
 {table(heads, rows)}

@@ -32,7 +32,7 @@ class CentredPencil:
 
     pencil : Laurent pencil on combinations of free unknowns that are even or odd under the half-turn
     combinations : (n, n) sparse orthogonal matrix, these in terms of the free unknowns
-    offset : (n, 2) position of each, in halves of the translations, from the one that its phase counts from
+    offset : (n, 2) where each lies from the centre, in translations: 0 or 1/2
     odd : (n,) True for odd ones
     translations : (n, 3) unit motions along x, y and z
     """
@@ -45,7 +45,7 @@ class CentredPencil:
 
     @classmethod
     def of(cls, superelement: Superelement) -> CentredPencil:
-        """Centre the pencil of a cell that the half-turn, or both mirrors, leave unchanged."""
+        """Centre the pencil of a cell that both mirrors, and so the half-turn, leave unchanged."""
         periodic, laurent = Periodic.of(superelement), bloch_pencil(superelement)
         count, traces = len(periodic.free), superelement.trace_size
         turn = superelement.mirror(HALF_TURN)

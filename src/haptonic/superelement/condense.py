@@ -112,8 +112,12 @@ class Superelement:
     @property
     def half_turn_parity(self) -> Array:
         """(m,) +1 for modes that the half-turn about the normal leaves alone, -1 for those it turns over."""
+        parity = self.parts[0].trace.folding.parity
+        assert parity.shape[1] == 2, (
+            "without both mirrors the classes are not even or odd under the half-turn"
+        )
         counts = [part.modes.shape[1] for part in self.parts]
-        return np.repeat(self.parts[0].trace.folding.parity.prod(axis=1), counts).astype(float)
+        return np.repeat(parity.prod(axis=1), counts).astype(float)
 
     def mirror(self, operation: Operation) -> TraceMirror:
         """How a mirror, or the half-turn, acts on traces."""
