@@ -66,7 +66,7 @@ complete gap: {lower:.2f} ± {below:.2f} to {upper:.2f} ± {above:.2f} kHz, from
 @style.drawn
 def race(record: dict[str, Any]) -> Figure:
     """Error against time of both codes."""
-    figure = style.blank(4.2)
+    figure = style.blank(8.5)
     axes = figure.subplots()
     for name, marker, colour in (("haptonic", "o", "#0072B2"), ("ngsolve", "s", "#D55E00")):
         runs = sorted(record[name], key=lambda run: run["diagram_s"])
