@@ -40,9 +40,11 @@ class Pattern:
         return len(self.indptr) - 1
 
     def matrix(self, data: Array) -> sp.csr_array:
-        """The whole symmetric matrix."""
-        upper = sp.csr_array((data, self.indices, self.indptr), shape=(self.size, self.size))
-        return sp.csr_array(upper + sp.triu(upper, 1).T)
+        """The whole symmetric matrix; numbers that happen to be zero keep their place."""
+        rows = np.repeat(np.arange(self.size, dtype=np.int32), np.diff(self.indptr))
+        off = rows != self.indices
+        both = (np.concatenate([rows, self.indices[off]]), np.concatenate([self.indices, rows[off]]))
+        return sp.csr_array((np.concatenate([data, data[off]]), both), shape=(self.size, self.size))
 
 
 class Solver(Protocol):

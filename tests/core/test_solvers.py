@@ -150,6 +150,21 @@ def test_a_singular_matrix_is_refused_when_counting(name):
         analysed(name, pattern).factorise(data, definite=False)
 
 
+@every_solver
+@given(seeds)
+def test_numbers_that_are_zero_keep_their_place(name, seed):
+    """One analysis serves symmetry classes in which different entries vanish."""
+    whole = definite(15, seed, density=0.4)
+    pattern, data = pattern_of(whole)
+    rows = np.repeat(np.arange(15), np.diff(pattern.indptr))
+    lost = (np.random.default_rng(seed).random(len(data)) < 0.5) & (rows != pattern.indices)
+    solver = analysed(name, pattern)
+    right = np.eye(15)
+    for numbers in (np.where(lost, 0.0, data), data, np.where(lost, 0.0, data)):
+        solver.factorise(numbers)
+        assert pattern.matrix(numbers) @ solver.solve(right) == pytest.approx(right, abs=1e-10)
+
+
 def test_the_pattern_gives_back_the_whole_matrix():
     matrix = symmetric(20, 1)
     pattern, data = pattern_of(matrix)
