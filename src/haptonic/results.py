@@ -5,7 +5,7 @@ from __future__ import annotations
 import csv
 import json
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import astuple, dataclass
 from importlib.metadata import version
 from pathlib import Path
 from typing import Any, ClassVar
@@ -324,7 +324,7 @@ def _key_of(cell: UnitCell, asked: Asked) -> dict[str, object]:
         "pillar": None if pillar is None else [pillar.diameter, pillar.height],
         "count": asked.count,
         "accuracy": asked.accuracy,
-        "mesh": None if resolution is None else [resolution.order, resolution.foot_rings, resolution.steps],
+        "mesh": None if resolution is None else list(astuple(resolution)),
     }
 
 

@@ -153,17 +153,20 @@ class BlochModel:
 
     @classmethod
     def of(cls, cell: UnitCell, resolution: Resolution, count: int, *, measured: bool = True) -> BlochModel:
-        plan, steps, goal = resolution.plan(cell), resolution.steps, resolution.projection_goal
+        plan, goal = resolution.plan(cell), resolution.projection_goal
+        steps, block = resolution.steps, resolution.block
 
         def lowered() -> ReducedCell:
-            return ReducedCell.of(condense(cell, plan.lowered(), steps, measured=False), count, np.inf)
+            return ReducedCell.of(
+                condense(cell, plan.lowered(), steps, block=block, measured=False), count, np.inf
+            )
 
         # these matrices are too small for threads inside the linear algebra; both models share the threads
         # that symmetry classes are given to, the larger one first
         with threadpool_limits(1), ThreadPoolExecutor(1) as aside:
             mesh = FoldedMesh.of(cell, plan)
             coarse = aside.submit(lowered)
-            fine = ReducedCell.of(condensed(mesh, steps, measured=measured), count, goal)
+            fine = ReducedCell.of(condensed(mesh, steps, block=block, measured=measured), count, goal)
             return cls(cell, resolution, count, fine, coarse.result())
 
     def solve(self, kappa: Array, spare: int = 0) -> Solution:

@@ -25,12 +25,13 @@ class Resolution:
 
     order : polynomial order of the elements, two more around the pillar
     foot_rings : thin rings on either side of the pillar's foot
-    steps : blocks of the interior's Krylov space
+    steps, block : number and size of the blocks of the interior's Krylov space
     """
 
     order: int
     foot_rings: int
     steps: int = 2
+    block: int = 10
 
     def plan(self, cell: UnitCell) -> MeshPlan:
         return MeshPlan.suited(cell, self.order, self.foot_rings)
@@ -71,7 +72,7 @@ class Resolution:
         pairs = nodes / 4 * 3 * (across * along + along * upward + across * upward)
         return 2.5e8 + 17.6 * float(
             4 * quarter * trace / 4  # static answers of one class, and work space
-            + 3 * quarter * (trace / 4 + 40)  # what the classes keep for lifting
+            + 3 * quarter * (trace / 4 + 13 + self.steps * self.block)  # what the classes keep for lifting
             + 60 * quarter ** (4 / 3)  # factors of two threads
             + 9 * 2 * pairs  # stiffness between pairs of nodes, and work space
             + 60 * (trace / 2 + 150) ** 2  # pencils
@@ -84,11 +85,11 @@ LADDER = (
     Resolution(4, 1),
     Resolution(5, 1),
     Resolution(5, 2, 3),
-    Resolution(6, 2, 3),
-    Resolution(6, 3, 3),
-    Resolution(7, 3, 3),
-    Resolution(8, 4, 4),
-    Resolution(10, 4, 4),
+    Resolution(6, 2, 3, 24),
+    Resolution(6, 3, 3, 24),
+    Resolution(7, 3, 3, 24),
+    Resolution(8, 4, 4, 24),
+    Resolution(10, 4, 4, 24),
 )
 EXPECTED = (5e-2, 2e-3, 1e-3, 5e-4, 2e-4, 1e-4, 3e-5, 1e-5, 2e-6)  # error each is tried for first
 

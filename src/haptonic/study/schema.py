@@ -175,7 +175,7 @@ class Study(Section):
             rung = LADDER[starting_rung(bands.accuracy)]
             order = rung.order if mesh.order is None else mesh.order
             rings = rung.foot_rings if mesh.foot_rings is None else mesh.foot_rings
-            resolution = Resolution(order, rings, rung.steps)
+            resolution = Resolution(order, rings, rung.steps, rung.block)
         return Asked(bands.count, bands.points, bands.accuracy, resolution)
 
     def need_sweeps(self) -> None:

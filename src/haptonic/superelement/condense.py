@@ -139,24 +139,26 @@ def on_each(form: Array, fields: Fields) -> Array:
     return np.asarray(values.reshape(-1, fields.shape[1]).sum(axis=0))
 
 
-def condense(cell: UnitCell, plan: MeshPlan, steps: int = 2, *, measured: bool = True) -> Superelement:
+def condense(
+    cell: UnitCell, plan: MeshPlan, steps: int = 2, *, block: int = 10, measured: bool = True
+) -> Superelement:
     """Condense a cell onto its lateral faces.
 
     Parameters
     ----------
     cell, plan : what to mesh, and how finely
-    steps : blocks of the Krylov space that stands for the interior's own motion
+    steps, block : number and size of the blocks of the Krylov space that stands for the interior's own motion
     measured : also make what characterises motion
     """
-    return condensed(FoldedMesh.of(cell, plan), steps, measured=measured)
+    return condensed(FoldedMesh.of(cell, plan), steps, block=block, measured=measured)
 
 
-def condensed(shared: FoldedMesh, steps: int, *, measured: bool) -> Superelement:
+def condensed(shared: FoldedMesh, steps: int, *, block: int, measured: bool) -> Superelement:
     """The superelement of a mesh that is folded already; see `condense`."""
     mesh = shared.mesh
     own_classes, images = shared.classes_and_images()
     found = for_each_class(
-        shared, lambda q, solver: _condense_class(shared, q, solver, steps, measured), own_classes
+        shared, lambda q, solver: _condense_class(shared, q, solver, steps, block, measured), own_classes
     )
     by_class = dict(zip(own_classes, found, strict=True))
     if images:
@@ -234,7 +236,7 @@ def _softest(stiffness: Array, mass: Array) -> tuple[Array, Array]:
 
 
 def _condense_class(
-    shared: FoldedMesh, q: int, solver: Solver, steps: int, measured: bool
+    shared: FoldedMesh, q: int, solver: Solver, steps: int, block: int, measured: bool
 ) -> _CondensedClass:
     folded = shared.symmetry_class(q)
     trace = folded.trace
@@ -244,7 +246,7 @@ def _condense_class(
     stiffness = folded.trace_stiffness + folded.coupling.T @ static
     mass = folded.trace_mass + static.T @ inertia
     soft, dual = _softest(stiffness, mass)
-    values, modes, dynamic = interior_modes(solver, folded.mass, inertia @ soft, steps)
+    values, modes, dynamic = interior_modes(solver, folded.mass, inertia @ soft, steps, block)
     to_modes = inertia.T @ modes
 
     def unfolded(corner: Array, side: Array, modal: Array) -> _Form:

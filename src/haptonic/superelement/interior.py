@@ -10,12 +10,13 @@ from haptonic.solvers import Solver
 
 Array = NDArray[np.float64]
 
-BLOCK = 10  # directions taken from the answer to the static fields' inertia
 DEPENDENT = 1e-13  # share of the largest inertia below which a direction repeats others
 EXTRA = 3  # random ones beside them, for modes that hardly touch the trace
 
 
-def interior_modes(solver: Solver, mass: Array, inertia: Array, steps: int) -> tuple[Array, Array, Array]:
+def interior_modes(
+    solver: Solver, mass: Array, inertia: Array, steps: int, block: int
+) -> tuple[Array, Array, Array]:
     """Rayleigh-Ritz modes of the interior on a short Krylov space.
 
     The space starts with what the inertia of the static answers excites most. It therefore holds the
@@ -27,7 +28,7 @@ def interior_modes(solver: Solver, mass: Array, inertia: Array, steps: int) -> t
     solver : has factorised the stiffness K
     mass : (n,) lumped mass M
     inertia : (n, b) M times static answers
-    steps : blocks of the space
+    steps : blocks of the space; block : directions that each takes on from the static answers' inertia
 
     Returns
     -------
@@ -41,7 +42,7 @@ def interior_modes(solver: Solver, mass: Array, inertia: Array, steps: int) -> t
     dynamic, extra = np.split(answers, [inertia.shape[1]], axis=1)
     scaled = root * dynamic
     _, turn = la.eigh(scaled.T @ scaled)
-    new = np.hstack([scaled @ turn[:, -BLOCK:], root * extra])
+    new = np.hstack([scaled @ turn[:, -block:], root * extra])
     blocks: list[Array] = []
     answers_to: list[Array] = []
     for _ in range(steps):
