@@ -16,9 +16,7 @@ Ints = NDArray[np.int64]
 
 COARSE_DIVISIONS = 12  # of the irreducible zone's sides in the first sampling
 DOUBT = 0.5  # share by which a band may rise more, or fall less, than its slope at a corner says
-FLAT = (
-    0.05  # slope at a corner, as a share of the steepest of its triangle, that says nothing about the inside
-)
+FLAT = 0.05  # slope at a corner, as a share of its triangle's steepest, that tells nothing of the inside
 INSIDE = np.array([(i, j, 6 - i - j) for i in range(7) for j in range(7 - i)]) / 6.0  # of a triangle
 SEARCH_GOAL = 1e-4  # relative; the search for an edge stops when it can move by no more than this
 MOST_SAMPLES = 600  # wavevectors; when they are used up the remaining doubt goes into the error

@@ -156,17 +156,14 @@ def condense(
 def condensed(shared: FoldedMesh, steps: int, *, block: int, measured: bool) -> Superelement:
     """The superelement of a mesh that is folded already; see `condense`."""
     mesh = shared.mesh
-    own_classes, images = shared.classes_and_images()
-    found = for_each_class(
-        shared, lambda q, solver: _condense_class(shared, q, solver, steps, block, measured), own_classes
+
+    def mirrored(original: _CondensedClass) -> _CondensedClass:
+        traces = TraceMirror.of(mesh.topology, shared.levels, DIAGONAL)
+        return original.mirrored(DiagonalImage(traces, mesh.topology.permutation(DIAGONAL)))
+
+    pieces = for_each_class(
+        shared, lambda q, solver: _condense_class(shared, q, solver, steps, block, measured), mirrored
     )
-    by_class = dict(zip(own_classes, found, strict=True))
-    if images:
-        mirror = DiagonalImage(
-            TraceMirror.of(mesh.topology, shared.levels, DIAGONAL), mesh.topology.permutation(DIAGONAL)
-        )
-        by_class |= {q: by_class[original].mirrored(mirror) for q, original in images.items()}
-    pieces = [by_class[q] for q in sorted(by_class)]
 
     def whole(name: str) -> Array:
         forms = [piece.forms[name] for piece in pieces]
@@ -202,8 +199,7 @@ class _Form:
     modal: Array
 
     def mirrored(self, mirror: TraceMirror) -> _Form:
-        corner = mirror.applied(mirror.applied(self.corner).T).T
-        return _Form(corner, mirror.applied(self.side), self.modal)
+        return _Form(mirror.form(self.corner), mirror.applied(self.side), self.modal)
 
 
 @dataclass(frozen=True)
@@ -219,7 +215,7 @@ class _CondensedClass:
         return _CondensedClass(
             part=replace(self.part, image=mirror),
             forms={name: form.mirrored(mirror.trace) for name, form in self.forms.items()},
-            omission=mirror.trace.applied(mirror.trace.applied(self.omission).T).T,
+            omission=mirror.trace.form(self.omission),
             momenta_of_trace=mirrored_momenta(mirror.trace.applied(self.momenta_of_trace.T).T),
             momenta_of_modes=mirrored_momenta(self.momenta_of_modes),
         )

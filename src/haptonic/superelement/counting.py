@@ -48,12 +48,9 @@ def dynamic_stiffness(cell: UnitCell, plan: MeshPlan, omega: float) -> DynamicSt
         own -= folded.coupling.T @ solver.solve(folded.coupling)
         return folded.trace.unfold_form(0.5 * (own + own.T)), below
 
-    own_classes, images = shared.classes_and_images()
-    counted = dict(zip(own_classes, for_each_class(shared, one, own_classes), strict=True))
-    if images:
-        mirror = TraceMirror.of(shared.mesh.topology, shared.levels, DIAGONAL)
-        for q, original in images.items():
-            matrix, below = counted[original]
-            counted[q] = mirror.applied(mirror.applied(matrix).T).T, below
-    matrices, below_each = zip(*counted.values(), strict=True)
+    def mirrored(original: tuple[Array, int]) -> tuple[Array, int]:
+        matrix, below = original
+        return TraceMirror.of(shared.mesh.topology, shared.levels, DIAGONAL).form(matrix), below
+
+    matrices, below_each = zip(*for_each_class(shared, one, mirrored), strict=True)
     return DynamicStiffness(omega, np.sum(matrices, axis=0), sum(below_each))

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import os
 from collections import deque
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
 from functools import cache
 from typing import TypeVar
@@ -36,9 +36,13 @@ def threads() -> int:
 
 
 def for_each_class(
-    shared: FoldedMesh, work: Callable[[int, Solver], Result], classes: Sequence[int]
+    shared: FoldedMesh, work: Callable[[int, Solver], Result], mirrored: Callable[[Result], Result]
 ) -> list[Result]:
-    """``work(class, solver)`` for some symmetry classes, in order; no two at a time share a solver."""
+    """``work(class, solver)`` for every symmetry class, in order; no two at a time share a solver.
+
+    A class that is the diagonal's image of another gets what ``mirrored`` makes of the other's result.
+    """
+    classes, images = shared.classes_and_images()
 
     def one(q: int) -> Result:
         solver = _taken(shared.assembler)
@@ -48,9 +52,10 @@ def for_each_class(
         return result
 
     with threadpool_limits(1):
-        if threads() == 1:
-            return [one(q) for q in classes]
-        return list(_pool(threads()).map(one, classes))
+        results = map(one, classes) if threads() == 1 else _pool(threads()).map(one, classes)
+        by_class = dict(zip(classes, results, strict=True))
+    by_class |= {q: mirrored(by_class[original]) for q, original in images.items()}
+    return [by_class[q] for q in sorted(by_class)]
 
 
 def _taken(assembler: Assembler) -> Solver:

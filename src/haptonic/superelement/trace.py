@@ -134,3 +134,7 @@ class TraceMirror:
     def applied(self, trace: NDArray[Any]) -> NDArray[Any]:
         """Image of (t, k) traces, or of the rows (t, k) of linear forms on them."""
         return np.asarray(self.sign[:, None] * trace[self.source])
+
+    def form(self, own: Array) -> Array:
+        """(t, t) quadratic form that has on a trace the value of ``own`` on its image."""
+        return np.asarray(self.applied(self.applied(own).T).T)
