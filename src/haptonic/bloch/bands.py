@@ -14,7 +14,6 @@ from threadpoolctl import threadpool_limits
 from haptonic.bloch.character import NAMES, characters
 from haptonic.bloch.gaps import Gap, complete_gaps, partial_gaps
 from haptonic.bloch.model import BlochModel, bloch_model, candidate_models
-from haptonic.bloch.pencil import Periodic
 from haptonic.bloch.resolution import Resolution
 from haptonic.bloch.tracking import Diagram, diagram
 from haptonic.bloch.zone import zone_surface
@@ -144,7 +143,7 @@ def count_check(model: BlochModel, frequencies: list[float]) -> tuple[int, int]:
     checked, missed : comparisons made, and bands that they found missing or too many
     """
     cell, plan = model.cell, model.fine.superelement.mesh.topology.plan
-    periodic = Periodic.of(model.fine.superelement).without_modes(model.fine.superelement)
+    periodic = model.fine.centred.periodic.without_modes(model.fine.superelement)
     wavevectors, _ = cell.lattice.zone_triangles(2)
     checked = missed = 0
     for level in frequencies:

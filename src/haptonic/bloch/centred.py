@@ -30,6 +30,7 @@ STEP = 1e-3  # rad, of the differences that stand for derivatives at Gamma
 class CentredPencil:
     """Pencil of a superelement as real symmetric matrices.
 
+    periodic : the free unknowns of the lattice
     pencil : Laurent pencil on combinations of free unknowns that are even or odd under the half-turn
     combinations : (n, n) sparse orthogonal matrix, these in terms of the free unknowns
     offset : (n, 2) where each lies from the centre, in translations: 0 or 1/2
@@ -37,6 +38,7 @@ class CentredPencil:
     translations : (n, 3) unit motions along x, y and z
     """
 
+    periodic: Periodic
     pencil: Pencil
     combinations: sp.csr_array
     offset: Array
@@ -46,7 +48,8 @@ class CentredPencil:
     @classmethod
     def of(cls, superelement: Superelement) -> CentredPencil:
         """Centre the pencil of a cell that both mirrors, and so the half-turn, leave unchanged."""
-        periodic, laurent = Periodic.of(superelement), bloch_pencil(superelement)
+        periodic = Periodic.of(superelement)
+        laurent = bloch_pencil(superelement)
         count, traces = len(periodic.free), superelement.trace_size
         turn = superelement.mirror(HALF_TURN)
         image = np.arange(count)
@@ -76,6 +79,7 @@ class CentredPencil:
         farthest = np.zeros((count, 2))
         np.maximum.at(farthest, periodic.number, periodic.shift)
         return cls(
+            periodic=periodic,
             pencil=Pencil(laurent.shifts, combined(laurent.stiffness), combined(laurent.mass)),
             combinations=combinations,
             offset=0.5 * farthest[np.concatenate([first, first, alone])],

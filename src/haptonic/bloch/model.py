@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from threadpoolctl import threadpool_limits
 
 from haptonic.bloch.centred import CentredPencil, RealPencil
-from haptonic.bloch.pencil import Fields, Periodic, eigenpairs
+from haptonic.bloch.pencil import Fields, eigenpairs
 from haptonic.bloch.resolution import LADDER, SHARED, Resolution, check_memory, starting_rung
 from haptonic.cell import UnitCell
 from haptonic.errors import ResourceError
@@ -34,7 +34,7 @@ REST = 1e-4  # share of the highest frequency below which a mode counts as a rig
 class ReducedCell:
     """A condensed cell in a small basis that serves the whole irreducible zone, long waves included.
 
-    superelement : the condensed cell; periodic : its free unknowns; centred : its real pencil
+    superelement : the condensed cell; centred : its real pencil
     pencil : on the small basis; basis : (free unknowns, r)
     projection_error : relative error of a frequency that the basis may add, seen at wavevectors that had
         not gone into it then
@@ -42,7 +42,6 @@ class ReducedCell:
     """
 
     superelement: Superelement
-    periodic: Periodic
     centred: CentredPencil
     pencil: RealPencil
     basis: Array
@@ -80,11 +79,11 @@ class ReducedCell:
                 break
         assert small is not None
         rounding = float(np.abs(eigenpairs(small, np.zeros(2), 3)[0]).max())
-        return cls(superelement, Periodic.of(superelement), full, small, basis, error, rounding)
+        return cls(superelement, full, small, basis, error, rounding)
 
     def expanded(self, modes: Fields, kappa: Array) -> Complex:
         """(t + m, k) unknowns of the superelement from (r, k) modes of the small pencil."""
-        return self.periodic.expanded(self.centred.free(self.basis @ modes, kappa), kappa)
+        return self.centred.periodic.expanded(self.centred.free(self.basis @ modes, kappa), kappa)
 
 
 def _training(lattice: Lattice) -> Iterator[Array]:
