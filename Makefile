@@ -29,7 +29,7 @@ $(VENV)/ready: pyproject.toml
 	touch $@
 
 $(VENV)/ready-test: $(VENV)/ready
-	$(BIN)/python -m pip install --quiet --disable-pip-version-check --editable ".[test,ngsolve]"
+	$(BIN)/python -m pip install --quiet --disable-pip-version-check --editable ".[test,cad,ngsolve]"
 	touch $@
 
 clean:

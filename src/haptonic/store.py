@@ -32,7 +32,7 @@ import xarray as xr
 from haptonic.errors import HaptonicWarning, ResourceError
 
 # Parts of the package that show results but do not make them.
-SHOWING = frozenset({"cli", "plots", "report"})
+SHOWING = frozenset({"cli", "plots", "report", "workshop"})
 
 DIGEST_BYTES = hashlib.sha256().digest_size
 STALE_SECONDS = 24 * 3600.0

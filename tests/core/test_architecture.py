@@ -32,11 +32,24 @@ ALLOWED: dict[str, set[str]] = {
     "plate": CORE - {"bloch"} | {"response"},
 }
 # users meet these; they may import each other (without a cycle) and everything below
-TOP = {"study", "results", "vtu", "report", "plots", "cli", "studio", "doctor", "__init__", "__main__"}
+TOP = {
+    "study",
+    "results",
+    "vtu",
+    "report",
+    "plots",
+    "workshop",
+    "cli",
+    "studio",
+    "doctor",
+    "__init__",
+    "__main__",
+}
 INSIDE_FUNCTIONS = {
     "solvers": {"pypardiso", "sksparse"},
     "units": {"pint"},
     "jobs": {"dask", "distributed"},
+    "workshop": {"netgen"},
 }
 
 

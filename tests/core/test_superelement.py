@@ -14,12 +14,12 @@ from strategies import ALUMINIUM, reference_cell
 
 from haptonic.bloch.pencil import Periodic, bloch_pencil, eigenpairs
 from haptonic.cell import MeshPlan, Pillar, UnitCell, mesh_cell
-from haptonic.cell.mesh import Elements
 from haptonic.cell.quadrature import interpolation, lobatto
+from haptonic.cell.topology import Elements
 from haptonic.errors import GeometryError
 from haptonic.lattice import IDENTITY, MIRROR_X, MIRROR_Y, Lattice
 from haptonic.materials import OrthotropicMaterial
-from haptonic.superelement import condense, dynamic_stiffness, folded
+from haptonic.superelement import FoldedMesh, condense, dynamic_stiffness, folded
 from haptonic.superelement.folded import mirrors_of
 from haptonic.superelement.trace import trace_levels
 
@@ -97,10 +97,13 @@ def test_folded_and_unfolded_cells_have_the_same_bands(monkeypatch, material, or
 def test_the_trace_stiffness_does_not_depend_on_the_folding(monkeypatch):
     plan = MeshPlan(3, 0, 2)
     omega = 2 * np.pi * 57e3
-    one, static = dynamic_stiffness(RECTANGULAR, plan, omega), condense(RECTANGULAR, plan, measured=False)
+    one, static = (
+        dynamic_stiffness(FoldedMesh.of(RECTANGULAR, plan), omega),
+        condense(RECTANGULAR, plan, measured=False),
+    )
     monkeypatch.setattr(folded, "mirrors_of", lambda cell: ())
     other, static_too = (
-        dynamic_stiffness(RECTANGULAR, plan, omega),
+        dynamic_stiffness(FoldedMesh.of(RECTANGULAR, plan), omega),
         condense(RECTANGULAR, plan, measured=False),
     )
     assert one.below == other.below
@@ -144,7 +147,7 @@ def test_a_free_cell_has_exactly_six_rigid_motions(cell, order):
     assert (np.abs(values[:6]) < 1e-9 * values[6]).all()
     assert values[6] > (2 * np.pi * 1e3) ** 2
     # and the exact dynamic stiffness counts them: below a low frequency there are these six
-    low = dynamic_stiffness(cell, MeshPlan(order, 0, 2), 0.3 * np.sqrt(values[6]))
+    low = dynamic_stiffness(FoldedMesh.of(cell, MeshPlan(order, 0, 2)), 0.3 * np.sqrt(values[6]))
     assert low.below + (np.linalg.eigvalsh(low.matrix) < 0).sum() == 6
 
 

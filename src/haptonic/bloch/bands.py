@@ -18,7 +18,7 @@ from haptonic.bloch.resolution import Resolution
 from haptonic.bloch.tracking import Diagram, diagram
 from haptonic.bloch.zone import zone_surface
 from haptonic.cell import UnitCell
-from haptonic.superelement import dynamic_stiffness
+from haptonic.superelement import FoldedMesh, dynamic_stiffness
 
 Array = NDArray[np.float64]
 
@@ -142,12 +142,13 @@ def count_check(model: BlochModel, frequencies: list[float]) -> tuple[int, int]:
     -------
     checked, missed : comparisons made, and bands that they found missing or too many
     """
-    cell, plan = model.cell, model.fine.superelement.mesh.topology.plan
+    cell = model.cell
+    mesh = FoldedMesh.of(cell, model.fine.superelement.mesh.topology.plan)
     periodic = model.fine.centred.periodic.without_modes(model.fine.superelement)
     wavevectors, _ = cell.lattice.zone_triangles(2)
     checked = missed = 0
     for level in frequencies:
-        dynamic = dynamic_stiffness(cell, plan, 2 * np.pi * level)
+        dynamic = dynamic_stiffness(mesh, 2 * np.pi * level)
         for kappa in wavevectors:
             solution = model.solve(kappa)
             if (np.abs(solution.frequency - level) < 2 * solution.error).any():

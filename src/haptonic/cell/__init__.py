@@ -1,6 +1,9 @@
 """Unit cells: what they are made of, and their block-structured meshes."""
 
-from haptonic.cell.geometry import Pillar, UnitCell
-from haptonic.cell.mesh import HexMesh, MeshPlan, Topology, mesh_cell
+from haptonic.cell.geometry import UnitCell
+from haptonic.cell.mesh import HexMesh, mesh_cell
+from haptonic.cell.pillar import Pillar, Step
+from haptonic.cell.plan import MeshPlan
+from haptonic.cell.topology import Topology
 
-__all__ = ["HexMesh", "MeshPlan", "Pillar", "Topology", "UnitCell", "mesh_cell"]
+__all__ = ["HexMesh", "MeshPlan", "Pillar", "Step", "Topology", "UnitCell", "mesh_cell"]

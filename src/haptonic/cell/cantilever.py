@@ -6,7 +6,7 @@ import numpy as np
 import scipy.linalg as la
 from numpy.typing import NDArray
 
-from haptonic.cell.geometry import Pillar
+from haptonic.cell.pillar import Pillar
 from haptonic.cell.quadrature import lobatto
 from haptonic.materials import IsotropicMaterial
 
@@ -27,22 +27,37 @@ def euler_bernoulli(pillar: Pillar, material: IsotropicMaterial) -> Array:
 
 
 def timoshenko(pillar: Pillar, material: IsotropicMaterial, count: int = 3) -> Array:
-    """(count,) bending frequencies with shear and rotary inertia, Hz.
+    """(count,) bending frequencies with shear and rotary inertia, Hz; a fillet is left out.
 
-    One spectral element of the Timoshenko cantilever; the shear coefficient of a circle is that of
-    Cowper (1966, doi 10.1115/1.3625046): 6 (1 + nu) / (7 + 6 nu).
+    One spectral element of the Timoshenko cantilever for each smooth piece of the side. Shear coefficients
+    are those of Cowper (1966, doi 10.1115/1.3625046): 6 (1 + nu) / (7 + 6 nu) for a circle,
+    10 (1 + nu) / (12 + 11 nu) for a square.
     """
     E, nu, rho = material.youngs_modulus, material.poisson_ratio, material.density
-    area = np.pi * pillar.radius**2
-    second_moment = 0.25 * np.pi * pillar.radius**4
-    shear = 6 * (1 + nu) / (7 + 6 * nu) * E / (2 * (1 + nu)) * area
-    _, weights, derivative = lobatto(POLYNOMIAL)
-    w = np.diag(weights * pillar.height / 2)
-    D = derivative * 2 / pillar.height
-    deflection = np.hstack([D, -np.eye(POLYNOMIAL + 1)])  # shear strain: slope less rotation
-    bending = np.hstack([np.zeros_like(D), D])
-    K = shear * deflection.T @ w @ deflection + E * second_moment * bending.T @ w @ bending
-    M = la.block_diag(rho * area * w, rho * second_moment * w)
-    free = np.setdiff1d(np.arange(len(K)), [0, POLYNOMIAL + 1])  # clamped at the foot
-    values = la.eigh(K[np.ix_(free, free)], M[np.ix_(free, free)], eigvals_only=True)
+    is_round = pillar.section == "round"
+    shear_coefficient = 6 * (1 + nu) / (7 + 6 * nu) if is_round else 10 * (1 + nu) / (12 + 11 * nu)
+    points, weights, derivative = lobatto(POLYNOMIAL)
+    nodes = POLYNOMIAL * len(pillar.stages) + 1
+    K, M = np.zeros((2, nodes, 2, nodes)), np.zeros((2, nodes, 2, nodes))
+    for stage, (low, high, _) in enumerate(pillar.stages):
+        along = low + 0.5 * (1 + points) * (high - low)
+        width = np.array([pillar.half_width(z, stage) for z in along])
+        area = (np.pi if is_round else 4.0) * width**2
+        second_moment = (0.25 * np.pi if is_round else 4 / 3) * width**4
+        w = weights * (high - low) / 2
+        D = derivative * 2 / (high - low)
+        shear = shear_coefficient * E / (2 * (1 + nu)) * area
+        deflection = np.hstack([D, -np.eye(POLYNOMIAL + 1)])  # shear strain: slope less rotation
+        bending = np.hstack([np.zeros_like(D), D])
+        own = (
+            deflection.T @ np.diag(w * shear) @ deflection
+            + bending.T @ np.diag(w * E * second_moment) @ bending
+        )
+        here = slice(stage * POLYNOMIAL, (stage + 1) * POLYNOMIAL + 1)
+        K[:, here, :, here] += own.reshape(2, POLYNOMIAL + 1, 2, POLYNOMIAL + 1)
+        inertia = np.stack([rho * area * w, rho * second_moment * w])
+        M[:, here, :, here] += np.einsum("cn,cd,nm->cndm", inertia, np.eye(2), np.eye(POLYNOMIAL + 1))
+    free = np.setdiff1d(np.arange(2 * nodes), [0, nodes])  # clamped at the foot
+    K, M = (A.reshape(2 * nodes, -1)[np.ix_(free, free)] for A in (K, M))
+    values = la.eigh(K, M, eigvals_only=True)
     return np.asarray(np.sqrt(values[:count]) / (2 * np.pi))

@@ -5,21 +5,10 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass, replace
 
+from haptonic.cell.pillar import Pillar
 from haptonic.errors import GeometryError
 from haptonic.lattice import Lattice
 from haptonic.materials import Material, is_symmetry
-
-
-@dataclass(frozen=True)
-class Pillar:
-    """Round pillar centred on the cell; ``height`` counts from the plate's top. All lengths in m."""
-
-    diameter: float
-    height: float
-
-    @property
-    def radius(self) -> float:
-        return 0.5 * self.diameter
 
 
 @dataclass(frozen=True)
@@ -46,26 +35,22 @@ class UnitCell:
                 cause="the material is stiffer along one axis than along the other",
                 next_step='write lattice = "rectangular" with pitch_y = pitch: it does without the diagonal',
             )
-        sizes = {"cell.thickness": self.thickness}
-        if self.pillar is not None:
-            sizes |= {
-                "cell.pillar.diameter": self.pillar.diameter,
-                "cell.pillar.height": self.pillar.height,
-            }
-        for argument, value in sizes.items():
-            if not (math.isfinite(value) and value > 0):
-                raise GeometryError(
-                    argument=argument,
-                    given=f"{value} m",
-                    allowed="a positive length",
-                    cause="a size was left at zero or has the wrong sign",
-                    next_step="give a positive length",
-                )
+        if not (math.isfinite(self.thickness) and self.thickness > 0):
+            raise GeometryError(
+                argument="cell.thickness",
+                given=f"{self.thickness} m",
+                allowed="a positive length",
+                cause="a size was left at zero or has the wrong sign",
+                next_step="give a positive length",
+            )
         if self.pillar is not None and self.clearance < 0.01 * self.lattice.pitch:
+            beyond = 2 * (self.pillar.widest - self.pillar.radius)
+            room = 2 * (self.inradius - 0.01 * self.lattice.pitch) - beyond
             raise GeometryError(
                 argument="cell.pillar.diameter",
-                given=f"{self.pillar.diameter * 1e3:g} mm",
-                allowed=f"less than {2 * (self.inradius - 0.01 * self.lattice.pitch) * 1e3:.4g} mm, "
+                given=f"{self.pillar.diameter * 1e3:g} mm"
+                + (f", and {beyond * 1e3:.4g} mm more where the pillar is widest" if beyond else ""),
+                allowed=f"less than {room * 1e3:.4g} mm, "
                 "so that a hundredth of the pitch stays free on either side",
                 cause="the pillar is wider than the cell",
                 next_step="choose a thinner pillar or a larger pitch",
@@ -80,13 +65,13 @@ class UnitCell:
     @property
     def clearance(self) -> float:
         """Free width of plate between the pillar and the nearest side of the cell, m."""
-        return self.inradius - (self.pillar.radius if self.pillar else 0.0)
+        return self.inradius - (self.pillar.widest if self.pillar else 0.0)
 
     def scaled(self, factor: float) -> UnitCell:
         """The same cell with every length multiplied by ``factor``."""
         (x1, y1), (x2, y2) = self.lattice.a1, self.lattice.a2
         lattice = replace(self.lattice, a1=(x1 * factor, y1 * factor), a2=(x2 * factor, y2 * factor))
-        pillar = self.pillar and Pillar(self.pillar.diameter * factor, self.pillar.height * factor)
+        pillar = self.pillar and self.pillar.scaled(factor)
         return replace(self, lattice=lattice, thickness=self.thickness * factor, pillar=pillar)
 
     def without_pillar(self) -> UnitCell:

@@ -12,7 +12,20 @@ from rich.table import Table
 
 from haptonic import __version__, plots
 from haptonic.cli.console import Voice, speaking
+from haptonic.cli.designing import design, export, tolerance
 from haptonic.cli.doctor import examined
+from haptonic.cli.options import (
+    KEPT,
+    Json,
+    Out,
+    Overwrite,
+    Scheduler,
+    StudyFile,
+    Workers,
+    folder_for,
+    pictures,
+    tell_where,
+)
 from haptonic.report import Results, write_report
 from haptonic.results import Bands, Sweep, refuse_taken, write_files, write_netcdf
 from haptonic.study import Study, load, table
@@ -25,23 +38,6 @@ app = typer.Typer(
     pretty_exceptions_enable=False,
     context_settings={"help_option_names": ["-h", "--help"]},
 )
-
-StudyFile = Annotated[Path, typer.Argument(metavar="STUDY", help="Study file (TOML).")]
-Out = Annotated[
-    Path | None,
-    typer.Option("--out", metavar="DIR", help="Folder for the files; results/STUDY-COMMAND by default."),
-]
-Json = Annotated[
-    bool, typer.Option("--json", help="Print one JSON object; files are then written only with --out.")
-]
-Overwrite = Annotated[bool, typer.Option("--overwrite", help="Replace files of an earlier run.")]
-Workers = Annotated[
-    int, typer.Option("--workers", metavar="N", help="Worker processes on this machine; 0 works in this one.")
-]
-Scheduler = Annotated[
-    str | None, typer.Option("--scheduler", metavar="ADDRESS", help="A running Dask scheduler to work on.")
-]
-KEPT = "the designs that were finished are kept; the same command goes on from there"
 
 
 def main() -> None:
@@ -71,15 +67,15 @@ def bands(
     """Band diagram, gaps and mode shapes of the unit cell."""
     with speaking(json) as voice:
         loaded = load(study)
-        folder = _folder(study, out, json, "bands")
-        names = [*Bands.FILES, *_pictures(Bands.figure_names(surface=surface))]
+        folder = folder_for(study, out, json, "bands")
+        names = [*Bands.FILES, *pictures(Bands.figure_names(surface=surface))]
         refuse_taken(folder, names, overwrite=overwrite)
         with voice.busy("bands"):
             result = loaded.bands(surface=surface)
             if folder:
                 _write_bands(result, folder, overwrite)
         voice.tell(gap_table(result))
-        _tell_where(voice, folder)
+        tell_where(voice, folder)
         voice.answer(result.to_json())
 
 
@@ -96,9 +92,9 @@ def sweep(
     with speaking(json, KEPT) as voice:
         loaded = load(study)
         loaded.need_sweeps()
-        folder = _folder(study, out, json, "sweep")
+        folder = folder_for(study, out, json, "sweep")
         names = [f"sweep_{i + 1}" for i in range(len(loaded.sweep))]
-        refuse_taken(folder, [*_pictures(names), *(f"{n}.nc" for n in names)], overwrite=overwrite)
+        refuse_taken(folder, [*pictures(names), *(f"{n}.nc" for n in names)], overwrite=overwrite)
         results = _swept(loaded, voice, workers, scheduler)
         if folder:
             for name, result in zip(names, results, strict=True):
@@ -106,7 +102,7 @@ def sweep(
         for result in results:
             voice.tell(sweep_table(result))
             _tell_failures(voice, result)
-        _tell_where(voice, folder)
+        tell_where(voice, folder)
         voice.answer({"sweeps": [result.to_json() for result in results]})
 
 
@@ -122,10 +118,10 @@ def reproduce(
     """Everything the study describes, and one report that sets it beside the paper."""
     with speaking(json, KEPT) as voice:
         loaded = load(study)
-        folder = _folder(study, out, False, "report")
+        folder = folder_for(study, out, False, "report")
         assert folder is not None
         sweeps = [f"sweep_{i + 1}" for i in range(len(loaded.sweep))]
-        names = [*Bands.FILES, *_pictures([*Bands.figure_names(surface=True), *sweeps])]
+        names = [*Bands.FILES, *pictures([*Bands.figure_names(surface=True), *sweeps])]
         names += ["report.html", *(f"{n}.nc" for n in sweeps)]
         refuse_taken(folder, names, overwrite=overwrite)
         started, timings = datetime.now(UTC), {}
@@ -149,6 +145,10 @@ def reproduce(
         voice.tell(f"report: {report}")
         answer = {"report": str(report), "seconds": timings, "sweeps": [one.to_json() for one in swept]}
         voice.answer({**result.to_json(), **answer})
+
+
+for command in (design, tolerance, export):
+    app.command()(command)
 
 
 @app.command()
@@ -209,14 +209,14 @@ def sweep_table(result: Sweep) -> Table:
     data = result.to_json()
     unit = f" / {data['unit']}" if data["unit"] != "1" else ""
     shown = Table(f"{data['vary']}{unit}", "gaps", "widest / kHz", "from / kHz", "to / kHz", title="sweep")
-    for design in data["designs"]:
-        widest = max(design["gaps"], key=lambda g: g["upper_hz"] - g["lower_hz"], default=None)
+    for one in data["designs"]:
+        widest = max(one["gaps"], key=lambda g: g["upper_hz"] - g["lower_hz"], default=None)
         numbers = ["-"] * 3
         if widest:
             low, high = widest["lower_hz"] / 1e3, widest["upper_hz"] / 1e3
             numbers = [f"{high - low:.2f}", f"{low:.2f}", f"{high:.2f}"]
-        count = "failed" if design["error"] else str(len(design["gaps"]))
-        shown.add_row(f"{design['value']:.4g}", count, *numbers)
+        count = "failed" if one["error"] else str(len(one["gaps"]))
+        shown.add_row(f"{one['value']:.4g}", count, *numbers)
     return shown
 
 
@@ -225,16 +225,6 @@ def _swept(loaded: Study, voice: Voice, workers: int, scheduler: str | None) -> 
         return ()
     with voice.counted("sweeps", sum(section.steps for section in loaded.sweep)) as progress:
         return loaded.swept(workers=workers, scheduler=scheduler, on_progress=progress)
-
-
-def _folder(study: Path, out: Path | None, json: bool, command: str) -> Path | None:
-    if out is None and json:
-        return None
-    return out or Path("results") / f"{study.stem}-{command}"
-
-
-def _pictures(names: list[str]) -> list[str]:
-    return [f"{name}.{kind}" for name in names for kind in ("svg", "png")]
 
 
 def _write_bands(result: Bands, folder: Path, overwrite: bool) -> None:
@@ -246,11 +236,6 @@ def _write_bands(result: Bands, folder: Path, overwrite: bool) -> None:
 def _write_sweep(result: Sweep, folder: Path, name: str, overwrite: bool) -> None:
     write_files(folder, {f"{name}.nc": lambda path: write_netcdf(result.dataset, path)}, overwrite=overwrite)
     plots.save(result.plot(), folder, name, overwrite=overwrite)
-
-
-def _tell_where(voice: Voice, folder: Path | None) -> None:
-    if folder:
-        voice.tell(f"files: {folder}")
 
 
 def _tell_failures(voice: Voice, result: Sweep) -> None:

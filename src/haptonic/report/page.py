@@ -118,13 +118,7 @@ def _inputs(study: Study) -> Table:
     rows = []
     for path, value, quantity in leaves(study):
         key = keys[re.sub(r"\[\d+\]", "[]", path)]
-        if quantity:
-            shown = format_quantity(value, quantity.unit)
-        elif path.endswith((".from", ".to")):
-            row = int(path[path.index("[") + 1 : path.index("]")]) - 1
-            shown = format_quantity(value, study.sweep[row].unit)
-        else:
-            shown = str(value) or "-"
+        shown = format_quantity(value, quantity.unit) if quantity else str(value) or "-"
         rows.append((path, key.title, shown))
     if isinstance(study.material, str):
         constants = study.resolved_material().to_dict()

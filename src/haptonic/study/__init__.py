@@ -2,7 +2,8 @@
 
 from haptonic.study.keys import Key, table
 from haptonic.study.loading import load, loads
-from haptonic.study.schema import Study, SweepSection
+from haptonic.study.runs import Study
+from haptonic.study.schema import SweepSection
 from haptonic.study.sections import BandsSection, CellSection, MaterialSection, MeshSection, PillarSection
 from haptonic.study.vary import solve
 

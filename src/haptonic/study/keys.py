@@ -72,7 +72,10 @@ def leaves(model: BaseModel, prefix: str = "") -> Iterator[tuple[str, Any, Quant
             for index, item in enumerate(value, start=1):
                 yield from leaves(item, f"{path}[{index}].")
         elif value is not None:
-            yield path, value, None if isinstance(value, str) else quantity_of(field)
+            declared = None if isinstance(value, str) else quantity_of(field)
+            if declared is None and isinstance(value, float) and hasattr(model, "unit"):
+                declared = Quantity(model.unit)  # it depends on another key of the table
+            yield path, value, declared
 
 
 def _key(path: str, field: FieldInfo) -> Key:

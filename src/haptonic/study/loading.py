@@ -12,7 +12,7 @@ from pydantic import ValidationError
 
 from haptonic.errors import HaptonicWarning, StudyError, nearest
 from haptonic.study.problems import study_error
-from haptonic.study.schema import Study
+from haptonic.study.runs import Study
 from haptonic.units import shown
 
 LARGEST_FILE = 1_000_000  # bytes; a study needs a few thousand

@@ -6,8 +6,8 @@ labels and the written file follow from it.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
-from typing import Annotated, Any
+from collections.abc import Iterator, Mapping
+from typing import Annotated, Any, Self
 
 from pydantic import (
     AfterValidator,
@@ -21,12 +21,13 @@ from pydantic import (
 )
 
 from haptonic.bloch.resolution import LADDER, Resolution, starting_rung
-from haptonic.cell import Pillar, UnitCell
-from haptonic.errors import HaptonicError, StudyError
+from haptonic.cell import UnitCell
+from haptonic.design.parameters import values_of
+from haptonic.errors import HaptonicError
 from haptonic.lattice import Lattice
 from haptonic.materials import Material, material
-from haptonic.results import Asked, Bands, Row, Sweep, compute_bands, compute_sweeps
-from haptonic.store import Store
+from haptonic.results import Asked
+from haptonic.study.asking import DesignSection, LayersSection, ToleranceSection, WaveguideSection
 from haptonic.study.keys import leaves, table
 from haptonic.study.problems import study_error
 from haptonic.study.quantity import SI_NUMBERS, Quantity, collected, problem
@@ -36,6 +37,7 @@ from haptonic.study.writing import toml_of
 from haptonic.units import format_quantity, to_si
 
 MOST_SWEEPS = 50
+OF_A_CELL = {"carrier", "material", "cell", "bands"}  # sections whose numbers an expression can name
 
 
 class SweepSection(Section):
@@ -104,8 +106,8 @@ def _in_library(name: str) -> str:
     return name
 
 
-class Study(Section):
-    """Everything that one run computes with; immutable.
+class Description(Section):
+    """Everything that one run computes with; immutable. A `Study` also computes.
 
     It is read by `haptonic.study.load`, which gives its errors five parts and warns about unusual values.
     """
@@ -127,18 +129,31 @@ class Study(Section):
     mesh: MeshSection = Field(
         MeshSection(), title="Mesh", description="For experts; else the accuracy decides."
     )
+    layers: LayersSection = Field(
+        LayersSection(), title="Layers", description="Rows of cells as a mirror between two plates."
+    )
+    waveguide: WaveguideSection = Field(
+        WaveguideSection(), title="Waveguide", description="A strip of plate between two mirrors."
+    )
+    design: DesignSection = Field(
+        DesignSection(), title="Design", description="What may change so that the gap holds the carrier."
+    )
+    tolerance: ToleranceSection = Field(
+        ToleranceSection(), title="Tolerance", description="How much the parts differ."
+    )
     sweep: tuple[SweepSection, ...] = Field(
         (), title="Sweeps", description="Rows of designs to compare.", max_length=MOST_SWEEPS
     )
 
     @model_validator(mode="after")
-    def _every_design_is_possible(self) -> Study:
+    def _every_design_is_possible(self) -> Self:
         try:
             self.unit_cell()
         except HaptonicError as error:
             raise problem(
                 error.given, error.allowed, error.cause, error.next_step, at=error.argument
             ) from None
+        self._names_what_the_cell_has()
         for row, sweep in enumerate(self.sweep, start=1):
             for step, value in enumerate(sweep.values, start=1):
                 try:
@@ -154,6 +169,21 @@ class Study(Section):
                     ) from None
         return self
 
+    def _names_what_the_cell_has(self) -> None:
+        """Refuse parameters of a design or a tolerance that this study's cell does not have."""
+        there = values_of(self.unit_cell())
+        named = {f"design.vary[{i}]": one.parameter for i, one in enumerate(self.design.vary, start=1)}
+        named |= {f"tolerance.of[{i}]": one.parameter for i, one in enumerate(self.tolerance.of, start=1)}
+        for at, path in named.items():
+            if path not in there:
+                raise problem(
+                    path,
+                    f"one of {', '.join(there)}",
+                    "the cell of this study does not have it",
+                    "give it in [cell] first, or leave this table out",
+                    at=f"{at}.parameter",
+                )
+
     def resolved_material(self) -> Material:
         """The material as the core computes with it."""
         return material(self.material) if isinstance(self.material, str) else self.material.frozen()
@@ -164,7 +194,7 @@ class Study(Section):
         lattice = (
             Lattice.rectangular(cell.pitch, cell.pitch_y) if cell.pitch_y else Lattice.square(cell.pitch)
         )
-        pillar = Pillar(cell.pillar.diameter, cell.pillar.height) if cell.pillar else None
+        pillar = cell.pillar.frozen() if cell.pillar else None
         return UnitCell(lattice, cell.thickness, self.resolved_material(), pillar)
 
     def asked(self) -> Asked:
@@ -177,70 +207,6 @@ class Study(Section):
             rings = rung.foot_rings if mesh.foot_rings is None else mesh.foot_rings
             resolution = Resolution(order, rings, rung.steps, rung.block)
         return Asked(bands.count, bands.points, bands.accuracy, resolution)
-
-    def need_sweeps(self) -> None:
-        """Raise StudyError if the study has no sweep."""
-        if not self.sweep:
-            raise StudyError(
-                argument="sweep",
-                given="nothing",
-                allowed="at least one [[sweep]] table",
-                cause="the study describes a single design",
-                next_step='add [[sweep]] with vary = "cell.pillar.diameter / cell.pitch", from, to and steps',
-            )
-
-    def bands(self, *, surface: bool = False, store: Store | None = None) -> Bands:
-        """Band diagram, gaps and mode shapes of the unit cell.
-
-        Parameters
-        ----------
-        surface : also sample the whole zone evenly, for contours and the density of states
-        store : where results are kept; the user's own by default
-
-        Raises
-        ------
-        ResourceError : the accuracy needs more memory than there is
-        """
-        return compute_bands(
-            self.unit_cell(),
-            self.asked(),
-            surface=surface,
-            inputs=self.inputs(),
-            carrier=self.carrier,
-            store=store or Store.default(),
-        )
-
-    def swept(
-        self,
-        *,
-        store: Store | None = None,
-        workers: int = 0,
-        scheduler: str | None = None,
-        on_progress: Callable[[int, int, bool], None] | None = None,
-    ) -> tuple[Sweep, ...]:
-        """Complete gaps of every design of the study's sweeps; see `haptonic.jobs.run_all`."""
-        rows = [
-            Row(
-                sweep.values,
-                [design.unit_cell() for design in self.designs(sweep)],
-                {
-                    "expression": sweep.vary,
-                    "units": sweep.unit,
-                    "own_value": sweep.expression.value(self.parameters()),
-                    "carrier_hz": self.carrier,
-                },
-            )
-            for sweep in self.sweep
-        ]
-        return compute_sweeps(
-            rows,
-            self.asked(),
-            inputs=self.inputs(),
-            store=store or Store.default(),
-            workers=workers,
-            scheduler=scheduler,
-            on_progress=on_progress,
-        )
 
     def parameters(self) -> dict[str, float]:
         """Value of every numeric parameter that this study gives, by path and in SI units."""
@@ -255,27 +221,32 @@ class Study(Section):
             for path in numeric_parameters().keys() - self.parameters().keys()
         }
 
-    def with_parameter(self, path: str, value: float) -> Study:
-        """The same study with one numeric parameter (SI) changed and without sweeps: one design.
+    def with_parameter(self, path: str, value: float) -> Self:
+        """The same study with one numeric parameter changed; see `with_parameters`."""
+        return self.with_parameters({path: value})
+
+    def with_parameters(self, values: Mapping[str, float]) -> Self:
+        """The same study with numeric parameters (SI, by path) changed and without sweeps: one design.
 
         Raises
         ------
-        StudyError : the value is out of bounds, or the design is not possible
+        StudyError : a value is out of bounds, or the design is not possible
         """
-        assert path in self.parameters(), path
         data = self.model_dump(by_alias=True, exclude_none=True, exclude={"sweep"})
-        *sections, name = path.split(".")
-        target: dict[str, Any] = data
-        for section in sections:
-            target = target[section]
-        target[name] = float(value)
+        for path, value in values.items():
+            assert path in self.parameters(), path
+            *sections, name = path.split(".")
+            target: dict[str, Any] = data
+            for section in sections:
+                target = target[section]
+            target[name] = float(value)
         try:
-            return Study.model_validate(data, context=SI_NUMBERS)
+            return type(self).model_validate(data, context=SI_NUMBERS)
         except ValidationError as error:
-            refusal = study_error(error, Study, "")
+            refusal = study_error(error, Description, "")
         raise refusal
 
-    def designs(self, sweep: SweepSection) -> tuple[Study, ...]:
+    def designs(self, sweep: SweepSection) -> tuple[Self, ...]:
         """One study for each step of a sweep, in order."""
         return tuple(solve(sweep.expression, value, self) for value in sweep.values)
 
@@ -313,4 +284,8 @@ class Study(Section):
 
 def numeric_parameters() -> dict[str, str]:
     """SI unit of every parameter that an expression can name, by path."""
-    return {path: key.unit for path, key in table(Study).items() if key.quantity and "[]" not in path}
+    return {
+        path: key.unit
+        for path, key in table(Description).items()
+        if key.quantity and "[]" not in path and path.split(".")[0] in OF_A_CELL
+    }

@@ -6,6 +6,7 @@ from typing import Annotated, Literal
 
 from pydantic import BaseModel, ConfigDict, Field, model_validator
 
+from haptonic.cell import Pillar, Step
 from haptonic.materials import INCOMPRESSIBLE, POISSON_BOUNDS, IsotropicMaterial
 from haptonic.study.quantity import Quantity, problem
 from haptonic.units import format_quantity
@@ -51,15 +52,49 @@ class MaterialSection(Section):
         return IsotropicMaterial(**self.model_dump())
 
 
-class PillarSection(Section):
-    """The round pillar on each cell."""
+class StepSection(Section):
+    """Where the pillar becomes narrower."""
 
     diameter: Annotated[float, _length(50e-6, 50e-3)] = Field(
-        title="Pillar diameter", description="Smaller than the pitch by more than 2 %."
+        title="Diameter above the step", description="Smaller than below it by more than 5 %."
+    )
+    height: Annotated[float, _length(50e-6, 100e-3)] = Field(
+        title="Height of the step", description="Above the face of the plate."
+    )
+
+    def frozen(self) -> Step:
+        """The step as the core computes with it."""
+        return Step(self.diameter, self.height)
+
+
+class PillarSection(Section):
+    """The pillar on each cell."""
+
+    diameter: Annotated[float, _length(50e-6, 50e-3)] = Field(
+        title="Pillar diameter",
+        description="At the foot, its fillet not counted; of a square section the side. "
+        "Smaller than the pitch by more than 2 %.",
     )
     height: Annotated[float, _length(50e-6, 100e-3)] = Field(
         title="Pillar height", description="Above the face of the plate."
     )
+    section: Literal["round", "square"] = Field(
+        "round", title="Section", description="Seen from above; the sides of a square lie along the cell's."
+    )
+    draft: Annotated[float, Quantity("rad", at_least=-0.7, at_most=0.7, typical=(0.0, 0.18))] = Field(
+        0.0, title="Draft angle", description="Between side and normal; positive is narrower at the top."
+    )
+    fillet: Annotated[float, Quantity("m", at_least=0.0, at_most=LARGEST, typical=(0.0, 5e-3))] = Field(
+        0.0, title="Fillet radius", description="At the foot: the corner radius of the end mill."
+    )
+    step: StepSection | None = Field(
+        None, title="Step", description="Where the pillar becomes narrower, if it does."
+    )
+
+    def frozen(self) -> Pillar:
+        """The pillar as the core computes with it."""
+        step = self.step.frozen() if self.step else None
+        return Pillar(self.diameter, self.height, self.section, self.draft, self.fillet, step)
 
 
 class CellSection(Section):

@@ -11,13 +11,15 @@ import re
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from functools import cache
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, TypeVar
 
 from haptonic.errors import StudyError, nearest
 from haptonic.units import registry, shown
 
 if TYPE_CHECKING:
-    from haptonic.study.schema import Study
+    from haptonic.study.schema import Description
+
+Described = TypeVar("Described", bound="Description")
 
 LONGEST_TEXT = 200
 GRAMMAR = "names of parameters and positive numbers with * and / between them"
@@ -131,7 +133,7 @@ def check_names(expression: Expression, known: Mapping[str, object], absent: Map
         )
 
 
-def solve(expression: Expression, value: float, study: Study) -> Study:
+def solve(expression: Expression, value: float, study: Described) -> Described:
     """The study in which the expression has the value: its first parameter changed, its sweeps left out.
 
     Parameters

@@ -1,8 +1,8 @@
 """One superelement, many uses: K and M of a cell condensed onto its lateral faces."""
 
 from haptonic.superelement.condense import Superelement, condense, condensed, on_each
-from haptonic.superelement.counting import DynamicStiffness, dynamic_stiffness
-from haptonic.superelement.folded import FoldedMesh
+from haptonic.superelement.dynamic import DynamicStiffness, dynamic_stiffness
+from haptonic.superelement.folded import FoldedMesh, through_levels
 from haptonic.superelement.trace import TraceMirror
 
 __all__ = [
@@ -14,4 +14,5 @@ __all__ = [
     "condensed",
     "dynamic_stiffness",
     "on_each",
+    "through_levels",
 ]

@@ -13,54 +13,19 @@ import scipy.linalg as la
 from numpy.typing import NDArray
 
 from haptonic.cell import HexMesh, MeshPlan, UnitCell
-from haptonic.lattice import DIAGONAL, Operation
+from haptonic.lattice import Operation
 from haptonic.solvers import Solver
 from haptonic.superelement.folded import FoldedMesh
 from haptonic.superelement.interior import interior_modes
+from haptonic.superelement.lifting import DiagonalImage, Part, lifted
 from haptonic.superelement.parallel import for_each_class
 from haptonic.superelement.sections import PillarSections, mirrored_momenta, momentum_forms, pillar_sections
-from haptonic.superelement.trace import FoldedTrace, TraceMirror
+from haptonic.superelement.trace import TraceMirror
 
 Array = NDArray[np.float64]
 Fields = NDArray[Any]  # real or complex
 
 SOFT_TRACES = 24  # of each symmetry class, whose inertia the interior's modes have to answer
-
-
-@dataclass(frozen=True)
-class Part:
-    """How one symmetry class is lifted back: static answers (3 interior, b) and modes (3 interior, m).
-
-    ``image`` is for a class that is the diagonal's mirror image of the one that all this belongs to.
-    """
-
-    trace: FoldedTrace
-    through: Array
-    static: Array
-    modes: Array
-    image: DiagonalImage | None = None
-
-    def lifted(self, trace: Fields, amplitudes: Fields) -> Fields:
-        """(nodes, 3, k) displacement from a whole trace (t, k) and the class's modal amplitudes (m, k)."""
-        own = self.trace.fold(self.image.trace.applied(trace) if self.image else trace)
-        inside = self.static @ own + self.modes @ amplitudes
-        rim = self.trace.on_levels(self.through, own)
-        values = np.concatenate([inside.reshape(-1, 3, own.shape[1]), rim])
-        folding = self.trace.folding
-        field = np.asarray(folding.sign[self.trace.symmetry_class][:, :, None] * values[folding.node])
-        return self.image.applied(field) if self.image else field
-
-
-@dataclass(frozen=True)
-class DiagonalImage:
-    """The mirror on the diagonal of a square cell: on traces, and where it takes each node."""
-
-    trace: TraceMirror
-    moved: NDArray[np.int64]
-
-    def applied(self, field: Fields) -> Fields:
-        """Mirror image of a field (nodes, 3, k)."""
-        return np.asarray(field[self.moved][:, [1, 0, 2]])
 
 
 @dataclass(frozen=True)
@@ -125,11 +90,7 @@ class Superelement:
 
     def lifted(self, fields: Fields) -> Fields:
         """(nodes, 3, k) displacement on the mesh from (t + m, k) unknowns, real or complex."""
-        trace, amplitudes = np.split(fields, [self.trace_size])
-        ends = np.cumsum([part.modes.shape[1] for part in self.parts])
-        shares = np.split(amplitudes, ends[:-1])
-        pieces = (part.lifted(trace, share) for part, share in zip(self.parts, shares, strict=True))
-        return np.asarray(sum(pieces))
+        return lifted(self.parts, *np.split(fields, [self.trace_size]))
 
 
 def on_each(form: Array, fields: Fields) -> Array:
@@ -158,8 +119,7 @@ def condensed(shared: FoldedMesh, steps: int, *, block: int, measured: bool) -> 
     mesh = shared.mesh
 
     def mirrored(original: _CondensedClass) -> _CondensedClass:
-        traces = TraceMirror.of(mesh.topology, shared.levels, DIAGONAL)
-        return original.mirrored(DiagonalImage(traces, mesh.topology.permutation(DIAGONAL)))
+        return original.mirrored(DiagonalImage.of(mesh.topology, shared.levels))
 
     pieces = for_each_class(
         shared, lambda q, solver: _condense_class(shared, q, solver, steps, block, measured), mirrored

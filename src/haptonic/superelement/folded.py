@@ -44,6 +44,12 @@ def mirrors_of(cell: UnitCell) -> tuple[Operation, ...]:
     return tuple(mirror for mirror in COMPONENT_SIGNS if mirror in cell.lattice.point_group)
 
 
+def through_levels(cell: UnitCell, mesh: HexMesh, levels: int) -> Array:
+    """(plate levels, levels) values on the mesh's levels at the cell's sides from those on the trace's."""
+    levels_at = 0.5 * cell.thickness * (1 + lobatto(levels - 1)[0])
+    return interpolation(levels_at, mesh.points[mesh.topology.rim[:, 0], 2])
+
+
 @dataclass(frozen=True)
 class FoldedMesh:
     """What the symmetry classes of a cell share.
@@ -76,14 +82,13 @@ class FoldedMesh:
             mass += np.bincount(folding.node[nodes].ravel(), own, minlength=len(mass))
             elements.append(matrices)
         assembler = assembler_of(topology, folding)
-        levels_at = 0.5 * cell.thickness * (1 + lobatto(levels - 1)[0])
         return cls(
             cell=cell,
             mesh=mesh,
             levels=levels,
             assembler=assembler,
             paired=assembler.paired(tuple(elements)),
-            through=interpolation(levels_at, mesh.points[topology.rim[:, 0], 2]),
+            through=through_levels(cell, mesh, levels),
             representative_mass=mass,
             nodal_mass=(mass / np.bincount(folding.node))[folding.node],
         )

@@ -57,11 +57,11 @@ class PillarSections:
 
 def section_levels(mesh: HexMesh) -> tuple[Array, NDArray[np.int64], NDArray[np.int64]]:
     """Heights of the pillar's node levels, and for each of its nodes its number and level."""
-    plan, topology = mesh.topology.plan, mesh.topology
-    first = plan.plate_levels * topology.level_nodes
-    nodes = np.arange(first, topology.nodes)
-    level = np.repeat(np.arange(plan.pillar_levels), topology.disc_nodes)
-    return mesh.points[first :: topology.disc_nodes, 2][: plan.pillar_levels], nodes, level
+    topology = mesh.topology
+    starts = topology.level_start[topology.plan.plate_levels :]
+    nodes = np.arange(topology.first_above, topology.nodes)
+    level = np.repeat(np.arange(len(starts) - 1), np.diff(starts))
+    return mesh.points[starts[:-1], 2], nodes, level
 
 
 def momentum_forms(mesh: HexMesh, folding: Folding, symmetry_class: int, nodal_mass: Array) -> sp.csr_array:

@@ -1,0 +1,127 @@
+"""Resolution and topology of a mesh, chosen before any length is known."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+from haptonic.cell.geometry import UnitCell
+
+LAYER_LENGTH = 1.4  # of an element along the pillar, in diameters
+
+
+@dataclass(frozen=True)
+class MeshPlan:
+    """Resolution and topology of a mesh, free of any length.
+
+    order : polynomial order of the elements around the pillar and in the core
+    foot_rings : thin rings on either side of the pillar's foot, and as many thin layers
+    pillar_layers : layers of elements along the pillar above the thin ones, up to its step if it has one; 0
+        means no pillar
+    step_layers : layers above the step; 0 means no step
+    blocks : elements along each side of the cell, and along each quarter of every ring
+    plate_layers : layers through the plate below the thin ones
+    outward : polynomial order across the rings; upward : along z; thin : across thin rings and thin
+        layers; 0 means as ``order``
+    """
+
+    order: int
+    foot_rings: int
+    pillar_layers: int
+    step_layers: int = 0
+    blocks: int = 1
+    plate_layers: int = 1
+    outward: int = 0
+    upward: int = 0
+    thin: int = 0
+
+    def __post_init__(self) -> None:
+        for name in ("outward", "upward", "thin"):
+            object.__setattr__(self, name, getattr(self, name) or self.order)
+
+    @classmethod
+    def suited(cls, cell: UnitCell, order: int, foot_rings: int) -> MeshPlan:
+        """Plan of similar errors in all directions, its elements not much longer than the pillar is wide.
+
+        Around the pillar an element spans a quarter turn and gets two orders more.
+        """
+        orders = {"outward": order, "upward": order, "thin": order}
+        if cell.pillar is None:
+            return cls(order + 2, 0, 0, **orders)
+        layers = [
+            max(1, round((high - low) / (LAYER_LENGTH * 2 * width)))
+            for low, high, width in cell.pillar.stages
+        ]
+        rings = max(foot_rings, 1) if cell.pillar.fillet else foot_rings  # the arc is an edge of elements
+        return cls(order + 2, rings, *(1 + count for count in layers), **orders)
+
+    def lowered(self) -> MeshPlan:
+        """The same blocks with orders one lower, around the pillar two.
+
+        Fields that are even along a quarter of a turn gain nothing from an odd order more: two orders show
+        what one would hide.
+        """
+        return replace(
+            self,
+            order=max(self.order - 2, 1),
+            outward=max(self.outward - 1, 1),
+            upward=max(self.upward - 1, 1),
+            thin=max(self.thin - 1, 1),
+        )
+
+    @property
+    def side(self) -> int:
+        """Steps from node to node along a side of the cell."""
+        return self.order * self.blocks
+
+    @property
+    def step_rings(self) -> tuple[int, ...]:
+        """Order across each ring from the core to the side of the pillar above its step."""
+        return (self.outward,) if self.step_layers else ()
+
+    @property
+    def disc_rings(self) -> tuple[int, ...]:
+        """Order across each ring from the core to the foot."""
+        return (*self.step_rings, self.outward, *(self.thin,) * self.foot_rings)
+
+    @property
+    def rings(self) -> tuple[int, ...]:
+        """Order across each ring from the core to the sides of the cell."""
+        return (*self.disc_rings, *(self.thin,) * self.foot_rings, self.outward)
+
+    @property
+    def plate_layer_orders(self) -> tuple[int, ...]:
+        """Order through each layer of the plate, from the flat face up."""
+        return (*(self.upward,) * self.plate_layers, *(self.thin,) * self.foot_rings)
+
+    @property
+    def foot_layer_orders(self) -> tuple[int, ...]:
+        """Order through each layer from the plate's top to the pillar's step, or to its top."""
+        if not self.pillar_layers:
+            return ()
+        return (*(self.thin,) * self.foot_rings, *(self.upward,) * self.pillar_layers)
+
+    @property
+    def step_layer_orders(self) -> tuple[int, ...]:
+        """Order through each layer above the step."""
+        return (self.upward,) * self.step_layers
+
+    @property
+    def layer_orders(self) -> tuple[int, ...]:
+        """Order through every layer, from the flat face up."""
+        return (*self.plate_layer_orders, *self.foot_layer_orders, *self.step_layer_orders)
+
+    @property
+    def plate_levels(self) -> int:
+        """Node levels from the flat face up to the plate's top, both counted."""
+        return sum(self.plate_layer_orders) + 1
+
+    @property
+    def level_sizes(self) -> tuple[int, ...]:
+        """Number of nodes on each level; they get fewer above the plate, and above the step."""
+        core, around = (self.side + 1) ** 2, 4 * self.side
+        pieces = (
+            (self.plate_levels, self.rings),
+            (sum(self.foot_layer_orders), self.disc_rings),
+            (sum(self.step_layer_orders), self.step_rings),
+        )
+        return tuple(core + around * sum(rings) for levels, rings in pieces for _ in range(levels))

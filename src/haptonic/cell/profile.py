@@ -1,0 +1,190 @@
+"""Where a mesh's blocks and nodes lie in a half-plane through the pillar's axis.
+
+A place in the half-plane is a (half-width, height): circles, or squares, of that half-width are the curves
+that the blocks of rings lie between. Thin rings on both sides of the foot, and thin layers above and below
+the plate's top, grade the mesh towards the re-entrant edge, where stress is singular. With a fillet there is
+no such edge: then the foot lies in the middle of the arc, whose halves the thin rings and layers follow.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from haptonic.cell.geometry import UnitCell
+from haptonic.cell.pillar import Pillar
+from haptonic.cell.plan import MeshPlan
+from haptonic.cell.quadrature import lobatto
+
+Array = NDArray[np.float64]
+
+FOOT_LAYER = 0.3  # height of the pillar's lowest layer, in diameters: stresses of the foot die out in it
+FOOT_WIDTH = 0.15  # outermost thin ring, as a share of the smallest length at the foot
+FOOT_GRADING = 0.2  # each further ring reaches to this share of the one before
+FOOT_CROWDING = 0.35  # spacing of nodes next to the foot, as a share of an even one: stress is singular there
+BESIDE_FILLET = 0.6  # least width of all thin rings on the inner side of a fillet, in radii of the arc
+MOST_BESIDE = 0.45  # and the largest, as a share of the room there
+CORE_RADIUS = 0.55  # core square's corners, as a share of the curve around it
+PLAIN_RADIUS = 0.6  # circle that the ring follows where there is no pillar, as a share of the inradius
+
+
+@dataclass(frozen=True)
+class Profile:
+    """Borders between rings (b of them, from the core's to the last before the cell's sides) and layers (l).
+
+    width : (b, l) half-widths of the borders between rings where they meet those between layers, m
+    height : (b, l) heights of these corners above the flat face, m; at the cell's sides as for the last b
+    ring_shares, layer_shares : where the nodes lie within each ring and each layer, from 0 to 1
+    """
+
+    plan: MeshPlan
+    pillar: Pillar | None
+    width: Array
+    height: Array
+    ring_shares: tuple[Array, ...]
+    layer_shares: tuple[Array, ...]
+
+    @classmethod
+    def of(cls, cell: UnitCell, plan: MeshPlan) -> Profile:
+        """Profile of a cell."""
+        pillar = cell.pillar
+        assert plan.foot_rings or pillar is None or not pillar.fillet, "a fillet needs a ring at the foot"
+        assert bool(plan.step_layers) == (pillar is not None and pillar.step is not None), (
+            "step and plan differ"
+        )
+        sharp = pillar is not None and not pillar.fillet and plan.foot_rings > 0
+        foot, top = len(plan.disc_rings), len(plan.plate_layer_orders)
+        levels = _levels(cell, plan)
+        if pillar is None:
+            widths = np.array([CORE_RADIUS, 1.0])[:, None] * PLAIN_RADIUS * cell.inradius
+            width = np.repeat(widths, len(levels), axis=1)
+        else:
+            width = _widths(cell, pillar, plan, levels)
+        height = np.repeat(levels[None], len(width), axis=0)
+        if pillar is not None and pillar.arc is not None:
+            for k in range(plan.foot_rings + 1):
+                down, up = pillar.arc.at(0.5 * (1 + np.array([-1, 1]) * k / plan.foot_rings))
+                width[foot + k, top], height[foot + k, top] = down[0], cell.thickness + down[1]
+                width[foot, top + k], height[foot, top + k] = up[0], cell.thickness + up[1]
+        return cls(
+            plan, pillar, width, height,
+            ring_shares=_shares(plan.rings, foot if sharp else None),
+            layer_shares=_shares(plan.layer_orders, top if sharp else None),
+        )  # fmt: skip
+
+    def between(self, layer: int, share: float) -> tuple[list[Array], list[Array]]:
+        """Half-widths and heights on a level of nodes, which lies at a share of a layer.
+
+        For each ring from its inner border (the first node is on it) to its outer one, which for the last
+        ring is the cell's side: its half-widths are those of the inner border then.
+        """
+        low, high = self.width[:, layer], self.width[:, layer + 1]
+        width = low + share * (high - low)
+        low, high = self.height[:, layer], self.height[:, layer + 1]
+        height = low + share * (high - low)
+        widths, heights = [], []
+        for ring, along in enumerate(self.ring_shares):
+            outer = min(ring + 1, len(width) - 1)
+            bulge = self._bulge(ring, layer, along, share)
+            widths.append(width[ring] + along * (width[outer] - width[ring]) + bulge[:, 0])
+            heights.append(height[ring] + along * (height[outer] - height[ring]) + bulge[:, 1])
+        return widths, heights
+
+    def _bulge(self, ring: int, layer: int, along: Array, share: float) -> Array:
+        """(nodes, 2) how far a block with a side on the fillet bulges from one with straight sides."""
+        foot, top = len(self.plan.disc_rings), len(self.plan.plate_layer_orders)
+        arc, pieces = self.pillar.arc if self.pillar else None, self.plan.foot_rings
+        if arc is None:
+            return np.zeros((len(along), 2))
+        if layer == top - 1 and foot <= ring < foot + pieces:  # below the lower half of the arc
+            ends = 0.5 * (1 - np.array([ring - foot, ring - foot + 1]) / pieces)
+            return share * _from_chord(arc.at(ends[0] + along * (ends[1] - ends[0])), along)
+        if ring == foot - 1 and top <= layer < top + pieces:  # inside its upper half
+            ends = 0.5 * (1 + np.array([layer - top, layer - top + 1]) / pieces)
+            curve = arc.at(ends[0] + np.array([0.0, share, 1.0]) * (ends[1] - ends[0]))
+            return np.outer(along, _from_chord(curve, np.array([0.0, share, 1.0]))[1])
+        return np.zeros((len(along), 2))
+
+
+def _from_chord(curve: Array, along: Array) -> Array:
+    """How far the points of a curve lie from its chord; the first and last are its ends."""
+    return np.asarray(curve - (curve[0] + along[:, None] * (curve[-1] - curve[0])))
+
+
+def foot_reach(cell: UnitCell, plan: MeshPlan) -> Array:
+    """How far from the foot the borders of the thin rings lie, outermost first, m."""
+    pillar = cell.pillar
+    if pillar is None:
+        return np.empty(0)
+    _, high, radius = pillar.stages[0]
+    room = min(radius, cell.thickness, high, 2 * cell.clearance)
+    if pillar.step is not None:
+        room = min(room, pillar.half_width(high, 0) - 0.5 * pillar.step.diameter)
+    return np.asarray(FOOT_WIDTH * room * FOOT_GRADING ** np.arange(plan.foot_rings))
+
+
+def _widths(cell: UnitCell, pillar: Pillar, plan: MeshPlan, levels: Array) -> Array:
+    """(b, l) half-widths of the borders between rings, m; not yet on a fillet's arc."""
+    reach = foot_reach(cell, plan)
+    within = pillar.stages[-1][2] if pillar.step else CORE_RADIUS * pillar.radius
+    inward = _beside_fillet(reach, pillar.radius - within, pillar.fillet)
+    if pillar.arc is not None:  # the thin rings end where the arc does
+        outward = pillar.arc.at(0.5 * (1 - np.arange(1, plan.foot_rings + 1) / plan.foot_rings))[:, 0]
+    else:
+        outward = pillar.radius + reach[::-1]
+    inner = [pillar.radius - step for step in inward] + [pillar.radius]
+    above = np.maximum(levels - cell.thickness, 0.0)
+    last = len(pillar.stages) - 1
+    low = pillar.stages[last][0]
+    tip = np.array([pillar.half_width(max(z, low), last) for z in above])
+    foot = np.array([pillar.half_width(z, 0) for z in above])
+    rows = [CORE_RADIUS * tip] + [tip] * bool(last)
+    rows += [width / pillar.radius * foot for width in inner]
+    rows += [np.full(len(levels), width) for width in outward]
+    return np.stack(rows)
+
+
+def _levels(cell: UnitCell, plan: MeshPlan) -> Array:
+    """(l,) heights of the borders between layers away from a fillet, m."""
+    reach, top, pillar = foot_reach(cell, plan), cell.thickness, cell.pillar
+    if pillar is None:
+        return np.linspace(0.0, top, plan.plate_layers + 1)
+    downward = _beside_fillet(reach, top, pillar.fillet)
+    breaks = [*np.linspace(0.0, top - (downward[0] if len(reach) else 0.0), plan.plate_layers + 1)]
+    breaks += [top - w for w in downward[1:]] + [top] * bool(len(reach))
+    _, high, radius = pillar.stages[0]
+    lowest = min(2 * FOOT_LAYER * radius, high / plan.pillar_layers)
+    if pillar.arc is None:
+        breaks += [top + w for w in reach[::-1]]
+    else:
+        arc = pillar.arc.at(0.5 * (1 + np.arange(1, plan.foot_rings + 1) / plan.foot_rings))[:, 1]
+        breaks += [top + z for z in arc]
+        lowest = arc[-1] + min(2 * FOOT_LAYER * radius, (high - arc[-1]) / plan.pillar_layers)
+    breaks += [*np.linspace(top + lowest, top + high, plan.pillar_layers)[:-1], top + high]
+    if pillar.step is not None:
+        first = top + high + min(FOOT_LAYER * pillar.step.diameter, (pillar.height - high) / plan.step_layers)
+        breaks += [*np.linspace(first, top + pillar.height, plan.step_layers)[:-1], top + pillar.height]
+    return np.array(breaks)
+
+
+def _beside_fillet(reach: Array, room: float, fillet: float) -> Array:
+    """Reach of the thin rings on the side of a foot where the fillet is not: even and of its size."""
+    if not fillet:
+        return reach
+    whole = min(max(reach[0], BESIDE_FILLET * fillet), MOST_BESIDE * room)
+    return np.asarray(whole * np.arange(len(reach), 0, -1) / len(reach))
+
+
+def _shares(orders: tuple[int, ...], edge: int | None) -> tuple[Array, ...]:
+    """Positions of the nodes within intervals of some orders, 0 to 1.
+
+    On the two intervals that meet at the border number ``edge`` the nodes crowd towards it.
+    """
+    shares = [0.5 * (1 + lobatto(order)[0]) for order in orders]
+    if edge is not None:
+        before, after = 1 - shares[edge - 1][::-1], shares[edge]
+        shares[edge - 1] = 1 - (FOOT_CROWDING * before + (1 - FOOT_CROWDING) * before**2)[::-1]
+        shares[edge] = FOOT_CROWDING * after + (1 - FOOT_CROWDING) * after**2
+    return tuple(shares)

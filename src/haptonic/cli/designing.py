@@ -1,0 +1,220 @@
+"""Commands from the question to the workshop: design, tolerance, export."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from functools import partial
+from pathlib import Path
+from typing import Annotated
+
+import typer
+import xarray as xr
+from rich.table import Table
+
+from haptonic import plots
+from haptonic.cli.console import speaking
+from haptonic.cli.options import (
+    KEPT,
+    Json,
+    Out,
+    Overwrite,
+    Scheduler,
+    StudyFile,
+    Workers,
+    folder_for,
+    pictures,
+    tell_where,
+)
+from haptonic.design.parameters import UNITS
+from haptonic.design.tolerance import REACH
+from haptonic.results import Design, Runner, Tolerance, planned, refuse_taken, write_files, write_netcdf
+from haptonic.store import Store
+from haptonic.study import Study, load
+from haptonic.units import format_quantity
+from haptonic.workshop import write_drawing, write_dxf, write_step, write_stl
+
+
+def design(
+    study: StudyFile,
+    out: Out = None,
+    json: Json = False,
+    pareto: Annotated[bool, typer.Option("--pareto", help="Also the widest gap against the pitch.")] = False,
+    workers: Workers = 0,
+    scheduler: Scheduler = None,
+    overwrite: Overwrite = False,
+) -> None:
+    """The cell whose gap holds the carrier with the widest margin, within the study's [design]."""
+    with speaking(json, KEPT) as voice:
+        loaded = load(study)
+        folder = folder_for(study, out, json, "design")
+        names = ["search", *["front"] * pareto]
+        files = ["design.toml", *(f"{name}.nc" for name in names), *pictures(names)]
+        refuse_taken(folder, files, overwrite=overwrite)
+        section = loaded.design
+        with voice.counted("design", planned(section.starts, section.climbs)) as progress:
+            result = loaded.designed(Runner(Store.default(), workers, scheduler, progress))
+        found = loaded.with_parameters(result.values)
+        figures, datasets = {"search": result.plot()}, {"search": result.dataset}
+        if pareto:
+            with voice.counted("pitches", section.pitches) as progress:
+                datasets["front"] = loaded.front(
+                    result, Runner(Store.default(), workers, scheduler, progress)
+                )
+            figures["front"] = plots.front(datasets["front"])
+        if folder:
+            writers: dict[str, Callable[[Path], object]] = {
+                f"{name}.nc": partial(write_netcdf, data) for name, data in datasets.items()
+            }
+            writers["design.toml"] = lambda path: path.write_text(found.to_toml(), "utf-8")
+            write_files(folder, writers, overwrite=overwrite)
+            for name, figure in figures.items():
+                plots.save(figure, folder, name, overwrite=overwrite)
+        voice.tell(design_table(loaded, result))
+        if pareto:
+            voice.tell(front_table(datasets["front"]))
+        tell_where(voice, folder)
+        answer = {**result.to_json(), "study": found.to_toml()}
+        if pareto:
+            names_of_front = ("pitch", "lower", "upper", "margin")
+            answer["front"] = {name: datasets["front"][name].values.tolist() for name in names_of_front}
+        voice.answer(answer)
+
+
+def tolerance(
+    study: StudyFile,
+    out: Out = None,
+    json: Json = False,
+    workers: Workers = 0,
+    scheduler: Scheduler = None,
+    overwrite: Overwrite = False,
+) -> None:
+    """How sure the gap is to hold the carrier, which tolerance matters most, how loose they may be."""
+    with speaking(json, KEPT) as voice:
+        loaded = load(study)
+        folder = folder_for(study, out, json, "tolerance")
+        refuse_taken(folder, ["tolerance.nc", *pictures(["tolerance"])], overwrite=overwrite)
+        with voice.counted("designs", loaded.tolerance_tasks()) as progress:
+            result = loaded.toleranced(Runner(Store.default(), workers, scheduler, progress))
+        if folder:
+            writers = {"tolerance.nc": lambda path: write_netcdf(result.dataset, path)}
+            write_files(folder, writers, overwrite=overwrite)
+            plots.save(result.plot(), folder, "tolerance", overwrite=overwrite)
+        voice.tell(tolerance_table(result))
+        voice.tell(in_words(loaded, result))
+        tell_where(voice, folder)
+        voice.answer(result.to_json())
+
+
+def export(
+    study: StudyFile,
+    out: Out = None,
+    json: Json = False,
+    step: Annotated[bool, typer.Option("--step", help="Solid, for CAD (needs haptonic[cad]).")] = False,
+    dxf: Annotated[bool, typer.Option("--dxf", help="Outlines seen from above.")] = False,
+    stl: Annotated[bool, typer.Option("--stl", help="Surface as triangles.")] = False,
+    drawing: Annotated[
+        bool, typer.Option("--drawing", help="Dimensioned drawing of one cell (PDF).")
+    ] = False,
+    columns: Annotated[int, typer.Option("--columns", metavar="N", help="Cells along x.")] = 1,
+    rows: Annotated[int, typer.Option("--rows", metavar="N", help="Cells along y.")] = 1,
+    overwrite: Overwrite = False,
+) -> None:
+    """Files for the workshop; all of them if none is named. The drawing has the tolerances found."""
+    with speaking(json) as voice:
+        loaded = load(study)
+        cell, stem = loaded.unit_cell(), study.stem
+        folder = out or Path("results") / f"{stem}-export"
+        wanted = {"step": step, "dxf": dxf, "stl": stl, "pdf": drawing}
+        kinds = [kind for kind, asked in wanted.items() if asked] or list(wanted)
+        refuse_taken(folder, [f"{stem}.{kind}" for kind in kinds], overwrite=overwrite)
+        written = []
+        with voice.busy("files for the workshop"):
+            for kind, writer in {"step": write_step, "dxf": write_dxf, "stl": write_stl}.items():
+                if kind in kinds:
+                    written.append(
+                        writer(folder / f"{stem}.{kind}", cell, columns, rows, overwrite=overwrite)
+                    )
+            if "pdf" in kinds:
+                written.append(
+                    write_drawing(
+                        folder / f"{stem}.pdf", cell, loaded.title, columns, rows,
+                        tolerances=drawn_tolerances(loaded), overwrite=overwrite,
+                    )
+                )  # fmt: skip
+        for path in written:
+            voice.tell(f"written: {path}")
+        voice.answer({"files": [str(path) for path in written]})
+
+
+def drawn_tolerances(study: Study) -> dict[str, float]:
+    """Half-widths (SI) of the sizes that the study gives spreads for: the loosest that keep its confidence.
+
+    Nothing if it gives none, or if even perfect machining would not do.
+    """
+    if not study.tolerance.of:
+        return {}
+    loosest = study.toleranced().loosest
+    spreads = [one.frozen() for one in study.tolerance.of]
+    return {s.path: loosest * s.half_range for s in spreads if s.is_machined and loosest > 0}
+
+
+def design_table(study: Study, result: Design) -> Table:
+    """The design found beside the study's own."""
+    shown = Table("", "study", "design found", title="design")
+    own = study.parameters()
+    for path, value in result.values.items():
+        shown.add_row(path, *(format_quantity(v, UNITS[path], digits=4) for v in (own[path], value)))
+    gap = result.gap
+    shown.add_row("lower edge", "", f"{gap.lower / 1e3:.3f} ± {gap.lower_error / 1e3:.3f} kHz")
+    shown.add_row("upper edge", "", f"{gap.upper / 1e3:.3f} ± {gap.upper_error / 1e3:.3f} kHz")
+    shown.add_row("margin of the carrier", "", f"{result.margin / 1e3:.3f} kHz", style="bold")
+    return shown
+
+
+def front_table(front: xr.Dataset) -> Table:
+    """The widest gap of each pitch."""
+    shown = Table(
+        "pitch / mm", "from / kHz", "to / kHz", "width / kHz", title="widest gap around the carrier"
+    )
+    for i in range(front.sizes["design"]):
+        row = front.isel(design=i)
+        low, high = float(row["lower"]) / 1e3, float(row["upper"]) / 1e3
+        held = float(row["margin"]) > 0
+        numbers = [f"{low:.2f}", f"{high:.2f}", f"{high - low:.2f}"] if held else ["-", "-", "none"]
+        shown.add_row(f"{float(row['pitch']) * 1e3:.3g}", *numbers)
+    return shown
+
+
+def tolerance_table(result: Tolerance) -> Table:
+    """What moves the edges."""
+    shown = Table(
+        "parameter", "lower edge", "upper edge", "index, lower", "index, upper", title="what moves the edges"
+    )
+    for row in result.to_json()["parameters"]:
+        per = {"m": (1e-5, "10 µm"), "rad": (1.745e-3, "0.1°"), "Pa": (1e9, "GPa")}
+        factor, word = per.get(UNITS[row["parameter"]], (0.01, "0.01"))
+        if row["parameter"] == "material.density":
+            factor, word = 10.0, "10 kg/m³"
+        slopes = [f"{slope * factor:+.0f} Hz per {word}" for slope in row["slope_hz_per_si"]]
+        shown.add_row(row["parameter"], *slopes, *(f"{index:.1%}" for index in row["total_index"]))
+    return shown
+
+
+def in_words(study: Study, result: Tolerance) -> str:
+    """The chances as sentences."""
+    section = study.tolerance
+    lower, upper = result.dataset["deviation"].values
+    margin = f" with a margin of {section.margin:g} Hz" if section.margin else ""
+    lines = [
+        f"Edges vary by {lower:.0f} Hz (lower) and {upper:.0f} Hz (upper), one standard deviation.",
+        f"One pillar keeps the carrier in its gap{margin} with a chance of {result.pillar:.2%}, "
+        f"all {section.pillars} of a plate with {result.plate:.2%} "
+        f"(to first order {float(result.dataset.attrs['chance_to_first_order']):.2%}).",
+    ]
+    if result.loosest >= REACH:
+        lines.append(f"Even {REACH:g} times as loose machining keeps {section.confidence:.1%}.")
+    elif result.loosest > 0:
+        lines.append(f"Machining may be {result.loosest:.2f} times as loose for {section.confidence:.1%}.")
+    else:
+        lines.append(f"No machining, however exact, keeps {section.confidence:.1%}.")
+    return "\n".join(lines)

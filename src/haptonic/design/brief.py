@@ -1,0 +1,171 @@
+"""What a designer asks for: a gap around the carrier, and what the workshop and the finger allow."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.optimize import minimize
+
+from haptonic.cell import UnitCell
+from haptonic.design.parameters import changed, values_of
+from haptonic.errors import StudyError
+from haptonic.materials import IsotropicMaterial
+
+Array = NDArray[np.float64]
+
+LEAST_GAP = 0.02  # between pillars, as a share of the pitch, if no tool asks for more
+LEAST_TIP = 0.1  # narrowest width of a pillar, as a share of that at its foot
+MARGIN = 1e-3  # by which a starting point meets its limits
+# centre of a long plate with clamped sides under a force: w = factor * F * span^2 / D (Timoshenko and
+# Woinowsky-Krieger, Theory of Plates and Shells, table 37, the limit of long plates)
+STRIP_FACTOR = 0.00725
+
+
+@dataclass(frozen=True)
+class Finger:
+    """A force (N) in the middle of a region of some width (m), and how far the plate may give way (m)."""
+
+    force: float
+    span: float
+    deflection: float
+
+    def least_thickness(self, material: IsotropicMaterial) -> float:
+        """Thickness of the plate that is just stiff enough, m; the region is long, its sides clamped."""
+        stiffness = STRIP_FACTOR * self.force * self.span**2 / self.deflection
+        nu = material.poisson_ratio
+        return float(np.cbrt(12 * (1 - nu**2) * stiffness / material.youngs_modulus))
+
+
+@dataclass(frozen=True)
+class Brief:
+    """A gap that is to hold the carrier, and the designs that are allowed.
+
+    cell : where the search starts, and what stays as it is
+    carrier : Hz; count : bands that are computed
+    bounds : by path, lowest and highest value (SI) of what may change
+    slenderness : largest height of a pillar over its diameter, or None
+    tool : diameter (m) of the end mill that has to pass between two pillars, or None
+    reach : how deep (m) that end mill can cut, or None
+    finger : what the plate has to bear, or None
+    """
+
+    cell: UnitCell
+    carrier: float
+    count: int
+    bounds: Mapping[str, tuple[float, float]]
+    slenderness: float | None = None
+    tool: float | None = None
+    reach: float | None = None
+    finger: Finger | None = None
+
+    @property
+    def paths(self) -> tuple[str, ...]:
+        return tuple(self.bounds)
+
+    @property
+    def box(self) -> Array:
+        """(parameters, 2) lowest and highest values."""
+        return np.asarray(list(self.bounds.values()), dtype=float)
+
+    def at(self, share: Array) -> UnitCell:
+        """The cell at a place in the box, given in shares of its sides.
+
+        Raises
+        ------
+        GeometryError : sizes that do not make a body
+        """
+        return changed(self.cell, dict(zip(self.paths, self.values(share), strict=True)))
+
+    def values(self, share: Array) -> list[float]:
+        """Values of the parameters (SI) at a place in the box."""
+        low, high = self.box.T
+        return [float(v) for v in low + np.clip(share, 0.0, 1.0) * (high - low)]
+
+    def share(self, cell: UnitCell) -> Array:
+        """Where a cell lies in the box, put to its border if it lies outside."""
+        low, high = self.box.T
+        own = values_of(cell)
+        values = np.array([own[path] for path in self.paths])
+        return np.asarray(np.clip((values - low) / (high - low), 0.0, 1.0))
+
+    def fixed(self, path: str, value: float) -> Brief:
+        """The same brief with one parameter held."""
+        bounds = {name: limits for name, limits in self.bounds.items() if name != path}
+        return replace(self, cell=changed(self.cell, {path: value}), bounds=bounds)
+
+    def limits(self, share: Array) -> dict[str, float]:
+        """Room left to each limit at a place in the box, by its name; negative where it is broken.
+
+        Each is a share of a length of the design, so that their sizes compare.
+        """
+        own = values_of(self.cell) | dict(zip(self.paths, self.values(share), strict=True))
+        pitch = min(own["cell.pitch"], own.get("cell.pitch_y", np.inf))
+        room: dict[str, float] = {}
+        if self.finger is not None and isinstance(self.cell.material, IsotropicMaterial):
+            least = self.finger.least_thickness(self.cell.material)
+            room["finger"] = own["cell.thickness"] / least - 1
+        if self.cell.pillar is None:
+            return room
+        diameter, height = own["cell.pillar.diameter"], own["cell.pillar.height"]
+        slope = math.tan(own["cell.pillar.draft"])
+        fillet = own.get("cell.pillar.fillet", 0.0)
+        lower = own.get("cell.pillar.step.height", height)
+        upper = own.get("cell.pillar.step.diameter", diameter)
+        tip = upper - 2 * slope * (height - (lower if "cell.pillar.step.height" in own else 0.0))
+        widest = max(diameter, diameter - 2 * slope * lower, tip)
+        at_foot = diameter + 2 * fillet * (1 / math.cos(own["cell.pillar.draft"]) - slope)
+        room["gap between pillars"] = 1 - widest / pitch - max(LEAST_GAP, (self.tool or 0.0) / pitch)
+        room["fillet"] = 1 - at_foot / pitch - LEAST_GAP
+        room["tip"] = tip / diameter - LEAST_TIP
+        if fillet:
+            room["height of the fillet"] = 0.75 - fillet / lower
+        if "cell.pillar.step.height" in own:
+            room["step's height"] = 0.95 - lower / height
+            room["step's width"] = 0.93 - upper / (diameter - 2 * slope * lower)
+        if self.slenderness is not None:
+            room["slenderness"] = 1 - height / (self.slenderness * min(diameter, upper))
+        if self.reach is not None:
+            room["reach of the tool"] = 1 - height / self.reach
+        return room
+
+    def check(self) -> None:
+        """Refuse bounds that contradict each other, or that leave no design.
+
+        Raises
+        ------
+        StudyError : which limits cannot be met together, and by how much they miss
+        """
+        start = self.feasible(np.full(len(self.bounds), 0.5))
+        worst = min(self.limits(start).items(), key=lambda item: item[1], default=("", 0.0))
+        if worst[1] < -1e-6:
+            raise StudyError(
+                argument="design",
+                given=f"bounds of {', '.join(self.paths) or 'nothing'}",
+                allowed="bounds that some design meets together",
+                cause=f'even the best of them breaks the limit "{worst[0]}" by {-worst[1]:.3g} of its value',
+                next_step="widen the bounds, or relax that limit",
+            )
+
+    def feasible(self, share: Array) -> Array:
+        """A place in the box that meets all limits, near another one; or the one that breaks them least."""
+        names = list(self.limits(share))
+        if not names or min(self.limits(share).values()) >= 0:
+            return share
+        count = len(share)
+        result = minimize(
+            lambda x: 1e-3 * float(((x[:count] - share) ** 2).sum()) + x[count],
+            np.append(share, max(0.0, -min(self.limits(share).values()))),
+            method="SLSQP",
+            bounds=[(0.0, 1.0)] * count + [(0.0, None)],
+            constraints=[
+                {
+                    "type": "ineq",
+                    "fun": lambda x: np.array([*self.limits(x[:count]).values()]) + x[count] - MARGIN,
+                }
+            ],
+        )
+        return np.asarray(np.clip(result.x[:count], 0.0, 1.0))

@@ -1,0 +1,101 @@
+"""One design as an optimiser sees it: a coarse model, its critical frequencies and where they would go."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+from threadpoolctl import threadpool_limits
+
+from haptonic.bloch.gaps import ZoneSampling
+from haptonic.bloch.model import BlochModel, ReducedCell
+from haptonic.bloch.pencil import eigenpairs
+from haptonic.bloch.resolution import Resolution
+from haptonic.cell import UnitCell
+from haptonic.design.sensitivity import eigenvalue_derivatives
+from haptonic.superelement import FoldedMesh, condensed
+
+Array = NDArray[np.float64]
+
+QUICK = Resolution(3, 1)  # frequencies a few tenths of a percent high, all of them alike
+APART = 0.3  # rad, between two extremes of a band that count as two
+CRITICAL = 3  # frequencies on either side of a gap that may become its edge
+
+
+@dataclass(frozen=True)
+class Side:
+    """The frequencies that limit a gap from one side, the most critical first.
+
+    frequency : (CRITICAL,) Hz; slopes : (CRITICAL, parameters) Hz per SI unit
+    """
+
+    frequency: Array
+    slopes: Array
+
+
+@dataclass(frozen=True)
+class QuickDesign:
+    """Bands of a design in a coarse model.
+
+    shared : its mesh; model : its bands; zone : where they were sampled
+    """
+
+    shared: FoldedMesh
+    model: BlochModel
+    zone: ZoneSampling
+
+    @classmethod
+    def of(cls, cell: UnitCell, count: int) -> QuickDesign:
+        """Compute ``count`` bands of a cell."""
+        with threadpool_limits(1):
+            shared = FoldedMesh.of(cell, QUICK.plan(cell))
+            superelement = condensed(shared, QUICK.steps, block=QUICK.block, measured=False)
+            reduced = ReducedCell.of(superelement, count, np.inf)
+            model = BlochModel(cell, QUICK, count, reduced, reduced)
+            return cls(shared, model, ZoneSampling(model))
+
+    def edges(self) -> Array:
+        """(2, count - 1) highest frequency of each band but the last, and lowest of the next, as sampled."""
+        frequency = np.array(self.zone.frequency)
+        return np.stack([frequency[:, :-1].max(axis=0), frequency[:, 1:].min(axis=0)])
+
+    def sides(self, band: int, paths: Sequence[str]) -> tuple[Side, Side]:
+        """What limits the gap above a band, counted from 1, from below and from above."""
+        for edge, sign in ((band - 1, +1), (band, -1)):
+            self.zone.edge(edge, sign)
+        chosen = self._critical(band - 1, +1) + self._critical(band, -1)
+        unknowns = np.hstack([self._unknowns(kappa, number) for kappa, number in chosen])
+        superelement = self.model.fine.superelement
+        trace = unknowns[: superelement.trace_size]
+        values = np.array([eigenpairs(self.model.fine.pencil, k, n + 1)[0][n] for k, n in chosen])
+        forms = eigenvalue_derivatives(self.shared, superelement.lifted(unknowns), trace, values, paths)
+        frequency = np.sqrt(values) / (2 * np.pi)
+        slopes = np.stack([np.diagonal(forms[path]).real for path in paths], axis=1)
+        slopes /= 8 * np.pi**2 * frequency[:, None]
+        return Side(frequency[:CRITICAL], slopes[:CRITICAL]), Side(frequency[CRITICAL:], slopes[CRITICAL:])
+
+    def _critical(self, band: int, sign: int) -> list[tuple[Array, int]]:
+        """Wavevectors and numbers (from 0) of what may become the edge that a band is: its own extremes, and
+        its neighbour at the first of them, which may cross it."""
+        value = sign * np.array(self.zone.frequency)[:, band]
+        peaks: list[Array] = []
+        for point in np.argsort(-value):
+            kappa = self.zone.kappa[point]
+            apart = all(np.linalg.norm(kappa - other) > APART for other in peaks)
+            if apart and self._is_peak(int(point), value):
+                peaks.append(kappa)
+        beside = band - sign
+        found = [(peaks[0], band)] + [(peaks[0], beside)] * (0 <= beside < self.model.count)
+        found += [(kappa, band) for kappa in peaks[1:]]
+        return (found * CRITICAL)[:CRITICAL]
+
+    def _is_peak(self, point: int, value: Array) -> bool:
+        around = self.zone.triangles[(self.zone.triangles == point).any(axis=1)]
+        return bool((value[point] >= value[around]).all())
+
+    def _unknowns(self, kappa: Array, band: int) -> NDArray[np.complex128]:
+        """(t + m, 1) of unit mass."""
+        _, modes = eigenpairs(self.model.fine.pencil, kappa, band + 1)
+        return self.model.fine.expanded(modes[:, band:], kappa)

@@ -1,0 +1,199 @@
+"""How sure a gap is to hold the carrier when no two plates, and no two pillars, are alike.
+
+The edges are fitted by a quadratic in everything that varies, on designs of a quasi-random sequence that are
+computed in full; a design left out tells how good the fit is. Chances, indices and the loosest tolerance are
+then asked of the quadratic.
+
+What varies from pillar to pillar is judged pillar by pillar: each is given the gap of a lattice of its like,
+and every one on the plate has to keep the margin. That is stricter than an average over pillars would be.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Literal
+
+import numpy as np
+import scipy.stats as st
+from numpy.typing import NDArray
+
+from haptonic.cell import UnitCell
+from haptonic.design.parameters import UNITS, changed, values_of
+
+Array = NDArray[np.float64]
+
+CUT = 3.0  # standard deviations at which normal spreads are cut off
+REACH = 2.0  # the fit holds for spreads up to this many times those given
+DRAWS = 2**14  # of the quasi-random sequence, for chances
+PILLAR_DRAWS = 2**10  # for each of fewer draws of what a plate has in common
+PLATE_DRAWS = 2**8
+
+
+@dataclass(frozen=True)
+class Spread:
+    """How much a number of the cell varies.
+
+    path : its name; width : standard deviation or half-width, SI; per : what has a value of its own
+    """
+
+    path: str
+    width: float
+    distribution: Literal["normal", "uniform"]
+    per: Literal["batch", "pillar"]
+
+    @property
+    def is_machined(self) -> bool:
+        """Whether the workshop decides it: sizes and angles."""
+        return UNITS[self.path] in ("m", "rad")
+
+    @property
+    def half_range(self) -> float:
+        """Largest deviation, SI."""
+        return self.width * (CUT if self.distribution == "normal" else 1.0)
+
+    @property
+    def variance(self) -> float:
+        """SI squared."""
+        return float(self.frozen.var()) * self.width**2
+
+    @property
+    def frozen(self) -> st.rv_continuous:
+        """Distribution of the deviation in units of ``width``."""
+        return st.truncnorm(-CUT, CUT) if self.distribution == "normal" else st.uniform(-1.0, 2.0)
+
+
+def samples(cell: UnitCell, spreads: Sequence[Spread], count: int) -> list[UnitCell]:
+    """Designs (a scrambled Sobol sequence of a fixed seed) that fill `REACH` times the ranges evenly.
+
+    Raises
+    ------
+    GeometryError : a spread so large that some of them are no body
+    """
+    own = values_of(cell)
+    places = REACH * (2 * _sobol(len(spreads), count) - 1)
+    rows = places * [spread.half_range for spread in spreads]
+    return [
+        changed(cell, {s.path: own[s.path] + float(d) for s, d in zip(spreads, row, strict=True)})
+        for row in rows
+    ]
+
+
+@dataclass(frozen=True)
+class Surface:
+    """Edges of a gap as quadratics of deviations in units of the spreads' widths.
+
+    coefficients : (terms, 2) Hz, lower and upper edge; doubt : (2,) Hz, standard deviation of what designs
+        left out of the fit would differ by
+    """
+
+    coefficients: Array
+    doubt: Array
+
+    @classmethod
+    def fitted(cls, deviations: Array, edges: Array) -> Surface:
+        """Least squares over (n, parameters) deviations and (n, 2) edges in Hz."""
+        terms = _terms(deviations)
+        assert len(terms) > terms.shape[1], "too few samples for a quadratic"
+        turn, triangle = np.linalg.qr(terms)
+        coefficients = np.linalg.solve(triangle, turn.T @ edges)
+        leverage = (turn**2).sum(axis=1)
+        left_out = (edges - terms @ coefficients) / (1 - leverage)[:, None]
+        return cls(coefficients, np.asarray(np.sqrt((left_out**2).mean(axis=0))))
+
+    def at(self, deviations: Array) -> Array:
+        """(n, 2) edges, Hz."""
+        return np.asarray(_terms(deviations) @ self.coefficients)
+
+
+def terms_needed(parameters: int) -> int:
+    """Coefficients of a quadratic."""
+    return (parameters + 1) * (parameters + 2) // 2
+
+
+def _terms(deviations: Array) -> Array:
+    """(n, terms) constant, linear and quadratic monomials."""
+    i, j = np.triu_indices(deviations.shape[1])
+    pairs = deviations[:, i] * deviations[:, j]
+    return np.column_stack([np.ones(len(deviations)), deviations, pairs])
+
+
+@dataclass(frozen=True)
+class Chances:
+    """What a fitted gap says about a carrier.
+
+    carrier, margin : Hz; pillars : on a plate
+    """
+
+    surface: Surface
+    spreads: tuple[Spread, ...]
+    carrier: float
+    margin: float
+    pillars: int
+
+    @cached_property
+    def _draws(self) -> Array:
+        """(DRAWS, parameters) deviations in units of the widths."""
+        return self.drawn(DRAWS)
+
+    def drawn(self, count: int, seed: int = 1) -> Array:
+        """(count, parameters) deviations in units of the spreads' widths."""
+        places = np.clip(_sobol(len(self.spreads), count, seed), 1e-9, 1 - 1e-9)
+        return np.column_stack([s.frozen.ppf(p) for s, p in zip(self.spreads, places.T, strict=True)])
+
+    def room(self, deviations: Array) -> Array:
+        """(n,) distance of the carrier from the nearer edge, less the margin, Hz."""
+        lower, upper = self.surface.at(deviations).T
+        return np.asarray(np.minimum(self.carrier - lower, upper - self.carrier) - self.margin)
+
+    def of_one_pillar(self) -> float:
+        """Chance that a lattice made of any one pillar of any one plate keeps the margin."""
+        return float((self.room(self._draws) >= 0).mean())
+
+    def of_a_plate(self, scale: float = 1.0) -> float:
+        """Chance that all pillars of a plate keep the margin, machined spreads ``scale`` times as large."""
+        scales = np.array([scale if s.is_machined else 1.0 for s in self.spreads])
+        own = np.array([s.per == "pillar" for s in self.spreads])
+        if not own.any():
+            return float((self.room(self._draws * scales) >= 0).mean())
+        plates, pillars = self.drawn(PLATE_DRAWS), self.drawn(PILLAR_DRAWS, seed=2)
+        kept = []
+        for plate in plates:
+            share = (self.room(np.where(own, pillars, plate) * scales) >= 0).mean()
+            kept.append(share**self.pillars)
+        return float(np.mean(kept))
+
+    def loosest(self, confidence: float) -> float:
+        """Largest factor on all machined spreads, up to `REACH`, at which plates keep the margin; else 0."""
+        if self.of_a_plate(0.0) < confidence or not any(s.is_machined for s in self.spreads):
+            return 0.0
+        if self.of_a_plate(REACH) >= confidence:
+            return REACH
+        low, high = 0.0, REACH
+        for _ in range(12):
+            middle = 0.5 * (low + high)
+            low, high = (middle, high) if self.of_a_plate(middle) >= confidence else (low, middle)
+        return low
+
+    def deviations(self) -> Array:
+        """(2,) standard deviations of the lower and the upper edge, Hz."""
+        return np.asarray(self.surface.at(self._draws).std(axis=0))
+
+    def importance(self) -> Array:
+        """(parameters, 2) total Sobol indices of the lower and the upper edge (SciPy)."""
+        indices = st.sobol_indices(
+            func=lambda x: self.surface.at(x.T).T, n=2**11, dists=[s.frozen for s in self.spreads], rng=1
+        )
+        return np.asarray(indices.total_order).T
+
+
+def first_order(slopes: Array, spreads: Sequence[Spread]) -> Array:
+    """(parameters, 2) variances of both edges, Hz^2, from their slopes (parameters, 2) in Hz per SI unit."""
+    return np.asarray(slopes**2 * np.array([s.variance for s in spreads])[:, None])
+
+
+def _sobol(parameters: int, count: int, seed: int = 0) -> Array:
+    """(count, parameters) points of the unit cube."""
+    power = int(np.ceil(np.log2(count)))
+    return np.asarray(st.qmc.Sobol(parameters, rng=seed).random_base2(power)[:count])

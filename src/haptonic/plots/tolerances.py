@@ -1,0 +1,61 @@
+"""Where the edges of a gap fall on plates that are not alike, and what moves them."""
+
+from __future__ import annotations
+
+import numpy as np
+import xarray as xr
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+
+from haptonic.plots import style
+from haptonic.plots.words import readable
+
+SIDES = (("lower edge", style.BLUE), ("upper edge", style.ORANGE))
+
+
+@style.drawn
+def tolerance(dataset: xr.Dataset) -> Figure:
+    """Distributions of both edges around the carrier, and the share of each parameter in their variance.
+
+    Parameters
+    ----------
+    dataset : variables ``drawn`` (plate, side), ``total_index`` and ``first_order_share`` (parameter, side);
+        attributes ``carrier_hz`` and ``margin_hz``
+    """
+    count = dataset.sizes["parameter"]
+    figure = style.blank(8.0 + 1.1 * count)
+    edges, shares = figure.subplots(2, 1, height_ratios=(5.0, 1.2 + 0.9 * count))
+    _draw_edges(edges, dataset)
+    _draw_shares(shares, dataset)
+    return figure
+
+
+def _draw_edges(axes: Axes, dataset: xr.Dataset) -> None:
+    drawn = dataset["drawn"].values / 1e3
+    carrier, margin = (float(dataset.attrs[name]) / 1e3 for name in ("carrier_hz", "margin_hz"))
+    bins = np.linspace(min(drawn.min(), carrier), max(drawn.max(), carrier), 90).tolist()
+    for side, (label, colour) in enumerate(SIDES):
+        axes.hist(drawn[:, side], bins=bins, color=colour, alpha=0.85, label=label)
+    axes.axvline(carrier, color=style.CARRIER, ls=style.DASHED, lw=1.2, label=f"carrier {carrier:g} kHz")
+    if margin:
+        axes.axvspan(carrier - margin, carrier + margin, color=style.CARRIER, alpha=0.12, lw=0,
+                     label=f"margin {margin:g} kHz")  # fmt: skip
+    axes.set_xlabel("frequency (kHz)")
+    axes.set_ylabel("plates drawn, in each bin")
+    axes.legend(loc="upper left", bbox_to_anchor=(0.0, 1.28), ncols=4, borderaxespad=0.0)
+
+
+def _draw_shares(axes: Axes, dataset: xr.Dataset) -> None:
+    names = [readable(str(path)) for path in dataset["parameter"].values]
+    place = np.arange(len(names), dtype=float)
+    for side, (label, colour) in enumerate(SIDES):
+        shift = 0.2 * (1 if side else -1)
+        axes.barh(place + shift, 100 * dataset["total_index"].values[:, side], 0.36, color=colour,
+                  label=f"{label}, total Sobol index")  # fmt: skip
+        axes.plot(100 * dataset["first_order_share"].values[:, side], place + shift, "D", color=style.INK,
+                  ms=3.5, label="to first order" if side else None)  # fmt: skip
+    axes.set_yticks(place, names)
+    axes.invert_yaxis()
+    axes.set_xlabel("share of the variance (%)")
+    axes.set_xlim(0, 105)
+    axes.legend(loc="lower right")

@@ -1,0 +1,28 @@
+"""What a run gives back: values that can be asked, drawn and written, each with the inputs that made it."""
+
+from haptonic.results.bands import Bands, compute_bands, gap_json
+from haptonic.results.common import Asked, refuse_taken, write_files, write_netcdf
+from haptonic.results.design import Design, Runner, compute_design, compute_front, planned
+from haptonic.results.sweeps import Row, Sweep, compute_sweeps, design_gaps
+from haptonic.results.tolerance import Tolerance, compute_tolerance
+
+__all__ = [
+    "Asked",
+    "Bands",
+    "Design",
+    "Row",
+    "Runner",
+    "Sweep",
+    "Tolerance",
+    "compute_bands",
+    "compute_design",
+    "compute_front",
+    "compute_sweeps",
+    "compute_tolerance",
+    "design_gaps",
+    "gap_json",
+    "planned",
+    "refuse_taken",
+    "write_files",
+    "write_netcdf",
+]

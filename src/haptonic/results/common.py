@@ -1,0 +1,80 @@
+"""What every result has: the question it answers, a key in the store, a stamp, and files that are whole."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import asdict, astuple, dataclass
+from importlib.metadata import version
+from pathlib import Path
+from typing import Any
+
+import xarray as xr
+
+from haptonic.bloch import Resolution
+from haptonic.cell import UnitCell
+from haptonic.store import fingerprint, refuse_overwrite, write_atomically
+
+
+@dataclass(frozen=True)
+class Asked:
+    """What is asked of the bands of a cell: see the table ``[bands]`` of the study file."""
+
+    count: int
+    points: int
+    accuracy: float
+    resolution: Resolution | None
+
+
+def write_files(
+    folder: Path, writers: Mapping[str, Callable[[Path], object]], *, overwrite: bool
+) -> list[Path]:
+    """Write files into a folder, each whole or not at all, and none if one is in the way."""
+    refuse_taken(folder, writers, overwrite=overwrite)
+    for name, writer in writers.items():
+        write_atomically(folder / name, writer)
+    return [folder / name for name in writers]
+
+
+def refuse_taken(folder: Path | None, names: Iterable[str], *, overwrite: bool) -> None:
+    """Raise ResourceError if one of the names is taken in a folder, or if nothing can be written there.
+
+    Asked before the work starts, so that no run is lost on its last step.
+    """
+    if folder is None:
+        return
+    for name in names:
+        refuse_overwrite(folder / name, overwrite)
+    probe = folder / ".haptonic-probe"
+    write_atomically(probe, Path.touch)
+    probe.unlink()
+
+
+def write_netcdf(dataset: xr.Dataset, path: Path) -> None:
+    """NetCDF 4 by h5netcdf."""
+    dataset.to_netcdf(path, engine="h5netcdf")
+
+
+def stamped(dataset: xr.Dataset, inputs: Mapping[str, Any]) -> xr.Dataset:
+    """The dataset with the inputs, the version and the code that made it."""
+    dataset.attrs |= {
+        "inputs": json.dumps(inputs),
+        "haptonic_version": version("haptonic"),
+        "code_fingerprint": fingerprint(),
+        "origin": "simulated",
+    }
+    return dataset
+
+
+def key_of(cell: UnitCell, asked: Asked) -> dict[str, object]:
+    """All that decides a result of a cell, for its key in the store."""
+    resolution = asked.resolution
+    return {
+        "lattice": [cell.lattice.name, *cell.lattice.a1, *cell.lattice.a2],
+        "thickness": cell.thickness,
+        "material": cell.material.to_dict(),
+        "pillar": None if cell.pillar is None else asdict(cell.pillar),
+        "count": asked.count,
+        "accuracy": asked.accuracy,
+        "mesh": None if resolution is None else list(astuple(resolution)),
+    }

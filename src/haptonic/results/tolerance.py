@@ -1,0 +1,220 @@
+"""How sure a gap is to hold the carrier on plates that are not alike."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+import xarray as xr
+from matplotlib.figure import Figure
+from numpy.typing import NDArray
+
+from haptonic import plots
+from haptonic.bloch import Gap, gaps_of
+from haptonic.bloch.exact import exact_modes
+from haptonic.cell import UnitCell
+from haptonic.design.parameters import values_of
+from haptonic.design.quick import QUICK, QuickDesign
+from haptonic.design.sensitivity import sensitivity
+from haptonic.design.tolerance import REACH, Chances, Spread, Surface, first_order, samples, terms_needed
+from haptonic.errors import GeometryError, StudyError
+from haptonic.jobs import Task
+from haptonic.results.common import Asked, key_of, stamped
+from haptonic.results.design import Runner
+from haptonic.results.sweeps import design_gaps
+from haptonic.superelement import FoldedMesh, condensed
+from haptonic.units import format_quantity
+
+Array = NDArray[np.float64]
+
+BATCH = 8  # designs of one task
+DRAWN = 2000  # plates in the result's dataset
+
+
+@dataclass(frozen=True)
+class Tolerance:
+    """Chances of a gap, what they depend on, and the loosest machining that still keeps them.
+
+    gap : of the design as drawn
+    plate, pillar : chance that all pillars of a plate keep the margin, and that one pillar does
+    loosest : factor on all machined spreads that the confidence asked for allows, at most `REACH`
+    dataset : edges of designs and of plates drawn, slopes and indices
+    """
+
+    gap: Gap
+    plate: float
+    pillar: float
+    loosest: float
+    dataset: xr.Dataset
+
+    def plot(self) -> Figure:
+        """Where the edges fall, and what moves them."""
+        return plots.tolerance(self.dataset)
+
+    def to_json(self) -> dict[str, Any]:
+        """Plain values for machines."""
+        data = self.dataset
+        rows = []
+        for i, path in enumerate(data["parameter"].values):
+            row = data.isel(parameter=i)
+            rows.append(
+                {
+                    "parameter": str(path),
+                    "slope_hz_per_si": row["slope"].values.tolist(),
+                    "first_order_share": row["first_order_share"].values.tolist(),
+                    "total_index": row["total_index"].values.tolist(),
+                }
+            )
+        return {
+            "gap": {"lower_hz": self.gap.lower, "upper_hz": self.gap.upper},
+            "chance_of_a_plate": self.plate,
+            "chance_of_one_pillar": self.pillar,
+            "chance_to_first_order": float(data.attrs["chance_to_first_order"]),
+            "loosest_factor": self.loosest,
+            "largest_factor_tried": REACH,
+            "edge_deviation_hz": data["deviation"].values.tolist(),
+            "edge_deviation_to_first_order_hz": data["first_order_deviation"].values.tolist(),
+            "fit_doubt_hz": data["fit_doubt"].values.tolist(),
+            "parameters": rows,
+        }
+
+
+def compute_tolerance(
+    cell: UnitCell,
+    asked: Asked,
+    spreads: Sequence[Spread],
+    *,
+    carrier: float,
+    margin: float,
+    confidence: float,
+    pillars: int,
+    count: int,
+    inputs: Mapping[str, Any],
+    runner: Runner,
+) -> Tolerance:
+    """First-order answer from exact slopes, full answer from designs that are computed.
+
+    Parameters
+    ----------
+    carrier, margin : Hz; confidence : for the loosest machining; pillars : on a plate
+    count : designs to compute
+
+    Raises
+    ------
+    StudyError : the gap does not hold the carrier even as drawn, or too few samples
+    """
+    needed = terms_needed(len(spreads))
+    if count < 2 * needed:
+        raise StudyError(
+            argument="tolerance.samples",
+            given=count,
+            allowed=f"at least {2 * needed} for {len(spreads)} spreads",
+            cause=f"a quadratic in so many parameters has {needed} coefficients",
+            next_step="compute more samples, or leave spreads out that hardly matter",
+        )
+    nominal = Task({"kind": "gaps", **key_of(cell, asked)}, (cell, asked))
+    (found,) = runner.run(design_gaps, [nominal], 0)
+    gap = next((gap for gap in gaps_of(found) if gap.complete and gap.lower < carrier < gap.upper), None)
+    if gap is None:
+        raise StudyError(
+            argument="carrier",
+            given=format_quantity(carrier, "Hz"),
+            allowed="a frequency in a complete gap of the cell",
+            cause="the cell has no such gap there, not even without any deviation",
+            next_step="find a cell for this carrier with `haptonic design`",
+        )
+    band = gap.between[0]
+    try:
+        designs = samples(cell, spreads, count)
+    except GeometryError as error:
+        raise StudyError(
+            argument="tolerance.of",
+            given="spreads that lead to bodies that cannot be",
+            allowed=f"spreads of which {REACH:g} times as large ones still make a body",
+            cause=f"{error.argument} would be {error.given}: {error.cause}",
+            next_step="give smaller spreads",
+        ) from None
+    batches = [designs[i : i + BATCH] for i in range(0, count, BATCH)]
+    tasks = [_edges_task(batch, band) for batch in (*batches, [cell])]
+    datasets = runner.run(edges_dataset, tasks, 1)
+    *parts, own = (dataset["edge"].values for dataset in datasets)
+    offset = np.array([gap.lower, gap.upper]) - own[0]
+    edges = np.concatenate(parts) + offset
+    slopes = edge_slopes(cell, gap, [spread.path for spread in spreads])
+    widths = np.array([spread.width for spread in spreads])
+    at_rest = np.array([values_of(cell)[spread.path] for spread in spreads])
+    moved = np.array([[values_of(one)[s.path] for s in spreads] for one in designs])
+    deviations = (moved - at_rest) / widths
+    surface = Surface.fitted(deviations, edges)
+    chances = Chances(surface, tuple(spreads), carrier, margin, pillars)
+    straight = Chances(_linear(gap, slopes * widths[:, None]), tuple(spreads), carrier, margin, pillars)
+    variance = first_order(slopes, spreads)
+    dataset = xr.Dataset(
+        {
+            "edge": (("design", "side"), edges, {"units": "Hz", "long_name": "edges of computed designs"}),
+            "drawn": (
+                ("plate", "side"), surface.at(chances.drawn(DRAWN)),
+                {"units": "Hz", "long_name": "edges of drawn designs, from the fit"},
+            ),
+            "slope": (("parameter", "side"), slopes, {"units": "Hz per SI unit"}),
+            "first_order_share": (("parameter", "side"), variance / variance.sum(axis=0), {"units": "1"}),
+            "total_index": (("parameter", "side"), chances.importance(), {"units": "1"}),
+            "deviation": ("side", chances.deviations(), {"units": "Hz"}),
+            "first_order_deviation": ("side", np.sqrt(variance.sum(axis=0)), {"units": "Hz"}),
+            "fit_doubt": ("side", surface.doubt, {"units": "Hz"}),
+        },
+        coords={"parameter": [spread.path for spread in spreads], "side": ["lower", "upper"]},
+        attrs={
+            "carrier_hz": carrier,
+            "margin_hz": margin,
+            "chance_to_first_order": straight.of_a_plate(),
+        },
+    )  # fmt: skip
+    return Tolerance(
+        gap=gap,
+        plate=chances.of_a_plate(),
+        pillar=chances.of_one_pillar(),
+        loosest=chances.loosest(confidence),
+        dataset=stamped(dataset, inputs),
+    )
+
+
+def edge_slopes(cell: UnitCell, gap: Gap, paths: Sequence[str]) -> Array:
+    """(parameters, 2) exact slopes of a gap's lower and upper edge, Hz per SI unit.
+
+    Where an edge is degenerate, its modes part as a parameter changes: the lower edge follows the steepest of
+    them, the upper one the least.
+    """
+    shared = FoldedMesh.of(cell, QUICK.plan(cell))
+    superelement = condensed(shared, QUICK.steps, block=QUICK.block, measured=False)
+    columns = []
+    for frequency, kappa, pick in ((gap.lower, gap.lower_kappa, -1), (gap.upper, gap.upper_kappa, 0)):
+        modes = exact_modes(shared, superelement, np.array(kappa), 2 * np.pi * frequency)
+        found = sensitivity(shared, modes, paths)
+        columns.append([found.slopes[path][pick] for path in paths])
+    return np.array(columns).T
+
+
+def edges_dataset(argument: tuple[Sequence[UnitCell], int]) -> xr.Dataset:
+    """Edges of the gap above a band, for several designs; what a worker is given to do."""
+    cells, band = argument
+    edges = []
+    for cell in cells:
+        zone = QuickDesign.of(cell, band + 2).zone
+        edges.append([zone.edge(band - 1, +1)[0], zone.edge(band, -1)[0]])
+    return xr.Dataset({"edge": (("design", "side"), np.array(edges))})
+
+
+def _edges_task(cells: Sequence[UnitCell], band: int) -> Task:
+    question = Asked(band + 2, 0, 0.0, QUICK)
+    return Task({"kind": "edges", "cells": [key_of(cell, question) for cell in cells]}, (cells, band))
+
+
+def _linear(gap: Gap, per_width: Array) -> Surface:
+    """The edges as they move to first order."""
+    coefficients = np.zeros((terms_needed(len(per_width)), 2))
+    coefficients[0] = gap.lower, gap.upper
+    coefficients[1 : len(per_width) + 1] = per_width
+    return Surface(coefficients, np.zeros(2))

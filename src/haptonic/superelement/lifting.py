@@ -1,0 +1,64 @@
+"""From the unknowns of a condensed cell back to displacement on its mesh."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from haptonic.cell import Topology
+from haptonic.lattice import DIAGONAL
+from haptonic.superelement.trace import FoldedTrace, TraceMirror
+
+Array = NDArray[np.float64]
+Fields = NDArray[Any]  # real or complex
+
+
+@dataclass(frozen=True)
+class DiagonalImage:
+    """The mirror on the diagonal of a square cell: on traces, and where it takes each node."""
+
+    trace: TraceMirror
+    moved: NDArray[np.int64]
+
+    @classmethod
+    def of(cls, topology: Topology, levels: int) -> DiagonalImage:
+        return cls(TraceMirror.of(topology, levels, DIAGONAL), topology.permutation(DIAGONAL))
+
+    def applied(self, field: Fields) -> Fields:
+        """Mirror image of a field (nodes, 3, k)."""
+        return np.asarray(field[self.moved][:, [1, 0, 2]])
+
+
+@dataclass(frozen=True)
+class Part:
+    """How one symmetry class is lifted back: static answers (3 interior, b) and modes (3 interior, m).
+
+    ``image`` is for a class that is the diagonal's mirror image of the one that all this belongs to.
+    """
+
+    trace: FoldedTrace
+    through: Array
+    static: Array
+    modes: Array
+    image: DiagonalImage | None = None
+
+    def lifted(self, trace: Fields, amplitudes: Fields) -> Fields:
+        """(nodes, 3, k) displacement from a whole trace (t, k) and the class's modal amplitudes (m, k)."""
+        own = self.trace.fold(self.image.trace.applied(trace) if self.image else trace)
+        inside = self.static @ own + self.modes @ amplitudes
+        rim = self.trace.on_levels(self.through, own)
+        values = np.concatenate([inside.reshape(-1, 3, own.shape[1]), rim])
+        folding = self.trace.folding
+        field = np.asarray(folding.sign[self.trace.symmetry_class][:, :, None] * values[folding.node])
+        return self.image.applied(field) if self.image else field
+
+
+def lifted(parts: Sequence[Part], trace: Fields, amplitudes: Fields) -> Fields:
+    """(nodes, 3, k) displacement from a whole trace (t, k) and the amplitudes (m, k) of all parts' modes."""
+    ends = np.cumsum([part.modes.shape[1] for part in parts])
+    shares = np.split(amplitudes, ends[:-1])
+    return np.asarray(sum(part.lifted(trace, share) for part, share in zip(parts, shares, strict=True)))

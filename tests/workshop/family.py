@@ -1,0 +1,52 @@
+"""Cells with a pillar of every kind, and some of extreme proportions."""
+
+import math
+from itertools import product
+
+from haptonic.cell import Pillar, Step, UnitCell
+from haptonic.lattice import Lattice
+from haptonic.materials import IsotropicMaterial
+
+MM = 1e-3
+METAL = IsotropicMaterial("metal", 70e9, 0.33, 2700.0, 0.001)
+SQUARE = Lattice.square(7 * MM)
+RECTANGLE = Lattice.rectangular(7 * MM, 9 * MM)
+
+
+def cell(pillar: Pillar | None, lattice: Lattice = SQUARE, thickness: float = 1.5 * MM) -> UnitCell:
+    return UnitCell(lattice, thickness, METAL, pillar)
+
+
+def member(section: str, draft: float, fillet: float, step: Step | None) -> UnitCell:
+    pillar = Pillar(3.5 * MM, 9 * MM, section, math.radians(draft), fillet, step)
+    return cell(pillar, RECTANGLE)
+
+
+FAMILY = {
+    f"{section} draft {draft} fillet {fillet} step {bool(step)}": member(section, draft, fillet, step)
+    for section, draft, fillet, step in product(
+        ("round", "square"), (0, 2, -3), (0.0, 0.5 * MM), (None, Step(2 * MM, 5 * MM))
+    )
+} | {"no pillar": cell(None)}
+
+EXTREME = {
+    "reference": cell(Pillar(3.5 * MM, 14.7 * MM)),
+    "slender": cell(Pillar(2 * MM, 16 * MM, draft=0.008), Lattice.square(2.2 * MM), 0.4 * MM),
+    "hair": cell(Pillar(0.3 * MM, 12 * MM, fillet=0.1 * MM, step=Step(0.2 * MM, 0.3 * MM)), SQUARE, 0.2 * MM),
+    "flat": cell(
+        Pillar(18 * MM, 0.6 * MM, "round", 0.02, 0.1 * MM, Step(10 * MM, 0.3 * MM)),
+        Lattice.square(20 * MM),
+        0.3 * MM,
+    ),
+    "flat and undercut": cell(
+        Pillar(16 * MM, 0.6 * MM, "square", -0.1, 0.1 * MM, Step(10 * MM, 0.3 * MM)),
+        Lattice.square(20 * MM),
+        0.3 * MM,
+    ),
+    "wide cell": cell(Pillar(1.5 * MM, 3 * MM), Lattice.rectangular(16 * MM, 4 * MM)),
+}
+
+
+def volume(cell: UnitCell, cells: int = 1) -> float:
+    """Closed form, m^3."""
+    return cells * (cell.lattice.area * cell.thickness + (cell.pillar.volume if cell.pillar else 0.0))
