@@ -24,7 +24,7 @@ ALLOWED: dict[str, set[str]] = {
     "cell": BASE | {"materials", "lattice"},
     "elements": {"cell", "materials"},
     "superelement": {"solvers", "elements", "cell", "lattice", "materials"},
-    "bloch": {"superelement", "cell", "lattice", "errors"},
+    "bloch": {"superelement", "cell", "lattice", "materials", "errors"},
     "response": BASE,
     "vibrometry": BASE | {"response"},
     "friction": BASE | {"response"},

@@ -1,0 +1,275 @@
+"""A lattice as a boundary of a plain plate: where it seems to hold the plate, and the modes of a strip.
+
+Flexural waves that meet the lattice within its gap come back as if the plate were held at a line some way
+behind the interface. Between two such mirrors a strip of plate guides waves along it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+from typing import Literal
+
+import numpy as np
+import scipy.linalg as la
+from numpy.typing import NDArray
+from scipy.optimize import brentq
+
+from haptonic.bloch.layers import Interface
+from haptonic.bloch.plate_waves import PlateWaves
+from haptonic.errors import StudyError
+from haptonic.superelement import Superelement
+
+Array = NDArray[np.float64]
+Complex = NDArray[np.complex128]
+
+LEAD = "A0"  # the wave that is guided
+SAMPLES = 401  # of a mode across the strip
+CLOSED = 1e-6  # rad, how well a mode must close on itself
+
+
+@dataclass(frozen=True)
+class Wall:
+    """The lattice on the right as seen from the plate, at one frequency and tangential wavenumber.
+
+    plate : the plate's waves to the right
+    reflection : (p, p) amplitudes of their mirror images, to the left, for unit ones that come
+    lead : number of the flexural wave that propagates
+    closed : whether no wave enters the lattice
+    """
+
+    plate: PlateWaves
+    reflection: Complex
+    lead: int
+    closed: bool
+
+    @classmethod
+    def of(cls, interface: Interface, omega: float) -> Wall | None:
+        """The wall at omega (rad/s); None where no flexural wave propagates towards it."""
+        mirror = interface.mirror(omega)
+        right = mirror.incoming
+        leads = np.flatnonzero(right.labelled(LEAD) & (right.harmonic == 0))
+        if not len(leads):
+            return None
+        images = replace(mirror, outgoing=right.mirrored(interface.plate.normal))
+        closed = not mirror.lattice.propagates.any()
+        return cls(right, images.reflection(), int(leads[0]), closed)
+
+    @property
+    def wavenumber(self) -> float:
+        """Of the flexural wave across the interface, rad/m."""
+        return float(np.abs(self.plate.wavenumber[self.lead].real))
+
+    @property
+    def delay(self) -> float:
+        """Phase (rad) from the interface to the equivalent fixed line and back, from -pi/2 to 3 pi/2."""
+        r = self.reflection[self.lead, self.lead]  # -1 if the plate is held at the interface itself
+        return float(0.5 * np.pi - np.angle(-1j * r))
+
+    @property
+    def fixed_line(self) -> float:
+        """How far behind the interface the plate seems to be held, w = 0, m."""
+        return 0.5 * self.delay / self.wavenumber
+
+    def phase(self, width: float, nodal_lines: int) -> float:
+        """Phase (rad) that the flexural wave gathers on its way across a strip and at one of its walls.
+
+        A mode has a multiple of pi, ``nodal_lines + 1`` of them. Evanescent waves reach across, too; they
+        are eliminated for fields as even or odd as the mode. No other wave may propagate.
+        """
+        round_trip, _ = self._closing(width, nodal_lines)
+        alone = self.reflection[self.lead, self.lead] * np.exp(-1j * self.wavenumber * width)
+        return float(self.wavenumber * width + self.delay - np.angle(round_trip / alone))
+
+    def across(self, width: float, nodal_lines: int) -> tuple[Array, Array]:
+        """Positions (s,) from the middle of the strip, m, and |w| (s,) there on the flat face.
+
+        |w| is the root of the mean square over a period along the strip; its peak is 1.
+        """
+        sign = (-1) ** nodal_lines
+        _, others = self._closing(width, nodal_lines)
+        amplitudes = np.insert(others, self.lead, 1.0)
+        position = np.linspace(-0.5 * width, 0.5 * width, SAMPLES)
+        k = 1j * self.plate.wavenumber[:, None]
+        away = np.exp(k * (0.5 * width - position)) + sign * np.exp(k * (0.5 * width + position))
+        harmonics = int(self.plate.harmonic.max()) + 1
+        on_face = self.plate.waves.displacement.reshape(harmonics, -1, 3, len(self.plate))[:, 0, 2]
+        size = np.linalg.norm(on_face @ (amplitudes[:, None] * away), axis=0)
+        return position, np.asarray(size / size.max())
+
+    def _closing(self, width: float, nodal_lines: int) -> tuple[complex, Complex]:
+        """Factor of the flexural wave after one way, and the other waves' amplitudes if its own is 1.
+
+        A mode closes on itself where the factor is 1, or -1 if its number of nodal lines is odd.
+        """
+        sign = (-1) ** nodal_lines
+        passed = sign * self.reflection * np.exp(1j * self.plate.wavenumber * width)
+        rest = np.delete(np.arange(len(self.plate)), self.lead)
+        inner = np.eye(len(rest)) - passed[np.ix_(rest, rest)]
+        others = la.solve(inner, passed[rest, self.lead])
+        return sign * complex(passed[self.lead, self.lead] + passed[self.lead, rest] @ others), others
+
+
+@dataclass(frozen=True)
+class GuidedMode:
+    """A mode of a strip.
+
+    omega : rad/s; wavenumber : along the strip, rad/m; width : m; nodal_lines : across
+    position : (s,) from the middle, m; amplitude : (s,) of w on the flat face, its peak 1
+    """
+
+    omega: float
+    wavenumber: float
+    width: float
+    nodal_lines: int
+    position: Array
+    amplitude: Array
+
+    @property
+    def at_edge(self) -> float:
+        """Amplitude at the strip's edge as a share of the peak."""
+        return float(self.amplitude[-1])
+
+
+@dataclass(frozen=True)
+class Guide:
+    """A strip of plain plate between two half-infinite lattices that are mirror images of each other.
+
+    interface : its right edge, at the wavenumber along the strip
+    """
+
+    interface: Interface
+
+    @classmethod
+    def of(cls, superelement: Superelement, wavenumber: float, direction: int = 0) -> Guide:
+        """Mirrors across translation ``direction``, waves of a wavenumber (rad/m) along the other one."""
+        return cls(Interface.of(superelement, wavenumber, direction))
+
+    def width(self, omega: float, nodal_lines: int) -> float:
+        """Width (m) of the strip that has a mode at omega (rad/s) with so many nodal lines across.
+
+        Raises
+        ------
+        StudyError : other waves propagate across the strip, or no strip guides such a mode
+        """
+        wall, target = self.wall(omega), (nodal_lines + 1) * np.pi
+        found = None
+        if wall is not None and wall.closed:
+            guess, reach = (target - wall.delay) / wall.wavenumber, 0.5 * np.pi / wall.wavenumber
+            found = _root(
+                lambda width: wall.phase(width, nodal_lines) - target, max(guess - reach, 0.0), guess + reach
+            )
+        if found is None:
+            raise _no_mode(nodal_lines, _kilohertz(omega))
+        return found
+
+    def mode(self, width: float, nodal_lines: int, between: tuple[float, float]) -> GuidedMode:
+        """Mode with so many nodal lines across, its angular frequency within an interval.
+
+        Raises
+        ------
+        StudyError : other waves propagate across the strip, or it guides no such mode within the interval
+        """
+        return _mode(lambda _: self, width, nodal_lines, between)
+
+    def wall(self, omega: float) -> Wall | None:
+        """The strip's right edge; None below the cut-off of the flexural wave.
+
+        Raises
+        ------
+        StudyError : other waves propagate across the strip
+        """
+        wall = Wall.of(self.interface, omega)
+        if wall is not None and wall.plate.waves.propagates.sum() > 1:
+            raise StudyError(
+                argument="waveguide.mode",
+                given=f"{self.interface.tangential[0]:.4g} rad/m at {_kilohertz(omega)}",
+                allowed=f"one at which only {LEAD} propagates across the strip",
+                cause="waves so long along the strip take in-plane waves, or diffracted ones, with them",
+                next_step="ask for another number of intervals along the strip, or for a lower frequency",
+            )
+        return wall
+
+
+def strip_mode(
+    superelement: Superelement,
+    *,
+    width: float,
+    length: float,
+    intervals: int,
+    nodal_lines: int,
+    between: tuple[float, float],
+    ends: Literal["free", "mirror"] = "free",
+    direction: int = 0,
+) -> GuidedMode:
+    """Mode of a strip of finite length with so many intervals between its nodal lines along it.
+
+    Both ends are approximate. A free end throws flexural waves back like the end of a long beam, so that
+    each end adds a quarter of an interval: ``k L = (intervals + 1/2) pi``. Behind an end that the same
+    lattice closes the plate seems to be held as it is at normal incidence, d behind the interface:
+    ``k (L + 2 d) = (intervals + 2) pi``; conversion into other waves is left out.
+
+    Parameters
+    ----------
+    width, length : of the strip, m
+    intervals, nodal_lines : along and across the strip
+    between : angular frequencies to look in, rad/s
+    direction : number of the translation across the strip
+
+    Raises
+    ------
+    StudyError : see `Guide.mode`
+    """
+    if ends == "free":
+        along = (intervals + 0.5) * np.pi / length
+        return Guide.of(superelement, along, direction).mode(width, nodal_lines, between)
+    facing = Interface.of(superelement, 0.0, 1 - direction)
+
+    def guide_at(omega: float) -> Guide:
+        end = Wall.of(facing, omega)
+        assert end is not None, "at normal incidence the flexural wave always propagates"
+        along = (intervals + 2) * np.pi / (length + 2 * end.fixed_line)
+        return Guide.of(superelement, along, direction)
+
+    return _mode(guide_at, width, nodal_lines, between)
+
+
+def _mode(
+    guide_at: Callable[[float], Guide], width: float, nodal_lines: int, between: tuple[float, float]
+) -> GuidedMode:
+    """Mode of a strip whose wavenumber along it may depend on the angular frequency."""
+
+    def misfit(omega: float) -> float:
+        wall = guide_at(omega).wall(omega)
+        return (wall.phase(width, nodal_lines) if wall else 0.0) - (nodal_lines + 1) * np.pi
+
+    omega = _root(misfit, *between)
+    if omega is not None:
+        guide = guide_at(omega)
+        wall = guide.wall(omega)
+        if wall is not None and wall.closed:
+            along = float(guide.interface.tangential[0])
+            return GuidedMode(omega, along, width, nodal_lines, *wall.across(width, nodal_lines))
+    raise _no_mode(nodal_lines, f"{_kilohertz(between[0])} to {_kilohertz(between[1])}")
+
+
+def _root(misfit: Callable[[float], float], low: float, high: float) -> float | None:
+    """Where a growing function passes through zero within an interval, if it does without a jump."""
+    if not misfit(low) < 0 < misfit(high):
+        return None
+    root = float(brentq(misfit, low, high, rtol=1e-12))
+    return root if abs(misfit(root)) < CLOSED else None
+
+
+def _no_mode(nodal_lines: int, where: str) -> StudyError:
+    return StudyError(
+        argument="waveguide.mode",
+        given=f"{nodal_lines} at {where}",
+        allowed=f"a mode that {LEAD} forms between mirrors that let no wave in",
+        cause="the strip is too narrow or too wide for it, or the frequency lies outside the mirrors' gap",
+        next_step="ask for another number of nodal lines, another width, or frequencies within the gap",
+    )
+
+
+def _kilohertz(omega: float) -> str:
+    return f"{omega / (2 * np.pi) * 1e-3:.4g} kHz"

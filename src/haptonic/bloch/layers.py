@@ -1,0 +1,254 @@
+"""Layers of cells between two half-infinite plain plates: what is reflected, transmitted, converted, lost.
+
+Plate and lattice have one thickness and one material and are periodic along the faces where they meet.
+There the motion of a face is restricted to tangential harmonics times the polynomials of the trace, and the
+lattice's forces act on these by their work: whatever the truncation, no energy is made or lost.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+import numpy as np
+import scipy.linalg as la
+from numpy.typing import NDArray
+
+from haptonic.bloch.evanescent import FaceStiffness, Slab, Waves, bloch_waves
+from haptonic.bloch.plate_waves import FAMILIES, HIGHER, PlainPlate, PlateWaves
+from haptonic.errors import StudyError
+from haptonic.superelement import Superelement
+
+Array = NDArray[np.float64]
+Complex = NDArray[np.complex128]
+Ints = NDArray[np.int64]
+
+OUTGOING = (*FAMILIES, HIGHER)  # kinds of waves that carry energy away
+
+
+def stacked(layer: FaceStiffness, count: int) -> Iterator[FaceStiffness]:
+    """One layer, two layers, ... up to ``count``, by Schur complements: nothing grows with their number."""
+    whole = layer
+    yield whole
+    for _ in range(count - 1):
+        whole = whole.followed_by(layer)
+        yield whole
+
+
+def scattered(
+    slab: FaceStiffness, incoming: Waves, reflected: Waves, transmitted: Waves
+) -> tuple[Complex, Complex]:
+    """Amplitudes (n, i) of reflected and of transmitted waves for each incoming one of unit amplitude.
+
+    The half-space on the left has waves to the right (``incoming``, i of them) and to the left
+    (``reflected``), the one on the right has waves to the right (``transmitted``); all on the slab's n face
+    unknowns.
+    """
+    back, ahead = reflected.displacement, transmitted.displacement
+    answer = np.block([
+        [slab.LL @ back - reflected.force, slab.LR @ ahead],
+        [slab.RL @ back, slab.RR @ ahead + transmitted.force],
+    ])  # fmt: skip
+    drive = np.vstack([slab.LL @ incoming.displacement - incoming.force, slab.RL @ incoming.displacement])
+    r, t = np.split(la.solve(answer, -drive), [len(reflected)])
+    return r, t
+
+
+def reflected_by(impedance: Complex, incoming: Waves, reflected: Waves) -> Complex:
+    """(n, i) amplitudes reflected by a half-space of given impedance (n, n), see `Waves.impedance`."""
+    answer = impedance @ reflected.displacement - reflected.force
+    return np.asarray(la.solve(answer, incoming.force - impedance @ incoming.displacement))
+
+
+@dataclass(frozen=True)
+class Scattering:
+    """Where the energy goes, as shares of the incident one.
+
+    incident : (i,) families of incident waves
+    layers : (N,) numbers of layers
+    reflected, transmitted : (N, i, 4) by the kinds of `OUTGOING`
+    """
+
+    incident: tuple[str, ...]
+    layers: Ints
+    reflected: Array
+    transmitted: Array
+
+    @property
+    def dissipated(self) -> Array:
+        """(N, i) share that the layers turn into heat."""
+        return np.asarray(1 - self.reflected.sum(axis=-1) - self.transmitted.sum(axis=-1))
+
+    @property
+    def insulation(self) -> Array:
+        """(N, i) transmitted energy of all kinds, dB below the incident one."""
+        return np.asarray(-10 * np.log10(self.transmitted.sum(axis=-1)))
+
+
+@dataclass(frozen=True)
+class Interface:
+    """A line along which a lattice meets a plain plate, at a fixed tangential wavenumber.
+
+    slab : a layer of the lattice; plate : the plain plate
+    tangential : (h,) wavenumbers of the harmonics, the given one first, rad/m; an odd number of them, not
+        more than the face has places
+    period : along the line, m
+    trace : (n, p) motion of the face that each unknown (harmonic, level, component) of the plate gives
+    """
+
+    slab: Slab
+    plate: PlainPlate
+    tangential: Array
+    period: float
+    trace: Complex
+
+    @classmethod
+    def of(cls, superelement: Superelement, wavenumber: float, direction: int = 0) -> Interface:
+        """Faces across translation ``direction``, at a tangential wavenumber (rad/m).
+
+        Translations at right angles are taken for granted.
+
+        Raises
+        ------
+        StudyError : waves too short for the places of a face
+        """
+        vectors = superelement.cell.lattice.vectors
+        assert abs(vectors[0] @ vectors[1]) < 1e-9 * superelement.cell.lattice.area
+        period = float(np.linalg.norm(vectors[1 - direction]))
+        slab = Slab.of(superelement, wavenumber * period, direction)
+        reach = (len(slab.places) - 1) // 2
+        zone = round(wavenumber * period / (2 * np.pi))
+        if abs(zone) > reach:
+            raise _too_short(wavenumber, (2 * reach + 1) * np.pi / period)
+        orders = np.arange(-reach, reach + 1) - zone
+        orders = orders[np.argsort(np.abs(orders), kind="stable")]
+        tangential = np.asarray(wavenumber + 2 * np.pi / period * orders, dtype=float)
+        levels = superelement.levels
+        turning = np.exp(1j * np.outer(slab.places, tangential))
+        trace = np.einsum("pm,lj,cd->lpcmjd", turning, np.eye(levels), np.eye(3))
+        plate = PlainPlate.of(superelement.cell, levels, direction)
+        return cls(slab, plate, tangential, period, trace.reshape(slab.size, -1))
+
+    @classmethod
+    def met_by(
+        cls, superelement: Superelement, omega: float, family: str, angle: float, direction: int = 0
+    ) -> Interface:
+        """The interface as an incident wave meets it at an angle (rad) from the normal, at omega (rad/s).
+
+        Raises
+        ------
+        StudyError : the angle is not below 90 degrees, or the wave does not propagate
+        """
+        if not abs(angle) < 0.5 * np.pi:
+            raise StudyError(
+                argument="layers.angle",
+                given=f"{np.degrees(angle):g} deg",
+                allowed="more than -90 and less than 90 deg from the normal",
+                cause="such a wave does not come towards the layers",
+                next_step="give a smaller angle",
+            )
+        plate = PlainPlate.of(superelement.cell, superelement.levels, direction)
+        k = plate.wavenumber(omega, angle, family)
+        if k is None:
+            raise _no_such_wave(family, omega)
+        return cls.of(superelement, k * np.sin(angle), direction)
+
+    def plate_waves(self, omega: float) -> tuple[PlateWaves, PlateWaves]:
+        """Waves of the plate to the right and to the left, on its unknowns."""
+        return self.plate.waves(omega, self.tangential, self.period)
+
+    def scattering(
+        self, omega: float, layers: int, incident: tuple[str, ...], loss_factor: float = 0.0
+    ) -> Scattering:
+        """Energies for 1, 2, ... ``layers`` layers between two plates without losses.
+
+        Parameters
+        ----------
+        omega : rad/s; incident : families that come from the left, one at a time
+        loss_factor : of the layers
+
+        Raises
+        ------
+        StudyError : no layers, or an incident wave that does not propagate with this tangential wavenumber
+        """
+        if layers < 1:
+            raise StudyError(
+                argument="layers.count",
+                given=layers,
+                allowed="at least 1",
+                cause="without layers there is nothing to scatter a wave",
+                next_step="ask for one layer or more",
+            )
+        right, left = self.plate_waves(omega)
+        chosen = np.array([self._number(right, family, omega) for family in incident])
+        incoming = right.waves.chosen(chosen)
+        lattice = self.slab.at(omega, loss_factor)
+        shares = np.array([
+            [_shares(r, left), _shares(t, right)]
+            for whole in stacked(lattice, layers)
+            for r, t in [scattered(whole.projected(self.trace), incoming, left.waves, right.waves)]
+        ])  # fmt: skip
+        return Scattering(incident, np.arange(1, layers + 1), shares[:, 0], shares[:, 1])
+
+    def mirror(self, omega: float, loss_factor: float = 0.0) -> Mirror:
+        """The half-infinite lattice on the right of the interface."""
+        lattice, _ = bloch_waves(self.slab.at(omega, loss_factor), omega)
+        return Mirror(*self.plate_waves(omega), lattice, self.trace)
+
+    def _number(self, right: PlateWaves, family: str, omega: float) -> int:
+        """Which of the waves is the one of a family with the interface's own wavenumber."""
+        found = np.flatnonzero(right.labelled(family) & (right.harmonic == 0))
+        if not len(found):
+            raise _no_such_wave(family, omega)
+        return int(found[0])
+
+
+@dataclass(frozen=True)
+class Mirror:
+    """A half-infinite lattice behind a plain plate, at one frequency and tangential wavenumber.
+
+    incoming, outgoing : the plate's waves to the right and to the left, p of each
+    lattice : the n waves of the lattice to the right
+    trace : (n, p) motion of the lattice's face that the plate's unknowns give
+    """
+
+    incoming: PlateWaves
+    outgoing: PlateWaves
+    lattice: Waves
+    trace: Complex
+
+    def reflection(self) -> Complex:
+        """(p, p) amplitudes of outgoing waves for unit incoming ones, fading ones included."""
+        impedance = self.trace.conj().T @ self.lattice.impedance() @ self.trace
+        return reflected_by(impedance, self.incoming.waves, self.outgoing.waves)
+
+    def transmission(self, reflection: Complex) -> Complex:
+        """(n, p) amplitudes of the lattice's waves that go with a reflection."""
+        motion = self.incoming.waves.displacement + self.outgoing.waves.displacement @ reflection
+        return np.asarray(la.solve(self.lattice.displacement, self.trace @ motion))
+
+
+def _shares(amplitudes: Complex, waves: PlateWaves) -> Array:
+    """(i, 4) energies of outgoing waves (w, i), by kind."""
+    energy = np.abs(amplitudes) ** 2
+    return np.stack([energy[waves.labelled(kind)].sum(axis=0) for kind in OUTGOING], axis=-1)
+
+
+def _too_short(wavenumber: float, highest: float) -> StudyError:
+    return StudyError(
+        argument="layers.wavenumber",
+        given=f"{wavenumber:.4g} rad/m along the layers",
+        allowed=f"at most {highest:.4g} rad/m with this mesh",
+        cause="the incident wave is shorter than what the places of a face can follow",
+        next_step="ask for a finer mesh, a lower frequency or a smaller angle",
+    )
+
+
+def _no_such_wave(family: str, omega: float) -> StudyError:
+    return StudyError(
+        argument="layers.incident",
+        given=f"{family} at {omega / (2 * np.pi) * 1e-3:.4g} kHz",
+        allowed=f"one of {', '.join(FAMILIES)} that propagates towards the layers",
+        cause="with this tangential wavenumber the wave only fades, or there is no wave of that name",
+        next_step="ask for a smaller angle or a higher frequency",
+    )

@@ -1,0 +1,194 @@
+"""Waves of a plain infinite plate: polynomials through the thickness, exact in the plane.
+
+This is the semi-analytic finite-element method (Bartoli et al. 2006, J. Sound Vib. 295, 685) with a single
+element through the thickness, on the levels of a superelement's trace, so that plate and lattice meet
+unknown by unknown. The material may be anisotropic. Axis "normal" runs from face to face of a lattice, axis
+"tangential" along the faces.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+import scipy.linalg as la
+from numpy.polynomial.legendre import leggauss
+from numpy.typing import NDArray
+
+from haptonic.bloch.evanescent import ON_CIRCLE, Waves, directed
+from haptonic.cell import UnitCell
+from haptonic.cell.quadrature import interpolation, lobatto
+from haptonic.materials import elasticity_tensor
+
+Array = NDArray[np.float64]
+Complex = NDArray[np.complex128]
+Bools = NDArray[np.bool_]
+Ints = NDArray[np.int64]
+
+FAMILIES = ("A0", "S0", "SH0")  # the waves that go down to zero frequency
+HIGHER, EVANESCENT = "higher", "evanescent"
+
+
+@dataclass(frozen=True)
+class PlateWaves:
+    """Waves of a plate to one side, harmonic after harmonic.
+
+    waves : displacement and force have rows (harmonic, level, component)
+    wavenumber : (w,) complex, along the normal, rad/m; harmonic : (w,) number of the tangential wavenumber
+    label : (w,) one of `FAMILIES`, or "higher", or "evanescent"
+    """
+
+    waves: Waves
+    wavenumber: Complex
+    harmonic: Ints
+    label: tuple[str, ...]
+
+    def __len__(self) -> int:
+        return len(self.label)
+
+    def labelled(self, name: str) -> Bools:
+        """(w,) True for the waves with a label."""
+        return np.array([label == name for label in self.label])
+
+    def mirrored(self, normal: int) -> PlateWaves:
+        """Their images, wave by wave, in a mirror across axis ``normal``: waves to the other side."""
+        sign = np.ones(3)
+        sign[normal] = -1
+        turn = np.tile(sign, len(self.waves.displacement) // 3)[:, None]
+        image = replace(
+            self.waves,
+            exponent=-self.waves.exponent,
+            displacement=turn * self.waves.displacement,
+            force=-turn * self.waves.force,
+        )
+        return replace(self, waves=image, wavenumber=-self.wavenumber)
+
+
+@dataclass(frozen=True)
+class PlainPlate:
+    """Forms on the unknowns (level, component) of a plate, per area of it.
+
+    With displacement ``U exp(i (k_0 x_normal + k_1 x_tangential))`` the dynamic stiffness is
+    ``k_a k_b gradient_ab + i k_a (crossed_a^T - crossed_a) + still - omega^2 mass``.
+
+    normal : number of the axis along which waves are followed
+    gradient : (2, 2, q, q); crossed : (2, q, q) slope through the thickness seen by a gradient
+    still : (q, q); mass : (q, q)
+    """
+
+    thickness: float
+    normal: int
+    gradient: Array
+    crossed: Array
+    still: Array
+    mass: Array
+
+    @classmethod
+    def of(cls, cell: UnitCell, levels: int, normal: int = 0) -> PlainPlate:
+        """The plate of a cell without its pillar, on as many levels as a trace has."""
+        points, _, derivative = lobatto(levels - 1)
+        at, weight = leggauss(levels)
+        value = interpolation(points, at)
+        slope = value @ derivative
+        half = 0.5 * cell.thickness
+        overlap: Array = half * (value.T * weight) @ value
+        bending: Array = (slope.T * weight) @ slope / half
+        tensor = elasticity_tensor(cell.material.stiffness)
+        axes = (normal, 1 - normal)
+        return cls(
+            thickness=cell.thickness,
+            normal=normal,
+            gradient=np.array([[np.kron(overlap, tensor[:, a, :, b]) for b in axes] for a in axes]),
+            crossed=np.array([np.kron((value.T * weight) @ slope, tensor[:, a, :, 2]) for a in axes]),
+            still=np.asarray(np.kron(bending, tensor[:, 2, :, 2]), dtype=float),
+            mass=np.asarray(cell.material.density * np.kron(overlap, np.eye(3)), dtype=float),
+        )
+
+    def wavenumber(self, omega: float, angle: float, family: str) -> float | None:
+        """Wavenumber (rad/m) of a family that runs at an angle (rad) to the normal; None where it cannot."""
+        along = np.array([np.cos(angle), np.sin(angle)])
+        k, profiles = self._solutions(omega, along, np.zeros(2))
+        real = np.abs(k.imag) * self.thickness < ON_CIRCLE
+        labels = self._labels(k[:, None] * along, profiles, real & (k.real > 0))
+        return float(k[labels.index(family)].real) if family in labels else None
+
+    def waves(self, omega: float, tangential: Array, length: float) -> tuple[PlateWaves, PlateWaves]:
+        """Waves at a frequency (rad/s) to the right and to the left.
+
+        Parameters
+        ----------
+        tangential : (harmonics,) wavenumbers along the faces, rad/m
+        length : of the part of a face whose forces count, m: a period
+        """
+        found = [self._harmonic(omega, number, float(k_t), length) for number, k_t in enumerate(tangential)]
+        return _gathered([right for right, _ in found]), _gathered([left for _, left in found])
+
+    def _harmonic(
+        self, omega: float, number: int, k_t: float, length: float
+    ) -> tuple[PlateWaves, PlateWaves]:
+        """Waves to the right and to the left with one tangential wavenumber."""
+        k, profiles = self._solutions(omega, np.array([1.0, 0.0]), np.array([0.0, k_t]))
+        force = -length * self._stress(k, k_t, profiles)  # of what is left of a plane on what is right
+
+        def named(waves: Waves) -> PlateWaves:
+            k_n = waves.exponent / (1j * self.thickness)
+            vectors = np.stack([k_n, np.full(len(k_n), k_t)], axis=1)
+            labels = self._labels(vectors, waves.displacement, waves.propagates)
+            return PlateWaves(waves, k_n, np.full(len(k_n), number), labels)
+
+        right, left = directed(1j * k * self.thickness, profiles, force, omega)
+        return named(right), named(left)
+
+    def _solutions(self, omega: float, along: Array, offset: Array) -> tuple[Complex, Complex]:
+        """Wavenumbers (2q,) and profiles (q, 2q) of all waves with wavevectors ``offset + k along``."""
+        turning = 1j * (self.crossed.swapaxes(1, 2) - self.crossed)
+        quadratic = np.einsum("a,b,abij->ij", along, along, self.gradient)
+        mixed = np.einsum("a,b,abij->ij", along, offset, self.gradient)
+        linear = mixed + mixed.T + np.tensordot(along, turning, axes=1)
+        constant = np.einsum("a,b,abij->ij", offset, offset, self.gradient)
+        constant = constant + np.tensordot(offset, turning, axes=1) + self.still - omega**2 * self.mass
+        q, h = len(self.mass), self.thickness
+        companion = np.zeros((2 * q, 2 * q), dtype=complex)
+        companion[:q, q:] = np.eye(q)
+        companion[q:] = -la.solve(quadratic, np.hstack([h**2 * constant, h * linear]), assume_a="pos")
+        scaled, fields = la.eig(companion, check_finite=False)
+        return scaled / h, fields[:q]
+
+    def _stress(self, k: Complex, k_t: float, profiles: Complex) -> Complex:
+        """(q, w) resultants, N/m, of the stress on planes across the normal."""
+        in_plane = (self.gradient[0, 0] @ profiles) * k + self.gradient[0, 1] @ profiles * k_t
+        return np.asarray(1j * in_plane + self.crossed[0] @ profiles)
+
+    def _labels(self, wavevectors: Complex, profiles: Complex, propagates: Bools) -> tuple[str, ...]:
+        """Families by symmetry about the mid-plane and polarisation, each the slowest of its kind."""
+        field = profiles.reshape(-1, 3, profiles.shape[1])
+        mirrored = field[::-1] * np.array([1.0, 1.0, -1.0])[:, None]
+        symmetric = (field.conj() * mirrored).sum(axis=(0, 1)).real > 0
+        in_plane = field[:, [self.normal, 1 - self.normal]]
+        along = np.linalg.norm(np.einsum("lcw,wc->lw", in_plane, wavevectors), axis=0)
+        crossing = wavevectors[:, ::-1] * np.array([-1.0, 1.0])
+        across = np.linalg.norm(np.einsum("lcw,wc->lw", in_plane, crossing), axis=0)
+        kinds = {"A0": ~symmetric, "S0": symmetric & (along > across), "SH0": symmetric & (along <= across)}
+        length = np.linalg.norm(wavevectors, axis=1)
+        labels = np.where(propagates, HIGHER, EVANESCENT)
+        for name, kind in kinds.items():
+            members = np.flatnonzero(kind & propagates)
+            if len(members):
+                labels[members[np.argmax(length[members])]] = name
+        return tuple(labels.tolist())
+
+
+def _gathered(harmonics: list[PlateWaves]) -> PlateWaves:
+    """One set from the waves of every harmonic."""
+    sets = [one.waves for one in harmonics]
+    return PlateWaves(
+        waves=Waves(
+            exponent=np.concatenate([waves.exponent for waves in sets]),
+            displacement=la.block_diag(*(waves.displacement for waves in sets)),
+            force=la.block_diag(*(waves.force for waves in sets)),
+            propagates=np.concatenate([waves.propagates for waves in sets]),
+        ),
+        wavenumber=np.concatenate([one.wavenumber for one in harmonics]),
+        harmonic=np.concatenate([one.harmonic for one in harmonics]),
+        label=tuple(label for one in harmonics for label in one.label),
+    )

@@ -1,0 +1,22 @@
+"""The reference lattice on a coarse mesh, and plain cells that fit to it unknown by unknown."""
+
+from functools import cache
+
+from strategies import reference_cell
+
+from haptonic.cell import MeshPlan
+from haptonic.superelement import Superelement, condense
+
+
+@cache
+def lattice() -> Superelement:
+    cell = reference_cell()
+    return condense(cell, MeshPlan.suited(cell, 3, 1), measured=False)
+
+
+@cache
+def plain() -> Superelement:
+    """A cell without its pillar that has the lattice's trace: as many places, as many levels."""
+    order = lattice().mesh.topology.plan.order
+    plan = MeshPlan(order, 0, 0, outward=3, upward=lattice().levels - 1)
+    return condense(reference_cell().without_pillar(), plan, measured=False)
