@@ -23,6 +23,8 @@ from haptonic.superelement import Superelement
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 
+Ends = Literal["free", "mirror"]
+
 LEAD = "A0"  # the wave that is guided
 SAMPLES = 401  # of a mode across the strip
 CLOSED = 1e-6  # rad, how well a mode must close on itself
@@ -163,6 +165,13 @@ class Guide:
             raise _no_mode(nodal_lines, _kilohertz(omega))
         return found
 
+    def mode_at(self, omega: float, nodal_lines: int) -> GuidedMode:
+        """The mode at omega (rad/s) of the strip of just the `width` that it needs."""
+        width, wall = self.width(omega, nodal_lines), self.wall(omega)
+        assert wall is not None, "else there was no width"
+        along = float(self.interface.tangential[0])
+        return GuidedMode(omega, along, width, nodal_lines, *wall.across(width, nodal_lines))
+
     def mode(self, width: float, nodal_lines: int, between: tuple[float, float]) -> GuidedMode:
         """Mode with so many nodal lines across, its angular frequency within an interval.
 
@@ -191,18 +200,10 @@ class Guide:
         return wall
 
 
-def strip_mode(
-    superelement: Superelement,
-    *,
-    width: float,
-    length: float,
-    intervals: int,
-    nodal_lines: int,
-    between: tuple[float, float],
-    ends: Literal["free", "mirror"] = "free",
-    direction: int = 0,
-) -> GuidedMode:
-    """Mode of a strip of finite length with so many intervals between its nodal lines along it.
+def along_strip(
+    superelement: Superelement, omega: float, length: float, intervals: int, ends: Ends, direction: int = 0
+) -> float:
+    """Wavenumber (rad/m) along a strip of a length (m) with so many intervals between its nodal lines.
 
     Both ends are approximate. A free end throws flexural waves back like the end of a long beam, so that
     each end adds a quarter of an interval: ``k L = (intervals + 1/2) pi``. Behind an end that the same
@@ -211,26 +212,48 @@ def strip_mode(
 
     Parameters
     ----------
+    omega : rad/s, at which a lattice at the ends is looked at
+    direction : number of the translation across the strip
+    """
+    if ends == "free":
+        return (intervals + 0.5) * np.pi / length
+    end = Wall.of(Interface.of(superelement, 0.0, 1 - direction), omega)
+    assert end is not None, "at normal incidence the flexural wave always propagates"
+    return float((intervals + 2) * np.pi / (length + 2 * end.fixed_line))
+
+
+def strip_mode(
+    superelement: Superelement,
+    *,
+    width: float,
+    length: float,
+    intervals: int,
+    nodal_lines: int,
+    between: tuple[float, float],
+    ends: Ends = "free",
+    direction: int = 0,
+) -> GuidedMode:
+    """Mode of a strip of finite length with so many intervals between its nodal lines along it.
+
+    Parameters
+    ----------
     width, length : of the strip, m
     intervals, nodal_lines : along and across the strip
     between : angular frequencies to look in, rad/s
+    ends : see `along_strip`
     direction : number of the translation across the strip
 
     Raises
     ------
     StudyError : see `Guide.mode`
     """
-    if ends == "free":
-        along = (intervals + 0.5) * np.pi / length
-        return Guide.of(superelement, along, direction).mode(width, nodal_lines, between)
-    facing = Interface.of(superelement, 0.0, 1 - direction)
 
     def guide_at(omega: float) -> Guide:
-        end = Wall.of(facing, omega)
-        assert end is not None, "at normal incidence the flexural wave always propagates"
-        along = (intervals + 2) * np.pi / (length + 2 * end.fixed_line)
+        along = along_strip(superelement, omega, length, intervals, ends, direction)
         return Guide.of(superelement, along, direction)
 
+    if ends == "free":
+        return guide_at(between[0]).mode(width, nodal_lines, between)
     return _mode(guide_at, width, nodal_lines, between)
 
 

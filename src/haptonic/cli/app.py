@@ -14,6 +14,7 @@ from haptonic import __version__, plots
 from haptonic.cli.console import Voice, speaking
 from haptonic.cli.designing import design, export, tolerance
 from haptonic.cli.doctor import examined
+from haptonic.cli.mirrors import LAYER_FILES, layers, waveguide, write_layers
 from haptonic.cli.options import (
     KEPT,
     Json,
@@ -26,8 +27,20 @@ from haptonic.cli.options import (
     pictures,
     tell_where,
 )
+from haptonic.errors import StudyError
 from haptonic.report import Results, write_report
-from haptonic.results import Bands, Sweep, refuse_taken, write_files, write_netcdf
+from haptonic.results import (
+    Bands,
+    Guides,
+    Layers,
+    Runner,
+    Sweep,
+    layer_tasks,
+    refuse_taken,
+    write_files,
+    write_netcdf,
+)
+from haptonic.store import Store
 from haptonic.study import Study, load, table
 
 app = typer.Typer(
@@ -123,6 +136,8 @@ def reproduce(
         sweeps = [f"sweep_{i + 1}" for i in range(len(loaded.sweep))]
         names = [*Bands.FILES, *pictures([*Bands.figure_names(surface=True), *sweeps])]
         names += ["report.html", *(f"{n}.nc" for n in sweeps)]
+        if _has_mirror(loaded):
+            names += LAYER_FILES
         refuse_taken(folder, names, overwrite=overwrite)
         started, timings = datetime.now(UTC), {}
         clock = time.perf_counter()
@@ -133,11 +148,19 @@ def reproduce(
         swept = _swept(loaded, voice, workers, scheduler)
         if swept:
             timings["sweeps"] = time.perf_counter() - clock
+        clock = time.perf_counter()
+        mirror, guides = _mirror(loaded, voice, workers, scheduler)
+        if mirror:
+            timings["mirror and waveguide"] = time.perf_counter() - clock
         with voice.busy("pictures and report"):
             _write_bands(result, folder, overwrite)
             for name, one in zip(sweeps, swept, strict=True):
                 _write_sweep(one, folder, name, overwrite)
-            results = Results(loaded, result.dataset, tuple(s.dataset for s in swept), timings, started)
+            if mirror:
+                write_layers(mirror, folder, overwrite)
+            results = Results(
+                loaded, result.dataset, tuple(s.dataset for s in swept), mirror, guides, timings, started
+            )
             report = write_report(results, folder / "report.html", overwrite=overwrite)
         voice.tell(gap_table(result))
         for one in swept:
@@ -147,7 +170,7 @@ def reproduce(
         voice.answer({**result.to_json(), **answer})
 
 
-for command in (design, tolerance, export):
+for command in (layers, waveguide, design, tolerance, export):
     app.command()(command)
 
 
@@ -218,6 +241,27 @@ def sweep_table(result: Sweep) -> Table:
         count = "failed" if one["error"] else str(len(one["gaps"]))
         shown.add_row(f"{one['value']:.4g}", count, *numbers)
     return shown
+
+
+def _has_mirror(loaded: Study) -> bool:
+    """Whether a mirror can be asked for: there is a carrier, and something that reflects."""
+    return loaded.carrier is not None and loaded.cell.pillar is not None
+
+
+def _mirror(
+    loaded: Study, voice: Voice, workers: int, scheduler: str | None
+) -> tuple[Layers | None, Guides | None]:
+    """Layers and waveguides for the report, the latter if the gap holds the carrier."""
+    if not _has_mirror(loaded):
+        return None, None
+    with voice.counted("mirror", layer_tasks(loaded.layers.points)) as progress:
+        layered = loaded.layered(Runner(Store.default(), workers, scheduler, progress))
+    try:
+        with voice.busy("waveguide"):
+            return layered, loaded.guided()
+    except StudyError as error:
+        voice.warn(f"no waveguide: {error.cause}")
+        return layered, None
 
 
 def _swept(loaded: Study, voice: Voice, workers: int, scheduler: str | None) -> tuple[Sweep, ...]:

@@ -9,6 +9,7 @@ from datetime import datetime
 import xarray as xr
 from matplotlib.figure import Figure
 
+from haptonic.results import Guides, Layers
 from haptonic.study import Study
 
 
@@ -19,6 +20,7 @@ class Results:
     study : what was asked
     bands : from `haptonic.bloch.bands_dataset`
     sweeps : one dataset for each of the study's sweeps that was computed; may be empty
+    layers, guides : what was asked of the lattice as a mirror, if it was computed
     timings : seconds that each part of the run took, by name
     started : when the run began, with its time zone
     """
@@ -26,6 +28,8 @@ class Results:
     study: Study
     bands: xr.Dataset
     sweeps: tuple[xr.Dataset, ...] = ()
+    layers: Layers | None = None
+    guides: Guides | None = None
     timings: Mapping[str, float] = field(default_factory=dict)
     started: datetime | None = None
 

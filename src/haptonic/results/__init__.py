@@ -2,7 +2,10 @@
 
 from haptonic.results.bands import Bands, compute_bands, gap_json
 from haptonic.results.common import Asked, refuse_taken, write_files, write_netcdf
-from haptonic.results.design import Design, Runner, compute_design, compute_front, planned
+from haptonic.results.design import Design, compute_design, compute_front, planned
+from haptonic.results.guides import Guides, compute_guides
+from haptonic.results.layers import Layers, compute_layers, layer_tasks
+from haptonic.results.runner import Runner
 from haptonic.results.sweeps import Row, Sweep, compute_sweeps, design_gaps
 from haptonic.results.tolerance import Tolerance, compute_tolerance
 
@@ -10,6 +13,8 @@ __all__ = [
     "Asked",
     "Bands",
     "Design",
+    "Guides",
+    "Layers",
     "Row",
     "Runner",
     "Sweep",
@@ -17,10 +22,13 @@ __all__ = [
     "compute_bands",
     "compute_design",
     "compute_front",
+    "compute_guides",
+    "compute_layers",
     "compute_sweeps",
     "compute_tolerance",
     "design_gaps",
     "gap_json",
+    "layer_tasks",
     "planned",
     "refuse_taken",
     "write_files",

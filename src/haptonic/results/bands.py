@@ -9,14 +9,13 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, ClassVar
 
-import numpy as np
 import xarray as xr
 from matplotlib.figure import Figure
 
 from haptonic import plots, vtu
 from haptonic.bloch import Gap, bands_dataset, gaps_of
 from haptonic.cell import UnitCell
-from haptonic.results.common import Asked, key_of, stamped, write_netcdf
+from haptonic.results.common import Asked, key_of, no_nan, stamped, write_netcdf
 from haptonic.store import Store, content_key
 
 
@@ -72,7 +71,7 @@ class Bands:
                 "kappa": data["kappa"].values.tolist(),
                 "frequency_hz": data["frequency"].values.tolist(),
                 "error_hz": data["frequency_error"].values.tolist(),
-                "group_velocity_m_per_s": _no_nan(data["group_velocity"].values),
+                "group_velocity_m_per_s": no_nan(data["group_velocity"].values),
                 "out_of_plane": data["out_of_plane"].values.tolist(),
                 "pillar_strain": data["pillar_strain"].values.tolist(),
                 "parity": data["parity"].values.tolist(),
@@ -147,8 +146,3 @@ def compute_bands(
     if carrier is not None:
         dataset.attrs["carrier_hz"] = carrier
     return Bands(stamped(dataset, inputs))
-
-
-def _no_nan(array: np.ndarray) -> Any:
-    """Nested lists with null in place of NaN, which JSON does not have."""
-    return np.where(np.isnan(array), np.array(None), array).tolist()

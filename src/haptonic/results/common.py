@@ -9,6 +9,7 @@ from importlib.metadata import version
 from pathlib import Path
 from typing import Any
 
+import numpy as np
 import xarray as xr
 
 from haptonic.bloch import Resolution
@@ -78,3 +79,8 @@ def key_of(cell: UnitCell, asked: Asked) -> dict[str, object]:
         "accuracy": asked.accuracy,
         "mesh": None if resolution is None else list(astuple(resolution)),
     }
+
+
+def no_nan(array: np.ndarray) -> Any:
+    """Nested lists with null in place of NaN, which JSON does not have."""
+    return np.where(np.isnan(array), np.array(None), array).tolist()

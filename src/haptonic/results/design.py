@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import asdict, dataclass
 from typing import Any
 
@@ -18,50 +18,17 @@ from haptonic.design.brief import Brief
 from haptonic.design.parameters import UNITS
 from haptonic.design.search import Visited, climb, looked_at, starting_points
 from haptonic.errors import StudyError
-from haptonic.jobs import Outcome, Task, run_all
+from haptonic.jobs import Task
 from haptonic.results.common import Asked, key_of, stamped
+from haptonic.results.runner import Runner
 from haptonic.results.sweeps import design_gaps
-from haptonic.store import Store
 from haptonic.units import format_quantity
 
 Array = NDArray[np.float64]
-Progress = Callable[[int, int, bool], None]
 
 POLISH_STEPS = 5  # designs computed at most once the coarse model has been corrected
 AT_BOUND = 0.01  # share of a range, or of a limit, from which one counts as reached
 STAGES = ("look", "climb", "polish")
-
-
-@dataclass(frozen=True)
-class Runner:
-    """How and where the tasks of a search are computed; see `haptonic.jobs.run_all`."""
-
-    store: Store
-    workers: int = 0
-    scheduler: str | None = None
-    on_progress: Progress | None = None
-
-    def run(
-        self, function: Callable[[Any], xr.Dataset], tasks: Sequence[Task], done: int
-    ) -> list[xr.Dataset]:
-        """Datasets of all tasks; ``done`` tasks of the search were finished before."""
-
-        def counted(now: int, _total: int, stored: bool) -> None:
-            if self.on_progress is not None:
-                self.on_progress(done + now, 0, stored)
-
-        outcomes = run_all(
-            function, tasks, store=self.store, workers=min(self.workers, len(tasks)),
-            scheduler=self.scheduler, on_progress=counted,
-        )  # fmt: skip
-        return [_dataset(outcome) for outcome in outcomes]
-
-
-def _dataset(outcome: Outcome) -> xr.Dataset:
-    if outcome.dataset is None:
-        assert outcome.error is not None
-        raise outcome.error
-    return outcome.dataset
 
 
 @dataclass(frozen=True)

@@ -32,7 +32,7 @@ from haptonic.design.tolerance import (
 from haptonic.errors import GeometryError, StudyError
 from haptonic.jobs import Task
 from haptonic.results.common import Asked, key_of, stamped
-from haptonic.results.design import Runner
+from haptonic.results.runner import Runner
 from haptonic.results.sweeps import design_gaps
 from haptonic.superelement import FoldedMesh, condensed
 from haptonic.units import format_quantity

@@ -5,12 +5,16 @@ from __future__ import annotations
 from collections.abc import Callable
 
 import xarray as xr
+from pydantic import ValidationError
 
+from haptonic.bloch.mirrors import Incidence
 from haptonic.design.brief import Brief
 from haptonic.errors import StudyError
 from haptonic.results import (
     Bands,
     Design,
+    Guides,
+    Layers,
     Row,
     Runner,
     Sweep,
@@ -18,12 +22,19 @@ from haptonic.results import (
     compute_bands,
     compute_design,
     compute_front,
+    compute_guides,
+    compute_layers,
     compute_sweeps,
     compute_tolerance,
 )
+from haptonic.results.layers import Question
 from haptonic.results.tolerance import BATCH
 from haptonic.store import Store
+from haptonic.study.quantity import SI_NUMBERS
 from haptonic.study.schema import Description
+from haptonic.units import format_quantity, shown
+
+LOWEST, HIGHEST = 0.6, 1.4  # of the carrier: ends of a mirror's spectrum where the study gives none
 
 
 class Study(Description):
@@ -190,6 +201,78 @@ class Study(Description):
             inputs=self.inputs(),
             runner=runner or Runner(Store.default()),
         )
+
+    def layered(self, runner: Runner | None = None) -> Layers:
+        """What rows of cells between two plain plates let through, and how waves fade in the lattice.
+
+        Raises
+        ------
+        StudyError : no carrier, or no wave that propagates towards the rows
+        """
+        section, carrier = self.layers, self.need_carrier()
+        question = Question(
+            lowest=section.lowest or LOWEST * carrier,
+            highest=section.highest or HIGHEST * carrier,
+            points=section.points,
+            incidence=Incidence(section.angle, section.count, self.resolved_material().loss_factor),
+        )
+        if question.lowest >= question.highest:
+            raise StudyError(
+                argument="layers.lowest",
+                given=format_quantity(question.lowest, "Hz"),
+                allowed=f"less than the highest frequency, {format_quantity(question.highest, 'Hz')}",
+                cause="only one end of the spectrum was given, beyond the other's default",
+                next_step="give both layers.lowest and layers.highest",
+            )
+        return compute_layers(
+            self.unit_cell(),
+            self.asked(),
+            question,
+            carrier=carrier,
+            inputs=self.inputs(),
+            runner=runner or Runner(Store.default()),
+        )
+
+    def with_mode(self, mode: str) -> Study:
+        """The same study with another mode of its waveguide, such as ``0x17``.
+
+        Raises
+        ------
+        StudyError : the mode is not written like that
+        """
+        try:
+            waveguide = type(self.waveguide).model_validate(
+                {**self.waveguide.model_dump(), "mode": mode}, context=SI_NUMBERS
+            )
+        except ValidationError:
+            raise StudyError(
+                argument="--mode",
+                given=shown(mode),
+                allowed="nodal lines across, an x, and intervals between nodal lines along, such as 0x17",
+                cause="it is not written like that",
+                next_step="write it like 0x17",
+            ) from None
+        return self.model_copy(update={"waveguide": waveguide})
+
+    def guided(self, runner: Runner | None = None) -> Guides:
+        """Waveguides between two mirrors, for the mode of the study's [waveguide].
+
+        Raises
+        ------
+        StudyError : no carrier, no gap around it, or no such waveguide
+        """
+        section = self.waveguide
+        found: Guides = compute_guides(
+            self.unit_cell(),
+            self.asked(),
+            carrier=self.need_carrier(),
+            mode=section.nodal_lines,
+            width=section.width,
+            rows=section.rows,
+            ends=section.ends,
+            runner=runner or Runner(Store.default()),
+        )
+        return found
 
     def tolerance_tasks(self) -> int:
         """How many tasks `toleranced` has."""

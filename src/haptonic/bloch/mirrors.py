@@ -1,0 +1,125 @@
+"""A lattice as a mirror, as labelled arrays: how waves fade in it, and what a few rows of it let through."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+import xarray as xr
+from numpy.typing import NDArray
+from threadpoolctl import threadpool_limits
+
+from haptonic.bloch.evanescent import Slab, bloch_waves, decibels
+from haptonic.bloch.layers import OUTGOING, Interface, Scattering
+from haptonic.bloch.plate_waves import FAMILIES
+from haptonic.errors import StudyError
+from haptonic.superelement import Superelement
+
+Array = NDArray[np.float64]
+
+PHASES = np.linspace(0.0, np.pi, 5)  # along the rows, at which the decay is followed
+SHOWN_WAVES = 8  # of each frequency in the complex band structure: those that reach farthest
+MOST_ROWS = 60  # tried for a given insulation
+GOALS = (20.0, 40.0, 60.0)  # dB
+
+
+@dataclass(frozen=True)
+class Incidence:
+    """Waves that come from the left plate.
+
+    angle : from the normal of the rows, rad; layers : rows, all fewer ones are computed as well
+    loss_factor : of the rows; the plates have none
+    """
+
+    angle: float
+    layers: int
+    loss_factor: float
+
+
+@threadpool_limits.wrap(limits=1)
+def mirror_dataset(superelement: Superelement, frequency: Array, incidence: Incidence) -> xr.Dataset:
+    """Complex band structure and transmission at some frequencies.
+
+    Returns
+    -------
+    dataset with dimensions ``frequency`` (Hz), ``wave``, ``phase``, ``rows``, ``incident`` and ``outgoing``:
+    ``kappa`` complex phases per cell of the waves to the right at normal incidence (as real and imaginary
+    part), ``attenuation`` (dB per cell) of the one that reaches farthest for each phase along the rows,
+    ``reflected`` and ``transmitted`` energies as shares of the incident one, NaN where the incident wave does
+    not propagate
+    """
+    slabs = [Slab.of(superelement, float(phase)) for phase in PHASES]
+    normal = Interface.of(superelement, 0.0)
+    kappa = np.full((len(frequency), SHOWN_WAVES), np.nan, dtype=complex)
+    attenuation = np.empty((len(frequency), len(PHASES)))
+    shares = np.full((2, len(frequency), incidence.layers, len(FAMILIES), len(OUTGOING)), np.nan)
+    for row, omega in enumerate(2 * np.pi * frequency):
+        for column, slab in enumerate(slabs):
+            right, _ = bloch_waves(slab.at(omega), omega)
+            attenuation[row, column] = decibels(right)
+            if column == 0:
+                kappa[row] = -1j * right.exponent[:SHOWN_WAVES]
+        for number, family in enumerate(FAMILIES):
+            found = scattering_at(superelement, frequency[row], family, incidence, normal)
+            if found is not None:
+                shares[0, row, :, number], shares[1, row, :, number] = (
+                    found.reflected[:, 0],
+                    found.transmitted[:, 0],
+                )
+    by_rows = ("frequency", "rows", "incident", "outgoing")
+    return xr.Dataset(
+        {
+            "kappa_real": (("frequency", "wave"), kappa.real, _words("rad", "phase per cell, real part")),
+            "kappa_imag": (("frequency", "wave"), kappa.imag, _words("rad", "the same, imaginary part")),
+            "attenuation": (
+                ("frequency", "phase"), attenuation,
+                _words("dB", "decay per cell of the wave that reaches farthest"),
+            ),
+            "reflected": (by_rows, shares[0], _words("1", "share of the incident energy")),
+            "transmitted": (by_rows, shares[1], _words("1", "share of the incident energy")),
+        },
+        coords={
+            "frequency": ("frequency", frequency, _words("Hz", "frequency")),
+            "phase": ("phase", PHASES, _words("rad", "phase along the rows")),
+            "rows": np.arange(1, incidence.layers + 1),
+            "incident": list(FAMILIES),
+            "outgoing": list(OUTGOING),
+        },
+    )  # fmt: skip
+
+
+def _words(unit: str, title: str) -> dict[str, str]:
+    return {"units": unit, "long_name": title}
+
+
+@threadpool_limits.wrap(limits=1)
+def scattering_at(
+    superelement: Superelement,
+    frequency: float,
+    family: str,
+    incidence: Incidence,
+    normal: Interface | None = None,
+) -> Scattering | None:
+    """What happens to one incident wave at one frequency (Hz); None if it does not propagate at this angle.
+
+    ``normal`` is the interface at normal incidence, if it is there already.
+    """
+    omega = 2 * np.pi * frequency
+    try:
+        if normal is not None and incidence.angle == 0:
+            interface = normal
+        else:
+            interface = Interface.met_by(superelement, omega, family, incidence.angle)
+        return interface.scattering(omega, incidence.layers, (family,), incidence.loss_factor)
+    except StudyError as error:
+        if error.argument != "layers.incident":
+            raise
+        return None
+
+
+def first_reaching(insulation: Sequence[float] | Array, goal: float) -> int | None:
+    """Number of rows (from 1) from which the insulation stays at a goal, dB; None if it never does."""
+    below = np.flatnonzero(np.asarray(insulation) < goal)
+    rows = int(below[-1]) + 2 if len(below) else 1
+    return rows if rows <= len(insulation) else None

@@ -1,0 +1,141 @@
+"""How waves fade in the lattice, what its rows let through, and the mode between two mirrors."""
+
+from __future__ import annotations
+
+import numpy as np
+import xarray as xr
+from matplotlib.artist import Artist
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+from numpy.typing import NDArray
+
+from haptonic.plots import style
+
+Array = NDArray[np.float64]
+
+FLAT = 1e-6  # rad, imaginary part of a phase below which a wave propagates
+DEEPEST = 1.2 * np.pi  # rad per cell, imaginary part up to which waves are shown
+FLOOR = -100.0  # dB
+FAMILIES = ("A0", "S0", "SH0")
+
+
+@style.drawn
+def decay(dataset: xr.Dataset) -> Figure:
+    """Complex band structure at normal incidence, and the decay per cell for several phases along the rows.
+
+    Parameters
+    ----------
+    dataset : variables ``kappa_real``, ``kappa_imag`` (frequency, wave) and ``attenuation`` (frequency,
+        phase); attributes ``gap`` (edges in Hz, or empty) and ``carrier_hz``
+    """
+    figure = style.blank(12.0)
+    real, imaginary, depth = figure.subplots(1, 3, sharey=True, width_ratios=(3, 3, 5))
+    frequency = dataset["frequency"].values / 1e3
+    height = np.repeat(frequency[:, None], dataset.sizes["wave"], axis=1)
+    phase, fading = dataset["kappa_real"].values, dataset["kappa_imag"].values
+    moving, shown = fading < FLAT, fading < DEEPEST
+    folded = np.abs(phase) / np.pi
+    real.plot(folded[shown & ~moving], height[shown & ~moving], ".", ms=2, color=style.SKY)
+    real.plot(folded[moving], height[moving], ".", ms=3, color=style.INK)
+    imaginary.plot(fading[shown & ~moving] / np.pi, height[shown & ~moving], ".", ms=2, color=style.SKY)
+    real.set_xlabel("|Re κ| / π")
+    imaginary.set_xlabel("Im κ / π")
+    real.set_xlim(0, 1)
+    imaginary.set_xlim(0, DEEPEST / np.pi)
+    real.set_ylabel("frequency (kHz)")
+    real.set_ylim(frequency.min(), frequency.max())
+    looks = zip(
+        (style.BLUE, style.SKY, style.GREEN, style.ORANGE, style.RED),
+        (style.SOLID, style.DASHED, style.DOTTED, style.DASH_DOTTED, style.DASH_DOT_DOTTED),
+        strict=True,
+    )
+    for (colour, dashes), column in zip(looks, range(dataset.sizes["phase"]), strict=False):
+        along = float(dataset["phase"][column]) / np.pi
+        label = f"decay at phase {along:.2g} π along the rows"
+        depth.plot(dataset["attenuation"].values[:, column], frequency, color=colour, ls=dashes, label=label)
+    depth.set_xlabel("decay (dB per cell)")
+    depth.set_xlim(left=0)
+    handles: list[Artist] = [
+        *real.plot([], [], ".", color=style.INK, label="propagating waves, normal incidence"),
+        *real.plot([], [], ".", color=style.SKY, label="fading waves, normal incidence"),
+        *depth.get_legend_handles_labels()[0],
+    ]
+    for axes in (real, imaginary, depth):
+        handles_of_marks = _mark(axes, dataset, axes.axhspan, axes.axhline)
+    figure.legend(handles=[*handles, *handles_of_marks], loc="outside lower center", ncols=2)
+    return figure
+
+
+@style.drawn
+def layers(dataset: xr.Dataset) -> Figure:
+    """Transmitted energy against frequency: a panel for each incident wave, a curve for each number of rows.
+
+    Parameters
+    ----------
+    dataset : variable ``transmitted`` (frequency, rows, incident, outgoing); attributes as for `decay`, and
+        ``angle``
+    """
+    there = [f for f in FAMILIES if np.isfinite(dataset["transmitted"].sel(incident=f).values).any()]
+    figure = style.blank(3.5 + 4.6 * len(there))
+    panels = np.atleast_1d(figure.subplots(len(there), 1, sharex=True))
+    frequency = dataset["frequency"].values / 1e3
+    shades = style.perceptual()(np.linspace(0.9, 0.05, dataset.sizes["rows"]))
+    handles: list[Artist] = []
+    for axes, family in zip(panels, there, strict=True):
+        total = dataset["transmitted"].sel(incident=family).sum("outgoing", skipna=False).values
+        lines = [
+            axes.plot(frequency, 10 * np.log10(np.maximum(total[:, k], 1e-30)), color=shade, lw=1.2,
+                      label=f"{rows} row{'s' if rows > 1 else ''}")[0]
+            for k, (rows, shade) in enumerate(zip(dataset["rows"].values, shades, strict=True))
+        ]  # fmt: skip
+        marks = _mark(axes, dataset, axes.axvspan, axes.axvline)
+        handles = [*lines, *marks]
+        lowest = np.nanmin(10 * np.log10(np.maximum(total, 1e-30)))
+        axes.set_ylim(max(FLOOR, 10 * np.floor(lowest / 10)), 3)
+        axes.set_ylabel(f"{family}: transmitted (dB)")
+    angle = np.degrees(float(dataset.attrs["angle"]))
+    direction = "normal incidence" if angle == 0 else f"incident at {angle:.3g}° from the normal"
+    panels[0].set_title(f"{direction}; all transmitted waves")
+    panels[-1].set_xlabel("frequency (kHz)")
+    panels[-1].set_xlim(frequency.min(), frequency.max())
+    figure.legend(handles=handles, loc="outside lower center", ncols=4)
+    return figure
+
+
+@style.drawn
+def guide(position: Array, amplitude: Array, width: float, fixed_line: float) -> Figure:
+    """Amplitude of the guided mode across the strip, between the two lattices.
+
+    Parameters
+    ----------
+    position : (s,) from the middle of the strip, m; amplitude : (s,) its peak 1
+    width : of the strip, m; fixed_line : how far inside the lattices the plate seems to be held, m
+    """
+    figure = style.blank(7.5)
+    axes = figure.add_subplot()
+    edge, line = 500 * width, 1e3 * (0.5 * width + fixed_line)
+    reach = max(1.25 * edge, 1.15 * line)
+    axes.plot(1e3 * position, amplitude, color=style.BLUE, label="amplitude of the mode")
+    for side in (-1, 1):
+        axes.axvspan(side * edge, side * reach, facecolor=style.BEYOND, edgecolor="white", hatch="////", lw=0,
+                     label="lattice" if side > 0 else None)  # fmt: skip
+        axes.axvline(side * line, color=style.RED, ls=style.DASHED, lw=1.1,
+                     label="equivalent fixed line" if side > 0 else None)  # fmt: skip
+    axes.set_xlim(-reach, reach)
+    axes.set_ylim(0, 1.08)
+    axes.set_xlabel("position across the waveguide (mm)")
+    axes.set_ylabel("amplitude, peak 1")
+    figure.legend(loc="outside lower center", ncols=3)
+    return figure
+
+
+def _mark(axes: Axes, dataset: xr.Dataset, span, line) -> list[Artist]:  # type: ignore[no-untyped-def]
+    """Shade the gap and draw the carrier; the handles for a legend."""
+    handles: list[Artist] = []
+    edges = np.atleast_1d(dataset.attrs["gap"]) / 1e3
+    if len(edges) == 2:
+        handles.append(span(*edges, facecolor=style.GAP, edgecolor="none", zorder=0, label="complete gap"))
+    carrier = float(dataset.attrs["carrier_hz"]) / 1e3
+    label = f"carrier {carrier:g} kHz"
+    handles.append(line(carrier, color=style.CARRIER, ls=style.DASHED, lw=1.1, label=label))
+    return handles

@@ -1,0 +1,182 @@
+"""Waveguides that fit between two mirrors."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from matplotlib.figure import Figure
+from threadpoolctl import threadpool_limits
+
+from haptonic import plots
+from haptonic.bloch import Gap
+from haptonic.bloch.evanescent import bloch_waves, decibels
+from haptonic.bloch.guide import Ends, Guide, GuidedMode, Wall, along_strip, strip_mode
+from haptonic.bloch.layers import Interface
+from haptonic.bloch.model import bloch_model
+from haptonic.bloch.plate_waves import PlainPlate
+from haptonic.cell import UnitCell
+from haptonic.errors import StudyError
+from haptonic.results.carrier import condensed_cell, gap_around
+from haptonic.results.common import Asked
+from haptonic.results.runner import Runner
+from haptonic.superelement import Superelement
+from haptonic.units import format_quantity
+
+INSET = 1e-3  # of the gap's width, kept away from its edges
+MOST_LENGTHS = 6  # of waveguides that are compared
+
+
+@dataclass(frozen=True)
+class Strip:
+    """A waveguide that was computed.
+
+    rows : its length in cells; length : m; mode : across and along it
+    fixed_line : how far inside the lattice the plate seems to be held, m
+    decay : of the mode in the lattice, dB per row
+    """
+
+    rows: int
+    length: float
+    mode: GuidedMode
+    fixed_line: float
+    decay: float
+
+    @property
+    def frequency(self) -> float:
+        """Hz."""
+        return self.mode.omega / (2 * np.pi)
+
+    @property
+    def spacing(self) -> float:
+        """Between nodal lines along the strip, m."""
+        return float(np.pi / self.mode.wavenumber)
+
+    def to_json(self) -> dict[str, Any]:
+        """Plain values for machines."""
+        return {
+            "width_m": self.mode.width,
+            "rows": self.rows,
+            "length_m": self.length,
+            "frequency_hz": self.frequency,
+            "nodal_spacing_m": self.spacing,
+            "amplitude_at_edge": self.mode.at_edge,
+            "fixed_line_m": self.fixed_line,
+            "decay_db_per_row": self.decay,
+        }
+
+
+@dataclass(frozen=True)
+class Guides:
+    """Waveguides between two mirrors, and the one whose mode lies nearest to the carrier."""
+
+    carrier: float
+    gap: Gap
+    across: int
+    along: int
+    ends: str
+    strips: tuple[Strip, ...]
+
+    @property
+    def best(self) -> Strip:
+        """Nearest to the carrier; of those at the carrier the one with the lowest amplitude at its edge."""
+        return min(self.strips, key=lambda s: (round(abs(s.frequency / self.carrier - 1), 6), s.mode.at_edge))
+
+    def plot(self) -> Figure:
+        """The mode across the strip."""
+        best = self.best
+        return plots.guide(best.mode.position, best.mode.amplitude, best.mode.width, best.fixed_line)
+
+    def to_json(self) -> dict[str, Any]:
+        """Plain values for machines."""
+        return {
+            "mode": f"{self.across}x{self.along}",
+            "ends": self.ends,
+            "carrier_hz": self.carrier,
+            "waveguides": [strip.to_json() for strip in self.strips],
+            "nearest": self.best.to_json(),
+        }
+
+
+@threadpool_limits.wrap(limits=1)  # these matrices are too small for threads inside the linear algebra
+def compute_guides(
+    cell: UnitCell,
+    asked: Asked,
+    *,
+    carrier: float,
+    mode: tuple[int, int],
+    width: float | None,
+    rows: int | None,
+    ends: Ends,
+    runner: Runner,
+) -> Guides:
+    """Waveguides whose mode lies in the gap around the carrier (Hz).
+
+    Parameters
+    ----------
+    mode : nodal lines across, intervals between nodal lines along
+    width : of the strip, m; None takes the one that puts the mode at the carrier
+    rows : length in cells; None compares several
+
+    Raises
+    ------
+    StudyError : no complete gap around the carrier, or no such waveguide
+    """
+    gap = gap_around(cell, asked, carrier, runner)
+    if gap is None or not gap.lower < carrier < gap.upper:
+        raise StudyError(
+            argument="carrier",
+            given=format_quantity(carrier, "Hz"),
+            allowed="a frequency in a complete gap of the cell",
+            cause="outside a gap the lattice is no mirror",
+            next_step="find a cell for this carrier with `haptonic design`",
+        )
+    resolution = bloch_model(cell, asked.count, asked.accuracy, asked.resolution).resolution
+    superelement = condensed_cell(cell, resolution)
+    across, along = mode
+    period = float(np.linalg.norm(cell.lattice.vectors[1]))
+    plate = PlainPlate.of(cell, superelement.levels)
+    wavenumber = plate.wavenumber(2 * np.pi * carrier, 0.0, "A0")
+    assert wavenumber is not None
+    shortest = max(1, int((along + 0.5) * np.pi / (wavenumber * period)))
+    lengths = [rows] if rows else range(shortest, shortest + MOST_LENGTHS + 1)
+    strips, refusal = [], None
+    for count in lengths:
+        try:
+            strips.append(_strip(superelement, gap, carrier, (across, along), width, count, period, ends))
+        except StudyError as error:
+            refusal = error
+    if not strips:
+        assert refusal is not None
+        raise refusal
+    return Guides(carrier, gap, across, along, ends, tuple(strips))
+
+
+def _strip(
+    superelement: Superelement,
+    gap: Gap,
+    carrier: float,
+    mode: tuple[int, int],
+    width: float | None,
+    rows: int,
+    period: float,
+    ends: Ends,
+) -> Strip:
+    omega, length = 2 * np.pi * carrier, rows * period
+    across, along = mode
+    if width is None:
+        wavenumber = along_strip(superelement, omega, length, along, ends)
+        found = Guide.of(superelement, wavenumber).mode_at(omega, across)
+    else:
+        inside = INSET * (gap.upper - gap.lower)
+        between = 2 * np.pi * (gap.lower + inside), 2 * np.pi * (gap.upper - inside)
+        found = strip_mode(
+            superelement, width=width, length=length, intervals=along, nodal_lines=across, between=between,
+            ends=ends,
+        )  # fmt: skip
+    interface = Interface.of(superelement, found.wavenumber)
+    wall = Wall.of(interface, found.omega)
+    assert wall is not None
+    into_lattice, _ = bloch_waves(interface.slab.at(found.omega), found.omega)
+    return Strip(rows, length, found, wall.fixed_line, decibels(into_lattice))

@@ -1,0 +1,214 @@
+"""What a mirror of a few rows lets through, and how waves fade in the lattice."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import asdict, dataclass, replace
+from typing import Any
+
+import numpy as np
+import xarray as xr
+from matplotlib.figure import Figure
+from numpy.typing import NDArray
+
+from haptonic import plots
+from haptonic.bloch import Gap, Resolution
+from haptonic.bloch.evanescent import Slab, bloch_waves, decibels
+from haptonic.bloch.layers import OUTGOING, Scattering
+from haptonic.bloch.mirrors import GOALS, MOST_ROWS, Incidence, first_reaching, mirror_dataset, scattering_at
+from haptonic.bloch.model import bloch_model
+from haptonic.bloch.plate_waves import FAMILIES
+from haptonic.cell import UnitCell
+from haptonic.errors import StudyError
+from haptonic.jobs import Task
+from haptonic.results.carrier import condensed_cell, gap_around
+from haptonic.results.common import Asked, key_of, no_nan, stamped
+from haptonic.results.runner import Runner
+from haptonic.superelement import Superelement
+from haptonic.units import format_quantity
+
+Array = NDArray[np.float64]
+
+CHUNK = 12  # frequencies of one task
+
+
+@dataclass(frozen=True)
+class Layers:
+    """Complex band structure and transmission of a mirror.
+
+    gap : around the carrier, or else the widest; None if there is none
+    dataset : the spectra, and energies at the carrier for many rows
+    """
+
+    gap: Gap | None
+    dataset: xr.Dataset
+
+    @property
+    def families(self) -> list[str]:
+        """Kinds of plate waves that propagate towards the rows at the carrier."""
+        there = np.isfinite(self.dataset["carrier_transmitted"].isel(many=0, outgoing=0))
+        return [str(family) for family in self.dataset["incident"].values[there]]
+
+    def needed(self, family: str) -> dict[float, int | None]:
+        """Rows from which the insulation stays at each of the goals (dB); None if `MOST_ROWS` do not do."""
+        return {goal: first_reaching(self.insulation(family), goal) for goal in GOALS}
+
+    def dissipated(self, family: str) -> Array:
+        """(rows,) share of the energy of an incident wave at the carrier that the rows turn into heat."""
+        at_carrier = self.dataset["carrier_transmitted"] + self.dataset["carrier_reflected"]
+        return np.asarray(1 - at_carrier.sel(incident=family).sum("outgoing").values)
+
+    def same_wave(self, family: str) -> Array:
+        """(rows,) transmitted energy of the incident kind alone at the carrier, dB below the incident one."""
+        share = self.dataset["carrier_transmitted"].sel(incident=family, outgoing=family).values
+        return np.asarray(-10 * np.log10(share))
+
+    def figures(self) -> dict[str, Figure]:
+        """All pictures, by name."""
+        return {"decay": plots.decay(self.dataset), "layers": plots.layers(self.dataset)}
+
+    def insulation(self, family: str) -> Array:
+        """(rows,) all transmitted energy at the carrier, dB below the incident one."""
+        share = self.dataset["carrier_transmitted"].sel(incident=family).sum("outgoing").values
+        return np.asarray(-10 * np.log10(share))
+
+    def to_json(self) -> dict[str, Any]:
+        """Plain values for machines."""
+        data = self.dataset
+        few = slice(0, data.sizes["rows"])
+        return {
+            "carrier_hz": float(data.attrs["carrier_hz"]),
+            "gap": None if self.gap is None else {"lower_hz": self.gap.lower, "upper_hz": self.gap.upper},
+            "attenuation_db_per_row": float(data.attrs["carrier_attenuation_db"]),
+            "energy_balance": float(data.attrs["energy_balance"]),
+            "incident": {
+                family: {
+                    "rows_needed": {f"{goal:g} dB": rows for goal, rows in self.needed(family).items()},
+                    "insulation_db": self.insulation(family)[few].tolist(),
+                    "same_wave_db": self.same_wave(family)[few].tolist(),
+                    "dissipated": self.dissipated(family)[few].tolist(),
+                }
+                for family in self.families
+            },
+            "spectrum": {
+                "frequency_hz": data["frequency"].values.tolist(),
+                "phase_rad": data["phase"].values.tolist(),
+                "attenuation_db": data["attenuation"].values.tolist(),
+                "transmitted": no_nan(data["transmitted"].sum("outgoing", skipna=False).values),
+                "reflected": no_nan(data["reflected"].sum("outgoing", skipna=False).values),
+            },
+        }
+
+
+@dataclass(frozen=True)
+class Question:
+    """What is asked of a mirror; see the table ``[layers]`` of the study file.
+
+    lowest, highest : Hz, ends of the spectrum; points : frequencies in it
+    """
+
+    lowest: float
+    highest: float
+    points: int
+    incidence: Incidence
+
+    @property
+    def frequencies(self) -> Array:
+        """(points,) Hz."""
+        return np.linspace(self.lowest, self.highest, self.points)
+
+
+def layer_tasks(points: int) -> int:
+    """How many tasks `compute_layers` has."""
+    return 1 + -(-points // CHUNK)
+
+
+def compute_layers(
+    cell: UnitCell,
+    asked: Asked,
+    question: Question,
+    *,
+    carrier: float,
+    inputs: Mapping[str, Any],
+    runner: Runner,
+) -> Layers:
+    """Spectra of a mirror, a few frequencies at a time, and how many rows it needs at the carrier (Hz).
+
+    Raises
+    ------
+    StudyError : a cell without a pillar, or no wave propagates towards the rows at the carrier
+    """
+    if cell.pillar is None:
+        raise StudyError(
+            argument="cell.pillar",
+            given="nothing",
+            allowed="a cell with a pillar",
+            cause="rows of plain plate between two plain plates reflect nothing",
+            next_step="add a [cell.pillar] table",
+        )
+    gap = gap_around(cell, asked, carrier, runner)
+    resolution = bloch_model(cell, asked.count, asked.accuracy, asked.resolution).resolution
+    chunks = np.array_split(question.frequencies, layer_tasks(question.points) - 1)
+    fixed = {**asdict(question.incidence), **key_of(cell, asked)}
+    tasks = [
+        Task(
+            {"kind": "mirror", "frequency": chunk.tolist(), **fixed},
+            (cell, resolution, chunk, question.incidence),
+        )
+        for chunk in chunks
+    ]
+    pieces = runner.run(_chunk_dataset, tasks, 1)
+    spectrum = xr.concat(pieces, "frequency", data_vars="minimal", coords="minimal")
+    superelement = condensed_cell(cell, resolution)
+    found = _at_carrier(superelement, carrier, question.incidence)
+    lossless = _at_carrier(superelement, carrier, replace(question.incidence, loss_factor=0.0))
+    dataset = spectrum.merge(_carrier_dataset(found))
+    omega = 2 * np.pi * carrier
+    waves, _ = bloch_waves(Slab.of(superelement, 0.0).at(omega), omega)
+    dataset.attrs = {
+        "carrier_hz": carrier,
+        "carrier_attenuation_db": decibels(waves),
+        "energy_balance": max(float(np.abs(one.dissipated).max()) for one in lossless.values()),
+        "angle": question.incidence.angle,
+        "loss_factor": question.incidence.loss_factor,
+        "gap": [gap.lower, gap.upper] if gap else [],
+    }
+    return Layers(gap, stamped(dataset, inputs))
+
+
+def _at_carrier(superelement: Superelement, carrier: float, incidence: Incidence) -> dict[str, Scattering]:
+    """Energies for many rows at the carrier, by family of the incident wave."""
+    found = {}
+    for family in FAMILIES:
+        one = scattering_at(superelement, carrier, family, replace(incidence, layers=MOST_ROWS))
+        if one is not None:
+            found[family] = one
+    if not found:
+        raise StudyError(
+            argument="layers.angle",
+            given=f"{np.degrees(incidence.angle):g} deg at {format_quantity(carrier, 'Hz')}",
+            allowed="an angle at which some plate wave propagates towards the rows",
+            cause="all of them only fade",
+            next_step="give a smaller angle",
+        )
+    return found
+
+
+def _carrier_dataset(found: Mapping[str, Scattering]) -> xr.Dataset:
+    """Energies at the carrier for 1, 2, ... many rows; NaN for families that do not propagate."""
+    shape = len(FAMILIES), MOST_ROWS, len(OUTGOING)
+    arrays = {}
+    for name in ("transmitted", "reflected"):
+        values = np.full(shape, np.nan)
+        for family, scattering in found.items():
+            values[FAMILIES.index(family)] = getattr(scattering, name)[:, 0]
+        arrays[f"carrier_{name}"] = ("incident", "many", "outgoing"), values, {"units": "1"}
+    coords = {"many": np.arange(1, MOST_ROWS + 1), "incident": list(FAMILIES), "outgoing": list(OUTGOING)}
+    return xr.Dataset(arrays, coords=coords)
+
+
+def _chunk_dataset(argument: tuple[UnitCell, Resolution, Array, Incidence]) -> xr.Dataset:
+    """Spectra at a few frequencies; what a worker is given to do."""
+    cell, resolution, frequency, incidence = argument
+    found: xr.Dataset = mirror_dataset(condensed_cell(cell, resolution), frequency, incidence)
+    return found

@@ -1,0 +1,46 @@
+"""Several rounds of tasks that make one result."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import xarray as xr
+
+from haptonic.jobs import Outcome, Task, run_all
+from haptonic.store import Store
+
+Progress = Callable[[int, int, bool], None]
+
+
+@dataclass(frozen=True)
+class Runner:
+    """How and where the tasks of a search are computed; see `haptonic.jobs.run_all`."""
+
+    store: Store
+    workers: int = 0
+    scheduler: str | None = None
+    on_progress: Progress | None = None
+
+    def run(
+        self, function: Callable[[Any], xr.Dataset], tasks: Sequence[Task], done: int
+    ) -> list[xr.Dataset]:
+        """Datasets of all tasks; ``done`` tasks of the search were finished before."""
+
+        def counted(now: int, _total: int, stored: bool) -> None:
+            if self.on_progress is not None:
+                self.on_progress(done + now, 0, stored)
+
+        outcomes = run_all(
+            function, tasks, store=self.store, workers=min(self.workers, len(tasks)),
+            scheduler=self.scheduler, on_progress=counted,
+        )  # fmt: skip
+        return [_dataset(outcome) for outcome in outcomes]
+
+
+def _dataset(outcome: Outcome) -> xr.Dataset:
+    if outcome.dataset is None:
+        assert outcome.error is not None
+        raise outcome.error
+    return outcome.dataset
