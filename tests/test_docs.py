@@ -32,8 +32,19 @@ def test_the_readme_python_runs_and_says_what_it_should(tmp_path, monkeypatch, c
     assert (tmp_path / "dispersion.png").stat().st_size > 10_000
 
 
-def test_the_readme_commands_exist():
-    lines = [line for text in blocks("README.md", "sh") for line in text.splitlines() if line]
+@pytest.mark.slow
+def test_the_python_of_the_page_on_mirrors_runs_and_says_what_it_should(tmp_path, monkeypatch, capsys):
+    monkeypatch.setenv("HAPTONIC_STORE", str(tmp_path / "store"))
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "studies").symlink_to(ROOT / "studies")
+    for text in blocks("docs/mirror-and-design.md", "python"):
+        exec(compile(text, "mirror-and-design.md", "exec"), {})
+    assert capsys.readouterr().out == "56.9 kHz, 15 dB per row\n"
+
+
+@pytest.mark.parametrize("document", ["README.md", "docs/mirror-and-design.md"])
+def test_the_printed_commands_exist(document):
+    lines = [line for text in blocks(document, "sh") for line in text.splitlines() if line]
     targets = set(re.findall(r"^(\w+):", (ROOT / "Makefile").read_text(), re.MULTILINE))
     known = {command.name or command.callback.__name__ for command in app.registered_commands}
     for line in lines:

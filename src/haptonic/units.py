@@ -35,8 +35,16 @@ PREFIXES_OF = {
     "V": "µmk",
     "F": "nµ",
 }
-EXAMPLES = {"m": "7 mm", "Hz": "60 kHz", "Pa": "70 GPa", "kg/m^3": "2700 kg/m^3"}
-KINDS = {"m": "length", "Hz": "frequency", "Pa": "pressure or stiffness", "kg/m^3": "density", "s": "time"}
+EXAMPLES = {"m": "7 mm", "Hz": "60 kHz", "Pa": "70 GPa", "kg/m^3": "2700 kg/m^3", "rad": "2 deg"}
+KINDS = {
+    "m": "length",
+    "Hz": "frequency",
+    "Pa": "pressure or stiffness",
+    "kg/m^3": "density",
+    "s": "time",
+    "rad": "angle",
+    "N": "force",
+}
 
 _NUMBER = r"(?P<number>[+-]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE](?P<exponent>[+-]?[0-9]+))?)"
 _NAME = r"[A-Za-zµ][A-Za-z0-9_µ]*(?:(?:\^|\*\*)-?[1-9])?"
@@ -129,6 +137,8 @@ def format_quantity(value: float, unit: str, *, prefer: str | None = None, digit
     """
     if not math.isfinite(value):
         return f"{value} {unit}".rstrip()
+    if unit == "rad" and prefer is None and digits is not None:
+        return f"{math.degrees(value):.{digits}g} deg"  # how people give angles
     exact = Decimal(repr(float(value)))
     rounded = exact if digits is None or value == 0 else Decimal(f"{exact:.{digits - 1}e}")
     scales = {f"{prefix}{unit}": PREFIXES[prefix] for prefix in ["", *PREFIXES_OF.get(unit, "")]}

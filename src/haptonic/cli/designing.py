@@ -28,6 +28,7 @@ from haptonic.cli.options import (
 from haptonic.design.parameters import UNITS
 from haptonic.design.tolerance import REACH
 from haptonic.results import Design, Runner, Tolerance, planned, refuse_taken, write_files, write_netcdf
+from haptonic.results.common import no_nan
 from haptonic.store import Store
 from haptonic.study import Study, load
 from haptonic.units import format_quantity
@@ -76,7 +77,7 @@ def design(
         answer = {**result.to_json(), "study": found.to_toml()}
         if pareto:
             names_of_front = ("pitch", "lower", "upper", "margin")
-            answer["front"] = {name: datasets["front"][name].values.tolist() for name in names_of_front}
+            answer["front"] = {name: no_nan(datasets["front"][name].values) for name in names_of_front}
         voice.answer(answer)
 
 
@@ -179,7 +180,7 @@ def front_table(front: xr.Dataset) -> Table:
     for i in range(front.sizes["design"]):
         row = front.isel(design=i)
         low, high = float(row["lower"]) / 1e3, float(row["upper"]) / 1e3
-        held = float(row["margin"]) > 0
+        held = float(row["margin"]) > 0  # NaN is not
         numbers = [f"{low:.2f}", f"{high:.2f}", f"{high - low:.2f}"] if held else ["-", "-", "none"]
         shown.add_row(f"{float(row['pitch']) * 1e3:.3g}", *numbers)
     return shown
@@ -207,9 +208,9 @@ def in_words(study: Study, result: Tolerance) -> str:
     margin = f" with a margin of {section.margin:g} Hz" if section.margin else ""
     lines = [
         f"Edges vary by {lower:.0f} Hz (lower) and {upper:.0f} Hz (upper), one standard deviation.",
-        f"One pillar keeps the carrier in its gap{margin} with a chance of {result.pillar:.2%}, "
-        f"all {section.pillars} of a plate with {result.plate:.2%} "
-        f"(to first order {float(result.dataset.attrs['chance_to_first_order']):.2%}).",
+        f"One pillar keeps the carrier in its gap{margin} with a chance of {_chance(result.pillar)}, "
+        f"all {section.pillars} of a plate with {_chance(result.plate)} "
+        f"(to first order {_chance(float(result.dataset.attrs['chance_to_first_order']))}).",
     ]
     if result.loosest >= REACH:
         lines.append(f"Even {REACH:g} times as loose machining keeps {section.confidence:.1%}.")
@@ -218,3 +219,8 @@ def in_words(study: Study, result: Tolerance) -> str:
     else:
         lines.append(f"No machining, however exact, keeps {section.confidence:.1%}.")
     return "\n".join(lines)
+
+
+def _chance(value: float) -> str:
+    """A chance in percent, as sure as some thousands of draws can be."""
+    return "more than 99.99%" if value > 0.9999 else "less than 0.01%" if value < 1e-4 else f"{value:.2%}"

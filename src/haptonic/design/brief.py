@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -51,6 +51,7 @@ class Brief:
     tool : diameter (m) of the end mill that has to pass between two pillars, or None
     reach : how deep (m) that end mill can cut, or None
     finger : what the plate has to bear, or None
+    held : by path, values (SI) that differ from the cell's but do not change
     """
 
     cell: UnitCell
@@ -61,6 +62,7 @@ class Brief:
     tool: float | None = None
     reach: float | None = None
     finger: Finger | None = None
+    held: Mapping[str, float] = field(default_factory=dict)
 
     @property
     def paths(self) -> tuple[str, ...]:
@@ -78,7 +80,7 @@ class Brief:
         ------
         GeometryError : sizes that do not make a body
         """
-        return changed(self.cell, dict(zip(self.paths, self.values(share), strict=True)))
+        return changed(self.cell, {**self.held, **dict(zip(self.paths, self.values(share), strict=True))})
 
     def values(self, share: Array) -> list[float]:
         """Values of the parameters (SI) at a place in the box."""
@@ -95,14 +97,15 @@ class Brief:
     def fixed(self, path: str, value: float) -> Brief:
         """The same brief with one parameter held."""
         bounds = {name: limits for name, limits in self.bounds.items() if name != path}
-        return replace(self, cell=changed(self.cell, {path: value}), bounds=bounds)
+        return replace(self, bounds=bounds, held={**self.held, path: value})
 
     def limits(self, share: Array) -> dict[str, float]:
         """Room left to each limit at a place in the box, by its name; negative where it is broken.
 
         Each is a share of a length of the design, so that their sizes compare.
         """
-        own = values_of(self.cell) | dict(zip(self.paths, self.values(share), strict=True))
+        own = {**values_of(self.cell), **self.held}
+        own |= dict(zip(self.paths, self.values(share), strict=True))
         pitch = min(own["cell.pitch"], own.get("cell.pitch_y", np.inf))
         room: dict[str, float] = {}
         if self.finger is not None and isinstance(self.cell.material, IsotropicMaterial):
@@ -132,6 +135,10 @@ class Brief:
             room["reach of the tool"] = 1 - height / self.reach
         return room
 
+    def allows(self, share: Array) -> bool:
+        """Whether a place in the box meets all limits."""
+        return min(self.limits(share).values(), default=0.0) >= 0
+
     def check(self) -> None:
         """Refuse bounds that contradict each other, or that leave no design.
 
@@ -152,8 +159,7 @@ class Brief:
 
     def feasible(self, share: Array) -> Array:
         """A place in the box that meets all limits, near another one; or the one that breaks them least."""
-        names = list(self.limits(share))
-        if not names or min(self.limits(share).values()) >= 0:
+        if self.allows(share):
             return share
         count = len(share)
         result = minimize(

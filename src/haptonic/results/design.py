@@ -15,7 +15,7 @@ from haptonic import plots
 from haptonic.bloch import Gap, gaps_of
 from haptonic.cell import UnitCell
 from haptonic.design.brief import Brief
-from haptonic.design.parameters import UNITS
+from haptonic.design.parameters import UNITS, changed
 from haptonic.design.search import Visited, climb, looked_at, starting_points
 from haptonic.errors import StudyError
 from haptonic.jobs import Task
@@ -27,6 +27,7 @@ from haptonic.units import format_quantity
 Array = NDArray[np.float64]
 
 POLISH_STEPS = 5  # designs computed at most once the coarse model has been corrected
+FRONT_STARTS = 8  # designs looked at for each pitch of a front
 AT_BOUND = 0.01  # share of a range, or of a limit, from which one counts as reached
 STAGES = ("look", "climb", "polish")
 
@@ -111,12 +112,14 @@ def compute_design(
     begun = [_climb(brief, visit, (0.0, 0.0), steps) for visit in first[:climbs]]
     best = keep("climb", runner.run(climb_dataset, begun, len(points)))[0]
     done = len(points) + len(begun)
-    gap = _gap(runner, brief.at(best.share), asked, best.band, done)
+    values = _rounded(brief, best)
+    gap = _gap(runner, changed(brief.cell, values), asked, best.band, done)
     if gap is not None:
         offset = gap.lower - best.lower, gap.upper - best.upper
         polished = runner.run(climb_dataset, [_climb(brief, best, offset, POLISH_STEPS)], done + 1)
         best = keep("polish", polished)[0]
-        gap = _gap(runner, brief.at(best.share), asked, best.band, done + 2)
+        values = _rounded(brief, best)
+        gap = _gap(runner, changed(brief.cell, values), asked, best.band, done + 2)
     margin = -np.inf
     if gap is not None:
         below, above = (
@@ -125,35 +128,42 @@ def compute_design(
         )
         margin = min(below, above)
     if gap is None or margin <= 0:
-        raise _out_of_reach(brief, best, gap)
-    values = dict(zip(brief.paths, brief.values(best.share), strict=True))
+        raise _out_of_reach(brief, best, gap, [visit for _, visit in history])
     return Design(values, gap, margin, stamped(_history(brief, history), inputs))
 
 
 def compute_front(
     brief: Brief, best: Mapping[str, float], pitches: Sequence[float], *, steps: int, runner: Runner
 ) -> xr.Dataset:
-    """The widest margin that each of some pitches allows; each search starts from the best design, scaled."""
-    tasks, briefs = [], []
-    for pitch in pitches:
+    """The widest margin that each of some pitches allows; each search starts from the best design, scaled.
+
+    NaN where no design is allowed at all.
+    """
+    tasks: dict[float, Task] = {}
+    briefs = {pitch: brief.fixed("cell.pitch", pitch) for pitch in pitches}
+    for pitch, held in briefs.items():
         scale = pitch / best["cell.pitch"]
-        held = brief.fixed("cell.pitch", pitch)
         scaled = np.array([best[p] * (scale if p.startswith("cell.pillar") else 1.0) for p in held.paths])
         low, high = held.box.T
         share = held.feasible(np.clip((scaled - low) / (high - low), 0.0, 1.0))
-        briefs.append(held)
-        tasks.append(_front_task(held, share, steps))
-    datasets = runner.run(front_dataset, tasks, 0)
-    ends = [max(_visits(dataset), key=lambda visit: visit.margin) for dataset in datasets]
-    values = [dict(zip(b.paths, b.values(v.share), strict=True)) for b, v in zip(briefs, ends, strict=True)]
+        if held.allows(share):
+            tasks[pitch] = _front_task(held, share, steps)
+    datasets = runner.run(front_dataset, list(tasks.values()), 0)
     names = [path for path in brief.paths if path != "cell.pitch"]
+    columns = {name: np.full(len(pitches), np.nan) for name in ("lower", "upper", "margin")}
+    values = np.full((len(pitches), len(names)), np.nan)
+    for pitch, dataset in zip(tasks, datasets, strict=True):
+        row = list(pitches).index(pitch)
+        end = max(_visits(dataset), key=lambda visit: visit.margin)
+        values[row] = briefs[pitch].values(end.share)
+        for name, column in columns.items():
+            column[row] = getattr(end, name)
+    units = {"lower": "Hz", "upper": "Hz", "margin": "1"}
     return xr.Dataset(
         {
             "pitch": ("design", np.asarray(pitches), {"units": "m"}),
-            "lower": ("design", [v.lower for v in ends], {"units": "Hz"}),
-            "upper": ("design", [v.upper for v in ends], {"units": "Hz"}),
-            "margin": ("design", [v.margin for v in ends], {"units": "1"}),
-            "value": (("design", "parameter"), np.array([[v[n] for n in names] for v in values])),
+            **{name: ("design", column, {"units": units[name]}) for name, column in columns.items()},
+            "value": (("design", "parameter"), values),
         },
         coords={"parameter": names},
         attrs={"carrier_hz": brief.carrier},
@@ -171,10 +181,11 @@ def climb_dataset(argument: tuple[Brief, Array, int, tuple[float, float], int]) 
 
 
 def front_dataset(argument: tuple[Brief, Array, int]) -> xr.Dataset:
-    """The climb at one pitch, from the gap that holds the carrier best at its start."""
+    """The climb at one pitch, from the best of the scaled design and a few others."""
     brief, share, steps = argument
-    start = looked_at(brief, share)
-    return _as_dataset(list(climb(brief, share, start.band, (0.0, 0.0), steps)))
+    others = [point for point in starting_points(brief, FRONT_STARTS)[1:] if brief.allows(point)]
+    start = max((looked_at(brief, point) for point in (share, *others)), key=lambda visit: visit.margin)
+    return _as_dataset(list(climb(brief, start.share, start.band, (0.0, 0.0), steps)))
 
 
 def _look(brief: Brief, share: Array) -> Task:
@@ -198,7 +209,14 @@ def _brief_key(brief: Brief) -> dict[str, object]:
     bounds = {path: list(limits) for path, limits in brief.bounds.items()}
     finger = brief.finger and asdict(brief.finger)
     limits = {"slenderness": brief.slenderness, "tool": brief.tool, "reach": brief.reach, "finger": finger}
-    return {"carrier": brief.carrier, "bounds": bounds, **limits, **key_of(brief.cell, asked)}
+    held = dict(brief.held)
+    return {"carrier": brief.carrier, "bounds": bounds, "held": held, **limits, **key_of(brief.cell, asked)}
+
+
+def _rounded(brief: Brief, visit: Visited) -> dict[str, float]:
+    """Values of a design by path (SI), as a workshop would write them: lengths in whole micrometres."""
+    values = dict(zip(brief.paths, brief.values(visit.share), strict=True))
+    return {path: round(v, 6) if UNITS[path] == "m" else v for path, v in values.items()}
 
 
 def _gap(runner: Runner, cell: UnitCell, asked: Asked, band: int, done: int) -> Gap | None:
@@ -245,7 +263,7 @@ def _history(brief: Brief, history: Sequence[tuple[str, Visited]]) -> xr.Dataset
     return dataset
 
 
-def _out_of_reach(brief: Brief, best: Visited, gap: Gap | None) -> StudyError:
+def _out_of_reach(brief: Brief, best: Visited, gap: Gap | None, seen: Sequence[Visited]) -> StudyError:
     """How close the search came, and what held it back."""
     values = brief.values(best.share)
     reached = [
@@ -253,20 +271,23 @@ def _out_of_reach(brief: Brief, best: Visited, gap: Gap | None) -> StudyError:
         for path, value, share in zip(brief.paths, values, best.share, strict=True)
         if min(share, 1 - share) < AT_BOUND
     ]
-    reached += [
-        f"the limit on the {name}" for name, room in brief.limits(best.share).items() if room < AT_BOUND
-    ]
-    lower, upper = (gap.lower, gap.upper) if gap else (best.lower, best.upper)
-    edges = f"{lower / 1e3:.2f} to {upper / 1e3:.2f} kHz"
-    closest = (
-        f"a gap from {edges}" if lower < upper else f"no gap: bands {best.band} and {best.band + 1} overlap"
-    )
+    limits = brief.limits(best.share).items()
+    reached += [f"the limit on the {name}" for name, room in limits if room < AT_BOUND]
+    there = [(visit.lower, visit.upper) for visit in seen if visit.lower < visit.upper]
+    if gap is not None:
+        there.append((gap.lower, gap.upper))
+    closest = "no design seen has a gap near it"
+    if there:
+        lower, upper = min(there, key=lambda edges: max(edges[0] - brief.carrier, brief.carrier - edges[1]))
+        away = max(lower - brief.carrier, brief.carrier - upper)
+        closest = f"the closest gap seen, {lower / 1e3:.2f} to {upper / 1e3:.2f} kHz, "
+        closest += f"misses it by {away / 1e3:.2f} kHz" if away > 0 else "holds it by no more than its error"
     bounds = ", ".join(reached) or "none of the bounds"
     return StudyError(
         argument="carrier",
         given=format_quantity(brief.carrier, "Hz"),
         allowed="a frequency that the gap of some allowed design holds",
-        cause=f"the closest design has {closest}; it is held back by {bounds}",
+        cause=f"{closest}; the best design is held back by {bounds}",
         next_step="widen these bounds, vary other parameters, start from more designs ([design] starts), "
         "or choose another carrier",
     )

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from typing import Annotated, Literal
 
 from pydantic import Field, ValidationInfo, field_validator, model_validator
@@ -33,7 +34,7 @@ class LayersSection(Section):
     points: Annotated[int, Field(ge=2, le=5000, strict=True)] = Field(
         161, title="Frequencies", description="In the spectrum, both ends included."
     )
-    angle: Annotated[float, Quantity("rad", at_least=0.0, below=1.5707963, typical=(0.0, 1.5))] = Field(
+    angle: Annotated[float, Quantity("rad", at_least=0.0, below=0.5 * math.pi, typical=(0.0, 1.5))] = Field(
         0.0, title="Angle of incidence", description="Between the incident wave and the normal of the rows."
     )
 

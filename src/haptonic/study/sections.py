@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from typing import Annotated, Literal
 
 from pydantic import BaseModel, ConfigDict, Field, model_validator
@@ -12,6 +13,8 @@ from haptonic.study.quantity import Quantity, problem
 from haptonic.units import format_quantity
 
 SMALLEST, LARGEST = 1e-9, 1e3  # m; below, no continuum; above, no plate that a hand could touch
+STEEPEST = math.radians(40)  # draft of a pillar
+USUAL_DRAFT = (0.0, math.radians(10))
 FREE_SHARE = 0.02  # of the pitch, that a pillar leaves free: what the mesh between two pillars needs
 
 
@@ -81,8 +84,10 @@ class PillarSection(Section):
     section: Literal["round", "square"] = Field(
         "round", title="Section", description="Seen from above; the sides of a square lie along the cell's."
     )
-    draft: Annotated[float, Quantity("rad", at_least=-0.7, at_most=0.7, typical=(0.0, 0.18))] = Field(
-        0.0, title="Draft angle", description="Between side and normal; positive is narrower at the top."
+    draft: Annotated[float, Quantity("rad", at_least=-STEEPEST, at_most=STEEPEST, typical=USUAL_DRAFT)] = (
+        Field(
+            0.0, title="Draft angle", description="Between side and normal; positive is narrower at the top."
+        )
     )
     fillet: Annotated[float, Quantity("m", at_least=0.0, at_most=LARGEST, typical=(0.0, 5e-3))] = Field(
         0.0, title="Fillet radius", description="At the foot: the corner radius of the end mill."
