@@ -28,7 +28,7 @@ from haptonic.cli.options import (
     tell_where,
 )
 from haptonic.errors import StudyError
-from haptonic.report import Results, write_report
+from haptonic.report import Results, paper, write_report
 from haptonic.results import (
     Bands,
     Guides,
@@ -152,15 +152,18 @@ def reproduce(
         mirror, guides = _mirror(loaded, voice, workers, scheduler)
         if mirror:
             timings["mirror and waveguide"] = time.perf_counter() - clock
+        filleted = None
+        if paper.is_its_cell(loaded):
+            with voice.busy("the paper's cell with a fillet"):
+                filleted = loaded.gap_with({"cell.pillar.fillet": paper.TRIED_FILLET})
         with voice.busy("pictures and report"):
             _write_bands(result, folder, overwrite)
             for name, one in zip(sweeps, swept, strict=True):
                 _write_sweep(one, folder, name, overwrite)
             if mirror:
                 write_layers(mirror, folder, overwrite)
-            results = Results(
-                loaded, result.dataset, tuple(s.dataset for s in swept), mirror, guides, timings, started
-            )
+            data = tuple(one.dataset for one in swept)
+            results = Results(loaded, result.dataset, data, mirror, guides, filleted, timings, started)
             report = write_report(results, folder / "report.html", overwrite=overwrite)
         voice.tell(gap_table(result))
         for one in swept:

@@ -27,6 +27,9 @@ GUIDE_WIDTH, GUIDE_LENGTH, NODAL_SPACING = 32e-3, 140e-3, 8e-3  # m
 # Not the paper's: what quadratic tetrahedra of a size that is common in practice give for its cell, computed
 # with an independent finite-element library while haptonic was developed.
 COARSE_UPPER_EDGE = 61.5e3  # Hz
+TRIED_FILLET = (
+    0.3e-3  # m, radius at the foot with which its cell is computed as well: could that be the cause?
+)
 
 
 def is_its_cell(study: Study) -> bool:

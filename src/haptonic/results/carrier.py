@@ -4,12 +4,10 @@ from __future__ import annotations
 
 from functools import lru_cache
 
-from haptonic.bloch import Gap, Resolution, gaps_of
+from haptonic.bloch import Gap, Resolution
 from haptonic.cell import UnitCell
-from haptonic.jobs import Task
-from haptonic.results.common import Asked, key_of
+from haptonic.results.common import Asked
 from haptonic.results.runner import Runner
-from haptonic.results.sweeps import design_gaps
 from haptonic.superelement import Superelement, condense
 
 
@@ -21,7 +19,6 @@ def condensed_cell(cell: UnitCell, resolution: Resolution) -> Superelement:
 
 def gap_around(cell: UnitCell, asked: Asked, carrier: float, runner: Runner) -> Gap | None:
     """The complete gap that holds the carrier, or else the widest."""
-    (dataset,) = runner.run(design_gaps, [Task({"kind": "gaps", **key_of(cell, asked)}, (cell, asked))], 0)
-    gaps = [gap for gap in gaps_of(dataset) if gap.complete and gap.certain]
+    gaps = [gap for gap in runner.gaps(cell, asked) if gap.complete and gap.certain]
     holding = [gap for gap in gaps if gap.lower < carrier < gap.upper]
     return max(holding or gaps, key=lambda gap: gap.width, default=None)

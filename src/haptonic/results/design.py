@@ -12,7 +12,7 @@ from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
 from haptonic import plots
-from haptonic.bloch import Gap, gaps_of
+from haptonic.bloch import Gap
 from haptonic.cell import UnitCell
 from haptonic.design.brief import Brief
 from haptonic.design.parameters import UNITS, changed
@@ -21,7 +21,6 @@ from haptonic.errors import StudyError
 from haptonic.jobs import Task
 from haptonic.results.common import Asked, key_of, stamped
 from haptonic.results.runner import Runner
-from haptonic.results.sweeps import design_gaps
 from haptonic.units import format_quantity
 
 Array = NDArray[np.float64]
@@ -221,9 +220,8 @@ def _rounded(brief: Brief, visit: Visited) -> dict[str, float]:
 
 def _gap(runner: Runner, cell: UnitCell, asked: Asked, band: int, done: int) -> Gap | None:
     """The complete gap above a band at the accuracy asked for."""
-    task = Task({"kind": "gaps", **key_of(cell, asked)}, (cell, asked))
-    (dataset,) = runner.run(design_gaps, [task], done)
-    return next((gap for gap in gaps_of(dataset) if gap.between[0] == band and gap.complete), None)
+    gaps = runner.gaps(cell, asked, done)
+    return next((gap for gap in gaps if gap.between[0] == band and gap.complete), None)
 
 
 def _as_dataset(visits: Sequence[Visited]) -> xr.Dataset:

@@ -8,7 +8,11 @@ from typing import Any
 
 import xarray as xr
 
+from haptonic.bloch import Gap, gaps_of
+from haptonic.cell import UnitCell
 from haptonic.jobs import Outcome, Task, run_all
+from haptonic.results.common import Asked, key_of
+from haptonic.results.sweeps import design_gaps
 from haptonic.store import Store
 
 Progress = Callable[[int, int, bool], None]
@@ -37,6 +41,12 @@ class Runner:
             scheduler=self.scheduler, on_progress=counted,
         )  # fmt: skip
         return [_dataset(outcome) for outcome in outcomes]
+
+    def gaps(self, cell: UnitCell, asked: Asked, done: int = 0) -> tuple[Gap, ...]:
+        """Complete gaps of a cell, the task of one design of a sweep."""
+        task = Task({"kind": "gaps", **key_of(cell, asked)}, (cell, asked))
+        (dataset,) = self.run(design_gaps, [task], done)
+        return gaps_of(dataset)
 
 
 def _dataset(outcome: Outcome) -> xr.Dataset:

@@ -12,7 +12,7 @@ from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
 from haptonic import plots
-from haptonic.bloch import Gap, gaps_of
+from haptonic.bloch import Gap
 from haptonic.bloch.exact import exact_modes
 from haptonic.bloch.pencil import eigenpairs
 from haptonic.cell import UnitCell
@@ -31,9 +31,9 @@ from haptonic.design.tolerance import (
 )
 from haptonic.errors import GeometryError, StudyError
 from haptonic.jobs import Task
+from haptonic.results.carrier import gap_around
 from haptonic.results.common import Asked, key_of, stamped
 from haptonic.results.runner import Runner
-from haptonic.results.sweeps import design_gaps
 from haptonic.superelement import FoldedMesh, condensed
 from haptonic.units import format_quantity
 
@@ -125,10 +125,8 @@ def compute_tolerance(
             cause=f"a quadratic in so many parameters has {needed} coefficients",
             next_step="compute more samples, or leave spreads out that hardly matter",
         )
-    nominal = Task({"kind": "gaps", **key_of(cell, asked)}, (cell, asked))
-    (found,) = runner.run(design_gaps, [nominal], 0)
-    gap = next((gap for gap in gaps_of(found) if gap.complete and gap.lower < carrier < gap.upper), None)
-    if gap is None:
+    gap = gap_around(cell, asked, carrier, runner)
+    if gap is None or not gap.lower < carrier < gap.upper:
         raise StudyError(
             argument="carrier",
             given=format_quantity(carrier, "Hz"),

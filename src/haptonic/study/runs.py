@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 
 import xarray as xr
 from pydantic import ValidationError
 
+from haptonic.bloch import Gap
 from haptonic.bloch.mirrors import Incidence
 from haptonic.design.brief import Brief
 from haptonic.errors import StudyError
@@ -273,6 +274,13 @@ class Study(Description):
             runner=runner or Runner(Store.default()),
         )
         return found
+
+    def gap_with(self, values: Mapping[str, float], runner: Runner | None = None) -> Gap | None:
+        """The widest complete gap with some parameters (SI, by path) changed."""
+        found = (runner or Runner(Store.default())).gaps(
+            self.with_parameters(values).unit_cell(), self.asked()
+        )
+        return max((gap for gap in found if gap.complete), key=lambda gap: gap.width, default=None)
 
     def tolerance_tasks(self) -> int:
         """How many tasks `toleranced` has."""

@@ -53,7 +53,7 @@ def _gap_rows(results: Results) -> list[Row]:
     below, above = gap.between
     rows = [
         _edge_row("lower", paper.GAP[0], gap.lower, gap.lower_error, _why_lower(gap, results.bands)),
-        _edge_row("upper", paper.GAP[1], gap.upper, gap.upper_error, _why_upper(gap)),
+        _edge_row("upper", paper.GAP[1], gap.upper, gap.upper_error, _why_upper(gap, results.filleted)),
         _edge_row(
             "", paper.GAP[1] - paper.GAP[0], gap.width, gap.lower_error + gap.upper_error,
             "Follows from the edges.",
@@ -104,14 +104,31 @@ def _why_lower(gap: Gap, data: xr.Dataset) -> str:
     return said.strip()
 
 
-def _why_upper(gap: Gap) -> str:
+def _why_upper(gap: Gap, filleted: Gap | None) -> str:
     if gap.upper + gap.upper_error >= paper.GAP[1]:
         return "Agrees within our error." if gap.upper - gap.upper_error <= paper.GAP[1] else "Not known."
     return (
         f"The converged edge is {khz(gap.upper, gap.upper_error)} kHz. Coarse quadratic tetrahedra give "
         f"about {paper.COARSE_UPPER_EDGE / 1e3:.1f} kHz for the same cell, close to the paper's figure. A "
         "fillet at the foot, as machining leaves one, stiffens the pillar and would raise the edge too, if "
-        "the paper's model had it. Which of the two it was is not known."
+        f"the paper's model had it. {_of_a_fillet(gap, filleted)}"
+    )
+
+
+def _of_a_fillet(gap: Gap, filleted: Gap | None) -> str:
+    """Whether a fillet could be the cause of both of the paper's edges, by the gap with one."""
+    if filleted is None or filleted.upper <= gap.upper:
+        return "Which of the two it was is not known."
+    share = (paper.GAP[1] - gap.upper) / (filleted.upper - gap.upper)
+    lower = gap.lower + share * (filleted.lower - gap.lower)
+    off = lower - paper.GAP[0]
+    said = (
+        f"A radius of about {share * paper.TRIED_FILLET * 1e3:.2g} mm would do, but it moves the lower edge "
+        f"as well, to {lower / 1e3:.1f} kHz, where the paper has {paper.GAP[0] / 1e3:.1f}: "
+    )
+    doubt = gap.lower_error + filleted.lower_error
+    return said + (
+        "that fits both edges." if abs(off) <= doubt else "a fillet alone does not fit both edges."
     )
 
 
