@@ -1,8 +1,9 @@
 """How sure a gap is to hold the carrier when no two plates, and no two pillars, are alike.
 
-The edges are fitted by a quadratic in everything that varies, on designs of a quasi-random sequence that are
-computed in full; a design left out tells how good the fit is. Chances, indices and the loosest tolerance are
-then asked of the quadratic.
+The two bands beside the gap are fitted, at every wavevector of a sampling of the zone, by a quadratic in
+everything that varies, on designs of a quasi-random sequence that are computed in full; the edges are the
+highest and the lowest of the fits, so that one wavevector may take over from another. Designs left out tell
+how good the fit is. Chances, indices and the loosest tolerance are then asked of it.
 
 What varies from pillar to pillar is judged pillar by pillar: each is given the gap of a lattice of its like,
 and every one on the plate has to keep the margin. That is stricter than an average over pillars would be.
@@ -82,29 +83,37 @@ def samples(cell: UnitCell, spreads: Sequence[Spread], count: int) -> list[UnitC
 
 @dataclass(frozen=True)
 class Surface:
-    """Edges of a gap as quadratics of deviations in units of the spreads' widths.
+    """The bands beside a gap as quadratics of deviations in units of the spreads' widths.
 
-    coefficients : (terms, 2) Hz, lower and upper edge; doubt : (2,) Hz, standard deviation of what designs
-        left out of the fit would differ by
+    coefficients : (terms, 2, k) Hz, of the band below and the band above at k wavevectors
+    doubt : (2,) Hz, by how much (root of the mean square) the edges of designs left out of the fit differ
     """
 
     coefficients: Array
     doubt: Array
 
     @classmethod
-    def fitted(cls, deviations: Array, edges: Array) -> Surface:
-        """Least squares over (n, parameters) deviations and (n, 2) edges in Hz."""
+    def fitted(cls, deviations: Array, frequency: Array) -> Surface:
+        """Least squares over (n, parameters) deviations and (n, 2, k) frequencies in Hz."""
         terms = _terms(deviations)
         assert len(terms) > terms.shape[1], "too few samples for a quadratic"
         turn, triangle = np.linalg.qr(terms)
-        coefficients = np.linalg.solve(triangle, turn.T @ edges)
+        flat = frequency.reshape(len(terms), -1)
+        coefficients = np.linalg.solve(triangle, turn.T @ flat)
         leverage = (turn**2).sum(axis=1)
-        left_out = (edges - terms @ coefficients) / (1 - leverage)[:, None]
-        return cls(coefficients, np.asarray(np.sqrt((left_out**2).mean(axis=0))))
+        missed = (flat - terms @ coefficients) / (1 - leverage)[:, None]
+        left_out = edges_of((flat - missed).reshape(frequency.shape))
+        doubt = np.sqrt(((edges_of(frequency) - left_out) ** 2).mean(axis=0))
+        return cls(coefficients.reshape(-1, *frequency.shape[1:]), np.asarray(doubt))
 
     def at(self, deviations: Array) -> Array:
         """(n, 2) edges, Hz."""
-        return np.asarray(_terms(deviations) @ self.coefficients)
+        return edges_of(np.tensordot(_terms(deviations), self.coefficients, axes=1))
+
+
+def edges_of(frequency: Array) -> Array:
+    """(n, 2) highest frequency of the band below and lowest of the band above, from (n, 2, k)."""
+    return np.stack([frequency[:, 0].max(axis=1), frequency[:, 1].min(axis=1)], axis=1)
 
 
 def terms_needed(parameters: int) -> int:

@@ -23,10 +23,12 @@ def tolerance(dataset: xr.Dataset) -> Figure:
         attributes ``carrier_hz`` and ``margin_hz``
     """
     count = dataset.sizes["parameter"]
-    figure = style.blank(8.0 + 1.1 * count)
+    figure = style.blank(9.5 + 1.1 * count)
     edges, shares = figure.subplots(2, 1, height_ratios=(5.0, 1.2 + 0.9 * count))
     _draw_edges(edges, dataset)
     _draw_shares(shares, dataset)
+    handles = [handle for axes in (edges, shares) for handle in axes.get_legend_handles_labels()[0]]
+    figure.legend(handles=handles, loc="outside lower center", ncols=2)
     return figure
 
 
@@ -42,20 +44,18 @@ def _draw_edges(axes: Axes, dataset: xr.Dataset) -> None:
                      label=f"margin {margin:g} kHz")  # fmt: skip
     axes.set_xlabel("frequency (kHz)")
     axes.set_ylabel("plates drawn, in each bin")
-    axes.legend(loc="upper left", bbox_to_anchor=(0.0, 1.28), ncols=4, borderaxespad=0.0)
 
 
 def _draw_shares(axes: Axes, dataset: xr.Dataset) -> None:
     names = [readable(str(path)) for path in dataset["parameter"].values]
     place = np.arange(len(names), dtype=float)
-    for side, (label, colour) in enumerate(SIDES):
+    for side, (_, colour) in enumerate(SIDES):
         shift = 0.2 * (1 if side else -1)
         axes.barh(place + shift, 100 * dataset["total_index"].values[:, side], 0.36, color=colour,
-                  label=f"{label}, total Sobol index")  # fmt: skip
+                  label=None)  # fmt: skip
         axes.plot(100 * dataset["first_order_share"].values[:, side], place + shift, "D", color=style.INK,
-                  ms=3.5, label="to first order" if side else None)  # fmt: skip
+                  ms=3.5)  # fmt: skip
     axes.set_yticks(place, names)
     axes.invert_yaxis()
-    axes.set_xlabel("share of the variance (%)")
+    axes.set_xlabel("share of the edge's variance (%): bars, total Sobol index; diamonds, to first order")
     axes.set_xlim(0, 105)
-    axes.legend(loc="lower right")

@@ -14,11 +14,21 @@ from numpy.typing import NDArray
 from haptonic import plots
 from haptonic.bloch import Gap, gaps_of
 from haptonic.bloch.exact import exact_modes
+from haptonic.bloch.pencil import eigenpairs
 from haptonic.cell import UnitCell
 from haptonic.design.parameters import values_of
 from haptonic.design.quick import QUICK, QuickDesign
 from haptonic.design.sensitivity import sensitivity
-from haptonic.design.tolerance import REACH, Chances, Spread, Surface, first_order, samples, terms_needed
+from haptonic.design.tolerance import (
+    REACH,
+    Chances,
+    Spread,
+    Surface,
+    edges_of,
+    first_order,
+    samples,
+    terms_needed,
+)
 from haptonic.errors import GeometryError, StudyError
 from haptonic.jobs import Task
 from haptonic.results.common import Asked, key_of, stamped
@@ -30,6 +40,7 @@ from haptonic.units import format_quantity
 Array = NDArray[np.float64]
 
 BATCH = 8  # designs of one task
+DIVISIONS = 10  # of the irreducible zone's sides, where the bands beside the gap are followed
 DRAWN = 2000  # plates in the result's dataset
 
 
@@ -125,7 +136,6 @@ def compute_tolerance(
             cause="the cell has no such gap there, not even without any deviation",
             next_step="find a cell for this carrier with `haptonic design`",
         )
-    band = gap.between[0]
     try:
         designs = samples(cell, spreads, count)
     except GeometryError as error:
@@ -137,23 +147,26 @@ def compute_tolerance(
             next_step="give smaller spreads",
         ) from None
     batches = [designs[i : i + BATCH] for i in range(0, count, BATCH)]
-    tasks = [_edges_task(batch, band) for batch in (*batches, [cell])]
-    datasets = runner.run(edges_dataset, tasks, 1)
-    *parts, own = (dataset["edge"].values for dataset in datasets)
-    offset = np.array([gap.lower, gap.upper]) - own[0]
-    edges = np.concatenate(parts) + offset
+    tasks = [_beside_task(batch, gap) for batch in (*batches, [cell])]
+    datasets = runner.run(beside_dataset, tasks, 1)
+    *parts, own = (dataset["frequency"].values for dataset in datasets)
+    offset = np.array([gap.lower, gap.upper]) - edges_of(own)[0]
+    frequency = np.concatenate(parts) + offset[:, None]
     slopes = edge_slopes(cell, gap, [spread.path for spread in spreads])
     widths = np.array([spread.width for spread in spreads])
     at_rest = np.array([values_of(cell)[spread.path] for spread in spreads])
     moved = np.array([[values_of(one)[s.path] for s in spreads] for one in designs])
     deviations = (moved - at_rest) / widths
-    surface = Surface.fitted(deviations, edges)
+    surface = Surface.fitted(deviations, frequency)
     chances = Chances(surface, tuple(spreads), carrier, margin, pillars)
     straight = Chances(_linear(gap, slopes * widths[:, None]), tuple(spreads), carrier, margin, pillars)
     variance = first_order(slopes, spreads)
     dataset = xr.Dataset(
         {
-            "edge": (("design", "side"), edges, {"units": "Hz", "long_name": "edges of computed designs"}),
+            "edge": (
+                ("design", "side"), edges_of(frequency),
+                {"units": "Hz", "long_name": "edges of computed designs"},
+            ),
             "drawn": (
                 ("plate", "side"), surface.at(chances.drawn(DRAWN)),
                 {"units": "Hz", "long_name": "edges of drawn designs, from the fit"},
@@ -197,24 +210,30 @@ def edge_slopes(cell: UnitCell, gap: Gap, paths: Sequence[str]) -> Array:
     return np.array(columns).T
 
 
-def edges_dataset(argument: tuple[Sequence[UnitCell], int]) -> xr.Dataset:
-    """Edges of the gap above a band, for several designs; what a worker is given to do."""
-    cells, band = argument
-    edges = []
+def beside_dataset(argument: tuple[Sequence[UnitCell], Gap]) -> xr.Dataset:
+    """The bands beside a gap for several designs, over the zone; what a worker is given to do."""
+    cells, gap = argument
+    band = gap.between[0]
+    frequencies = []
     for cell in cells:
-        zone = QuickDesign.of(cell, band + 2).zone
-        edges.append([zone.edge(band - 1, +1)[0], zone.edge(band, -1)[0]])
-    return xr.Dataset({"edge": (("design", "side"), np.array(edges))})
+        pencil = QuickDesign.of(cell, band + 2).model.fine.pencil
+        grid, _ = cell.lattice.zone_triangles(DIVISIONS)
+        wavevectors = (*grid, np.array(gap.lower_kappa), np.array(gap.upper_kappa))
+        values = [eigenpairs(pencil, kappa, band + 1)[0][band - 1 :] for kappa in wavevectors]
+        frequencies.append(np.sqrt(np.array(values).T) / (2 * np.pi))
+    return xr.Dataset({"frequency": (("design", "side", "wavevector"), np.array(frequencies))})
 
 
-def _edges_task(cells: Sequence[UnitCell], band: int) -> Task:
-    question = Asked(band + 2, 0, 0.0, QUICK)
-    return Task({"kind": "edges", "cells": [key_of(cell, question) for cell in cells]}, (cells, band))
+def _beside_task(cells: Sequence[UnitCell], gap: Gap) -> Task:
+    question = Asked(gap.between[0] + 2, 0, 0.0, QUICK)
+    wavevectors = [*gap.lower_kappa, *gap.upper_kappa]
+    keys = [key_of(cell, question) for cell in cells]
+    return Task({"kind": "beside", "cells": keys, "wavevectors": wavevectors}, (cells, gap))
 
 
 def _linear(gap: Gap, per_width: Array) -> Surface:
     """The edges as they move to first order."""
-    coefficients = np.zeros((terms_needed(len(per_width)), 2))
-    coefficients[0] = gap.lower, gap.upper
-    coefficients[1 : len(per_width) + 1] = per_width
+    coefficients = np.zeros((terms_needed(len(per_width)), 2, 1))
+    coefficients[0, :, 0] = gap.lower, gap.upper
+    coefficients[1 : len(per_width) + 1, :, 0] = per_width
     return Surface(coefficients, np.zeros(2))
