@@ -1,4 +1,6 @@
-"""Bands of three other geometries against an independent finite-element library."""
+"""Bands of other geometries against an independent finite-element library."""
+
+import math
 
 import numpy as np
 import pytest
@@ -46,3 +48,30 @@ def test_frequencies_agree_with_the_peer(name, kappa):
     peer = meshed(PeerCell(*GEOMETRIES[name]), order=3).solve(kappa, COUNT).frequencies
     model = BlochModel.of(own_cell(name), Resolution(4, 1), COUNT, measured=False)
     assert model.solve(np.array(kappa)).frequency == pytest.approx(peer, rel=5e-3)
+
+
+MM = 1e-3
+MEMBERS = {
+    "filleted cone": Pillar(3.5 * MM, 7 * MM, draft=math.radians(3), fillet=0.6 * MM),
+    "square": Pillar(3 * MM, 6 * MM, "square"),
+}
+
+
+@pytest.mark.nightly
+@pytest.mark.parametrize("pillar", MEMBERS.values(), ids=MEMBERS)
+def test_members_of_the_pillar_family_agree_with_the_peer(pillar):
+    """Within what the peer's last order changed and what our own error estimate says."""
+    cell = UnitCell(Lattice.square(7 * MM), 1.5 * MM, IsotropicMaterial("metal", 70e9, 0.33, 2700.0), pillar)
+    model = BlochModel.of(cell, Resolution(4, 1), COUNT, measured=False)
+    same = PeerCell(
+        7 * MM, 7 * MM, 1.5 * MM, pillar.diameter, pillar.height, 70e9, 0.33, 2700.0,
+        section=pillar.section, draft=pillar.draft, fillet=pillar.fillet,
+    )  # fmt: skip
+    lower, higher = meshed(same, order=3), meshed(same, order=4)
+    for kappa in ((0.0, 0.0), CORNER):
+        moving = slice(3, None) if kappa != CORNER else slice(None)  # at Gamma the cell may just move away
+        coarse, fine = (peer.solve(kappa, COUNT).frequencies[moving] for peer in (lower, higher))
+        own = model.solve(np.array(kappa))
+        allowed = np.abs(coarse - fine) + own.error[moving]
+        assert (np.abs(own.frequency[moving] - fine) < allowed).all()
+        assert (allowed < 0.02 * fine).all()

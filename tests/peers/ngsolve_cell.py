@@ -18,12 +18,28 @@ is meshed or factorised: OpenCascade's tolerances are absolute, and the matrices
 """
 
 from dataclasses import dataclass
+from itertools import pairwise
 from time import perf_counter
-from typing import Literal
+from typing import Any, Literal
 
 import ngsolve as ng
 import numpy as np
-from netgen.occ import Box, Cylinder, IdentificationType, OCCGeometry, X, Y, Z, gp_Trsf
+from netgen.occ import (
+    ArcOfCircle,
+    Axis,
+    Box,
+    Cylinder,
+    Face,
+    IdentificationType,
+    OCCGeometry,
+    Segment,
+    Wire,
+    X,
+    Y,
+    Z,
+    gp_Pnt,
+    gp_Trsf,
+)
 from numpy.typing import NDArray
 from scipy.sparse.linalg import LinearOperator, eigsh
 
@@ -40,7 +56,11 @@ FOOT_RATIO = 0.08
 
 @dataclass(frozen=True)
 class PeerCell:
-    """A rectangular plate cell with a circular pillar at its centre, isotropic and lossless; SI units."""
+    """A rectangular plate cell with a pillar at its centre, isotropic and lossless; SI units, draft in rad.
+
+    The pillar is round or square, wide at its foot as `diameter` says; `fillet` is the radius of an arc that
+    touches the plate's top and the pillar's side, for round pillars only.
+    """
 
     pitch_x: float
     pitch_y: float
@@ -50,6 +70,9 @@ class PeerCell:
     youngs_modulus: float
     poisson_ratio: float
     density: float
+    section: Literal["round", "square"] = "round"
+    draft: float = 0.0
+    fillet: float = 0.0
 
     @property
     def frequency_unit(self) -> float:
@@ -140,11 +163,24 @@ def meshed(
     foot_size = 0.2 * cell.diameter if foot_size is None else foot_size
 
     plate = Box((-pitch_x / 2, -pitch_y / 2, 0.0), (pitch_x / 2, pitch_y / 2, thickness))
-    body = plate + Cylinder((0.0, 0.0, thickness), Z, r=radius, h=height)
-    on_top = [edge for edge in body.edges if abs(edge.center.z - thickness) < 1e-6]
-    foot = min(on_top, key=lambda edge: np.hypot(edge.center.x, edge.center.y))
-    foot.maxh = foot_size / unit
-    foot.hpref = 1
+    if cell.section == "round" and not (cell.draft or cell.fillet):
+        pillar = Cylinder((0.0, 0.0, thickness), Z, r=radius, h=height)
+    else:
+        pillar = _pillar(cell)
+    body = plate + pillar
+    if cell.fillet:
+        foot_layers = 0  # no edge, no singularity
+        for face in body.faces:
+            inside = thickness + 1e-6 < face.center.z < thickness + cell.fillet / unit
+            if inside and max(abs(face.center.x), abs(face.center.y)) < 0.49 * min(pitch_x, pitch_y):
+                face.maxh = foot_size / unit
+    else:
+        on_top = [edge for edge in body.edges if abs(edge.center.z - thickness) < 1e-6]
+        within = 0.25 * (radius + 0.5 * min(pitch_x, pitch_y)) + 0.5 * radius
+        for foot in on_top:
+            if max(abs(foot.center.x), abs(foot.center.y)) < within:
+                foot.maxh = foot_size / unit
+                foot.hpref = 1
     for name, direction, pitch in (("a1", X, pitch_x), ("a2", Y, pitch_y)):
         shift = gp_Trsf.Translation(pitch * direction)
         body.faces.Min(direction).Identify(
@@ -163,6 +199,32 @@ def meshed(
         mesh.RefineHP(foot_layers, factor=FOOT_RATIO)
     mesh.Curve(order)
     return CellModel(cell, mesh, order, perf_counter() - start)
+
+
+def _pillar(cell: PeerCell) -> Any:
+    """Solid of a pillar with a draft, a fillet or a square section, in units of the first pitch."""
+    unit = cell.pitch_x
+    thickness, radius, height = cell.thickness / unit, cell.diameter / 2 / unit, cell.height / unit
+    tip = radius - height * np.tan(cell.draft)
+    if cell.section == "square":
+        assert cell.draft == cell.fillet == 0, "a square pillar of this peer is a straight prism"
+        return Box((-radius, -radius, thickness), (radius, radius, thickness + height))
+    low, high = (0.0, 0.0, thickness), (0.0, 0.0, thickness + height)
+    corners = [low, (radius, 0.0, thickness), (tip, 0.0, thickness + height), high]
+    sides = [Segment(start, end) for start, end in pairwise(corners)]
+    if cell.fillet:
+        size = cell.fillet / unit
+        # on the bisector of plate and side, whose angle is 90 degrees plus the draft
+        centre = radius + size * np.tan(np.pi / 4 - cell.draft / 2)
+        angle = np.pi / 2 - cell.draft  # that the arc turns through
+        end = (centre - size * np.sin(angle), 0.0, thickness + size * (1 - np.cos(angle)))
+        middle = (
+            centre - size * np.sin(angle / 2), 0.0, thickness + size * (1 - np.cos(angle / 2)),
+        )  # fmt: skip
+        arc = ArcOfCircle(gp_Pnt(centre, 0.0, thickness), gp_Pnt(*middle), gp_Pnt(*end))
+        sides = [Segment(low, (centre, 0.0, thickness)), arc, Segment(end, corners[2]), sides[-1]]
+    face = Face(Wire([*sides, Segment(high, low)]))
+    return face.Revolve(Axis(gp_Pnt(0.0, 0.0, 0.0), Z), 360)
 
 
 def bloch_frequencies(

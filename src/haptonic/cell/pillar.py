@@ -150,6 +150,14 @@ class Pillar:
             step=step,
         )
 
+    def _steepest(self) -> float:
+        """Largest slope of the sides, inwards, that leaves something of each part, and a step at the step."""
+        least = LEAST_SHARE * self.radius
+        slopes = [(width - least) / (high - low) for low, high, width in self.stages]
+        if self.step is not None:
+            slopes.append((self.radius - 0.5 * self.step.diameter / (1 - LEAST_SHARE)) / self.step.height)
+        return min(slopes)
+
     def _problems(self) -> Iterator[GeometryError]:
         sizes = {"diameter": self.diameter, "height": self.height}
         if self.step is not None:
@@ -176,6 +184,17 @@ class Pillar:
                 "step.height", _mm(self.step.height), f"less than the pillar's height, {_mm(self.height)}",
                 "the step lies above the pillar's top", "lower the step, or leave it out",
             )  # fmt: skip
+        if self.step is not None and 0.5 * self.step.diameter < LEAST_SHARE * self.radius:
+            yield _error(
+                "step.diameter", _mm(self.step.diameter), f"at least {_mm(LEAST_SHARE * self.diameter)}",
+                "above the step next to nothing would be left of the pillar", "choose a thicker upper part",
+            )  # fmt: skip
+        if self.narrowest < LEAST_SHARE * self.radius:
+            yield _error(
+                "draft", f"{math.degrees(self.draft):g} deg",
+                f"at most {math.degrees(math.atan(self._steepest())):.3g} degrees for these sizes",
+                "the sides would meet below the pillar's top", "choose a smaller angle, or a lower pillar",
+            )  # fmt: skip
         if self.step is not None and not 0.5 * self.step.diameter < (1 - LEAST_SHARE) * self.half_width(
             self.step.height, 0
         ):
@@ -185,13 +204,6 @@ class Pillar:
                 f"less than {_mm((1 - LEAST_SHARE) * below)}: the pillar is {_mm(below)} wide below the step",
                 "the pillar would be no narrower above the step, which a tool from above cannot cut",
                 "choose a thinner upper part, or leave the step out",
-            )  # fmt: skip
-        if self.narrowest < LEAST_SHARE * self.radius:
-            steepest = math.degrees(math.atan((1 - LEAST_SHARE) * self.radius / self.height))
-            yield _error(
-                "draft", f"{math.degrees(self.draft):g} deg",
-                f"at most {steepest:.3g} degrees for this height and diameter",
-                "the sides would meet below the pillar's top", "choose a smaller angle, or a lower pillar",
             )  # fmt: skip
         if self.arc is not None:
             ends = float(self.arc.at(1.0)[1])

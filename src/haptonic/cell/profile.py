@@ -121,15 +121,21 @@ def foot_reach(cell: UnitCell, plan: MeshPlan) -> Array:
     _, high, radius = pillar.stages[0]
     room = min(radius, cell.thickness, high, 2 * cell.clearance)
     if pillar.step is not None:
-        room = min(room, pillar.half_width(high, 0) - 0.5 * pillar.step.diameter)
+        room = min(room, (1 - _step_share(pillar)) * radius)
     return np.asarray(FOOT_WIDTH * room * FOOT_GRADING ** np.arange(plan.foot_rings))
+
+
+def _step_share(pillar: Pillar) -> float:
+    """Half-width above the step as a share of that below it; the border that ends there keeps this share."""
+    low, _, width = pillar.stages[-1]
+    return width / pillar.half_width(low, 0)
 
 
 def _widths(cell: UnitCell, pillar: Pillar, plan: MeshPlan, levels: Array) -> Array:
     """(b, l) half-widths of the borders between rings, m; not yet on a fillet's arc."""
     reach = foot_reach(cell, plan)
-    within = pillar.stages[-1][2] if pillar.step else CORE_RADIUS * pillar.radius
-    inward = _beside_fillet(reach, pillar.radius - within, pillar.fillet)
+    within = _step_share(pillar) if pillar.step else CORE_RADIUS
+    inward = _beside_fillet(reach, (1 - within) * pillar.radius, pillar.fillet)
     if pillar.arc is not None:  # the thin rings end where the arc does
         outward = pillar.arc.at(0.5 * (1 - np.arange(1, plan.foot_rings + 1) / plan.foot_rings))[:, 0]
     else:
@@ -138,8 +144,13 @@ def _widths(cell: UnitCell, pillar: Pillar, plan: MeshPlan, levels: Array) -> Ar
     above = np.maximum(levels - cell.thickness, 0.0)
     last = len(pillar.stages) - 1
     low = pillar.stages[last][0]
-    tip = np.array([pillar.half_width(max(z, low), last) for z in above])
     foot = np.array([pillar.half_width(z, 0) for z in above])
+    tip = np.array(
+        [
+            pillar.half_width(z, last) if z > low else _step_share(pillar) * w
+            for z, w in zip(above, foot, strict=True)
+        ]
+    )
     rows = [CORE_RADIUS * tip] + [tip] * bool(last)
     rows += [width / pillar.radius * foot for width in inner]
     rows += [np.full(len(levels), width) for width in outward]

@@ -71,7 +71,7 @@ class Brief:
     @property
     def box(self) -> Array:
         """(parameters, 2) lowest and highest values."""
-        return np.asarray(list(self.bounds.values()), dtype=float)
+        return np.reshape(list(self.bounds.values()), (-1, 2)).astype(float)
 
     def at(self, share: Array) -> UnitCell:
         """The cell at a place in the box, given in shares of its sides.
@@ -118,17 +118,19 @@ class Brief:
         fillet = own.get("cell.pillar.fillet", 0.0)
         lower = own.get("cell.pillar.step.height", height)
         upper = own.get("cell.pillar.step.diameter", diameter)
-        tip = upper - 2 * slope * (height - (lower if "cell.pillar.step.height" in own else 0.0))
-        widest = max(diameter, diameter - 2 * slope * lower, tip)
+        top = upper - 2 * slope * (height - (lower if "cell.pillar.step.height" in own else 0.0))
+        widest = max(diameter, diameter - 2 * slope * lower, top)
         at_foot = diameter + 2 * fillet * (1 / math.cos(own["cell.pillar.draft"]) - slope)
-        room["gap between pillars"] = 1 - widest / pitch - max(LEAST_GAP, (self.tool or 0.0) / pitch)
-        room["fillet"] = 1 - at_foot / pitch - LEAST_GAP
-        room["tip"] = tip / diameter - LEAST_TIP
+        least = LEAST_GAP * own["cell.pitch"] / pitch
+        room["gap between pillars"] = 1 - widest / pitch - max(least, (self.tool or 0.0) / pitch)
+        room["fillet"] = 1 - at_foot / pitch - least
+        room["tip"] = min(upper, top) / diameter - LEAST_TIP
         if fillet:
-            room["height of the fillet"] = 0.75 - fillet / lower
+            rise = fillet * (1 - math.sin(own["cell.pillar.draft"]))
+            room["height of the fillet"] = 0.75 - rise / lower
         if "cell.pillar.step.height" in own:
             room["step's height"] = 0.95 - lower / height
-            room["step's width"] = 0.93 - upper / (diameter - 2 * slope * lower)
+            room["step's width"] = (0.93 * (diameter - 2 * slope * lower) - upper) / diameter
         if self.slenderness is not None:
             room["slenderness"] = 1 - height / (self.slenderness * min(diameter, upper))
         if self.reach is not None:

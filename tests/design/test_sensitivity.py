@@ -1,0 +1,186 @@
+"""Slopes of exact frequencies against differences, scaling laws, and the numbers that can be changed."""
+
+import math
+from dataclasses import replace
+from functools import cache
+
+import numpy as np
+import pytest
+
+from haptonic.bloch.exact import exact_modes
+from haptonic.bloch.pencil import bloch_pencil, eigenpairs
+from haptonic.cell import MeshPlan, Pillar, Step, UnitCell
+from haptonic.design.parameters import UNITS, changed, values_of
+from haptonic.design.sensitivity import sensitivity
+from haptonic.errors import GeometryError
+from haptonic.lattice import Lattice
+from haptonic.materials import IsotropicMaterial, OrthotropicMaterial
+from haptonic.superelement import FoldedMesh, condensed
+
+MM = 1e-3
+ALUMINIUM = IsotropicMaterial("aluminium", 70e9, 0.33, 2700.0)
+SQUARE, RECTANGLE = Lattice.square(7 * MM), Lattice.rectangular(8 * MM, 7 * MM)
+ALL = Pillar(4.5 * MM, 14.7 * MM, "round", math.radians(2), 0.6 * MM, Step(3 * MM, 5 * MM))
+GENERIC, ORIGIN = (1.3, 0.4), (0.0, 0.0)
+
+
+def cell(pillar, lattice=SQUARE):
+    return UnitCell(lattice, 1.5 * MM, ALUMINIUM, pillar)
+
+
+REFERENCE = cell(Pillar(3.5 * MM, 14.7 * MM))
+CELLS = {
+    "reference": REFERENCE,
+    "all at once": cell(ALL),
+    "square section": cell(replace(ALL, section="square", draft=math.radians(-2), step=None)),
+    "rectangular": cell(Pillar(3.5 * MM, 9 * MM), RECTANGLE),
+    "plain plate": cell(None),
+}
+# (cell, phases, band from 0, degenerate modes)
+CASES = [
+    ("reference", GENERIC, 5, 1),
+    ("reference", ORIGIN, 3, 2),
+    ("all at once", GENERIC, 4, 1),
+    ("square section", GENERIC, 6, 1),
+    ("rectangular", GENERIC, 5, 1),
+    ("plain plate", GENERIC, 3, 1),
+]
+cases = pytest.mark.parametrize(("name", "kappa", "band", "together"), CASES)
+
+
+def coarse(cell: UnitCell) -> MeshPlan:
+    """The slopes are those of the mesh, so that the coarsest will do; its trace is no copy of its levels."""
+    plan = MeshPlan.suited(cell, 2, 1)
+    return replace(plan, order=2)
+
+
+@cache
+def start(name):
+    shared = FoldedMesh.of(CELLS[name], coarse(CELLS[name]))
+    return shared, condensed(shared, 2, block=6, measured=False)
+
+
+@cache
+def solved(name, kappa, band):
+    shared, superelement = start(name)
+    guess = np.sqrt(eigenpairs(bloch_pencil(superelement), np.array(kappa), band + 1)[0][band])
+    modes = exact_modes(shared, superelement, np.array(kappa), float(guess))
+    return modes, sensitivity(shared, modes)
+
+
+def exact_hertz(name, changes, kappa, omega):
+    """Frequency of the changed cell's mesh near omega, Hz, found without any slope."""
+    there = changed(CELLS[name], changes)
+    shared = FoldedMesh.of(there, coarse(CELLS[name]))
+    return exact_modes(shared, start(name)[1], np.array(kappa), omega).omega / (2 * np.pi)
+
+
+def five_points(f, at, step):
+    return (8 * (f(at + step) - f(at - step)) - (f(at + 2 * step) - f(at - 2 * step))) / (12 * step)
+
+
+@cases
+def test_slopes_are_those_of_exact_frequencies(name, kappa, band, together):
+    modes, found = solved(name, kappa, band)
+    assert modes.fields.shape[2] == together
+    assert found.frequency == pytest.approx(modes.omega / (2 * np.pi))
+    assert list(found.slopes) == list(values_of(CELLS[name]))
+    for path, slope in found.slopes.items():
+        here = values_of(CELLS[name])[path]
+        step = 2e-4 * (1.0 if UNITS[path] == "rad" else here)
+        expected = five_points(lambda x, p=path: exact_hertz(name, {p: x}, kappa, modes.omega), here, step)
+        # where a length hardly counts, rounding of the frequency is what limits the difference
+        floor = 1e-11 * found.frequency / step
+        assert slope == pytest.approx(np.full(together, expected), rel=1e-6, abs=floor), path
+
+
+@pytest.mark.parametrize("path", ["cell.pitch", "cell.pitch_y"])
+def test_a_pair_parts_when_the_lattice_loses_its_diagonal(path):
+    """One pitch of a square lattice that is called rectangular: each of two modes has its own slope."""
+    lattice = Lattice.rectangular(7 * MM, 7 * MM)
+    there = UnitCell(lattice, 1.5 * MM, ALUMINIUM, REFERENCE.pillar)
+    shared = FoldedMesh.of(there, coarse(there))
+    superelement = condensed(shared, 2, block=6, measured=False)
+    guess = float(np.sqrt(eigenpairs(bloch_pencil(superelement), np.zeros(2), 4)[0][3]))
+    modes = exact_modes(shared, superelement, np.zeros(2), guess)
+    slope = sensitivity(shared, modes, [path]).slopes[path]
+    assert len(slope) == 2
+    assert abs(slope[1] - slope[0]) > 0.05 * np.abs(slope).max()
+    assert slope[1] > slope[0]
+
+    def apart(size):
+        bent = changed(there, {path: size})
+        mesh = FoldedMesh.of(bent, coarse(there))
+        values = np.sqrt(
+            eigenpairs(bloch_pencil(condensed(mesh, 4, block=20, measured=False)), np.zeros(2), 5)[0][3:5]
+        )
+        return np.sort([exact_modes(mesh, superelement, np.zeros(2), float(w)).omega for w in values]) / (
+            2 * np.pi
+        )
+
+    step = 1e-3 * 7 * MM
+    ahead, behind = apart(7 * MM + step), apart(7 * MM - step)
+    centred = np.sort((ahead - behind[::-1]) / (2 * step))
+    assert slope == pytest.approx(centred, rel=1e-4)
+
+
+@cases
+def test_sizes_and_constants_scale_as_they_must(name, kappa, band, together):
+    """With fixed phases a cell twice as large has half the frequency; angles do not count."""
+    _, found = solved(name, kappa, band)
+    values = values_of(CELLS[name])
+    lengths = sum(values[path] * slope for path, slope in found.slopes.items() if UNITS[path] == "m")
+    assert lengths == pytest.approx(np.full(together, -found.frequency), rel=1e-7)
+    for path, exponent in (("material.youngs_modulus", 0.5), ("material.density", -0.5)):
+        assert found.slopes[path] * values[path] == pytest.approx(
+            np.full(together, exponent * found.frequency), rel=1e-9
+        )
+
+
+def test_only_the_paths_asked_for():
+    modes, found = solved("reference", GENERIC, 5)
+    some = ["cell.thickness", "material.poisson_ratio"]
+    fewer = sensitivity(start("reference")[0], modes, some)
+    assert list(fewer.slopes) == some
+    assert all(fewer.slopes[path] == pytest.approx(found.slopes[path], rel=1e-12) for path in some)
+
+
+@pytest.mark.parametrize("name", CELLS)
+def test_values_put_back_change_nothing_and_each_changes_what_it_names(name):
+    there = CELLS[name]
+    values = values_of(there)
+    assert changed(there, values) == there
+    assert changed(there, {}) == there
+    assert list(values) == [path for path in UNITS if path in values]
+    for path in values:
+        other = changed(there, {path: values[path] * 1.01})
+        assert values_of(other) == {**values, path: values[path] * 1.01}
+        assert other != there or values[path] == 0
+
+
+def test_what_a_cell_does_not_have_cannot_be_varied():
+    assert set(values_of(CELLS["all at once"])) == set(UNITS) - {"cell.pitch_y"}
+    assert set(values_of(CELLS["rectangular"])) == set(UNITS) - {
+        "cell.pillar.fillet", "cell.pillar.step.diameter", "cell.pillar.step.height",
+    }  # fmt: skip
+    ply = OrthotropicMaterial("ply", 20e9, 11e9, 9e9, 3e9, 2.5e9, 4e9, 3.1e9, 4.3e9, 5.7e9, density=1500.0)
+    plate = UnitCell(RECTANGLE, 1.5 * MM, ply)
+    assert values_of(plate) == {
+        "cell.pitch": 8 * MM, "cell.pitch_y": 7 * MM, "cell.thickness": 1.5 * MM, "material.density": 1500.0,
+    }  # fmt: skip
+    with pytest.raises(AssertionError, match="fillet"):
+        changed(REFERENCE, {"cell.pillar.fillet": 0.1 * MM})
+
+
+def test_changes_come_at_once():
+    """Neither change makes a body alone: the pillar is as wide as the cell, or the step as the pillar."""
+    together = {"cell.pitch": 14 * MM, "cell.pillar.diameter": 9 * MM}
+    with pytest.raises(GeometryError):
+        changed(REFERENCE, {"cell.pillar.diameter": 9 * MM})
+    assert changed(REFERENCE, together).pillar == Pillar(9 * MM, 14.7 * MM)
+    assert changed(REFERENCE, together).lattice == Lattice.square(14 * MM)
+    wider = {"cell.pillar.step.diameter": 4.6 * MM, "cell.pillar.diameter": 5.4 * MM}
+    with pytest.raises(GeometryError, match="step"):
+        changed(CELLS["all at once"], {"cell.pillar.step.diameter": 4.6 * MM})
+    pillar = changed(CELLS["all at once"], wider).pillar
+    assert (pillar.diameter, pillar.step) == (5.4 * MM, Step(4.6 * MM, 5 * MM))
