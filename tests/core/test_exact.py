@@ -88,12 +88,6 @@ def test_a_pair_at_the_origin_is_found_as_a_pair():
         assert modes.fields.shape == (len(modes.fields), 3, 1 if band == 8 else 2)
 
 
-@pytest.mark.xfail(
-    strict=True,
-    reason="twisting at the origin leaves the trace almost at rest: with the trace "
-    "held the cell has an eigenvalue next to it, where the dynamic stiffness has a pole, and the iteration "
-    "leaves for another mode unless the guess is nearer than the pole",
-)
 def test_a_mode_that_hardly_moves_its_trace_is_found():
     shared, _ = small("reference")
     poor = condensed(shared, 1, block=4, measured=False)

@@ -106,33 +106,46 @@ class Brief:
         """
         own = {**values_of(self.cell), **self.held}
         own |= dict(zip(self.paths, self.values(share), strict=True))
-        pitch = min(own["cell.pitch"], own.get("cell.pitch_y", np.inf))
         room: dict[str, float] = {}
-        if self.finger is not None and isinstance(self.cell.material, IsotropicMaterial):
-            least = self.finger.least_thickness(self.cell.material)
-            room["finger"] = own["cell.thickness"] / least - 1
-        if self.cell.pillar is None:
-            return room
+        if self.finger is not None:
+            assert isinstance(self.cell.material, IsotropicMaterial)
+            room["finger"] = own["cell.thickness"] / self.finger.least_thickness(self.cell.material) - 1
+        if self.cell.pillar is not None:
+            room |= self._of_shape(own) | self._of_tools(own)
+        return room
+
+    def _of_shape(self, own: Mapping[str, float]) -> dict[str, float]:
+        """What makes a body of the pillar, and keeps it on its cell."""
+        pitch = min(own["cell.pitch"], own.get("cell.pitch_y", np.inf))
+        draft, fillet = own["cell.pillar.draft"], own.get("cell.pillar.fillet", 0.0)
         diameter, height = own["cell.pillar.diameter"], own["cell.pillar.height"]
-        slope = math.tan(own["cell.pillar.draft"])
-        fillet = own.get("cell.pillar.fillet", 0.0)
-        lower = own.get("cell.pillar.step.height", height)
-        upper = own.get("cell.pillar.step.diameter", diameter)
-        top = upper - 2 * slope * (height - (lower if "cell.pillar.step.height" in own else 0.0))
-        widest = max(diameter, diameter - 2 * slope * lower, top)
-        at_foot = diameter + 2 * fillet * (1 / math.cos(own["cell.pillar.draft"]) - slope)
-        least = LEAST_GAP * own["cell.pitch"] / pitch
-        room["gap between pillars"] = 1 - widest / pitch - max(least, (self.tool or 0.0) / pitch)
-        room["fillet"] = 1 - at_foot / pitch - least
-        room["tip"] = min(upper, top) / diameter - LEAST_TIP
+        lower, upper = (
+            own.get("cell.pillar.step.height", height),
+            own.get("cell.pillar.step.diameter", diameter),
+        )
+        stepped, slope = "cell.pillar.step.height" in own, math.tan(draft)
+        at_step = diameter - 2 * slope * lower
+        top = upper - 2 * slope * (height - (lower if stepped else 0.0))
+        at_foot = diameter + 2 * fillet * (1 / math.cos(draft) - slope)
+        least = max(LEAST_GAP * own["cell.pitch"], self.tool or 0.0) / pitch
+        room = {
+            "gap between pillars": 1 - max(diameter, at_step, top) / pitch - least,
+            "fillet": 1 - at_foot / pitch - LEAST_GAP * own["cell.pitch"] / pitch,
+            "tip": min(upper, top) / diameter - LEAST_TIP,
+        }
         if fillet:
-            rise = fillet * (1 - math.sin(own["cell.pillar.draft"]))
-            room["height of the fillet"] = 0.75 - rise / lower
-        if "cell.pillar.step.height" in own:
+            room["height of the fillet"] = 0.75 - fillet * (1 - math.sin(draft)) / lower
+        if stepped:
             room["step's height"] = 0.95 - lower / height
-            room["step's width"] = (0.93 * (diameter - 2 * slope * lower) - upper) / diameter
+            room["step's width"] = (0.93 * at_step - upper) / diameter
+        return room
+
+    def _of_tools(self, own: Mapping[str, float]) -> dict[str, float]:
+        """What the workshop can cut."""
+        height, room = own["cell.pillar.height"], {}
+        thinnest = min(own["cell.pillar.diameter"], own.get("cell.pillar.step.diameter", np.inf))
         if self.slenderness is not None:
-            room["slenderness"] = 1 - height / (self.slenderness * min(diameter, upper))
+            room["slenderness"] = 1 - height / (self.slenderness * thinnest)
         if self.reach is not None:
             room["reach of the tool"] = 1 - height / self.reach
         return room

@@ -11,6 +11,7 @@ from haptonic.bloch import Gap
 from haptonic.bloch.mirrors import Incidence
 from haptonic.design.brief import Brief
 from haptonic.errors import StudyError
+from haptonic.materials import IsotropicMaterial
 from haptonic.results import (
     Bands,
     Design,
@@ -123,6 +124,14 @@ class Study(Description):
                 allowed="at least one [[design.vary]] table with parameter, from and to",
                 cause="the study does not say what may change",
                 next_step='add [[design.vary]] with parameter = "cell.pillar.height", from and to',
+            )
+        if section.finger is not None and not isinstance(self.resolved_material(), IsotropicMaterial):
+            raise StudyError(
+                argument="design.finger_force",
+                given=f"with {self.resolved_material().name}",
+                allowed="an isotropic material",
+                cause="the formula for a plate under a finger knows no others",
+                next_step="leave the finger out and bound cell.thickness instead",
             )
         return Brief(
             cell=self.unit_cell(),

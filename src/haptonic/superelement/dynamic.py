@@ -23,12 +23,13 @@ Array = NDArray[np.float64]
 
 @dataclass(frozen=True)
 class DynamicStiffness:
-    """What the trace of a cell feels at one angular frequency.
+    """What the trace of a cell feels at one angular frequency, and how the inside answers to loads.
 
     omega : rad/s; below : eigenvalues of the interior with the trace held that lie below it
     matrix : (t, t) dynamic stiffness K - omega^2 M, N/m
     mass : (t, t) minus the derivative of that with respect to omega^2, kg
     parts : how the interior follows the trace at this frequency
+    held : (nodes, 3, k) answers to k loads with the trace held; force : (t, k) what they add to its loads
     """
 
     omega: float
@@ -36,52 +37,104 @@ class DynamicStiffness:
     matrix: Array
     mass: Array
     parts: tuple[Part, ...]
+    held: Fields
+    force: Fields
 
     def lifted(self, trace: Fields) -> Fields:
-        """(nodes, 3, k) displacement on the mesh from a trace (t, k), real or complex."""
+        """(nodes, 3, k) displacement on the mesh from a trace (t, k), real or complex, without loads."""
         return lifted(self.parts, trace, np.zeros((0, trace.shape[1])))
 
 
 @dataclass(frozen=True)
 class _DynamicClass:
+    """One symmetry class; the last two are its answers to the diagonal images of the loads."""
+
     below: int
     matrix: Array
     mass: Array
     part: Part
+    held: Fields
+    force: Fields
+    image_held: Fields
+    image_force: Fields
 
     def mirrored(self, mirror: DiagonalImage) -> _DynamicClass:
-        return _DynamicClass(
-            self.below,
-            mirror.trace.form(self.matrix),
-            mirror.trace.form(self.mass),
-            replace(self.part, image=mirror),
+        return replace(
+            self,
+            matrix=mirror.trace.form(self.matrix),
+            mass=mirror.trace.form(self.mass),
+            part=replace(self.part, image=mirror),
+            held=mirror.applied(self.image_held),
+            force=mirror.trace.applied(self.image_force),
         )
 
 
-def dynamic_stiffness(shared: FoldedMesh, omega: float) -> DynamicStiffness:
-    """Condense K - omega^2 M of a folded mesh onto its trace, without any interior modes."""
-    diagonal = shared.assembler.diagonal
+def dynamic_stiffness(shared: FoldedMesh, omega: float, loads: Fields | None = None) -> DynamicStiffness:
+    """Condense K - omega^2 M of a folded mesh onto its trace, without any interior modes.
+
+    ``loads`` (nodes, 3, k), N, act on the nodes of one cell.
+    """
+    topology, diagonal = shared.mesh.topology, shared.assembler.diagonal
+    loads = np.zeros((topology.nodes, 3, 0)) if loads is None else loads
+    mirror = DiagonalImage.of(topology, shared.levels) if shared.classes_and_images()[1] else None
+    images = loads if mirror is None else mirror.applied(loads)
 
     def one(q: int, solver: Solver) -> _DynamicClass:
         folded = shared.symmetry_class(q)
+        trace, unfold = folded.trace, folded.trace.unfold_form
         shifted = folded.interior.copy()
         shifted[diagonal] -= omega**2 * folded.mass
         below = solver.factorise(shifted, definite=False)
         inside = solver.solve(-folded.coupling)
         own = folded.trace_stiffness - omega**2 * folded.trace_mass + folded.coupling.T @ inside
         inertia = folded.trace_mass + inside.T @ (folded.mass[:, None] * inside)
-        part = Part(folded.trace, shared.through, inside, np.zeros((len(inside), 0)))
-        unfold = folded.trace.unfold_form
-        return _DynamicClass(below, unfold(0.5 * (own + own.T)), unfold(inertia), part)
+        answers = []
+        for load in (loads, images):
+            share = _folded_load(shared, q, load)
+            held = _unfolded(shared, q, _solved(solver, share))
+            answers += [held, trace.unfold_rows(inside.T @ share)]
+        part = Part(trace, shared.through, inside, np.zeros((len(inside), 0)))
+        return _DynamicClass(below, unfold(0.5 * (own + own.T)), unfold(inertia), part, *answers)
 
     def mirrored(original: _DynamicClass) -> _DynamicClass:
-        return original.mirrored(DiagonalImage.of(shared.mesh.topology, shared.levels))
+        assert mirror is not None
+        return original.mirrored(mirror)
 
     pieces = for_each_class(shared, one, mirrored)
+    on_rim = np.tensordot(shared.through.T, loads[topology.rim], axes=1)
     return DynamicStiffness(
         omega=omega,
         below=sum(piece.below for piece in pieces),
         matrix=np.sum([piece.matrix for piece in pieces], axis=0),
         mass=np.sum([piece.mass for piece in pieces], axis=0),
         parts=tuple(piece.part for piece in pieces),
+        held=np.sum([piece.held for piece in pieces], axis=0),
+        force=on_rim.reshape(3 * shared.levels * topology.rim.shape[1], loads.shape[2])
+        + np.sum([piece.force for piece in pieces], axis=0),
     )
+
+
+def _folded_load(shared: FoldedMesh, q: int, load: Fields) -> Fields:
+    """(3 interior, k) share of a load (nodes, 3, k) that works on the fields of one class."""
+    folding = shared.folding
+    total = np.zeros((len(folding.origin), *load.shape[1:]), dtype=load.dtype)
+    np.add.at(total, folding.node, folding.sign[q][:, :, None] * load)
+    return total[: folding.interior].reshape(3 * folding.interior, load.shape[2])
+
+
+def _unfolded(shared: FoldedMesh, q: int, interior: Fields) -> Fields:
+    """(nodes, 3, k) field of one class from its interior unknowns, its sides at rest."""
+    folding = shared.folding
+    values = np.zeros((len(folding.origin), 3, interior.shape[1]), dtype=interior.dtype)
+    values[: folding.interior] = interior.reshape(folding.interior, 3, interior.shape[1])
+    return np.asarray(folding.sign[q][:, :, None] * values[folding.node])
+
+
+def _solved(solver: Solver, right: Fields) -> Fields:
+    """Solutions for real or complex right-hand sides; some solvers take real ones only."""
+    if not right.shape[1]:
+        return right
+    if not np.iscomplexobj(right):
+        return solver.solve(right)
+    real, imaginary = np.split(solver.solve(np.hstack([right.real, right.imag])), 2, axis=1)
+    return np.asarray(real + 1j * imaginary)
