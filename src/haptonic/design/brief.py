@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -51,6 +51,7 @@ class Brief:
     tool : diameter (m) of the end mill that has to pass between two pillars, or None
     reach : how deep (m) that end mill can cut, or None
     finger : what the plate has to bear, or None
+    held : by path, values (SI) instead of the cell's own; alone they need not make a possible cell
     """
 
     cell: UnitCell
@@ -61,6 +62,7 @@ class Brief:
     tool: float | None = None
     reach: float | None = None
     finger: Finger | None = None
+    held: Mapping[str, float] = field(default_factory=dict)
 
     @property
     def paths(self) -> tuple[str, ...]:
@@ -78,7 +80,7 @@ class Brief:
         ------
         GeometryError : sizes that do not make a body
         """
-        return changed(self.cell, dict(zip(self.paths, self.values(share), strict=True)))
+        return changed(self.cell, {**self.held, **dict(zip(self.paths, self.values(share), strict=True))})
 
     def values(self, share: Array) -> list[float]:
         """Values of the parameters (SI) at a place in the box."""
@@ -95,14 +97,15 @@ class Brief:
     def fixed(self, path: str, value: float) -> Brief:
         """The same brief with one parameter held."""
         bounds = {name: limits for name, limits in self.bounds.items() if name != path}
-        return replace(self, cell=changed(self.cell, {path: value}), bounds=bounds)
+        return replace(self, bounds=bounds, held={**self.held, path: value})
 
     def limits(self, share: Array) -> dict[str, float]:
         """Room left to each limit at a place in the box, by its name; negative where it is broken.
 
         Each is a share of a length of the design, so that their sizes compare.
         """
-        own = values_of(self.cell) | dict(zip(self.paths, self.values(share), strict=True))
+        varied = dict(zip(self.paths, self.values(share), strict=True))
+        own = {**values_of(self.cell), **self.held, **varied}
         pitch = min(own["cell.pitch"], own.get("cell.pitch_y", np.inf))
         room: dict[str, float] = {}
         if self.finger is not None and isinstance(self.cell.material, IsotropicMaterial):
@@ -132,6 +135,10 @@ class Brief:
             room["reach of the tool"] = 1 - height / self.reach
         return room
 
+    def allows(self, share: Array) -> bool:
+        """Whether a place in the box meets all limits."""
+        return min(self.limits(share).values(), default=0.0) >= -1e-6
+
     def check(self) -> None:
         """Refuse bounds that contradict each other, or that leave no design.
 
@@ -140,8 +147,8 @@ class Brief:
         StudyError : which limits cannot be met together, and by how much they miss
         """
         start = self.feasible(np.full(len(self.bounds), 0.5))
-        worst = min(self.limits(start).items(), key=lambda item: item[1], default=("", 0.0))
-        if worst[1] < -1e-6:
+        if not self.allows(start):
+            worst = min(self.limits(start).items(), key=lambda item: item[1])
             raise StudyError(
                 argument="design",
                 given=f"bounds of {', '.join(self.paths) or 'nothing'}",

@@ -166,8 +166,12 @@ def compute_design(
 def compute_front(
     brief: Brief, best: Mapping[str, float], pitches: Sequence[float], *, steps: int, runner: Runner
 ) -> xr.Dataset:
-    """The widest margin that each of some pitches allows; each search starts from the best design, scaled."""
-    tasks, briefs = [], []
+    """The widest margin that each of some pitches allows; each search starts from the best design, scaled.
+
+    Where no design is allowed, all but the pitch is NaN.
+    """
+    briefs: list[Brief] = []
+    starts: list[Array | None] = []
     for pitch in pitches:
         scale = pitch / best["cell.pitch"]
         held = brief.fixed("cell.pitch", pitch)
@@ -175,9 +179,13 @@ def compute_front(
         low, high = held.box.T
         share = held.feasible(np.clip((scaled - low) / (high - low), 0.0, 1.0))
         briefs.append(held)
-        tasks.append(_front_task(held, share, steps))
-    datasets = runner.run(front_dataset, tasks, 0)
-    ends = [max(_visits(dataset), key=lambda visit: visit.margin) for dataset in datasets]
+        starts.append(share if held.allows(share) else None)
+    there = [(held, share) for held, share in zip(briefs, starts, strict=True) if share is not None]
+    datasets = iter(runner.run(front_dataset, [_front_task(*one, steps) for one in there], 0))
+    ends = [
+        _nowhere(held) if share is None else max(_visits(next(datasets)), key=lambda visit: visit.margin)
+        for held, share in zip(briefs, starts, strict=True)
+    ]
     values = [dict(zip(b.paths, b.values(v.share), strict=True)) for b, v in zip(briefs, ends, strict=True)]
     names = [path for path in brief.paths if path != "cell.pitch"]
     return xr.Dataset(
@@ -231,7 +239,8 @@ def _brief_key(brief: Brief) -> dict[str, object]:
     bounds = {path: list(limits) for path, limits in brief.bounds.items()}
     finger = brief.finger and asdict(brief.finger)
     limits = {"slenderness": brief.slenderness, "tool": brief.tool, "reach": brief.reach, "finger": finger}
-    return {"carrier": brief.carrier, "bounds": bounds, **limits, **key_of(brief.cell, asked)}
+    held = dict(brief.held)
+    return {"carrier": brief.carrier, "bounds": bounds, "held": held, **limits, **key_of(brief.cell, asked)}
 
 
 def _gap(runner: Runner, cell: UnitCell, asked: Asked, band: int, done: int) -> Gap | None:
@@ -256,6 +265,11 @@ def _as_dataset(visits: Sequence[Visited]) -> xr.Dataset:
 def _visits(dataset: xr.Dataset) -> list[Visited]:
     rows = zip(*(dataset[name].values for name in ("share", "band", "lower", "upper", "margin")), strict=True)
     return [Visited(share, int(band), float(low), float(up), float(m)) for share, band, low, up, m in rows]
+
+
+def _nowhere(brief: Brief) -> Visited:
+    """What stands for a design where none is allowed."""
+    return Visited(np.full(len(brief.bounds), np.nan), 0, np.nan, np.nan, np.nan)
 
 
 def _history(brief: Brief, history: Sequence[tuple[str, Visited]]) -> xr.Dataset:
@@ -295,6 +309,15 @@ def _out_of_reach(brief: Brief, best: Visited, gap: Gap | None) -> StudyError:
         f"a gap from {edges}" if lower < upper else f"no gap: bands {best.band} and {best.band + 1} overlap"
     )
     bounds = ", ".join(reached) or "none of the bounds"
+    if gap is not None and gap.lower < brief.carrier < gap.upper:
+        errors = " and ".join(f"{error / 1e3:.2f} kHz" for error in (gap.lower_error, gap.upper_error))
+        return StudyError(
+            argument="bands.accuracy",
+            given=f"edges known to {errors} only",
+            allowed="edges known well enough to say that the carrier lies between them",
+            cause=f"the closest design has {closest}, but its edges may be off by so much",
+            next_step="ask for a finer accuracy, or leave [mesh] out",
+        )
     return StudyError(
         argument="carrier",
         given=format_quantity(brief.carrier, "Hz"),
