@@ -1,4 +1,4 @@
-"""Results for tests of pictures and pages: a real, coarse one of the reference cell, and a made-up sweep."""
+"""Results for tests of pictures and pages: a real, coarse one of the reference cell, and made-up others."""
 
 from __future__ import annotations
 
@@ -66,3 +66,55 @@ def made_up_sweep(steps: int = 9, exponent: float = 0.8, **attrs: object) -> xr.
     )
     dataset.attrs |= attrs
     return dataset
+
+
+def made_up_search(visits: int = 14, *, best: float = 0.06) -> xr.Dataset:
+    """Starts, climbs and a polish whose margins rise to the best; a design without margin has no gap either.
+
+    The gap that a margin belongs to is as wide above the carrier as below it.
+    """
+    margin = np.linspace(best - 0.14, best, visits)
+    stage = np.array(["look", "climb", "polish"])[(3 * np.arange(visits)) // visits]
+    return xr.Dataset(
+        {
+            "lower": ("visit", 60e3 * (1 - margin)),
+            "upper": ("visit", 60e3 * (1 + margin)),
+            "margin": ("visit", margin),
+            "stage": ("visit", stage),
+        },
+        attrs={"carrier_hz": 60e3},
+    )
+
+
+def made_up_front(pitches: int = 6) -> xr.Dataset:
+    """A gap that widens with the pitch; the first pitch holds no carrier, and the second allows no design."""
+    margin = np.linspace(-0.03, 0.08, pitches)
+    lower, upper = 60e3 * (1 - margin), 60e3 * (1 + 1.2 * margin)
+    lower[1:2] = upper[1:2] = margin[1:2] = np.nan
+    return xr.Dataset(
+        {
+            "pitch": ("design", np.linspace(4e-3, 8e-3, pitches)),
+            "lower": ("design", lower),
+            "upper": ("design", upper),
+            "margin": ("design", margin),
+        },
+        attrs={"carrier_hz": 60e3},
+    )
+
+
+def made_up_tolerance(paths: tuple[str, ...], margin: float = 500.0) -> xr.Dataset:
+    """Edges at 55 and 64 kHz that scatter by 300 and 500 Hz, the shares of their variances falling by half
+    from one parameter to the next; the carrier is 60 kHz."""
+    chance = np.random.default_rng(7)
+    share = 0.5 ** np.arange(1, len(paths) + 1)
+    share /= share.sum()
+    both = np.stack([share, share[::-1]], axis=1)
+    return xr.Dataset(
+        {
+            "drawn": (("plate", "side"), chance.normal([55e3, 64e3], [300.0, 500.0], (2000, 2))),
+            "first_order_share": (("parameter", "side"), both),
+            "total_index": (("parameter", "side"), np.minimum(1.05 * both, 1.0)),
+        },
+        coords={"parameter": list(paths), "side": ["lower", "upper"]},
+        attrs={"carrier_hz": 60e3, "margin_hz": margin},
+    )

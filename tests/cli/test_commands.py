@@ -14,18 +14,8 @@ import numpy as np
 import pytest
 import xarray as xr
 
+from five_parts import assert_five_parts
 from interrupts import hear_interrupts
-
-PARTS = ("argument", "given", "allowed", "likely cause", "next step")
-
-
-def assert_five_parts(ran, *words: str) -> None:
-    assert ran.code == 2, ran.err
-    assert "Traceback" not in ran.err + ran.out
-    for part in PARTS:
-        assert part in ran.err, (part, ran.err)
-    for word in words:
-        assert word in ran.err, (word, ran.err)
 
 
 def test_bands_writes_its_files_and_a_table(haptonic, study, tmp_path):

@@ -30,7 +30,10 @@ def test_the_shown_bound_is_never_smaller_than_the_bound(frequency, error):
 
 def test_expressions_in_words():
     assert readable("cell.pillar.diameter / cell.pitch") == "pillar diameter / pitch"
-    assert readable("material.youngs_modulus") == "material youngs modulus"
+    assert readable("material.youngs_modulus") == "Young's modulus"
+    assert readable("material.youngs_modulus / material.density") == "Young's modulus / density"
+    assert readable("material.poisson_ratio * cell.pitch_y") == "Poisson ratio * pitch along y"
+    assert readable("cell.pillar.step.diameter") == "pillar step diameter"
     assert scaled_unit("1") == ("dimensionless", 1.0)
     assert scaled_unit("m") == ("mm", 1e3)
     assert scaled_unit("kg/m^3") == ("kg/m^3", 1.0)

@@ -1,4 +1,4 @@
-"""The reference study as text, for tests that change a line of it."""
+"""The reference study and one that gives every key, for tests that change a line of them."""
 
 from pathlib import Path
 
@@ -15,6 +15,11 @@ def reference_path() -> Path:
 @pytest.fixture(scope="session")
 def reference_text(reference_path) -> str:
     return reference_path.read_text("utf-8")
+
+
+@pytest.fixture(scope="session")
+def every_key_text() -> str:
+    return (ROOT / "tests" / "data" / "every_key.toml").read_text("utf-8")
 
 
 @pytest.fixture

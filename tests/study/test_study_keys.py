@@ -23,11 +23,11 @@ def paths_of(data, prefix=""):
             yield f"{prefix}{name}"
 
 
-def test_every_key_of_the_reference_study_is_in_the_table(reference_path):
-    given = set(paths_of(tomllib.loads(reference_path.read_text("utf-8"))))
-    assert given <= set(KEYS)
-    left_out = {path for path, key in KEYS.items() if key.kind not in {"table", "tables"}} - given
-    assert left_out == {"cell.pitch_y", "material.source", "mesh.order", "mesh.foot_rings"}
+def test_the_table_has_every_key_and_no_other(every_key_text, reference_text):
+    given = set(paths_of(tomllib.loads(every_key_text)))
+    assert given == {path for path, key in KEYS.items() if key.kind not in {"table", "tables"}}
+    assert set(paths_of(tomllib.loads(reference_text))) < given
+    loads(every_key_text)
 
 
 def test_every_key_explains_itself():
@@ -54,11 +54,11 @@ def test_declared_once_and_read_everywhere():
 
 
 @pytest.mark.parametrize("path", [path for path, key in KEYS.items() if key.required])
-def test_required_keys_are_those_that_cannot_be_left_out(path, reference_path):
+def test_required_keys_are_those_that_cannot_be_left_out(path, every_key_text):
     *sections, name = re.split(r"\[?\]?\.", path)
     lines: list[str] = []
     heading, skipping = "", False
-    for line in reference_path.read_text("utf-8").splitlines():
+    for line in every_key_text.splitlines():
         if line.startswith("["):
             heading = line.strip("[] ")
             skipping = not sections and (heading == name or heading.startswith(f"{name}."))
@@ -67,6 +67,29 @@ def test_required_keys_are_those_that_cannot_be_left_out(path, reference_path):
             lines.append(line)
     with pytest.raises(StudyError, match="left out"):
         loads("\n".join(lines))
+
+
+@pytest.mark.parametrize(
+    "path", [path for path, key in KEYS.items() if not key.required and key.kind not in {"table", "tables"}]
+)
+def test_every_other_key_can_be_left_out_of_its_table(path, every_key_text):
+    """Alone, unless another key is there only because of it."""
+    together = {
+        "cell.lattice": {"cell.pitch_y"},
+        "cell.pitch_y": {"cell.lattice"},
+        **{f"design.finger_{name}": {f"design.finger_{n}" for n in ("force", "span", "deflection")}
+           for name in ("force", "span", "deflection")},
+    }.get(path, set()) | {path}  # fmt: skip
+    heading, lines = "", []
+    for line in every_key_text.splitlines():
+        heading = line.strip("[] ") if line.startswith("[") else heading
+        plain = f"{heading}.{line.split('=')[0].strip()}".lstrip(".")
+        if plain not in {re.sub(r"\[\]", "", each) for each in together}:
+            lines.append(line)
+    study = loads("\n".join(lines))
+    default = KEYS[path].default
+    found = {re.sub(r"\[[0-9]+\]", "[]", name): value for name, value, _ in leaves(study)}
+    assert found.get(path, "") == default or float(found[path]) == float(default)
 
 
 def test_bounds_are_those_that_are_checked():

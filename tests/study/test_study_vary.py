@@ -3,7 +3,7 @@
 import math
 
 import pytest
-from hypothesis import given, settings
+from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
 from haptonic.errors import StudyError
@@ -53,16 +53,34 @@ def by_python(text, parameters):
     return eval(text)  # a text that this test wrote itself
 
 
+ZEROS = {name for name, value in PARAMETERS.items() if value == 0}
+
+
+def test_some_parameters_are_zero():
+    assert {"cell.pillar.draft", "cell.pillar.fillet"} == ZEROS
+
+
 @settings(deadline=None)
 @given(expressions())
 def test_value_is_that_of_ordinary_arithmetic(text):
-    assert parse(text).value(PARAMETERS) == pytest.approx(by_python(text, PARAMETERS), rel=1e-12)
+    expression = parse(text)
+    if any(name in ZEROS and power < 0 for name, power in expression.powers):
+        with pytest.raises(StudyError, match="is zero in this study"):
+            expression.value(PARAMETERS)
+        return
+    assume(not {name for name in ZEROS if name in text} - dict(expression.powers).keys())  # 0 / 0 cancels
+    assert expression.value(PARAMETERS) == pytest.approx(by_python(text, PARAMETERS), rel=1e-12)
 
 
 @settings(deadline=None)
 @given(expressions(), st.floats(0.5, 2.0))
 def test_solved_study_has_the_value_and_nothing_else_changed(text, factor):
     expression = parse(text)
+    if ZEROS & dict(expression.powers).keys():
+        with pytest.raises(StudyError, match="no finite"):
+            solve(expression, factor, STUDY)
+        return
+    assume(not any(name in text for name in ZEROS))
     wanted = expression.value(PARAMETERS) * factor
     solved = solve(expression, wanted, STUDY)
     assert by_python(text, solved.parameters()) == pytest.approx(wanted, rel=1e-12)
@@ -188,6 +206,50 @@ def test_parameter_that_is_zero_cannot_be_divided_out():
     lossless: Study = STUDY.with_parameter("material.loss_factor", 0.0)
     with pytest.raises(StudyError, match=r"no finite cell\.pitch"):
         solve(parse("cell.pitch * material.loss_factor"), 1e-6, lossless)
+
+
+@pytest.mark.parametrize(
+    ("vary", "zero", "ends"),
+    [
+        ("1 / cell.pillar.draft", "cell.pillar.draft", (2, 4)),  # its own value would be infinite
+        ("cell.thickness / cell.pillar.fillet", "cell.pillar.fillet", (2, 4)),
+        ("cell.pitch / cell.pillar.draft", "cell.pillar.draft", ("1 mm/rad", "2 mm/rad")),
+        ("cell.pillar.height / cell.pitch / material.loss_factor", "material.loss_factor", (2, 4)),
+    ],
+)
+def test_sweep_that_divides_by_zero_is_refused(edited, vary, zero, ends):
+    low, high = (f'"{end}"' if isinstance(end, str) else end for end in ends)
+    text = edited(
+        ("loss_factor = 1e-3\n", ""),
+        ("cell.pillar.diameter / cell.pitch", vary),
+        ("from = 0.2", f"from = {low}"), ("to = 0.8", f"to = {high}"),
+    )  # fmt: skip
+    with pytest.raises(StudyError) as caught:
+        loads(text)
+    assert caught.value.argument == "study: sweep[1].vary"
+    assert caught.value.cause == f"{zero} is zero in this study"
+    assert zero in caught.value.next_step
+    assert all(caught.value.parts().values())
+
+
+def test_sweep_that_multiplies_by_zero_is_refused(edited):
+    text = edited(
+        ("cell.pillar.diameter / cell.pitch", "cell.thickness * cell.pillar.fillet / cell.pitch / cell.pitch")
+    )
+    with pytest.raises(StudyError, match=r"no finite cell\.thickness") as caught:
+        loads(text)
+    assert caught.value.argument.startswith("study: sweep[1]")
+
+
+def test_zero_itself_can_be_swept(edited):
+    text = edited(
+        ("cell.pillar.diameter / cell.pitch", "cell.pillar.draft"), ("from = 0.2", "from = 0"),
+        ("to = 0.8", 'to = "4 deg"'),
+    )  # fmt: skip
+    study = loads(text)
+    drafts = [design.unit_cell().pillar.draft for design in study.designs(study.sweep[0])]
+    assert drafts[0] == 0
+    assert drafts[-1] == pytest.approx(math.radians(4), rel=1e-15)
 
 
 def test_poisson_ratio_can_pass_through_zero():

@@ -33,6 +33,8 @@ from haptonic.store import Store
 from haptonic.study import Study, load
 from haptonic.units import format_quantity
 from haptonic.workshop import write_drawing, write_dxf, write_step, write_stl
+from haptonic.workshop.dimensions import dimensions_of
+from haptonic.workshop.shape import in_mm
 
 
 def design(
@@ -47,6 +49,8 @@ def design(
     """The cell whose gap holds the carrier with the widest margin, within the study's [design]."""
     with speaking(json, KEPT) as voice:
         loaded = load(study)
+        if pareto:
+            loaded.need_pitches()
         folder = folder_for(study, out, json, "design")
         names = ["search", *["front"] * pareto]
         files = ["design.toml", *(f"{name}.nc" for name in names), *pictures(names)]
@@ -128,8 +132,10 @@ def export(
         wanted = {"step": step, "dxf": dxf, "stl": stl, "pdf": drawing}
         kinds = [kind for kind, asked in wanted.items() if asked] or list(wanted)
         refuse_taken(folder, [f"{stem}.{kind}" for kind in kinds], overwrite=overwrite)
+        in_mm(cell, columns, rows)  # refuses impossible numbers of cells before anything is computed
         written = []
         with voice.busy("files for the workshop"):
+            tolerances = drawn_tolerances(loaded) if "pdf" in kinds else {}
             for kind, writer in {"step": write_step, "dxf": write_dxf, "stl": write_stl}.items():
                 if kind in kinds:
                     written.append(
@@ -139,7 +145,7 @@ def export(
                 written.append(
                     write_drawing(
                         folder / f"{stem}.pdf", cell, loaded.title, columns, rows,
-                        tolerances=drawn_tolerances(loaded), overwrite=overwrite,
+                        tolerances=tolerances, overwrite=overwrite,
                     )
                 )  # fmt: skip
         for path in written:
@@ -150,13 +156,14 @@ def export(
 def drawn_tolerances(study: Study) -> dict[str, float]:
     """Half-widths (SI) of the sizes that the study gives spreads for: the loosest that keep its confidence.
 
-    Nothing if it gives none, or if even perfect machining would not do.
+    Nothing if it gives none, or if even perfect machining would not do; nothing either for a draft of zero,
+    which the drawing does not show.
     """
     if not study.tolerance.of:
         return {}
     loosest = study.toleranced().loosest
-    spreads = [one.frozen() for one in study.tolerance.of]
-    return {s.path: loosest * s.half_range for s in spreads if s.is_machined and loosest > 0}
+    spreads, shown = [one.frozen() for one in study.tolerance.of], dimensions_of(study.unit_cell())
+    return {s.path: loosest * s.half_range for s in spreads if s.path in shown and loosest > 0}
 
 
 def design_table(study: Study, result: Design) -> Table:

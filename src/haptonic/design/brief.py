@@ -19,6 +19,7 @@ Array = NDArray[np.float64]
 
 LEAST_GAP = 0.02  # between pillars, as a share of the pitch, if no tool asks for more
 LEAST_TIP = 0.1  # narrowest width of a pillar, as a share of that at its foot
+SLACK = 1e-6  # by which a limit may be missed
 MARGIN = 1e-3  # by which a starting point meets its limits
 # centre of a long plate with clamped sides under a force: w = factor * F * span^2 / D (Timoshenko and
 # Woinowsky-Krieger, Theory of Plates and Shells, table 37, the limit of long plates)
@@ -51,7 +52,7 @@ class Brief:
     tool : diameter (m) of the end mill that has to pass between two pillars, or None
     reach : how deep (m) that end mill can cut, or None
     finger : what the plate has to bear, or None
-    held : by path, values (SI) that differ from the cell's but do not change
+    held : by path, values (SI) instead of the cell's own; alone they need not make a possible cell
     """
 
     cell: UnitCell
@@ -152,7 +153,7 @@ class Brief:
 
     def allows(self, share: Array) -> bool:
         """Whether a place in the box meets all limits."""
-        return min(self.limits(share).values(), default=0.0) >= 0
+        return min(self.limits(share).values(), default=0.0) >= -SLACK
 
     def check(self) -> None:
         """Refuse bounds that contradict each other, or that leave no design.
@@ -162,8 +163,8 @@ class Brief:
         StudyError : which limits cannot be met together, and by how much they miss
         """
         start = self.feasible(np.full(len(self.bounds), 0.5))
-        worst = min(self.limits(start).items(), key=lambda item: item[1], default=("", 0.0))
-        if worst[1] < -1e-6:
+        if not self.allows(start):
+            worst = min(self.limits(start).items(), key=lambda item: item[1])
             raise StudyError(
                 argument="design",
                 given=f"bounds of {', '.join(self.paths) or 'nothing'}",

@@ -194,7 +194,7 @@ class Chances:
         indices = st.sobol_indices(
             func=lambda x: self.surface.at(x.T).T, n=2**11, dists=[s.frozen for s in self.spreads], rng=1
         )
-        return np.asarray(indices.total_order).T
+        return np.asarray(indices.total_order).reshape(2, -1).T  # SciPy drops the axis of a single parameter
 
 
 def first_order(slopes: Array, spreads: Sequence[Spread]) -> Array:

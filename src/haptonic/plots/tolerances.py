@@ -28,7 +28,7 @@ def tolerance(dataset: xr.Dataset) -> Figure:
     _draw_edges(edges, dataset)
     _draw_shares(shares, dataset)
     handles = [handle for axes in (edges, shares) for handle in axes.get_legend_handles_labels()[0]]
-    figure.legend(handles=handles, loc="outside lower center", ncols=2)
+    figure.legend(handles=handles, loc="outside lower center", ncols=3)
     return figure
 
 
@@ -37,11 +37,12 @@ def _draw_edges(axes: Axes, dataset: xr.Dataset) -> None:
     carrier, margin = (float(dataset.attrs[name]) / 1e3 for name in ("carrier_hz", "margin_hz"))
     bins = np.linspace(min(drawn.min(), carrier), max(drawn.max(), carrier), 90).tolist()
     for side, (label, colour) in enumerate(SIDES):
-        axes.hist(drawn[:, side], bins=bins, color=colour, alpha=0.85, label=label)
-    axes.axvline(carrier, color=style.CARRIER, ls=style.DASHED, lw=1.2, label=f"carrier {carrier:g} kHz")
+        axes.hist(drawn[:, side], bins=bins, color=colour, alpha=0.85, label=label, gid=label)
+    axes.axvline(carrier, color=style.CARRIER, ls=style.DASHED, lw=1.2, label=f"carrier {carrier:g} kHz",
+                 gid="carrier")  # fmt: skip
     if margin:
         axes.axvspan(carrier - margin, carrier + margin, color=style.CARRIER, alpha=0.12, lw=0,
-                     label=f"margin {margin:g} kHz")  # fmt: skip
+                     label=f"margin {margin:g} kHz", gid="margin")  # fmt: skip
     axes.set_xlabel("frequency (kHz)")
     axes.set_ylabel("plates drawn, in each bin")
 
@@ -51,11 +52,10 @@ def _draw_shares(axes: Axes, dataset: xr.Dataset) -> None:
     place = np.arange(len(names), dtype=float)
     for side, (_, colour) in enumerate(SIDES):
         shift = 0.2 * (1 if side else -1)
-        axes.barh(place + shift, 100 * dataset["total_index"].values[:, side], 0.36, color=colour,
-                  label=None)  # fmt: skip
+        axes.barh(place + shift, 100 * dataset["total_index"].values[:, side], 0.36, color=colour)
         axes.plot(100 * dataset["first_order_share"].values[:, side], place + shift, "D", color=style.INK,
-                  ms=3.5)  # fmt: skip
+                  ms=3.5, clip_on=False, zorder=3, label=None if side else "to first order")  # fmt: skip
     axes.set_yticks(place, names)
-    axes.invert_yaxis()
-    axes.set_xlabel("share of the edge's variance (%): bars, total Sobol index; diamonds, to first order")
+    axes.set_ylim(len(names) - 0.4, -0.6)
+    axes.set_xlabel("share of the edge's variance, total Sobol index (%)")
     axes.set_xlim(0, 105)

@@ -6,6 +6,12 @@ import math
 import re
 
 _SCALED = {"m": ("mm", 1e3), "Hz": ("kHz", 1e-3), "Pa": ("GPa", 1e-9)}
+_PROPERLY = {
+    "material.youngs_modulus": "Young's modulus",
+    "material.poisson_ratio": "Poisson ratio",
+    "cell.pitch_y": "pitch along y",
+}
+_PROPER = re.compile(rf"\b(?:{'|'.join(map(re.escape, _PROPERLY))})\b")
 MOST_DECIMALS = 6
 
 
@@ -27,7 +33,7 @@ def khz(frequency: float, error: float) -> str:
 
 def readable(expression: str) -> str:
     """A swept expression in words: ``cell.pillar.diameter / cell.pitch`` is ``pillar diameter / pitch``."""
-    plain = re.sub(r"\bcell\.", "", expression)
+    plain = re.sub(r"\b(?:cell|material)\.", "", _PROPER.sub(lambda name: _PROPERLY[name[0]], expression))
     return re.sub(r"(?<=[A-Za-z])[._](?=[A-Za-z])", " ", plain)
 
 

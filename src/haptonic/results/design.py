@@ -279,8 +279,17 @@ def _out_of_reach(brief: Brief, best: Visited, gap: Gap | None, seen: Sequence[V
         lower, upper = min(there, key=lambda edges: max(edges[0] - brief.carrier, brief.carrier - edges[1]))
         away = max(lower - brief.carrier, brief.carrier - upper)
         closest = f"the closest gap seen, {lower / 1e3:.2f} to {upper / 1e3:.2f} kHz, "
-        closest += f"misses it by {away / 1e3:.2f} kHz" if away > 0 else "holds it by no more than its error"
+        closest += f"misses it by {max(away, 0.0) / 1e3:.2f} kHz"
     bounds = ", ".join(reached) or "none of the bounds"
+    if gap is not None and gap.lower < brief.carrier < gap.upper:
+        errors = " and ".join(f"{error / 1e3:.2f} kHz" for error in (gap.lower_error, gap.upper_error))
+        return StudyError(
+            argument="bands.accuracy",
+            given=f"edges known to {errors} only",
+            allowed="edges known well enough to say that the carrier lies between them",
+            cause=f"the gap {gap.lower / 1e3:.2f} to {gap.upper / 1e3:.2f} kHz holds it by less than that",
+            next_step="ask for a finer accuracy, or leave [mesh] out",
+        )
     return StudyError(
         argument="carrier",
         given=format_quantity(brief.carrier, "Hz"),

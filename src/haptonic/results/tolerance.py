@@ -29,12 +29,11 @@ from haptonic.design.tolerance import (
     samples,
     terms_needed,
 )
-from haptonic.errors import GeometryError, StudyError
+from haptonic.errors import HaptonicError, StudyError
 from haptonic.jobs import Task
 from haptonic.results.carrier import gap_around
 from haptonic.results.common import Asked, key_of, stamped
 from haptonic.results.runner import Runner
-from haptonic.superelement import FoldedMesh, condensed
 from haptonic.units import format_quantity
 
 Array = NDArray[np.float64]
@@ -136,7 +135,7 @@ def compute_tolerance(
         )
     try:
         designs = samples(cell, spreads, count)
-    except GeometryError as error:
+    except HaptonicError as error:
         raise StudyError(
             argument="tolerance.of",
             given="spreads that lead to bodies that cannot be",
@@ -198,12 +197,14 @@ def edge_slopes(cell: UnitCell, gap: Gap, paths: Sequence[str]) -> Array:
     Where an edge is degenerate, its modes part as a parameter changes: the lower edge follows the steepest of
     them, the upper one the least.
     """
-    shared = FoldedMesh.of(cell, QUICK.plan(cell))
-    superelement = condensed(shared, QUICK.steps, block=QUICK.block, measured=False)
-    columns = []
-    for frequency, kappa, pick in ((gap.lower, gap.lower_kappa, -1), (gap.upper, gap.upper_kappa, 0)):
-        modes = exact_modes(shared, superelement, np.array(kappa), 2 * np.pi * frequency)
-        found = sensitivity(shared, modes, paths)
+    band = gap.between[0]
+    quick = QuickDesign.of(cell, band + 2)
+    fine, columns = quick.model.fine, []
+    for number, kappa, pick in ((band, gap.lower_kappa, -1), (band + 1, gap.upper_kappa, 0)):
+        # from the same mesh: another one's frequency may lie nearer to a neighbouring band
+        value = eigenpairs(fine.pencil, np.array(kappa), number)[0][-1]
+        modes = exact_modes(quick.shared, fine.superelement, np.array(kappa), float(np.sqrt(value)))
+        found = sensitivity(quick.shared, modes, paths)
         columns.append([found.slopes[path][pick] for path in paths])
     return np.array(columns).T
 

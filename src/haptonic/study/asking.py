@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from typing import Annotated, Literal
 
 from pydantic import Field, ValidationInfo, field_validator, model_validator
@@ -89,6 +90,15 @@ def _known(path: str) -> str:
     return path
 
 
+def _once(names: Sequence[str], at: str) -> None:
+    """Refuse a parameter that two tables are about."""
+    twice = sorted({name for name in names if names.count(name) > 1})
+    if twice:
+        raise problem(
+            f"{twice[0]}, twice", "every parameter once", "a table was copied", "remove one of them", at=at
+        )
+
+
 def _in_its_unit(value: object, info: ValidationInfo) -> float:
     if "parameter" not in info.data:  # refused already; without it the unit is not known
         return 0.0
@@ -165,13 +175,7 @@ class DesignSection(Section):
 
     @model_validator(mode="after")
     def _is_whole(self) -> DesignSection:
-        names = [one.parameter for one in self.vary]
-        twice = sorted({name for name in names if names.count(name) > 1})
-        if twice:
-            raise problem(
-                f"{twice[0]}, twice", "every parameter once", "a table was copied", "remove one of them",
-                at="vary",
-            )  # fmt: skip
+        _once([one.parameter for one in self.vary], "vary")
         given = (self.finger_force, self.finger_span, self.finger_deflection)
         if None in given and given != (None, None, None):
             raise problem(
@@ -250,3 +254,8 @@ class ToleranceSection(Section):
     samples: Annotated[int, Field(ge=16, le=4096, strict=True)] = Field(
         64, title="Samples", description="Designs that are computed."
     )
+
+    @model_validator(mode="after")
+    def _differs_once(self) -> ToleranceSection:
+        _once([one.parameter for one in self.of], "of")
+        return self

@@ -53,7 +53,7 @@ class Quantity:
         return self._bounded(number, value)
 
     def _bounded(self, number: float, given: object) -> float:
-        if self.above < number < self.below and self.at_least <= number <= self.at_most:
+        if self.holds(number):
             return number + 0.0  # a negative zero becomes the ordinary one, which is written the same
         size = self.unit == "m"
         if math.isnan(number):
@@ -67,6 +67,10 @@ class Quantity:
         text = shown(given) if isinstance(given, str) else format_quantity(number, self.unit)
         hint = self.hint if number >= min(self.below, self.at_most) else ""
         raise problem(text, self.allowed, cause, hint or f"choose a value that is {self.limits}")
+
+    def holds(self, number: float) -> bool:
+        """Whether a value (in ``unit``) lies within the hard bounds."""
+        return self.above < number < self.below and self.at_least <= number <= self.at_most
 
     @property
     def limits(self) -> str:

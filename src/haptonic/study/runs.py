@@ -162,22 +162,27 @@ class Study(Description):
             runner=runner or Runner(Store.default()),
         )
 
+    def need_pitches(self) -> None:
+        """Raise StudyError unless the pitch and something else may change, which `front` needs."""
+        names = [one.parameter for one in self.design.vary]
+        if "cell.pitch" not in names or len(names) < 2:
+            raise StudyError(
+                argument="design.vary",
+                given=", ".join(names) or "nothing",
+                allowed="cell.pitch and at least one other parameter",
+                cause="the front shows the best margin of each pitch",
+                next_step="let both vary, or leave --pareto out",
+            )
+
     def front(self, best: Design, runner: Runner | None = None) -> xr.Dataset:
         """The widest margin against the pitch, between its bounds; ``best`` is from `designed`.
 
         Raises
         ------
-        StudyError : the pitch, or nothing but the pitch, may change
+        StudyError : the pitch does not change, or nothing else does
         """
+        self.need_pitches()
         brief, count = self.brief(), self.design.pitches
-        if "cell.pitch" not in brief.bounds or len(brief.bounds) < 2:
-            raise StudyError(
-                argument="design.vary",
-                given=", ".join(brief.bounds),
-                allowed="cell.pitch and at least one other parameter",
-                cause="the front shows the best margin of each pitch",
-                next_step="let both vary, or leave --pareto out",
-            )
         low, high = brief.bounds["cell.pitch"]
         pitches = [low + (high - low) * i / (count - 1) for i in range(count)]
         runner = runner or Runner(Store.default())

@@ -23,7 +23,7 @@ from pydantic import (
 from haptonic.bloch.resolution import LADDER, Resolution, starting_rung
 from haptonic.cell import UnitCell
 from haptonic.design.parameters import values_of
-from haptonic.errors import HaptonicError
+from haptonic.errors import HaptonicError, StudyError
 from haptonic.lattice import Lattice
 from haptonic.materials import Material, material
 from haptonic.results import Asked
@@ -155,6 +155,7 @@ class Description(Section):
             ) from None
         self._names_what_the_cell_has()
         for row, sweep in enumerate(self.sweep, start=1):
+            self._gives_what_is_named(sweep.expression, f"sweep[{row}].vary")
             for step, value in enumerate(sweep.values, start=1):
                 try:
                     solve(sweep.expression, value, self)
@@ -169,8 +170,17 @@ class Description(Section):
                     ) from None
         return self
 
+    def _gives_what_is_named(self, expression: Expression, at: str) -> None:
+        """Refuse an expression that has no value for the study's own parameters."""
+        try:
+            check_names(expression, self.parameters(), self.absent_parameters())
+            expression.value(self.parameters())
+        except StudyError as error:
+            raise problem(error.given, error.allowed, error.cause, error.next_step, at=at) from None
+
     def _names_what_the_cell_has(self) -> None:
-        """Refuse parameters of a design or a tolerance that this study's cell does not have."""
+        """Refuse parameters of a design or a tolerance that this study's cell does not have, and designs that
+        could not be written as a study."""
         there = values_of(self.unit_cell())
         named = {f"design.vary[{i}]": one.parameter for i, one in enumerate(self.design.vary, start=1)}
         named |= {f"tolerance.of[{i}]": one.parameter for i, one in enumerate(self.tolerance.of, start=1)}
@@ -183,6 +193,22 @@ class Description(Section):
                     "give it in [cell] first, or leave this table out",
                     at=f"{at}.parameter",
                 )
+        absent, keys = self.absent_parameters(), table(Description)
+        for i, one in enumerate(self.design.vary, start=1):
+            at, path = f"design.vary[{i}]", one.parameter
+            if path in absent:
+                raise problem(
+                    path, "a parameter that this study gives", absent[path],
+                    "give it in this study, or leave this table out", at=f"{at}.parameter",
+                )  # fmt: skip
+            quantity = keys[path].quantity
+            assert quantity is not None, path
+            for name, value in (("from", one.start), ("to", one.stop)):
+                if not quantity.holds(value):
+                    raise problem(
+                        format_quantity(value, one.unit), f"{path} has to be {quantity.limits}",
+                        "designs there would not be possible", "choose a narrower range", at=f"{at}.{name}",
+                    )  # fmt: skip
 
     def resolved_material(self) -> Material:
         """The material as the core computes with it."""

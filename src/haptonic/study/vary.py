@@ -56,7 +56,21 @@ class Expression:
     constant: float
 
     def value(self, parameters: Mapping[str, float]) -> float:
-        """Value for parameters in SI units."""
+        """Value for parameters in SI units.
+
+        Raises
+        ------
+        StudyError : it is divided by a parameter that is zero
+        """
+        zeros = [name for name, power in self.powers if power < 0 and parameters[name] == 0]
+        if zeros:
+            raise StudyError(
+                argument="sweep.vary",
+                given=shown(self.text),
+                allowed="an expression that is not divided by zero",
+                cause=f"{zeros[0]} is zero in this study",
+                next_step=f"give {zeros[0]} another value, or leave it out of the expression",
+            )
         return self.constant * math.prod(parameters[name] ** power for name, power in self.powers)
 
     def unit(self, units: Mapping[str, str]) -> str:

@@ -1,0 +1,344 @@
+"""The way from a question to the workshop: design, tolerance, export.
+
+Refusals that need no computing run in this process, which saves each the seconds of a start.
+"""
+
+from __future__ import annotations
+
+import json
+import re
+from itertools import pairwise
+from types import SimpleNamespace
+
+import numpy as np
+import pytest
+import xarray as xr
+from matplotlib.text import Text
+from scipy.stats import truncnorm
+
+import haptonic as package
+from five_parts import assert_five_parts
+from haptonic.bloch import gaps_of
+from haptonic.cli import designing
+from haptonic.cli.app import app
+from haptonic.store import Store
+from haptonic.workshop import cell_drawing
+
+SWEEP = """
+[[sweep]]
+vary = "cell.pillar.diameter / cell.pitch"
+from = 0.4
+to = 0.6
+steps = 3
+"""
+CONSTANTS = '[material]\nyoungs_modulus = "70 GPa"\npoisson_ratio = 0.33\ndensity = "2700 kg/m^3"\n\n[cell]\n'
+FINE = ("order = 2\nfoot_rings = 0", "order = 3\nfoot_rings = 1")
+BUILT_IN = ('material = "aluminium-paper"\n', "")
+LIMITS = "[design]\nstarts = 1\nclimbs = 1\nsteps = 2\npitches = 2\n"
+HEIGHT = '[[design.vary]]\nparameter = "cell.pillar.height"\nfrom = "14 mm"\nto = "16 mm"\n'
+PITCH = '[[design.vary]]\nparameter = "cell.pitch"\nfrom = "3 mm"\nto = "6.8 mm"\n'
+DENSITY = '[[design.vary]]\nparameter = "material.density"\nfrom = "2600 kg/m^3"\nto = "2800 kg/m^3"\n'
+SPREAD = '[[tolerance.of]]\nparameter = "{}"\nspread = "{}"\n'
+TOLERANCE = "[tolerance]\nsamples = 16\n" + SPREAD.format("cell.pillar.height", "20 um")
+
+
+@pytest.fixture
+def asking(study):
+    """Write the quick study with tables in place of its sweep."""
+
+    def write(*tables: str, changes: tuple[tuple[str, str], ...] = ()):
+        return study((SWEEP, "\n" + "\n".join(tables)), *changes, name="asking.toml")
+
+    return write
+
+
+@pytest.fixture
+def here(capsys, monkeypatch, tmp_path, store_folder):
+    """Run the program in this process."""
+
+    def run(*arguments: object):
+        monkeypatch.setenv("HAPTONIC_STORE", str(store_folder))
+        monkeypatch.setenv("COLUMNS", "200")
+        monkeypatch.setenv("NO_COLOR", "1")
+        monkeypatch.chdir(tmp_path)
+        capsys.readouterr()
+        with pytest.raises(SystemExit) as ended:
+            app([str(argument) for argument in arguments])
+        out, err = capsys.readouterr()
+        return SimpleNamespace(code=ended.value.code or 0, out=out, err=err)
+
+    return run
+
+
+class TestDesign:
+    @pytest.fixture
+    def question(self, asking):
+        return asking(LIMITS, HEIGHT, PITCH, DENSITY, changes=(FINE, BUILT_IN, ("[cell]\n", CONSTANTS)))
+
+    def test_a_design_is_found_written_and_holds_the_carrier(
+        self, haptonic, question, here, tmp_path, store_folder
+    ):
+        out = tmp_path / "out"
+        ran = haptonic("design", question, "--pareto", "--json", "--out", out)
+        assert ran.code == 0, ran.err
+        assert len(ran.out.splitlines()) == 1
+        answer = ran.json
+        assert {path.name for path in out.iterdir()} == {
+            "design.toml", "search.nc", "search.svg", "search.png", "front.nc", "front.svg", "front.png",
+        }  # fmt: skip
+
+        found = package.load(out / "design.toml")
+        assert answer["study"] == (out / "design.toml").read_text("utf-8")
+        own = package.load(question)
+        assert found == own.with_parameters(answer["values"])
+        assert found.design == own.design
+        bounds = {one.parameter: (one.start, one.stop) for one in own.design.vary}
+        assert answer["values"].keys() == bounds.keys()
+        for path, (low, high) in bounds.items():
+            assert low <= answer["values"][path] <= high
+            assert found.parameters()[path] == answer["values"][path]
+        assert found.cell.pitch != own.cell.pitch
+
+        # the edges that the command promises are those of the written study
+        gap = next(
+            g
+            for g in gaps_of(found.bands(store=Store(store_folder)).dataset)
+            if g.complete and g.lower < 60e3 < g.upper
+        )
+        promised = answer["gap"]
+        assert promised["between"] == list(gap.between)
+        assert promised["lower_hz"] == pytest.approx(gap.lower, abs=promised["lower_error_hz"])
+        assert promised["upper_hz"] == pytest.approx(gap.upper, abs=promised["upper_error_hz"])
+        below = 60e3 - promised["lower_hz"] - promised["lower_error_hz"]
+        above = promised["upper_hz"] - promised["upper_error_hz"] - 60e3
+        assert answer["margin_hz"] == pytest.approx(min(below, above), rel=1e-9)
+        assert answer["margin_hz"] > 0
+
+        stages = [each["stage"] for each in answer["seen"]]
+        assert sorted(stages, key=["look", "climb", "polish"].index) == stages
+        assert set(stages) == {"look", "climb", "polish"}
+        margins = [each["margin"] for each in answer["seen"] if each["stage"] == "polish"]
+        assert all(a < b for a, b in pairwise(margins))
+        data = xr.load_dataset(out / "search.nc", engine="h5netcdf")
+        assert data.attrs["origin"] == "simulated"
+        assert json.loads(data.attrs["inputs"])["cell"]["pitch"] == 0.007
+        assert data["lower"].values.tolist() == [each["lower_hz"] for each in answer["seen"]]
+
+        # a pitch that leaves no room for the pillar is shown as such
+        front = answer["front"]
+        assert front["pitch"] == pytest.approx([0.003, 0.0068])
+        assert (front["lower"][0], front["upper"][0], front["margin"][0]) == (None, None, None)
+        assert front["lower"][1] < 60e3 < front["upper"][1]
+        assert front["margin"][1] == pytest.approx(
+            min(60e3 - front["lower"][1], front["upper"][1] - 60e3) / 60e3
+        )
+
+        # once more, for a person: from the store, and not over the same files
+        again = here("design", question, "--pareto", "--out", tmp_path / "again")
+        assert again.code == 0, again.err
+        for words in ("design found", "margin of the carrier", "cell.pillar.height", "14.7 mm",
+                      "widest gap around the carrier", "none", f"files: {tmp_path / 'again'}"):  # fmt: skip
+            assert words in again.out.replace("\n", ""), words
+        assert (tmp_path / "again" / "design.toml").read_text() == (out / "design.toml").read_text()
+        for name in ("search.svg", "front.png"):
+            assert (tmp_path / "again" / name).read_bytes() == (out / name).read_bytes()
+
+    def test_it_refuses_to_overwrite_before_computing(self, here, question, tmp_path, monkeypatch):
+        out = tmp_path / "out"
+        out.mkdir()
+        (out / "front.nc").write_text("mine")
+        monkeypatch.setattr(package.Study, "designed", lambda *_: pytest.fail("computed"))
+        assert_five_parts(here("design", question, "--out", out, "--pareto"), "front.nc", "overwrite")
+        assert [path.name for path in out.iterdir()] == ["front.nc"]
+        assert (out / "front.nc").read_text() == "mine"
+
+    def test_bounds_that_contradict_each_other(self, here, asking):
+        path = asking('[design]\nslenderness = 3\nreach = "20 mm"\n', HEIGHT)
+        assert_five_parts(here("design", path), "design", "cell.pillar.height", '"slenderness"', "relax")
+
+    def test_bounds_upside_down(self, here, asking):
+        path = asking(HEIGHT.replace("16 mm", "12 mm"))
+        assert_five_parts(here("design", path), "design.vary[1].to", "12 mm", "14 mm")
+
+    def test_a_carrier_out_of_reach_says_how_close_and_what_holds_it_back(self, haptonic, asking, tmp_path):
+        """Higher frequencies want shorter pillars; nothing goes from 60 to 75 kHz by a millimetre."""
+        path = asking(LIMITS, HEIGHT, changes=(("60 kHz", "75 kHz"),))
+        ran = haptonic("design", path, "--out", tmp_path / "out")
+        assert_five_parts(ran, "carrier", "75 kHz", "the closest", "held back by", "14 mm", "widen")
+        lower, upper = map(float, re.search(r"([0-9.]+) to ([0-9.]+) kHz", ran.err).groups())
+        assert 50 < lower < upper < 75
+        assert not (tmp_path / "out" / "design.toml").exists()
+
+    def test_a_model_too_coarse_to_tell_says_so(self, haptonic, asking):
+        """The closest design does hold the carrier, if only the edges' errors were smaller."""
+        ran = haptonic("design", asking(LIMITS, HEIGHT))
+        assert_five_parts(ran, "bands.accuracy", "may be off by so much", "finer accuracy")
+
+    def test_nothing_to_vary(self, here, study, tmp_path):
+        assert_five_parts(
+            here("design", study(), "--out", tmp_path / "out"), "design.vary", "[[design.vary]]"
+        )
+
+    def test_no_carrier(self, here, asking):
+        path = asking(HEIGHT, TOLERANCE, changes=(('carrier = "60 kHz"\n', ""),))
+        for command in ("design", "tolerance"):
+            assert_five_parts(here(command, path), "carrier", "nothing", 'add carrier = "60 kHz"')
+
+    @pytest.mark.parametrize("tables", [[HEIGHT], [PITCH], []], ids=["no pitch", "only the pitch", "nothing"])
+    def test_pareto_needs_the_pitch_and_says_so_before_computing(self, here, asking, tables, monkeypatch):
+        monkeypatch.setattr(package.Study, "designed", lambda *_: pytest.fail("computed"))
+        ran = here("design", asking(*tables), "--pareto")
+        assert_five_parts(ran, "design.vary", "cell.pitch and at least one other", "leave --pareto out")
+
+    def test_an_error_is_one_object_for_machines(self, here, study):
+        ran = here("design", study(), "--json")
+        assert ran.code == 2
+        assert json.loads(ran.out)["error"]["argument"] == "design.vary"
+
+
+class TestTolerance:
+    def test_chances_and_export_with_the_tolerances_found(
+        self, haptonic, asking, here, tmp_path, monkeypatch
+    ):
+        path, out = asking(TOLERANCE, changes=(FINE,)), tmp_path / "out"
+        ran = haptonic("tolerance", path, "--json", "--out", out)
+        assert ran.code == 0, ran.err
+        assert len(ran.out.splitlines()) == 1
+        answer = ran.json
+        assert {p.name for p in out.iterdir()} == {"tolerance.nc", "tolerance.svg", "tolerance.png"}
+        (row,) = answer["parameters"]
+        assert row["parameter"] == "cell.pillar.height"
+        assert all(slope < 0 for slope in row["slope_hz_per_si"])  # a taller pillar is a lower gap
+        assert row["first_order_share"] == [1.0, 1.0]
+        assert row["total_index"] == pytest.approx([1.0, 1.0], abs=1e-3)
+        # one parameter: to first order the deviation is that of a normal distribution cut at three sigma
+        width = 20e-6 * np.sqrt(0.97333)
+        wanted = [-slope * width for slope in row["slope_hz_per_si"]]
+        assert answer["edge_deviation_to_first_order_hz"] == pytest.approx(wanted, rel=1e-3)
+        assert answer["edge_deviation_hz"] == pytest.approx(wanted, rel=0.05)
+        # the upper edge is near: the carrier is kept by pillars shorter than some height
+        gap, spread = answer["gap"], truncnorm(-3, 3)
+        assert 60e3 - gap["lower_hz"] > 10 * (gap["upper_hz"] - 60e3) > 0
+        sigmas = (60e3 - gap["upper_hz"]) / row["slope_hz_per_si"][1] / 20e-6
+        assert answer["chance_to_first_order"] == pytest.approx(spread.cdf(sigmas), abs=5e-4)
+        assert answer["chance_of_a_plate"] == pytest.approx(spread.cdf(sigmas), abs=3e-3)
+        assert answer["chance_of_one_pillar"] == answer["chance_of_a_plate"]
+        assert answer["loosest_factor"] == pytest.approx(sigmas / spread.ppf(0.99), rel=0.03)
+        assert answer["largest_factor_tried"] == 2.0
+        data = xr.load_dataset(out / "tolerance.nc", engine="h5netcdf")
+        assert data["edge"].shape == (16, 2)
+        assert data.attrs["origin"] == "simulated"
+
+        # from here on the store has everything
+        spoken = here("tolerance", path, "--out", tmp_path / "again")
+        assert spoken.code == 0, spoken.err
+        for words in ("what moves the edges", "Hz per 10 µm", "100.0%",
+                      f"all 180 of a plate with {answer['chance_of_a_plate']:.2%}",
+                      f"may be {answer['loosest_factor']:.2f} times as loose for 99.0%"):  # fmt: skip
+            assert words in spoken.out, words
+        assert (tmp_path / "again" / "tolerance.svg").read_bytes() == (out / "tolerance.svg").read_bytes()
+
+        shown = []
+        write = designing.write_drawing
+
+        def noted(*args, **options):
+            shown.append(options["tolerances"])
+            return write(*args, **options)
+
+        monkeypatch.setattr(designing, "write_drawing", noted)
+        exported = here("export", path, "--out", tmp_path / "files", "--drawing")
+        assert exported.code == 0, exported.err
+        assert [p.name for p in (tmp_path / "files").iterdir()] == ["asking.pdf"]
+        assert shown == [{"cell.pillar.height": pytest.approx(answer["loosest_factor"] * 3 * 20e-6)}]
+        texts = {text.get_text() for text in cell_drawing(
+            package.load(path).unit_cell(), "", tolerances=shown[0]).findobj(Text)}  # fmt: skip
+        assert f"14.700 ± {1e3 * shown[0]['cell.pillar.height']:.3f}" in texts
+
+    def test_it_refuses_to_overwrite_before_computing(self, here, asking, tmp_path, monkeypatch):
+        (tmp_path / "out").mkdir()
+        (tmp_path / "out" / "tolerance.svg").write_text("mine")
+        monkeypatch.setattr(package.Study, "toleranced", lambda *_: pytest.fail("computed"))
+        assert_five_parts(here("tolerance", asking(TOLERANCE), "--out", tmp_path / "out"), "tolerance.svg")
+        assert (tmp_path / "out" / "tolerance.svg").read_text() == "mine"
+
+    def test_no_spreads(self, here, study):
+        assert_five_parts(here("tolerance", study()), "tolerance.of", "[[tolerance.of]]")
+
+    def test_too_few_samples(self, here, asking):
+        names = ("cell.pillar.height", "cell.pillar.diameter", "cell.thickness")
+        path = asking("[tolerance]\nsamples = 19\n", *(SPREAD.format(name, "20 um") for name in names))
+        assert_five_parts(
+            here("tolerance", path), "tolerance.samples", "at least 20 for 3 spreads", "10 coeff"
+        )
+
+    @pytest.mark.parametrize("carrier", ["40 kHz", "70 kHz"])
+    def test_a_carrier_outside_the_gap(self, here, asking, carrier):
+        path = asking(TOLERANCE, changes=(("60 kHz", carrier),))
+        assert_five_parts(here("tolerance", path), "carrier", carrier, "haptonic design")
+
+    @pytest.mark.parametrize(
+        ("name", "spread", "words"),
+        [
+            ("cell.pillar.diameter", "2 mm", "wider than the cell"),
+            ("cell.thickness", "0.6 mm", "wrong sign"),
+            ("material.youngs_modulus", "40 GPa", "stable solid"),
+        ],
+    )
+    def test_spreads_that_make_no_body(self, here, asking, name, spread, words):
+        path = asking("[tolerance]\nsamples = 16\n", SPREAD.format(name, spread), changes=(FINE,))
+        assert_five_parts(here("tolerance", path), "tolerance.of", name, words, "2 times", "smaller spreads")
+
+
+class TestExport:
+    def test_all_files_unless_some_are_named(self, haptonic, study, tmp_path):
+        ran = haptonic("export", study(), "--out", tmp_path / "all", "--columns", 3, "--rows", 2, "--json")
+        assert ran.code == 0, ran.err
+        kinds = {"step", "dxf", "stl", "pdf"}
+        assert {p.name for p in (tmp_path / "all").iterdir()} == {f"quick.{kind}" for kind in kinds}
+        assert sorted(ran.json["files"]) == sorted(str(p) for p in (tmp_path / "all").iterdir())
+        assert (tmp_path / "all" / "quick.pdf").read_bytes().startswith(b"%PDF")
+        assert "ISO-10303-21" in (tmp_path / "all" / "quick.step").read_text()[:40]
+
+    def test_named_ones_go_to_the_usual_folder(self, here, study, tmp_path):
+        ran = here("export", study(), "--dxf", "--stl")
+        assert ran.code == 0, ran.err
+        folder = tmp_path / "results" / "quick-export"
+        assert {p.name for p in folder.iterdir()} == {"quick.dxf", "quick.stl"}
+        assert "written:" in ran.out
+        single = (folder / "quick.stl").stat().st_size
+        assert here("export", study(), "--stl", "--overwrite", "--columns", 2).code == 0
+        assert (folder / "quick.stl").stat().st_size > 1.5 * single
+
+    def test_nothing_is_written_if_one_name_is_taken(self, here, study, tmp_path):
+        folder = tmp_path / "out"
+        folder.mkdir()
+        (folder / "quick.pdf").write_text("mine")
+        assert_five_parts(here("export", study(), "--out", folder), "quick.pdf")
+        assert [p.name for p in folder.iterdir()] == ["quick.pdf"]
+        assert (folder / "quick.pdf").read_text() == "mine"
+
+    @pytest.mark.parametrize(("option", "number"), [("--columns", 0), ("--rows", -1)])
+    def test_impossible_numbers_of_cells(self, here, asking, tmp_path, option, number, monkeypatch):
+        monkeypatch.setattr(package.Study, "toleranced", lambda *_: pytest.fail("computed"))
+        ran = here("export", asking(TOLERANCE), "--out", tmp_path / "out", option, number)
+        assert_five_parts(ran, option.strip("-"), str(number), "positive integer")
+        assert not list((tmp_path / "out").iterdir())
+
+    def test_nothing_is_written_if_the_tolerances_cannot_be_found(self, here, asking, tmp_path):
+        path = asking(TOLERANCE, changes=(("60 kHz", "40 kHz"),))
+        assert_five_parts(here("export", path, "--out", tmp_path / "out"), "carrier")
+        assert not list((tmp_path / "out").iterdir())
+        assert here("export", path, "--out", tmp_path / "out", "--dxf").code == 0
+
+    def test_only_what_the_drawing_shows_is_toleranced(self, asking, monkeypatch):
+        """A draft of zero is not dimensioned, and a material is not machined."""
+        tables = [
+            SPREAD.format("cell.pillar.draft", "0.1 deg"),
+            SPREAD.format("material.density", "9 kg/m^3"),
+        ]
+        study = package.load(asking(TOLERANCE, *tables))
+        monkeypatch.setattr(package.Study, "toleranced", lambda *_: SimpleNamespace(loosest=0.5))
+        assert designing.drawn_tolerances(study) == {"cell.pillar.height": pytest.approx(0.5 * 3 * 20e-6)}
+        monkeypatch.setattr(package.Study, "toleranced", lambda *_: SimpleNamespace(loosest=0.0))
+        assert designing.drawn_tolerances(study) == {}
+        assert designing.drawn_tolerances(package.load(asking())) == {}

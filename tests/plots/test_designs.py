@@ -1,0 +1,274 @@
+"""Pictures of a search, of its front and of tolerances: what is drawn where, and that it can be read."""
+
+from __future__ import annotations
+
+from itertools import combinations
+
+import numpy as np
+import pytest
+from matplotlib.backends.backend_agg import FigureCanvasAgg
+from matplotlib.colors import to_hex
+from matplotlib.figure import Figure
+from matplotlib.patches import Rectangle
+
+from haptonic import plots
+from haptonic.design.parameters import UNITS
+from haptonic.plots import style
+from made_up import made_up_front, made_up_search, made_up_tolerance
+
+FOUR = ("cell.pillar.diameter", "cell.pillar.height", "material.youngs_modulus", "cell.thickness")
+
+
+def nothing_held():
+    data = made_up_front(3)
+    data["margin"][:] = -0.01
+    return data
+
+
+PICTURES = {
+    "search": lambda: plots.search(made_up_search()),
+    "search without a gap": lambda: plots.search(made_up_search(best=-0.02)),
+    "search of one design": lambda: plots.search(made_up_search(1)),
+    "long search": lambda: plots.search(made_up_search(60)),
+    "front": lambda: plots.front(made_up_front()),
+    "front of two pitches": lambda: plots.front(made_up_front(2)),
+    "front of most pitches": lambda: plots.front(made_up_front(40)),
+    "front that holds nothing": lambda: plots.front(nothing_held()),
+    "tolerance": lambda: plots.tolerance(made_up_tolerance(FOUR)),
+    "tolerance of one": lambda: plots.tolerance(made_up_tolerance(FOUR[:1], margin=0.0)),
+    "tolerance of all": lambda: plots.tolerance(made_up_tolerance(tuple(UNITS))),
+}
+
+
+@pytest.fixture(scope="module")
+def drawn():
+    return {name: draw() for name, draw in PICTURES.items()}
+
+
+def by_gid(figure: Figure, gid: str) -> list:
+    return list(figure.findobj(lambda artist: artist.get_gid() == gid))
+
+
+def in_legend(figure: Figure) -> list[str]:
+    (legend,) = figure.legends
+    return [text.get_text() for text in legend.get_texts()]
+
+
+def bars(axes, colour: str) -> list[Rectangle]:
+    return [
+        p for p in axes.patches if isinstance(p, Rectangle) and to_hex(p.get_facecolor()) == colour.lower()
+    ]
+
+
+def shown_texts(figure: Figure) -> list:
+    """(text, box in pixels) of everything that is written in a figure."""
+    FigureCanvasAgg(figure).draw()
+    found = [text for legend in figure.legends for text in legend.get_texts()]
+    for axes in figure.axes:
+        found += [*axes.texts, axes.title, axes.xaxis.label, axes.yaxis.label]
+        for axis in (axes.xaxis, axes.yaxis):
+            low, high = sorted(axis.get_view_interval())
+            slack = 1e-9 * (high - low)
+            for tick in axis.get_major_ticks():
+                if low - slack <= tick.get_loc() <= high + slack:
+                    found += [tick.label1, tick.label2]
+    seen = [text for text in found if text.get_visible() and text.get_text().strip()]
+    return [(text.get_text(), text.get_window_extent()) for text in seen]
+
+
+@pytest.mark.parametrize("name", PICTURES)
+class TestEveryPicture:
+    def test_no_text_lies_on_another_or_leaves_the_picture(self, drawn, name):
+        figure = drawn[name]
+        texts = shown_texts(figure)
+        assert len(texts) > 5
+        width, height = figure.canvas.get_width_height()
+        for text, box in texts:
+            assert box.x0 >= -1, text
+            assert box.y0 >= -1, text
+            assert box.x1 <= width + 1, text
+            assert box.y1 <= height + 1, text
+        for (one, a), (other, b) in combinations(texts, 2):
+            across = min(a.x1, b.x1) - max(a.x0, b.x0)
+            up = min(a.y1, b.y1) - max(a.y0, b.y0)
+            assert across < 1 or up < 1, (one, other)
+
+    def test_the_legend_is_whole_and_has_no_empty_entry(self, drawn, name):
+        figure = drawn[name]
+        (legend,) = figure.legends
+        FigureCanvasAgg(figure).draw()
+        box, width = legend.get_window_extent(), figure.canvas.get_width_height()[0]
+        assert box.x0 >= -1
+        assert box.x1 <= width + 1
+        labels = in_legend(figure)
+        assert len(set(labels)) == len(labels)
+        allowed = {style.GAP, "#ffffff", style.BLUE, style.ORANGE, style.CARRIER}  # not matplotlib's own blue
+        for handle in legend.get_patches():
+            assert to_hex(handle.get_facecolor()) in {colour.lower() for colour in allowed}
+
+    def test_axes_name_what_they_show_with_its_unit(self, drawn, name):
+        for axes in drawn[name].axes:
+            for label in (axes.get_xlabel(), axes.get_ylabel()):
+                if label and label != "design, in the order of the search" and "plates" not in label:
+                    assert label[label.rindex("(") + 1 : label.rindex(")")] in {"kHz", "mm", "%"}
+
+    def test_the_carrier_is_drawn_where_it_is(self, drawn, name):
+        (line,) = by_gid(drawn[name], "carrier")
+        places = line.get_xdata() if "tolerance" in name else line.get_ydata()
+        assert set(places) == {60.0}
+        assert line.is_dashed()
+        assert "carrier 60 kHz" in in_legend(drawn[name])
+
+    def test_type_is_readable_when_the_picture_is_12_cm_wide(self, drawn, name):
+        figure = drawn[name]
+        shrink = min(1.0, 12 / 2.54 / figure.get_figwidth())
+        for axes in figure.axes:
+            texts = [*axes.texts, axes.xaxis.label, axes.yaxis.label, *axes.get_xticklabels()]
+            assert min(text.get_fontsize() for text in [*texts, *axes.get_yticklabels()]) * shrink > 6.3
+
+    def test_everything_drawn_lies_inside_its_axes(self, drawn, name):
+        for axes in drawn[name].axes:
+            (low_x, high_x), (low, high) = (sorted(limits) for limits in (axes.get_xlim(), axes.get_ylim()))
+            data = [bar for bar in axes.patches if bar.get_data_transform() == axes.transData]
+            for bar in data:
+                assert low_x - 1e-9 <= bar.get_x() <= bar.get_x() + bar.get_width() <= high_x + 1e-9
+                assert low <= bar.get_y() <= bar.get_y() + bar.get_height() <= high
+                assert bar.get_y() > low or "tolerance" in name  # only a histogram stands on the frame
+            assert data or axes.get_ylabel() != "frequency (kHz)" or "holds" in name or "two" in name
+
+    def test_it_is_written(self, drawn, name, tmp_path):
+        svg, png = plots.save(drawn[name], tmp_path, "picture")
+        assert png.read_bytes().startswith(b"\x89PNG")
+        assert svg.stat().st_size < 1e6
+
+
+class TestSearch:
+    def test_bars_span_the_gaps_and_overlaps_are_hatched(self, drawn):
+        data = made_up_search()
+        gaps = drawn["search"].axes[0]
+        there = data["upper"].values > data["lower"].values
+        assert 0 < there.sum() < there.size
+        numbers = np.arange(1, data.sizes["visit"] + 1)
+        spans = np.sort(np.stack([data["lower"].values, data["upper"].values]) / 1e3, axis=0).T
+        for colour, mine, hatched in ((style.GAP, there, False), ("#ffffff", ~there, True)):
+            found = bars(gaps, colour)
+            assert [bar.get_x() + 0.5 * bar.get_width() for bar in found] == pytest.approx(numbers[mine])
+            ends = [(bar.get_y(), bar.get_y() + bar.get_height()) for bar in found]
+            assert np.array(ends) == pytest.approx(spans[mine])
+            assert all(bool(bar.get_hatch()) == hatched for bar in found)
+
+    def test_margins_are_marked_by_stage(self, drawn):
+        data = made_up_search()
+        numbers = np.arange(1, data.sizes["visit"] + 1)
+        for stage in ("look", "climb", "polish"):
+            (line,) = by_gid(drawn["search"], stage)
+            own = data["stage"].values == stage
+            assert line.get_xdata() == pytest.approx(numbers[own])
+            assert line.get_ydata() == pytest.approx(100 * data["margin"].values[own])
+        markers = {by_gid(drawn["search"], stage)[0].get_marker() for stage in ("look", "climb", "polish")}
+        assert len(markers) == 3
+
+    def test_the_legend_has_what_is_drawn_and_nothing_else(self, drawn):
+        everything = {"carrier 60 kHz", "gap", "no gap: bands overlap", "starts", "climbs",
+                      "corrected by the finer model"}  # fmt: skip
+        assert set(in_legend(drawn["search"])) == everything
+        assert set(in_legend(drawn["search without a gap"])) == everything - {"gap"}
+        assert set(in_legend(drawn["search of one design"])) == {
+            "carrier 60 kHz", "no gap: bands overlap", "starts",
+        }  # fmt: skip
+
+    def test_designs_are_counted_in_whole_numbers_from_one(self, drawn):
+        for name in ("search", "search of one design", "long search"):
+            axes = drawn[name].axes[1]
+            low, high = axes.get_xlim()
+            ticks = [tick for tick in axes.get_xticks() if low <= tick <= high]
+            assert len(ticks) >= 1
+            assert all(tick == int(tick) >= 1 for tick in ticks)
+        assert [t for t in drawn["search of one design"].axes[1].get_xticks() if 0.25 < t < 1.75] == [1]
+
+
+class TestFront:
+    def test_bars_span_the_gaps_that_hold_the_carrier(self, drawn):
+        data = made_up_front()
+        held = data["margin"].values > 0
+        assert held.tolist() == [False, False, True, True, True, True]
+        found = bars(drawn["front"].axes[0], style.GAP)
+        middles = [bar.get_x() + 0.5 * bar.get_width() for bar in found]
+        assert middles == pytest.approx(data["pitch"].values[held] * 1e3)
+        ends = [(bar.get_y(), bar.get_y() + bar.get_height()) for bar in found]
+        wanted = np.stack([data["lower"].values, data["upper"].values], axis=1)[held] / 1e3
+        assert np.array(ends) == pytest.approx(wanted)
+
+    def test_widths_stand_above_the_bars(self, drawn):
+        data = made_up_front().isel(design=slice(2, None))
+        texts = drawn["front"].axes[0].texts
+        for text, upper, lower in zip(texts[::-1], data["upper"].values, data["lower"].values, strict=True):
+            assert text.xy[1] == pytest.approx(upper / 1e3)
+            assert float(text.get_text()) == pytest.approx((upper - lower) / 1e3, abs=0.051)
+        assert "best gap around it; its width in kHz" in in_legend(drawn["front"])
+
+    def test_so_many_bars_have_widths_above_some_of_them(self, drawn):
+        axes = drawn["front of most pitches"].axes[0]
+        assert 5 <= len(axes.texts) <= 14
+        assert len(bars(axes, style.GAP)) > 25
+        widest = max(bar.get_height() for bar in bars(axes, style.GAP))
+        assert float(axes.texts[0].get_text()) == pytest.approx(widest, abs=0.051)  # the last has its own
+
+    def test_pitches_that_hold_nothing_are_crossed_out(self, drawn):
+        (crosses,) = by_gid(drawn["front"], "none")
+        assert crosses.get_xdata() == pytest.approx([4.0, 4.8])
+        assert set(crosses.get_ydata()) == {60.0}
+        assert "no allowed design holds it" in in_legend(drawn["front"])
+        assert set(in_legend(drawn["front that holds nothing"])) == {
+            "carrier 60 kHz", "no allowed design holds it",
+        }  # fmt: skip
+        all_held = plots.front(made_up_front().isel(design=slice(2, None)))
+        assert not by_gid(all_held, "none")
+        assert len(in_legend(all_held)) == 2
+
+
+class TestTolerance:
+    def test_the_histograms_hold_all_plates(self, drawn):
+        data = made_up_tolerance(FOUR)
+        for side, name in enumerate(("lower edge", "upper edge")):
+            found = [bar for bar in by_gid(drawn["tolerance"], name) if bar.get_height() > 0]
+            assert sum(bar.get_height() for bar in found) == data.sizes["plate"]
+            edges = data["drawn"].values[:, side] / 1e3
+            assert min(bar.get_x() for bar in found) <= edges.min()
+            assert max(bar.get_x() + bar.get_width() for bar in found) >= edges.max() - 1e-9
+            assert to_hex(found[0].get_facecolor()) == (style.BLUE, style.ORANGE)[side].lower()
+
+    def test_the_margin_is_shaded_if_there_is_one(self, drawn):
+        (span,) = by_gid(drawn["tolerance"], "margin")
+        assert (span.get_x(), span.get_x() + span.get_width()) == pytest.approx((59.5, 60.5))
+        assert "margin 0.5 kHz" in in_legend(drawn["tolerance"])
+        assert not by_gid(drawn["tolerance of one"], "margin")
+        assert not any("margin" in label for label in in_legend(drawn["tolerance of one"]))
+
+    @pytest.mark.parametrize(
+        ("name", "paths"),
+        [("tolerance", FOUR), ("tolerance of one", FOUR[:1]), ("tolerance of all", tuple(UNITS))],
+    )
+    def test_bars_and_diamonds_are_the_shares(self, drawn, name, paths):
+        data, axes = made_up_tolerance(paths), drawn[name].axes[1]
+        for side, colour in enumerate((style.BLUE, style.ORANGE)):
+            lengths = [bar.get_width() for bar in bars(axes, colour)]
+            assert lengths == pytest.approx(100 * data["total_index"].values[:, side])
+            diamonds = axes.lines[side]
+            assert diamonds.get_marker() == "D"
+            assert diamonds.get_xdata() == pytest.approx(100 * data["first_order_share"].values[:, side])
+            places = [bar.get_y() + 0.5 * bar.get_height() for bar in bars(axes, colour)]
+            assert diamonds.get_ydata() == pytest.approx(places)
+            assert not diamonds.get_clip_on()  # one at zero is seen as a whole
+        assert "to first order" in in_legend(drawn[name])
+        assert axes.get_xlim()[0] == 0
+        low, high = axes.get_ylim()
+        assert low > high  # the first on top
+
+    def test_parameters_are_named_in_words(self, drawn):
+        names = [label.get_text() for label in drawn["tolerance of all"].axes[1].get_yticklabels()]
+        assert len(set(names)) == 12
+        assert {"Young's modulus", "Poisson ratio", "density", "pitch along y", "pillar step height"} < set(
+            names
+        )
+        assert not any("." in name or "_" in name or "material" in name for name in names)
