@@ -1,8 +1,10 @@
-"""Results for tests of pictures and pages: a real, coarse one of the reference cell, and made-up others."""
+"""Results for tests of pictures and pages: real, coarse ones of the reference cell, and made-up ones."""
 
 from __future__ import annotations
 
 import json
+import tempfile
+from dataclasses import replace
 from functools import cache
 from pathlib import Path
 
@@ -11,6 +13,12 @@ import xarray as xr
 
 import haptonic
 from haptonic.bloch import Resolution, bands_dataset
+from haptonic.bloch.layers import OUTGOING
+from haptonic.bloch.mirrors import PHASES, Incidence
+from haptonic.bloch.plate_waves import FAMILIES
+from haptonic.results import Asked, Guides, Layers, Runner, compute_guides, compute_layers
+from haptonic.results.layers import Question
+from haptonic.store import Store
 from haptonic.study import Study
 
 CELL_AXES = [0.007, 0.0, 0.0, 0.007]
@@ -118,3 +126,57 @@ def made_up_tolerance(paths: tuple[str, ...], margin: float = 500.0) -> xr.Datas
         coords={"parameter": list(paths), "side": ["lower", "upper"]},
         attrs={"carrier_hz": 60e3, "margin_hz": margin},
     )
+
+
+@cache
+def _reference_mirror() -> tuple[Layers, Guides]:
+    study = reference_study()
+    cell, carrier, asked = study.unit_cell(), study.need_carrier(), Asked(8, 13, 2e-2, Resolution(3, 1))
+    with tempfile.TemporaryDirectory() as folder:
+        runner = Runner(Store(Path(folder)))
+        layers = compute_layers(
+            cell, asked, Question(50e3, 62e3, 4, Incidence(0.0, 4, 1e-3)),
+            carrier=carrier, inputs=study.inputs(), runner=runner,
+        )  # fmt: skip
+        guides = compute_guides(
+            cell, asked, carrier=carrier, mode=(0, 17), width=32e-3, rows=20, ends="free", runner=runner
+        )
+    return layers, guides
+
+
+def reference_layers() -> Layers:
+    """The reference cell as a mirror, on a coarse mesh; its dataset is a copy."""
+    layers = _reference_mirror()[0]
+    return replace(layers, dataset=layers.dataset.copy(deep=True))
+
+
+def reference_guides() -> Guides:
+    """The prototype's waveguide between two such mirrors."""
+    return _reference_mirror()[1]
+
+
+def made_up_mirror(rows: int = 6, families: tuple[str, ...] = FAMILIES, **attrs: object) -> xr.Dataset:
+    """Spectra from 40 to 80 kHz: one wave propagates below 50 kHz and one above 60 kHz; in between the n-th
+    kind of wave fades by 5 n dB per row, its energy evenly spread over all kinds."""
+    frequency = np.linspace(40e3, 80e3, 21)
+    inside = (frequency >= 50e3) & (frequency <= 60e3)
+    real = np.column_stack([np.where(inside, 1.0, np.linspace(0.2, 0.8, 21)) * np.pi, np.full(21, np.pi)])
+    imaginary = np.column_stack([np.where(inside, 0.5, 0.0), np.full(21, 2.0)])
+    passed = np.full((21, rows, len(FAMILIES), len(OUTGOING)), np.nan)
+    for family in families:
+        number = FAMILIES.index(family)
+        fading = np.outer(np.where(inside, 5.0 * (number + 1), 0.0), np.arange(1, rows + 1))
+        passed[:, :, number] = (10 ** (-fading / 10) / len(OUTGOING))[..., None]
+    return xr.Dataset(
+        {
+            "kappa_real": (("frequency", "wave"), real),
+            "kappa_imag": (("frequency", "wave"), imaginary),
+            "attenuation": (("frequency", "phase"), np.outer(np.where(inside, 4.0, 0.0), np.arange(1, 6))),
+            "transmitted": (("frequency", "rows", "incident", "outgoing"), passed),
+        },
+        coords={
+            "frequency": frequency, "phase": PHASES, "rows": np.arange(1, rows + 1),
+            "incident": list(FAMILIES), "outgoing": list(OUTGOING),
+        },
+        attrs={"carrier_hz": 58e3, "gap": [50e3, 60e3], "angle": 0.0} | attrs,
+    )  # fmt: skip

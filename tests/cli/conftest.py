@@ -12,6 +12,9 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from typer.testing import CliRunner
+
+from haptonic.cli.app import app
 
 QUICK = """
 title = "Quick"
@@ -34,6 +37,10 @@ accuracy = 2e-2
 [mesh]
 order = 2
 foot_rings = 0
+
+[layers]
+points = 3
+count = 3
 
 [[sweep]]
 vary = "cell.pillar.diameter / cell.pitch"
@@ -83,6 +90,18 @@ def haptonic(store_folder: Path) -> Callable[..., Ran]:
             check=False,
         )
         return Ran(done.returncode, done.stdout, done.stderr)
+
+    return run
+
+
+@pytest.fixture
+def inside(store_folder: Path) -> Callable[..., Ran]:
+    """Run the program in this process, which takes two seconds less; no exception but an exit is caught."""
+
+    def run(*arguments: object, store: Path | None = None) -> Ran:
+        environment = {"HAPTONIC_STORE": str(store or store_folder), "COLUMNS": "200", "NO_COLOR": "1"}
+        done = CliRunner().invoke(app, list(map(str, arguments)), env=environment, catch_exceptions=False)
+        return Ran(done.exit_code, done.stdout, done.stderr)
 
     return run
 

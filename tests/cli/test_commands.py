@@ -13,6 +13,7 @@ import time
 import numpy as np
 import pytest
 import xarray as xr
+from refusals import assert_five_parts
 
 from five_parts import assert_five_parts
 from interrupts import hear_interrupts
@@ -206,5 +207,9 @@ def test_reproduce_ends_with_a_report(haptonic, study, tmp_path):
     assert "simulated" in page
     assert (out / "sweep_1.nc").exists()
     assert (out / "bands.nc").exists()
+    names = {path.name for path in out.iterdir()}
+    assert {"layers.nc", "layers.svg", "layers.png", "decay.svg", "decay.png"} <= names
+    assert 'id="mirror"' in page
+    assert "no waveguide" in ran.err  # the gap of so coarse a mesh is not certain
     again = haptonic("reproduce", study(), "--out", out)
     assert_five_parts(again, str(out))

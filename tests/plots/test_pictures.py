@@ -13,6 +13,7 @@ import pytest
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 from matplotlib.patches import Rectangle
+from seeing import artists, assert_readable, shown_texts
 
 from haptonic import plots
 from haptonic.bloch import Resolution, bands_dataset
@@ -39,30 +40,6 @@ def drawn():
     return pictures()
 
 
-def artists(figure: Figure, gid: str) -> list:
-    return list(figure.findobj(lambda a: a.get_gid() == gid))
-
-
-def shown_texts(figure: Figure) -> list:
-    """(text, box in pixels) of everything that is written in a figure."""
-    FigureCanvasAgg(figure).draw()
-    found = [text for legend in figure.legends for text in legend.get_texts()]
-    for axes in figure.axes:
-        found += [*axes.texts]
-        if not axes.axison:
-            found.append(axes.title)
-            continue
-        found += [axes.title, axes.xaxis.label, axes.yaxis.label]
-        for axis in (axes.xaxis, axes.yaxis):
-            low, high = sorted(axis.get_view_interval())
-            slack = 1e-9 * (high - low)
-            for tick in axis.get_major_ticks():
-                if low - slack <= tick.get_loc() <= high + slack:
-                    found += [tick.label1, tick.label2]
-    seen = [text for text in found if text.get_visible() and text.get_text().strip()]
-    return [(text.get_text(), text.get_window_extent()) for text in seen]
-
-
 @pytest.mark.parametrize("name", ["dispersion", "modes", "iso", "density", "sweep"])
 class TestEveryPicture:
     def test_axes_name_what_they_show_with_its_unit(self, drawn, name):
@@ -79,19 +56,7 @@ class TestEveryPicture:
                 assert any(known in unit for known in ("kHz", "rad/mm", "dimensionless")), label
 
     def test_no_text_lies_on_another_or_leaves_the_picture(self, drawn, name):
-        figure = drawn[name]
-        texts = shown_texts(figure)
-        assert len(texts) > 5
-        width, height = figure.canvas.get_width_height()
-        for text, box in texts:
-            assert box.x0 >= -1, text
-            assert box.y0 >= -1, text
-            assert box.x1 <= width + 1, text
-            assert box.y1 <= height + 1, text
-        for (one, a), (other, b) in combinations(texts, 2):
-            across = min(a.x1, b.x1) - max(a.x0, b.x0)
-            up = min(a.y1, b.y1) - max(a.y0, b.y0)
-            assert across < 1 or up < 1, (one, other)
+        assert_readable(drawn[name])
 
     def test_type_is_readable_when_the_picture_is_12_cm_wide(self, drawn, name):
         figure = drawn[name]

@@ -10,14 +10,15 @@ from html.parser import HTMLParser
 
 import numpy as np
 import pytest
+from matplotlib.figure import Figure
 
 from haptonic.errors import ResourceError
 from haptonic.report import Absent, Chapter, Results, paper, write_report
-from haptonic.report.chapters import IN_ORDER, comparison, dispersion, sweeps
+from haptonic.report.chapters import IN_ORDER, comparison, dispersion, mirror, sweeps
 from haptonic.report.page import page
 from haptonic.report.trend import fitted_power, trend_of
 from haptonic.study import Study
-from made_up import made_up_sweep, reference_bands, reference_study
+from made_up import made_up_sweep, reference_bands, reference_guides, reference_layers, reference_study
 
 STARTED = datetime(2030, 1, 2, 3, 4, tzinfo=UTC)
 VOID = {"meta", "img", "br", "hr", "link", "input"}
@@ -62,8 +63,13 @@ def read(content: str) -> Reader:
 
 def results(**changes) -> Results:
     sweeps = (made_up_sweep(), made_up_sweep(expression="cell.pillar.height / cell.pitch", own_value=0.6))
-    whole = Results(reference_study(), reference_bands(), sweeps, {"bands": 1.26, "sweeps": 20.0}, STARTED)
+    timings = {"bands": 1.26, "sweeps": 20.0}
+    whole = Results(reference_study(), reference_bands(), sweeps, timings=timings, started=STARTED)
     return replace(whole, **changes)
+
+
+def mirrored(**changes) -> Results:
+    return results(**{"layers": reference_layers(), "guides": reference_guides(), **changes})
 
 
 def study_with(**changes: object) -> Study:
@@ -76,9 +82,16 @@ def empty_pictures(monkeypatch):
     monkeypatch.setattr("haptonic.report.page.rendered", lambda figure, kind: b"<svg/>")
 
 
+@pytest.fixture
+def undrawn_mirror(monkeypatch):
+    """The pictures of a mirror stay empty: the tests of its words need none."""
+    for name in ("layers", "decay", "guide"):
+        monkeypatch.setattr(f"haptonic.report.chapters.mirror.plots.{name}", lambda *_: Figure())
+
+
 @pytest.fixture(scope="module")
 def whole(tmp_path_factory):
-    path = write_report(results(), tmp_path_factory.mktemp("report") / "report.html")
+    path = write_report(mirrored(), tmp_path_factory.mktemp("report") / "report.html")
     return path.read_text("utf-8")
 
 
@@ -97,7 +110,7 @@ class TestOneFile:
 
     def test_pictures_hold_all_of_themselves_and_have_words_in_their_place(self, whole):
         images = read(whole).of("img")
-        assert len(images) == 6
+        assert len(images) == 9
         for image in images:
             assert len(image["alt"]) > 30
             kind, content = image["src"].split(",", 1)
@@ -110,7 +123,7 @@ class TestOneFile:
         identifiers = [attributes["id"] for _, attributes in reader.tags if "id" in attributes]
         assert len(set(identifiers)) == len(identifiers)
         targets = [link["href"].removeprefix("#") for link in reader.of("a")]
-        assert targets == ["dispersion", "modes", "sweeps", "comparison", "appendix"]
+        assert targets == ["dispersion", "modes", "sweeps", "mirror", "comparison", "appendix"]
         assert set(targets) <= set(identifiers)
 
     def test_it_names_its_language_and_fits_a_phone(self, whole):
@@ -172,6 +185,20 @@ class TestChaptersLeftOut:
         text = read(page(other)).text
         assert "Left out: Comparison with the paper" in text
         assert "61.4" not in text
+        assert "58.8" not in text
+
+    def test_without_a_mirror_its_chapter_is_left_out_and_the_head_says_so(self):
+        reader = read(page(results()))
+        assert "mirror" not in [link["href"].removeprefix("#") for link in reader.of("a")]
+        assert len(reader.of("img")) == 6
+        assert "Left out: Mirror, because it was not computed in this run." in reader.text
+
+    def test_without_a_waveguide_nothing_is_said_of_one(self):
+        reader = read(page(mirrored(guides=None)))
+        assert len(reader.of("img")) == 8
+        assert "mirror" in [link["href"].removeprefix("#") for link in reader.of("a")]
+        chapter = reader.text[reader.text.index("A plane wave of the plate") :]
+        assert "waveguide" not in chapter[: chapter.index("Comparison with the paper")]
 
     def test_a_plate_without_a_pillar_has_a_report(self):
         cell = reference_study().cell.model_copy(update={"pillar": None})
@@ -180,7 +207,7 @@ class TestChaptersLeftOut:
 
     def test_every_chapter_is_a_chapter_or_says_why_not(self):
         for chapter in IN_ORDER:
-            assert isinstance(chapter(results()), Chapter)
+            assert isinstance(chapter(mirrored()), Chapter)
             made = chapter(results(study=study_with(sweep=()), sweeps=()))
             assert isinstance(made, Chapter | Absent)
 
@@ -290,6 +317,125 @@ class TestComparison:
     def test_one_row_for_each_sweep(self):
         assert sum(name.startswith("Exponent") for name in self.rows()) == 2
         assert not any(name.startswith("Exponent") for name in self.rows(sweeps=()))
+
+
+@pytest.mark.usefixtures("undrawn_mirror")
+class TestMirror:
+    """With A0 at normal incidence a row more takes so many dB more, made up: 7 dB are 21 dB in three rows."""
+
+    def mirror(self, per_row: float = 7.0, own: float = 0.25, **changes) -> Results:
+        layers = reference_layers()
+        rows = layers.dataset["many"].values
+        shares = np.array([own, 1 - own, 0.0, 0.0])
+        layers.dataset["carrier_transmitted"].loc[{"incident": "A0"}] = (
+            10 ** (-per_row * rows[:, None] / 10) * shares
+        )
+        return mirrored(**{"layers": layers, **changes})
+
+    def said(self, per_row: float = 7.0, **changes) -> str:
+        return " ".join(mirror.chapter(self.mirror(per_row, **changes)).findings)
+
+    def decaying(self, per_row: float, **changes):
+        """The prototype's waveguide, its mode fading by so many dB per row."""
+        guides = reference_guides()
+        (strip,) = guides.strips
+        return replace(guides, strips=(replace(strip, decay=per_row, **changes),))
+
+    @pytest.mark.parametrize(("per_row", "verdict"), [(6.6, "not"), (6.7, "almost"), (25.0, "almost")])
+    def test_three_rows_are_judged_by_their_insulation(self, per_row, verdict):
+        said = self.said(per_row)
+        assert f"{3 * per_row:.1f} dB: {verdict} total reflection" in said
+        assert f"let {10 ** (-0.3 * per_row):.1%} of the energy" in said
+        assert f"Of the same kind of wave {3 * per_row - 10 * np.log10(0.25):.1f} dB pass" in said
+
+    @pytest.mark.parametrize(("decay", "holds"), [(6.6, "does not hold"), (6.7, "holds")])
+    @pytest.mark.parametrize(
+        ("per_row", "tail"), [(6.6, "not for waves that meet the rows head-on"), (6.7, "")]
+    )
+    def test_the_papers_claim_is_judged_for_the_mode_and_for_waves_that_come_head_on(
+        self, decay, holds, per_row, tail
+    ):
+        said = self.said(per_row, guides=self.decaying(decay))
+        assert f"{holds} for the mode of the waveguide{', but ' if tail else ''}{tail}." in said
+        assert f"{decay:.1f} dB per row, about {3 * decay:.0f} dB in three" in said
+
+    def test_waves_that_come_at_an_angle_are_not_said_to_come_head_on(self):
+        made = self.mirror(6.6)
+        made.layers.dataset.attrs["angle"] = 0.5
+        said = " ".join(mirror.chapter(made).findings)
+        assert "not for waves that meet the rows at 28.6° from the normal" in said
+        assert "head-on" not in said
+
+    def test_the_best_frequency_lies_in_the_gap(self):
+        layers = reference_layers()
+        passed = layers.dataset["transmitted"]
+        passed[:] = 0.1
+        passed.loc[{"frequency": layers.dataset["frequency"][1], "rows": 3}] = 1e-3
+        passed.loc[{"frequency": layers.dataset["frequency"][3], "rows": 3}] = 1e-9  # beyond the gap
+        passed.loc[{"frequency": layers.dataset["frequency"][2], "rows": 4}] = (
+            1e-9  # of another number of rows
+        )
+        said = " ".join(mirror.chapter(mirrored(layers=layers)).findings)
+        assert "Within the gap three rows stop most at 54.0 kHz: 24 dB." in said
+        without = replace(layers, gap=None)
+        assert "Within the gap" not in " ".join(mirror.chapter(mirrored(layers=without)).findings)
+        few = replace(layers, dataset=layers.dataset.isel(rows=slice(2)))
+        assert "Within the gap" not in " ".join(mirror.chapter(mirrored(layers=few)).findings)
+
+    def test_without_flexural_waves_nothing_is_said_of_them(self):
+        layers = reference_layers()
+        for name in ("transmitted", "reflected"):
+            layers.dataset[f"carrier_{name}"].loc[{"incident": "A0"}] = np.nan
+        made = mirror.chapter(mirrored(layers=layers))
+        assert len(made.findings) == 1
+        assert made.findings[0].startswith("The waves of the waveguide's mode")
+        assert made.tables[0].head == ("Rows", "Incident S0", "Incident SH0")
+
+    def test_the_angle_of_the_mode_is_that_of_its_two_wavenumbers(self):
+        (strip,) = reference_guides().strips
+        across, along = np.pi / (strip.mode.width + 2 * strip.fixed_line), np.pi / 8e-3
+        assert f"at {np.degrees(np.arctan2(along, across)):.0f}° from the normal" in self.said()
+
+    def test_tables_follow_the_numbers(self):
+        rows, needed, waveguides = mirror.chapter(self.mirror(7.0)).tables
+        assert [row[:2] for row in rows.rows] == [
+            (str(n), f"{7.0 * n:.1f} ({7.0 * n - 10 * np.log10(0.25):.1f})") for n in (1, 2, 3, 4)
+        ]
+        assert needed.head == ("Incident", "20 dB", "40 dB", "60 dB")
+        assert needed.rows[0] == ("A0", "3", "6", "9")
+        (strip,) = reference_guides().strips
+        assert waveguides.rows[0][:4] == ("32.00", "140", f"{strip.frequency / 1e3:.2f}", "8.00")
+        slow = mirror.chapter(self.mirror(0.5)).tables[1]
+        assert slow.rows[0] == ("A0", "40", "more than 60", "more than 60")
+
+    def test_words_for_the_picture_say_what_passes(self):
+        assert (
+            "incident A0: 4 rows let -28 dB through"
+            in mirror.chapter(self.mirror(7.0)).pictures[0].alternative
+        )
+
+    def test_the_papers_waveguide_stands_beside_it_only_for_the_papers_cell(self):
+        made = mirror.chapter(self.mirror())
+        assert made.tables[2].rows[-1][:4] == ("paper: 32", "140", "58.8", "8")
+        (strip,) = reference_guides().strips
+        ours = strip.frequency / 1e3
+        assert (
+            f"resonates at {ours:.2f} kHz in this model, {ours / 58.8 - 1:+.1%} off the 58.8 kHz"
+            in made.findings[-1]
+        )
+        other = reference_study().with_parameter("material.density", 2710.0)
+        made = mirror.chapter(self.mirror(study=other))
+        assert len(made.tables[2].rows) == 1
+        assert "paper" not in " ".join(made.findings)
+
+    @pytest.mark.parametrize(
+        "change", [{"width": 30e-3}, {"nodal_lines": 1}, {"wavenumber": 16.5 * np.pi / 0.14}]
+    )
+    def test_another_waveguide_is_not_called_the_papers(self, change):
+        (strip,) = reference_guides().strips
+        guides = self.decaying(14.0, mode=replace(strip.mode, **change))
+        assert "The paper's waveguide" not in self.said(guides=guides)
+        assert "The paper's waveguide" not in self.said(guides=self.decaying(14.0, length=0.147))
 
 
 class TestTrend:

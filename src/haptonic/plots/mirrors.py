@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Literal
+
 import numpy as np
 import xarray as xr
 from matplotlib.artist import Artist
@@ -16,6 +18,7 @@ Array = NDArray[np.float64]
 FLAT = 1e-6  # rad, imaginary part of a phase below which a wave propagates
 DEEPEST = 1.2 * np.pi  # rad per cell, imaginary part up to which waves are shown
 FLOOR = -100.0  # dB
+ROOM = 0.025  # of the axis beyond zero and the end, so that what lies on them can be seen
 FAMILIES = ("A0", "S0", "SH0")
 
 
@@ -35,13 +38,14 @@ def decay(dataset: xr.Dataset) -> Figure:
     phase, fading = dataset["kappa_real"].values, dataset["kappa_imag"].values
     moving, shown = fading < FLAT, fading < DEEPEST
     folded = np.abs(phase) / np.pi
-    real.plot(folded[shown & ~moving], height[shown & ~moving], ".", ms=2, color=style.SKY)
+    real.plot(folded[shown & ~moving], height[shown & ~moving], ".", ms=2, color=style.PALE_INK)
     real.plot(folded[moving], height[moving], ".", ms=3, color=style.INK)
-    imaginary.plot(fading[shown & ~moving] / np.pi, height[shown & ~moving], ".", ms=2, color=style.SKY)
-    real.set_xlabel("|Re κ| / π")
-    imaginary.set_xlabel("Im κ / π")
-    real.set_xlim(0, 1)
-    imaginary.set_xlim(0, DEEPEST / np.pi)
+    imaginary.plot(fading[shown & ~moving] / np.pi, height[shown & ~moving], ".", ms=2, color=style.PALE_INK)
+    real.set_xlabel("|Re κ| / π\n(dimensionless)")
+    imaginary.set_xlabel("Im κ / π\n(dimensionless)")
+    for axes, end in ((real, 1.0), (imaginary, DEEPEST / np.pi)):
+        axes.set_xlim(-ROOM * end, (1 + ROOM) * end)
+        axes.set_xticks([0, 0.5, 1], ["0", "0.5", "1"])
     real.set_ylabel("frequency (kHz)")
     real.set_ylim(frequency.min(), frequency.max())
     looks = zip(
@@ -50,19 +54,18 @@ def decay(dataset: xr.Dataset) -> Figure:
         strict=True,
     )
     for (colour, dashes), column in zip(looks, range(dataset.sizes["phase"]), strict=False):
-        along = float(dataset["phase"][column]) / np.pi
-        label = f"decay at phase {along:.2g} π along the rows"
+        label = f"decay, phase {_in_pi(float(dataset['phase'][column]))} along the rows"
         depth.plot(dataset["attenuation"].values[:, column], frequency, color=colour, ls=dashes, label=label)
     depth.set_xlabel("decay (dB per cell)")
-    depth.set_xlim(left=0)
+    deepest = max(float(np.nanmax(dataset["attenuation"].values)), 1.0)
+    depth.set_xlim(-ROOM * deepest, (1 + ROOM) * deepest)
     handles: list[Artist] = [
         *real.plot([], [], ".", color=style.INK, label="propagating waves, normal incidence"),
-        *real.plot([], [], ".", color=style.SKY, label="fading waves, normal incidence"),
+        *real.plot([], [], ".", color=style.PALE_INK, label="fading waves, normal incidence"),
         *depth.get_legend_handles_labels()[0],
     ]
-    for axes in (real, imaginary, depth):
-        handles_of_marks = _mark(axes, dataset, axes.axhspan, axes.axhline)
-    figure.legend(handles=[*handles, *handles_of_marks], loc="outside lower center", ncols=2)
+    marks = [_mark(axes, dataset, "y") for axes in (real, imaginary, depth)]
+    figure.legend(handles=[*handles, *marks[0]], loc="outside lower center", ncols=2)
     return figure
 
 
@@ -79,7 +82,7 @@ def layers(dataset: xr.Dataset) -> Figure:
     figure = style.blank(3.5 + 4.6 * len(there))
     panels = np.atleast_1d(figure.subplots(len(there), 1, sharex=True))
     frequency = dataset["frequency"].values / 1e3
-    shades = style.perceptual()(np.linspace(0.9, 0.05, dataset.sizes["rows"]))
+    shades = style.perceptual()(np.linspace(0.75, 0.05, dataset.sizes["rows"]))
     handles: list[Artist] = []
     for axes, family in zip(panels, there, strict=True):
         total = dataset["transmitted"].sel(incident=family).sum("outgoing", skipna=False).values
@@ -88,10 +91,9 @@ def layers(dataset: xr.Dataset) -> Figure:
                       label=f"{rows} row{'s' if rows > 1 else ''}")[0]
             for k, (rows, shade) in enumerate(zip(dataset["rows"].values, shades, strict=True))
         ]  # fmt: skip
-        marks = _mark(axes, dataset, axes.axvspan, axes.axvline)
-        handles = [*lines, *marks]
+        handles = [*lines, *_mark(axes, dataset, "x")]
         lowest = np.nanmin(10 * np.log10(np.maximum(total, 1e-30)))
-        axes.set_ylim(max(FLOOR, 10 * np.floor(lowest / 10)), 3)
+        axes.set_ylim(min(max(FLOOR, 10 * np.floor(lowest / 10)), -10), 3)
         axes.set_ylabel(f"{family}: transmitted (dB)")
     angle = np.degrees(float(dataset.attrs["angle"]))
     direction = "normal incidence" if angle == 0 else f"incident at {angle:.3g}° from the normal"
@@ -124,18 +126,31 @@ def guide(position: Array, amplitude: Array, width: float, fixed_line: float) ->
     axes.set_xlim(-reach, reach)
     axes.set_ylim(0, 1.08)
     axes.set_xlabel("position across the waveguide (mm)")
-    axes.set_ylabel("amplitude, peak 1")
+    axes.set_ylabel("amplitude (dimensionless)")
     figure.legend(loc="outside lower center", ncols=3)
     return figure
 
 
-def _mark(axes: Axes, dataset: xr.Dataset, span, line) -> list[Artist]:  # type: ignore[no-untyped-def]
-    """Shade the gap and draw the carrier; the handles for a legend."""
+def _in_pi(phase: float) -> str:
+    """A phase (rad) as a person writes it."""
+    share = round(phase / np.pi, 2)
+    return {0.0: "0", 1.0: "π"}.get(share, f"{share:g} π")
+
+
+def _mark(axes: Axes, dataset: xr.Dataset, along: Literal["x", "y"]) -> list[Artist]:
+    """Shade the gap and draw the carrier on an axis of frequencies, if they are in view; legend handles."""
+    low, high = float(dataset["frequency"].min()) / 1e3, float(dataset["frequency"].max()) / 1e3
     handles: list[Artist] = []
     edges = np.atleast_1d(dataset.attrs["gap"]) / 1e3
-    if len(edges) == 2:
-        handles.append(span(*edges, facecolor=style.GAP, edgecolor="none", zorder=0, label="complete gap"))
+    if len(edges) == 2 and edges[0] < high and edges[1] > low:
+        span = axes.axvspan if along == "x" else axes.axhspan
+        shade = span(edges[0], edges[1], facecolor=style.GAP, edgecolor="none", zorder=0)
+        shade.set(label="complete gap", gid="gap")
+        handles.append(shade)
     carrier = float(dataset.attrs["carrier_hz"]) / 1e3
-    label = f"carrier {carrier:g} kHz"
-    handles.append(line(carrier, color=style.CARRIER, ls=style.DASHED, lw=1.1, label=label))
+    if low <= carrier <= high:
+        line = axes.axvline if along == "x" else axes.axhline
+        dashes = line(carrier, color=style.CARRIER, ls=style.DASHED, lw=1.1)
+        dashes.set(label=f"carrier {carrier:g} kHz", gid="carrier")
+        handles.append(dashes)
     return handles

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from math import isclose
+
 import numpy as np
 
 from haptonic import plots
@@ -9,6 +11,7 @@ from haptonic.bloch.mirrors import MOST_ROWS
 from haptonic.report import paper
 from haptonic.report.chapter import Absent, Chapter, Picture, Results, Table
 from haptonic.results import Guides, Layers
+from haptonic.results.guides import Strip
 
 TITLE = "Mirror"
 ALMOST_TOTAL = 20.0  # dB: one percent of the energy passes
@@ -71,8 +74,8 @@ def _in_words(layers: Layers) -> str:
 
 def _findings(layers: Layers, guides: Guides | None, compared: bool) -> list[str]:
     carrier, rows = float(layers.dataset.attrs["carrier_hz"]), paper.ENOUGH_ROWS
-    said, head_on = [], "A0" in layers.families
-    if head_on:
+    said, flexural = [], "A0" in layers.families
+    if flexural:
         total, same = layers.insulation("A0")[rows - 1], layers.same_wave("A0")[rows - 1]
         verdict = "almost" if total >= ALMOST_TOTAL else "not"
         said.append(
@@ -92,9 +95,11 @@ def _findings(layers: Layers, guides: Guides | None, compared: bool) -> list[str
             f"The waves of the waveguide's mode meet the rows at {along:.0f}° from the normal. For them the "
             f"lattice fades by {best.decay:.1f} dB per row, about {three:.0f} dB in three."
         )
-        if compared and head_on:
+        if compared and _is_the_papers(best) and flexural:
+            angle = np.degrees(float(layers.dataset.attrs["angle"]))
+            direction = "head-on" if angle == 0 else f"at {angle:.3g}° from the normal"
             enough = "holds" if three >= ALMOST_TOTAL else "does not hold"
-            other = "" if total >= ALMOST_TOTAL else ", but not for waves that meet the rows head-on"
+            other = "" if total >= ALMOST_TOTAL else f", but not for waves that meet the rows {direction}"
             said.append(
                 "That three rows are enough, which the paper says without details, "
                 f"{enough} for the mode of the waveguide{other}."
@@ -105,6 +110,16 @@ def _findings(layers: Layers, guides: Guides | None, compared: bool) -> list[str
                 f"off the {theirs:g} kHz that it gives. Its ends are taken as those of a long beam."
             )
     return said
+
+
+def _is_the_papers(strip: Strip) -> bool:
+    """Whether a waveguide has the width, the length and the nodal lines of the paper's."""
+    pairs = (
+        (strip.mode.width, paper.GUIDE_WIDTH),
+        (strip.length, paper.GUIDE_LENGTH),
+        (strip.spacing, paper.NODAL_SPACING),
+    )
+    return strip.mode.nodal_lines == 0 and all(isclose(ours, theirs, rel_tol=1e-3) for ours, theirs in pairs)
 
 
 def _free_wavenumber(guides: Guides) -> float:

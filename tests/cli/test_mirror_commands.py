@@ -1,0 +1,209 @@
+"""Commands about the lattice as a mirror, from the outside."""
+
+from __future__ import annotations
+
+import math
+from pathlib import Path
+
+import numpy as np
+import pytest
+import xarray as xr
+from refusals import assert_five_parts
+
+FINE = (("order = 2", "order = 3"), ("foot_rings = 0", "foot_rings = 1"))  # else the gap is not certain
+PROTOTYPE = ("[[sweep]]", '[waveguide]\nmode = "0x17"\nwidth = "32 mm"\nrows = 20\n\n[[sweep]]')
+LAYER_FILES = {"layers.nc", "layers.svg", "layers.png", "decay.svg", "decay.png"}
+GUIDE_FILES = {"waveguide.svg", "waveguide.png"}
+
+
+def numbers(values: object) -> list[float]:
+    """All numbers of a JSON object."""
+    if isinstance(values, dict):
+        return [n for value in values.values() for n in numbers(value)]
+    if isinstance(values, list):
+        return [n for value in values for n in numbers(value)]
+    return [float(values)] if isinstance(values, int | float) else []
+
+
+def written(study: Path) -> set[str]:
+    """Files beside a study."""
+    return {str(path.relative_to(study.parent)) for path in study.parent.rglob("*") if path.is_file()} - {
+        study.name
+    }
+
+
+@pytest.fixture
+def fine(study):
+    return lambda *changes: study(*FINE, *changes)
+
+
+def test_layers_writes_its_files_and_tables(haptonic, inside, fine, tmp_path):
+    out = tmp_path / "out"
+    ran = haptonic("layers", fine(), "--out", out)
+    assert ran.code == 0, ran.err
+    assert {path.name for path in out.iterdir()} == LAYER_FILES
+    for words in ("transmitted energy at 60 kHz", "incident A0", "rows needed", "dB per row at the carrier"):
+        assert words in ran.out
+    data = xr.load_dataset(out / "layers.nc", engine="h5netcdf")
+    assert data["frequency"].values == pytest.approx([36e3, 60e3, 84e3])  # 0.6 and 1.4 of the carrier
+    assert dict(data["transmitted"].sizes) == {"frequency": 3, "rows": 3, "incident": 3, "outgoing": 4}
+    assert data.attrs["carrier_hz"] == 60e3
+    low, high = data.attrs["gap"]
+    assert low < 60e3 < high
+    assert {"haptonic_version", "inputs", "code_fingerprint"} <= set(data.attrs)
+    assert_five_parts(inside("layers", fine(), "--out", out), "layers.nc")
+
+
+def test_layers_answers_a_machine_with_one_object(inside, fine, monkeypatch):
+    path = fine()
+    monkeypatch.chdir(path.parent)
+    ran = inside("layers", path, "--json")
+    assert ran.code == 0, ran.err
+    assert len(ran.out.splitlines()) == 1
+    assert not written(path)
+    answer = ran.json
+    assert all(math.isfinite(number) for number in numbers(answer))
+    assert len(numbers(answer)) > 50
+    assert answer["gap"]["lower_hz"] < 60e3 < answer["gap"]["upper_hz"]
+    assert answer["energy_balance"] < 1e-9
+    assert 0 < answer["attenuation_db_per_row"] < 10
+    assert list(answer["incident"]) == ["A0", "S0", "SH0"]
+    for one in answer["incident"].values():
+        assert len(one["insulation_db"]) == len(one["dissipated"]) == 3
+        assert (np.array(one["same_wave_db"]) >= np.array(one["insulation_db"])).all()
+        needed = [rows for rows in one["rows_needed"].values() if rows]
+        assert needed == sorted(needed)
+    spectrum = answer["spectrum"]
+    whole = np.array(spectrum["transmitted"]) + np.array(spectrum["reflected"])
+    assert whole == pytest.approx(np.ones((3, 3, 3)), abs=1e-9)
+    # the middle of three frequencies is the carrier
+    passed = [-10 * math.log10(rows[0]) for rows in spectrum["transmitted"][1]]
+    assert passed == pytest.approx(answer["incident"]["A0"]["insulation_db"])
+    assert spectrum["attenuation_db"][1][0] == pytest.approx(answer["attenuation_db_per_row"])
+
+
+@pytest.fixture
+def tiny(study):
+    """As little as a spectrum can be."""
+    return study(("points = 3", "points = 2"), ("count = 3", "count = 1"))
+
+
+def test_a_second_run_takes_what_is_in_the_store_and_an_interrupted_one_goes_on(
+    inside, tiny, tmp_path, monkeypatch
+):
+    monkeypatch.setattr("haptonic.results.layers.CHUNK", 1)
+    store = tmp_path / "store"
+    first = inside("layers", tiny, "--json", store=store)
+    assert first.code == 0, first.err
+    files = {file: file.stat().st_mtime_ns for file in store.rglob("*.nc")}
+    assert len(files) == 3  # the gaps and two parts of the spectrum
+    second = inside("layers", tiny, "--json", store=store)
+    assert second.json == first.json
+    assert {file: file.stat().st_mtime_ns for file in store.rglob("*.nc")} == files
+    lost = next(file for file in files if "transmitted" in xr.load_dataset(file, engine="h5netcdf"))
+    lost.unlink()
+    third = inside("layers", tiny, "--json", store=store)
+    assert third.json == first.json
+    now = {file: file.stat().st_mtime_ns for file in store.rglob("*.nc")}
+    assert set(now) == set(files)
+    assert {file for file in files if now[file] != files[file]} == {lost}
+
+
+def test_a_worker_gives_the_same_numbers(haptonic, inside, tiny, tmp_path):
+    here = inside("layers", tiny, "--json", store=tmp_path / "one")
+    there = haptonic("layers", tiny, "--json", "--workers", 1, store=tmp_path / "other")
+    assert there.code == 0, there.err
+    assert len(numbers(there.json)) > 30
+    assert numbers(there.json) == pytest.approx(numbers(here.json), rel=1e-9, abs=1e-12)
+
+
+def test_the_papers_waveguide_resonates_where_a_plate_model_says(haptonic, inside, fine, tmp_path):
+    """57.0 kHz and 0.15 of the peak at its edge in an independent finite-element model of the whole plate."""
+    out = tmp_path / "out"
+    path = fine(PROTOTYPE)
+    ran = haptonic("waveguide", path, "--json", "--out", out)
+    assert ran.code == 0, ran.err
+    assert len(ran.out.splitlines()) == 1
+    assert written(path) == {f"out/{name}" for name in GUIDE_FILES}
+    answer = ran.json
+    assert all(math.isfinite(number) for number in numbers(answer))
+    (strip,) = answer["waveguides"]
+    assert answer["nearest"] == strip
+    assert (answer["mode"], strip["width_m"], strip["rows"]) == ("0x17", 0.032, 20)
+    assert strip["length_m"] == pytest.approx(0.140)
+    assert strip["frequency_hz"] == pytest.approx(57.0e3, rel=0.01)
+    assert 0.08 < strip["amplitude_at_edge"] < 0.2
+    assert strip["nodal_spacing_m"] == pytest.approx(8e-3)  # 18 nodal lines, a quarter interval at each end
+    assert 0 < strip["fixed_line_m"] < 2e-3
+    assert strip["decay_db_per_row"] > 5
+    again = inside("waveguide", path, "--out", out)
+    assert_five_parts(again, "waveguide.svg")
+
+
+def test_without_width_and_length_several_are_compared_and_all_lie_at_the_carrier(inside, fine):
+    path = fine(('carrier = "60 kHz"', 'carrier = "57 kHz"'))
+    ran = inside("waveguide", path, "--json", "--mode", "1x17")
+    assert ran.code == 0, ran.err
+    answer = ran.json
+    strips = answer["waveguides"]
+    assert answer["mode"] == "1x17"
+    assert len(strips) >= 2
+    assert [strip["frequency_hz"] for strip in strips] == pytest.approx([57e3] * len(strips))
+    assert answer["nearest"]["amplitude_at_edge"] == min(strip["amplitude_at_edge"] for strip in strips)
+    for strip in strips:
+        assert strip["length_m"] == pytest.approx(strip["rows"] * 7e-3)
+        assert strip["nodal_spacing_m"] == pytest.approx(strip["length_m"] / 17.5)
+    widths = {strip["rows"]: strip["width_m"] for strip in strips}
+    assert list(widths.values()) == sorted(
+        widths.values(), reverse=True
+    )  # the longer along, the shorter across
+
+
+def test_nothing_is_computed_if_a_file_is_in_the_way(inside, study, tmp_path):
+    out, store = tmp_path / "out", tmp_path / "store"
+    out.mkdir()
+    for command, name in (("layers", "decay.svg"), ("waveguide", "waveguide.png")):
+        (out / name).write_text("mine")
+        assert_five_parts(inside(command, study(), "--out", out, store=store), name)
+        assert (out / name).read_text() == "mine"
+        assert not list(store.rglob("*.nc"))
+
+
+PILLAR = '[cell.pillar]\ndiameter = "3.5 mm"\nheight = "14.7 mm"\n'
+SWEEP = '[[sweep]]\nvary = "cell.pillar.diameter / cell.pitch"\nfrom = 0.4\nto = 0.6\nsteps = 3\n'
+CARRIER = ('carrier = "60 kHz"\n', "")
+
+
+@pytest.mark.parametrize(
+    ("command", "changes", "words"),
+    [
+        ("layers", [("count = 3", "count = 0")], ("layers.count", "at least 1")),
+        ("layers", [("count = 3", 'angle = "90 deg"')], ("layers.angle", "90")),
+        ("layers", [("count = 3", 'lowest = "70 kHz"\nhighest = "50 kHz"')], ("layers.highest", "exchange")),
+        ("layers", [("count = 3", 'lowest = "90 kHz"')], ("layers.lowest", "84 kHz", "give both")),
+        ("layers", [("count = 3", 'highest = "30 kHz"')], ("layers.lowest", "36 kHz", "give both")),
+        ("layers", [CARRIER], ("carrier", "60 kHz")),
+        ("layers", [(PILLAR, ""), (SWEEP, "")], ("cell.pillar", "reflect nothing")),
+        ("waveguide", [CARRIER], ("carrier", "60 kHz")),
+        ("waveguide", [*FINE, ('"60 kHz"', '"40 kHz"')], ("carrier", "40 kHz", "complete gap")),
+        ("waveguide", [(PILLAR, ""), (SWEEP, "")], ("carrier", "complete gap")),
+    ],
+)
+def test_bad_values_are_refused_in_five_parts(inside, study, command, changes, words):
+    path = study(*changes)
+    assert_five_parts(inside(command, path, "--out", path.parent / "out"), *words)
+    assert not written(path)
+
+
+@pytest.mark.parametrize("mode", ["17", "-1x17", "0X17", "0x17\n", "x", "axb"])
+def test_a_mode_that_is_not_written_like_one_is_refused(inside, study, mode):
+    path = study()
+    assert_five_parts(inside("waveguide", path, f"--mode={mode}", "--out", path.parent / "out"), "0x17")
+    assert not written(path)
+
+
+def test_a_strip_too_narrow_for_its_mode_is_refused(inside, fine):
+    path = fine(PROTOTYPE, ('"32 mm"', '"3 mm"'))
+    ran = inside("waveguide", path, "--out", path.parent / "out")
+    assert_five_parts(ran, "waveguide.mode", "too narrow")
+    assert not written(path)

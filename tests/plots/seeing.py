@@ -1,0 +1,48 @@
+"""What can be seen in a figure, for tests of pictures."""
+
+from __future__ import annotations
+
+from itertools import combinations
+
+from matplotlib.backends.backend_agg import FigureCanvasAgg
+from matplotlib.figure import Figure
+
+
+def artists(figure: Figure, gid: str) -> list:
+    return list(figure.findobj(lambda a: a.get_gid() == gid))
+
+
+def shown_texts(figure: Figure) -> list:
+    """(text, box in pixels) of everything that is written in a figure."""
+    FigureCanvasAgg(figure).draw()
+    found = [text for legend in figure.legends for text in legend.get_texts()]
+    for axes in figure.axes:
+        found += [*axes.texts]
+        if not axes.axison:
+            found.append(axes.title)
+            continue
+        found += [axes.title, axes.xaxis.label, axes.yaxis.label]
+        for axis in (axes.xaxis, axes.yaxis):
+            low, high = sorted(axis.get_view_interval())
+            slack = 1e-9 * (high - low)
+            for tick in axis.get_major_ticks():
+                if low - slack <= tick.get_loc() <= high + slack:
+                    found += [tick.label1, tick.label2]
+    seen = [text for text in found if text.get_visible() and text.get_text().strip()]
+    return [(text.get_text(), text.get_window_extent()) for text in seen]
+
+
+def assert_readable(figure: Figure) -> None:
+    """No text lies on another one or leaves the picture."""
+    texts = shown_texts(figure)
+    assert len(texts) > 5
+    width, height = figure.canvas.get_width_height()
+    for text, box in texts:
+        assert box.x0 >= -1, text
+        assert box.y0 >= -1, text
+        assert box.x1 <= width + 1, text
+        assert box.y1 <= height + 1, text
+    for (one, a), (other, b) in combinations(texts, 2):
+        across = min(a.x1, b.x1) - max(a.x0, b.x0)
+        up = min(a.y1, b.y1) - max(a.y0, b.y0)
+        assert across < 1 or up < 1, (one, other)

@@ -1,0 +1,222 @@
+"""Pictures of the lattice as a mirror: what is drawn where, and that it can be read."""
+
+from __future__ import annotations
+
+import matplotlib as mpl
+import numpy as np
+import pytest
+from matplotlib.backends.backend_agg import FigureCanvasAgg
+from matplotlib.figure import Figure
+from seeing import artists, assert_readable, shown_texts
+
+from haptonic import plots
+from haptonic.plots import style
+from made_up import made_up_mirror, reference_guides
+
+ONE_FAMILY = ("SH0",)
+DATASETS = {
+    "usual": {},
+    "one row": {"rows": 1},
+    "twelve rows": {"rows": 12},
+    "twenty rows of one wave": {"rows": 20, "families": ONE_FAMILY},
+    "one wave": {"rows": 1, "families": ONE_FAMILY},
+    "two waves": {"families": ("A0", "SH0")},
+    "no gap": {"gap": []},
+    "oblique": {"angle": 0.5, "rows": 2},
+    "elsewhere": {"carrier_hz": 90e3, "gap": [100e3, 120e3]},
+}
+
+
+def guide(width: float = 32e-3, fixed_line: float = 1e-3) -> Figure:
+    position = np.linspace(-0.5 * width, 0.5 * width, 101)
+    return plots.guide(position, np.cos(np.pi * position / (width + 2 * fixed_line)), width, fixed_line)
+
+
+PICTURES = {
+    **{
+        f"decay, {name}": (lambda k=DATASETS[name]: plots.decay(made_up_mirror(**k)))
+        for name in ("usual", "no gap", "elsewhere")
+    },
+    **{f"layers, {name}": (lambda k=k: plots.layers(made_up_mirror(**k))) for name, k in DATASETS.items()},
+    "guide": guide,
+    "guide, narrow": lambda: guide(0.9e-3, 2e-3),
+    "guide, held in front": lambda: guide(120e-3, -1e-3),
+    "guide, real": lambda: reference_guides().plot(),
+}
+pictured = pytest.mark.parametrize("name", PICTURES)
+
+
+@pytest.fixture(scope="module")
+def drawn() -> dict[str, Figure]:
+    return {name: make() for name, make in PICTURES.items()}
+
+
+@pictured
+def test_no_text_lies_on_another_or_leaves_the_picture(drawn, name):
+    assert_readable(drawn[name])
+
+
+@pictured
+def test_axes_name_what_they_show_with_its_unit(drawn, name):
+    panels = drawn[name].axes
+    for axes in panels:
+        assert axes.get_xlabel() or axes is not panels[-1]
+        assert axes.get_ylabel() or axes is not panels[0]
+        for label in filter(None, (axes.get_xlabel(), axes.get_ylabel())):
+            unit = label[label.rindex("(") + 1 : label.rindex(")")]
+            assert unit in {"kHz", "dB", "dB per cell", "mm", "dimensionless"}, label
+
+
+@pytest.mark.parametrize("name", ["decay, usual", "layers, twenty rows of one wave", "guide"])
+def test_type_and_panels_are_large_enough_to_read(drawn, name):
+    figure = drawn[name]
+    shrink = min(1.0, 12 / 2.54 / figure.get_figwidth())
+    FigureCanvasAgg(figure).draw()
+    for axes in figure.axes:
+        sizes = [axes.xaxis.label.get_fontsize(), *(t.get_fontsize() for t in axes.get_xticklabels())]
+        sizes += [text.get_fontsize() for legend in figure.legends for text in legend.get_texts()]
+        assert min(sizes) * shrink > 6.5
+        box = axes.get_position()
+        assert box.width * figure.get_figwidth() * 2.54 > 3, "cm"
+        assert box.height * figure.get_figheight() * 2.54 > 2.5, "cm"
+
+
+@pictured
+def test_the_legend_names_no_more_than_is_drawn(drawn, name):
+    (legend,) = drawn[name].legends
+    written = [text.get_text() for text in legend.get_texts()]
+    assert len(set(written)) == len(written)
+    assert ("complete gap" in written) == bool(artists(drawn[name], "gap"))
+    assert any("carrier" in text for text in written) == bool(artists(drawn[name], "carrier"))
+
+
+@pytest.mark.parametrize(("kind", "panels"), [("decay", 3), ("layers", 3)])
+def test_gap_and_carrier_are_marked_where_they_are_in_every_panel(drawn, kind, panels):
+    figure = drawn[f"{kind}, usual"]
+    gaps, carriers = artists(figure, "gap"), artists(figure, "carrier")
+    assert [axes in {gap.axes for gap in gaps} for axes in figure.axes] == panels * [True]
+    for gap, carrier in zip(gaps, carriers, strict=True):
+        assert gap.axes is carrier.axes
+        low, far = (gap.get_y(), gap.get_height()) if kind == "decay" else (gap.get_x(), gap.get_width())
+        assert (low, low + far) == pytest.approx((50.0, 60.0))
+        assert set(carrier.get_ydata() if kind == "decay" else carrier.get_xdata()) == {58.0}
+    assert "carrier 58 kHz" in [text for text, _ in shown_texts(figure)]
+
+
+@pytest.mark.parametrize("kind", ["decay", "layers"])
+def test_no_gap_is_marked_where_there_is_none_or_where_it_is_not_in_view(drawn, kind):
+    assert not artists(drawn[f"{kind}, no gap"], "gap")
+    assert artists(drawn[f"{kind}, no gap"], "carrier")
+    assert not artists(drawn[f"{kind}, elsewhere"], "gap")
+    assert not artists(drawn[f"{kind}, elsewhere"], "carrier")
+
+
+class TestDecay:
+    def test_waves_that_propagate_are_told_from_those_that_fade(self, drawn):
+        real, imaginary, _ = drawn["decay, usual"].axes
+        by_colour = {
+            line.get_color(): line for line in real.lines if line.get_gid() is None and line.get_xdata().size
+        }
+        moving, fading = by_colour[style.INK], by_colour[style.PALE_INK]
+        heights = moving.get_ydata()
+        assert len(heights) == 15  # of 21 frequencies, six lie in the gap
+        assert not ((heights >= 50) & (heights <= 60)).any()
+        assert sorted(set(fading.get_ydata())) == pytest.approx(np.linspace(40, 80, 21))
+        (depth,) = (line for line in imaginary.lines if line.get_gid() is None)
+        assert sorted(set(np.round(depth.get_xdata() * np.pi, 9))) == [0.5, 2.0]
+
+    def test_points_on_the_ends_of_the_axis_are_drawn_whole(self, drawn):
+        real, _, depth = drawn["decay, usual"].axes
+        assert real.get_xlim()[0] < 0
+        assert real.get_xlim()[1] > 1
+        assert depth.get_xlim()[0] < 0
+
+    def test_every_phase_has_its_curve(self, drawn):
+        data, depth = made_up_mirror(), drawn["decay, usual"].axes[2]
+        curves = {line.get_label(): line for line in depth.lines if "phase" in line.get_label()}
+        for column, phase in enumerate(("0", "0.25 π", "0.5 π", "0.75 π", "π")):
+            line = curves.pop(f"decay, phase {phase} along the rows")
+            assert line.get_xdata() == pytest.approx(data["attenuation"].values[:, column])
+            assert line.get_ydata() == pytest.approx(data["frequency"].values / 1e3)
+        assert not curves
+        assert len({(line.get_color(), str(line.get_linestyle())) for line in depth.lines}) >= 5
+
+    def test_a_spectrum_in_which_nothing_fades_is_drawn(self):
+        data = made_up_mirror()
+        data["attenuation"][:] = 0.0
+        assert plots.decay(data).axes[2].get_xlim()[1] >= 1.0
+
+
+class TestLayers:
+    def test_a_panel_for_each_wave_that_comes(self, drawn):
+        labels = {name: [a.get_ylabel() for a in drawn[f"layers, {name}"].axes] for name in DATASETS}
+        assert labels["usual"] == [f"{family}: transmitted (dB)" for family in ("A0", "S0", "SH0")]
+        assert labels["two waves"] == [f"{family}: transmitted (dB)" for family in ("A0", "SH0")]
+        assert labels["one wave"] == ["SH0: transmitted (dB)"]
+
+    @pytest.mark.parametrize(("name", "rows"), [("one row", 1), ("usual", 6), ("twelve rows", 12)])
+    def test_a_curve_for_each_number_of_rows(self, drawn, name, rows):
+        """All kinds of transmitted waves together: the n-th kind fades by 5 n dB per row within the gap."""
+        figure = drawn[f"layers, {name}"]
+        for number, axes in enumerate(figure.axes):
+            curves = [line for line in axes.lines if line.get_gid() is None]
+            assert [line.get_label() for line in curves] == [
+                "1 row",
+                *(f"{k} rows" for k in range(2, rows + 1)),
+            ]
+            for k, line in enumerate(curves):
+                inside = (line.get_xdata() > 49) & (line.get_xdata() < 61)
+                assert line.get_ydata()[inside] == pytest.approx(np.full(6, -5.0 * (number + 1) * (k + 1)))
+                assert line.get_ydata()[~inside] == pytest.approx(np.zeros(15), abs=1e-9)
+        written = [text for text, _ in shown_texts(figure)]
+        assert sum(text.endswith((" row", " rows")) for text in written) == rows
+
+    def test_every_curve_stands_out_from_the_paper(self, drawn):
+        for line in drawn["layers, twelve rows"].axes[0].lines[:12]:
+            rgb = np.array(mpl.colors.to_rgb(line.get_color()))
+            light = np.where(rgb <= 0.04045, rgb / 12.92, ((rgb + 0.055) / 1.055) ** 2.4)
+            assert 1.05 / (light @ [0.2126, 0.7152, 0.0722] + 0.05) > 2.0
+
+    def test_curves_are_in_view_down_to_the_floor(self, drawn):
+        for axes in drawn["layers, usual"].axes:
+            lowest = min(line.get_ydata().min() for line in axes.lines if line.get_gid() is None)
+            assert axes.get_ylim()[0] == pytest.approx(max(lowest, -100.0), abs=10.0)
+            assert axes.get_ylim()[0] <= max(lowest, -100.0)
+        assert drawn["layers, twelve rows"].axes[2].get_ylim()[0] == -100.0
+
+    def test_rows_that_let_everything_through_are_drawn(self):
+        data = made_up_mirror()
+        data["transmitted"][:] = 0.25
+        low, high = plots.layers(data).axes[0].get_ylim()
+        assert low <= -10
+        assert high > 0
+
+    def test_the_angle_is_named(self, drawn):
+        assert drawn["layers, usual"].axes[0].get_title().startswith("normal incidence")
+        assert "incident at 28.6° from the normal" in drawn["layers, oblique"].axes[0].get_title()
+
+
+class TestGuide:
+    def test_the_mode_ends_where_the_lattice_begins(self, drawn):
+        (axes,) = drawn["guide"].axes
+        (curve,) = (line for line in axes.lines if "amplitude" in line.get_label())
+        assert (curve.get_xdata().min(), curve.get_xdata().max()) == pytest.approx((-16.0, 16.0))
+        sides = sorted(sorted((p.get_x(), p.get_x() + p.get_width())) for p in axes.patches)
+        assert (sides[0][1], sides[1][0]) == pytest.approx((-16.0, 16.0))
+        assert axes.get_ylim()[0] == 0.0
+
+    @pytest.mark.parametrize(
+        ("name", "line"), [("guide", 17.0), ("guide, narrow", 2.45), ("guide, held in front", 59.0)]
+    )
+    def test_the_fixed_lines_are_where_they_are_and_in_view(self, drawn, name, line):
+        (axes,) = drawn[name].axes
+        places = sorted(artist.get_xdata()[0] for artist in axes.lines if len(artist.get_xdata()) == 2)
+        assert places == pytest.approx([-line, line])
+        low, high = axes.get_xlim()
+        assert low < places[0]
+        assert places[1] < high
+
+    def test_the_legend_names_each_thing_once(self, drawn):
+        (legend,) = drawn["guide"].legends
+        written = [text.get_text() for text in legend.get_texts()]
+        assert sorted(written) == ["amplitude of the mode", "equivalent fixed line", "lattice"]
