@@ -13,7 +13,6 @@ import time
 import numpy as np
 import pytest
 import xarray as xr
-from refusals import assert_five_parts
 
 from five_parts import assert_five_parts
 from interrupts import hear_interrupts

@@ -172,7 +172,7 @@ class TestDesign:
     def test_a_model_too_coarse_to_tell_says_so(self, haptonic, asking):
         """The closest design does hold the carrier, if only the edges' errors were smaller."""
         ran = haptonic("design", asking(LIMITS, HEIGHT))
-        assert_five_parts(ran, "bands.accuracy", "may be off by so much", "finer accuracy")
+        assert_five_parts(ran, "bands.accuracy", "by less than that", "finer accuracy")
 
     def test_nothing_to_vary(self, here, study, tmp_path):
         assert_five_parts(

@@ -8,7 +8,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 import xarray as xr
-from refusals import assert_five_parts
+
+from five_parts import assert_five_parts
 
 FINE = (("order = 2", "order = 3"), ("foot_rings = 0", "foot_rings = 1"))  # else the gap is not certain
 PROTOTYPE = ("[[sweep]]", '[waveguide]\nmode = "0x17"\nwidth = "32 mm"\nrows = 20\n\n[[sweep]]')

@@ -93,7 +93,10 @@ def layers_table(result: Layers) -> Table:
     """Insulation at the carrier by rows."""
     data = result.dataset
     carrier = float(data.attrs["carrier_hz"]) / 1e3
-    title = f"transmitted energy at {carrier:g} kHz, dB below the incident wave: all waves (the same wave)"
+    title = (
+        f"transmitted energy at {carrier:g} kHz {result.incidence}, dB below the incident wave: "
+        "all waves (the same wave)"
+    )
     shown = Table("rows", *(f"incident {family}" for family in result.families), title=title)
     for k, rows in enumerate(data["rows"].values):
         cells = [f"{result.insulation(f)[k]:.1f} ({result.same_wave(f)[k]:.1f})" for f in result.families]

@@ -29,6 +29,7 @@ from haptonic.units import format_quantity
 
 Array = NDArray[np.float64]
 
+LEAST_SHARE = 1e-30  # of the energy
 CHUNK = 12  # frequencies of one task
 
 
@@ -42,6 +43,12 @@ class Layers:
 
     gap: Gap | None
     dataset: xr.Dataset
+
+    @property
+    def incidence(self) -> str:
+        """The angle of incidence in words."""
+        angle = np.degrees(float(self.dataset.attrs["angle"]))
+        return "at normal incidence" if angle == 0 else f"at {angle:.3g}° from the normal"
 
     @property
     def families(self) -> list[str]:
@@ -61,7 +68,7 @@ class Layers:
     def same_wave(self, family: str) -> Array:
         """(rows,) transmitted energy of the incident kind alone at the carrier, dB below the incident one."""
         share = self.dataset["carrier_transmitted"].sel(incident=family, outgoing=family).values
-        return np.asarray(-10 * np.log10(share))
+        return _decibels(share)
 
     def figures(self) -> dict[str, Figure]:
         """All pictures, by name."""
@@ -70,7 +77,7 @@ class Layers:
     def insulation(self, family: str) -> Array:
         """(rows,) all transmitted energy at the carrier, dB below the incident one."""
         share = self.dataset["carrier_transmitted"].sel(incident=family).sum("outgoing").values
-        return np.asarray(-10 * np.log10(share))
+        return _decibels(share)
 
     def to_json(self) -> dict[str, Any]:
         """Plain values for machines."""
@@ -98,6 +105,11 @@ class Layers:
                 "reflected": no_nan(data["reflected"].sum("outgoing", skipna=False).values),
             },
         }
+
+
+def _decibels(share: Array) -> Array:
+    """Below the incident energy; rounding is all that is left below `LEAST_SHARE`."""
+    return np.asarray(-10 * np.log10(np.maximum(share, LEAST_SHARE)))
 
 
 @dataclass(frozen=True)

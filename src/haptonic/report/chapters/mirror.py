@@ -154,8 +154,8 @@ def _rows_table(layers: Layers) -> Table:
         for k, count in enumerate(layers.dataset["rows"].values)
     )
     return Table(
-        f"Energy that passes at {carrier:g} kHz, dB below the incident wave: all waves, and in brackets the "
-        "same kind alone.",
+        f"Energy that passes at {carrier:g} kHz {layers.incidence}, dB below the incident wave: all waves, "
+        "in brackets the same kind alone.",
         head,
         rows,
     )
