@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-from itertools import combinations
-
 import numpy as np
 import pytest
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.colors import to_hex
 from matplotlib.figure import Figure
 from matplotlib.patches import Rectangle
+from seeing import assert_readable
 
 from haptonic import plots
 from haptonic.design.parameters import UNITS
@@ -60,38 +59,10 @@ def bars(axes, colour: str) -> list[Rectangle]:
     ]
 
 
-def shown_texts(figure: Figure) -> list:
-    """(text, box in pixels) of everything that is written in a figure."""
-    FigureCanvasAgg(figure).draw()
-    found = [text for legend in figure.legends for text in legend.get_texts()]
-    for axes in figure.axes:
-        found += [*axes.texts, axes.title, axes.xaxis.label, axes.yaxis.label]
-        for axis in (axes.xaxis, axes.yaxis):
-            low, high = sorted(axis.get_view_interval())
-            slack = 1e-9 * (high - low)
-            for tick in axis.get_major_ticks():
-                if low - slack <= tick.get_loc() <= high + slack:
-                    found += [tick.label1, tick.label2]
-    seen = [text for text in found if text.get_visible() and text.get_text().strip()]
-    return [(text.get_text(), text.get_window_extent()) for text in seen]
-
-
 @pytest.mark.parametrize("name", PICTURES)
 class TestEveryPicture:
     def test_no_text_lies_on_another_or_leaves_the_picture(self, drawn, name):
-        figure = drawn[name]
-        texts = shown_texts(figure)
-        assert len(texts) > 5
-        width, height = figure.canvas.get_width_height()
-        for text, box in texts:
-            assert box.x0 >= -1, text
-            assert box.y0 >= -1, text
-            assert box.x1 <= width + 1, text
-            assert box.y1 <= height + 1, text
-        for (one, a), (other, b) in combinations(texts, 2):
-            across = min(a.x1, b.x1) - max(a.x0, b.x0)
-            up = min(a.y1, b.y1) - max(a.y0, b.y0)
-            assert across < 1 or up < 1, (one, other)
+        assert_readable(drawn[name])
 
     def test_the_legend_is_whole_and_has_no_empty_entry(self, drawn, name):
         figure = drawn[name]

@@ -6,9 +6,11 @@ from functools import lru_cache
 
 from haptonic.bloch import Gap, Resolution
 from haptonic.cell import UnitCell
+from haptonic.errors import StudyError
 from haptonic.results.common import Asked
 from haptonic.results.runner import Runner
 from haptonic.superelement import Superelement, condense
+from haptonic.units import format_quantity
 
 
 @lru_cache(maxsize=2)
@@ -22,3 +24,23 @@ def gap_around(cell: UnitCell, asked: Asked, carrier: float, runner: Runner) -> 
     gaps = [gap for gap in runner.gaps(cell, asked) if gap.complete and gap.certain]
     holding = [gap for gap in gaps if gap.lower < carrier < gap.upper]
     return max(holding or gaps, key=lambda gap: gap.width, default=None)
+
+
+def gap_holding(cell: UnitCell, asked: Asked, carrier: float, runner: Runner) -> Gap:
+    """The complete gap that holds the carrier.
+
+    Raises
+    ------
+    StudyError : there is none
+    """
+    gap = gap_around(cell, asked, carrier, runner)
+    if gap is None or not gap.lower < carrier < gap.upper:
+        nearest = f"; the widest is {gap.lower / 1e3:.2f} to {gap.upper / 1e3:.2f} kHz" if gap else ""
+        raise StudyError(
+            argument="carrier",
+            given=format_quantity(carrier, "Hz"),
+            allowed="a frequency in a complete gap of the cell",
+            cause=f"the cell has no such gap there{nearest}",
+            next_step="find a cell for this carrier with `haptonic design`",
+        )
+    return gap

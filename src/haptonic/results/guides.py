@@ -18,11 +18,10 @@ from haptonic.bloch.model import bloch_model
 from haptonic.bloch.plate_waves import PlainPlate
 from haptonic.cell import UnitCell
 from haptonic.errors import StudyError
-from haptonic.results.carrier import condensed_cell, gap_around
+from haptonic.results.carrier import condensed_cell, gap_holding
 from haptonic.results.common import Asked
 from haptonic.results.runner import Runner
 from haptonic.superelement import Superelement
-from haptonic.units import format_quantity
 
 INSET = 1e-3  # of the gap's width, kept away from its edges
 MOST_LENGTHS = 6  # of waveguides that are compared
@@ -123,15 +122,7 @@ def compute_guides(
     ------
     StudyError : no complete gap around the carrier, or no such waveguide
     """
-    gap = gap_around(cell, asked, carrier, runner)
-    if gap is None or not gap.lower < carrier < gap.upper:
-        raise StudyError(
-            argument="carrier",
-            given=format_quantity(carrier, "Hz"),
-            allowed="a frequency in a complete gap of the cell",
-            cause="outside a gap the lattice is no mirror",
-            next_step="find a cell for this carrier with `haptonic design`",
-        )
+    gap = gap_holding(cell, asked, carrier, runner)
     resolution = bloch_model(cell, asked.count, asked.accuracy, asked.resolution).resolution
     superelement = condensed_cell(cell, resolution)
     across, along = mode

@@ -31,10 +31,9 @@ from haptonic.design.tolerance import (
 )
 from haptonic.errors import HaptonicError, StudyError
 from haptonic.jobs import Task
-from haptonic.results.carrier import gap_around
+from haptonic.results.carrier import gap_holding
 from haptonic.results.common import Asked, key_of, stamped
 from haptonic.results.runner import Runner
-from haptonic.units import format_quantity
 
 Array = NDArray[np.float64]
 
@@ -124,15 +123,7 @@ def compute_tolerance(
             cause=f"a quadratic in so many parameters has {needed} coefficients",
             next_step="compute more samples, or leave spreads out that hardly matter",
         )
-    gap = gap_around(cell, asked, carrier, runner)
-    if gap is None or not gap.lower < carrier < gap.upper:
-        raise StudyError(
-            argument="carrier",
-            given=format_quantity(carrier, "Hz"),
-            allowed="a frequency in a complete gap of the cell",
-            cause="the cell has no such gap there, not even without any deviation",
-            next_step="find a cell for this carrier with `haptonic design`",
-        )
+    gap = gap_holding(cell, asked, carrier, runner)
     try:
         designs = samples(cell, spreads, count)
     except HaptonicError as error:
