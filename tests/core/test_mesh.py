@@ -204,3 +204,13 @@ def test_a_pillar_must_leave_room_on_the_shorter_side():
     with pytest.raises(GeometryError, match="wider than the cell"):
         UnitCell(wide, 1e-3, ALUMINIUM, Pillar(4.5e-3, 5e-3))
     assert UnitCell(wide, 1e-3, ALUMINIUM, Pillar(3e-3, 5e-3)).clearance == pytest.approx(0.5e-3)
+
+
+def test_a_fillet_that_reaches_beyond_the_cell_is_blamed_itself():
+    filleted = replace(reference_cell().pillar, fillet=2.6e-3)
+    with pytest.raises(
+        GeometryError, match=r"cell\.pillar\.fillet: got 2.6 mm\n  allowed: less than 1.68 mm"
+    ):
+        replace(reference_cell(), pillar=filleted)
+    just = replace(filleted, fillet=1.679e-3)
+    assert replace(reference_cell(), pillar=just).clearance == pytest.approx(0.071e-3)

@@ -10,6 +10,8 @@ from haptonic.errors import GeometryError
 from haptonic.lattice import Lattice
 from haptonic.materials import Material, is_symmetry
 
+LEAST_CLEARANCE = 0.01  # of the pitch, between a pillar and the nearest side of its cell
+
 
 @dataclass(frozen=True)
 class UnitCell:
@@ -43,18 +45,8 @@ class UnitCell:
                 cause="a size was left at zero or has the wrong sign",
                 next_step="give a positive length",
             )
-        if self.pillar is not None and self.clearance < 0.01 * self.lattice.pitch:
-            beyond = 2 * (self.pillar.widest - self.pillar.radius)
-            room = 2 * (self.inradius - 0.01 * self.lattice.pitch) - beyond
-            raise GeometryError(
-                argument="cell.pillar.diameter",
-                given=f"{self.pillar.diameter * 1e3:g} mm"
-                + (f", and {beyond * 1e3:.4g} mm more where the pillar is widest" if beyond else ""),
-                allowed=f"less than {room * 1e3:.4g} mm, "
-                "so that a hundredth of the pitch stays free on either side",
-                cause="the pillar is wider than the cell",
-                next_step="choose a thinner pillar or a larger pitch",
-            )
+        if self.pillar is not None and self.clearance < LEAST_CLEARANCE * self.lattice.pitch:
+            raise _too_wide(self.pillar, self.inradius - LEAST_CLEARANCE * self.lattice.pitch)
 
     @property
     def inradius(self) -> float:
@@ -77,3 +69,27 @@ class UnitCell:
     def without_pillar(self) -> UnitCell:
         """The plain plate of the same period."""
         return replace(self, pillar=None)
+
+
+def _too_wide(pillar: Pillar, room: float) -> GeometryError:
+    """A pillar, or its fillet, for which half the width that there is (m) is not enough."""
+    free = "so that a hundredth of the pitch stays free on either side"
+    sharp = replace(pillar, fillet=0.0)
+    if pillar.arc is not None and sharp.widest < room:
+        most = pillar.fillet * (room - pillar.radius) / (pillar.arc.centre[0] - pillar.radius)
+        return GeometryError(
+            argument="cell.pillar.fillet",
+            given=f"{pillar.fillet * 1e3:.4g} mm",
+            allowed=f"less than {most * 1e3:.4g} mm, {free}",
+            cause="the fillet reaches beyond the cell",
+            next_step="choose a smaller radius, a thinner pillar or a larger pitch",
+        )
+    beyond = 2 * (sharp.widest - pillar.radius)
+    return GeometryError(
+        argument="cell.pillar.diameter",
+        given=f"{pillar.diameter * 1e3:g} mm"
+        + (f", and {beyond * 1e3:.4g} mm more where the pillar is widest" if beyond else ""),
+        allowed=f"less than {(2 * room - beyond) * 1e3:.4g} mm, {free}",
+        cause="the pillar is wider than the cell",
+        next_step="choose a thinner pillar or a larger pitch",
+    )
