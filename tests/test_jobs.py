@@ -359,3 +359,8 @@ class TestInterrupted:
         assert noise == ""
         assert child.returncode == 130
         assert kept(store) == 0
+
+
+def test_two_runs_at_a_time_do_not_fight_for_a_port():
+    with jobs._local_workers(1), jobs._local_workers(1):
+        pass

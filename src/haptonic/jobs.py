@@ -253,7 +253,7 @@ def _local_workers(count: int) -> Iterator[Client]:
                     n_workers=count,
                     threads_per_worker=1,
                     processes=True,
-                    dashboard_address=None,
+                    dashboard_address=":0",  # any port: two runs at a time must not fight for one
                     silence_logs=logging.CRITICAL,
                 )
             except (RuntimeError, OSError) as error:
