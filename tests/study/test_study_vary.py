@@ -1,6 +1,7 @@
 """The grammar of ``vary``: read like arithmetic, solved exactly, and never executed."""
 
 import math
+import re
 
 import pytest
 from hypothesis import assume, given, settings
@@ -68,7 +69,8 @@ def test_value_is_that_of_ordinary_arithmetic(text):
         with pytest.raises(StudyError, match="is zero in this study"):
             expression.value(PARAMETERS)
         return
-    assume(not {name for name in ZEROS if name in text} - dict(expression.powers).keys())  # 0 / 0 cancels
+    cancelled = re.compile(rf"/\s*(?:{'|'.join(map(re.escape, ZEROS))})")
+    assume(not cancelled.search(text))  # here 0 / 0 cancels, for Python it does not
     assert expression.value(PARAMETERS) == pytest.approx(by_python(text, PARAMETERS), rel=1e-12)
 
 

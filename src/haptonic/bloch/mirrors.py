@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 
 import numpy as np
@@ -15,8 +16,10 @@ from haptonic.bloch.layers import OUTGOING, Interface, Scattering
 from haptonic.bloch.plate_waves import FAMILIES
 from haptonic.errors import StudyError
 from haptonic.superelement import Superelement
+from haptonic.superelement.parallel import threads
 
 Array = NDArray[np.float64]
+Complex = NDArray[np.complex128]
 
 PHASES = np.linspace(0.0, np.pi, 5)  # along the rows, at which the decay is followed
 SHOWN_WAVES = 8  # of each frequency in the complex band structure: those that reach farthest
@@ -51,22 +54,21 @@ def mirror_dataset(superelement: Superelement, frequency: Array, incidence: Inci
     """
     slabs = [Slab.of(superelement, float(phase)) for phase in PHASES]
     normal = Interface.of(superelement, 0.0)
-    kappa = np.full((len(frequency), SHOWN_WAVES), np.nan, dtype=complex)
-    attenuation = np.empty((len(frequency), len(PHASES)))
-    shares = np.full((2, len(frequency), incidence.layers, len(FAMILIES), len(OUTGOING)), np.nan)
-    for row, omega in enumerate(2 * np.pi * frequency):
-        for column, slab in enumerate(slabs):
-            right, _ = bloch_waves(slab.at(omega), omega)
-            attenuation[row, column] = decibels(right)
-            if column == 0:
-                kappa[row] = -1j * right.exponent[:SHOWN_WAVES]
+
+    def one(at: float) -> tuple[Complex, Array, Array]:
+        omega = 2 * np.pi * at
+        waves = [bloch_waves(slab.at(omega), omega)[0] for slab in slabs]
+        shares = np.full((2, incidence.layers, len(FAMILIES), len(OUTGOING)), np.nan)
         for number, family in enumerate(FAMILIES):
-            found = scattering_at(superelement, frequency[row], family, incidence, normal)
+            found = scattering_at(superelement, at, family, incidence, normal)
             if found is not None:
-                shares[0, row, :, number], shares[1, row, :, number] = (
-                    found.reflected[:, 0],
-                    found.transmitted[:, 0],
-                )
+                shares[:, :, number] = found.reflected[:, 0], found.transmitted[:, 0]
+        return -1j * waves[0].exponent[:SHOWN_WAVES], np.array([decibels(right) for right in waves]), shares
+
+    with ThreadPoolExecutor(threads()) as pool:
+        columns = zip(*pool.map(one, frequency.tolist()), strict=True)
+        kappa, attenuation, energy = (np.array(column) for column in columns)
+    shares = np.moveaxis(energy, 1, 0)
     by_rows = ("frequency", "rows", "incident", "outgoing")
     return xr.Dataset(
         {
@@ -93,7 +95,6 @@ def _words(unit: str, title: str) -> dict[str, str]:
     return {"units": unit, "long_name": title}
 
 
-@threadpool_limits.wrap(limits=1)
 def scattering_at(
     superelement: Superelement,
     frequency: float,

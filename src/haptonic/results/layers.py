@@ -10,6 +10,7 @@ import numpy as np
 import xarray as xr
 from matplotlib.figure import Figure
 from numpy.typing import NDArray
+from threadpoolctl import threadpool_limits
 
 from haptonic import plots
 from haptonic.bloch import Gap, Resolution
@@ -135,6 +136,7 @@ def layer_tasks(points: int) -> int:
     return 1 + -(-points // CHUNK)
 
 
+@threadpool_limits.wrap(limits=1)  # these matrices are too small for threads inside the linear algebra
 def compute_layers(
     cell: UnitCell,
     asked: Asked,

@@ -239,7 +239,7 @@ class Study(Description):
                 cause="only one end of the spectrum was given, beyond the other's default",
                 next_step="give both layers.lowest and layers.highest",
             )
-        return compute_layers(
+        found: Layers = compute_layers(
             self.unit_cell(),
             self.asked(),
             question,
@@ -247,6 +247,7 @@ class Study(Description):
             inputs=self.inputs(),
             runner=runner or Runner(Store.default()),
         )
+        return found
 
     def with_mode(self, mode: str) -> Study:
         """The same study with another mode of its waveguide, such as ``0x17``.
