@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 from collections.abc import Mapping, Sequence
 from dataclasses import asdict, dataclass
 from typing import Any
@@ -16,6 +17,7 @@ from haptonic.bloch import Gap
 from haptonic.cell import UnitCell
 from haptonic.design.brief import Brief
 from haptonic.design.parameters import UNITS, changed
+from haptonic.design.quick import QUICK
 from haptonic.design.search import Visited, climb, looked_at, starting_points
 from haptonic.errors import StudyError
 from haptonic.jobs import Task
@@ -162,10 +164,10 @@ def compute_front(
         {
             "pitch": ("design", np.asarray(pitches), {"units": "m"}),
             **{name: ("design", column, {"units": units[name]}) for name, column in columns.items()},
-            "value": (("design", "parameter"), values),
+            "value": (("design", "parameter"), values, {"units": "SI"}),
         },
         coords={"parameter": names},
-        attrs={"carrier_hz": brief.carrier},
+        attrs={"carrier_hz": brief.carrier, "mesh": json.dumps(asdict(QUICK))},
     )
 
 
@@ -257,7 +259,7 @@ def _history(brief: Brief, history: Sequence[tuple[str, Visited]]) -> xr.Dataset
     }
     for name, (unit, title) in words.items():
         dataset[name].attrs = {"units": unit, "long_name": title}
-    dataset.attrs["carrier_hz"] = brief.carrier
+    dataset.attrs |= {"carrier_hz": brief.carrier, "mesh": json.dumps(asdict(QUICK))}
     return dataset
 
 

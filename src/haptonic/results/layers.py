@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 from collections.abc import Mapping
 from dataclasses import asdict, dataclass, replace
 from typing import Any
@@ -186,6 +187,7 @@ def compute_layers(
         "angle": question.incidence.angle,
         "loss_factor": question.incidence.loss_factor,
         "gap": [gap.lower, gap.upper] if gap else [],
+        "mesh": json.dumps(asdict(superelement.mesh.topology.plan)),
     }
     return Layers(gap, stamped(dataset, inputs))
 

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+import json
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import asdict, dataclass
 from typing import Any
 
 import numpy as np
@@ -170,6 +171,7 @@ def compute_tolerance(
         attrs={
             "carrier_hz": carrier,
             "margin_hz": margin,
+            "mesh": json.dumps(asdict(QUICK)),
             "chance_to_first_order": straight.of_a_plate(),
         },
     )  # fmt: skip

@@ -29,6 +29,7 @@ from haptonic.results import (
     compute_sweeps,
     compute_tolerance,
 )
+from haptonic.results.common import stamped
 from haptonic.results.layers import Question
 from haptonic.results.tolerance import BATCH
 from haptonic.store import Store
@@ -186,7 +187,8 @@ class Study(Description):
         low, high = brief.bounds["cell.pitch"]
         pitches = [low + (high - low) * i / (count - 1) for i in range(count)]
         runner = runner or Runner(Store.default())
-        return compute_front(brief, best.values, pitches, steps=self.design.steps, runner=runner)
+        front = compute_front(brief, best.values, pitches, steps=self.design.steps, runner=runner)
+        return stamped(front, self.inputs())
 
     def toleranced(self, runner: Runner | None = None) -> Tolerance:
         """How sure the gap is to hold the carrier on plates that are not alike.
