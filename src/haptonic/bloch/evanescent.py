@@ -222,7 +222,7 @@ def bloch_waves(slab: FaceStiffness, omega: float) -> tuple[Waves, Waves]:
     companion = np.zeros((2 * n, 2 * n), dtype=complex)
     companion[:n, n:] = np.eye(n)
     companion[n:] = -la.solve(at_shift, np.hstack([slab.LR, middle + 2 * SHIFT * slab.LR]))
-    mu, fields = la.eig(companion, check_finite=False)
+    mu, fields = np.linalg.eig(companion)  # NumPy's is nearly twice as fast here as SciPy's
     multiplier = SHIFT + 1 / np.where(np.abs(mu) < SMALLEST, SMALLEST, mu)
     multiplier = np.where(np.abs(multiplier) < SMALLEST, SMALLEST, multiplier)
     u = fields[:n]
