@@ -66,10 +66,10 @@ class QuickDesign:
         for edge, sign in ((band - 1, +1), (band, -1)):
             self.zone.edge(edge, sign)
         chosen = self._critical(band - 1, +1) + self._critical(band, -1)
-        unknowns = np.hstack([self._unknowns(kappa, number) for kappa, number in chosen])
+        found = [self._mode(kappa, number) for kappa, number in chosen]
+        values, unknowns = np.array([value for value, _ in found]), np.hstack([mode for _, mode in found])
         superelement = self.model.fine.superelement
         trace = unknowns[: superelement.trace_size]
-        values = np.array([eigenpairs(self.model.fine.pencil, k, n + 1)[0][n] for k, n in chosen])
         forms = eigenvalue_derivatives(self.shared, superelement.lifted(unknowns), trace, values, paths)
         frequency = np.sqrt(values) / (2 * np.pi)
         slopes = np.stack([np.diagonal(forms[path]).real for path in paths], axis=1)
@@ -95,7 +95,7 @@ class QuickDesign:
         around = self.zone.triangles[(self.zone.triangles == point).any(axis=1)]
         return bool((value[point] >= value[around]).all())
 
-    def _unknowns(self, kappa: Array, band: int) -> NDArray[np.complex128]:
-        """(t + m, 1) of unit mass."""
-        _, modes = eigenpairs(self.model.fine.pencil, kappa, band + 1)
-        return self.model.fine.expanded(modes[:, band:], kappa)
+    def _mode(self, kappa: Array, band: int) -> tuple[float, NDArray[np.complex128]]:
+        """Eigenvalue, (rad/s)^2, and unknowns (t + m, 1) of unit mass of a band, counted from 0."""
+        values, modes = eigenpairs(self.model.fine.pencil, kappa, band + 1)
+        return float(values[band]), self.model.fine.expanded(modes[:, band:], kappa)

@@ -30,7 +30,6 @@ Array = NDArray[np.float64]
 POLISH_STEPS = 5  # designs computed at most once the coarse model has been corrected
 FRONT_STARTS = 8  # designs looked at for each pitch of a front
 AT_BOUND = 0.01  # share of a range, or of a limit, from which one counts as reached
-STAGES = ("look", "climb", "polish")
 
 
 @dataclass(frozen=True)

@@ -18,7 +18,7 @@ from haptonic.bloch.model import bloch_model
 from haptonic.bloch.plate_waves import PlainPlate
 from haptonic.cell import UnitCell
 from haptonic.errors import StudyError
-from haptonic.results.carrier import condensed_cell, gap_holding
+from haptonic.results.carrier import gap_holding
 from haptonic.results.common import Asked
 from haptonic.results.runner import Runner
 from haptonic.superelement import Superelement
@@ -123,8 +123,7 @@ def compute_guides(
     StudyError : no complete gap around the carrier, or no such waveguide
     """
     gap = gap_holding(cell, asked, carrier, runner)
-    resolution = bloch_model(cell, asked.count, asked.accuracy, asked.resolution).resolution
-    superelement = condensed_cell(cell, resolution)
+    superelement = bloch_model(cell, asked.count, asked.accuracy, asked.resolution).fine.superelement
     across, along = mode
     period = float(np.linalg.norm(cell.lattice.vectors[1]))
     plate = PlainPlate.of(cell, superelement.levels)
