@@ -1,0 +1,1 @@
+"""The frequency response: velocity against frequency, point and direction. Simulation and scan meet here."""
