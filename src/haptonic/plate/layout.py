@@ -38,7 +38,8 @@ class Layout:
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "cells", MappingProxyType(dict(self.cells)))
-        assert len(self.tiles) == self.rows and all(len(row) == self.columns for row in self.tiles)
+        assert len(self.tiles) == self.rows
+        assert all(len(row) == self.columns for row in self.tiles)
 
     @property
     def rows(self) -> int:

@@ -17,7 +17,7 @@ Hold = Literal["clamped", "simple", "spring"]
 class Support:
     """What holds the plate at its outer side faces.
 
-    where : the faces that look to one side, or the parts of all outer faces next to the four outermost corners
+    where : the faces that look to one side, or what of them lies next to the four outermost corners
     hold : "clamped" no motion; "simple" no motion along the face (hard simple support), normal motion free;
         "spring" a bed of springs
     length : of the held part of each face from the corner on, m; only for "corners"
@@ -42,7 +42,7 @@ class Bond:
 
 @dataclass(frozen=True)
 class Actuator:
-    """A piezoelectric patch on the face that carries the pillars, poled along z, electrodes on both its faces.
+    """A piezoelectric patch on the face that carries the pillars, poled along z, an electrode on either face.
 
     centre : (x, y), m; size : (along x, along y, thickness), m
     bond : None if the patch is one with the plate
