@@ -1,0 +1,210 @@
+"""The lines between tiles carry all unknowns through which tiles meet: polynomials along each edge between two
+crossings and through the thickness, given by their values on Gauss-Lobatto-Legendre points.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+from numpy.typing import NDArray
+
+from haptonic.cell.quadrature import interpolation, lobatto
+from haptonic.plate.layout import Layout
+from haptonic.plate.parts import Side
+
+Array = NDArray[np.float64]
+Ints = NDArray[np.int64]
+
+
+@dataclass(frozen=True)
+class TraceOrders:
+    """Polynomial orders of the unknowns between tiles: along an edge of a tile, and through the thickness."""
+
+    along: int
+    through: int
+
+    @property
+    def levels(self) -> int:
+        return self.through + 1
+
+    @property
+    def per_node(self) -> int:
+        """Unknowns at each place seen from above, ordered (level, component)."""
+        return 3 * self.levels
+
+
+@dataclass(frozen=True)
+class Block:
+    """A rectangle of tiles that is one body: rows and columns from the first up to, not with, the last."""
+
+    rows: tuple[int, int]
+    columns: tuple[int, int]
+
+    @property
+    def edges(self) -> int:
+        """How many edges of tiles lie on its rim."""
+        return 2 * (self.rows[1] - self.rows[0] + self.columns[1] - self.columns[0])
+
+    def meets(self, other: Block) -> bool:
+        """Whether the two share a tile."""
+        pairs = ((self.rows, other.rows), (self.columns, other.columns))
+        return all(a[0] < b[1] and b[0] < a[1] for a, b in pairs)
+
+    def joined(self, other: Block) -> Block:
+        """The smallest block that holds both."""
+        (r0, r1), (c0, c1) = self.rows, self.columns
+        (s0, s1), (d0, d1) = other.rows, other.columns
+        return Block((min(r0, s0), max(r1, s1)), (min(c0, d0), max(c1, d1)))
+
+    @property
+    def tiles(self) -> list[tuple[int, int]]:
+        """(row, column) of its tiles."""
+        return [(i, j) for i in range(*self.rows) for j in range(*self.columns)]
+
+
+@dataclass(frozen=True)
+class OuterEdge:
+    """An edge of a tile beyond which there is no plate.
+
+    nodes : (order + 1,) from its start, left or low, to its end
+    start, end : m; side : where it looks
+    """
+
+    nodes: Ints
+    start: tuple[float, float]
+    end: tuple[float, float]
+    side: Side
+
+    @property
+    def length(self) -> float:
+        """m"""
+        return float(np.hypot(self.end[0] - self.start[0], self.end[1] - self.start[1]))
+
+
+@dataclass(frozen=True, eq=False)
+class Skeleton:
+    """Numbers of the places on the lines between blocks, as seen from above.
+
+    layout, orders : what it was made from; blocks : they cover every tile once
+    rims : for each block the places on its rim, anticlockwise from its lower left corner
+    points : (places, 2), m
+    """
+
+    layout: Layout
+    orders: TraceOrders
+    blocks: tuple[Block, ...]
+    rims: tuple[Ints, ...]
+    points: Array
+
+    @classmethod
+    def of(cls, layout: Layout, blocks: Sequence[Block], orders: TraceOrders) -> Skeleton:
+        grid = _Grid(layout, orders.along)
+        rims = [grid.rim(block) for block in blocks]
+        used, number = np.unique(np.concatenate(rims), return_inverse=True)
+        ends = np.cumsum([len(rim) for rim in rims])
+        points = grid.points[used]
+        return cls(layout, orders, tuple(blocks), tuple(np.split(number, ends[:-1])), points)
+
+    @property
+    def size(self) -> int:
+        """Number of unknowns, none of them held yet."""
+        return len(self.points) * self.orders.per_node
+
+    def unknowns(self, places: Ints) -> Ints:
+        """Numbers of the unknowns at some places, ordered (place, level, component)."""
+        per_node = self.orders.per_node
+        return np.asarray(places[:, None] * per_node + np.arange(per_node)).ravel()
+
+    @cached_property
+    def outer_edges(self) -> tuple[OuterEdge, ...]:
+        """All edges with plate on one side only."""
+        layout, order = self.layout, self.orders.along
+        found = []
+        for block, rim in zip(self.blocks, self.rims, strict=True):
+            for k, (i, j, side) in enumerate(_around(block)):
+                di, dj = {"bottom": (-1, 0), "right": (0, 1), "top": (1, 0), "left": (0, -1)}[side]
+                if _is_plate(layout, i + di, j + dj):
+                    continue
+                nodes = rim[(k * order + np.arange(order + 1)) % len(rim)]
+                if side in ("top", "left"):
+                    nodes = nodes[::-1]
+                (x0, y0), (x1, y1) = self.points[nodes[0]], self.points[nodes[-1]]
+                found.append(OuterEdge(nodes, (float(x0), float(y0)), (float(x1), float(y1)), side))
+        return tuple(found)
+
+
+def _is_plate(layout: Layout, i: int, j: int) -> bool:
+    return 0 <= i < layout.rows and 0 <= j < layout.columns and layout.tiles[i][j] is not None
+
+
+def _around(block: Block) -> list[tuple[int, int, Side]]:
+    """(row, column, side) of the edges on a block's rim, anticlockwise from its lower left corner."""
+    (r0, r1), (c0, c1) = block.rows, block.columns
+    return [
+        *((r0, j, "bottom") for j in range(c0, c1)),
+        *((i, c1 - 1, "right") for i in range(r0, r1)),
+        *((r1 - 1, j, "top") for j in reversed(range(c0, c1))),
+        *((i, c0, "left") for i in reversed(range(r0, r1))),
+    ]  # fmt: skip
+
+
+class _Grid:
+    """Numbers of all places that the lines of a layout can carry."""
+
+    def __init__(self, layout: Layout, order: int) -> None:
+        rows, columns, inner = layout.rows, layout.columns, order - 1
+        crossings = (rows + 1) * (columns + 1)
+        along_x = crossings + np.arange((rows + 1) * columns * inner)
+        along_y = crossings + len(along_x) + np.arange(rows * (columns + 1) * inner)
+        self.crossing = np.arange(crossings).reshape(rows + 1, columns + 1)
+        self.along_x = along_x.reshape(rows + 1, columns, inner)
+        self.along_y = along_y.reshape(rows, columns + 1, inner)
+        x, y = np.array(layout.x), np.array(layout.y)
+        share = 0.5 * (1 + lobatto(order)[0][1:-1])
+        self.points = np.empty((crossings + len(along_x) + len(along_y), 2))
+        self.points[self.crossing] = np.stack(np.broadcast_arrays(x, y[:, None]), axis=-1)
+        between = x[:-1, None] + share * np.diff(x)[:, None]
+        self.points[self.along_x] = np.stack(np.broadcast_arrays(between, y[:, None, None]), axis=-1)
+        between = (y[:-1, None] + share * np.diff(y)[:, None])[:, None]
+        self.points[self.along_y] = np.stack(np.broadcast_arrays(x[:, None], between), axis=-1)
+
+    def rim(self, block: Block) -> Ints:
+        """Places around a block, anticlockwise from its lower left corner."""
+        pieces = []
+        for i, j, side in _around(block):
+            if side == "bottom":
+                pieces += [self.crossing[i, j : j + 1], self.along_x[i, j]]
+            elif side == "right":
+                pieces += [self.crossing[i, j + 1 : j + 2], self.along_y[i, j + 1]]
+            elif side == "top":
+                pieces += [self.crossing[i + 1, j + 1 : j + 2], self.along_x[i + 1, j, ::-1]]
+            else:
+                pieces += [self.crossing[i + 1, j : j + 1], self.along_y[i, j, ::-1]]
+        return np.concatenate(pieces)
+
+
+def rim_values(edges: int, orders: TraceOrders, where: Array, height: Array) -> Array:
+    """Values of a trace at points of a rim.
+
+    Parameters
+    ----------
+    edges : of tiles, on the rim
+    where : (n,) positions along the rim in edges, from 0 to ``edges``
+    height : (n,) share of the thickness, 0 at the flat face
+
+    Returns
+    -------
+    (n, edges * along * levels) weights of the trace's nodes, ordered (place, level)
+    """
+    order = orders.along
+    places = edges * order
+    edge = np.minimum(np.floor(where).astype(np.int64), edges - 1)
+    along = interpolation(lobatto(order)[0], 2 * (where - edge) - 1)
+    up = interpolation(lobatto(orders.through)[0], 2 * height - 1)
+    weights = np.zeros((len(where), places, orders.levels))
+    place = (edge[:, None] * order + np.arange(order + 1)) % places
+    np.add.at(weights, (np.arange(len(where))[:, None], place), along[:, :, None] * up[:, None, :])
+    return weights.reshape(len(where), places * orders.levels)
