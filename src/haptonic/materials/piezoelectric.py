@@ -8,6 +8,7 @@ from dataclasses import asdict, dataclass, field
 import numpy as np
 
 from haptonic.materials.common import (
+    VOIGT,
     Array,
     Rows,
     Spread,
@@ -64,6 +65,11 @@ class PiezoelectricMaterial:
     def stiffness(self) -> Array:
         """c^E, (6, 6), Pa, in Voigt order 11, 22, 33, 23, 13, 12 with engineering shear strains."""
         return np.array(self.elastic)
+
+    @property
+    def coupling_tensor(self) -> Array:
+        """(3, 3, 3) tensor e_akl of the coupling, C/m^2: field direction, then the pair of the strain."""
+        return np.array(self.coupling)[:, np.array(VOIGT)]
 
     def to_dict(self) -> dict[str, object]:
         """Plain values for JSON: the kind and every field."""

@@ -1,0 +1,287 @@
+"""A rectangle of plain plate with the patches that are glued to it, not reduced: stiffness by part, mass,
+drive. Also a patch on its own.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from itertools import pairwise
+from math import ceil
+from types import MappingProxyType
+
+import numpy as np
+import scipy.sparse as sp
+from numpy.lib.stride_tricks import sliding_window_view
+from numpy.typing import NDArray
+
+from haptonic.cell.quadrature import lobatto
+from haptonic.elements import element_matrices
+from haptonic.materials import Material, PiezoelectricMaterial
+from haptonic.plate.parts import Actuator, Plate
+from haptonic.plate.piezo import electric_part
+
+Array = NDArray[np.float64]
+Ints = NDArray[np.int64]
+Window = tuple[tuple[float, float], tuple[float, float]]
+
+SAME = 1e-9  # lines closer than this share of the longest element differ by rounding only
+BATCH = 64  # elements whose matrices are held at a time
+
+
+@dataclass(frozen=True)
+class BodyOrders:
+    """Polynomial orders. along : in the plane, of every element; plate, bond, ceramic : through each"""
+
+    along: int
+    plate: int
+    bond: int
+    ceramic: int
+
+
+@dataclass(frozen=True, eq=False)
+class Body:
+    """Piece of plain plate with what is glued to it, not reduced. Unknown 3 i + k is component k at node i.
+
+    The names of parts are "plate" and, of each actuator NAME, "NAME bond", "NAME ceramic" (c^E) and
+    "NAME field": what the electric field in it adds while its electrodes are at given voltage. With the
+    voltages V, forces f on a body at rest and the charges Q on the free electrodes obey
+
+        sum(stiffness) u = f + drive V,    Q = capacitance V + drive u.
+
+    points : (n, 3) m; the plate between z = 0 and its thickness, patches above
+    stiffness : by part (3 n, 3 n), symmetric, N/m; `loss_factors` has the complex factor of each
+    mass : (3 n,) lumped, kg
+    drive : by actuator (3 n,) force per volt, N/V
+    capacitance : by actuator, of the clamped patch, F
+    faces : (k, n1, n2) node numbers of the quadrilaterals on the flat face z = 0, by orders
+    rim : nodes on the four lateral sides of the plate, ascending; of a patch alone, on its own sides
+    elements : by part (k, n1, n2, n3) node numbers
+    """
+
+    points: Array
+    stiffness: Mapping[str, sp.csr_array]
+    mass: Array
+    drive: Mapping[str, Array]
+    capacitance: Mapping[str, float]
+    faces: tuple[Ints, ...]
+    rim: Ints
+    elements: Mapping[str, Ints]
+
+
+def body(
+    x: Sequence[float],
+    y: Sequence[float],
+    thickness: float,
+    material: Material,
+    actuators: Sequence[Actuator],
+    orders: BodyOrders,
+    longest: float,
+) -> Body:
+    """Mesh a rectangle of plate with its patches and assemble it.
+
+    The lines between tiles and the edges of all patches cut the whole rectangle into boxes, and these are
+    divided evenly until none is longer than ``longest``.
+
+    Parameters
+    ----------
+    x, y : positions of the lines between tiles, ascending, first and last the ends of the rectangle, m
+    thickness, material : of the plate
+    actuators : patches that lie within the rectangle and do not overlap
+    longest : of an element's sides in the plane, m
+    """
+    windows = [_window(actuator) for actuator in actuators]
+    assert not any(_overlap(one, other, longest) for i, one in enumerate(windows) for other in windows[:i]), (
+        "patches overlap"
+    )
+    edges_x, edges_y = ([end for window in windows for end in window[axis]] for axis in (0, 1))
+    grid = _Grid.of(_breaks(x, edges_x, longest), _breaks(y, edges_y, longest), orders.along)
+    plate = _laid("plate", material, grid, 0.0, thickness, orders.plate, 0)
+    layers, ceramics = [plate], {}
+    for actuator, window in zip(actuators, windows, strict=True):
+        at = grid.between(window)
+        below, height = plate.number[*at, -1], thickness
+        start = sum(len(layer.points) for layer in layers)
+        if actuator.bond is not None:
+            part, glue = f"{actuator.name} bond", actuator.bond
+            bond = _laid(
+                part, glue.material, grid.cropped(at), height, glue.thickness, orders.bond, start, below
+            )
+            layers.append(bond)
+            below, height, start = bond.number[..., -1], height + glue.thickness, start + len(bond.points)
+        ceramics[actuator.name] = _ceramic(actuator, grid.cropped(at), height, orders.ceramic, start, below)
+        layers.append(ceramics[actuator.name])
+    return _assembled(layers, ceramics)
+
+
+def free_patch(actuator: Actuator, orders: BodyOrders, longest: float) -> Body:
+    """The ceramic of an actuator without plate and glue: its lower face at z = 0, no part "plate"."""
+    x, y = (_breaks(ends, (), longest) for ends in _window(actuator))
+    layer = _ceramic(actuator, _Grid.of(x, y, orders.along), 0.0, orders.ceramic, 0)
+    return _assembled([layer], {actuator.name: layer})
+
+
+def loss_factors(plate: Plate) -> dict[str, complex]:
+    """Complex factor for each part's stiffness at a motion exp(i omega t), by the names of `Body`.
+
+    Elastic parts take 1 + i eta. A loss tangent makes the permittivity eps^S (1 - i tan delta): the field's
+    stiffness, which has it in the denominator, takes 1 / (1 - i tan delta), the capacitance
+    1 - i tan delta; in the drive it cancels, so the drive stays real.
+    """
+    factors = {"plate": 1 + 1j * plate.loss_factor}
+    for actuator in plate.actuators:
+        ceramic = actuator.material
+        if actuator.bond is not None:
+            factors[f"{actuator.name} bond"] = 1 + 1j * actuator.bond.material.loss_factor
+        factors[f"{actuator.name} ceramic"] = 1 + 1j * ceramic.loss_factor
+        factors[f"{actuator.name} field"] = 1 / (1 - 1j * ceramic.dielectric_loss)
+    return factors
+
+
+def _window(actuator: Actuator) -> Window:
+    """Ends of a patch along x and y, m."""
+    (x, y), (along_x, along_y, _) = actuator.centre, actuator.size
+    return (x - along_x / 2, x + along_x / 2), (y - along_y / 2, y + along_y / 2)
+
+
+def _overlap(one: Window, other: Window, longest: float) -> bool:
+    shared = (min(a[1], b[1]) - max(a[0], b[0]) for a, b in zip(one, other, strict=True))
+    return all(length > SAME * longest for length in shared)
+
+
+def _breaks(lines: Sequence[float], edges: Sequence[float], longest: float) -> Array:
+    """Borders of elements, ascending; an edge that is a line but for rounding is that line."""
+    found = [float(line) for line in lines]
+    for edge in edges:
+        assert found[0] - SAME * longest < edge < lines[-1] + SAME * longest, "a patch leaves the block"
+        if min(abs(edge - line) for line in found) > SAME * longest:
+            found.append(edge)
+    found.sort()
+    pieces = [np.linspace(a, b, max(1, ceil((b - a) / longest - SAME)) + 1)[:-1] for a, b in pairwise(found)]
+    return np.append(np.concatenate(pieces), found[-1])
+
+
+@dataclass(frozen=True, eq=False)
+class _Grid:
+    """Nodes in the plane. x, y : positions of the columns and rows, m; order : of the elements"""
+
+    x: Array
+    y: Array
+    order: int
+
+    @classmethod
+    def of(cls, x: Array, y: Array, order: int) -> _Grid:
+        """From the borders of the elements."""
+        inside = 0.5 * (1 + lobatto(order)[0][:-1])
+        columns, rows = (
+            np.append((ends[:-1, None] + inside * np.diff(ends)[:, None]).ravel(), ends[-1])
+            for ends in (x, y)
+        )
+        return cls(columns, rows, order)
+
+    def between(self, window: Window) -> tuple[slice, slice]:
+        """The columns and the rows from one end of a window to the other."""
+        ends = [
+            [int(np.abs(nodes - end).argmin()) for end in pair]
+            for nodes, pair in zip((self.x, self.y), window, strict=True)
+        ]
+        return slice(ends[0][0], ends[0][1] + 1), slice(ends[1][0], ends[1][1] + 1)
+
+    def cropped(self, at: tuple[slice, slice]) -> _Grid:
+        return _Grid(self.x[at[0]], self.y[at[1]], self.order)
+
+
+@dataclass(frozen=True, eq=False)
+class _Layer:
+    """One part: a box of elements over a grid.
+
+    number : (columns, rows, levels) node numbers; points : (fresh, 3) nodes that it does not share, m
+    elements : (k, n1, n2, n3) node numbers
+    """
+
+    part: str
+    material: Material
+    number: Ints
+    points: Array
+    elements: Ints
+
+
+def _laid(
+    part: str,
+    material: Material,
+    grid: _Grid,
+    bottom: float,
+    thickness: float,
+    order: int,
+    start: int,
+    below: Ints | None = None,
+) -> _Layer:
+    """A layer from z = ``bottom`` up; its own nodes are numbered from ``start``, those ``below`` shared."""
+    levels = bottom + thickness * 0.5 * (1 + lobatto(order)[0])
+    fresh = levels if below is None else levels[1:]
+    points = np.stack(np.meshgrid(grid.x, grid.y, fresh, indexing="ij"), axis=-1)
+    number = start + np.arange(points[..., 0].size).reshape(points.shape[:-1])
+    if below is not None:
+        number = np.concatenate([below[..., None], number], axis=-1)
+    size = (grid.order + 1, grid.order + 1, order + 1)
+    elements = sliding_window_view(number, size)[:: grid.order, :: grid.order, 0].reshape(-1, *size)
+    return _Layer(part, material, number, points.reshape(-1, 3), elements)
+
+
+def _ceramic(
+    actuator: Actuator, grid: _Grid, bottom: float, order: int, start: int, below: Ints | None = None
+) -> _Layer:
+    part = f"{actuator.name} ceramic"
+    return _laid(part, actuator.material, grid, bottom, actuator.size[2], order, start, below)
+
+
+def _assembled(layers: Sequence[_Layer], ceramics: Mapping[str, _Layer]) -> Body:
+    """The body of layers in the order of their nodes' numbers; the first one's lower face is the flat one."""
+    points = np.concatenate([layer.points for layer in layers])
+    size = 3 * len(points)
+    mass = np.zeros(len(points))
+    stiffness, drive, capacitance = {}, {}, {}
+    for layer in layers:
+        stiffness[layer.part] = _elastic(points, layer, mass)
+    for name, layer in ceramics.items():
+        assert isinstance(layer.material, PiezoelectricMaterial)
+        glued, free = layer.number[..., 0], layer.number[..., -1]
+        electric = electric_part(points, layer.elements, layer.material, glued, free)
+        own = (3 * electric.nodes[:, None] + np.arange(3)).ravel()
+        entries = (electric.stiffness.ravel(), (np.repeat(own, len(own)), np.tile(own, len(own))))
+        stiffness[f"{name} field"] = sp.coo_array(entries, shape=(size, size)).tocsr()
+        drive[name] = np.zeros(size)
+        drive[name][own] = electric.drive
+        capacitance[name] = electric.capacitance
+    lowest = layers[0]
+    inner = lowest.number[1:-1, 1:-1]
+    return Body(
+        points=points,
+        stiffness=MappingProxyType(stiffness),
+        mass=np.repeat(mass, 3),
+        drive=MappingProxyType(drive),
+        capacitance=MappingProxyType(capacitance),
+        faces=(lowest.elements[..., 0],),
+        rim=np.setdiff1d(lowest.number, inner),
+        elements=MappingProxyType({layer.part: layer.elements for layer in layers}),
+    )
+
+
+def _elastic(points: Array, layer: _Layer, mass: Array) -> sp.csr_array:
+    """(3 n, 3 n) stiffness of a layer; its lumped mass is added to ``mass`` (n,)."""
+    count = len(points)
+    total = sp.csr_array((3 * count,) * 2)
+    for start in range(0, len(layer.elements), BATCH):
+        nodes = layer.elements[start : start + BATCH]
+        matrices = element_matrices(points, nodes, layer.material)
+        flat = nodes.reshape(len(nodes), -1)
+        first, second = matrices.pairs
+        code, block = np.unique((flat[:, first] * count + flat[:, second]).ravel(), return_inverse=True)
+        entries = (np.ones(len(block)), (block, np.arange(len(block))))
+        gather = sp.csr_array(entries, shape=(len(code), len(block)))
+        blocks = (gather @ matrices.stiffness.reshape(-1, 9)).reshape(-1, 3, 3)
+        rows, columns = np.divmod(code, count)
+        starts = np.concatenate([[0], np.cumsum(np.bincount(rows, minlength=count))])
+        total = total + sp.bsr_array((blocks, columns, starts), shape=total.shape).tocsr()
+        mass += np.bincount(flat.ravel(), matrices.mass.ravel(), count)
+    return total
