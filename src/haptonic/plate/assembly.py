@@ -77,6 +77,11 @@ class Assembly:
         inside = np.flatnonzero(is_free)
         return cls(skeleton, number, free, tuple(groups), size, sp.csr_array(beds[inside][:, inside]))
 
+    @property
+    def is_free(self) -> NDArray[np.bool_]:
+        """(skeleton.size,) unknowns that are not held."""
+        return np.asarray(self.number < self.size)
+
     # -- products ---------------------------------------------------------------------------------
 
     def shares(self, vectors: Array) -> Iterator[tuple[Group, Array]]:

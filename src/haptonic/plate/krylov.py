@@ -89,9 +89,11 @@ class Basis:
     def spanned(cls, assembly: Assembly, vectors: Array) -> Basis:
         """Rayleigh and Ritz on the span of vectors (size, k) of any scale."""
         work = np.empty_like(vectors)
-        weights, turn = la.eigh(vectors.T @ assembly.mass_times(vectors, out=work))
+        gram = vectors.T @ assembly.mass_times(vectors, out=work)
+        size = np.sqrt(np.diag(gram))
+        weights, turn = la.eigh(gram / size / size[:, None])
         kept = weights > REPEATED * weights[-1]
-        turn = turn[:, kept] / np.sqrt(weights[kept])
+        turn = turn[:, kept] / np.sqrt(weights[kept]) / size[:, None]
         stiff = turn.T @ (vectors.T @ assembly.stiffness_times(vectors, out=work)) @ turn
         values, rotation = la.eigh(0.5 * (stiff + stiff.T))
         turn = turn @ rotation

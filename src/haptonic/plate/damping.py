@@ -1,0 +1,99 @@
+"""Response of a basis with any damping: a uniform loss, on it what differs on a few directions.
+
+With Ritz values lambda and the loss of the plate f = 1 + i eta, the reduced dynamic stiffness is
+``diag(f lambda - omega^2) + sum_j U_j Z_j(omega) U_j^T``. The second part has a low rank, so that every
+frequency costs little (Woodbury 1950, Inverting modified matrices, Princeton memorandum 42).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+import scipy.linalg as la
+from numpy.typing import NDArray
+
+from haptonic.plate.krylov import Basis
+
+Array = NDArray[np.float64]
+Ints = NDArray[np.int64]
+Complex = NDArray[np.complex128]
+
+NO_STIFFNESS = 1e-13  # share of a form's largest eigenvalue that is rounding
+MAIN = 1e-4  # share of the largest force that is worth a vector of its own
+NEGLIGIBLE = 1e-10  # share of the dynamic stiffness that a direction may add without being kept
+
+
+@dataclass(frozen=True, eq=False)
+class Extra:
+    """What adds ``impedance(omega) A A^T`` to the dynamic stiffness of a plate in which all losses are alike.
+
+    rows : (m,) unknowns that it touches; axes : (m, k) A
+    impedance : complex factor at angular frequencies (n,), rad/s
+    """
+
+    rows: Ints
+    axes: Array
+    impedance: Callable[[Array], Complex]
+
+    @classmethod
+    def of_form(cls, rows: Ints, form: Array, weight: complex) -> Extra:
+        """From a positive semidefinite form (m, m) with a constant weight."""
+        sizes, axes = la.eigh(form)
+        kept = sizes > NO_STIFFNESS * sizes[-1]
+        axes = axes[:, kept] * np.sqrt(sizes[kept])
+        return cls(rows, axes, lambda omega: np.full(len(omega), weight))
+
+    def main_forces(self, vectors: Array) -> Array:
+        """(m, p) the forces that it mainly exerts when vectors (size, k) of unit energy are all that moves."""
+        left, sizes, _ = la.svd(self.axes.T @ vectors[self.rows], full_matrices=False)
+        return np.asarray(self.axes @ left[:, sizes > MAIN * sizes[0]])
+
+    def directions(self, basis: Basis, omega: float) -> Array:
+        """(r, p) U with A^T V about U^T for all that counts, of vectors V at a typical frequency (rad/s)."""
+        scale = np.sqrt(np.abs(basis.values) + omega**2)[:, None]
+        left, sizes, _ = la.svd(basis.vectors[self.rows].T @ self.axes / scale, full_matrices=False)
+        kept = abs(self.impedance(np.array([omega]))[0]) * sizes**2 > NEGLIGIBLE
+        return np.asarray(scale * left[:, kept] * sizes[kept])
+
+
+def amplitudes(
+    values: Array,
+    loss: complex,
+    extras: Sequence[tuple[Array, Complex]],
+    loads: NDArray[Any],
+    omega: Array,
+) -> Complex:
+    """Amplitudes of Ritz vectors.
+
+    Parameters
+    ----------
+    values : (r,) Ritz values; loss : complex factor of them
+    extras : directions (r, p) and impedances (n,) of what adds to that
+    loads : (r,) reduced load; omega : (n,) rad/s
+
+    Returns
+    -------
+    (r, n)
+    """
+    alone = 1.0 / (loss * values[:, None] - omega**2)
+    plain = np.asarray(alone * loads[:, None])
+    extras = [(directions, impedance) for directions, impedance in extras if directions.shape[1]]
+    if not extras:
+        return plain
+    U = np.hstack([directions for directions, _ in extras])
+    flexibility = np.hstack(
+        [np.repeat(1.0 / impedance[:, None], directions.shape[1], axis=1) for directions, impedance in extras]
+    )
+    first, second = np.triu_indices(U.shape[1])
+    products = (U[:, first] * U[:, second]).T
+    seen = (products @ alone.real + 1j * (products @ alone.imag)).T  # (n, pairs)
+    compliance = np.empty((len(omega), U.shape[1], U.shape[1]), dtype=complex)
+    compliance[:, first, second] = compliance[:, second, first] = seen
+    index = np.arange(U.shape[1])
+    compliance[:, index, index] += flexibility
+    motion = (U.T @ plain).T[..., None]  # of the directions, without the extras
+    forces = np.linalg.solve(compliance, motion)[..., 0]
+    return np.asarray(plain - alone * (U @ forces.T))

@@ -1,0 +1,117 @@
+"""What holds a plate: unknowns at rest, and beds of springs on its outer side faces."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+import scipy.sparse as sp
+from numpy.polynomial.legendre import leggauss
+from numpy.typing import NDArray
+
+from haptonic.cell.quadrature import interpolation, lobatto
+from haptonic.plate.parts import Support
+from haptonic.plate.skeleton import OuterEdge, Skeleton
+
+Array = NDArray[np.float64]
+Ints = NDArray[np.int64]
+
+CLAMPED = 100.0  # stiffness of a clamp on a part of an edge, in those of a layer as thick as the plate
+
+
+@dataclass(frozen=True, eq=False)
+class Bed:
+    """Springs. stiffness : sparse, N/m; loss_factor : of theirs"""
+
+    stiffness: sp.csr_array
+    loss_factor: float
+
+    def on(self, kept: NDArray[np.bool_]) -> Bed:
+        """The bed on some of the unknowns only."""
+        inside = np.flatnonzero(kept)
+        return Bed(sp.csr_array(self.stiffness[inside][:, inside]), self.loss_factor)
+
+
+def supported(skeleton: Skeleton, supports: Sequence[Support]) -> tuple[Ints, list[Bed]]:
+    """Unknowns of the skeleton at rest, and beds on all of its unknowns.
+
+    What holds an edge of a tile from end to end holds its unknowns. A clamp on a part of an edge, whose end
+    the polynomials along the edge cannot follow, is a bed of springs much stiffer than the plate.
+    """
+    held: list[Ints] = []
+    beds = []
+    for support in supports:
+        spans = _corner_spans(skeleton, support) if support.where == "corners" else [
+            (edge, (0.0, 1.0)) for edge in skeleton.outer_edges if edge.side == support.where
+        ]  # fmt: skip
+        springs = []
+        for edge, span in spans:
+            if support.hold == "spring" or span != (0.0, 1.0):
+                springs.append((edge, span))
+            else:
+                held.append(_held(skeleton, edge, support))
+        if springs:
+            beds.append(Bed(_bed(skeleton, springs, _stiffness(skeleton, support)), support.loss_factor))
+    return np.unique(np.concatenate([np.zeros(0, dtype=np.int64), *held])), beds
+
+
+def _stiffness(skeleton: Skeleton, support: Support) -> float:
+    """Of the bed, N/m^3."""
+    if support.stiffness is not None:
+        return support.stiffness
+    layout = skeleton.layout
+    return CLAMPED * float(layout.material.stiffness[0, 0]) / layout.thickness
+
+
+def _held(skeleton: Skeleton, edge: OuterEdge, support: Support) -> Ints:
+    per_node = np.arange(skeleton.orders.per_node)
+    if support.hold == "simple":
+        normal = 0 if edge.side in ("left", "right") else 1
+        per_node = per_node[per_node % 3 != normal]
+    return np.asarray(edge.nodes[:, None] * skeleton.orders.per_node + per_node).ravel()
+
+
+def _corner_spans(skeleton: Skeleton, support: Support) -> list[tuple[OuterEdge, tuple[float, float]]]:
+    """Held parts, as shares of their length, of the edges next to the four outermost corners."""
+    assert support.length is not None
+    ends = np.array([(edge.start, edge.end) for edge in skeleton.outer_edges])
+    found = []
+    for direction in ((-1, -1), (1, -1), (1, 1), (-1, 1)):
+        reach = ends @ np.array(direction)
+        farthest = reach.max()
+        for edge, (start, end) in zip(skeleton.outer_edges, reach, strict=True):
+            slack = 1e-9 * edge.length
+            share = min(support.length / edge.length, 1.0)
+            if share > 1 - 1e-9:
+                share = 1.0
+            if start > farthest - slack:
+                found.append((edge, (0.0, share)))
+            elif end > farthest - slack:
+                found.append((edge, (1.0 - share, 1.0)))
+    return found
+
+
+def _bed(
+    skeleton: Skeleton, spans: Sequence[tuple[OuterEdge, tuple[float, float]]], stiffness: float
+) -> sp.csr_array:
+    """Springs on parts of edges, over the whole thickness and alike in all directions."""
+    orders, thickness = skeleton.orders, skeleton.layout.thickness
+    up = _products(orders.through, 0.0, 1.0) * thickness
+    rows, columns, values = [], [], []
+    for edge, (low, high) in spans:
+        form = np.kron(np.kron(_products(orders.along, low, high) * edge.length, up), np.eye(3))
+        unknowns = skeleton.unknowns(edge.nodes)
+        rows.append(np.repeat(unknowns, len(unknowns)))
+        columns.append(np.tile(unknowns, len(unknowns)))
+        values.append(stiffness * form.ravel())
+    entries = (np.concatenate(values), (np.concatenate(rows), np.concatenate(columns)))
+    return sp.csr_array(entries, shape=(skeleton.size,) * 2)
+
+
+def _products(order: int, low: float, high: float) -> Array:
+    """Integrals of products of two Lagrange polynomials over a part of [0, 1]."""
+    points, weights = leggauss(order + 1)
+    at = low + (high - low) * 0.5 * (1 + points)
+    values = interpolation(lobatto(order)[0], 2 * at - 1)
+    return np.asarray(values.T @ (0.5 * (high - low) * weights[:, None] * values))

@@ -1,0 +1,191 @@
+"""How a plate answers its drives over a band of frequencies, with a check of every line."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+import numpy as np
+import scipy.linalg as la
+from numpy.typing import NDArray
+
+from haptonic.plate.damping import Extra, amplitudes
+from haptonic.plate.krylov import Basis
+from haptonic.plate.model import PlateModel, impedance
+
+Array = NDArray[np.float64]
+Complex = NDArray[np.complex128]
+Ints = NDArray[np.int64]
+
+CHUNK = 48  # lines that are checked at once
+
+
+@dataclass(frozen=True, eq=False)
+class Vibration:
+    """Answer to drives of given complex amplitudes; energies and powers are time averages.
+
+    omega : (n,) rad/s
+    drives : complex amplitudes by name, V or N
+    amplitudes : (r, n) of the basis
+    error : (n,) bound of the relative error in the energy norm
+    stored : by part (n, blocks) strain energy, J; moving : (n, blocks) kinetic energy, J
+    dissipated : by part (n,) W, "supports" and "finger" among them; given : (n,) W from the drives
+    charge : by actuator (n,) C
+    """
+
+    omega: Array
+    drives: Mapping[str, complex]
+    amplitudes: Complex
+    error: Array
+    stored: Mapping[str, Array]
+    moving: Array
+    dissipated: Mapping[str, Array]
+    given: Array
+    charge: Mapping[str, Complex]
+
+    @property
+    def frequency(self) -> Array:
+        """Hz"""
+        return np.asarray(self.omega / (2 * np.pi))
+
+
+@dataclass(frozen=True, eq=False)
+class ReducedPlate:
+    """A model on a basis: any damping and any amplitudes of the drives cost no factorisation any more.
+
+    extras : what damps otherwise than the plate, with its directions (r, p)
+    """
+
+    model: PlateModel
+    basis: Basis
+    extras: tuple[tuple[Extra, Array], ...]
+
+    @classmethod
+    def of(cls, model: PlateModel, basis: Basis, omega: float) -> ReducedPlate:
+        """``omega`` is a typical one, rad/s."""
+        return cls(model, basis, tuple((extra, extra.directions(basis, omega)) for extra in model.extras))
+
+    def answer(self, drives: Mapping[str, complex], omega: Array) -> Vibration:
+        """Answer to drives of given complex amplitudes (V or N) at angular frequencies (n,), rad/s."""
+        model, basis = self.model, self.basis
+        load = np.asarray(sum(amplitude * model.drives[name] for name, amplitude in drives.items()), complex)
+        extras = [(directions, extra.impedance(omega)) for extra, directions in self.extras]
+        found = amplitudes(basis.values, model.factors["plate"], extras, basis.vectors.T @ load, omega)
+        checker = _Checker(self, load)
+        pieces = [
+            checker.lines(omega[start : start + CHUNK], found[:, start : start + CHUNK])
+            for start in range(0, len(omega), CHUNK)
+        ]
+        joined = {name: np.concatenate([piece[name] for piece in pieces]) for name in pieces[0]}
+        return self._told(drives, omega, found, joined)
+
+    def _told(self, drives: Mapping[str, complex], omega: Array, found: Complex, seen: dict[str, Array]) -> Vibration:
+        model = self.model
+        charge, dissipated = {}, {}
+        given = np.zeros(len(omega))
+        for name, amplitude in drives.items():
+            motion = (model.drives[name] @ self.basis.vectors) @ found
+            if name in model.capacitance:
+                blocked = model.blocked(name) * amplitude
+                charge[name] = blocked + motion
+                given += 0.5 * np.real(amplitude * np.conj(1j * omega * charge[name]))
+                dissipated[f"{name} dielectric"] = 0.5 * np.real(amplitude * np.conj(1j * omega * blocked))
+            else:
+                given += 0.5 * np.real(amplitude * np.conj(1j * omega * motion))
+        stored = {name[7:]: values for name, values in seen.items() if name.startswith("stored ")}
+        for name, values in stored.items():
+            dissipated[name] = 2 * omega * model.factors[name].imag * values.sum(axis=1)
+        dissipated["supports"], dissipated["finger"] = seen["supports"], seen["finger"]
+        return Vibration(
+            omega, dict(drives), found, seen["error"], stored, seen["moving"], dissipated, given, charge
+        )
+
+
+def amplification(loss: float, omega: Array, sigma: float) -> Array:
+    """Largest (lambda + sigma) / |lambda (1 + i loss) - omega^2| over all lambda >= 0.
+
+    By it a residual, measured with the inverse of K + sigma M, bounds the error in the energy norm.
+    """
+    square = omega**2
+    # the maximum of a ratio of quadratics: derivative zero
+    a, b, c = 1 + loss**2, -square, square**2
+    # |..|^2 = a l^2 + 2 b l + c; d/dl (l + s)^2 / that = 0 gives l = (c - b s) / (a s - b)
+    best = (c - b * sigma) / (a * sigma - b)
+    return np.asarray((best + sigma) / np.sqrt(a * best**2 + 2 * b * best + c))
+
+
+class _Checker:
+    """Puts reduced answers back into the unreduced equations."""
+
+    def __init__(self, reduced: ReducedPlate, load: Complex) -> None:
+        self.reduced, self.load = reduced, load
+        assembly = reduced.model.assembly
+        counts = assembly.gathered([np.ones((*group.unknowns.shape, 1)) for group in assembly.groups])
+        self.share = 1.0 / counts  # of an unknown that each of its tiles gets
+        self.total = np.stack([load.real, load.imag], axis=1)
+
+    def lines(self, omega: Array, found: Complex) -> dict[str, Array]:
+        """Energies, W and error of some lines."""
+        reduced, model = self.reduced, self.reduced.model
+        assembly, factors, count = model.assembly, model.factors, len(omega)
+        square = np.tile(omega**2, 2)
+        fields = reduced.basis.vectors @ np.hstack([found.real, found.imag])
+        blocks = len(assembly.skeleton.blocks)
+        out = {
+            "moving": np.zeros((count, blocks)),
+            **{f"stored {name}": np.zeros((count, blocks)) for name in factors},
+        }
+        pieces = []
+        for group, share in assembly.shares(fields):
+            heavy = group.tile.mass @ share
+            out["moving"][:, group.blocks] = 0.25 * (square * _energy(share, heavy)).reshape(-1, 2, count).sum(1).T
+            total = -square * heavy
+            for name, part in group.tile.stiffness.items():
+                stiff = part @ share
+                energy = 0.25 * _energy(share, stiff).reshape(-1, 2, count).sum(1).T
+                out[f"stored {name}"][:, group.blocks] += energy
+                total += _times(stiff, factors[name])
+            pieces.append(total)
+        residual = assembly.gathered(pieces)
+        out["supports"] = np.zeros(count)
+        norm = 4 * sum(out[f"stored {name}"].sum(1) for name in factors)
+        for bed in model.beds:
+            force = bed.stiffness @ fields[: assembly.free]
+            residual[: assembly.free] += _times(force, 1 + 1j * bed.loss_factor)
+            energy = (fields[: assembly.free] * force).sum(0).reshape(2, count).sum(0)
+            out["supports"] += 0.5 * omega * bed.loss_factor * energy
+            norm += energy
+        out["finger"] = np.zeros(count)
+        if (finger := model.plate.finger) is not None:
+            pad = model.pad
+            felt = impedance(finger, omega) / pad.shape[0]
+            motion = pad @ fields
+            motion = motion[:, :count] + 1j * motion[:, count:]
+            force = felt * motion
+            residual += pad.T @ np.hstack([force.real, force.imag])
+            out["finger"] = 0.5 * omega * felt.imag * (np.abs(motion) ** 2).sum(0)
+        residual[:, :count] -= self.total[:, :1]
+        residual[:, count:] -= self.total[:, 1:]
+        sigma = float(omega.min() ** 2)
+        norm += sigma * 4 * out["moving"].sum(1) / omega**2
+        dual = np.zeros(count)
+        for group, share in assembly.shares(residual * self.share):
+            held = la.cholesky(group.tile.elastic + sigma * group.tile.mass, lower=True)
+            scaled = la.inv(held) @ share  # the inverse of a triangle: cheaper than so many solutions
+            dual += _energy(scaled, scaled).reshape(-1, 2, count).sum((0, 1))
+        loss = factors["plate"].imag
+        out["error"] = amplification(loss, omega, sigma) * np.sqrt(dual / np.maximum(norm, 1e-300))
+        return out
+
+
+def _energy(share: Array, force: Array) -> Array:
+    """(blocks, columns) products of motion and force."""
+    return np.einsum("bnk,bnk->bk", share, force)
+
+
+def _times(columns: Array, factor: complex) -> Array:
+    """Real and imaginary columns, side by side in the last axis, times a complex factor."""
+    real, imaginary = np.split(columns, 2, axis=-1)
+    return np.concatenate(
+        [factor.real * real - factor.imag * imaginary, factor.real * imaginary + factor.imag * real], axis=-1
+    )
