@@ -8,7 +8,7 @@ from typing import Any
 from pydantic import BaseModel, ValidationError
 
 from haptonic.errors import StudyError, nearest
-from haptonic.study.keys import Key, table
+from haptonic.study.keys import Key, key_of, table
 from haptonic.units import shown
 
 TAGS = {"name", "table"}  # of the union that a material is; pydantic puts them into the path
@@ -55,7 +55,7 @@ def _translated(details: Any, keys: Mapping[str, Key]) -> StudyError:
         return StudyError(argument=where, **{name: context[name] for name in PARTS})
     if kind == UNKNOWN:
         return _unknown(path, pattern, details["input"], keys)
-    key = keys.get(pattern)
+    key = key_of(pattern, keys)
     title = key.title.lower() if key else "a value"
     if kind == "missing":
         given, cause = "nothing", f"the {title} was left out"
@@ -132,6 +132,11 @@ def _form(key: Key | None) -> str:
     """What may stand at a key, in words."""
     if key is None:
         return "a value of the form that the key list gives"
+    if key.kind == "quantities":
+        return f"a list of {key.count} quantities with their units, such as {_list(key)}"
+    if key.kind == "entries":
+        each = f"{key.quantity.allowed}" if key.quantity else "a text in quotes"
+        return f"a table with names of your own, [{key.path}]; of each, {each}"
     if key.quantity:
         return key.quantity.allowed
     if key.choices:
@@ -152,13 +157,20 @@ def _form(key: Key | None) -> str:
 def _written(key: Key) -> str:
     """A line for the study file that gives the key."""
     name = key.path.rpartition(".")[2]
-    if key.kind in {"table", "tables"} or key.path == "material":
+    if key.kind in {"table", "tables", "entries"} or key.path == "material":
         return _form(key)
+    if key.kind == "quantities":
+        return f"{name} = {_list(key)}"
     if key.quantity:
         return f"{name} = {key.quantity.example}"
     return (
         f'{name} = "{key.choices[0] if key.choices else "..."}"' if key.kind != "integer" else f"{name} = 10"
     )
+
+
+def _list(key: Key) -> str:
+    assert key.quantity is not None
+    return f"[{', '.join([key.quantity.example] * key.count)}]"
 
 
 def _cause(kind: str, message: str) -> str:
