@@ -5,7 +5,8 @@ from __future__ import annotations
 import cmath
 import math
 import re
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
+from fractions import Fraction
 from itertools import accumulate, combinations
 from typing import TYPE_CHECKING, Literal
 
@@ -97,8 +98,12 @@ def _layout(study: Description, section: PlateSection) -> Layout:
                own.lattice.a1[0], "plate.widths")  # fmt: skip
     y = _sizes("row", rows, {name: pitch[1] for name, pitch in pitches.items()},
                section.heights, own.lattice.a2[1], "plate.heights")  # fmt: skip
-    x_lines, y_lines = (tuple(accumulate(sizes, initial=0.0)) for sizes in (x, y))
-    return Layout(tiles, x_lines, y_lines, cells, own.thickness, own.material)
+    return Layout(tiles, _summed(x), _summed(y), cells, own.thickness, own.material)
+
+
+def _summed(sizes: Iterable[float]) -> tuple[float, ...]:
+    """Positions of the lines between tiles, each rounded once."""
+    return tuple(float(line) for line in accumulate(map(Fraction, sizes), initial=Fraction(0)))
 
 
 def _lattices(study: Description, section: PlateSection, own: UnitCell) -> Iterator[tuple[str, UnitCell]]:
@@ -164,7 +169,7 @@ def _check_grid(layout: Layout, grid: float) -> None:
             "plate.response.grid", format_quantity(grid, "m"),
             f"at most {format_quantity(min(sides), 'm')}, and at most {MOST_GRID_POINTS} points",
             "it is wider than the plate" if grid > min(sides) else f"there would be {points:.3g} points",
-            'write grid = "2 mm", the scan of the published plate',
+            f'write grid = "{format_quantity(0.05 * min(sides), "m")}"',
         )  # fmt: skip
 
 
@@ -204,13 +209,21 @@ def _actuator(at: str, one: ActuatorSection, layout: Layout) -> Actuator:
     assert isinstance(solid, PiezoelectricMaterial)
     glue = one.bond
     bond = Bond(glue.thickness, built_in(glue.material, f"{at}.bond")) if glue else None
-    return Actuator(one.name, centre, one.size, solid, bond, cmath.rect(one.voltage, one.phase))
+    return Actuator(one.name, centre, one.size, solid, bond, _phasor(one.voltage, one.phase))
 
 
 def _force(at: str, one: ForceSection, layout: Layout) -> Force:
     centre = _centre(one, layout)
     _check_lies_on(at, one.region, layout, _box(centre, one.size or (0.0, 0.0)))
-    return Force(one.name, centre, one.size, cmath.rect(one.force, one.phase))
+    return Force(one.name, centre, one.size, _phasor(one.force, one.phase))
+
+
+def _phasor(amplitude: float, phase: float) -> complex:
+    """Amplitude times exp(i phase); quarter turns, such as antiphase, are exact."""
+    quarters = round(phase / (0.5 * math.pi))
+    if abs(phase - quarters * 0.5 * math.pi) < 1e-12:
+        return amplitude * (1, 1j, -1, -1j)[quarters % 4]
+    return cmath.rect(amplitude, phase)
 
 
 def _finger(one: FingerSection, layout: Layout) -> Finger:
