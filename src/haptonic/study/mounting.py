@@ -5,16 +5,28 @@ from __future__ import annotations
 import math
 from typing import Annotated, Literal
 
-from pydantic import Field, model_validator
+from pydantic import AfterValidator, Field, model_validator
 
 from haptonic.plate.layout import Side
 from haptonic.study.quantity import Quantity, problem
 from haptonic.study.sections import LARGEST, SMALLEST, Section
-from haptonic.units import format_quantity
+from haptonic.units import format_quantity, shown
 
 SIDES: tuple[Side, ...] = ("left", "right", "bottom", "top")
 
-Name = Annotated[str, Field(min_length=1, max_length=40, pattern=r"\S", strict=True)]
+
+def _not_blank(name: str) -> str:
+    if not name.strip():
+        raise problem(
+            shown(name),
+            "a text in quotes that is not blank",
+            "it was left blank",
+            "write a name in the quotes",
+        )
+    return name
+
+
+Name = Annotated[str, Field(max_length=40, strict=True), AfterValidator(_not_blank)]
 Hold = Literal["free", "clamped", "simple", "spring"]
 
 

@@ -66,7 +66,7 @@ def check_map(lines: Sequence[str], rows: int | None, tiles: Mapping[str, str]) 
 def _check_letters(lines: Sequence[str], tiles: Mapping[str, str]) -> None:
     names = list(tiles.values())
     for letter, name in tiles.items():
-        at = f"tiles.{letter}"
+        at = f"tiles.{letter if letter.isalnum() else shown(letter)}"
         if len(letter) != 1 or letter.isspace() or letter == NOTHING:
             raise problem(
                 shown(letter), f'one letter, and not "{NOTHING}"',
@@ -82,7 +82,7 @@ def _check_letters(lines: Sequence[str], tiles: Mapping[str, str]) -> None:
     for number, line in enumerate(lines, start=1):
         for column, letter in enumerate(line, start=1):
             if letter not in tiles and letter != NOTHING:
-                guess = _nearest_letter(letter, tiles)
+                guess = NOTHING if letter.isspace() else _nearest_letter(letter, tiles)
                 raise problem(
                     f"{shown(letter)} in line {number}, column {column}",
                     f'one of {", ".join(tiles)}, or "{NOTHING}" where there is no plate',

@@ -25,6 +25,7 @@ from haptonic.study.quantity import Quantity, collected, problem
 from haptonic.study.sections import Section
 from haptonic.units import format_quantity, shown, to_si
 
+CHANGEABLE = [path for path in UNITS if path.startswith("cell.") and path != "cell.thickness"]
 LATTICE = "lattice"  # the name of the study's own cell in [plate.tiles]
 
 TileSize = Annotated[float, size(100e-6, 100e-3)]
@@ -36,7 +37,7 @@ class LatticeSection(Section):
 
     name: Name = Field(title="Name", description="By which tiles refer to it.")
     change: Entries[float] = Field(
-        title="Changes",
+        title="Change",
         description="Numbers of the cell, by their names in this file; thickness and material stay.",
     )
 
@@ -71,14 +72,13 @@ def _flat(tree: dict[str, Any], prefix: str = "") -> dict[str, object]:
 
 
 def _changeable(path: str) -> None:
-    allowed = [each for each in UNITS if each.startswith("cell.") and each != "cell.thickness"]
-    if path in allowed:
+    if path in CHANGEABLE:
         return
-    guess = nearest(path, allowed)
+    guess = nearest(path, CHANGEABLE)
     whole = path in UNITS
     raise problem(
         shown(path),
-        f"one of {', '.join(allowed)}",
+        f"one of {', '.join(CHANGEABLE)}",
         "all lattices of a plate have its thickness and its material"
         if whole
         else "no number of the cell has this name",
@@ -126,7 +126,7 @@ class PlateSection(Section):
         None, title="Loss factor", description="Of the mounted plate; else that of its material."
     )
     tiles: Entries[Name] = Field(
-        title="Letters of the map",
+        title="Meaning of the letters",
         description='Of each, "lattice", the name of a plate.cell, or that of a region of plain plate.',
     )
     widths: Entries[TileSize] = Field(
@@ -192,9 +192,10 @@ class PlateSection(Section):
         named = {f"{table}.{name}": name for table in ("widths", "heights") for name in getattr(self, table)}
         named |= {f"actuator[{i}].region": one.region for i, one in enumerate(self.actuator, start=1)}
         for at, name in named.items():
-            if name not in self.regions:
-                cause = "it is a lattice" if name in there else "no tile is of this region"
-                self._unknown(at, name, self.regions, cause)
+            if name not in self.regions and name in there:
+                self._unknown(at, name, self.regions, "it is a lattice", "name a region of plain plate")
+            elif name not in self.regions:
+                self._unknown(at, name, self.regions, "no tile is of this region")
         named = {f"force[{i}].region": one.region for i, one in enumerate(self.force, start=1)}
         named |= {"finger.region": self.finger.region} if self.finger else {}
         for at, name in named.items():

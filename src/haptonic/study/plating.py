@@ -16,13 +16,11 @@ from haptonic.materials import Material, PiezoelectricMaterial, library
 from haptonic.plate.layout import CLOSE, Layout, Rectangle
 from haptonic.plate.parts import Actuator, Bond, Finger, Force, Plate, Support
 from haptonic.study.mounting import SIDES, ActuatorSection, ClampSection, FingerSection, ForceSection
-from haptonic.study.plate_tables import LATTICE, PlateSection
+from haptonic.study.plate_tables import CHANGEABLE, LATTICE, PlateSection
 from haptonic.units import format_quantity, shown
 
 if TYPE_CHECKING:
     from haptonic.study.schema import Description
-
-MOST_GRID_POINTS = 1_000_000
 
 
 def plate_of(study: Description) -> Plate:
@@ -112,10 +110,10 @@ def _lattices(study: Description, section: PlateSection, own: UnitCell) -> Itera
         at, absent = f'plate.cell[{i}] "{one.name}".change', study.absent_parameters()
         for path in one.change:
             if path in absent:
+                there = ", ".join(each for each in CHANGEABLE if each not in absent)
                 raise _refused(
-                    at, path, f"one of {', '.join(p for p in study.parameters() if p.startswith('cell.'))}",
-                    absent[path], "give it in [cell] first, or leave it out here",
-                )  # fmt: skip
+                    at, path, f"one of {there}", absent[path], "give it in [cell] first, or leave it out here"
+                )
         try:
             yield one.name, study.without_plate().with_parameters(one.change).unit_cell()
         except HaptonicError as error:
@@ -162,14 +160,11 @@ def _sizes(
 
 
 def _check_grid(layout: Layout, grid: float) -> None:
-    sides = (layout.x[-1], layout.y[-1])
-    points = math.prod(side / grid + 1 for side in sides)
-    if points > MOST_GRID_POINTS or grid > min(sides):
+    shorter = min(layout.x[-1], layout.y[-1])
+    if grid > shorter:
         raise _refused(
-            "plate.response.grid", format_quantity(grid, "m"),
-            f"at most {format_quantity(min(sides), 'm')}, and at most {MOST_GRID_POINTS} points",
-            "it is wider than the plate" if grid > min(sides) else f"there would be {points:.3g} points",
-            f'write grid = "{format_quantity(0.05 * min(sides), "m")}"',
+            "plate.response.grid", format_quantity(grid, "m"), f"at most {format_quantity(shorter, 'm')}",
+            "it is wider than the plate", f'write grid = "{format_quantity(0.05 * shorter, "m")}"',
         )  # fmt: skip
 
 
