@@ -139,7 +139,8 @@ MAPS = {
         ["meaning of the letters was left out", "[plate.tiles]"],
     ),
     "two pieces": ((MAP, "ooo1.12f\n" * 3), "plate.map", ["12 tiles, 9 tiles", "line 3, column 6"]),
-    "joined by a corner": ((MAP, "ooo1112.\n" * 3 + ".......f\n"), "plate.map", ["21 tiles, 1 tiles"]),
+    "joined by a corner": ((MAP, "ooo1112.\n" * 3 + ".......f\n"), "plate.map",
+                           ["21 tiles, 1 tiles", "line 4"]),
     "key of the issue": (("[plate.tiles]", "columns = 3\n[plate.tiles]"), "plate.columns", ["unknown key"]),
 }  # fmt: skip
 LATTICES = {
@@ -204,8 +205,8 @@ PATCHES = {
                                     'plate.actuator[1] "A1".centre', ["smaller"]),
     "patches overlap": ((A1, SECOND.format("A0", "8 mm")), 'plate.actuator[1] "A0".centre',
                         ['overlaps "A1"']),
-    "patch on edge": ((PATCH, 'size = ["0.7 mm", "8 mm", "11.5 mm"]'), "plate.actuator[1].size",
-                      ["11.5 mm", "at most its shorter side, 700 µm", "another order"]),
+    "patch on edge": ((PATCH, 'size = ["0.7 mm", "8 mm", "5 mm"]'), "plate.actuator[1].size",
+                      ["5 mm", "at most its shorter side, 700 µm", "another order"]),
     "patch without thickness": ((PATCH, 'size = ["11.5 mm", "8 mm"]'), "plate.actuator[1].size",
                                 ["left out"]),
     "patch of a text": ((PATCH, 'size = "8 mm"'), "plate.actuator[1].size",
@@ -295,6 +296,10 @@ class TestRefusals:
     def test_a_region_named_almost_like_a_lattice_is_warned_about(self):
         with pytest.warns(HaptonicWarning, match=r'plate\.tiles\.o: "Latice".* Was "lattice" meant'):
             loads(edited(('o = "lattice"', 'o = "Latice"')))
+
+    def test_each_number_of_a_list_has_its_own_usual_range(self):
+        thin = loads(edited((PATCH, 'size = ["11.5 mm", "8 mm", "50 um"]')))  # no patch is 50 µm wide
+        assert thin.unusual() == ()
 
     def test_an_unusual_number_is_warned_about_by_its_place(self):
         with pytest.warns(HaptonicWarning, match=r"plate\.actuator\[1\]\.size\[3\]: 5 µm is unusual"):
@@ -581,7 +586,7 @@ class TestWhatIsFixedToIt:
                 loads(drawn(lines) + finger.format("lattice", centre))
         # the tile that is cut out lies in the corner of the square around the disc, not under the disc
         rim = finger.replace("14 mm", "13.8 mm").format("lattice", '["7 mm", "7 mm"]')
-        cut = drawn("o111\no111\n.o11\n").replace('"lattice"', '"rim"').replace('"rim"', '"lattice"')
+        cut = drawn("o111\no111\n.o11")
         with pytest.raises(StudyError, match="beyond the plate"):
             loads(cut + rim)
         far = finger.replace("14 mm", "9 mm").format("lattice", '["10.4 mm", "10.4 mm"]')
@@ -654,6 +659,11 @@ class TestInAStudy:
         assert (again, again.plate()) == (study, study.plate())
         assert pickle.loads(pickle.dumps(study)) == study
         assert '"""\no11f\no11f\n2222\n"""' in study.to_toml()
+
+    @pytest.mark.parametrize("title", ['a\nb "c"', "a\nb \\ c", "\na", "a\n", 'a\n"""', "a\nb\x7f", "a\r\nb"])
+    def test_a_text_of_several_lines_comes_back(self, title):
+        study = loads(CELL).model_copy(update={"title": title})
+        assert loads(study.to_toml()).title == title
 
     def test_a_changed_study_keeps_its_plate_and_a_sweep_does_not(self):
         study = loads(TEXT + '[[sweep]]\nvary = "cell.pitch"\nfrom = "4 mm"\nto = "8 mm"\nsteps = 3\n')
