@@ -39,6 +39,15 @@ finite = st.floats(allow_nan=False, allow_infinity=False)
         ("2700 kg/m³", "kg/m^3", 2700.0),
         ("2.7 g/cm^3", "kg/m^3", 2700.0),
         ("36 km/hour", "m/s", 10.0),
+        ("60 V", "V", 60.0),
+        ("0.2 kV", "V", 200.0),
+        ("1e12 N/m^3", "N/m^3", 1e12),
+        ("1000 N/mm³", "N/m^3", 1e12),
+        ("10 N s/m", "N s/m", 10.0),
+        ("10 N·s/m", "N s/m", 10.0),
+        ("10 kg/s", "N s/m", 10.0),
+        ("2 N/mm", "N/m", 2000.0),
+        ("5 g", "kg", 0.005),
         (0.33, "", 0.33),
         ("0.33", "", 0.33),
         (0, "m", 0.0),
@@ -126,6 +135,11 @@ def test_refuses_other_text_before_pint_sees_it(text, unit, monkeypatch):
         ("7 degC", "m", "not a unit of length"),
         ("7 dB", "m", "not a unit of length"),
         ("7 rad", "m", "not a unit of length"),
+        ("7 N/m", "N/m^3", "not a unit of stiffness per area"),
+        ("7 N/m", "N s/m", "not a unit of damping"),
+        ("7 N", "N/m", "not a unit of stiffness"),
+        ("7 N", "V", "not a unit of voltage"),
+        ("7 N", "kg", "not a unit of mass"),
         ("7 mn", "m", "not a known unit"),
         ("0.3 mm", "", "unit where none belongs"),
         ("0.3 rad", "", "unit where none belongs"),
@@ -187,8 +201,13 @@ def test_writes_in_the_unit_that_is_preferred():
     assert format_quantity(math.pi / 1000, "m", prefer="mm", digits=6) == "3.14159 mm"
 
 
+@pytest.mark.parametrize("unit", sorted(units.EXAMPLES))
+def test_examples_are_read(unit):
+    assert to_si(units.EXAMPLES[unit], unit, "x") > 0
+
+
 @settings(deadline=None)
-@given(finite, st.sampled_from(["m", "Hz", "Pa", "kg/m^3", "m/s", ""]))
+@given(finite, st.sampled_from(["m", "Hz", "Pa", "kg/m^3", "m/s", "V", "N/m^3", "N s/m", ""]))
 def test_written_with_all_digits_it_reads_back_the_same(value, unit):
     assert to_si(format_quantity(value, unit, digits=None), unit, "x") == value
 

@@ -35,7 +35,16 @@ PREFIXES_OF = {
     "V": "µmk",
     "F": "nµ",
 }
-EXAMPLES = {"m": "7 mm", "Hz": "60 kHz", "Pa": "70 GPa", "kg/m^3": "2700 kg/m^3", "rad": "2 deg"}
+EXAMPLES = {
+    "m": "7 mm",
+    "Hz": "60 kHz",
+    "Pa": "70 GPa",
+    "kg/m^3": "2700 kg/m^3",
+    "rad": "2 deg",
+    "V": "60 V",
+    "N/m^3": "1e12 N/m^3",
+    "kg": "0.01 kg",
+}
 KINDS = {
     "m": "length",
     "Hz": "frequency",
@@ -44,6 +53,11 @@ KINDS = {
     "s": "time",
     "rad": "angle",
     "N": "force",
+    "V": "voltage",
+    "kg": "mass",
+    "N/m": "stiffness",
+    "N/m^3": "stiffness per area",
+    "N s/m": "damping",
 }
 
 _NUMBER = r"(?P<number>[+-]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE](?P<exponent>[+-]?[0-9]+))?)"

@@ -58,7 +58,7 @@ def design(
         section = loaded.design
         with voice.counted("design", planned(section.starts, section.climbs)) as progress:
             result = loaded.designed(Runner(Store.default(), workers, scheduler, progress))
-        found = loaded.with_parameters(result.values)
+        found = loaded.without_plate().with_parameters(result.values)
         figures, datasets = {"search": result.plot()}, {"search": result.dataset}
         if pareto:
             with voice.counted("pitches", section.pitches) as progress:

@@ -4,9 +4,10 @@ nothing.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from types import MappingProxyType
+from typing import Literal
 
 import numpy as np
 from numpy.typing import NDArray
@@ -15,6 +16,15 @@ from haptonic.cell import UnitCell
 from haptonic.materials import Material
 
 Array = NDArray[np.float64]
+Side = Literal["left", "right", "bottom", "top"]
+Tile = tuple[int, int]
+Rectangle = tuple[float, float, float, float]
+
+STEPS: Mapping[Side, Tile] = MappingProxyType(
+    {"left": (0, -1), "right": (0, 1), "bottom": (-1, 0), "top": (1, 0)}
+)
+"""(rows, columns) from a tile to its neighbour on that side."""
+CLOSE = 1e-9  # of the smallest tile: lengths that differ by less are equal
 
 
 @dataclass(frozen=True)
@@ -61,6 +71,34 @@ class Layout:
             (i, j) for i, row in enumerate(self.tiles) for j, tile in enumerate(row) if tile == name
         ]  # fmt: skip
 
+    def at(self, tile: Tile) -> str | None:
+        """The name of a tile (row, column); None where there is no plate, as outside the map."""
+        i, j = tile
+        return self.tiles[i][j] if 0 <= i < self.rows and 0 <= j < self.columns else None
+
+    def edge(self, side: Side) -> list[Tile]:
+        """Tiles whose face on that side is a side face of the plate."""
+        down, along = STEPS[side]
+        every = ((i, j) for i in range(self.rows) for j in range(self.columns))
+        return [(i, j) for i, j in every if self.at((i, j)) and not self.at((i + down, j + along))]
+
+    def bounds(self, tile: Tile) -> Rectangle:
+        """(left, bottom, right, top) of a tile, m."""
+        i, j = tile
+        return self.x[j], self.y[i], self.x[j + 1], self.y[i + 1]
+
+    def area(self, name: str) -> float:
+        """Of all tiles of that name, m^2."""
+        boxes = (self.bounds(tile) for tile in self.of(name))
+        return sum((right - left) * (top - bottom) for left, bottom, right, top in boxes)
+
+    def under(self, box: Rectangle) -> list[Tile]:
+        """(row, column) of all that a rectangle (left, bottom, right, top; m) lies on, or a point touches;
+        also of tiles that are not there: -1 and the number of rows or columns stand for all beyond."""
+        left, bottom, right, top = box
+        columns, rows = _met(self.x, left, right), _met(self.y, bottom, top)
+        return [(i, j) for i in rows for j in columns]
+
     def corner(self, name: str) -> tuple[float, float]:
         """The lower left corner of the smallest rectangle around a region, m."""
         tiles = self.of(name)
@@ -71,3 +109,28 @@ class Layout:
         """How many pillars stand on the plate."""
         standing = {name for name, cell in self.cells.items() if cell.pillar is not None}
         return sum(tile in standing for row in self.tiles for tile in row)
+
+
+def _met(lines: tuple[float, ...], low: float, high: float) -> range:
+    """Numbers of the intervals between lines that [low, high] shares more than an end with; of all that
+    touch it, if it is a point. -1 lies below the first line."""
+    close = CLOSE * float(np.diff(lines).min())
+    inward = close if high - low > 2 * close else -close
+    first, last = (int(np.searchsorted(lines, end)) - 1 for end in (low + inward, high - inward))
+    return range(first, last + 1)
+
+
+def pieces(there: Sequence[Sequence[bool]]) -> list[set[Tile]]:
+    """Tiles [row][column] that hang together by their sides, as sets of (row, column), the largest first."""
+    left = {(i, j) for i, row in enumerate(there) for j, is_there in enumerate(row) if is_there}
+    found = []
+    while left:
+        piece, front = set(), [min(left)]
+        while front:
+            i, j = front.pop()
+            if (i, j) in left:
+                left.remove((i, j))
+                piece.add((i, j))
+                front += [(i + down, j + along) for down, along in STEPS.values()]
+        found.append(piece)
+    return sorted(found, key=len, reverse=True)

@@ -5,10 +5,12 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Literal
 
+import numpy as np
+
 from haptonic.materials import Material, PiezoelectricMaterial
 from haptonic.plate.layout import Layout
+from haptonic.plate.layout import Side as Side
 
-Side = Literal["left", "right", "bottom", "top"]
 Place = Literal["left", "right", "bottom", "top", "corners"]
 Hold = Literal["clamped", "simple", "spring"]
 
@@ -102,3 +104,34 @@ class Plate:
     forces: tuple[Force, ...] = ()
     finger: Finger | None = None
     loss_factor: float = 0.0
+
+    @property
+    def rigid_modes(self) -> int:
+        """How many rigid-body motions the supports leave free: 6 of a plate that nothing holds."""
+        if any(support.hold != "simple" for support in self.supports):
+            return 0  # a piece of a face that cannot turn
+        held = [row for support in self.supports for row in self._simply_held(support)]
+        return 6 - int(np.linalg.matrix_rank(np.array(held))) if held else 6
+
+    @property
+    def rigid(self) -> bool:
+        """Whether some rigid-body motion is free, so that the statics of the plate have no solution."""
+        return self.rigid_modes > 0
+
+    def _simply_held(self, support: Support) -> list[list[float]]:
+        """Rows whose product with a rigid motion (3 shifts, 3 turns by the plate's width) has to vanish."""
+        layout, rows = self.layout, []
+        normal = 0 if support.where in ("left", "right") else 1
+        size = layout.x[-1]
+        for tile in layout.edge(support.where) if support.where != "corners" else []:
+            left, bottom, right, top = layout.bounds(tile)
+            face = [(left if support.where == "left" else right, y) for y in (bottom, top)]
+            if normal == 1:
+                face = [(x, bottom if support.where == "bottom" else top) for x in (left, right)]
+            for x, y in face:
+                for z in (0.0, layout.thickness):
+                    turns = [[0.0, z, -y], [-z, 0.0, x], [y, -x, 0.0]]
+                    for axis in {0, 1, 2} - {normal}:
+                        shift = [float(axis == other) for other in range(3)]
+                        rows.append([*shift, *(arm / size for arm in turns[axis])])
+        return rows

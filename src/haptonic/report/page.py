@@ -5,7 +5,6 @@ from __future__ import annotations
 import base64
 import json
 import platform
-import re
 from importlib.metadata import version
 from importlib.resources import files
 from pathlib import Path
@@ -22,7 +21,7 @@ from haptonic.report.chapters import IN_ORDER
 from haptonic.report.chapters.dispersion import in_words
 from haptonic.store import refuse_overwrite, write_atomically
 from haptonic.study import Study, table
-from haptonic.study.keys import leaves
+from haptonic.study.keys import key_of, leaves
 from haptonic.units import format_quantity
 
 TEMPLATE = "page.html"
@@ -117,7 +116,8 @@ def _inputs(study: Study) -> Table:
     keys = table(Study)
     rows = []
     for path, value, quantity in leaves(study):
-        key = keys[re.sub(r"\[\d+\]", "[]", path)]
+        key = key_of(path, keys)
+        assert key is not None, path
         shown = format_quantity(value, quantity.unit) if quantity else str(value) or "-"
         rows.append((path, key.title, shown))
     if isinstance(study.material, str):

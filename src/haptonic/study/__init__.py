@@ -2,6 +2,7 @@
 
 from haptonic.study.keys import Key, table
 from haptonic.study.loading import load, loads
+from haptonic.study.plate_tables import PlateSection
 from haptonic.study.runs import Study
 from haptonic.study.schema import SweepSection
 from haptonic.study.sections import BandsSection, CellSection, MaterialSection, MeshSection, PillarSection
@@ -14,6 +15,7 @@ __all__ = [
     "MaterialSection",
     "MeshSection",
     "PillarSection",
+    "PlateSection",
     "Study",
     "SweepSection",
     "load",

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+import re
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from functools import cache
 from types import NoneType, UnionType
@@ -12,6 +13,7 @@ import annotated_types
 from pydantic import BaseModel
 from pydantic.fields import FieldInfo
 
+from haptonic.study.entries import Entries
 from haptonic.study.quantity import Quantity
 
 
@@ -20,12 +22,14 @@ class Key:
     """One key of the study file.
 
     path : dotted, such as ``cell.pillar.diameter``; ``sweep[].from`` for a key of every ``[[sweep]]``
-    kind : "quantity", "number", "integer", "text", "choice", "table" or "tables"
-    unit : SI unit; empty without one
+    kind : "quantity", "number", "integer", "text", "choice", "table" or "tables"; "quantities" for a list of
+        them; "entries" for a table whose keys the user chooses
+    unit : SI unit, of each where there are several; empty without one
     default : as it would be written; None for a key that has to be given, "" for one that may be absent
     bounds, typical : in words; empty without any
     choices : the allowed words of a choice
-    quantity : the declaration itself, for a quantity or number
+    quantity : the declaration itself, for a quantity or number; the first one's of a list
+    count : how many there are in a list
     """
 
     path: str
@@ -38,6 +42,7 @@ class Key:
     description: str
     choices: tuple[str, ...] = ()
     quantity: Quantity | None = None
+    count: int = 1
 
     @property
     def required(self) -> bool:
@@ -69,8 +74,15 @@ def leaves(model: BaseModel, prefix: str = "") -> Iterator[tuple[str, Any, Quant
         if isinstance(value, BaseModel):
             yield from leaves(value, f"{path}.")
         elif isinstance(value, tuple):
+            each = quantities_of(field)
             for index, item in enumerate(value, start=1):
-                yield from leaves(item, f"{path}[{index}].")
+                if isinstance(item, BaseModel):
+                    yield from leaves(item, f"{path}[{index}].")
+                else:
+                    yield f"{path}[{index}]", item, each[index - 1]
+        elif isinstance(value, Entries):
+            for entry, item in value.items():
+                yield f"{path}.{entry}", item, None if isinstance(item, str) else unit_of(model, field, entry)
         elif value is not None:
             declared = None if isinstance(value, str) else quantity_of(field)
             if declared is None and isinstance(value, float) and hasattr(model, "unit"):
@@ -78,9 +90,27 @@ def leaves(model: BaseModel, prefix: str = "") -> Iterator[tuple[str, Any, Quant
             yield path, value, declared
 
 
+def key_of(path: str, keys: Mapping[str, Key]) -> Key | None:
+    """The key that a path of `leaves`, or one that an error names, belongs to."""
+    pattern = whole = re.sub(r"\[\d+\]", "[]", path)
+    while pattern and pattern not in keys:
+        pattern = pattern.removesuffix("[]") if pattern.endswith("[]") else pattern.rpartition(".")[0]
+    key = keys.get(pattern)
+    return key if key and (pattern == whole or key.kind in {"quantities", "entries"}) else None
+
+
+def unit_of(model: BaseModel, field: FieldInfo, entry: str) -> Quantity | None:
+    """The declaration of one number of a table with keys of the user's own."""
+    declared = quantity_of(field)
+    return Quantity(model.units[entry]) if declared is None and hasattr(model, "units") else declared
+
+
 def _key(path: str, field: FieldInfo) -> Key:
     quantity, kind = quantity_of(field), _kind(field)
+    count = len(quantities_of(field)) if kind == "quantities" else 1
     bounds, typical = (quantity.limits, quantity.usual) if quantity else (_plain_bounds(field), "")
+    if count > 1:
+        bounds, typical = f"{count} of them, {bounds}", ""
     return Key(
         path=path,
         title=field.title or path,
@@ -92,17 +122,20 @@ def _key(path: str, field: FieldInfo) -> Key:
         description=field.description or "",
         choices=_choices(field.annotation),
         quantity=quantity,
+        count=count,
     )
 
 
 def _kind(field: FieldInfo) -> str:
     quantity, parts = quantity_of(field), _parts(field.annotation)
+    if any(get_origin(part) is Entries for part in parts):
+        return "entries"
+    if any(get_origin(part) is tuple for part in parts):
+        return "quantities" if quantity else "tables"
     if quantity:
         return "quantity" if quantity.unit else "number"
     if _choices(field.annotation):
         return "choice"
-    if any(get_origin(part) is tuple for part in parts):
-        return "tables"
     if any(_models(field.annotation)):
         return "table"
     plain = {get_args(part)[0] if get_origin(part) is Annotated else part for part in parts}
@@ -113,15 +146,20 @@ def _default(field: FieldInfo, quantity: Quantity | None) -> str | None:
     if field.is_required():
         return None
     value = field.get_default(call_default_factory=True)
-    if value is None or isinstance(value, BaseModel | tuple):
+    if value is None or isinstance(value, BaseModel | tuple | Entries):
         return ""
     return str(value)
 
 
 def quantity_of(field: FieldInfo) -> Quantity | None:
-    """The declaration of a field, also of one that may be absent."""
-    found = [item for item in (*field.metadata, *_metadata(field.annotation)) if isinstance(item, Quantity)]
-    return found[0] if found else None
+    """The declaration of a field, also of one that may be absent; of a list, the first one's."""
+    return next(iter(quantities_of(field)), None)
+
+
+def quantities_of(field: FieldInfo) -> tuple[Quantity, ...]:
+    """The declarations of a field: several for a list, each of whose numbers has its own."""
+    found = [*field.metadata, *_metadata(field.annotation)]
+    return tuple(item for item in found if isinstance(item, Quantity))
 
 
 def _metadata(annotation: Any) -> Iterator[Any]:
@@ -129,6 +167,9 @@ def _metadata(annotation: Any) -> Iterator[Any]:
         if get_origin(part) is Annotated:
             for item in get_args(part)[1:]:
                 yield from item.metadata if isinstance(item, FieldInfo) else (item,)
+        elif get_origin(part) in (tuple, Entries):
+            for inner in get_args(part):
+                yield from _metadata(inner)
 
 
 def _parts(annotation: Any) -> tuple[Any, ...]:

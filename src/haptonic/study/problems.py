@@ -8,7 +8,7 @@ from typing import Any
 from pydantic import BaseModel, ValidationError
 
 from haptonic.errors import StudyError, nearest
-from haptonic.study.keys import Key, table
+from haptonic.study.keys import Key, key_of, table
 from haptonic.units import shown
 
 TAGS = {"name", "table"}  # of the union that a material is; pydantic puts them into the path
@@ -55,7 +55,10 @@ def _translated(details: Any, keys: Mapping[str, Key]) -> StudyError:
         return StudyError(argument=where, **{name: context[name] for name in PARTS})
     if kind == UNKNOWN:
         return _unknown(path, pattern, details["input"], keys)
-    key = keys.get(pattern)
+    key = key_of(pattern, keys)
+    of_an_entry = key is not None and key.kind == "entries" and pattern != key.path
+    form = "a text in quotes" if of_an_entry else _form(key)
+    listed = key is not None and key.kind == "quantities"
     title = key.title.lower() if key else "a value"
     if kind == "missing":
         given, cause = "nothing", f"the {title} was left out"
@@ -65,9 +68,13 @@ def _translated(details: Any, keys: Mapping[str, Key]) -> StudyError:
         guess = nearest(str(details["input"])[:40], key.choices)
         next_step = f'write "{guess}"' if guess else "choose one of them"
     else:
-        given, cause, next_step = shown(details["input"]), _cause(kind, details["msg"]), f"write {_form(key)}"
+        given, cause, next_step = (
+            shown(details["input"]),
+            _cause(kind, details["msg"], listed),
+            f"write {form}",
+        )
     return StudyError(
-        argument=path or "the study", given=given, allowed=_form(key), cause=cause, next_step=next_step
+        argument=path or "the study", given=given, allowed=form, cause=cause, next_step=next_step
     )
 
 
@@ -132,6 +139,11 @@ def _form(key: Key | None) -> str:
     """What may stand at a key, in words."""
     if key is None:
         return "a value of the form that the key list gives"
+    if key.kind == "quantities":
+        return f"a list of {key.count} quantities with their units, such as {_list(key)}"
+    if key.kind == "entries":
+        value = key.quantity.example if key.quantity else '"..."'
+        return f"a table, [{key.path.replace('[]', '')}], of lines such as name = {value}"
     if key.quantity:
         return key.quantity.allowed
     if key.choices:
@@ -152,8 +164,10 @@ def _form(key: Key | None) -> str:
 def _written(key: Key) -> str:
     """A line for the study file that gives the key."""
     name = key.path.rpartition(".")[2]
-    if key.kind in {"table", "tables"} or key.path == "material":
+    if key.kind in {"table", "tables", "entries"} or key.path == "material":
         return _form(key)
+    if key.kind == "quantities":
+        return f"{name} = {_list(key)}"
     if key.quantity:
         return f"{name} = {key.quantity.example}"
     return (
@@ -161,7 +175,12 @@ def _written(key: Key) -> str:
     )
 
 
-def _cause(kind: str, message: str) -> str:
+def _list(key: Key) -> str:
+    assert key.quantity is not None
+    return f"[{', '.join([key.quantity.example] * key.count)}]"
+
+
+def _cause(kind: str, message: str, listed: bool) -> str:
     if kind in {"greater_than_equal", "less_than_equal", "greater_than", "less_than"}:
         return "the number is out of bounds"
     if kind in {"int_type", "int_from_float", "int_parsing", "int_parsing_size"}:
@@ -170,6 +189,8 @@ def _cause(kind: str, message: str) -> str:
         return "there is too much of it"
     if kind == "string_type":
         return "it is not a text"
+    if kind == "tuple_type" and listed:
+        return "it is not a list"
     if kind in {"model_type", "model_attributes_type", "tuple_type", "union_tag_not_found", "dict_type"}:
         return "something else stands where a table belongs"
     return message[:1].lower() + message[1:]

@@ -295,7 +295,7 @@ class Study(Description):
     def gap_with(self, values: Mapping[str, float], runner: Runner | None = None) -> Gap | None:
         """The widest complete gap with some parameters (SI, by path) changed."""
         found = (runner or Runner(Store.default())).gaps(
-            self.with_parameters(values).unit_cell(), self.asked()
+            self.without_plate().with_parameters(values).unit_cell(), self.asked()
         )
         return max((gap for gap in found if gap.complete), key=lambda gap: gap.width, default=None)
 

@@ -26,9 +26,12 @@ from haptonic.design.parameters import values_of
 from haptonic.errors import HaptonicError, StudyError
 from haptonic.lattice import Lattice
 from haptonic.materials import Material, material
+from haptonic.plate.parts import Plate
 from haptonic.results import Asked
 from haptonic.study.asking import DesignSection, LayersSection, ToleranceSection, WaveguideSection
 from haptonic.study.keys import leaves, table
+from haptonic.study.plate_tables import PlateSection
+from haptonic.study.plating import built_in, plate_of
 from haptonic.study.problems import study_error
 from haptonic.study.quantity import SI_NUMBERS, Quantity, collected, problem
 from haptonic.study.sections import BandsSection, CellSection, MaterialSection, MeshSection, Section
@@ -141,6 +144,9 @@ class Description(Section):
     tolerance: ToleranceSection = Field(
         ToleranceSection(), title="Tolerance", description="How much the parts differ."
     )
+    plate_section: PlateSection | None = Field(
+        None, alias="plate", title="Plate", description="A finite one, made of cells and of plain plate."
+    )
     sweep: tuple[SweepSection, ...] = Field(
         (), title="Sweeps", description="Rows of designs to compare.", max_length=MOST_SWEEPS
     )
@@ -149,6 +155,8 @@ class Description(Section):
     def _every_design_is_possible(self) -> Self:
         try:
             self.unit_cell()
+            if self.plate_section is not None:
+                self.plate()
         except HaptonicError as error:
             raise problem(
                 error.given, error.allowed, error.cause, error.next_step, at=error.argument
@@ -223,6 +231,19 @@ class Description(Section):
         pillar = cell.pillar.frozen() if cell.pillar else None
         return UnitCell(lattice, cell.thickness, self.resolved_material(), pillar)
 
+    def plate(self) -> Plate:
+        """The finite plate as the core computes with it.
+
+        Raises
+        ------
+        StudyError : the study has no [plate]
+        """
+        return plate_of(self)
+
+    def without_plate(self) -> Self:
+        """The same study of the lattice alone."""
+        return self.model_copy(update={"plate_section": None})
+
     def asked(self) -> Asked:
         """What is asked of the bands."""
         bands, mesh = self.bands_section, self.mesh
@@ -292,6 +313,7 @@ class Description(Section):
 
     def _unusual_values(self) -> dict[str, str]:
         words = {path: quantity.unusual(value) for path, value, quantity in leaves(self) if quantity}
+        words |= self.plate_section.doubtful() if self.plate_section else {}
         return {path: text for path, text in words.items() if text}
 
     def to_toml(self) -> str:
@@ -305,6 +327,11 @@ class Description(Section):
         that a correction in the library changes the key.
         """
         data = self.model_dump(mode="json", by_alias=True, exclude={"title", "material"})
+        if self.plate_section is None:
+            del data["plate"]
+        else:
+            solids = {name: built_in(name, "").to_dict() for name in self.plate_section.materials}
+            data["plate"]["materials"] = solids
         return {"material": self.resolved_material().to_dict(), **data}
 
 

@@ -148,7 +148,7 @@ def check_names(expression: Expression, known: Mapping[str, object], absent: Map
 
 
 def solve(expression: Expression, value: float, study: Described) -> Described:
-    """The study in which the expression has the value: its first parameter changed, its sweeps left out.
+    """The study in which the expression has the value: its first parameter changed, without sweeps and plate.
 
     Parameters
     ----------
@@ -175,7 +175,7 @@ def solve(expression: Expression, value: float, study: Described) -> Described:
             cause=f"no finite {expression.varied} gives it the value {value:g}",
             next_step="leave parameters out that are zero, or choose another range",
         )
-    return study.with_parameter(expression.varied, wanted)
+    return study.without_plate().with_parameter(expression.varied, wanted)
 
 
 def _tokens(text: str) -> Iterator[tuple[str, str]]:

@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import json
+import re
 from collections.abc import Iterator
 from typing import Any
 
 from pydantic import BaseModel
 
-from haptonic.study.keys import quantity_of
+from haptonic.study.entries import Entries
+from haptonic.study.keys import quantities_of, quantity_of, unit_of
 from haptonic.units import format_quantity
 
 
@@ -19,28 +21,51 @@ def toml_of(model: BaseModel) -> str:
 
 def _lines(model: BaseModel, prefix: str) -> Iterator[str]:
     """Plain keys first, then tables: TOML has no way back from a table to the keys of its parent."""
-    fields = [
-        (field.alias or name, getattr(model, name), quantity_of(field))
-        for name, field in type(model).model_fields.items()
-    ]
-    for name, value, quantity in fields:
-        if value is not None and not isinstance(value, BaseModel | tuple):
+    tables = []
+    for name, field in type(model).model_fields.items():
+        value, key = getattr(model, name), field.alias or name
+        if isinstance(value, BaseModel | Entries) or _is_tables(value):
+            tables.append((key, value, field))
+        elif isinstance(value, tuple):
+            numbers = zip(value, quantities_of(field), strict=True)
+            yield f"{key} = [{', '.join(_value(item, quantity.unit) for item, quantity in numbers)}]"
+        elif value is not None:
+            quantity = quantity_of(field)
             unit = (
                 quantity.unit if quantity else getattr(model, "unit", "") if isinstance(value, float) else ""
             )
-            yield f"{name} = {_value(value, unit)}"
-    for name, value, _ in fields:
-        path = f"{prefix}{name}"
+            yield f"{key} = {_value(value, unit)}"
+    for key, value, field in tables:
+        path = f"{prefix}{key}"
         if isinstance(value, BaseModel):
             below = list(_lines(value, f"{path}."))
             yield from ("", f"[{path}]", *below) if below else ()
-        elif isinstance(value, tuple):
+        elif isinstance(value, Entries):
+            entries = ((entry, item, unit_of(model, field, entry)) for entry, item in value.items())
+            below = [
+                f"{_name(entry)} = {_value(item, quantity.unit if quantity else '')}"
+                for entry, item, quantity in entries
+            ]
+            yield from ("", f"[{path}]", *below) if below else ()
+        else:
             for item in value:
                 yield from ("", f"[[{path}]]", *_lines(item, f"{path}."))
 
 
+def _is_tables(value: Any) -> bool:
+    return isinstance(value, tuple) and all(isinstance(item, BaseModel) for item in value)
+
+
+def _name(entry: str) -> str:
+    """A key as TOML wants it."""
+    return entry if re.fullmatch(r"[A-Za-z0-9_-]+", entry) else _value(entry, "")
+
+
 def _value(value: Any, unit: str) -> str:
     if isinstance(value, str):
+        lines = value.split("\n")
+        if len(lines) > 1 and all(line.isprintable() and not set(line) & set('"\\') for line in lines):
+            return f'"""\n{value}"""'  # a map keeps its shape
         # a JSON string is a TOML string, but for one control character that TOML wants escaped
         return json.dumps(value, ensure_ascii=False).replace("\x7f", "\\u007f")
     return f'"{format_quantity(value, unit, digits=None)}"' if unit else repr(value)

@@ -1,0 +1,242 @@
+"""The tables of the study file that describe a finite plate: its map, what holds it and what drives it."""
+
+from __future__ import annotations
+
+from difflib import get_close_matches
+from typing import Annotated, Any
+
+from pydantic import Field, ValidationInfo, field_validator, model_validator
+
+from haptonic.design.parameters import UNITS
+from haptonic.errors import nearest
+from haptonic.study.entries import Entries
+from haptonic.study.mounting import (
+    ActuatorSection,
+    ClampSection,
+    EdgesSection,
+    FingerSection,
+    ForceSection,
+    Loss,
+    Name,
+    size,
+)
+from haptonic.study.plate_map import check_map, drawn
+from haptonic.study.quantity import Quantity, collected, problem
+from haptonic.study.sections import Section
+from haptonic.units import format_quantity, shown, to_si
+
+CHANGEABLE = [path for path in UNITS if path.startswith("cell.") and path != "cell.thickness"]
+LATTICE = "lattice"  # the name of the study's own cell in [plate.tiles]
+
+TileSize = Annotated[float, size(100e-6, 100e-3)]
+Frequency = Annotated[float, Quantity("Hz", at_least=1.0, at_most=1e9, typical=(1.0, 1e6))]
+
+
+class LatticeSection(Section):
+    """A further lattice of the plate: the study's own cell with some numbers changed."""
+
+    name: Name = Field(title="Name", description="By which tiles refer to it.")
+    change: Entries[float] = Field(
+        title="Change",
+        description="Numbers of the cell, by their names in this file; thickness and material stay.",
+    )
+
+    @field_validator("change", mode="before")
+    @classmethod
+    def _of_the_cell(cls, value: object, info: ValidationInfo) -> object:
+        """SI values by path; the dots of a path without quotes are TOML's own tables."""
+        if not isinstance(value, dict):
+            return value
+        read = {}
+        for path, given in _flat(value).items():
+            _changeable(path)
+            with collected():
+                read[path] = (
+                    given
+                    if isinstance(given, float) and info.context is not None
+                    else to_si(given, UNITS[path], "")
+                )
+        return read
+
+    @property
+    def units(self) -> dict[str, str]:
+        """SI unit of every number that may change."""
+        return UNITS
+
+
+def _flat(tree: dict[str, Any], prefix: str = "") -> dict[str, object]:
+    flat: dict[str, object] = {}
+    for name, value in tree.items():
+        flat |= _flat(value, f"{prefix}{name}.") if isinstance(value, dict) else {f"{prefix}{name}": value}
+    return flat
+
+
+def _changeable(path: str) -> None:
+    if path in CHANGEABLE:
+        return
+    guess = nearest(path, CHANGEABLE)
+    whole = path in UNITS
+    raise problem(
+        shown(path),
+        f"one of {', '.join(CHANGEABLE)}",
+        "all lattices of a plate have its thickness and its material"
+        if whole
+        else "no number of the cell has this name",
+        "leave it out" if whole or not guess else f'write "{guess}"',
+    )
+
+
+class ResponseSection(Section):
+    """What is asked of the plate's vibration."""
+
+    lowest: Frequency = Field(100.0, title="Lowest frequency", description="Of the response.")
+    highest: Frequency = Field(100e3, title="Highest frequency", description="Of the response.")
+    points: Annotated[int, Field(ge=2, le=100_001, strict=True)] = Field(
+        1001, title="Frequencies", description="Of the response, both ends included."
+    )
+    tolerance: Annotated[float, Quantity("", at_least=1e-10, at_most=0.1, typical=(1e-8, 1e-2))] = Field(
+        1e-3, title="Field error", description="Largest allowed at every frequency, relative."
+    )
+    grid: Annotated[float, size(50e-6, 20e-3)] = Field(
+        2e-3, title="Grid", description="Distance of neighbouring points on the flat face."
+    )
+
+    @model_validator(mode="after")
+    def _ascends(self) -> ResponseSection:
+        if self.lowest >= self.highest:
+            raise problem(
+                format_quantity(self.highest, "Hz"),
+                f"more than the lowest frequency, {format_quantity(self.lowest, 'Hz')}",
+                "the two ends of the response are exchanged or equal", "exchange them", at="highest",
+            )  # fmt: skip
+        return self
+
+
+class PlateSection(Section):
+    """A finite plate: a map of tiles, what holds it and what drives it."""
+
+    map: Annotated[str, Field(max_length=200_000, strict=True)] = Field(
+        title="Map",
+        description="A letter for each tile, from above on the face with the pillars, largest y first.",
+    )
+    rows: Annotated[int, Field(ge=1, le=10_000, strict=True)] | None = Field(
+        None, title="Rows", description="The lines of the map are repeated until there are so many."
+    )
+    loss_factor: Loss | None = Field(
+        None, title="Loss factor", description="Of the mounted plate; else that of its material."
+    )
+    tiles: Entries[Name] = Field(
+        title="Meaning of the letters",
+        description='Of each, "lattice", the name of a plate.cell, or that of a region of plain plate.',
+    )
+    widths: Entries[TileSize] = Field(
+        Entries(), title="Widths", description="By region: of its columns without a lattice; else the pitch."
+    )
+    heights: Entries[TileSize] = Field(
+        Entries(),
+        title="Heights",
+        description="By region: of its rows without a lattice; else the pitch along y.",
+    )
+    cell: tuple[LatticeSection, ...] = Field(
+        (), title="Further lattices", description="For tiles of other names.", max_length=20
+    )
+    edges: EdgesSection = Field(EdgesSection(), title="Edges", description="What holds them.")
+    clamp: ClampSection | None = Field(None, title="Corners", description="Held, if this table is there.")
+    actuator: tuple[ActuatorSection, ...] = Field(
+        (), title="Actuators", description="Piezoelectric patches.", max_length=100
+    )
+    force: tuple[ForceSection, ...] = Field(
+        (), title="Forces", description="On the flat face.", max_length=100
+    )
+    finger: FingerSection | None = Field(
+        None, title="Finger", description="On the flat face, if it is there."
+    )
+    response: ResponseSection = Field(
+        ResponseSection(), title="Response", description="What is asked of the vibration."
+    )
+
+    @field_validator("map")
+    @classmethod
+    def _lines(cls, text: str) -> str:
+        return drawn(text)
+
+    @model_validator(mode="after")
+    def _is_whole(self) -> PlateSection:
+        check_map(self.lines, self.rows, self.tiles)
+        self._names_are_unique()
+        self._names_are_known()
+        return self
+
+    def _names_are_unique(self) -> None:
+        cells = [(f"cell[{i}]", one.name) for i, one in enumerate(self.cell, start=1)]
+        driven = [(f"actuator[{i}]", one.name) for i, one in enumerate(self.actuator, start=1)]
+        driven += [(f"force[{i}]", one.name) for i, one in enumerate(self.force, start=1)]
+        for kind, places, taken in (("lattice", cells, {LATTICE}), ("actuator or force", driven, set())):
+            for place, name in places:
+                if name in taken:
+                    raise problem(
+                        shown(name), f"a name that no other {kind} of the plate has",
+                        "it is the study's own cell" if name == LATTICE and place in dict(cells)
+                        else "a table was copied",
+                        "choose another name", at=f"{place}.name",
+                    )  # fmt: skip
+                taken.add(name)
+
+    def _names_are_known(self) -> None:
+        """Every name stands for some tile, and what is about a region is not about a lattice."""
+        there = list(self.tiles.values())
+        for i, one in enumerate(self.cell, start=1):
+            if one.name not in there:
+                self._unknown(f"cell[{i}].name", one.name, self.regions, "no tile is of this lattice",
+                              f'add a letter = "{one.name}" to [plate.tiles], or remove it')  # fmt: skip
+        named = {f"{table}.{name}": name for table in ("widths", "heights") for name in getattr(self, table)}
+        named |= {f"actuator[{i}].region": one.region for i, one in enumerate(self.actuator, start=1)}
+        for at, name in named.items():
+            if name not in self.regions and name in there:
+                self._unknown(at, name, self.regions, "it is a lattice", "name a region of plain plate")
+            elif name not in self.regions:
+                self._unknown(at, name, self.regions, "no tile is of this region")
+        named = {f"force[{i}].region": one.region for i, one in enumerate(self.force, start=1)}
+        named |= {"finger.region": self.finger.region} if self.finger else {}
+        for at, name in named.items():
+            if name not in there:
+                self._unknown(at, name, there, "no tile has this name")
+
+    @staticmethod
+    def _unknown(at: str, name: str, known: list[str], cause: str, next_step: str = "") -> None:
+        guess = nearest(name, known)
+        allowed = f"one of {', '.join(known)}" if known else "the name of a region, of which there is none"
+        hint = f'write "{guess}"' if guess else "choose one of them, or add it to [plate.tiles]"
+        raise problem(shown(name), allowed, cause, next_step or hint, at=at)
+
+    @property
+    def materials(self) -> list[str]:
+        """Names of the built-in materials of patches and bonds, as given."""
+        bonds = [one.bond.material for one in self.actuator if one.bond]
+        return sorted({*(one.material for one in self.actuator), *bonds})
+
+    def doubtful(self) -> dict[str, str]:
+        """Sentences, by path, on regions whose name is nearly that of a lattice."""
+        return {
+            f"plate.tiles.{letter}": f'"{name}" is a region of plain plate. Was "{guess}" meant?'
+            for letter, name in self.tiles.items()
+            if name in self.regions
+            for guess in get_close_matches(name.lower(), [LATTICE, *(c.name for c in self.cell)], 1, 0.8)
+        }
+
+    @property
+    def lines(self) -> list[str]:
+        """Lines of the map as given, the topmost first."""
+        return self.map.splitlines()
+
+    @property
+    def grid(self) -> tuple[tuple[str | None, ...], ...]:
+        """[row][column] the name of each tile, None where there is no plate; the lowest row first."""
+        lines = self.lines * ((self.rows or len(self.lines)) // len(self.lines))
+        return tuple(tuple(self.tiles.get(letter) for letter in line) for line in reversed(lines))
+
+    @property
+    def regions(self) -> list[str]:
+        """Names of the regions of plain plate."""
+        lattices = {LATTICE, *(one.name for one in self.cell)}
+        return [name for name in self.tiles.values() if name not in lattices]
