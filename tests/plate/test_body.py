@@ -181,6 +181,9 @@ def test_an_edge_on_a_line_is_that_line_whatever_the_rounding():
     found = body(x, (0.0, 1.0), 2e-3, ALUMINIUM, (on_line,), BodyOrders(1, 1, 1, 1), longest=1.0)
     assert len(found.elements["plate"]) == 3 * 3
     assert sorted(set(found.points[:, 0])) == [0.0, 0.3, 0.5, 0.9]
+    assert (0.1 + 0.2) / 0.1 > 3.0  # as computed, yet three elements will do
+    evenly = body((0.0, 0.1 + 0.2), (0.0, 0.1), 2e-3, ALUMINIUM, (), BodyOrders(1, 1, 1, 1), longest=0.1)
+    assert len(evenly.elements["plate"]) == 3
     beside = replace(on_line, centre=(0.4 + 1e-6, 0.5))  # a micrometre apart is apart
     found = body(x, (0.0, 1.0), 2e-3, ALUMINIUM, (beside,), BodyOrders(1, 1, 1, 1), longest=1.0)
     assert len(found.elements["plate"]) == 4 * 3
