@@ -244,7 +244,7 @@ def test_a_strip_bends_as_a_laminate(glued):
     # T_1 = modulus S_1 - charge E_3 with E_3 = -V / t
     expected = curvature_of_laminate(layers if glued else layers[::2], stiffening, -charge * 100.0)
     assert expected < 0  # the patch above spreads at a positive voltage, so the ends of the strip go down
-    assert bow == pytest.approx(expected, rel=1e-4)
+    assert bow == pytest.approx(expected, rel=1e-5 if glued else 1e-8)  # glue carries the ends farther in
 
 
 def plane_strain(solid):
