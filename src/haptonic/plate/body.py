@@ -248,8 +248,7 @@ def _assembled(layers: Sequence[_Layer], ceramics: Mapping[str, _Layer]) -> Body
         glued, free = layer.number[..., 0], layer.number[..., -1]
         electric = electric_part(points, layer.elements, layer.material, glued, free)
         own = (3 * electric.nodes[:, None] + np.arange(3)).ravel()
-        entries = (electric.stiffness.ravel(), (np.repeat(own, len(own)), np.tile(own, len(own))))
-        stiffness[f"{name} field"] = sp.coo_array(entries, shape=(size, size)).tocsr()
+        stiffness[f"{name} field"] = _spread(electric.stiffness, own, size)
         drive[name] = np.zeros(size)
         drive[name][own] = electric.drive
         capacitance[name] = electric.capacitance
@@ -265,6 +264,14 @@ def _assembled(layers: Sequence[_Layer], ceramics: Mapping[str, _Layer]) -> Body
         rim=np.setdiff1d(lowest.number, inner),
         elements=MappingProxyType({layer.part: layer.elements for layer in layers}),
     )
+
+
+def _spread(dense: Array, own: Ints, size: int) -> sp.csr_array:
+    """(size, size) matrix that couples the unknowns ``own``, ascending, by a dense one."""
+    starts = np.zeros(size + 1, dtype=np.int32)
+    starts[own + 1] = len(own)
+    columns = np.tile(own.astype(np.int32), len(own))
+    return sp.csr_array((dense.ravel(), columns, starts.cumsum(dtype=np.int32)), shape=(size, size))
 
 
 def _elastic(points: Array, layer: _Layer, mass: Array) -> sp.csr_array:

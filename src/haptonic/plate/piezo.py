@@ -21,7 +21,7 @@ from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.linalg import cho_factor, cho_solve
+from scipy.linalg import cholesky, solve_triangular
 
 from haptonic.cell.quadrature import lobatto
 from haptonic.materials import PiezoelectricMaterial
@@ -115,13 +115,12 @@ def electric_part(
     P_tt = float(P[np.ix_(top, top)].sum())
     if not inner.any():  # linear through the patch
         return ElectricPart(own, np.zeros((3 * count,) * 2), -A_t, P_tt)
-    A_i = A[inner].reshape(-1, 3 * count)
-    factor = cho_factor(P[np.ix_(inner, inner)])
-    field = A_i.T @ cho_solve(factor, A_i)
-    follows = cho_solve(factor, P_it)
+    root = cholesky(P[np.ix_(inner, inner)], lower=True)
+    seen = solve_triangular(root, A[inner].reshape(-1, 3 * count), lower=True)
+    follows = solve_triangular(root, P_it, lower=True)
     return ElectricPart(
         nodes=own,
-        stiffness=0.5 * (field + field.T),
-        drive=A_i.T @ follows - A_t,
-        capacitance=P_tt - float(P_it @ follows),
+        stiffness=seen.T @ seen,
+        drive=seen.T @ follows - A_t,
+        capacitance=P_tt - float(follows @ follows),
     )
