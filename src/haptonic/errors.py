@@ -56,6 +56,10 @@ class GeometryError(HaptonicError):
     """Sizes that do not make a body."""
 
 
+class ResponseError(HaptonicError):
+    """A frequency response, or a file of one, cannot be used."""
+
+
 class ResourceError(HaptonicError):
     """The machine has too little memory, or a file cannot be read or written."""
 

@@ -1,1 +1,26 @@
 """The frequency response: velocity against frequency, point and direction. Simulation and scan meet here."""
+
+from haptonic.response.files import read, write
+from haptonic.response.measures import (
+    average_spectrum,
+    cmif,
+    contrast,
+    disc_average,
+    frac,
+    mac,
+    rms,
+)
+from haptonic.response.value import FrequencyResponse
+
+__all__ = [
+    "FrequencyResponse",
+    "average_spectrum",
+    "cmif",
+    "contrast",
+    "disc_average",
+    "frac",
+    "mac",
+    "read",
+    "rms",
+    "write",
+]

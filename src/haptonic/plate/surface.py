@@ -1,0 +1,163 @@
+"""Values of a field at arbitrary points of the flat face, z = 0, of a meshed tile."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.sparse import csr_array
+
+from haptonic.cell import HexMesh
+from haptonic.cell.quadrature import interpolation, lobatto
+from haptonic.errors import GeometryError
+
+Array = NDArray[np.float64]
+Ints = NDArray[np.int64]
+
+FLAT = 1e-9  # of the tile's extent, within which a node lies at z = 0
+OUTSIDE = 1e-9  # in local coordinates, which run from -1 to 1, by which a point may miss its element
+BULGE = 0.2  # of an element's size, by which its curved sides may leave the box around its nodes
+STEPS = 40  # of Newton's method at most; a dozen are many
+LONGEST = 0.5  # of a step, in local coordinates
+FARTHEST = 1.02  # local coordinate at which a search is held back: farther out, maps may fold over
+
+
+def flat_faces(mesh: HexMesh) -> list[Ints]:
+    """Node numbers (k, n1, n2) of the elements' faces that tile the face z = 0, grouped by their orders."""
+    height = np.abs(mesh.points[:, 2])
+    at_zero = height <= FLAT * np.ptp(mesh.points, axis=0).max()
+    faces = (family.nodes[..., 0] for family in mesh.topology.families)
+    found = (nodes[at_zero[nodes].all(axis=(1, 2))] for nodes in faces)
+    return [nodes for nodes in found if len(nodes)]
+
+
+def surface_weights(points: Array, faces: Sequence[Ints], where: Array) -> csr_array:
+    """Matrix that takes nodal values to values at points of the flat face.
+
+    Every point is found in one of the curved quadrilaterals by Newton's method on their isoparametric maps;
+    on the border between two of them either gives the same value.
+
+    Parameters
+    ----------
+    points : (n, 3) of all nodes, m
+    faces : (k, n1, n2) node numbers of quadrilaterals on Gauss-Lobatto-Legendre points, from `flat_faces`
+    where : (m, 2) x and y, m, in the frame of the nodes
+
+    Returns
+    -------
+    (m, n) sparse; each row has the nodes of one face and sums to 1
+
+    Raises
+    ------
+    GeometryError : a point lies on none of the faces
+    """
+    pairs = [_candidates(points[face][..., :2], where) for face in faces]
+    group = np.repeat(np.arange(len(faces)), [len(point) for point, _ in pairs])
+    point, element = (np.concatenate(some) for some in zip(*pairs, strict=True))
+    local = np.concatenate([
+        _local_coordinates(points[face][..., :2], element, where[point])
+        for face, (point, element) in zip(faces, pairs, strict=True)
+    ])  # fmt: skip
+    beyond = np.abs(local).max(axis=1)
+    inside = np.flatnonzero(beyond <= 1 + OUTSIDE)
+    inside = inside[np.lexsort([beyond[inside], point[inside]])]
+    found, first = np.unique(point[inside], return_index=True)
+    _refuse_missed(found, where)
+    chosen = inside[first]  # one pair for each point
+    rows, columns, weights = [], [], []
+    for number, face in enumerate(faces):
+        mine = np.flatnonzero(group[chosen] == number)
+        pair = chosen[mine]
+        (one, _), (other, _) = _shape_functions(face.shape[1:], local[pair])
+        weight = (one[:, :, None] * other[:, None, :]).reshape(len(pair), face[0].size)
+        rows.append(np.repeat(mine, weight.shape[1]))
+        columns.append(face[element[pair]].ravel())
+        weights.append(weight.ravel())
+    entries = np.concatenate(weights), (np.concatenate(rows), np.concatenate(columns))
+    matrix = csr_array(entries, shape=(len(where), len(points)))
+    matrix.eliminate_zeros()
+    return matrix
+
+
+def _candidates(corners: Array, where: Array) -> tuple[Ints, Ints]:
+    """Numbers of points and elements, in pairs: the box around an element's nodes (k, n1, n2, 2), slightly
+    enlarged, holds the point.
+    """
+    low, high = corners.min(axis=(1, 2)), corners.max(axis=(1, 2))
+    margin = BULGE * (high - low).max(axis=1, keepdims=True)
+    near = np.ones((len(where), len(corners)), dtype=bool)
+    for axis in range(2):
+        place = where[:, axis, None]
+        near &= (place >= (low - margin)[:, axis]) & (place <= (high + margin)[:, axis])
+    point, element = np.nonzero(near)
+    return point, element
+
+
+def _local_coordinates(corners: Array, element: Ints, target: Array) -> Array:
+    """(pairs, 2) local coordinates of targets (pairs, 2) in elements; infinite where the search failed."""
+    nodes = corners[element]
+    orders = nodes.shape[1:3]
+    distance = ((nodes - target[:, None, None]) ** 2).sum(axis=-1).reshape(len(nodes), orders[0] * orders[1])
+    start = np.unravel_index(distance.argmin(axis=1), orders)
+    local = np.stack([lobatto(n - 1)[0][k] for n, k in zip(orders, start, strict=True)], axis=-1)
+    size = np.sqrt(distance.max(axis=1))
+    todo = np.arange(len(nodes))
+    missed = np.full(len(nodes), np.inf)
+    for _ in range(STEPS):
+        if not len(todo):
+            break
+        (first, slope1), (second, slope2) = _shape_functions(orders, local[todo])
+        here = nodes[todo]
+        along = [
+            np.einsum("mi,mj,mijc->mc", a, b, here)
+            for a, b in ((first, second), (slope1, second), (first, slope2))
+        ]
+        rest = target[todo] - along[0]
+        error = np.abs(rest).max(axis=1) / size[todo]
+        better = error < missed[todo]  # rounding has the last word: stop where the error falls no more
+        missed[todo] = np.minimum(missed[todo], error)
+        step = _solved(along[1], along[2], rest)
+        longest = np.abs(step).max(axis=1, keepdims=True)
+        step *= np.minimum(1.0, LONGEST / np.maximum(longest, LONGEST))
+        going = better | (error > FLAT)
+        local[todo[going]] = np.clip(local[todo] + step, -FARTHEST, FARTHEST)[going]
+        todo = todo[going]
+    local[missed > FLAT] = np.inf
+    return local
+
+
+def _shape_functions(orders: tuple[int, ...], local: Array) -> list[tuple[Array, Array]]:
+    """Values and slopes (pairs, n) of the Lagrange polynomials along either axis at local coordinates."""
+    found = []
+    for n, place in zip(orders, local.T, strict=True):
+        nodes, _, derivative = lobatto(n - 1)
+        values = interpolation(nodes, place)
+        found.append((values, values @ derivative))
+    return found
+
+
+def _solved(first: Array, second: Array, right: Array) -> Array:
+    """Solutions (m, 2) of systems with the columns ``first`` and ``second`` (m, 2)."""
+    determinant = _cross(first, second)
+    least = 1e-3 * np.linalg.norm(first, axis=1) * np.linalg.norm(second, axis=1)
+    determinant = np.where(np.abs(determinant) < least, least, determinant)
+    return np.stack([_cross(right, second), _cross(first, right)], axis=-1) / determinant[:, None]
+
+
+def _cross(a: Array, b: Array) -> Array:
+    return np.asarray(a[:, 0] * b[:, 1] - a[:, 1] * b[:, 0])
+
+
+def _refuse_missed(found: Ints, where: Array) -> None:
+    """Raise GeometryError unless all points of ``where`` are among the numbers of those found."""
+    missed = np.setdiff1d(np.arange(len(where)), found)
+    if len(missed):
+        x, y = where[missed[0]] * 1e3
+        raise GeometryError(
+            argument="points of the flat face",
+            given=f"{len(missed)} of {len(where)} beside it, the first at x = {x:.6g} mm, y = {y:.6g} mm",
+            allowed="points on the tile, its border included",
+            cause="positions count from another corner, or are given in mm",
+            next_step="give positions in m, in the frame of the tile",
+        )

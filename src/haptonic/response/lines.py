@@ -1,0 +1,55 @@
+"""Numbers of rows and columns of points that lie on a regular grid, all but a little."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from haptonic.errors import ResponseError
+
+Array = NDArray[np.float64]
+Ints = NDArray[np.int64]
+
+SAME = 1e-3  # of the extent of all points, within which coordinates belong to one row or column
+OFF = 0.05  # of the step, that a row or column may lie beside its place
+
+
+def regular_line(coordinate: Array, extent: float, name: str) -> tuple[Ints, Array]:
+    """Numbers of the rows (columns) that points belong to, and where these lie.
+
+    Parameters
+    ----------
+    coordinate : (n,) m
+    extent : of all points along x or y, whichever is larger, m
+    name : "x" or "y", for the error
+
+    Returns
+    -------
+    number : (n,) counted from 0; place : (rows,) evenly spaced, m
+
+    Raises
+    ------
+    ResponseError : the rows are not evenly spaced
+    """
+    order = np.argsort(coordinate, kind="stable")
+    ascending = coordinate[order]
+    begins = np.diff(ascending, prepend=-np.inf) > SAME * extent
+    group = np.empty(len(coordinate), dtype=np.int64)
+    group[order] = np.cumsum(begins) - 1
+    middle = np.bincount(group, coordinate) / np.bincount(group)
+    if len(middle) == 1:
+        return group, middle
+    gaps = np.diff(middle)
+    step = float(np.median(gaps[gaps < 1.5 * gaps.min()]))
+    number = np.rint((middle - middle[0]) / step).astype(np.int64)
+    step, first = np.polynomial.polynomial.polyfit(number, middle, 1)[::-1]
+    off = np.abs(first + step * number - middle)
+    if (np.diff(number) < 1).any() or off.max() > OFF * step:
+        raise ResponseError(
+            argument=f"{name} of the points",
+            given=f"{middle[off.argmax()] * 1e3:.4g} mm, where steps are {step * 1e3:.4g} mm",
+            allowed="points in evenly spaced rows and columns along x and y; some of them may be missing",
+            cause="the points were chosen by hand, or the grid is turned against the plate",
+            next_step="scan or compute a regular grid, or draw the points as they are",
+        )
+    return number[group], first + step * np.arange(number[-1] + 1)

@@ -1,0 +1,241 @@
+"""How alike two vibrations are, and how much of one stays where it should.
+
+Shapes and responses hold one point after the other in their last axis. Amplitudes are peak values, as in the
+response itself; a root mean square is one over points, never over time.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+import xarray as xr
+from numpy.typing import NDArray
+from scipy.sparse import csr_array
+from scipy.spatial import cKDTree
+
+from haptonic.errors import ResponseError
+from haptonic.response.checks import REST
+from haptonic.response.value import FrequencyResponse
+
+Array = NDArray[np.float64]
+Complex = NDArray[np.complexfloating[Any, Any]]
+
+ROUNDING = 1e-9  # of a disc's radius, within which a point on its rim counts
+
+
+def mac(a: Complex, b: Complex) -> Array:
+    """Modal assurance criterion |a^H b|^2 / (a^H a  b^H b) of every shape with every other [allemang2003].
+
+    Parameters
+    ----------
+    a, b : (m, point), (n, point) complex or real shapes, none of them zero everywhere
+
+    Returns
+    -------
+    (m, n) from 0, orthogonal, to 1, the same but for a complex factor
+
+    Raises
+    ------
+    ResponseError : shapes on different points, or one that is zero everywhere
+    """
+    if a.ndim != 2 or b.ndim != 2 or a.shape[1] != b.shape[1]:
+        raise _unlike(a, b, "two sets of shapes, (m, points) and (n, points), on the same points")
+    return np.asarray(np.minimum(np.abs(_unit(a, 1).conj() @ _unit(b, 1).T) ** 2, 1.0))
+
+
+def frac(a: Complex, b: Complex) -> Array:
+    """Frequency response assurance criterion of two responses, point by point [allemang2003].
+
+    |sum a* b|^2 / (sum |a|^2 sum |b|^2), the sums over the lines: blind to one complex factor for each point.
+
+    Parameters
+    ----------
+    a, b : (frequency, point) on the same lines and points
+
+    Returns
+    -------
+    (point,) from 0 to 1
+
+    Raises
+    ------
+    ResponseError : responses of different shapes, or a point that does not move at all
+    """
+    if a.ndim != 2 or a.shape != b.shape:
+        raise _unlike(a, b, "two responses (frequency, point) on the same lines and points")
+    alike = np.abs((_unit(a, 0).conj() * _unit(b, 0)).sum(axis=0)) ** 2
+    return np.asarray(np.minimum(alike, 1.0))
+
+
+def rms(response: FrequencyResponse, region: str) -> xr.DataArray:
+    """Root mean square over the points of a region, against frequency, in the units of the response.
+
+    At a point the amplitudes in all directions count together, as the length of a vector.
+
+    Raises
+    ------
+    ResponseError : no point lies in that region
+    """
+    return _spectrum(response, _mean_square(response, response.inside(region)) ** 0.5, response.units)
+
+
+def average_spectrum(response: FrequencyResponse) -> xr.DataArray:
+    """Root mean square over all points, against frequency, in the units of the response."""
+    everywhere = np.ones(response.dataset.sizes["point"], dtype=bool)
+    return _spectrum(response, _mean_square(response, everywhere) ** 0.5, response.units)
+
+
+def contrast(response: FrequencyResponse, over: str, under: str) -> xr.DataArray:
+    """By how much a region vibrates more than another one: 20 log10(rms over / rms under), dB.
+
+    Parameters
+    ----------
+    over, under : names of regions; one of them may be "rest", all points outside of the other
+
+    Returns
+    -------
+    (frequency,) dB; infinite where one of them does not move
+
+    Raises
+    ------
+    ResponseError : no point lies in one of them
+    """
+    upper, lower = (
+        ~response.inside(other) if name == REST else response.inside(name)
+        for name, other in ((over, under), (under, over))
+    )
+    for name, mask in ((over, upper), (under, lower)):
+        if not mask.any():
+            raise ResponseError(
+                argument="region",
+                given=f'"{name}"',
+                allowed="a region with points in it",
+                cause="all points lie in the other region",
+                next_step="compare with a region, or measure outside of them as well",
+            )
+    with np.errstate(divide="ignore"):
+        level = [10 * np.log10(_mean_square(response, mask)) for mask in (upper, lower)]
+    return _spectrum(response, level[0] - level[1], "dB")
+
+
+def disc_average(response: FrequencyResponse, diameter: float) -> xr.DataArray:
+    """Amplitude under a finger: root mean square over the disc around every point.
+
+    The finger is wider than the lobes of the vibration. The film of air below it depends on the square of the
+    local amplitude and not on its sign, so amplitudes are averaged, not the vibration itself, of which
+    neighbouring lobes would cancel. At the plate's edge only those points count that there are.
+
+    Parameters
+    ----------
+    diameter : of the disc, m; its rim belongs to it
+
+    Returns
+    -------
+    (frequency, point) real, in the units of the response
+
+    Raises
+    ------
+    ResponseError : the diameter is not positive
+    """
+    if not (np.isfinite(diameter) and diameter > 0):
+        raise ResponseError(
+            argument="diameter",
+            given=f"{diameter} m",
+            allowed="a positive length",
+            cause="a size was left at zero or has the wrong sign",
+            next_step="give the width of the contact, such as 0.01 m",
+        )
+    points = response.points
+    near = cKDTree(points).query_ball_point(points, 0.5 * diameter * (1 + ROUNDING))
+    counts = np.array([len(members) for members in near])
+    ends = np.concatenate([[0], np.cumsum(counts)])
+    share = np.repeat(1.0 / counts, counts)
+    averaging = csr_array((share, np.concatenate(near), ends), shape=(len(points), len(points)))
+    amplitude = np.sqrt(averaging @ _squares(response.values).T).T
+    old = response.dataset["response"]
+    return xr.DataArray(
+        amplitude,
+        dims=("frequency", "point"),
+        coords={name: c for name, c in old.coords.items() if "direction" not in c.dims},
+        attrs={"units": response.units},
+        name="amplitude",
+    )
+
+
+def cmif(responses: Sequence[FrequencyResponse]) -> xr.DataArray:
+    """Complex mode indication function: squared singular values of the response matrix [shih1988].
+
+    Its peaks show modes; as many values are large at a peak as modes lie there together.
+
+    Parameters
+    ----------
+    responses : one for each reference, on the same lines, points and directions
+
+    Returns
+    -------
+    (frequency, value) the values in descending order, as many as there are references
+
+    Raises
+    ------
+    ResponseError : no response, or responses of different shapes
+    """
+    if not responses or len({response.values.shape for response in responses}) != 1:
+        raise ResponseError(
+            argument="responses",
+            given=", ".join(str(response.values.shape) for response in responses) or "none",
+            allowed="one response for each reference, on the same lines, points and directions",
+            cause="the responses come from different scans or computations",
+            next_step="cut them to the same lines (between) and points (of_region)",
+        )
+    matrix = np.stack([r.values.reshape(len(r.frequency), -1) for r in responses], axis=-1)
+    values = np.linalg.svd(matrix, compute_uv=False).astype(np.float64) ** 2
+    lines = responses[0].dataset["frequency"]
+    squared = f"({responses[0].units})^2"
+    return xr.DataArray(
+        values,
+        dims=("frequency", "value"),
+        coords={"frequency": lines},
+        attrs={"units": squared},
+        name="cmif",
+    )
+
+
+def _unit(shapes: Complex, axis: int) -> Complex:
+    """Shapes of length 1, in double precision, or an error if one is zero."""
+    largest = np.abs(shapes).max(axis=axis, keepdims=True)
+    if not (largest > 0).all():
+        raise ResponseError(
+            argument="shape",
+            given=f"zero everywhere, in {np.count_nonzero(largest == 0)} of {largest.size}",
+            allowed="a shape that is not zero",
+            cause="points that are held, or a line at 0 Hz",
+            next_step="leave these points or lines out",
+        )
+    scaled = (shapes / largest).astype(np.complex128)  # first, so that no square under- or overflows
+    return np.asarray(scaled / np.linalg.norm(scaled, axis=axis, keepdims=True))
+
+
+def _unlike(a: Complex, b: Complex, allowed: str) -> ResponseError:
+    return ResponseError(
+        argument="shapes",
+        given=f"{a.shape} and {b.shape}",
+        allowed=allowed,
+        cause="they come from different meshes or scans, or one has an axis too many",
+        next_step="take both on the same points, and one direction",
+    )
+
+
+def _squares(values: Complex) -> Array:
+    """(frequency, point) squared length of the vector at every point, in double precision."""
+    real, imaginary = values.real.astype(np.float64), values.imag.astype(np.float64)
+    return np.asarray((real**2 + imaginary**2).sum(axis=2))
+
+
+def _mean_square(response: FrequencyResponse, mask: NDArray[np.bool_]) -> Array:
+    return np.asarray(_squares(response.values[:, mask]).mean(axis=1))
+
+
+def _spectrum(response: FrequencyResponse, values: Array, units: str) -> xr.DataArray:
+    lines = {"frequency": response.dataset["frequency"]}
+    return xr.DataArray(values, dims=("frequency",), coords=lines, attrs={"units": units})

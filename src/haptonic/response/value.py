@@ -1,0 +1,282 @@
+"""The frequency response as a value: what a simulation computes and a laser vibrometer measures.
+
+Time runs as exp(+i omega t): a velocity is i omega times the displacement. Amplitudes are peak values.
+"""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from importlib.metadata import version
+from typing import Any, Literal
+
+import numpy as np
+import xarray as xr
+from numpy.typing import NDArray
+
+from haptonic.errors import ResponseError, nearest
+from haptonic.response import checks
+from haptonic.response.lines import regular_line
+
+Array = NDArray[np.float64]
+Complex = NDArray[np.complexfloating[Any, Any]]
+Quantity = Literal["velocity", "displacement"]
+Origin = Literal["simulated", "measured"]
+
+UNITS: dict[Quantity, str] = {"velocity": "m/s", "displacement": "m"}
+ROUNDING = 1e-9  # of a frequency, within which it counts as one of the lines
+
+
+@dataclass(frozen=True, eq=False)
+class FrequencyResponse:
+    """Complex response of a plate against frequency, point and direction.
+
+    dataset : ``response`` (frequency, point, direction), optional ``coherence`` (frequency, point), and the
+        coordinates ``frequency`` (Hz), ``x`` and ``y`` of the points (m), ``direction``, optional ``region``
+        of the points; the attributes ``quantity``, ``reference``, ``origin``, ``title``, ``inputs`` (JSON)
+        and ``haptonic_version``. Its arrays cannot be written to.
+    """
+
+    dataset: xr.Dataset
+
+    @classmethod
+    def of(
+        cls,
+        response: Complex,
+        *,
+        frequency: Array,
+        x: Array,
+        y: Array,
+        reference: str,
+        origin: Origin,
+        direction: Sequence[str] = ("z",),
+        quantity: Quantity = "velocity",
+        coherence: NDArray[np.floating[Any]] | None = None,
+        region: Sequence[str] | None = None,
+        title: str = "",
+        inputs: Mapping[str, Any] | None = None,
+    ) -> FrequencyResponse:
+        """A response from its arrays, which are not copied.
+
+        Parameters
+        ----------
+        response : (frequency, point, direction) complex, single or double precision; SI units per unit of
+            the reference
+        frequency : (frequency,) ascending, Hz
+        x, y : (point,) positions on the plate, m
+        reference : what the response is divided by, and its unit: ``"A1, V"`` for the voltage of actuator A1,
+            ``"F1, N"`` for a force; empty if it is divided by nothing
+        origin : "simulated" or "measured"
+        direction : (direction,) of "x", "y", "z"; z is normal to the plate
+        quantity : "velocity" (m/s) or "displacement" (m)
+        coherence : (frequency, point) between 0 and 1
+        region : (point,) name of the region that a point lies in, empty outside of any
+        title : for people
+        inputs : all that made the response, in JSON types
+
+        Raises
+        ------
+        ResponseError : arrays that do not fit together, numbers that are not finite, unknown words
+        """
+        checks.words(quantity, tuple(UNITS), "quantity")
+        checks.words(origin, ("simulated", "measured"), "origin")
+        checks.directions(direction)
+        checks.reference(reference)
+        checks.frequencies(frequency)
+        checks.positions(x, y)
+        shape = (len(frequency), len(x), len(direction))
+        checks.response(response, shape)
+        unit = "/".join(filter(None, [UNITS[quantity], reference.partition(",")[2].strip()]))
+        data: dict[str, Any] = {
+            "response": (
+                ("frequency", "point", "direction"),
+                _frozen(response),
+                {"units": unit, "long_name": f"complex {quantity}, exp(+i omega t)"},
+            )
+        }
+        if coherence is not None:
+            checks.coherence(coherence, shape[:2])
+            data["coherence"] = (("frequency", "point"), _frozen(coherence), {"units": "1"})
+        coordinates: dict[str, Any] = {
+            "frequency": ("frequency", _frozen(frequency), {"units": "Hz"}),
+            "x": ("point", _frozen(x), {"units": "m"}),
+            "y": ("point", _frozen(y), {"units": "m"}),
+            "direction": ("direction", np.array(direction, dtype=str)),
+        }
+        if region is not None:
+            checks.regions(region, len(x))
+            coordinates["region"] = ("point", np.array(region, dtype=str))
+        attributes = {
+            "quantity": quantity,
+            "reference": reference,
+            "origin": origin,
+            "title": title,
+            "inputs": json.dumps(dict(inputs or {})),
+            "haptonic_version": version("haptonic"),
+        }
+        return cls(xr.Dataset(data, coords=coordinates, attrs=attributes))
+
+    @property
+    def frequency(self) -> Array:
+        """(frequency,) Hz."""
+        return np.asarray(self.dataset["frequency"].values)
+
+    @property
+    def values(self) -> Complex:
+        """(frequency, point, direction) the complex response."""
+        return np.asarray(self.dataset["response"].values)
+
+    @property
+    def points(self) -> Array:
+        """(point, 2) x and y, m."""
+        return np.column_stack([self.dataset["x"].values, self.dataset["y"].values])
+
+    @property
+    def units(self) -> str:
+        """Of the response, such as "m/s/V"."""
+        return str(self.dataset["response"].attrs["units"])
+
+    @property
+    def regions(self) -> tuple[str, ...]:
+        """Names of the regions in the order of their first point."""
+        if "region" not in self.dataset.coords:
+            return ()
+        return tuple(dict.fromkeys(str(name) for name in self.dataset["region"].values if name))
+
+    def at(self, frequency: float) -> FrequencyResponse:
+        """The one line nearest to a frequency (Hz).
+
+        Raises
+        ------
+        ResponseError : the frequency lies outside of the range
+        """
+        lines = self.frequency
+        slack = ROUNDING * lines[-1]
+        if not lines[0] - slack <= frequency <= lines[-1] + slack:
+            raise ResponseError(
+                argument="frequency",
+                given=f"{frequency:g} Hz",
+                allowed=f"between {lines[0]:g} and {lines[-1]:g} Hz, the range of the response",
+                cause="the frequency is given in kHz, or was not covered",
+                next_step="choose a frequency within the range, in Hz",
+            )
+        return self._with_lines(slice(line := int(np.abs(lines - frequency).argmin()), line + 1))
+
+    def between(self, low: float, high: float) -> FrequencyResponse:
+        """The lines from ``low`` to ``high`` (Hz), both included.
+
+        Raises
+        ------
+        ResponseError : there is no line
+        """
+        lines = self.frequency
+        slack = ROUNDING * lines[-1]
+        start, stop = np.searchsorted(lines, [low - slack, high + slack])
+        if not start < stop:
+            raise ResponseError(
+                argument="between",
+                given=f"{low:g} to {high:g} Hz",
+                allowed=f"a range with at least one line; they lie between {lines[0]:g} and {lines[-1]:g} Hz",
+                cause="the limits are given in kHz or in the wrong order, or lie between two lines",
+                next_step="choose a wider range, in Hz",
+            )
+        return self._with_lines(slice(int(start), int(stop)))
+
+    def of_region(self, name: str) -> FrequencyResponse:
+        """The points of one region.
+
+        Raises
+        ------
+        ResponseError : no point lies in a region of that name
+        """
+        inside = self.inside(name)
+        return FrequencyResponse(_locked(self.dataset.isel(point=np.flatnonzero(inside))))
+
+    def inside(self, name: str) -> NDArray[np.bool_]:
+        """(point,) which points lie in a region.
+
+        Raises
+        ------
+        ResponseError : no point lies in a region of that name
+        """
+        if name not in self.regions:
+            known = ", ".join(self.regions) or "none: the points have no regions"
+            guess = nearest(name, self.regions)
+            raise ResponseError(
+                argument="region",
+                given=f'"{name}"',
+                allowed=f"a region of the response ({known})",
+                cause="the name is misspelt, or no point lies there",
+                next_step=f'did you mean "{guess}"?' if guess else "choose one of these",
+            )
+        return np.asarray(self.dataset["region"].values == name)
+
+    def displacement(self) -> FrequencyResponse:
+        """Displacement (m): a velocity divided by i omega. A line at 0 Hz, which has none, is left out."""
+        if self.dataset.attrs["quantity"] == "displacement":
+            return self
+        moving = self._with_lines(slice(int(self.frequency[0] == 0), None))
+        return moving._converted("displacement", 1 / (2j * np.pi * moving.frequency))
+
+    def velocity(self) -> FrequencyResponse:
+        """Velocity (m/s): a displacement times i omega."""
+        if self.dataset.attrs["quantity"] == "velocity":
+            return self
+        return self._converted("velocity", 2j * np.pi * self.frequency)
+
+    def grid(self) -> xr.DataArray:
+        """The response on the regular grid of its points.
+
+        Returns
+        -------
+        (frequency, direction, y, x) with the coordinates of the rows and columns (m); NaN where there is no
+        point
+
+        Raises
+        ------
+        ResponseError : the points do not lie on a regular grid, or two of them on one place
+        """
+        extent = float(np.ptp(self.points, axis=0).max())
+        columns, x = regular_line(self.dataset["x"].values, extent, "x")
+        rows, y = regular_line(self.dataset["y"].values, extent, "y")
+        place = rows * len(x) + columns
+        checks.one_point_each(place, self.points)
+        values = np.moveaxis(self.values, 1, 2)
+        filled = np.full((*values.shape[:2], len(y) * len(x)), np.nan, dtype=values.dtype)
+        filled[..., place] = values
+        names = {name: self.dataset[name] for name in ("frequency", "direction")}
+        return xr.DataArray(
+            filled.reshape(*values.shape[:2], len(y), len(x)),
+            dims=("frequency", "direction", "y", "x"),
+            coords=names | {"y": ("y", y, {"units": "m"}), "x": ("x", x, {"units": "m"})},
+            attrs=self.dataset["response"].attrs,
+            name="response",
+        )
+
+    def _with_lines(self, lines: slice) -> FrequencyResponse:
+        checks.frequencies(self.frequency[lines])
+        return FrequencyResponse(_locked(self.dataset.isel(frequency=lines)))
+
+    def _converted(self, quantity: Quantity, factor: Complex) -> FrequencyResponse:
+        """The response times a factor for each line, in the precision that it has."""
+        old = self.dataset["response"]
+        values = old.values * factor.astype(old.dtype)[:, None, None]
+        unit = self.units.replace(UNITS[self.dataset.attrs["quantity"]], UNITS[quantity], 1)
+        notes = {"units": unit, "long_name": f"complex {quantity}, exp(+i omega t)"}
+        made = self.dataset.assign(response=(old.dims, _frozen(values), notes))
+        return FrequencyResponse(made.assign_attrs(quantity=quantity))
+
+
+def _frozen(array: NDArray[Any]) -> NDArray[Any]:
+    """A view of an array that cannot be written to."""
+    view = np.asarray(array).view()
+    view.setflags(write=False)
+    return view
+
+
+def _locked(dataset: xr.Dataset) -> xr.Dataset:
+    """The same dataset; its arrays cannot be written to any more."""
+    for variable in dataset.variables.values():
+        variable.values.setflags(write=False)
+    return dataset

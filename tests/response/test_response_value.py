@@ -1,0 +1,215 @@
+"""The frequency response as a value: what it holds, its parts, conversions, grid, and what it refuses."""
+
+import json
+from importlib.metadata import version
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+from waves import LINES, X, Y, made, numbers
+
+from haptonic.errors import ResponseError
+
+
+def test_it_says_what_it_holds():
+    response = made(coherence=np.full((6, 20), 0.5))
+    data = response.dataset
+    assert data["response"].dims == ("frequency", "point", "direction")
+    assert data["coherence"].dims == ("frequency", "point")
+    assert (response.units, data["frequency"].units, data["x"].units, data["y"].units) == (
+        "m/s/V", "Hz", "m", "m"
+    )  # fmt: skip
+    assert data.attrs["quantity"] == "velocity"
+    assert data.attrs["reference"] == "A1, V"
+    assert data.attrs["origin"] == "simulated"
+    assert json.loads(data.attrs["inputs"]) == {"plate": {"loss_factor": 0.002}}
+    assert data.attrs["haptonic_version"] == version("haptonic")
+    assert response.regions == ("WG1", "WG2")
+    assert list(data["direction"].values) == ["z"]
+
+
+@pytest.mark.parametrize(
+    ("quantity", "reference", "units"),
+    [("velocity", "F1, N", "m/s/N"), ("displacement", "A1, V", "m/V"), ("velocity", "", "m/s")],
+)
+def test_units_follow_quantity_and_reference(quantity, reference, units):
+    assert made(quantity=quantity, reference=reference).units == units
+
+
+def test_arrays_are_neither_copied_nor_open_to_changes():
+    values = numbers((6, 20, 1))
+    response = made(response=values)
+    assert np.shares_memory(response.values, values)
+    for part in (response, response.at(40e3), response.of_region("WG1"), response.displacement()):
+        for name in ("response", "x"):
+            with pytest.raises(ValueError, match="read-only"):
+                part.dataset[name].values[0] = 0
+    values[0] = 0  # the caller's own array is not locked
+
+
+class TestLines:
+    @pytest.mark.parametrize(("asked", "line"), [(0, 0), (9.9e3, 0), (10.1e3, 1), (59e3, 3), (100e3, 5)])
+    def test_the_nearest_line(self, asked, line):
+        found = made().at(asked)
+        assert found.frequency == pytest.approx([LINES[line]])
+        assert np.array_equal(found.values, made().values[line : line + 1])
+
+    @pytest.mark.parametrize("asked", [-1.0, 100.1e3, np.nan])
+    def test_nothing_outside_of_the_range(self, asked):
+        with pytest.raises(ResponseError, match="between 0 and 100000 Hz"):
+            made().at(asked)
+
+    def test_between_holds_both_ends(self):
+        part = made().between(20e3, 60e3)
+        assert part.frequency == pytest.approx([20e3, 40e3, 60e3])
+        assert np.array_equal(part.values, made().values[1:4])
+        assert made().between(40e3, 40e3).frequency == pytest.approx([40e3])
+
+    def test_between_survives_rounding_of_its_ends(self):
+        """A line at 0.1 + 0.2 is asked for as 0.3, and the other way round."""
+        lines = np.array([0.1, 0.1 + 0.2, 0.7])
+        assert len(made(frequency=lines).between(0.1, 0.3).frequency) == 2
+        assert len(made(frequency=lines).between(np.nextafter(0.1, 1), 0.7).frequency) == 3
+
+    @pytest.mark.parametrize("limits", [(41e3, 59e3), (60e3, 20e3), (101e3, 200e3), (np.nan, 60e3)])
+    def test_between_refuses_to_be_empty(self, limits):
+        with pytest.raises(ResponseError, match="at least one line"):
+            made().between(*limits)
+
+
+class TestRegions:
+    def test_the_points_of_a_region(self):
+        response = made(coherence=np.linspace(0, 1, 120).reshape(6, 20))
+        part = response.of_region("WG1")
+        assert part.dataset["x"].values == pytest.approx(np.zeros(4))
+        assert part.dataset["y"].values == pytest.approx(Y)
+        assert np.array_equal(part.values, response.values[:, ::5])
+        assert np.array_equal(part.dataset["coherence"], response.dataset["coherence"][:, ::5])
+
+    def test_a_misspelt_region_is_guessed(self):
+        with pytest.raises(ResponseError, match='did you mean "WG1"'):
+            made().of_region("WG 1")
+
+    @pytest.mark.parametrize("name", ["", "WG1"])
+    def test_no_regions(self, name):
+        with pytest.raises(ResponseError, match="no regions"):
+            made(region=None).of_region(name)
+
+
+class TestConversion:
+    def test_velocity_is_i_omega_times_displacement(self):
+        """u = sin(omega t), the real part of -i exp(i omega t), moves with omega cos(omega t)."""
+        frequency = np.array([1.0, 50e3])
+        still = np.full((2, 20, 1), -1j)
+        moved = made(response=still, frequency=frequency, quantity="displacement").velocity()
+        assert moved.values[:, 0, 0] == pytest.approx(2 * np.pi * frequency)
+        assert moved.units == "m/s/V"
+        assert moved.dataset.attrs["quantity"] == "velocity"
+        assert "velocity" in moved.dataset["response"].attrs["long_name"]
+
+    @pytest.mark.parametrize("precision", [np.complex64, np.complex128])
+    def test_there_and_back(self, precision):
+        response = made(response=numbers((6, 20, 1), precision=precision))
+        there = response.displacement()
+        assert there.units == "m/V"
+        assert there.values.dtype == precision
+        assert there.frequency == pytest.approx(LINES[1:]), "none at 0 Hz"
+        back = there.velocity()
+        assert back.values.dtype == precision
+        np.testing.assert_allclose(back.values, response.values[1:], rtol=10 * np.finfo(precision).eps)
+
+    def test_what_is_so_already_stays(self):
+        response = made()
+        assert response.velocity() is response
+        there = response.displacement()
+        assert there.displacement() is there
+
+    def test_a_response_at_0_hz_alone_has_no_displacement(self):
+        with pytest.raises(ResponseError, match="one or more frequencies"):
+            made().at(0).displacement()
+
+
+class TestGrid:
+    def test_points_are_where_they_belong(self):
+        response = made()
+        grid = response.grid()
+        assert grid.dims == ("frequency", "direction", "y", "x")
+        assert grid["x"].values == pytest.approx(X)
+        assert grid["y"].values == pytest.approx(Y)
+        for number, (x, y) in enumerate(response.points):
+            there = grid.sel(x=x, y=y, method="nearest", direction="z")
+            assert np.array_equal(there, response.values[:, number, 0])
+        assert grid.attrs["units"] == "m/s/V"
+
+    @given(st.data())
+    def test_holes_shuffles_and_small_errors_of_position(self, data):
+        """Every point is found again, whatever is missing and in whatever order; rows 0 and 1 stay."""
+        x, y = np.meshgrid(np.arange(6), np.arange(5))
+        corner = (x < 2) & (y < 2)
+        kept = corner | np.array(data.draw(st.lists(st.booleans(), min_size=30, max_size=30))).reshape(5, 6)
+        order = np.array(data.draw(st.permutations(range(int(kept.sum())))))
+        scale = data.draw(st.floats(1e-6, 10.0))
+        random = np.random.default_rng(data.draw(st.integers(0, 99)))
+        shaken = [scale * (along[kept][order] + random.uniform(-4e-4, 4e-4, len(order))) for along in (x, y)]
+        response = made(x=shaken[0], y=shaken[1], region=None)
+        grid = response.grid()[:, 0].values
+        assert np.isfinite(grid[0]).sum() == len(order)
+        found = grid[:, y[kept][order], x[kept][order]]
+        assert np.array_equal(found, response.values[:, :, 0])
+
+    def test_one_row_and_one_point(self):
+        assert made(x=X, y=np.zeros(5), region=None).grid().shape == (6, 1, 1, 5)
+        assert made(x=X[:1], y=Y[:1], region=None).grid().shape == (6, 1, 1, 1)
+        rounded = Y[0] + np.array([0, 1, -1, 2, 0]) * 1e-15
+        assert made(x=X, y=rounded, region=None).grid().shape == (6, 1, 1, 5)
+
+    def test_points_beside_a_grid_are_refused(self):
+        with pytest.raises(ResponseError, match="x of the points"):
+            made(x=np.array([0, 2, 4, 6, 7.2]), y=np.zeros(5), region=None).grid()
+        with pytest.raises(ResponseError, match="y of the points"):
+            made(x=np.zeros(5), y=np.array([0, 1, 2.4, 3, 4]), region=None).grid()
+
+    def test_two_points_on_one_place_are_refused(self):
+        with pytest.raises(ResponseError, match="2 points at x = 2 mm, y = 0 mm"):
+            made(x=np.array([0, 2e-3, 2e-3]), y=np.zeros(3), region=None).grid()
+
+
+WRONG = {
+    "quantity": ({"quantity": "velosity"}, 'did you mean "velocity"'),
+    "origin": ({"origin": "guessed"}, '"simulated" or "measured"'),
+    "direction": ({"direction": ["n"]}, "response.direction"),
+    "direction as text": ({"direction": "z"}, "response.direction"),
+    "no direction": ({"direction": []}, "response.direction"),
+    "direction twice": ({"direction": ["z", "z"]}, "each once"),
+    "no unit": ({"reference": "A1"}, "the unit is missing"),
+    "no name": ({"reference": ", V"}, "a name and a unit"),
+    "descending": ({"frequency": LINES[::-1]}, "strictly ascending"),
+    "repeated": ({"frequency": LINES[[0, 1, 1, 2, 3, 4]]}, "strictly ascending"),
+    "negative": ({"frequency": LINES - 1}, "not negative"),
+    "infinite": ({"frequency": np.array([0, np.inf])}, "finite"),
+    "no line": ({"frequency": np.empty(0)}, "one or more"),
+    "lines of integers": ({"frequency": np.arange(6)}, "response.frequency"),
+    "nowhere": ({"x": np.full(20, np.nan)}, "response.x"),
+    "no point": ({"x": np.empty(0)}, "response.x"),
+    "axes of a grid": ({"x": X, "y": Y}, "as many as along x"),
+    "real": ({"response": np.ones((6, 20, 1))}, "only the amplitude"),
+    "no axis of directions": ({"response": numbers((6, 20))}, "response.response"),
+    "axes exchanged": ({"response": numbers((20, 6, 1))}, r"\(6, 20, 1\)"),
+    "not a number": ({"response": np.full((6, 20, 1), np.nan + 0j)}, "120 numbers that are not finite"),
+    "coherence of another shape": ({"coherence": np.ones(20)}, "response.coherence"),
+    "coherence in per cent": ({"coherence": np.full((6, 20), 99.0)}, "percentage"),
+    "negative coherence": ({"coherence": np.full((6, 20), -0.1)}, "between 0 and 1"),
+    "coherence not a number": ({"coherence": np.full((6, 20), np.nan)}, "not finite"),
+    "regions, not names of points": ({"region": ["WG1", "WG2"]}, "2 names for 20 points"),
+    "region as text": ({"region": "abcdefghijklmnopqrst"}, "one name for each point"),
+    "reserved": ({"region": ["rest"] * 20}, "any other name"),
+}
+
+
+@pytest.mark.parametrize("name", WRONG)
+def test_bad_input_is_refused(name):
+    changes, words = WRONG[name]
+    with pytest.raises(ResponseError, match=words) as caught:
+        made(**changes)
+    assert all(caught.value.parts().values())
