@@ -53,7 +53,9 @@ class Assembly:
     beds: sp.csr_array
 
     @classmethod
-    def of(cls, skeleton: Skeleton, tiles: Sequence[Tile], which: Sequence[int], held: Ints, beds: sp.csr_array) -> Assembly:
+    def of(
+        cls, skeleton: Skeleton, tiles: Sequence[Tile], which: Sequence[int], held: Ints, beds: sp.csr_array
+    ) -> Assembly:
         """Assemble blocks; ``which`` gives the tile of each block, ``held`` the unknowns at rest.
 
         ``beds`` is on all unknowns of the skeleton.
@@ -111,12 +113,15 @@ class Assembly:
 
     def mass_times(self, vectors: Array, out: Array | None = None) -> Array:
         """M times vectors (size, k)."""
-        return self._times(vectors, out, lambda part: self.gathered(
-            [group.tile.mass @ share for group, share in self.shares(part)]
-        ))
+        return self._times(
+            vectors,
+            out,
+            lambda part: self.gathered([group.tile.mass @ share for group, share in self.shares(part)]),
+        )
 
     def stiffness_times(self, vectors: Array, out: Array | None = None) -> Array:
         """K of all parts, supports included, times vectors (size, k)."""
+
         def product(part: Array) -> Array:
             pieces = [group.tile.elastic @ share for group, share in self.shares(part)]
             found = self.gathered(pieces)

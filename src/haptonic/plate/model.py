@@ -2,15 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Hashable, Mapping
+from collections.abc import Hashable, Mapping
 from concurrent.futures import ThreadPoolExecutor
-from dataclasses import dataclass
-from functools import cached_property, partial
+from dataclasses import dataclass, replace
+from functools import cached_property
 
 import numpy as np
 import scipy.sparse as sp
 from numpy.polynomial.legendre import leggauss
 from numpy.typing import NDArray
+from threadpoolctl import threadpool_limits
 
 from haptonic.cell import MeshPlan, UnitCell
 from haptonic.errors import GeometryError
@@ -18,18 +19,21 @@ from haptonic.lattice import Lattice
 from haptonic.plate.assembly import Assembly
 from haptonic.plate.body import BodyOrders, body, loss_factors
 from haptonic.plate.damping import Extra
+from haptonic.plate.joined import joined_tile
 from haptonic.plate.layout import Layout
 from haptonic.plate.parts import Actuator, Finger, Force, Plate
+from haptonic.plate.reduction import block_tile, cell_tile
 from haptonic.plate.skeleton import Block, Skeleton, TraceOrders
 from haptonic.plate.supports import Bed, supported
 from haptonic.plate.surface import surface_weights
-from haptonic.plate.tile import Tile, block_tile, cell_tile
+from haptonic.plate.tile import Tile
 from haptonic.superelement.parallel import threads
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 
 ON_LINE = 1e-6  # of a tile's size, by which the edge of a patch may miss the line that it lies on
+JOINED = (5, 4)  # rows and columns of like tiles that are joined at most
 FORCE_POINTS = 12  # along either side of a force's rectangle
 FINGER_POINTS = 37  # of equal area on the disc below a finger
 
@@ -87,14 +91,10 @@ class PlateModel:
         fineness = fineness or Fineness()
         layout = plate.layout
         blocks = _blocks(plate)
-        makers: dict[Hashable, Callable[[], Tile]] = {}
-        which = []
-        for block, attached in blocks.items():
-            key, maker = _maker(plate, block, attached, highest, fineness)
-            makers.setdefault(key, maker)
-            which.append(list(makers).index(key))
-        with ThreadPoolExecutor(threads()) as pool:
-            tiles = list(pool.map(lambda maker: maker(), makers.values()))
+        recipes = [_recipe(plate, block, attached) for block, attached in blocks.items()]
+        unique = list(dict.fromkeys(recipes))
+        tiles = _tiles(plate, unique, highest, fineness)
+        which = [unique.index(recipe) for recipe in recipes]
         skeleton = Skeleton.of(layout, list(blocks), fineness.trace)
         held, beds = supported(skeleton, plate.supports)
         total = sp.csr_array(sum((bed.stiffness for bed in beds), start=sp.csr_array((skeleton.size,) * 2)))
@@ -105,7 +105,7 @@ class PlateModel:
                 (unknowns,) = group.unknowns  # a block with a drive is one of its kind
                 drives[name] = np.zeros(assembly.size + 1)
                 drives[name][unknowns] = drive
-        return cls(
+        model = cls(
             plate=plate,
             fineness=fineness,
             highest=highest,
@@ -114,6 +114,12 @@ class PlateModel:
             drives={name: drive[:-1] for name, drive in drives.items()},
             capacitance={name: c for tile in tiles for name, c in tile.capacitance.items()},
         )
+        on_cells = {}
+        for force in plate.forces:
+            if force.name not in drives:
+                points, weights = _spread(force)
+                on_cells[force.name] = model.observed(points).T @ weights
+        return replace(model, drives={**model.drives, **on_cells})
 
     @property
     def factors(self) -> Mapping[str, complex]:
@@ -132,11 +138,13 @@ class PlateModel:
         column = np.clip(np.searchsorted(x, where[:, 0], side="right") - 1, 0, layout.columns - 1)
         row = np.clip(np.searchsorted(y, where[:, 1], side="right") - 1, 0, layout.rows - 1)
         block_of = np.full((layout.rows, layout.columns), -1)
-        corners = np.zeros((len(assembly.skeleton.blocks), 2))
+        corners, sizes = np.zeros((2, len(assembly.skeleton.blocks), 2))
         for number, block in enumerate(assembly.skeleton.blocks):
             block_of[slice(*block.rows), slice(*block.columns)] = number
             corners[number] = x[block.columns[0]], y[block.rows[0]]
+            sizes[number] = np.array([x[block.columns[1]], y[block.rows[1]]]) - corners[number]
         block_at = block_of[row, column]
+        assert (block_at >= 0).all(), "points beside the plate"
         rows, columns, values = [], [], []
         for group in assembly.groups:
             place = np.full(len(corners), -1)
@@ -144,8 +152,10 @@ class PlateModel:
             points = np.flatnonzero(place[block_at] >= 0)
             if not len(points):
                 continue
-            weights = group.tile.normal_at(where[points] - corners[block_at[points]])
-            unknowns = group.unknowns[place[block_at[points]]]
+            own = block_at[points]
+            local = np.clip(where[points] - corners[own], 0.0, sizes[own])
+            weights = group.tile.inside.normal_at(local)
+            unknowns = group.unknowns[place[own]]
             rows.append(np.repeat(points, weights.shape[1]))
             columns.append(unknowns.ravel())
             values.append(weights.ravel())
@@ -209,7 +219,9 @@ def _extent(attached: Attached) -> tuple[float, float]:
 def _covering(layout: Layout, attached: Attached) -> Block:
     """The smallest block of tiles below something."""
     ranges = []
-    for lines, centre, size in zip((layout.y, layout.x), attached.centre[::-1], _extent(attached)[::-1], strict=True):
+    for lines, centre, size in zip(
+        (layout.y, layout.x), attached.centre[::-1], _extent(attached)[::-1], strict=True
+    ):
         slack = ON_LINE * float(np.diff(lines).min())
         start = int(np.searchsorted(lines, centre - size / 2 + slack, side="right")) - 1
         end = int(np.searchsorted(lines, centre + size / 2 - slack, side="left"))
@@ -217,11 +229,27 @@ def _covering(layout: Layout, attached: Attached) -> Block:
     return Block(ranges[0], ranges[1])
 
 
+def _is_plain(layout: Layout, block: Block) -> bool:
+    """Whether a block holds nothing but plain plate."""
+    return not {layout.at(tile) for tile in block.tiles} & {None, *layout.cells}
+
+
+def _spread(force: Force) -> tuple[Array, Array]:
+    """Points (k, 2) of the flat face that a force acts on, m, and the share (k,) that each of them gets."""
+    if force.size is None:
+        return np.array([force.centre]), np.ones(1)
+    nodes, share = leggauss(FORCE_POINTS)
+    grid = np.meshgrid(nodes * force.size[0], nodes * force.size[1], indexing="ij")
+    points = np.array(force.centre) + 0.5 * np.stack(grid, axis=-1).reshape(-1, 2)
+    return points, np.outer(share, share).ravel() / 4
+
+
 def _blocks(plate: Plate) -> dict[Block, tuple[Attached, ...]]:
     """Blocks that cover the plate, with what is attached to each."""
     layout = plate.layout
     special: list[tuple[Block, tuple[Attached, ...]]] = []
-    for attached in (*plate.actuators, *plate.forces):
+    on_plain = [force for force in plate.forces if _is_plain(layout, _covering(layout, force))]
+    for attached in (*plate.actuators, *on_plain):
         block, members = _covering(layout, attached), (attached,)
         while meeting := [one for one in special if one[0].meets(block)]:
             for one in meeting:
@@ -229,52 +257,126 @@ def _blocks(plate: Plate) -> dict[Block, tuple[Attached, ...]]:
                 block, members = block.joined(one[0]), (*one[1], *members)
         special.append((block, members))
     for block, members in special:
-        for i, j in block.tiles:
-            name = layout.tiles[i][j]
-            if name is None or name in layout.cells:
-                raise GeometryError(
-                    argument="plate",
-                    given=" and ".join(member.name for member in members) + " on one block of tiles that "
-                    + ("leaves the plate" if name is None else f'holds a cell of "{name}"'),
-                    allowed="blocks of plain plate below what is glued to it",
-                    cause="what shares a tile with something else lies in different regions",
-                    next_step="move them apart, so that they share no tile",
-                )
+        if not _is_plain(layout, block):
+            raise GeometryError(
+                argument="plate",
+                given=" and ".join(f'"{member.name}"' for member in members) + " on one block of tiles",
+                allowed="a block of nothing but plain tiles below what shares a tile with something else",
+                cause="the smallest rectangle of tiles below them holds a lattice, or leaves the plate",
+                next_step="move them apart, so that they share no tile",
+            )
     taken = {tile for block, _ in special for tile in block.tiles}
-    single = {
-        Block((i, i + 1), (j, j + 1)): ()
-        for i, row in enumerate(layout.tiles)
-        for j, tile in enumerate(row)
-        if tile is not None and (i, j) not in taken
-    }
-    return {**single, **dict(special)}
+    return {**dict.fromkeys(_rectangles(layout, taken), ()), **dict(special)}
 
 
-def _maker(
-    plate: Plate, block: Block, attached: tuple[Attached, ...], highest: float, fineness: Fineness
-) -> tuple[Hashable, Callable[[], Tile]]:
-    """What tells a block's tile from others, and how to make it."""
-    layout, trace = plate.layout, fineness.trace
-    if attached:
-        return block, partial(_attached_tile, plate, block, attached, highest, fineness)
-    (i, j) = block.tiles[0]
-    name = layout.tiles[i][j]
-    assert name is not None
-    if name in layout.cells:
-        cell = layout.cells[name]
-        plan = MeshPlan.suited(cell, fineness.cell, fineness.rings)
-        return name, partial(cell_tile, cell, plan, trace, highest)
-    width, height = layout.x[j + 1] - layout.x[j], layout.y[i + 1] - layout.y[i]
-    cell = UnitCell(Lattice.rectangular(width, height), layout.thickness, layout.material)
-    plan = MeshPlan.suited(cell, max(fineness.plain, fineness.along - 1), 0)
-    key = tuple(round(size / layout.thickness, 9) for size in (width, height))
-    return key, partial(cell_tile, cell, plan, trace, highest)
+def _rectangles(layout: Layout, taken: set[tuple[int, int]]) -> list[Block]:
+    """Rectangles of like tiles that cover what is not taken, from the lower left."""
+    left = [
+        (i, j) for i in range(layout.rows) for j in range(layout.columns)
+        if layout.at((i, j)) is not None and (i, j) not in taken
+    ]  # fmt: skip
+    open_tiles = dict.fromkeys(left)
+    found = []
+    while open_tiles:
+        i, j = next(iter(open_tiles))
+        kind = _kind(layout, (i, j))
+
+        def fits(tile: tuple[int, int], kind: Hashable = kind) -> bool:
+            return tile in open_tiles and _kind(layout, tile) == kind
+
+        wide = high = 1
+        while wide < JOINED[1] and fits((i, j + wide)):
+            wide += 1
+        while high < JOINED[0] and all(fits((i + high, j + k)) for k in range(wide)):
+            high += 1
+        found.append(Block((i, i + high), (j, j + wide)))
+        for tile in found[-1].tiles:
+            del open_tiles[tile]
+    return found
 
 
-def _attached_tile(
-    plate: Plate, block: Block, attached: tuple[Attached, ...], highest: float, fineness: Fineness
-) -> Tile:
+def _kind(layout: Layout, tile: tuple[int, int]) -> Hashable:
+    """What tiles that may be joined have in common: name and size, in thicknesses."""
+    left, bottom, right, top = layout.bounds(tile)
+    sizes = (round((right - left) / layout.thickness, 9), round((top - bottom) / layout.thickness, 9))
+    return layout.at(tile), sizes
+
+
+@dataclass(frozen=True)
+class _Recipe:
+    """How a block's tile is made; the same for blocks that are alike.
+
+    cell : name of a lattice's cell, or None for plain plate; size : of one tile, m
+    shape : rows and columns that are joined
+    attached : what a block of its own carries, else nothing; block : only then
+    """
+
+    cell: str | None
+    size: tuple[float, float]
+    shape: tuple[int, int]
+    attached: tuple[Attached, ...] = ()
+    block: Block | None = None
+
+    def of_shape(self, shape: tuple[int, int]) -> _Recipe:
+        return replace(self, shape=shape)
+
+
+def _recipe(plate: Plate, block: Block, attached: tuple[Attached, ...]) -> _Recipe:
     layout = plate.layout
+    name = layout.at(block.tiles[0])
+    left, bottom, right, top = layout.bounds(block.tiles[0])
+    size = tuple(
+        layout.thickness * round(length / layout.thickness, 9) for length in (right - left, top - bottom)
+    )
+    shape = (block.rows[1] - block.rows[0], block.columns[1] - block.columns[0])
+    cell = name if name in layout.cells else None
+    return _Recipe(cell, (size[0], size[1]), shape, attached, block if attached else None)
+
+
+def _tiles(plate: Plate, recipes: list[_Recipe], highest: float, fineness: Fineness) -> list[Tile]:
+    """The tiles of recipes: single ones first, rows of them, then rectangles; like steps side by side."""
+    made: dict[_Recipe, Tile] = {}
+
+    def make(recipe: _Recipe) -> Tile:
+        if recipe.attached:
+            return _attached_tile(plate, recipe, highest, fineness)
+        rows, columns = recipe.shape
+        if recipe.shape == (1, 1):
+            return _single_tile(plate, recipe, highest, fineness)
+        row, width = recipe.of_shape((1, columns)), recipe.size[0] * columns
+        if rows == 1:
+            one = made[recipe.of_shape((1, 1))]
+            return joined_tile(one, recipe.size, recipe.shape, fineness.trace, highest)
+        size = (width, recipe.size[1])
+        return joined_tile(made[row], size, (rows, 1), fineness.trace, highest, (1, columns))
+
+    plain = [recipe for recipe in recipes if not recipe.attached]
+    steps = [
+        [*(recipe for recipe in recipes if recipe.attached), *(recipe.of_shape((1, 1)) for recipe in plain)],
+        [recipe.of_shape((1, recipe.shape[1])) for recipe in plain],
+        plain,
+    ]
+    with threadpool_limits(1), ThreadPoolExecutor(threads()) as pool:
+        for step in steps:
+            missing = [recipe for recipe in dict.fromkeys(step) if recipe not in made]
+            made |= dict(zip(missing, pool.map(make, missing), strict=True))
+    return [made[recipe] for recipe in recipes]
+
+
+def _single_tile(plate: Plate, recipe: _Recipe, highest: float, fineness: Fineness) -> Tile:
+    layout = plate.layout
+    if recipe.cell is not None:
+        cell = layout.cells[recipe.cell]
+        plan = MeshPlan.suited(cell, fineness.cell, fineness.rings)
+    else:
+        cell = UnitCell(Lattice.rectangular(*recipe.size), layout.thickness, layout.material)
+        plan = MeshPlan.suited(cell, max(fineness.plain, fineness.along - 1), 0)
+    return cell_tile(cell, plan, fineness.trace, highest)
+
+
+def _attached_tile(plate: Plate, recipe: _Recipe, highest: float, fineness: Fineness) -> Tile:
+    layout, block, attached = plate.layout, recipe.block, recipe.attached
+    assert block is not None
     x = layout.x[block.columns[0] : block.columns[1] + 1]
     y = layout.y[block.rows[0] : block.rows[1] + 1]
     actuators = [one for one in attached if isinstance(one, Actuator)]
@@ -284,14 +386,7 @@ def _attached_tile(
     piece = body(x, y, layout.thickness, layout.material, actuators, orders, float(longest))
     loads = {}
     for force in forces:
-        points = np.array([force.centre])
-        weights = np.ones(1)
-        if force.size is not None:
-            nodes, share = leggauss(FORCE_POINTS)
-            points = points + 0.5 * np.stack(
-                np.meshgrid(nodes * force.size[0], nodes * force.size[1], indexing="ij"), axis=-1
-            ).reshape(-1, 2)
-            weights = np.outer(share, share).ravel() / 4
+        points, weights = _spread(force)
         loads[force.name] = np.zeros(len(piece.mass))
         loads[force.name][2::3] = surface_weights(piece.points, piece.faces, points).T @ weights
     return block_tile(piece, x, y, layout.thickness, loads, fineness.trace, highest)

@@ -19,7 +19,7 @@ Hold = Literal["clamped", "simple", "spring"]
 class Support:
     """What holds the plate at its outer side faces.
 
-    where : the faces that look to one side, or what of them lies next to the four outermost corners
+    where : the faces that look to one side, or what of them lies next to the corners of the map
     hold : "clamped" no motion; "simple" no motion along the face (hard simple support), normal motion free;
         "spring" a bed of springs
     length : of the held part of each face from the corner on, m; only for "corners"

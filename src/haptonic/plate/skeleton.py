@@ -1,5 +1,5 @@
-"""The lines between tiles carry all unknowns through which tiles meet: polynomials along each edge between two
-crossings and through the thickness, given by their values on Gauss-Lobatto-Legendre points.
+"""The lines between tiles carry all unknowns through which tiles meet: polynomials along each edge and
+through the thickness, given by their values on Gauss-Lobatto-Legendre points.
 """
 
 from __future__ import annotations
@@ -101,12 +101,8 @@ class Skeleton:
 
     @classmethod
     def of(cls, layout: Layout, blocks: Sequence[Block], orders: TraceOrders) -> Skeleton:
-        grid = _Grid(layout, orders.along)
-        rims = [grid.rim(block) for block in blocks]
-        used, number = np.unique(np.concatenate(rims), return_inverse=True)
-        ends = np.cumsum([len(rim) for rim in rims])
-        points = grid.points[used]
-        return cls(layout, orders, tuple(blocks), tuple(np.split(number, ends[:-1])), points)
+        rims, points = numbered(layout.x, layout.y, blocks, orders.along)
+        return cls(layout, orders, tuple(blocks), rims, points)
 
     @property
     def size(self) -> int:
@@ -151,18 +147,29 @@ def _around(block: Block) -> list[tuple[int, int, Side]]:
     ]  # fmt: skip
 
 
-class _Grid:
-    """Numbers of all places that the lines of a layout can carry."""
+def numbered(
+    x: Sequence[float], y: Sequence[float], blocks: Sequence[Block], order: int
+) -> tuple[tuple[Ints, ...], Array]:
+    """Places on the rims of blocks between lines, numbered without gaps, and the (places, 2) points, m."""
+    grid = _Grid(x, y, order)
+    rims = [grid.rim(block) for block in blocks]
+    used, number = np.unique(np.concatenate(rims), return_inverse=True)
+    ends = np.cumsum([len(rim) for rim in rims])
+    return tuple(np.split(number, ends[:-1])), grid.points[used]
 
-    def __init__(self, layout: Layout, order: int) -> None:
-        rows, columns, inner = layout.rows, layout.columns, order - 1
+
+class _Grid:
+    """Numbers of all places that lines can carry."""
+
+    def __init__(self, x: Sequence[float], y: Sequence[float], order: int) -> None:
+        rows, columns, inner = len(y) - 1, len(x) - 1, order - 1
         crossings = (rows + 1) * (columns + 1)
         along_x = crossings + np.arange((rows + 1) * columns * inner)
         along_y = crossings + len(along_x) + np.arange(rows * (columns + 1) * inner)
         self.crossing = np.arange(crossings).reshape(rows + 1, columns + 1)
         self.along_x = along_x.reshape(rows + 1, columns, inner)
         self.along_y = along_y.reshape(rows, columns + 1, inner)
-        x, y = np.array(layout.x), np.array(layout.y)
+        x, y = np.array(x), np.array(y)
         share = 0.5 * (1 + lobatto(order)[0][1:-1])
         self.points = np.empty((crossings + len(along_x) + len(along_y), 2))
         self.points[self.crossing] = np.stack(np.broadcast_arrays(x, y[:, None]), axis=-1)

@@ -17,6 +17,7 @@ from haptonic.plate.skeleton import OuterEdge, Skeleton
 Array = NDArray[np.float64]
 Ints = NDArray[np.int64]
 
+WHOLE = 1e-9  # of an edge's length, that a support may miss of the whole edge
 CLAMPED = 100.0  # stiffness of a clamp on a part of an edge, in those of a layer as thick as the plate
 
 
@@ -73,22 +74,19 @@ def _held(skeleton: Skeleton, edge: OuterEdge, support: Support) -> Ints:
 
 
 def _corner_spans(skeleton: Skeleton, support: Support) -> list[tuple[OuterEdge, tuple[float, float]]]:
-    """Held parts, as shares of their length, of the edges next to the four outermost corners."""
+    """Held parts, as shares of their length, of the edges next to the corners of the map's rectangle."""
     assert support.length is not None
-    ends = np.array([(edge.start, edge.end) for edge in skeleton.outer_edges])
+    layout = skeleton.layout
+    corners = {(x, y) for x in (layout.x[0], layout.x[-1]) for y in (layout.y[0], layout.y[-1])}
     found = []
-    for direction in ((-1, -1), (1, -1), (1, 1), (-1, 1)):
-        reach = ends @ np.array(direction)
-        farthest = reach.max()
-        for edge, (start, end) in zip(skeleton.outer_edges, reach, strict=True):
-            slack = 1e-9 * edge.length
-            share = min(support.length / edge.length, 1.0)
-            if share > 1 - 1e-9:
-                share = 1.0
-            if start > farthest - slack:
-                found.append((edge, (0.0, share)))
-            elif end > farthest - slack:
-                found.append((edge, (1.0 - share, 1.0)))
+    for edge in skeleton.outer_edges:
+        share = support.length / edge.length
+        if share > 1 - WHOLE:
+            share = 1.0
+        if edge.start in corners:
+            found.append((edge, (0.0, share)))
+        if edge.end in corners:
+            found.append((edge, (1.0 - share, 1.0)))
     return found
 
 

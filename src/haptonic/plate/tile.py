@@ -2,34 +2,41 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Any
+from typing import Any, Protocol
 
 import numpy as np
-import scipy.linalg as la
-import scipy.sparse as sp
 from numpy.typing import NDArray
 
-from haptonic.cell import MeshPlan, UnitCell
-from haptonic.cell.quadrature import lobatto
-from haptonic.plate.body import Body
-from haptonic.plate.skeleton import TraceOrders, rim_values
-from haptonic.plate.surface import flat_faces, surface_weights
-from haptonic.solvers import Pattern, chosen
-from haptonic.superelement import condense
+from haptonic.plate.surface import surface_weights
 
 Array = NDArray[np.float64]
 Ints = NDArray[np.int64]
 Fields = NDArray[Any]  # real or complex
 
-EXACT = 1.5  # interior modes up to this multiple of the highest frequency are all kept
-SAMPLED = (0.3, 0.55, 0.8, 1.0)  # of the square of the highest frequency, where the others must serve
-MISSED = 1e-2  # share of the energy norm of a tile's answer that its few modes may miss; errors are its square
-SNAPSHOTS = (0.0, 0.5, 1.0)  # of the square of the highest frequency, for blocks
-MISSED_BY_BLOCK = 1e-3
-STEPS, BLOCK = 3, 20  # of the Krylov space of the interior, see `haptonic.superelement.interior`
+
+class Inside(Protocol):
+    """From the unknowns of a tile to displacement inside it; positions are from its lower left corner, m."""
+
+    @property
+    def points(self) -> Array:
+        """(nodes, 3) of its mesh."""
+        ...
+
+    @property
+    def subcells(self) -> Ints:
+        """(cells, 8) nodes of small hexahedra that fill it, in VTK's order."""
+        ...
+
+    def lifted(self, unknowns: Fields) -> Fields:
+        """(nodes, 3, k) displacement from unknowns (n, k)."""
+        ...
+
+    def normal_at(self, where: Array) -> Array:
+        """(k, n) what gives the normal displacement of points (k, 2) of the flat face."""
+        ...
 
 
 @dataclass(frozen=True, eq=False)
@@ -40,9 +47,7 @@ class Tile:
     values : (m,) squares of the modes' angular frequencies with the rim at rest; modal masses are 1
     drive : by name (n,) force per unit of drive
     capacitance : by actuator, F
-    points : (nodes, 3) of its mesh, from its lower left corner, m; faces : of it, on the flat face
-    subcells : (cells, 8) corners of small hexahedra, for pictures
-    lifted : (nodes, 3, k) displacement on the mesh from unknowns (n, k)
+    inside : what the unknowns mean on a mesh
     """
 
     stiffness: Mapping[str, Array]
@@ -50,10 +55,7 @@ class Tile:
     values: Array
     drive: Mapping[str, Array]
     capacitance: Mapping[str, float]
-    points: Array
-    faces: tuple[Ints, ...]
-    subcells: Ints
-    lifted: Callable[[Fields], Fields]
+    inside: Inside
 
     @property
     def size(self) -> int:
@@ -76,184 +78,28 @@ class Tile:
         answer = -coupling / (self.values - shift)[:, None]
         return matrix[:trace, :trace] + coupling.T @ answer, answer
 
+
+@dataclass(frozen=True, eq=False)
+class OnMesh:
+    """A tile with a mesh of its own. size : unknowns; faces : of the mesh, on the flat face"""
+
+    size: int
+    points: Array
+    subcells: Ints
+    faces: tuple[Ints, ...]
+    lift: Callable[[Fields], Fields]
+
+    def lifted(self, unknowns: Fields) -> Fields:
+        """(nodes, 3, k) displacement from unknowns (n, k)."""
+        return self.lift(unknowns)
+
     @cached_property
     def _flat(self) -> tuple[Ints, Array]:
         """Nodes of the flat face, and their normal displacement (nodes, n)."""
         nodes = np.unique(np.concatenate([face.ravel() for face in self.faces]))
-        return nodes, self.lifted(np.eye(self.size))[nodes, 2]
+        return nodes, self.lift(np.eye(self.size))[nodes, 2]
 
     def normal_at(self, where: Array) -> Array:
-        """(k, n) normal displacement of points (k, 2) of the flat face, from the lower left corner, m."""
+        """(k, n) what gives the normal displacement of points (k, 2) of the flat face."""
         nodes, values = self._flat
         return np.asarray(surface_weights(self.points, self.faces, where)[:, nodes] @ values)
-
-
-def _few_modes(
-    stiffness: Array, mass: Array, trace: int, loads: Array, highest: float
-) -> Array:
-    """The few modes that answer a smooth trace and given loads up to a highest frequency.
-
-    Modes of the band itself are kept; of the others only what the trace's inertia and the loads excite (proper
-    orthogonal decomposition of their answers at some frequencies).
-
-    Parameters
-    ----------
-    stiffness, mass : on (trace, modes); the modes have a diagonal stiffness, uncoupled from the trace, and mass 1
-    loads : (modes, k) forces on the modes; highest : Hz
-
-    Returns
-    -------
-    (modes, kept), orthonormal in mass and orthogonal in stiffness
-    """
-    values = np.diag(stiffness)[trace:]
-    top = (2 * np.pi * highest) ** 2
-    near = values < EXACT**2 * top
-    weights = np.sqrt(values)
-    unit_energy = la.cholesky(stiffness[:trace, :trace] + top * mass[:trace, :trace])
-    coupling = la.solve_triangular(unit_energy, mass[:trace, trace:], trans=1).T
-    static = loads / weights[:, None]
-    force = loads / np.linalg.norm(static, axis=0)
-    answers = [force / weights[:, None]]
-    for share in SAMPLED:
-        gain = (weights / (values - share * top))[:, None]
-        answers += [share * top * coupling * gain, force * gain]
-    sampled = np.hstack(answers)
-    sampled[near] = 0.0
-    left, sizes, _ = la.svd(sampled, full_matrices=False)
-    few = left[:, sizes > MISSED] / weights[:, None]
-    basis = np.hstack([np.eye(len(values))[:, near], few])
-    _, turn = la.eigh(basis.T @ (values[:, None] * basis), basis.T @ basis)
-    return np.asarray(basis @ turn)
-
-
-def cell_tile(cell: UnitCell, plan: MeshPlan, orders: TraceOrders, highest: float) -> Tile:
-    """A cell of a lattice, or a rectangle of plain plate, as a tile for frequencies up to ``highest`` (Hz)."""
-    whole = condense(cell, plan, STEPS, block=BLOCK, measured=False)
-    onto = _onto_rim(plan, whole.levels, orders)
-    trace = onto.shape[1]
-    basis = la.block_diag(onto, np.eye(whole.size - whole.trace_size))
-    stiffness, mass = (basis.T @ form @ basis for form in (whole.stiffness, whole.mass))
-    modes = _few_modes(stiffness, mass, trace, np.zeros((len(mass) - trace, 0)), highest)
-    kept = la.block_diag(np.eye(trace), modes)
-    stiffness, mass = (kept.T @ form @ kept for form in (stiffness, mass))
-    to_cell = basis @ kept
-    corner = np.append(cell.lattice.vectors.sum(axis=0) / 2, 0.0)
-    return Tile(
-        stiffness={"plate": stiffness},
-        mass=mass,
-        values=np.diag(stiffness)[trace:].copy(),
-        drive={},
-        capacitance={},
-        points=whole.mesh.points + corner,
-        faces=tuple(flat_faces(whole.mesh)),
-        subcells=whole.mesh.linear_subcells(),
-        lifted=lambda unknowns: whole.lifted(to_cell @ unknowns),
-    )
-
-
-def _onto_rim(plan: MeshPlan, levels: int, orders: TraceOrders) -> Array:
-    """Trace of a condensed cell (level, place, component) from that of a tile (place, level, component)."""
-    share = 0.5 * (1 + lobatto(plan.order)[0][:-1])
-    along = ((np.arange(4 * plan.blocks)[:, None] + share) / plan.blocks).ravel()
-    height = 0.5 * (1 + lobatto(levels - 1)[0])
-    where, up = np.tile(along, levels), np.repeat(height, len(along))
-    return np.kron(rim_values(4, orders, where, up), np.eye(3))
-
-
-def block_tile(
-    body: Body, x: Sequence[float], y: Sequence[float], thickness: float, loads: Mapping[str, Array],
-    orders: TraceOrders, highest: float,
-) -> Tile:
-    """A rectangle of plain plate with what is glued to it as a tile for frequencies up to ``highest`` (Hz).
-
-    Parameters
-    ----------
-    body : unreduced; x, y : lines between the tiles in it, m; thickness : of the plate, m
-    loads : further drives by name, (3 nodes,) force per unit of drive
-    """
-    drives = {**body.drive, **loads}
-    onto = np.kron(_rim_of_body(body, x, y, thickness, orders), np.eye(3))
-    size, trace = len(body.mass), onto.shape[1]
-    held = (3 * body.rim[:, None] + np.arange(3)).ravel()
-    inside = np.setdiff1d(np.arange(size), held)
-    total = sp.csr_array(sum(body.stiffness.values()))
-    pattern, numbers = _upper(sp.csr_array(total[inside][:, inside]))
-    solver = chosen()(pattern)
-    solver.factorise(numbers)
-    coupling = total[inside][:, held] @ onto
-    force = np.array([drive[inside] for drive in drives.values() if drive[inside].any()]).reshape(-1, len(inside)).T
-    answers = solver.solve(np.hstack([-coupling, force]))
-    static = np.zeros((size, trace))
-    static[held], static[inside] = onto, answers[:, :trace]
-    inertia = body.mass[inside, None] * static[inside]
-    diagonal = pattern.indptr[:-1]
-    seen = [answers[:, trace:]]
-    for share in SNAPSHOTS:
-        shifted = numbers.copy()
-        shifted[diagonal] -= share * (2 * np.pi * highest) ** 2 * body.mass[inside]
-        solver.factorise(shifted, definite=False)
-        seen.append(solver.solve(np.hstack([inertia, force])))
-    fields = _main_directions(np.hstack(seen), sp.csr_array(total[inside][:, inside]), body.mass[inside])
-    basis = np.hstack([static, np.zeros((size, fields.shape[1]))])
-    basis[inside, trace:] = fields
-    parts = {name: basis.T @ (part @ basis) for name, part in body.stiffness.items()}
-    values = np.diag(sum(parts.values()))[trace:].copy()
-    corner = np.array([x[0], y[0], 0.0])
-    return Tile(
-        stiffness=parts,
-        mass=basis.T @ (body.mass[:, None] * basis),
-        values=values,
-        drive={name: basis.T @ drive for name, drive in drives.items()},
-        capacitance=body.capacitance,
-        points=body.points - corner,
-        faces=body.faces,
-        subcells=_subcells(body.elements),
-        lifted=lambda unknowns: np.asarray(basis @ unknowns).reshape(len(body.points), 3, -1),
-    )
-
-
-def _rim_of_body(body: Body, x: Sequence[float], y: Sequence[float], thickness: float, orders: TraceOrders) -> Array:
-    """(rim nodes, trace without components) values on a body's rim from those of the trace."""
-    points = body.points[body.rim]
-    columns, rows = len(x) - 1, len(y) - 1
-    # positions in tiles, then along the rim anticlockwise from the lower left corner
-    across = np.interp(points[:, 0], x, np.arange(columns + 1))
-    up = np.interp(points[:, 1], y, np.arange(rows + 1))
-    where = np.select(
-        [up == 0, across == columns, up == rows],
-        [across, columns + up, columns + rows + (columns - across)],
-        2 * columns + rows + (rows - up),
-    )
-    edges = 2 * (columns + rows)
-    return rim_values(edges, orders, where % edges, points[:, 2] / thickness)
-
-
-def _main_directions(fields: Array, stiffness: sp.csr_array, mass: Array) -> Array:
-    """Few fields that nearly span given ones (proper orthogonal decomposition in the energy norm).
-
-    They are orthonormal in mass and orthogonal in stiffness.
-    """
-    gram = fields.T @ (stiffness @ fields)
-    size = np.sqrt(np.diag(gram))
-    weights, turn = la.eigh(gram / size / size[:, None])
-    kept = weights > MISSED_BY_BLOCK**2 * weights[-1]
-    fields = fields @ (turn[:, kept] / np.sqrt(weights[kept]) / size[:, None])  # unit energy each
-    weights, turn = la.eigh(fields.T @ (mass[:, None] * fields))
-    return np.asarray(fields @ (turn[:, ::-1] / np.sqrt(weights[::-1])))
-
-
-def _upper(matrix: sp.csr_array) -> tuple[Pattern, Array]:
-    """Upper triangle of a symmetric matrix."""
-    upper = sp.csr_array(sp.triu(matrix))
-    upper.sort_indices()
-    return Pattern(upper.indptr.astype(np.int32), upper.indices.astype(np.int32)), upper.data
-
-
-def _subcells(elements: Mapping[str, Ints]) -> Ints:
-    """(cells, 8) corners of the small hexahedra between neighbouring nodes, in VTK's order."""
-    low, high = slice(None, -1), slice(1, None)
-    turn = [(low, low), (high, low), (high, high), (low, high)]
-    return np.concatenate([
-        np.stack([nodes[:, a, b, c] for c in (low, high) for a, b in turn], axis=-1).reshape(-1, 8)
-        for nodes in elements.values()
-    ])  # fmt: skip

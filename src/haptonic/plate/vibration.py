@@ -79,7 +79,9 @@ class ReducedPlate:
         joined = {name: np.concatenate([piece[name] for piece in pieces]) for name in pieces[0]}
         return self._told(drives, omega, found, joined)
 
-    def _told(self, drives: Mapping[str, complex], omega: Array, found: Complex, seen: dict[str, Array]) -> Vibration:
+    def _told(
+        self, drives: Mapping[str, complex], omega: Array, found: Complex, seen: dict[str, Array]
+    ) -> Vibration:
         model = self.model
         charge, dissipated = {}, {}
         given = np.zeros(len(omega))
@@ -138,7 +140,9 @@ class _Checker:
         pieces = []
         for group, share in assembly.shares(fields):
             heavy = group.tile.mass @ share
-            out["moving"][:, group.blocks] = 0.25 * (square * _energy(share, heavy)).reshape(-1, 2, count).sum(1).T
+            out["moving"][:, group.blocks] = (
+                0.25 * (square * _energy(share, heavy)).reshape(-1, 2, count).sum(1).T
+            )
             total = -square * heavy
             for name, part in group.tile.stiffness.items():
                 stiff = part @ share

@@ -1,0 +1,132 @@
+"""Many tiles of one kind, side by side, are a tile again: with fewer unknowns than they have one by one."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+import scipy.linalg as la
+from numpy.typing import NDArray
+
+from haptonic.plate.reduction import few_modes
+from haptonic.plate.skeleton import Block, TraceOrders, numbered
+from haptonic.plate.tile import Fields, Tile
+
+Array = NDArray[np.float64]
+Ints = NDArray[np.int64]
+
+
+def joined_tile(
+    tile: Tile,
+    size: tuple[float, float],
+    shape: tuple[int, int],
+    orders: TraceOrders,
+    highest: float,
+    span: tuple[int, int] = (1, 1),
+) -> Tile:
+    """A rectangle of the same tiles as one tile for frequencies up to ``highest`` (Hz).
+
+    Parameters
+    ----------
+    tile : each of them; size : width and height of it, m
+    shape : how many lie above, and beside each other
+    span : rows and columns that each of them has itself
+    """
+    high, wide = span
+    rows, columns = shape
+    x = size[0] / wide * np.arange(wide * columns + 1)
+    y = size[1] / high * np.arange(high * rows + 1)
+    whole = Block((0, high * rows), (0, wide * columns))
+    singles = [
+        Block((high * i, high * (i + 1)), (wide * j, wide * (j + 1)))
+        for i in range(rows)
+        for j in range(columns)
+    ]
+    (rim, *rims), points = numbered(x, y, [whole, *singles], orders.along)
+    per_node, modes = orders.per_node, len(tile.values)
+    first_mode = len(points) * per_node
+    traces = [(places[:, None] * per_node + np.arange(per_node)).ravel() for places in rims]
+    unknowns = [
+        np.concatenate([trace, first_mode + k * modes + np.arange(modes)]) for k, trace in enumerate(traces)
+    ]
+    count = first_mode + modes * len(rims)
+    stiffness, mass = np.zeros((2, count, count))
+    for own in unknowns:
+        stiffness[np.ix_(own, own)] += tile.elastic
+        mass[np.ix_(own, own)] += tile.mass
+    outer = (rim[:, None] * per_node + np.arange(per_node)).ravel()
+    inner = np.setdiff1d(np.arange(count), outer)
+    basis = _reduced(stiffness, mass, outer, inner, highest)
+    trace = len(outer)
+    small = basis.T @ stiffness @ basis
+    return Tile(
+        stiffness={"plate": small},
+        mass=basis.T @ mass @ basis,
+        values=np.diag(small)[trace:].copy(),
+        drive={},
+        capacitance={},
+        inside=Joined(tile, size, shape, np.stack([basis[own] for own in unknowns])),
+    )
+
+
+def _reduced(stiffness: Array, mass: Array, outer: Ints, inner: Ints, highest: float) -> Array:
+    """(count, trace + modes) basis: static answers to the rim, and the interior's few modes."""
+    inside = np.ix_(inner, inner)
+    held = la.cho_factor(stiffness[inside])
+    static = np.zeros((len(stiffness), len(outer)))
+    static[outer, np.arange(len(outer))] = 1.0
+    static[inner] = -la.cho_solve(held, stiffness[np.ix_(inner, outer)])
+    values, modes = la.eigh(stiffness[inside], mass[inside])
+    every = np.zeros((len(stiffness), len(inner)))
+    every[inner] = modes
+    heavy = mass @ static
+    coupled_mass = np.block([[static.T @ heavy, heavy.T @ every], [every.T @ heavy, np.eye(len(inner))]])
+    condensed = la.block_diag(static.T @ stiffness @ static, np.diag(values))
+    few = few_modes(condensed, coupled_mass, len(outer), np.zeros((len(inner), 0)), highest)
+    return np.hstack([static, every @ few])
+
+
+@dataclass(frozen=True, eq=False)
+class Joined:
+    """Inside many tiles of one kind. basis : (tiles, n of each, unknowns), row by row from the lower left"""
+
+    tile: Tile
+    size: tuple[float, float]
+    shape: tuple[int, int]
+    basis: Array
+
+    @property
+    def _corners(self) -> Array:
+        """(tiles, 2) lower left corners, m."""
+        rows, columns = np.indices(self.shape).reshape(2, -1)
+        return np.stack([columns * self.size[0], rows * self.size[1]], axis=-1)
+
+    @property
+    def points(self) -> Array:
+        """(nodes, 3) of all tiles' meshes, m."""
+        own, corners = self.tile.inside.points, self._corners
+        shift = np.column_stack([corners, np.zeros(len(corners))])
+        return np.asarray((shift[:, None] + own).reshape(-1, 3))
+
+    @property
+    def subcells(self) -> Ints:
+        """(cells, 8) nodes of small hexahedra, in VTK's order."""
+        own, start = self.tile.inside.subcells, len(self.tile.inside.points)
+        return np.concatenate([own + k * start for k in range(len(self.basis))])
+
+    def lifted(self, unknowns: Fields) -> Fields:
+        """(nodes, 3, k) displacement from unknowns (n, k)."""
+        return np.concatenate([self.tile.inside.lifted(own @ unknowns) for own in self.basis])
+
+    def normal_at(self, where: Array) -> Array:
+        """(k, n) what gives the normal displacement of points (k, 2) of the flat face."""
+        rows, columns = self.shape
+        column = np.clip((where[:, 0] / self.size[0]).astype(np.int64), 0, columns - 1)
+        row = np.clip((where[:, 1] / self.size[1]).astype(np.int64), 0, rows - 1)
+        number = row * columns + column
+        local = np.clip(where - self._corners[number], 0.0, self.size)  # of points on a border, after rounding
+        own = self.tile.inside.normal_at(local)
+        out = np.empty((len(where), self.basis.shape[2]))
+        for k in np.unique(number):
+            out[number == k] = own[number == k] @ self.basis[k]
+        return out

@@ -1,0 +1,211 @@
+"""From meshes to tiles: cells of a lattice, plain plate, and blocks with something glued to them."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+
+import numpy as np
+import scipy.linalg as la
+import scipy.sparse as sp
+from numpy.typing import NDArray
+
+from haptonic.cell import MeshPlan, UnitCell
+from haptonic.cell.quadrature import lobatto
+from haptonic.plate.body import Body
+from haptonic.plate.skeleton import TraceOrders, rim_values
+from haptonic.plate.surface import flat_faces
+from haptonic.plate.tile import OnMesh, Tile
+from haptonic.solvers import Pattern, chosen
+from haptonic.superelement import condense
+
+Array = NDArray[np.float64]
+Ints = NDArray[np.int64]
+
+EXACT = 1.5  # interior modes up to this multiple of the highest frequency are all kept
+SAMPLED = (0.3, 0.55, 0.8, 1.0)  # of the square of the highest frequency, where the others must serve
+MISSED = (
+    1e-2  # share of the energy norm of a tile's answer that its few modes may miss; errors are its square
+)
+SNAPSHOTS = (0.0, 0.5, 1.0)  # of the square of the highest frequency, for blocks
+MISSED_BY_BLOCK = 1e-3
+STEPS, BLOCK = 3, 20  # of the Krylov space of the interior, see `haptonic.superelement.interior`
+
+
+def few_modes(stiffness: Array, mass: Array, trace: int, loads: Array, highest: float) -> Array:
+    """The few modes that answer a smooth trace and given loads up to a highest frequency.
+
+    Modes of the band itself are kept; of the others only what the trace's inertia and the loads excite (proper
+    orthogonal decomposition of their answers at some frequencies).
+
+    Parameters
+    ----------
+    stiffness, mass : on (trace, modes); the modes have a diagonal stiffness, uncoupled from the trace, and mass 1
+    loads : (modes, k) forces on the modes; highest : Hz
+
+    Returns
+    -------
+    (modes, kept), orthonormal in mass and orthogonal in stiffness
+    """
+    values = np.diag(stiffness)[trace:]
+    top = (2 * np.pi * highest) ** 2
+    near = values < EXACT**2 * top
+    weights = np.sqrt(values)
+    unit_energy = la.cholesky(stiffness[:trace, :trace] + top * mass[:trace, :trace])
+    coupling = la.solve_triangular(unit_energy, mass[:trace, trace:], trans=1).T
+    force = loads / np.linalg.norm(loads / weights[:, None], axis=0)
+    # Gram matrix of all answers: a frequency only scales the rows of the coupling and the forces
+    of_trace, of_loads = coupling @ coupling.T, force @ force.T
+    gram = of_loads / np.outer(weights, weights)
+    for share in SAMPLED:
+        gain = weights / (values - share * top)
+        gram += np.outer(gain, gain) * ((share * top) ** 2 * of_trace + of_loads)
+    gram[near] = gram[:, near] = 0.0
+    sizes, left = la.eigh(gram)
+    few = left[:, sizes > MISSED**2] / weights[:, None]
+    basis = np.hstack([np.eye(len(values))[:, near], few])
+    _, turn = la.eigh(basis.T @ (values[:, None] * basis), basis.T @ basis)
+    return np.asarray(basis @ turn)
+
+
+def cell_tile(cell: UnitCell, plan: MeshPlan, orders: TraceOrders, highest: float) -> Tile:
+    """A cell of a lattice, or a rectangle of plain plate, as a tile for frequencies up to ``highest`` (Hz)."""
+    whole = condense(cell, plan, STEPS, block=BLOCK, measured=False)
+    onto = _onto_rim(plan, whole.levels, orders)
+    trace = onto.shape[1]
+    basis = la.block_diag(onto, np.eye(whole.size - whole.trace_size))
+    stiffness, mass = (basis.T @ form @ basis for form in (whole.stiffness, whole.mass))
+    modes = few_modes(stiffness, mass, trace, np.zeros((len(mass) - trace, 0)), highest)
+    kept = la.block_diag(np.eye(trace), modes)
+    stiffness, mass = (kept.T @ form @ kept for form in (stiffness, mass))
+    to_cell = basis @ kept
+    corner = np.append(cell.lattice.vectors.sum(axis=0) / 2, 0.0)
+    inside = OnMesh(
+        size=len(mass),
+        points=whole.mesh.points + corner,
+        subcells=whole.mesh.linear_subcells(),
+        faces=tuple(flat_faces(whole.mesh)),
+        lift=lambda unknowns: whole.lifted(to_cell @ unknowns),
+    )
+    return Tile({"plate": stiffness}, mass, np.diag(stiffness)[trace:].copy(), {}, {}, inside)
+
+
+def _onto_rim(plan: MeshPlan, levels: int, orders: TraceOrders) -> Array:
+    """Trace of a condensed cell (level, place, component) from that of a tile (place, level, component)."""
+    share = 0.5 * (1 + lobatto(plan.order)[0][:-1])
+    along = ((np.arange(4 * plan.blocks)[:, None] + share) / plan.blocks).ravel()
+    height = 0.5 * (1 + lobatto(levels - 1)[0])
+    where, up = np.tile(along, levels), np.repeat(height, len(along))
+    return np.kron(rim_values(4, orders, where, up), np.eye(3))
+
+
+def block_tile(
+    body: Body,
+    x: Sequence[float],
+    y: Sequence[float],
+    thickness: float,
+    loads: Mapping[str, Array],
+    orders: TraceOrders,
+    highest: float,
+) -> Tile:
+    """A rectangle of plain plate with what is glued to it as a tile for frequencies up to ``highest`` (Hz).
+
+    Parameters
+    ----------
+    body : unreduced; x, y : lines between the tiles in it, m; thickness : of the plate, m
+    loads : further drives by name, (3 nodes,) force per unit of drive
+    """
+    drives = {**body.drive, **loads}
+    onto = np.kron(_rim_of_body(body, x, y, thickness, orders), np.eye(3))
+    size, trace = len(body.mass), onto.shape[1]
+    held = (3 * body.rim[:, None] + np.arange(3)).ravel()
+    inside = np.setdiff1d(np.arange(size), held)
+    total = sp.csr_array(sum(body.stiffness.values()))
+    pattern, numbers = _upper(sp.csr_array(total[inside][:, inside]))
+    solver = chosen()(pattern)
+    solver.factorise(numbers)
+    coupling = total[inside][:, held] @ onto
+    force = (
+        np.array([drive[inside] for drive in drives.values() if drive[inside].any()])
+        .reshape(-1, len(inside))
+        .T
+    )
+    answers = solver.solve(np.hstack([-coupling, force]))
+    static = np.zeros((size, trace))
+    static[held], static[inside] = onto, answers[:, :trace]
+    inertia = body.mass[inside, None] * static[inside]
+    diagonal = pattern.indptr[:-1]
+    seen = [answers[:, trace:]]
+    for share in SNAPSHOTS:
+        shifted = numbers.copy()
+        shifted[diagonal] -= share * (2 * np.pi * highest) ** 2 * body.mass[inside]
+        solver.factorise(shifted, definite=False)
+        seen.append(solver.solve(np.hstack([inertia, force])))
+    fields = _main_directions(np.hstack(seen), sp.csr_array(total[inside][:, inside]), body.mass[inside])
+    basis = np.hstack([static, np.zeros((size, fields.shape[1]))])
+    basis[inside, trace:] = fields
+    parts = {name: basis.T @ (part @ basis) for name, part in body.stiffness.items()}
+    values = np.diag(sum(parts.values()))[trace:].copy()
+    corner = np.array([x[0], y[0], 0.0])
+    return Tile(
+        stiffness=parts,
+        mass=basis.T @ (body.mass[:, None] * basis),
+        values=values,
+        drive={name: basis.T @ drive for name, drive in drives.items()},
+        capacitance=body.capacitance,
+        inside=OnMesh(
+            size=basis.shape[1],
+            points=body.points - corner,
+            subcells=_subcells(body.elements),
+            faces=body.faces,
+            lift=lambda unknowns: np.asarray(basis @ unknowns).reshape(len(body.points), 3, -1),
+        ),
+    )
+
+
+def _rim_of_body(
+    body: Body, x: Sequence[float], y: Sequence[float], thickness: float, orders: TraceOrders
+) -> Array:
+    """(rim nodes, trace without components) values on a body's rim from those of the trace."""
+    points = body.points[body.rim]
+    columns, rows = len(x) - 1, len(y) - 1
+    # positions in tiles, then along the rim anticlockwise from the lower left corner
+    across = np.interp(points[:, 0], x, np.arange(columns + 1))
+    up = np.interp(points[:, 1], y, np.arange(rows + 1))
+    where = np.select(
+        [up == 0, across == columns, up == rows],
+        [across, columns + up, columns + rows + (columns - across)],
+        2 * columns + rows + (rows - up),
+    )
+    edges = 2 * (columns + rows)
+    return rim_values(edges, orders, where % edges, points[:, 2] / thickness)
+
+
+def _main_directions(fields: Array, stiffness: sp.csr_array, mass: Array) -> Array:
+    """Few fields that nearly span given ones (proper orthogonal decomposition in the energy norm).
+
+    They are orthonormal in mass and orthogonal in stiffness.
+    """
+    gram = fields.T @ (stiffness @ fields)
+    size = np.sqrt(np.diag(gram))
+    weights, turn = la.eigh(gram / size / size[:, None])
+    kept = weights > MISSED_BY_BLOCK**2 * weights[-1]
+    fields = fields @ (turn[:, kept] / np.sqrt(weights[kept]) / size[:, None])  # unit energy each
+    weights, turn = la.eigh(fields.T @ (mass[:, None] * fields))
+    return np.asarray(fields @ (turn[:, ::-1] / np.sqrt(weights[::-1])))
+
+
+def _upper(matrix: sp.csr_array) -> tuple[Pattern, Array]:
+    """Upper triangle of a symmetric matrix."""
+    upper = sp.csr_array(sp.triu(matrix))
+    upper.sort_indices()
+    return Pattern(upper.indptr.astype(np.int32), upper.indices.astype(np.int32)), upper.data
+
+
+def _subcells(elements: Mapping[str, Ints]) -> Ints:
+    """(cells, 8) corners of the small hexahedra between neighbouring nodes, in VTK's order."""
+    low, high = slice(None, -1), slice(1, None)
+    turn = [(low, low), (high, low), (high, high), (low, high)]
+    return np.concatenate([
+        np.stack([nodes[:, a, b, c] for c in (low, high) for a, b in turn], axis=-1).reshape(-1, 8)
+        for nodes in elements.values()
+    ])  # fmt: skip
