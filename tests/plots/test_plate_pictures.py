@@ -291,7 +291,7 @@ class TestPlan:
             low = {"WG1": 21, "WG2": 74}[name.get_text()]
             assert low < x < low + 32
             for a, b in ((37, 17.5), (40, 90), (30, 60), (90, 120), (90, 50)):
-                assert np.hypot(x - a, y - b) > 12
+                assert np.hypot(x - a, y - b) > 40
 
     def test_the_legend_names_no_more_than_is_drawn(self, drawn):
         written = {
