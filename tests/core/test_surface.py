@@ -10,6 +10,7 @@ from haptonic.cell import MeshPlan, Pillar, Step, UnitCell, mesh_cell
 from haptonic.cell.quadrature import interpolation, lobatto
 from haptonic.errors import GeometryError
 from haptonic.lattice import Lattice
+from haptonic.plate import surface
 from haptonic.plate.surface import flat_faces, surface_weights
 
 SQUARE = Lattice.square(7e-3)
@@ -71,6 +72,7 @@ class TestEveryCell:
         expected = np.zeros(weights.shape)
         expected[np.arange(len(nodes)), nodes] = 1.0
         assert np.abs(weights.toarray() - expected).max() < 1e-10
+        assert weights.nnz == len(nodes), "zeros are not kept"
 
     def test_between_two_elements_it_does_not_matter_which(self, name):
         """Even a rough field is continuous: on a border and a hair beside it, only its nodes count."""
@@ -147,6 +149,20 @@ def test_a_point_beside_the_tile_is_refused(place):
     mesh = meshed("reference")
     with pytest.raises(GeometryError, match="in the frame of the tile"):
         surface_weights(mesh.points, flat_faces(mesh), np.array([place]))
+
+
+def test_a_search_that_has_not_arrived_is_no_answer(monkeypatch):
+    """With too few steps a point is found where it is, or not at all."""
+    mesh, refused = meshed("reference"), 0
+    monkeypatch.setattr(surface, "STEPS", 2)
+    for place in even_points(CELLS["reference"], 9):
+        try:
+            weights = surface_weights(mesh.points, flat_faces(mesh), place[None])
+        except GeometryError:
+            refused += 1
+        else:
+            assert np.abs(weights @ mesh.points[:, :2] - place).max() < 1e-6 * 7e-3
+    assert 0 < refused < 81
 
 
 def test_no_points_are_no_rows():

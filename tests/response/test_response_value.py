@@ -151,7 +151,7 @@ class TestGrid:
         order = np.array(data.draw(st.permutations(range(int(kept.sum())))))
         scale = data.draw(st.floats(1e-6, 10.0))
         random = np.random.default_rng(data.draw(st.integers(0, 99)))
-        shaken = [scale * (along[kept][order] + random.uniform(-4e-4, 4e-4, len(order))) for along in (x, y)]
+        shaken = [scale * (along[kept][order] + random.uniform(-8e-5, 8e-5, len(order))) for along in (x, y)]
         response = made(x=shaken[0], y=shaken[1], region=None)
         grid = response.grid()[:, 0].values
         assert np.isfinite(grid[0]).sum() == len(order)

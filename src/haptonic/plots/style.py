@@ -97,6 +97,11 @@ def perceptual() -> Colormap:
     return mpl.colormaps["viridis"]
 
 
+def diverging() -> Colormap:
+    """Colours for a signed amount: blue below zero, white there, red above, also for the colour-blind."""
+    return mpl.colormaps["RdBu_r"]
+
+
 def save(figure: Figure, folder: Path, name: str, *, overwrite: bool = False) -> list[Path]:
     """Write a figure as ``name.svg`` and ``name.png`` into a folder; each file whole or not at all.
 

@@ -10,7 +10,7 @@ from haptonic.errors import ResponseError
 Array = NDArray[np.float64]
 Ints = NDArray[np.int64]
 
-SAME = 1e-3  # of the extent of all points, within which coordinates belong to one row or column
+SAME = 2e-4  # of the extent of all points, within which coordinates belong to one row or column
 OFF = 0.05  # of the step, that a row or column may lie beside its place
 
 
@@ -44,7 +44,7 @@ def regular_line(coordinate: Array, extent: float, name: str) -> tuple[Ints, Arr
     number = np.rint((middle - middle[0]) / step).astype(np.int64)
     step, first = np.polynomial.polynomial.polyfit(number, middle, 1)[::-1]
     off = np.abs(first + step * number - middle)
-    if (np.diff(number) < 1).any() or off.max() > OFF * step:
+    if off.max() > OFF * step:
         raise ResponseError(
             argument=f"{name} of the points",
             given=f"{middle[off.argmax()] * 1e3:.4g} mm, where steps are {step * 1e3:.4g} mm",

@@ -1,0 +1,332 @@
+"""Finite plates: what lies where, and how the flat face vibrates at some frequencies."""
+
+from __future__ import annotations
+
+import io
+from collections.abc import Iterator, Sequence
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from matplotlib.artist import Artist
+from matplotlib.axes import Axes
+from matplotlib.collections import LineCollection, PatchCollection
+from matplotlib.colors import Normalize
+from matplotlib.figure import Figure
+from matplotlib.image import AxesImage
+from matplotlib.lines import Line2D
+from matplotlib.patches import Circle, Patch, Rectangle
+from matplotlib.patheffects import withStroke
+from matplotlib.ticker import MaxNLocator
+from numpy.typing import NDArray
+from PIL import Image
+
+from haptonic.plate.layout import Layout
+from haptonic.plate.parts import Hold, Plate, Side, Support
+from haptonic.plots import style
+from haptonic.response import FrequencyResponse
+from haptonic.store import refuse_overwrite, write_atomically
+
+Array = NDArray[np.float64]
+Complex = NDArray[np.complexfloating[Any, Any]]
+Tile = tuple[int, int]
+Segment = tuple[tuple[float, float], tuple[float, float]]  # mm
+
+FRAMES = 24  # of a cycle
+FRAME_SECONDS = 0.05
+FRAME_DOTS = 110  # per inch
+HALO = [withStroke(linewidth=2.2, foreground="white")]  # keeps text readable on any colour
+REGION = "#d6e8f5"
+LATTICE = "#f3f3f3"
+HOLDS: dict[Hold, tuple[str, str, style.Dashes]] = {
+    "clamped": ("clamped", style.CARRIER, style.SOLID),
+    "simple": ("simple support", style.GREEN, style.DASHED),
+    "spring": ("bed of springs", style.PURPLE, style.DOTTED),
+}
+
+
+@style.drawn
+def maps(
+    response: FrequencyResponse,
+    frequencies: Sequence[float],
+    layout: Layout,
+    gap: tuple[float, float] | None,
+) -> Figure:
+    """Normal vibration of the flat face at some frequencies, side by side, as in Fig. 5C of the paper.
+
+    Each map shows the moment at which its largest point is farthest out, and is scaled to that point.
+
+    Parameters
+    ----------
+    response : with the direction z, on a regular grid
+    frequencies : one for each map, Hz; the nearest lines are drawn
+    gap : edges of the band gap, Hz, or None
+    """
+    column = (style.WIDTH - 2.0) / max(len(frequencies), 2)
+    tall = column * (layout.y[-1] - layout.y[0]) / (layout.x[-1] - layout.x[0])
+    figure = style.blank(min(tall, 16.0) + 3.8)
+    panels = figure.subplots(1, len(frequencies), sharey=True, squeeze=False)[0]
+    for axes, asked in zip(panels, frequencies, strict=True):
+        line = response.at(asked)
+        image = _draw_map(axes, line, layout)
+        title = f"{line.frequency[0] / 1e3:.1f} kHz, {response.dataset.attrs['origin']}"
+        axes.set_title("\n".join(filter(None, [_beside(line.frequency[0], gap), title])), fontsize=9)
+    panels[0].set_ylabel("y (mm)")
+    _colour_bar(figure, list(panels), image, response)
+    return figure
+
+
+def animated(
+    path: Path, response: FrequencyResponse, frequency: float, layout: Layout, *, overwrite: bool = False
+) -> Path:
+    """Write one cycle of the vibration at a frequency (Hz) as a moving picture, WebP, that repeats for ever.
+
+    It shows the real part of response times exp(i omega t), in `FRAMES` pictures, over its largest value.
+
+    Raises
+    ------
+    ResourceError : the name is taken and ``overwrite`` is False, or the folder cannot be written
+    """
+    refuse_overwrite(path, overwrite)
+    with style.styled():
+        tall = 6.5 * (layout.y[-1] - layout.y[0]) / (layout.x[-1] - layout.x[0])
+        figure = style.blank(min(tall, 16.0) + 4.0, 9.0)
+        axes = figure.add_subplot()
+        line = response.at(frequency)
+        image = _draw_map(axes, line, layout)
+        shown = line.frequency[0]
+        cycle = f"; one cycle of {1e6 / shown:.3g} µs" if shown else ""
+        axes.set_title(f"{shown / 1e3:.1f} kHz, {response.dataset.attrs['origin']}{cycle}", fontsize=9)
+        axes.set_ylabel("y (mm)")
+        _colour_bar(figure, [axes], image, response)
+        figure.draw_without_rendering()
+        figure.set_layout_engine("none")  # every frame has the same arrangement
+        shape, frames = _normal_shape(line), []
+        for number in range(FRAMES):
+            image.set_data((shape * np.exp(2j * np.pi * number / FRAMES)).real)
+            stream = io.BytesIO()
+            figure.savefig(stream, format="png", dpi=FRAME_DOTS)
+            frames.append(Image.open(stream).convert("RGB"))
+    write_atomically(
+        path,
+        lambda temporary: frames[0].save(
+            temporary, format="WEBP", save_all=True, append_images=frames[1:],
+            duration=round(1e3 * FRAME_SECONDS), loop=0, quality=80,
+        ),
+    )  # fmt: skip
+    return path
+
+
+@style.drawn
+def plate_plan(plate: Plate) -> Figure:
+    """The plate seen from above: lattices with their pillars, regions, supports, drives, a finger."""
+    layout = plate.layout
+    ratio = (layout.y[-1] - layout.y[0]) / (layout.x[-1] - layout.x[0])
+    figure = style.blank(min(max(11.5 * ratio, 3.0), 18.0) + 3.5)
+    axes = figure.add_subplot()
+    handles = [*_draw_tiles(axes, layout), *_draw_supports(axes, plate), *_draw_parts(axes, plate)]
+    busy = [actuator.centre for actuator in plate.actuators] + [force.centre for force in plate.forces]
+    busy += [plate.finger.centre] if plate.finger else []
+    for name in layout.regions:
+        places = list(_rows_of(layout, name))
+        free = [min((np.hypot(x - a, y - b) for a, b in busy), default=1.0) for x, y, _ in places]
+        x, y, _ = places[int(np.argmax(free))]
+        axes.text(1e3 * x, 1e3 * y, name, ha="center", va="center", fontsize=9, gid="region name")
+    margin = 0.04 * 1e3 * max(layout.x[-1] - layout.x[0], layout.y[-1] - layout.y[0])
+    axes.set(
+        aspect="equal",
+        xlim=(1e3 * layout.x[0] - margin, 1e3 * layout.x[-1] + margin),
+        ylim=(1e3 * layout.y[0] - margin, 1e3 * layout.y[-1] + margin),
+        xlabel="x (mm)",
+        ylabel="y (mm)",
+    )
+    figure.legend(handles=handles, loc="outside lower center", ncols=3)
+    return figure
+
+
+def _normal_shape(line: FrequencyResponse) -> Complex:
+    """(y, x) normal vibration at one frequency, divided by its largest value, that of the largest point."""
+    shape = np.asarray(line.grid().sel(direction="z").values[0])
+    largest = shape.flat[np.nanargmax(np.abs(shape))]
+    return np.asarray(shape / largest if largest else shape)
+
+
+def _draw_map(axes: Axes, line: FrequencyResponse, layout: Layout) -> AxesImage:
+    """The vibration at one frequency when its largest point is farthest out, and the regions around it."""
+    grid = line.grid()
+    ends = [_ends(1e3 * grid[name].values) for name in ("x", "y")]
+    image = axes.imshow(
+        _normal_shape(line).real, cmap=style.diverging(), norm=Normalize(-1, 1), origin="lower",
+        extent=(*ends[0], *ends[1]), interpolation="nearest", gid="map",
+    )  # fmt: skip
+    axes.set_facecolor(style.BEYOND)
+    axes.set(xlim=(1e3 * layout.x[0], 1e3 * layout.x[-1]), ylim=(1e3 * layout.y[0], 1e3 * layout.y[-1]))
+    axes.set_xlabel("x (mm)")
+    for axis in (axes.xaxis, axes.yaxis):
+        axis.set_major_locator(MaxNLocator(4))
+    for name in layout.regions:
+        border = [segment for _, segment in _border(layout, set(layout.of(name)))]
+        axes.add_collection(LineCollection(border, colors=style.INK, linewidths=0.9, gid=f"outline {name}"))
+        x, _, top = max(_rows_of(layout, name), key=lambda row: row[2])
+        axes.annotate(
+            name, (1e3 * x, 1e3 * top), xytext=(0, -4), textcoords="offset points",
+            ha="center", va="top", fontsize=8.5, gid="region name", path_effects=HALO,
+        )  # fmt: skip
+    return image
+
+
+def _ends(middles: Array) -> tuple[float, float]:
+    """Where a row of pictured points begins and ends: half a step beyond the outer ones."""
+    step = middles[1] - middles[0] if len(middles) > 1 else 1.0
+    return float(middles[0] - 0.5 * step), float(middles[-1] + 0.5 * step)
+
+
+def _colour_bar(figure: Figure, panels: list[Axes], image: AxesImage, response: FrequencyResponse) -> None:
+    bar = figure.colorbar(image, ax=panels, location="bottom", shrink=0.6, aspect=30, pad=0.02)
+    bar.set_label(f"normal {response.dataset.attrs['quantity']} / its maximum (dimensionless)")
+    bar.set_ticks([-1, -0.5, 0, 0.5, 1])
+
+
+def _beside(frequency: float, gap: tuple[float, float] | None) -> str:
+    if gap is None:
+        return ""
+    return "below the gap" if frequency < gap[0] else "above the gap" if frequency > gap[1] else "in the gap"
+
+
+def _rows_of(layout: Layout, name: str) -> Iterator[tuple[float, float, float]]:
+    """Middle (x, y) and top of the widest run of a region's tiles in each of its rows, m."""
+    tiles = layout.of(name)
+    for row in sorted({i for i, _ in tiles}):
+        columns = sorted(j for i, j in tiles if i == row)
+        runs = np.split(np.array(columns), np.flatnonzero(np.diff(columns) > 1) + 1)
+        first, last = max(
+            ((run[0], run[-1]) for run in runs), key=lambda r: layout.x[r[1] + 1] - layout.x[r[0]]
+        )
+        low, top = layout.y[row], layout.y[row + 1]
+        yield 0.5 * (layout.x[first] + layout.x[last + 1]), 0.5 * (low + top), top
+
+
+def _border(layout: Layout, tiles: set[Tile]) -> Iterator[tuple[Side, Segment]]:
+    """The sides of some tiles towards others, and where these sides look."""
+    for i, j in sorted(tiles):
+        left, right = 1e3 * layout.x[j], 1e3 * layout.x[j + 1]
+        low, top = 1e3 * layout.y[i], 1e3 * layout.y[i + 1]
+        sides: tuple[tuple[Side, Tile, Segment], ...] = (
+            ("left", (i, j - 1), ((left, low), (left, top))),
+            ("right", (i, j + 1), ((right, low), (right, top))),
+            ("bottom", (i - 1, j), ((left, low), (right, low))),
+            ("top", (i + 1, j), ((left, top), (right, top))),
+        )
+        yield from ((side, segment) for side, beyond, segment in sides if beyond not in tiles)
+
+
+def _plate_tiles(layout: Layout) -> set[Tile]:
+    return {(i, j) for i, row in enumerate(layout.tiles) for j, name in enumerate(row) if name is not None}
+
+
+def _draw_tiles(axes: Axes, layout: Layout) -> list[Artist]:
+    """Tiles, pillars and the outlines of regions and plate; what the legend needs."""
+    pillars: list[Patch] = []
+    shades: dict[str, list[Rectangle]] = {LATTICE: [], REGION: []}
+    for i, j in sorted(_plate_tiles(layout)):
+        x, y = 1e3 * layout.x[j], 1e3 * layout.y[i]
+        width, height = 1e3 * layout.x[j + 1] - x, 1e3 * layout.y[i + 1] - y
+        cell = layout.cells.get(str(layout.tiles[i][j]))
+        shades[REGION if cell is None else LATTICE].append(Rectangle((x, y), width, height))
+        if cell is not None and cell.pillar is not None:
+            middle, half = (x + 0.5 * width, y + 0.5 * height), 1e3 * cell.pillar.radius
+            corner = (middle[0] - half, middle[1] - half)
+            square = cell.pillar.section == "square"
+            pillars.append(Rectangle(corner, 2 * half, 2 * half) if square else Circle(middle, half))
+    for shade, tiles in shades.items():
+        axes.add_collection(PatchCollection(tiles, facecolor=shade, edgecolor="white", linewidth=0.4))
+    axes.add_collection(
+        PatchCollection(pillars, facecolor="#bdbdbd", edgecolor=style.INK, linewidth=0.5, gid="pillars")
+    )
+    outlines = [set(layout.of(name)) for name in layout.regions]
+    for tiles_of, width in [*((tiles, 0.8) for tiles in outlines), (_plate_tiles(layout), 1.3)]:
+        lines = [segment for _, segment in _border(layout, tiles_of)]
+        axes.add_collection(LineCollection(lines, colors=style.INK, linewidths=width))
+    handles: list[Artist] = []
+    if pillars:
+        marker = "o" if isinstance(pillars[0], Circle) else "s"
+        handles.append(
+            Line2D([], [], ls="", marker=marker, ms=6, mfc="#bdbdbd", mec=style.INK, mew=0.5,
+                   label=f"pillars on the back ({len(pillars)})")
+        )  # fmt: skip
+    if layout.regions:
+        handles.append(Patch(facecolor=REGION, edgecolor=style.INK, lw=0.8, label="region of plain plate"))
+    return handles
+
+
+def _draw_supports(axes: Axes, plate: Plate) -> list[Artist]:
+    """The held parts of the outer sides; what the legend needs."""
+    handles: dict[Hold, Artist] = {}
+    border = list(_border(plate.layout, _plate_tiles(plate.layout)))
+    for support in plate.supports:
+        held = [part for side, segment in border for part in _held(support, side, segment, plate.layout)]
+        label, colour, dashes = HOLDS[support.hold]
+        axes.add_collection(
+            LineCollection(held, colors=colour, linewidths=4, linestyles=[dashes], capstyle="butt",
+                           zorder=4, gid=f"held {support.hold}")
+        )  # fmt: skip
+        handles[support.hold] = Line2D([], [], color=colour, ls=dashes, lw=4, label=label)
+    return list(handles.values())
+
+
+def _held(support: Support, side: Side, segment: Segment, layout: Layout) -> Iterator[Segment]:
+    """What a support holds of a segment of the plate's border."""
+    if support.where == side:
+        yield segment
+    if support.where != "corners":
+        return
+    assert support.length is not None
+    (x0, y0), (x1, y1) = segment
+    box = 1e3 * np.array([[layout.x[0], layout.x[-1]], [layout.y[0], layout.y[-1]]])
+    across, along = (0, 1) if side in ("left", "right") else (1, 0)
+    if segment[0][across] not in box[across]:  # a side of a notch, not of the whole plate
+        return
+    reach = 1e3 * support.length
+    for low, high in ((box[along, 0], box[along, 0] + reach), (box[along, 1] - reach, box[along, 1])):
+        start, stop = max(segment[0][along], low), min(segment[1][along], high)
+        if start < stop:
+            yield ((x0, start), (x1, stop)) if along else ((start, y0), (stop, y1))
+
+
+def _draw_parts(axes: Axes, plate: Plate) -> list[Artist]:
+    """Actuators, forces and a finger, each with its name; what the legend needs."""
+    handles: dict[str, Artist] = {}
+    for actuator in plate.actuators:
+        look: dict[str, Any] = {"facecolor": style.ORANGE, "edgecolor": style.INK, "lw": 0.8, "zorder": 5}
+        axes.add_patch(
+            _rectangle(actuator.centre, actuator.size[:2], gid=f"actuator {actuator.name}", **look)
+        )
+        _name(axes, actuator.centre, 0.5 * actuator.size[1], actuator.name)
+        handles["actuator"] = Patch(**look, label="actuator on the back")
+    for force in plate.forces:
+        if force.size is not None:
+            axes.add_patch(_rectangle(force.centre, force.size, fill=False, edgecolor=style.RED, zorder=5))
+        spot = {"marker": "X", "ms": 7, "mfc": style.RED, "mec": style.INK, "mew": 0.6, "ls": "", "zorder": 6}
+        axes.plot(1e3 * force.centre[0], 1e3 * force.centre[1], gid=f"force {force.name}", **spot)  # type: ignore[arg-type]
+        _name(axes, force.centre, 0.5 * force.size[1] if force.size else 0.002, force.name)
+        handles["force"] = Line2D([], [], **spot, label="normal force")  # type: ignore[arg-type]
+    if plate.finger is not None:
+        look = {"fill": False, "edgecolor": style.PURPLE, "lw": 1.8, "ls": style.DASHED, "zorder": 5}
+        centre = (1e3 * plate.finger.centre[0], 1e3 * plate.finger.centre[1])
+        axes.add_patch(Circle(centre, 0.5e3 * plate.finger.diameter, gid="finger", **look))
+        handles["finger"] = Line2D([], [], color=style.PURPLE, lw=1.8, ls=style.DASHED, label="finger")
+    return list(handles.values())
+
+
+def _rectangle(centre: tuple[float, float], size: tuple[float, float], **look: Any) -> Rectangle:
+    corner = (1e3 * (centre[0] - 0.5 * size[0]), 1e3 * (centre[1] - 0.5 * size[1]))
+    return Rectangle(corner, 1e3 * size[0], 1e3 * size[1], **look)
+
+
+def _name(axes: Axes, centre: tuple[float, float], above: float, name: str) -> None:
+    """Write a name above a part; ``above`` is from its middle to its upper side, m."""
+    axes.annotate(
+        name, (1e3 * centre[0], 1e3 * (centre[1] + above)), xytext=(0, 3), textcoords="offset points",
+        ha="center", va="bottom", fontsize=9, zorder=7, gid="name",
+        bbox={"boxstyle": "round,pad=0.1", "facecolor": "white", "edgecolor": "none", "alpha": 0.8},
+    )  # fmt: skip

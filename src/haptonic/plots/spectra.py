@@ -1,0 +1,128 @@
+"""What a plate does at every frequency: contrast between regions, their velocities, the drive's impedance."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from itertools import cycle
+from typing import Any
+
+import numpy as np
+from matplotlib.artist import Artist
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+from numpy.typing import NDArray
+
+from haptonic.plots import style
+
+Array = NDArray[np.float64]
+Complex = NDArray[np.complexfloating[Any, Any]]
+Gap = tuple[float, float] | None
+
+PASSIVE = 95.0  # deg, phase of an impedance that takes up power, rounding included
+LOOKS = tuple(
+    zip(
+        (style.BLUE, style.RED, style.GREEN, style.PURPLE, style.ORANGE),
+        (style.SOLID, style.DASHED, style.DASH_DOTTED, style.DOTTED, style.DASH_DOT_DOTTED),
+        strict=True,
+    )
+)
+
+
+@style.drawn
+def contrast_spectrum(frequency: Array, contrast: Mapping[str, Array], gap: Gap) -> Figure:
+    """By how much one region vibrates more than another one, against frequency.
+
+    Parameters
+    ----------
+    frequency : (frequency,) Hz
+    contrast : label of each curve and its values (frequency,), dB
+    gap : edges of the band gap, Hz, or None
+    """
+    figure = style.blank(_height(len(contrast)))
+    axes = figure.add_subplot()
+    handles = _curves(axes, frequency, contrast)
+    axes.axhline(0, color=style.INK, lw=0.7, zorder=1, gid="zero")
+    axes.set_ylabel("contrast (dB)")
+    _finish(figure, axes, frequency, [*handles, *_shade(axes, frequency, gap)])
+    return figure
+
+
+@style.drawn
+def velocity_spectrum(
+    frequency: Array, velocity: Mapping[str, Array], gap: Gap, *, units: str = "m/s/V"
+) -> Figure:
+    """Root-mean-square velocity of regions against frequency, on a logarithmic scale.
+
+    Parameters
+    ----------
+    frequency : (frequency,) Hz
+    velocity : name of each region and its values (frequency,), in ``units``; zeros are not drawn
+    gap : edges of the band gap, Hz, or None
+    """
+    figure = style.blank(_height(len(velocity)))
+    axes = figure.add_subplot()
+    positive = {name: np.where(values > 0, values, np.nan) for name, values in velocity.items()}
+    handles = _curves(axes, frequency, positive)
+    axes.set_yscale("log")
+    axes.set_ylabel(f"rms normal velocity of the region\n({units})")
+    _finish(figure, axes, frequency, [*handles, *_shade(axes, frequency, gap)])
+    return figure
+
+
+@style.drawn
+def impedance_spectrum(frequency: Array, impedance: Complex, gap: Gap) -> Figure:
+    """Electrical impedance of an actuator: magnitude above phase.
+
+    Parameters
+    ----------
+    frequency : (frequency,) Hz, above 0
+    impedance : (frequency,) ohm
+    gap : edges of the band gap, Hz, or None
+    """
+    figure = style.blank(10.5)
+    magnitude, phase = figure.subplots(2, 1, sharex=True, height_ratios=(3, 2))
+    handles = _curves(
+        magnitude,
+        frequency,
+        {"electrical impedance of the actuator": np.asarray(np.abs(impedance), dtype=float)},
+    )
+    magnitude.set_yscale("log")
+    magnitude.set_ylabel("magnitude (Ω)")
+    degrees = np.asarray(np.angle(impedance, deg=True), dtype=float)
+    _curves(phase, frequency, {"phase": degrees})
+    phase.set_ylabel("phase (deg)")
+    passive = np.abs(degrees).max() <= PASSIVE  # more is an error of measurement, and has to be seen
+    phase.set_ylim(*((-100, 100) if passive else (-190, 190)))
+    phase.set_yticks([-90, -45, 0, 45, 90] if passive else [-180, -90, 0, 90, 180])
+    shades = [_shade(axes, frequency, gap) for axes in (magnitude, phase)]
+    _finish(figure, phase, frequency, [*handles, *shades[0]])
+    return figure
+
+
+def _height(curves: int) -> float:
+    """Of a figure with so many curves, the gap and their legend, cm."""
+    return 7.6 + 0.5 * (-(-(curves + 1) // 2))
+
+
+def _curves(axes: Axes, frequency: Array, values: Mapping[str, Array]) -> list[Artist]:
+    """Draw curves by name; what the legend needs."""
+    return [
+        axes.plot(frequency / 1e3, curve, color=colour, ls=dashes, lw=1.2, label=name, gid="curve")[0]
+        for (name, curve), (colour, dashes) in zip(values.items(), cycle(LOOKS), strict=False)
+    ]
+
+
+def _shade(axes: Axes, frequency: Array, gap: Gap) -> list[Artist]:
+    """Shade the gap where it is in view; what the legend needs."""
+    if gap is None or gap[0] >= frequency[-1] or gap[1] <= frequency[0]:
+        return []
+    low, high = gap[0] / 1e3, gap[1] / 1e3
+    shade = axes.axvspan(low, high, facecolor=style.GAP, edgecolor="none", zorder=0, gid="gap")
+    shade.set_label(f"band gap, {low:.1f} to {high:.1f} kHz")
+    return [shade]
+
+
+def _finish(figure: Figure, axes: Axes, frequency: Array, handles: list[Artist]) -> None:
+    axes.set_xlabel("frequency (kHz)")
+    axes.set_xlim(frequency[0] / 1e3, frequency[-1] / 1e3)
+    figure.legend(handles=handles, loc="outside lower center", ncols=2)
