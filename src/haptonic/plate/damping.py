@@ -21,9 +21,9 @@ Array = NDArray[np.float64]
 Ints = NDArray[np.int64]
 Complex = NDArray[np.complex128]
 
+AT_ONCE = 64  # lines
 NO_STIFFNESS = 1e-13  # share of a form's largest eigenvalue that is rounding
-MAIN = 1e-4  # share of the largest force that is worth a vector of its own
-NEGLIGIBLE = 1e-10  # share of the dynamic stiffness that a direction may add without being kept
+NEGLIGIBLE = 1e-7  # share of the dynamic stiffness that a direction may add without being kept
 
 
 @dataclass(frozen=True, eq=False)
@@ -45,11 +45,6 @@ class Extra:
         kept = sizes > NO_STIFFNESS * sizes[-1]
         axes = axes[:, kept] * np.sqrt(sizes[kept])
         return cls(rows, axes, lambda omega: np.full(len(omega), weight))
-
-    def main_forces(self, vectors: Array) -> Array:
-        """(m, p) the forces that it mainly exerts when vectors (size, k) of unit energy are all that moves."""
-        left, sizes, _ = la.svd(self.axes.T @ vectors[self.rows], full_matrices=False)
-        return np.asarray(self.axes @ left[:, sizes > MAIN * sizes[0]])
 
     def directions(self, basis: Basis, omega: float) -> Array:
         """(r, p) U with A^T V about U^T for all that counts, of vectors V at a typical frequency (rad/s)."""
@@ -89,11 +84,14 @@ def amplitudes(
     )
     first, second = np.triu_indices(U.shape[1])
     products = (U[:, first] * U[:, second]).T
-    seen = (products @ alone.real + 1j * (products @ alone.imag)).T  # (n, pairs)
-    compliance = np.empty((len(omega), U.shape[1], U.shape[1]), dtype=complex)
-    compliance[:, first, second] = compliance[:, second, first] = seen
     index = np.arange(U.shape[1])
-    compliance[:, index, index] += flexibility
     motion = (U.T @ plain).T[..., None]  # of the directions, without the extras
-    forces = np.linalg.solve(compliance, motion)[..., 0]
-    return np.asarray(plain - alone * (U @ forces.T))
+    forces = np.empty((U.shape[1], len(omega)), dtype=complex)
+    for start in range(0, len(omega), AT_ONCE):
+        lines = slice(start, start + AT_ONCE)
+        seen = (products @ alone.real[:, lines] + 1j * (products @ alone.imag[:, lines])).T
+        compliance = np.empty((len(seen), len(index), len(index)), dtype=complex)
+        compliance[:, first, second] = compliance[:, second, first] = seen
+        compliance[:, index, index] += flexibility[lines]
+        forces[:, lines] = np.linalg.solve(compliance, motion[lines])[..., 0].T
+    return np.asarray(plain - alone * (U @ forces))

@@ -18,6 +18,7 @@ Complex = NDArray[np.complex128]
 Ints = NDArray[np.int64]
 
 CHUNK = 48  # lines that are checked at once
+LOWEST_SIGMA = 0.02  # of the largest Ritz frequency: below it tiles are stiff, and bounds tile by tile wide
 
 
 @dataclass(frozen=True, eq=False)
@@ -103,17 +104,25 @@ class ReducedPlate:
         )
 
 
-def amplification(loss: float, omega: Array, sigma: float) -> Array:
-    """Largest (lambda + sigma) / |lambda (1 + i loss) - omega^2| over all lambda >= 0.
+def amplification(loss: float, omega: Array, sigma: float, complete: tuple[float, float]) -> Array:
+    """Largest (lambda + sigma) / |lambda (1 + i loss) - omega^2| over all lambda of modes not in the basis.
 
-    By it a residual, measured with the inverse of K + sigma M, bounds the error in the energy norm.
+    By it a residual, measured with the inverse of K + sigma M, bounds the error in the energy norm. A basis
+    that holds all modes between the two ends of ``complete`` leaves a residual only for those beyond.
     """
     square = omega**2
-    # the maximum of a ratio of quadratics: derivative zero
+    low, high = complete
+    inside = (low < square) & (square < high)
+    # beyond the ends the ratio falls with the distance; it tends to 1 / |1 + i loss|
+    above = (high + sigma) / np.where(inside, np.hypot(high - square, loss * high), 1.0)
+    below = (low + sigma) / np.where(inside, np.hypot(low - square, loss * low), 1.0)
+    known = np.maximum(np.maximum(above, below), 1.0)
+    # |lambda (1 + i loss) - omega^2|^2 = a lambda^2 + 2 b lambda + c: where the ratio's derivative vanishes
     a, b, c = 1 + loss**2, -square, square**2
-    # |..|^2 = a l^2 + 2 b l + c; d/dl (l + s)^2 / that = 0 gives l = (c - b s) / (a s - b)
     best = (c - b * sigma) / (a * sigma - b)
-    return np.asarray((best + sigma) / np.sqrt(a * best**2 + 2 * b * best + c))
+    with np.errstate(divide="ignore"):
+        any_mode = (best + sigma) / np.sqrt(np.maximum(a * best**2 + 2 * b * best + c, 0.0))
+    return np.where(inside, known, any_mode)
 
 
 class _Checker:
@@ -125,6 +134,7 @@ class _Checker:
         counts = assembly.gathered([np.ones((*group.unknowns.shape, 1)) for group in assembly.groups])
         self.share = 1.0 / counts  # of an unknown that each of its tiles gets
         self.total = np.stack([load.real, load.imag], axis=1)
+        self._kept: dict[tuple[int, float], Array] = {}
 
     def lines(self, omega: Array, found: Complex) -> dict[str, Array]:
         """Energies, W and error of some lines."""
@@ -170,16 +180,25 @@ class _Checker:
             out["finger"] = 0.5 * omega * felt.imag * (np.abs(motion) ** 2).sum(0)
         residual[:, :count] -= self.total[:, :1]
         residual[:, count:] -= self.total[:, 1:]
-        sigma = float(omega.min() ** 2)
-        norm += sigma * 4 * out["moving"].sum(1) / omega**2
+        norm += 4 * out["moving"].sum(1)
+        # any sigma gives a bound; few of them, so that tiles are factorised for few of them
+        sigma = float(max(omega.min(), LOWEST_SIGMA * np.sqrt(reduced.basis.values[-1])) ** 2)
+        sigma = 4.0 ** np.floor(np.log(sigma) / np.log(4.0))
         dual = np.zeros(count)
-        for group, share in assembly.shares(residual * self.share):
-            held = la.cholesky(group.tile.elastic + sigma * group.tile.mass, lower=True)
-            scaled = la.inv(held) @ share  # the inverse of a triangle: cheaper than so many solutions
+        for number, (group, share) in enumerate(assembly.shares(residual * self.share)):
+            scaled = self._whitening(number, sigma) @ share
             dual += _energy(scaled, scaled).reshape(-1, 2, count).sum((0, 1))
         loss = factors["plate"].imag
-        out["error"] = amplification(loss, omega, sigma) * np.sqrt(dual / np.maximum(norm, 1e-300))
+        gain = amplification(loss, omega, sigma, reduced.basis.complete)
+        out["error"] = gain * np.sqrt(dual / np.maximum(norm, np.finfo(float).tiny))
         return out
+
+    def _whitening(self, number: int, sigma: float) -> Array:
+        """(n, n) inverse of the Cholesky factor of K + sigma M of a group's tile."""
+        if (number, sigma) not in self._kept:
+            tile = self.reduced.model.assembly.groups[number].tile
+            self._kept[number, sigma] = la.inv(la.cholesky(tile.elastic + sigma * tile.mass, lower=True))
+        return self._kept[number, sigma]
 
 
 def _energy(share: Array, force: Array) -> Array:

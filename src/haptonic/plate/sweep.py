@@ -1,0 +1,152 @@
+"""From a model to its answer over a band: where shifts lie, and what is done until every line is good enough."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from haptonic.errors import HaptonicError
+from haptonic.plate.assembly import Shifted
+from haptonic.plate.krylov import Basis, Chain, chains
+from haptonic.plate.model import PlateModel
+from haptonic.plate.vibration import ReducedPlate, Vibration
+
+Array = NDArray[np.float64]
+
+SPACING = 6e3  # Hz between neighbouring shifts, at most
+MODES = 60  # between neighbouring shifts, about, at most
+BEYOND = 0.06  # share of the highest frequency by which shifts go beyond the band
+BLOCK, LENGTH = 8, 8  # forces at each shift, and blocks of vectors that they give
+FEWEST_RANDOM = 4  # of the forces at each shift
+ROUNDS = 4  # of refinement
+WORST = 3  # shifts that a round of refinement adds
+
+
+@dataclass(frozen=True, eq=False)
+class Band:
+    """A reduced plate that answers all of its drives between two frequencies, Hz."""
+
+    low: float
+    high: float
+    reduced: ReducedPlate
+    chains: tuple[Chain, ...]
+
+    @classmethod
+    def of(
+        cls,
+        model: PlateModel,
+        low: float,
+        high: float,
+        told: Callable[[int, int], None] = lambda done, all: None,
+    ) -> Band:
+        """Span a basis for a band; ``told`` is called with the shifts done and all that are planned."""
+        top = high * (1 + BEYOND)
+        bottom = max(low * (1 - BEYOND), 1e-3 * top)
+        count = max(2, int(np.ceil((top - bottom) / SPACING)) + 1)
+        first = (2 * np.pi * np.linspace(bottom, top, count)) ** 2
+        done: list[None] = []
+        planned = [count]
+
+        def tell() -> None:
+            done.append(None)
+            told(len(done), planned[0])
+
+        found = chains(model.assembly, _forces(model), first.tolist(), LENGTH, tell)
+        between = []
+        for one, other in zip(found[:-1], found[1:], strict=True):
+            parts = int(np.ceil((other.below - one.below) / MODES))
+            roots = np.sqrt([one.shift, other.shift])
+            between += [float(np.interp(k / parts, [0, 1], roots)) ** 2 for k in range(1, parts)]
+        planned[0] += len(between)
+        found += chains(model.assembly, _forces(model), between, LENGTH, tell)
+        return cls._joined(model, low, high, found)
+
+    @classmethod
+    def _joined(cls, model: PlateModel, low: float, high: float, found: list[Chain]) -> Band:
+        basis = Basis.spanned(model.assembly, found)
+        reduced = ReducedPlate.of(model, basis, np.pi * (low + high))
+        return cls(low, high, reduced, tuple(found))
+
+    def refined(self, frequencies: Array) -> Band:
+        """With further shifts at frequencies, Hz."""
+        model = self.reduced.model
+        shifts = ((2 * np.pi * frequencies) ** 2).tolist()
+        return self._joined(
+            model,
+            self.low,
+            self.high,
+            [*self.chains, *chains(model.assembly, _forces(model), shifts, LENGTH)],
+        )
+
+    def answer(
+        self, drives: Mapping[str, complex], frequencies: Array, tolerance: float
+    ) -> tuple[Band, Vibration]:
+        """Answer to drives at frequencies, Hz, each line with an error of at most ``tolerance``.
+
+        Returns
+        -------
+        the band, refined where lines were not good enough, and the answer
+
+        Raises
+        ------
+        HaptonicError : lines that stay above the tolerance
+        """
+        band = self
+        for _ in range(ROUNDS):
+            vibration = band.reduced.answer(drives, 2 * np.pi * frequencies)
+            poor = vibration.error > tolerance
+            if not poor.any():
+                return band, vibration
+            band = band.refined(_worst(frequencies, np.where(poor, vibration.error, 0.0), SPACING / 4))
+        vibration = band.reduced.answer(drives, 2 * np.pi * frequencies)
+        poor = vibration.error > tolerance
+        if poor.any():
+            worst = float(frequencies[vibration.error.argmax()])
+            raise HaptonicError(
+                argument="plate.response.tolerance",
+                given=f"{tolerance:g}",
+                allowed=f"what can be reached: {poor.sum()} of {len(poor)} lines stay above it, the worst at "
+                f"{worst / 1e3:.3f} kHz with {vibration.error.max():.1e}",
+                cause="very little loss, or a tolerance near rounding",
+                next_step="ask for a larger tolerance, or give the plate its loss",
+            )
+        return band, vibration
+
+
+def _forces(model: PlateModel) -> Callable[[Shifted], Array]:
+    """Forces that start a chain: the drives, what answers them with losses other than the plate's, random ones."""
+    drives = (
+        np.stack(list(model.drives.values()), axis=1) if model.drives else np.zeros((model.assembly.size, 0))
+    )
+
+    def forces(shifted: Shifted) -> Array:
+        omega = np.array([np.sqrt(abs(shifted.shift))])
+        starts = [drives]
+        fields = shifted.solve(drives) if drives.shape[1] else drives
+        if fields.shape[1] and model.extras:
+            lossy = np.zeros_like(fields)
+            for extra in model.extras:
+                weight = abs(extra.impedance(omega)[0])
+                lossy[extra.rows] += weight * (extra.axes @ (extra.axes.T @ fields[extra.rows]))
+            starts.append(lossy)
+        given = sum(start.shape[1] for start in starts)
+        count = max(BLOCK - given, FEWEST_RANDOM)
+        random = np.random.default_rng(int(omega[0])).standard_normal((model.assembly.size, count))
+        starts.append(model.assembly.mass_times(random))
+        every = np.hstack(starts)
+        size = np.linalg.norm(every, axis=0)
+        return np.asarray(every[:, size > 0] / size[size > 0])
+
+    return forces
+
+
+def _worst(frequencies: Array, errors: Array, apart: float) -> Array:
+    """Frequencies of the largest errors that lie apart from each other."""
+    chosen: list[float] = []
+    for k in np.argsort(-errors):
+        if errors[k] > 0 and len(chosen) < WORST and all(abs(frequencies[k] - f) > apart for f in chosen):
+            chosen.append(float(frequencies[k]))
+    return np.array(chosen)
