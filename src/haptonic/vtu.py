@@ -1,4 +1,4 @@
-"""Mode shapes in VTK's unstructured format, for ParaView and its like."""
+"""Mode shapes and vibrations in VTK's unstructured format, for ParaView and its like."""
 
 from __future__ import annotations
 
@@ -46,3 +46,18 @@ def write_modes(path: Path, dataset: xr.Dataset, overwrite: bool = False) -> Pat
     )
     write_atomically(path, lambda temporary: mesh.write(temporary, file_format="vtu"))
     return path
+
+
+def write_body(path: Path, dataset: xr.Dataset) -> None:
+    """Write the displacement of a whole plate, real and imaginary, m per unit of the reference.
+
+    Parameters
+    ----------
+    dataset : with ``node_position``, ``subcell``, ``real`` and ``imag``, as in a plate's result
+    """
+    mesh = meshio.Mesh(
+        dataset["node_position"].values,
+        [("hexahedron", dataset["subcell"].values)],
+        point_data={"displacement real": dataset["real"].values, "displacement imaginary": dataset["imag"].values},
+    )  # fmt: skip
+    mesh.write(path, file_format="vtu")

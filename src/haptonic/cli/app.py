@@ -27,6 +27,7 @@ from haptonic.cli.options import (
     pictures,
     tell_where,
 )
+from haptonic.cli.plates import plate
 from haptonic.errors import StudyError
 from haptonic.report import Results, paper, write_report
 from haptonic.results import (
@@ -173,7 +174,7 @@ def reproduce(
         voice.answer({**result.to_json(), **answer})
 
 
-for command in (layers, waveguide, design, tolerance, export):
+for command in (layers, waveguide, plate, design, tolerance, export):
     app.command()(command)
 
 

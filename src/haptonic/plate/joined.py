@@ -34,8 +34,8 @@ def joined_tile(
     """
     high, wide = span
     rows, columns = shape
-    x = size[0] / wide * np.arange(wide * columns + 1)
-    y = size[1] / high * np.arange(high * rows + 1)
+    x: Array = size[0] / wide * np.arange(wide * columns + 1)
+    y: Array = size[1] / high * np.arange(high * rows + 1)
     whole = Block((0, high * rows), (0, wide * columns))
     singles = [
         Block((high * i, high * (i + 1)), (wide * j, wide * (j + 1)))
@@ -110,7 +110,7 @@ class Joined:
 
     @property
     def subcells(self) -> Ints:
-        """(cells, 8) nodes of small hexahedra, in VTK's order."""
+        """(cells, 8) corners of the elements, in VTK's order."""
         own, start = self.tile.inside.subcells, len(self.tile.inside.points)
         return np.concatenate([own + k * start for k in range(len(self.basis))])
 

@@ -1,8 +1,8 @@
 """A real basis that answers loads over a band of frequencies, for any damping: rational Krylov vectors.
 
-At several real shifts s the block Krylov space of (K - s M)^-1 M on loads and on random forces is spanned (Ruhe
-1984, doi 10.1016/0024-3795(84)90221-0). The random forces find the modes that the loads hardly excite: any
-damping may couple them. Inertia counts at the shifts tell whether a mode of the band is missing.
+At several real shifts s the block Krylov space of (K - s M)^-1 M on loads and on random forces is spanned
+(Ruhe 1984, doi 10.1016/0024-3795(84)90221-0). The random forces find the modes that the loads hardly excite:
+any damping may couple them. Inertia counts at the shifts tell whether a mode of the band is missing.
 """
 
 from __future__ import annotations
@@ -10,6 +10,7 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
+from itertools import pairwise
 
 import numpy as np
 import scipy.linalg as la
@@ -123,13 +124,13 @@ class Basis:
 
 def _complete(values: Array, chains: Sequence[Chain]) -> tuple[float, float]:
     """The widest interval between two shifts in which as many Ritz values lie as there are modes."""
-    ends = sorted((chain.shift, chain.below) for chain in chains)
+    ends = sorted({(chain.shift, chain.below) for chain in chains})
     best = run = (0.0, 0.0)
     if (values < ends[0][0]).sum() == ends[0][1]:
         best = run = (0.0, ends[0][0])
     else:
         run = (ends[0][0], ends[0][0])
-    for (low, below_low), (high, below_high) in zip(ends[:-1], ends[1:], strict=True):
+    for (low, below_low), (high, below_high) in pairwise(ends):
         found = int(((values >= low) & (values < high)).sum())
         run = (run[0], high) if found == below_high - below_low else (high, high)
         if run[1] - run[0] > best[1] - best[0]:

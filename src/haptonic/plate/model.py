@@ -86,7 +86,7 @@ class PlateModel:
 
         Raises
         ------
-        GeometryError : things glued to the plate so close to a lattice that no block of plain tiles holds them
+        GeometryError : things glued so close to a lattice that no block of plain tiles holds them
         """
         fineness = fineness or Fineness()
         layout = plate.layout
@@ -199,7 +199,7 @@ def impedance(finger: Finger, omega: Array) -> Complex:
     """Dynamic stiffness of a whole finger: force over displacement, N/m."""
     spring = finger.stiffness + 1j * omega * finger.damping
     if np.isinf(finger.mass):
-        return spring
+        return np.asarray(spring)
     inertia = -(omega**2) * finger.mass
     return np.asarray(spring * inertia / (spring + inertia))
 
@@ -249,8 +249,10 @@ def _blocks(plate: Plate) -> dict[Block, tuple[Attached, ...]]:
     layout = plate.layout
     special: list[tuple[Block, tuple[Attached, ...]]] = []
     on_plain = [force for force in plate.forces if _is_plain(layout, _covering(layout, force))]
-    for attached in (*plate.actuators, *on_plain):
-        block, members = _covering(layout, attached), (attached,)
+    everything: list[Attached] = [*plate.actuators, *on_plain]
+    for attached in everything:
+        block = _covering(layout, attached)
+        members: tuple[Attached, ...] = (attached,)
         while meeting := [one for one in special if one[0].meets(block)]:
             for one in meeting:
                 special.remove(one)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 
 import numpy as np
 import scipy.linalg as la
@@ -34,12 +34,12 @@ STEPS, BLOCK = 3, 20  # of the Krylov space of the interior, see `haptonic.super
 def few_modes(stiffness: Array, mass: Array, trace: int, loads: Array, highest: float) -> Array:
     """The few modes that answer a smooth trace and given loads up to a highest frequency.
 
-    Modes of the band itself are kept; of the others only what the trace's inertia and the loads excite (proper
-    orthogonal decomposition of their answers at some frequencies).
+    Modes of the band itself are kept; of the others only what the trace's inertia and the loads excite
+    (proper orthogonal decomposition of their answers at some frequencies).
 
     Parameters
     ----------
-    stiffness, mass : on (trace, modes); the modes have a diagonal stiffness, uncoupled from the trace, and mass 1
+    stiffness, mass : on (trace, modes); modes have a diagonal stiffness, uncoupled from the trace, and mass 1
     loads : (modes, k) forces on the modes; highest : Hz
 
     Returns
@@ -68,7 +68,7 @@ def few_modes(stiffness: Array, mass: Array, trace: int, loads: Array, highest: 
 
 
 def cell_tile(cell: UnitCell, plan: MeshPlan, orders: TraceOrders, highest: float) -> Tile:
-    """A cell of a lattice, or a rectangle of plain plate, as a tile for frequencies up to ``highest`` (Hz)."""
+    """A cell of a lattice, or plain plate, as a tile for frequencies up to ``highest`` (Hz)."""
     whole = condense(cell, plan, STEPS, block=BLOCK, measured=False)
     onto = _onto_rim(plan, whole.levels, orders)
     trace = onto.shape[1]
@@ -82,7 +82,7 @@ def cell_tile(cell: UnitCell, plan: MeshPlan, orders: TraceOrders, highest: floa
     inside = OnMesh(
         size=len(mass),
         points=whole.mesh.points + corner,
-        subcells=whole.mesh.linear_subcells(),
+        subcells=_corners(family.nodes for family in whole.mesh.topology.families),
         faces=tuple(flat_faces(whole.mesh)),
         lift=lambda unknowns: whole.lifted(to_cell @ unknowns),
     )
@@ -155,7 +155,7 @@ def block_tile(
         inside=OnMesh(
             size=basis.shape[1],
             points=body.points - corner,
-            subcells=_subcells(body.elements),
+            subcells=_corners(body.elements.values()),
             faces=body.faces,
             lift=lambda unknowns: np.asarray(basis @ unknowns).reshape(len(body.points), 3, -1),
         ),
@@ -201,11 +201,9 @@ def _upper(matrix: sp.csr_array) -> tuple[Pattern, Array]:
     return Pattern(upper.indptr.astype(np.int32), upper.indices.astype(np.int32)), upper.data
 
 
-def _subcells(elements: Mapping[str, Ints]) -> Ints:
-    """(cells, 8) corners of the small hexahedra between neighbouring nodes, in VTK's order."""
-    low, high = slice(None, -1), slice(1, None)
-    turn = [(low, low), (high, low), (high, high), (low, high)]
+def _corners(elements: Iterable[Ints]) -> Ints:
+    """(elements, 8) corners of elements (k, n1, n2, n3), in VTK's order."""
+    turn = [(0, 0), (-1, 0), (-1, -1), (0, -1)]
     return np.concatenate([
-        np.stack([nodes[:, a, b, c] for c in (low, high) for a, b in turn], axis=-1).reshape(-1, 8)
-        for nodes in elements.values()
+        np.stack([nodes[:, a, b, c] for c in (0, -1) for a, b in turn], axis=-1) for nodes in elements
     ])  # fmt: skip

@@ -101,7 +101,7 @@ class Skeleton:
 
     @classmethod
     def of(cls, layout: Layout, blocks: Sequence[Block], orders: TraceOrders) -> Skeleton:
-        rims, points = numbered(layout.x, layout.y, blocks, orders.along)
+        rims, points = numbered(np.array(layout.x), np.array(layout.y), blocks, orders.along)
         return cls(layout, orders, tuple(blocks), rims, points)
 
     @property
@@ -147,9 +147,7 @@ def _around(block: Block) -> list[tuple[int, int, Side]]:
     ]  # fmt: skip
 
 
-def numbered(
-    x: Sequence[float], y: Sequence[float], blocks: Sequence[Block], order: int
-) -> tuple[tuple[Ints, ...], Array]:
+def numbered(x: Array, y: Array, blocks: Sequence[Block], order: int) -> tuple[tuple[Ints, ...], Array]:
     """Places on the rims of blocks between lines, numbered without gaps, and the (places, 2) points, m."""
     grid = _Grid(x, y, order)
     rims = [grid.rim(block) for block in blocks]
@@ -161,7 +159,7 @@ def numbered(
 class _Grid:
     """Numbers of all places that lines can carry."""
 
-    def __init__(self, x: Sequence[float], y: Sequence[float], order: int) -> None:
+    def __init__(self, x: Array, y: Array, order: int) -> None:
         rows, columns, inner = len(y) - 1, len(x) - 1, order - 1
         crossings = (rows + 1) * (columns + 1)
         along_x = crossings + np.arange((rows + 1) * columns * inner)
@@ -169,7 +167,6 @@ class _Grid:
         self.crossing = np.arange(crossings).reshape(rows + 1, columns + 1)
         self.along_x = along_x.reshape(rows + 1, columns, inner)
         self.along_y = along_y.reshape(rows, columns + 1, inner)
-        x, y = np.array(x), np.array(y)
         share = 0.5 * (1 + lobatto(order)[0][1:-1])
         self.points = np.empty((crossings + len(along_x) + len(along_y), 2))
         self.points[self.crossing] = np.stack(np.broadcast_arrays(x, y[:, None]), axis=-1)

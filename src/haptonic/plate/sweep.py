@@ -1,15 +1,17 @@
-"""From a model to its answer over a band: where shifts lie, and what is done until every line is good enough."""
+"""From a model to its answer over a band: where shifts lie, and what is done until every line is good."""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
+from itertools import pairwise
 
 import numpy as np
 from numpy.typing import NDArray
 
 from haptonic.errors import HaptonicError
 from haptonic.plate.assembly import Shifted
+from haptonic.plate.direct import direct_answer
 from haptonic.plate.krylov import Basis, Chain, chains
 from haptonic.plate.model import PlateModel
 from haptonic.plate.vibration import ReducedPlate, Vibration
@@ -22,7 +24,8 @@ BEYOND = 0.06  # share of the highest frequency by which shifts go beyond the ba
 BLOCK, LENGTH = 8, 8  # forces at each shift, and blocks of vectors that they give
 FEWEST_RANDOM = 4  # of the forces at each shift
 ROUNDS = 4  # of refinement
-WORST = 3  # shifts that a round of refinement adds
+NEAR_ZERO = 1e-3  # share of the highest shift's frequency that the lowest one has at least
+WORST = 6  # lines whose direct answers a round of refinement adds
 
 
 @dataclass(frozen=True, eq=False)
@@ -44,8 +47,8 @@ class Band:
     ) -> Band:
         """Span a basis for a band; ``told`` is called with the shifts done and all that are planned."""
         top = high * (1 + BEYOND)
-        bottom = max(low * (1 - BEYOND), 1e-3 * top)
-        count = max(2, int(np.ceil((top - bottom) / SPACING)) + 1)
+        bottom = max(low * (1 - BEYOND), NEAR_ZERO * top)
+        count = int(np.ceil((top - bottom) / SPACING)) + 1
         first = (2 * np.pi * np.linspace(bottom, top, count)) ** 2
         done: list[None] = []
         planned = [count]
@@ -56,7 +59,7 @@ class Band:
 
         found = chains(model.assembly, _forces(model), first.tolist(), LENGTH, tell)
         between = []
-        for one, other in zip(found[:-1], found[1:], strict=True):
+        for one, other in pairwise(found):
             parts = int(np.ceil((other.below - one.below) / MODES))
             roots = np.sqrt([one.shift, other.shift])
             between += [float(np.interp(k / parts, [0, 1], roots)) ** 2 for k in range(1, parts)]
@@ -71,15 +74,14 @@ class Band:
         return cls(low, high, reduced, tuple(found))
 
     def refined(self, frequencies: Array) -> Band:
-        """With further shifts at frequencies, Hz."""
+        """With the direct answers to all drives at frequencies, Hz, in the basis."""
         model = self.reduced.model
-        shifts = ((2 * np.pi * frequencies) ** 2).tolist()
-        return self._joined(
-            model,
-            self.low,
-            self.high,
-            [*self.chains, *chains(model.assembly, _forces(model), shifts, LENGTH)],
-        )
+        loads = np.stack(list(model.drives.values()), axis=1).astype(complex)
+        answers = [direct_answer(model, loads, 2 * np.pi * float(f)) for f in frequencies]
+        vectors = np.hstack([part for answer in answers for part in (answer.real, answer.imag)])
+        scale = np.sqrt(np.einsum("nk,nk->k", vectors, model.assembly.mass_times(vectors)))
+        more = Chain(self.chains[0].shift, self.chains[0].below, vectors[:, scale > 0] / scale[scale > 0])
+        return self._joined(model, self.low, self.high, [*self.chains, more])
 
     def answer(
         self, drives: Mapping[str, complex], frequencies: Array, tolerance: float
@@ -100,7 +102,7 @@ class Band:
             poor = vibration.error > tolerance
             if not poor.any():
                 return band, vibration
-            band = band.refined(_worst(frequencies, np.where(poor, vibration.error, 0.0), SPACING / 4))
+            band = band.refined(_worst(frequencies, np.where(poor, vibration.error, 0.0)))
         vibration = band.reduced.answer(drives, 2 * np.pi * frequencies)
         poor = vibration.error > tolerance
         if poor.any():
@@ -117,7 +119,7 @@ class Band:
 
 
 def _forces(model: PlateModel) -> Callable[[Shifted], Array]:
-    """Forces that start a chain: the drives, what answers them with losses other than the plate's, random ones."""
+    """Forces that start a chain: the drives, those of losses other than the plate's, and random ones."""
     drives = (
         np.stack(list(model.drives.values()), axis=1) if model.drives else np.zeros((model.assembly.size, 0))
     )
@@ -143,10 +145,10 @@ def _forces(model: PlateModel) -> Callable[[Shifted], Array]:
     return forces
 
 
-def _worst(frequencies: Array, errors: Array, apart: float) -> Array:
-    """Frequencies of the largest errors that lie apart from each other."""
-    chosen: list[float] = []
+def _worst(frequencies: Array, errors: Array) -> Array:
+    """Frequencies of the largest errors, none of them next to another."""
+    found: list[int] = []
     for k in np.argsort(-errors):
-        if errors[k] > 0 and len(chosen) < WORST and all(abs(frequencies[k] - f) > apart for f in chosen):
-            chosen.append(float(frequencies[k]))
-    return np.array(chosen)
+        if errors[k] > 0 and len(found) < WORST and all(abs(int(k) - other) > 1 for other in found):
+            found.append(int(k))
+    return np.asarray(frequencies[found])

@@ -27,7 +27,7 @@ class Inside(Protocol):
 
     @property
     def subcells(self) -> Ints:
-        """(cells, 8) nodes of small hexahedra that fill it, in VTK's order."""
+        """(cells, 8) corners of the elements, in VTK's order."""
         ...
 
     def lifted(self, unknowns: Fields) -> Fields:

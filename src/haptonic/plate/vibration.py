@@ -115,7 +115,7 @@ def amplification(loss: float, omega: Array, sigma: float, complete: tuple[float
     inside = (low < square) & (square < high)
     # beyond the ends the ratio falls with the distance; it tends to 1 / |1 + i loss|
     above = (high + sigma) / np.where(inside, np.hypot(high - square, loss * high), 1.0)
-    below = (low + sigma) / np.where(inside, np.hypot(low - square, loss * low), 1.0)
+    below = (low + sigma) / np.where(inside, np.hypot(low - square, loss * low), 1.0) if low else 0.0
     known = np.maximum(np.maximum(above, below), 1.0)
     # |lambda (1 + i loss) - omega^2|^2 = a lambda^2 + 2 b lambda + c: where the ratio's derivative vanishes
     a, b, c = 1 + loss**2, -square, square**2
@@ -143,7 +143,7 @@ class _Checker:
         square = np.tile(omega**2, 2)
         fields = reduced.basis.vectors @ np.hstack([found.real, found.imag])
         blocks = len(assembly.skeleton.blocks)
-        out = {
+        out: dict[str, Array] = {
             "moving": np.zeros((count, blocks)),
             **{f"stored {name}": np.zeros((count, blocks)) for name in factors},
         }
@@ -162,7 +162,7 @@ class _Checker:
             pieces.append(total)
         residual = assembly.gathered(pieces)
         out["supports"] = np.zeros(count)
-        norm = 4 * sum(out[f"stored {name}"].sum(1) for name in factors)
+        norm = np.asarray(4 * sum(out[f"stored {name}"].sum(1) for name in factors))
         for bed in model.beds:
             force = bed.stiffness @ fields[: assembly.free]
             residual[: assembly.free] += _times(force, 1 + 1j * bed.loss_factor)
@@ -185,7 +185,7 @@ class _Checker:
         sigma = float(max(omega.min(), LOWEST_SIGMA * np.sqrt(reduced.basis.values[-1])) ** 2)
         sigma = 4.0 ** np.floor(np.log(sigma) / np.log(4.0))
         dual = np.zeros(count)
-        for number, (group, share) in enumerate(assembly.shares(residual * self.share)):
+        for number, (_, share) in enumerate(assembly.shares(residual * self.share)):
             scaled = self._whitening(number, sigma) @ share
             dual += _energy(scaled, scaled).reshape(-1, 2, count).sum((0, 1))
         loss = factors["plate"].imag

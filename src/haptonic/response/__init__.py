@@ -1,6 +1,6 @@
 """The frequency response: velocity against frequency, point and direction. Simulation and scan meet here."""
 
-from haptonic.response.files import read, write
+from haptonic.response.files import from_plain, plain, read, write
 from haptonic.response.measures import (
     average_spectrum,
     cmif,
@@ -19,7 +19,9 @@ __all__ = [
     "contrast",
     "disc_average",
     "frac",
+    "from_plain",
     "mac",
+    "plain",
     "read",
     "rms",
     "write",

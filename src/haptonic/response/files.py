@@ -20,8 +20,8 @@ KIND = "haptonic frequency response"
 FORM = 1  # of the file; a larger one comes from a later haptonic
 
 
-def write(response: FrequencyResponse, path: Path) -> None:
-    """Write a response as NetCDF 4. `haptonic.store.write_atomically` makes the file whole or not at all."""
+def plain(response: FrequencyResponse) -> xr.Dataset:
+    """The response as a dataset without complex numbers."""
     data = response.dataset
     values = data["response"]
     notes = {"comment": "response = response_real + i response_imag"}
@@ -29,9 +29,14 @@ def write(response: FrequencyResponse, path: Path) -> None:
         f"response_{name}": (values.dims, part, values.attrs | notes)
         for name, part in (("real", values.values.real), ("imag", values.values.imag))
     }
-    plain = data.drop_vars("response").assign(parts).assign_attrs(kind=KIND, form=FORM)
-    numbers = [name for name, variable in plain.variables.items() if variable.dtype.kind == "f"]
-    plain.to_netcdf(path, engine="h5netcdf", encoding={name: {"_FillValue": None} for name in numbers})
+    return data.drop_vars("response").assign(parts).assign_attrs(kind=KIND, form=FORM)
+
+
+def write(response: FrequencyResponse, path: Path) -> None:
+    """Write a response as NetCDF 4. `haptonic.store.write_atomically` makes the file whole or not at all."""
+    data = plain(response)
+    numbers = [name for name, variable in data.variables.items() if variable.dtype.kind == "f"]
+    data.to_netcdf(path, engine="h5netcdf", encoding={name: {"_FillValue": None} for name in numbers})
 
 
 def read(path: Path) -> FrequencyResponse:
@@ -48,7 +53,7 @@ def read(path: Path) -> FrequencyResponse:
                 raise _foreign(path, "a NetCDF file of another kind")
             if data.attrs["form"] > FORM:
                 raise _foreign(path, f"form {data.attrs['form']} of the file, from a later haptonic")
-            return _from_file(data)
+            return from_plain(data)
     except FileNotFoundError as error:
         raise _unreadable(path, "there is no such file", "check the name and the folder") from error
     except (PermissionError, IsADirectoryError) as error:
@@ -59,7 +64,7 @@ def read(path: Path) -> FrequencyResponse:
         raise _foreign(path, "not a NetCDF 4 file, or one that is damaged") from error
 
 
-def _from_file(data: xr.Dataset) -> FrequencyResponse:
+def from_plain(data: xr.Dataset) -> FrequencyResponse:
     real, imaginary = data["response_real"], data["response_imag"]
     values = np.empty(real.shape, dtype=np.result_type(real.dtype, np.complex64))
     values.real, values.imag = real.values, imaginary.values

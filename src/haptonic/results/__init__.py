@@ -5,6 +5,7 @@ from haptonic.results.common import Asked, refuse_taken, write_files, write_netc
 from haptonic.results.design import Design, compute_design, compute_front, planned
 from haptonic.results.guides import Guides, compute_guides
 from haptonic.results.layers import Layers, compute_layers, layer_tasks
+from haptonic.results.plate import PlateQuestion, PlateResult, compute_plate
 from haptonic.results.runner import Runner
 from haptonic.results.sweeps import Row, Sweep, compute_sweeps, design_gaps
 from haptonic.results.tolerance import Tolerance, compute_tolerance
@@ -15,6 +16,8 @@ __all__ = [
     "Design",
     "Guides",
     "Layers",
+    "PlateQuestion",
+    "PlateResult",
     "Row",
     "Runner",
     "Sweep",
@@ -24,6 +27,7 @@ __all__ = [
     "compute_front",
     "compute_guides",
     "compute_layers",
+    "compute_plate",
     "compute_sweeps",
     "compute_tolerance",
     "design_gaps",

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
+from dataclasses import replace
 
 import xarray as xr
 from pydantic import ValidationError
@@ -17,6 +18,8 @@ from haptonic.results import (
     Design,
     Guides,
     Layers,
+    PlateQuestion,
+    PlateResult,
     Row,
     Runner,
     Sweep,
@@ -26,9 +29,11 @@ from haptonic.results import (
     compute_front,
     compute_guides,
     compute_layers,
+    compute_plate,
     compute_sweeps,
     compute_tolerance,
 )
+from haptonic.results.carrier import gap_around
 from haptonic.results.common import stamped
 from haptonic.results.layers import Question
 from haptonic.results.tolerance import BATCH
@@ -291,6 +296,43 @@ class Study(Description):
             runner=runner or Runner(Store.default()),
         )
         return found
+
+    def vibrating(
+        self, *, at: float | None = None, runner: Runner | None = None, store: Store | None = None
+    ) -> PlateResult:
+        """How the finite plate answers its drives over the band of [plate.response].
+
+        Parameters
+        ----------
+        at : a single frequency instead, Hz; the gap is then not looked for
+
+        Raises
+        ------
+        StudyError : no [plate], no carrier, or nothing that drives the plate
+        """
+        plate = self.plate()
+        section = self.plate_section
+        assert section is not None
+        carrier = self.need_carrier() if at is None else at
+        asked = section.response
+        question = PlateQuestion(asked.lowest, asked.highest, asked.points, asked.tolerance, asked.grid)
+        if at is not None:
+            question = replace(question, lowest=at, highest=at, points=1)
+        store = store or Store.default()
+        gap = None
+        if at is None and (cells := list(plate.layout.cells.values())):
+            gap = gap_around(cells[0], self.asked(), carrier, Runner(store))
+        return compute_plate(
+            plate,
+            question,
+            carrier=carrier,
+            gap=gap if gap is not None and gap.lower < carrier < gap.upper else None,
+            inputs=self.inputs(),
+            store=store,
+            told=(
+                runner.on_progress if runner and runner.on_progress else lambda done, planned, stored: None
+            ),
+        )
 
     def gap_with(self, values: Mapping[str, float], runner: Runner | None = None) -> Gap | None:
         """The widest complete gap with some parameters (SI, by path) changed."""

@@ -1,0 +1,82 @@
+"""Modes of a plate near a frequency: where they live, what damps them, how long they take to build up."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from haptonic.plate.sweep import Band
+
+Array = NDArray[np.float64]
+
+RISE = 2.2  # time constants from 10 to 90 % of the final amplitude
+
+
+@dataclass(frozen=True, eq=False)
+class PlateModes:
+    """Modes in ascending order.
+
+    frequency : (k,) Hz; error : (k,) relative, bound from the residual
+    quality : (k,) quality factors with all losses
+    stored : by part (k, blocks) shares of the strain energy
+    lost : by part (k,) shares of the loss, "supports" among them
+    vectors : (size, k) of the assembly, modal mass 1
+    """
+
+    frequency: Array
+    error: Array
+    quality: Array
+    stored: dict[str, Array]
+    lost: dict[str, Array]
+    vectors: Array
+
+    @property
+    def rise_time(self) -> Array:
+        """(k,) from 10 to 90 % of the amplitude after the drive is switched on at resonance, s."""
+        return np.asarray(RISE * self.quality / (np.pi * self.frequency))
+
+
+def modes_between(band: Band, low: float, high: float) -> PlateModes:
+    """The modes of a band between two frequencies, Hz."""
+    model, basis = band.reduced.model, band.reduced.basis
+    assembly, factors = model.assembly, model.factors
+    square = (2 * np.pi * np.array([low, high])) ** 2
+    picked = np.flatnonzero((basis.values >= square[0]) & (basis.values <= square[1]))
+    vectors, values = np.ascontiguousarray(basis.vectors[:, picked]), basis.values[picked]
+    residual = assembly.stiffness_times(vectors) - values * assembly.mass_times(vectors)
+    blocks = len(assembly.skeleton.blocks)
+    stored = {name: np.zeros((len(values), blocks)) for name in factors}
+    for group, share in assembly.shares(vectors):
+        for name, part in group.tile.stiffness.items():
+            stored[name][:, group.blocks] += np.einsum("bnk,bnk->kb", share, part @ share) / values[:, None]
+    loss = {name: factors[name].imag * stored[name].sum(axis=1) for name in factors}
+    loss["supports"] = np.zeros(len(values))
+    for bed in model.beds:
+        energy = np.einsum("nk,nk->k", vectors[: assembly.free], bed.stiffness @ vectors[: assembly.free])
+        loss["supports"] += bed.loss_factor * energy / values
+    total = np.asarray(sum(loss.values()))
+    with np.errstate(divide="ignore"):
+        quality = 1 / total
+    return PlateModes(
+        frequency=np.sqrt(values) / (2 * np.pi),
+        error=_residual_error(band, residual, values),
+        quality=quality,
+        stored=stored,
+        lost={name: share / np.where(total > 0, total, 1.0) for name, share in loss.items()},
+        vectors=vectors,
+    )
+
+
+def _residual_error(band: Band, residual: Array, values: Array) -> Array:
+    """(k,) relative errors of frequencies: half the residual in the norm of the inverse of K + lambda M.
+
+    For ``(K - lambda M) v = r`` some eigenvalue lies within ``|r| |v|`` of lambda in these norms, relative to
+    2 lambda (Parlett 1998, The Symmetric Eigenvalue Problem, section 15.9).
+    """
+    if not len(values):
+        return np.zeros(0)
+    shifted = band.reduced.model.assembly.shifted(-float(values.mean()))
+    dual = np.sqrt(np.einsum("nk,nk->k", residual, shifted.solve(residual)))
+    return np.asarray(dual / np.sqrt(2 * values))
