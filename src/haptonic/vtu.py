@@ -58,6 +58,9 @@ def write_body(path: Path, dataset: xr.Dataset) -> None:
     mesh = meshio.Mesh(
         dataset["node_position"].values,
         [("hexahedron", dataset["subcell"].values)],
-        point_data={"displacement real": dataset["real"].values, "displacement imaginary": dataset["imag"].values},
-    )  # fmt: skip
+        point_data={
+            "displacement real": dataset["real"].values,
+            "displacement imaginary": dataset["imag"].values,
+        },
+    )
     mesh.write(path, file_format="vtu")

@@ -14,8 +14,7 @@ from haptonic.cli.console import speaking
 from haptonic.cli.options import Json, Out, Overwrite, StudyFile, folder_for, pictures, tell_where
 from haptonic.plate import Plate
 from haptonic.response import write
-from haptonic.results import PlateResult, Runner, refuse_taken, write_files, write_netcdf
-from haptonic.store import Store
+from haptonic.results import PlateResult, refuse_taken, write_files, write_netcdf
 from haptonic.study import load
 from haptonic.units import to_si
 from haptonic.vtu import write_body
@@ -40,7 +39,7 @@ def plate(
         if loaded.plate().rigid:
             voice.warn(f"nothing holds the plate: {loaded.plate().rigid_modes} rigid-body motions are free")
         with voice.counted("shifts", 0) as progress:
-            result = loaded.vibrating(at=frequency, runner=Runner(Store.default(), on_progress=progress))
+            result = loaded.vibrating(at=frequency, on_progress=progress)
         if folder:
             write_plate(result, folder, overwrite)
         voice.tell(localisation_table(result))
@@ -88,7 +87,8 @@ def localisation_table(result: PlateResult) -> Table:
     contrasts = list(lines[0]["contrast_db"])
     title = "root mean square velocity, contrast, and largest amplitude below a finger"
     table = Table(
-        "frequency / kHz", *(f"{name} / ({units})" for name in regions), *(f"{name} / dB" for name in contrasts),
+        "frequency / kHz", *(f"{name} / ({units})" for name in regions),
+        *(f"{name} / dB" for name in contrasts),
         *(f"finger {name} / ({units.replace('m/s', 'um')})" for name in regions), title=title,
     )  # fmt: skip
     for line in lines:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from functools import cached_property
+from typing import Any
 
 import numpy as np
 import scipy.sparse as sp
@@ -86,13 +87,13 @@ class Assembly:
 
     # -- products ---------------------------------------------------------------------------------
 
-    def shares(self, vectors: Array) -> Iterator[tuple[Group, Array]]:
+    def shares(self, vectors: NDArray[Any]) -> Iterator[tuple[Group, NDArray[Any]]]:
         """(blocks, n, k) the part of vectors (size, k) on the tiles of each group."""
         padded = np.concatenate([vectors, np.zeros((1, vectors.shape[1]), vectors.dtype)])
         for group in self.groups:
             yield group, padded[group.unknowns]
 
-    def gathered(self, pieces: Sequence[Array]) -> Array:
+    def gathered(self, pieces: Sequence[NDArray[Any]]) -> NDArray[Any]:
         """(size, k) sum of contributions (blocks, n, k) of the groups."""
         return np.asarray(
             sum(

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 import scipy.sparse as sp
 from numpy.typing import NDArray
@@ -57,7 +59,7 @@ def _without_finger(model: PlateModel, loads: Complex, omega: float) -> Complex:
     return out[:-1]
 
 
-def _solved(model: PlateModel, matrices: list[Complex], right: Complex) -> Complex:
+def _solved(model: PlateModel, matrices: list[NDArray[Any]], right: Complex) -> Complex:
     """Solution on the skeleton: (R + i I)(x + i y) = b is symmetric as [[R, -I], [-I, -R]] (x, y)."""
     assembly = model.assembly
     without_beds = [assembly.numbers([part(matrix) for matrix in matrices]) for part in (np.real, np.imag)]

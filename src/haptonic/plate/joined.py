@@ -34,8 +34,8 @@ def joined_tile(
     """
     high, wide = span
     rows, columns = shape
-    x: Array = size[0] / wide * np.arange(wide * columns + 1)
-    y: Array = size[1] / high * np.arange(high * rows + 1)
+    x = np.linspace(0.0, size[0] * columns, wide * columns + 1)
+    y = np.linspace(0.0, size[1] * rows, high * rows + 1)
     whole = Block((0, high * rows), (0, wide * columns))
     singles = [
         Block((high * i, high * (i + 1)), (wide * j, wide * (j + 1)))

@@ -95,7 +95,7 @@ def _onto_rim(plan: MeshPlan, levels: int, orders: TraceOrders) -> Array:
     along = ((np.arange(4 * plan.blocks)[:, None] + share) / plan.blocks).ravel()
     height = 0.5 * (1 + lobatto(levels - 1)[0])
     where, up = np.tile(along, levels), np.repeat(height, len(along))
-    return np.kron(rim_values(4, orders, where, up), np.eye(3))
+    return np.asarray(np.kron(rim_values(4, orders, where, up), np.eye(3)), dtype=np.float64)
 
 
 def block_tile(

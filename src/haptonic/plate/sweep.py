@@ -22,6 +22,7 @@ SPACING = 6e3  # Hz between neighbouring shifts, at most
 MODES = 60  # between neighbouring shifts, about, at most
 BEYOND = 0.06  # share of the highest frequency by which shifts go beyond the band
 BLOCK, LENGTH = 8, 8  # forces at each shift, and blocks of vectors that they give
+LOSSES = 3  # orders to which the answer is expanded in losses other than the plate's
 FEWEST_RANDOM = 4  # of the forces at each shift
 ROUNDS = 4  # of refinement
 NEAR_ZERO = 1e-3  # share of the highest shift's frequency that the lowest one has at least
@@ -127,8 +128,8 @@ def _forces(model: PlateModel) -> Callable[[Shifted], Array]:
     def forces(shifted: Shifted) -> Array:
         omega = np.array([np.sqrt(abs(shifted.shift))])
         starts = [drives]
-        fields = shifted.solve(drives) if drives.shape[1] else drives
-        if fields.shape[1] and model.extras:
+        for _ in range(LOSSES if model.extras and drives.shape[1] else 0):
+            fields = shifted.solve(starts[-1])
             lossy = np.zeros_like(fields)
             for extra in model.extras:
                 weight = abs(extra.impedance(omega)[0])

@@ -203,7 +203,7 @@ class _Checker:
 
 def _energy(share: Array, force: Array) -> Array:
     """(blocks, columns) products of motion and force."""
-    return np.einsum("bnk,bnk->bk", share, force)
+    return np.asarray(np.einsum("bnk,bnk->bk", share, force))
 
 
 def _times(columns: Array, factor: complex) -> Array:

@@ -13,6 +13,7 @@ from haptonic.bloch.mirrors import Incidence
 from haptonic.design.brief import Brief
 from haptonic.errors import StudyError
 from haptonic.materials import IsotropicMaterial
+from haptonic.plate import Fineness
 from haptonic.results import (
     Bands,
     Design,
@@ -297,8 +298,21 @@ class Study(Description):
         )
         return found
 
+    def fineness(self) -> Fineness | None:
+        """Of the finite plate's mesh, if [mesh] says one."""
+        order, rings = self.mesh.order, self.mesh.foot_rings
+        if order is None:
+            return None
+        usual = Fineness()
+        rings = usual.rings if rings is None else rings
+        return Fineness(min(order, usual.along), usual.through, cell=order, rings=rings, plain=order)
+
     def vibrating(
-        self, *, at: float | None = None, runner: Runner | None = None, store: Store | None = None
+        self,
+        *,
+        at: float | None = None,
+        store: Store | None = None,
+        on_progress: Callable[[int, int, bool], None] = lambda done, planned, stored: None,
     ) -> PlateResult:
         """How the finite plate answers its drives over the band of [plate.response].
 
@@ -329,9 +343,8 @@ class Study(Description):
             gap=gap if gap is not None and gap.lower < carrier < gap.upper else None,
             inputs=self.inputs(),
             store=store,
-            told=(
-                runner.on_progress if runner and runner.on_progress else lambda done, planned, stored: None
-            ),
+            fineness=self.fineness(),
+            told=on_progress,
         )
 
     def gap_with(self, values: Mapping[str, float], runner: Runner | None = None) -> Gap | None:

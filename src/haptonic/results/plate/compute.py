@@ -1,0 +1,160 @@
+"""From a plate to its result, by way of the store."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import asdict
+from typing import Any
+
+import numpy as np
+import xarray as xr
+from numpy.typing import NDArray
+
+from haptonic.bloch import Gap
+from haptonic.errors import StudyError
+from haptonic.plate import Band, Fineness, Plate, PlateModel, modes_between
+from haptonic.response import FrequencyResponse, from_plain, plain
+from haptonic.results.common import stamped
+from haptonic.results.plate.datasets import body_dataset, lines_dataset, modes_dataset
+from haptonic.results.plate.question import (
+    PlateQuestion,
+    amplitude_of,
+    drives_of,
+    grid_points,
+    reference_of,
+    resonance_of,
+)
+from haptonic.results.plate.value import PlateResult
+from haptonic.store import Store, content_key
+
+Array = NDArray[np.float64]
+Complex = NDArray[np.complex128]
+
+NEAR = 0.06  # share of the carrier around it within which modes are listed
+BELOW, ABOVE = 0.76, 1.25  # of the gap's edges, where the maps below and above it are taken
+
+
+def compute_plate(
+    plate: Plate,
+    question: PlateQuestion,
+    *,
+    carrier: float,
+    gap: Gap | None,
+    inputs: Mapping[str, Any],
+    store: Store,
+    fineness: Fineness | None = None,
+    told: Callable[[int, int, bool], None] = lambda done, planned, stored: None,
+) -> PlateResult:
+    """How a plate answers its drives, from the store if it was computed before.
+
+    Parameters
+    ----------
+    carrier : Hz, near which modes are listed
+    gap : for the maps below, in and above it; without one the only map is at the carrier
+    inputs : plain values of what was asked; fineness : of the mesh, if not the usual one
+    told : called with the shifts done and planned
+
+    Raises
+    ------
+    StudyError : nothing drives the plate, or it has no loss
+    ResourceError : the basis would need more memory than there is
+    HaptonicError : lines that cannot be made as exact as asked for
+    """
+    reference_of(plate)
+    _need_loss(plate)
+    edges = None if gap is None else [gap.lower, gap.upper]
+    keys = [
+        content_key(
+            {"part": part, "carrier": carrier, "gap": edges, **asdict(question), "inputs": dict(inputs)}
+        )
+        for part in ("plate response", "plate maps", "plate lines", "plate modes", "plate body")
+    ]
+    kept = [dataset for key in keys if (dataset := store.get(key)) is not None]
+    if len(kept) < len(keys):
+        kept = _computed(plate, question, carrier, edges, inputs, fineness, told)
+        for key, dataset in zip(keys, kept, strict=True):
+            store.put(key, dataset)
+    response, marked, lines, modes, body = kept
+    return PlateResult(plate, gap, carrier, from_plain(response), from_plain(marked), lines, modes, body)
+
+
+def _need_loss(plate: Plate) -> None:
+    if not plate.loss_factor:
+        raise StudyError(
+            argument="plate.loss_factor",
+            given="0",
+            allowed="more than 0",
+            cause="without loss the response at a resonance has no bound",
+            next_step="add loss_factor = 1e-3 to [plate], or the loss factor of the material",
+        )
+
+
+def _computed(
+    plate: Plate,
+    question: PlateQuestion,
+    carrier: float,
+    gap: list[float] | None,
+    inputs: Mapping[str, Any],
+    fineness: Fineness | None,
+    told: Callable[[int, int, bool], None],
+) -> list[xr.Dataset]:
+    low, high = question.lowest, question.highest
+    model = PlateModel.of(plate, high, fineness)
+    band = Band.of(model, low, high, lambda done, planned: told(done, planned, False))
+    found = modes_between(band, max(low, (1 - NEAR) * carrier), min(high, (1 + NEAR) * carrier))
+    reference, unit = reference_of(plate)
+    drives = {drive.name: amplitude_of(drive) / unit for drive in drives_of(plate)}
+    aside = [carrier] if gap is None else [BELOW * gap[0], ABOVE * gap[1], *found.frequency]
+    extra = [f for f in aside if low <= f <= high]
+    every = np.union1d(question.frequencies, extra)
+    band, vibration = band.answer(drives, every, question.tolerance)
+    points, regions = grid_points(plate, question.grid)
+    surface = model.observed(points) @ band.reduced.basis.vectors
+    velocity = (surface @ vibration.amplitudes) * (1j * vibration.omega)
+    marked = _marked(plate, every, velocity, regions, carrier, gap)
+    main = np.searchsorted(every, question.frequencies)
+
+    def response(picked: NDArray[np.int64], title: str) -> xr.Dataset:
+        return plain(
+            FrequencyResponse.of(
+                np.ascontiguousarray(velocity[:, picked].T, dtype=np.complex64)[..., None],
+                frequency=every[picked], x=points[:, 0], y=points[:, 1], reference=reference,
+                origin="simulated", region=regions, title=title, inputs=inputs,
+            )
+        )  # fmt: skip
+
+    lines = lines_dataset(plate, vibration, band)
+    shapes = np.asarray(model.observed(points) @ found.vectors)
+    at_resonance = int(marked[np.abs(every[marked] - resonance_of(every[marked], carrier, gap)).argmin()])
+    return [
+        response(main, "finite plate"),
+        response(marked, "finite plate, the frequencies of its maps"),
+        stamped(lines, inputs),
+        stamped(modes_dataset(plate, band, found, shapes, points, regions), inputs),
+        stamped(body_dataset(band, vibration, at_resonance), inputs),
+    ]
+
+
+def _marked(
+    plate: Plate, every: Array, velocity: Complex, regions: list[str], carrier: float, gap: list[float] | None
+) -> NDArray[np.int64]:
+    """Lines of the maps: below, in and above the gap; in it where the driven region resonates most."""
+    if gap is None:
+        return np.array([int(np.abs(every - carrier).argmin())])
+    inside = np.flatnonzero((every > gap[0]) & (every < gap[1]))
+    layout = plate.layout
+    first = drives_of(plate)[0]
+    driven = layout.at(layout.under((*first.centre, *first.centre))[0])
+    there = np.array([name == driven for name in regions])
+    if not there.any():
+        there[:] = True
+    found = []
+    if every[0] <= BELOW * gap[0]:
+        found.append(int(np.abs(every - BELOW * gap[0]).argmin()))
+    if len(inside):
+        loudness = (np.abs(velocity[there][:, inside]) ** 2).mean(axis=0)
+        near = np.abs(every[inside] / carrier - 1) < NEAR
+        found.append(int(inside[np.where(near, loudness, 0.0).argmax()]))
+    if every[-1] >= ABOVE * gap[1]:
+        found.append(int(np.abs(every - ABOVE * gap[1]).argmin()))
+    return np.array(found or [int(np.abs(every - carrier).argmin())])

@@ -1,0 +1,144 @@
+"""What was computed of a plate as datasets: lines, modes, and the whole body at one line."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Mapping
+from dataclasses import asdict
+
+import numpy as np
+import xarray as xr
+from numpy.typing import NDArray
+
+from haptonic.plate import Band, Plate, PlateModes, Vibration
+from haptonic.results.plate.question import reference_of
+from haptonic.results.plate.shapes import nodal_name
+
+Array = NDArray[np.float64]
+
+
+def _by_region(plate: Plate, stored: Mapping[str, Array], band: Band) -> tuple[list[str], Array]:
+    """Names of regions, lattices and actuators, and (n, names) what is stored in each."""
+    layout, blocks = plate.layout, band.reduced.model.assembly.skeleton.blocks
+    names = [layout.at(block.tiles[0]) for block in blocks]
+    shares = {
+        name: stored["plate"][:, [k for k, other in enumerate(names) if other == name]].sum(axis=1)
+        for name in dict.fromkeys(names) if name is not None
+    }  # fmt: skip
+    for actuator in plate.actuators:
+        own = (values for part, values in stored.items() if part.split(" ")[0] == actuator.name)
+        shares[actuator.name] = np.asarray(sum(values.sum(axis=1) for values in own))
+    return list(shares), np.stack(list(shares.values()), axis=-1)
+
+
+def lines_dataset(plate: Plate, vibration: Vibration, band: Band) -> xr.Dataset:
+    """Energies, powers, impedances and errors against frequency."""
+    regions, stored = _by_region(plate, vibration.stored, band)
+    actuators = [actuator.name for actuator in plate.actuators]
+    _, unit = reference_of(plate)
+    impedance = np.stack(
+        [
+            np.asarray(a.voltage / unit / (1j * vibration.omega * vibration.charge[a.name]))
+            for a in plate.actuators
+        ]
+    ) if actuators else np.zeros((0, len(vibration.omega)), complex)  # fmt: skip
+    losses = list(vibration.dissipated)
+    data = xr.Dataset(
+        {
+            "error": ("frequency", vibration.error, {"long_name": "bound of the relative field error"}),
+            "stored": (("frequency", "region"), stored, {"units": "J", "long_name": "mean strain energy"}),
+            "moving": (
+                "frequency", vibration.moving.sum(axis=1), {"units": "J", "long_name": "mean kinetic energy"},
+            ),
+            "given": ("frequency", vibration.given, {"units": "W", "long_name": "mean power of the drives"}),
+            "dissipated": (
+                ("loss", "frequency"), np.stack([vibration.dissipated[name] for name in losses]),
+                {"units": "W"},
+            ),
+            "impedance_real": (("actuator", "frequency"), impedance.real, {"units": "ohm"}),
+            "impedance_imag": (("actuator", "frequency"), impedance.imag, {"units": "ohm"}),
+        },
+        coords={
+            "frequency": ("frequency", vibration.frequency, {"units": "Hz"}),
+            "region": regions,
+            "loss": losses,
+            "actuator": np.array(actuators, dtype=str),
+        },
+    )  # fmt: skip
+    model = band.reduced.model
+    data.attrs |= {
+        "unknowns": model.assembly.size,
+        "basis": band.reduced.basis.dimension,
+        "mesh": json.dumps(asdict(model.fineness)),
+        "blocks": len(model.assembly.skeleton.blocks),
+    }
+    return data
+
+
+def modes_dataset(
+    plate: Plate, band: Band, found: PlateModes, shapes: Array, points: Array, regions: list[str]
+) -> xr.Dataset:
+    """Modes near the carrier."""
+    names, stored = _by_region(plate, found.stored, band)
+    losses = list(found.lost)
+    inside = np.array(regions)
+    called = []
+    for k in range(len(found.frequency)):
+        plain_names = [name for name in names if name in plate.layout.regions]
+        best = max(plain_names, key=lambda name: stored[k, names.index(name)], default=None)
+        called.append(nodal_name(_on_grid(points, shapes[:, k], inside == best)) if best else "")
+    return xr.Dataset(
+        {
+            "mode_frequency": ("mode", found.frequency, {"units": "Hz"}),
+            "mode_error": ("mode", found.error, {"long_name": "bound of the frequency's relative error"}),
+            "quality": ("mode", found.quality, {"long_name": "quality factor"}),
+            "rise_time": ("mode", found.rise_time, {"units": "s", "long_name": "10 to 90 %"}),
+            "stored": (("mode", "region"), stored, {"long_name": "share of the strain energy"}),
+            "lost": (("mode", "loss"), np.stack([found.lost[name] for name in losses], axis=-1)),
+            "name": ("mode", np.array(called, dtype=str)),
+            "shape": (("mode", "point"), shapes.T.astype(np.float32), {"long_name": "normal displacement"}),
+        },
+        coords={
+            "region": names, "loss": losses,
+            "x": ("point", points[:, 0], {"units": "m"}), "y": ("point", points[:, 1], {"units": "m"}),
+        },
+    )  # fmt: skip
+
+
+def _on_grid(points: Array, values: Array, mask: NDArray[np.bool_]) -> Array:
+    """(along, across) values of some points on their grid, the longer direction first; NaN where none is."""
+    x, column = np.unique(np.round(points[mask, 0], 9), return_inverse=True)
+    y, row = np.unique(np.round(points[mask, 1], 9), return_inverse=True)
+    grid = np.full((len(y), len(x)), np.nan)
+    grid[row, column] = values[mask]
+    return grid if np.ptp(y) >= np.ptp(x) else grid.T
+
+
+def body_dataset(band: Band, vibration: Vibration, line: int) -> xr.Dataset:
+    """Displacement of the whole plate at one line, on the corners of the elements."""
+    assembly = band.reduced.model.assembly
+    amplitudes = vibration.amplitudes[:, line]
+    vectors = band.reduced.basis.vectors
+    field = np.stack([vectors @ amplitudes.real, vectors @ amplitudes.imag], axis=1)
+    layout = assembly.skeleton.layout
+    points, cells, moved, count = [], [], [], 0
+    for group, shares in assembly.shares(field):
+        inside = group.tile.inside
+        used, own = np.unique(inside.subcells, return_inverse=True)
+        for block, share in zip(group.blocks, shares, strict=True):
+            rows, columns = assembly.skeleton.blocks[block].rows, assembly.skeleton.blocks[block].columns
+            corner = [layout.x[columns[0]], layout.y[rows[0]], 0.0]
+            points.append(inside.points[used] + corner)
+            cells.append(own.reshape(-1, 8) + count)
+            moved.append(inside.lifted(share)[used])
+            count += len(used)
+    displacement = np.concatenate(moved)
+    return xr.Dataset(
+        {
+            "node_position": (("node", "axis"), np.concatenate(points), {"units": "m"}),
+            "subcell": (("cell", "corner"), np.concatenate(cells)),
+            "real": (("node", "axis"), displacement[..., 0].astype(np.float32), {"units": "m"}),
+            "imag": (("node", "axis"), displacement[..., 1].astype(np.float32), {"units": "m"}),
+        },
+        attrs={"frequency_hz": float(vibration.frequency[line])},
+    )

@@ -1,0 +1,173 @@
+"""How a finite plate vibrates: response over a band, localisation, energies, impedance, modes."""
+
+from __future__ import annotations
+
+import json
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Any
+
+import numpy as np
+import xarray as xr
+from matplotlib.figure import Figure
+from numpy.typing import NDArray
+
+from haptonic import plots
+from haptonic.bloch import Gap
+from haptonic.plate import Plate
+from haptonic.response import FrequencyResponse, contrast, disc_average, rms
+from haptonic.results.plate.question import drives_of, resonance_of
+
+Complex = NDArray[np.complex128]
+
+FINGER = 10e-3  # m, width of the disc over which a finger averages
+
+
+@dataclass(frozen=True, eq=False)
+class PlateResult:
+    """Response of a plate per unit of its reference, with all that was found beside it.
+
+    plate : what was computed; gap : of its lattice around the carrier, if there is one; carrier : Hz
+    response : velocity of the flat face; marked : the same at the frequencies of the maps
+    lines : dataset on the response's frequencies; modes : dataset of the modes near the carrier
+    body : displacement of the whole plate at the carrier, on a coarse mesh
+    """
+
+    plate: Plate
+    gap: Gap | None
+    carrier: float
+    response: FrequencyResponse
+    marked: FrequencyResponse
+    lines: xr.Dataset
+    modes: xr.Dataset
+    body: xr.Dataset
+
+    @property
+    def driven(self) -> str | None:
+        """The region of plain plate that carries the first actuator, or else the first force."""
+        layout = self.plate.layout
+        names = [
+            layout.at(layout.under((*first.centre, *first.centre))[0]) for first in drives_of(self.plate)
+        ]
+        return next((name for name in names if name is not None and name not in layout.cells), None)
+
+    def contrasts(self, response: FrequencyResponse) -> dict[str, xr.DataArray]:
+        """How much more the driven region vibrates than others and than all the rest, dB."""
+        driven, regions = self.driven, response.regions
+        if driven not in regions:
+            return {}
+        assert driven is not None
+        others = [name for name in regions if name not in ("", driven)]
+        pairs = {f"{driven} over {other}": contrast(response, driven, other) for other in others}
+        if response.inside(driven).all():
+            return pairs
+        return pairs | {f"{driven} over the rest": contrast(response, driven, "rest")}
+
+    @cached_property
+    def levels(self) -> dict[str, xr.DataArray]:
+        """Root mean square velocity of every region, in the units of the response."""
+        return {name: rms(self.response, name) for name in self.response.regions if name}
+
+    def figures(self) -> dict[str, Figure]:
+        """All pictures but the animation, by name."""
+        frequency, gap = self.response.frequency, self._gap_edges
+        layout = self.plate.layout
+        found = {
+            "plan": plots.plate_plan(self.plate),
+            "maps": plots.maps(self.marked, self.marked.frequency.tolist(), layout, gap),
+            "velocity": plots.velocity_spectrum(
+                frequency, {k: v.values for k, v in self.levels.items()}, gap, units=self.response.units
+            ),
+        }
+        if contrasts := self.contrasts(self.response):
+            curves = {name: level.values for name, level in contrasts.items()}
+            found["contrast"] = plots.contrast_spectrum(frequency, curves, gap)
+        for actuator in self.plate.actuators:
+            impedance = self.impedance(actuator.name)
+            lines = self.lines["frequency"].values
+            found[f"impedance-{actuator.name}"] = plots.impedance_spectrum(lines, impedance, gap)
+        return found
+
+    @property
+    def _gap_edges(self) -> tuple[float, float] | None:
+        return (self.gap.lower, self.gap.upper) if self.gap else None
+
+    def impedance(self, actuator: str) -> Complex:
+        """(frequency of ``lines``,) voltage over current of an actuator while all drives act, ohm."""
+        lines = self.lines.sel(actuator=actuator)
+        return np.asarray(lines["impedance_real"].values + 1j * lines["impedance_imag"].values)
+
+    @property
+    def resonance(self) -> float:
+        """The frequency of the map in the gap, or else of the one nearest to the carrier, Hz."""
+        return resonance_of(self.marked.frequency, self.carrier, self._gap_edges)
+
+    def told(self, line: FrequencyResponse) -> dict[str, Any]:
+        """Plain values at one line of the response or of the maps."""
+        where = {"frequency": float(line.frequency[0])}
+        lines = self.lines.sel(where, method="nearest")
+        return {
+            "frequency_hz": where["frequency"],
+            "error": float(lines["error"]),
+            "rms": {name: float(rms(line, name)[0]) for name in line.regions if name},
+            "units": line.units,
+            "contrast_db": {name: float(level[0]) for name, level in self.contrasts(line).items()},
+            "finger_um": below_finger(line),
+            "impedance_ohm": {
+                name: [float(lines[f"impedance_{part}"].sel(actuator=name)) for part in ("real", "imag")]
+                for name in self.lines["actuator"].values.tolist()
+            },
+            "given_w": float(lines["given"]),
+            "dissipated_w": _by_name(lines["dissipated"], "loss"),
+            "strain_energy_j": _by_name(lines["stored"], "region"),
+        }  # fmt: skip
+
+    @property
+    def map_lines(self) -> list[FrequencyResponse]:
+        """The response at each frequency of the maps."""
+        return [self.marked.at(float(f)) for f in self.marked.frequency]
+
+    def to_json(self) -> dict[str, Any]:
+        """Plain values for machines."""
+        modes = self.modes
+        return {
+            "origin": "simulated",
+            "reference": self.response.dataset.attrs["reference"],
+            "carrier_hz": self.carrier,
+            "gap_hz": self._gap_edges,
+            "driven": self.driven,
+            "unknowns": int(self.lines.attrs["unknowns"]),
+            "basis": int(self.lines.attrs["basis"]),
+            "pillars": self.plate.layout.pillars,
+            "largest_error": float(self.lines["error"].max()),
+            "resonance_hz": self.resonance,
+            "maps": [self.told(line) for line in self.map_lines],
+            "modes": [
+                {
+                    "frequency_hz": float(mode["mode_frequency"]),
+                    "error": float(mode["mode_error"]),
+                    "quality_factor": _finite(mode["quality"]),
+                    "rise_time_s": _finite(mode["rise_time"]),
+                    "name": str(mode["name"].values),
+                    "strain_energy": _by_name(mode["stored"], "region"),
+                    "loss": _by_name(mode["lost"], "loss"),
+                }
+                for mode in (modes.isel(mode=k) for k in range(modes.sizes["mode"]))
+            ],
+            "inputs": json.loads(self.lines.attrs["inputs"]),
+            "version": self.lines.attrs["haptonic_version"],
+        }  # fmt: skip
+
+
+def below_finger(line: FrequencyResponse) -> dict[str, float]:
+    """Amplitude below a finger where it is largest in each region, um per unit of the reference."""
+    amplitude = disc_average(line.displacement(), FINGER).values[0]
+    return {name: float(amplitude[line.inside(name)].max() * 1e6) for name in line.regions if name}
+
+
+def _by_name(values: xr.DataArray, dim: str) -> dict[str, float]:
+    return dict(zip(values[dim].values.tolist(), values.values.tolist(), strict=True))
+
+
+def _finite(value: xr.DataArray) -> float | None:
+    return float(value) if np.isfinite(value) else None
