@@ -1,0 +1,110 @@
+"""The command about the finite plate, from the outside."""
+
+from __future__ import annotations
+
+import json
+
+import numpy as np
+import pytest
+import xarray as xr
+
+from five_parts import assert_five_parts
+from haptonic.response import read
+
+PLATE = (
+    "[[sweep]]",
+    """
+[plate]
+map = \"\"\"
+o11o
+\"\"\"
+rows = 2
+loss_factor = 5e-3
+
+[plate.tiles]
+o = "lattice"
+1 = "WG"
+
+[plate.clamp]
+corners = "5 mm"
+
+[[plate.actuator]]
+name = "A1"
+region = "WG"
+centre = ["7 mm", "7 mm"]
+size = ["6 mm", "5 mm", "0.5 mm"]
+material = "pzt-4"
+voltage = "10 V"
+
+[plate.response]
+lowest = "2 kHz"
+highest = "20 kHz"
+points = 19
+
+[[sweep]]""",
+)
+CARRIER = ('carrier = "60 kHz"', 'carrier = "10 kHz"')
+FILES = {
+    "response.nc", "maps.nc", "plate.nc", "modes.nc", "plate.vtu", "carrier.webp",
+    *(f"{name}.{kind}" for name in ("plan", "maps", "velocity", "contrast", "impedance-A1") for kind in ("svg", "png")),
+}  # fmt: skip
+
+
+@pytest.fixture
+def plated(study):
+    return lambda *changes: study(CARRIER, PLATE, *changes)
+
+
+def test_plate_writes_its_files_and_tables(haptonic, inside, plated, tmp_path):
+    out = tmp_path / "out"
+    ran = haptonic("plate", plated(), "--out", out)
+    assert ran.code == 0, ran.err
+    assert {path.name for path in out.iterdir()} == FILES
+    for words in ("root mean square velocity", "power at", "A1 dielectric", "modes near the carrier", "Simulated"):
+        assert words in ran.out
+    response = read(out / "response.nc")
+    assert response.values.shape[0] == 19
+    assert response.units == "m/s/V"
+    assert response.dataset.attrs["origin"] == "simulated"
+    assert response.frequency[[0, -1]] == pytest.approx([2e3, 20e3])
+    lines = xr.load_dataset(out / "plate.nc", engine="h5netcdf")
+    assert float(lines["error"].max()) <= 1e-3
+    total = lines["dissipated"].sum("loss")
+    np.testing.assert_allclose(total, lines["given"], rtol=1e-4)
+    assert {"haptonic_version", "inputs", "code_fingerprint", "mesh"} <= set(lines.attrs)
+    # near zero frequency the patch is a capacitor: its impedance falls as 1 / omega
+    impedance = lines["impedance_imag"].sel(actuator="A1").values * lines["frequency"].values
+    assert (impedance[:3] < 0).all()
+    assert_five_parts(inside("plate", plated(), "--out", out), "response.nc")
+
+
+def test_plate_answers_one_frequency(inside, plated, monkeypatch):
+    path = plated()
+    monkeypatch.chdir(path.parent)
+    ran = inside("plate", path, "--at", "9 kHz", "--json")
+    assert ran.code == 0, ran.err
+    found = json.loads(ran.out)
+    (line,) = found["maps"]
+    assert line["frequency_hz"] == 9e3
+    assert line["error"] <= 1e-3
+    assert found["origin"] == "simulated"
+    assert sum(line["dissipated_w"].values()) == pytest.approx(line["given_w"], rel=1e-4)
+    assert not list(path.parent.glob("results"))
+
+
+@pytest.mark.parametrize(
+    ("change", "at", "argument"),
+    [
+        (("loss_factor = 5e-3", "loss_factor = 0.0"), (), "plate.loss_factor"),
+        (('voltage = "10 V"', 'voltage = "0 V"'), (), "plate.actuator"),
+        (("rows = 2", "rows = 2"), ("--at", "9 mm"), "--at"),
+        (("o11o", "o1zo"), (), "plate.map"),
+    ],
+)
+def test_plate_refuses(inside, plated, change, at, argument):
+    ran = inside("plate", plated(change), "--json", *at)
+    assert_five_parts(ran, argument)
+
+
+def test_a_study_without_a_plate_says_so(inside, study):
+    assert_five_parts(inside("plate", study(CARRIER), "--json"), "plate")
