@@ -40,7 +40,8 @@ class Truth:
     remaining : waveguide -> mu / mu0 with the vibration on, in the population
     between : standard deviation of friction between people, as a share
     effect_between : standard deviation of the reduction between people (of a reduction of 0.55, say)
-    within : standard deviation of friction from trial to trial, as a share
+    within : standard deviation of friction from trial to trial, as a share; 0.22 gives the differences of 180
+        pairs on the idle waveguide an interval as wide as the published one, 0.04 [daunizeau-haptics]
     drift : change of friction over the whole session, as a share: moisture, fatigue
     noise : of the force sensor, N rms
     force, speed : (mean, standard deviation) over trials, N and m/s
@@ -53,7 +54,7 @@ class Truth:
     )
     between: float = 0.15
     effect_between: float = 0.05
-    within: float = 0.1
+    within: float = 0.22
     drift: float = 0.1
     noise: float = 0.021
     force: tuple[float, float] = (0.8, 0.4)
