@@ -29,6 +29,7 @@ from haptonic.friction.lubrication import (
     time_constant,
 )
 from haptonic.friction.lubrication.sharing import asperity_pressure, film_pressure, nominal_pressure
+from haptonic.response import FrequencyResponse, disc_average
 
 TOUCH = Touch(58.8e3, 0.5, 0.078)
 FINGER = Finger()
@@ -191,6 +192,23 @@ class TestPrediction:
         assert whole["load_sharing"].dims == ("y", "x")
         for name in ("load_sharing", "intermittent", "low", "high"):
             assert whole[name].values[3] == pytest.approx(few[name].values, abs=2e-3)
+
+    def test_from_the_response_of_a_plate(self):
+        """Two halves that move by 10 and 1 nm for each volt, under a finger, at 100 V."""
+        x = np.linspace(0, 0.1, 51)
+        moved = np.where(x < 0.05, 10e-9, 1e-9).astype(complex)[None, :, None]
+        response = FrequencyResponse.of(
+            moved, frequency=np.array([58.8e3]), x=x, y=np.zeros(51), reference="A1, V", origin="simulated",
+            quantity="displacement",
+        )  # fmt: skip
+        amplitude = 100 * disc_average(response, 0.01).isel(frequency=0)
+        found = predict(amplitude, TOUCH, FINGER)["load_sharing"]
+        assert found.dims == ("point",)
+        assert found.values[[0, -1]] == pytest.approx(
+            shared_friction(np.array([1e-6, 1e-7]), TOUCH, FINGER.values)
+        )
+        assert found.values[0] < found.values[25] < found.values[-1]
+        assert found["x"].values == pytest.approx(x)
 
     def test_the_same_seed_the_same_band(self):
         line = xr.DataArray([0.5e-6, 1e-6], dims="a")
