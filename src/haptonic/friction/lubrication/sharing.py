@@ -72,9 +72,9 @@ def shared_friction(amplitude: ArrayLike, touch: Touch, values: Values) -> Array
 
     span = np.log(np.broadcast_to(lowest, shape)), np.log(np.broadcast_to(highest, shape))
     arguments = [np.broadcast_to(a, shape) for a in (np.maximum(moving, NO_MOTION), *values.values())]
-    found = find_root(excess, span, args=tuple(arguments))
+    found = find_root(excess, span, args=tuple(arguments))  # NaN where the ends have the same sign
     share = asperity_pressure(np.exp(found.x), values) / pressure
-    return np.asarray(np.where(found.success, np.clip(share, 0, 1), np.nan))
+    return np.clip(share, 0, 1)
 
 
 def amplitude_for(friction: ArrayLike, touch: Touch, values: Values) -> Array:
@@ -111,7 +111,7 @@ def amplitude_for(friction: ArrayLike, touch: Touch, values: Values) -> Array:
     arguments = [np.broadcast_to(a, shape) for a in (gap, left, *values.values())]
     ends = np.zeros(shape), np.full(shape, film.LARGEST_EXCURSION)
     found = find_root(missing, ends, args=tuple(arguments))
-    return np.asarray(np.where(found.success, found.x * gap, np.nan))
+    return np.asarray(found.x * gap)
 
 
 def amplitude_ratio(driven: float, idle: float, touch: Touch, values: Values) -> Array:
