@@ -190,6 +190,8 @@ class TestPrediction:
         whole = predict(xr.DataArray(many, dims=("y", "x")), TOUCH, FINGER)
         few = predict(xr.DataArray(many[3], dims="x"), TOUCH, FINGER)
         assert whole["load_sharing"].dims == ("y", "x")
+        expected = shared_friction(many, TOUCH, FINGER.values)
+        assert whole["load_sharing"].values == pytest.approx(expected, abs=2e-3)
         for name in ("load_sharing", "intermittent", "low", "high"):
             assert whole[name].values[3] == pytest.approx(few[name].values, abs=2e-3)
 
