@@ -60,6 +60,10 @@ class ResponseError(HaptonicError):
     """A frequency response, or a file of one, cannot be used."""
 
 
+class FrictionError(HaptonicError):
+    """Trials, or the numbers of a model of friction, cannot be used."""
+
+
 class ResourceError(HaptonicError):
     """The machine has too little memory, or a file cannot be read or written."""
 

@@ -1,0 +1,41 @@
+"""From vibration to friction: a squeezed film or intermittent contact, and a band of both."""
+
+from haptonic.friction.lubrication.parameters import Finger, Parameter, Touch
+from haptonic.friction.lubrication.perception import (
+    CUE_THRESHOLD,
+    WEBER_FRACTION,
+    Margin,
+    QualityLimits,
+    quality_limits,
+    rise_time,
+    time_constant,
+)
+from haptonic.friction.lubrication.prediction import explained, predict
+from haptonic.friction.lubrication.sharing import (
+    amplitude_for,
+    amplitude_ratio,
+    sensitivity,
+    shared_friction,
+)
+from haptonic.friction.lubrication.slider import intermittent_friction, slider_friction
+
+__all__ = [
+    "CUE_THRESHOLD",
+    "WEBER_FRACTION",
+    "Finger",
+    "Margin",
+    "Parameter",
+    "QualityLimits",
+    "Touch",
+    "amplitude_for",
+    "amplitude_ratio",
+    "explained",
+    "intermittent_friction",
+    "predict",
+    "quality_limits",
+    "rise_time",
+    "sensitivity",
+    "shared_friction",
+    "slider_friction",
+    "time_constant",
+]

@@ -1,0 +1,92 @@
+"""What a finger notices of a drop of friction."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+from haptonic.errors import FrictionError
+
+WEBER_FRACTION = 0.11
+"""Smallest drop of friction, as a share of it, that people feel [weber-fraction-2017]."""
+CUE_THRESHOLD = 2.3e-3
+"""Duration, s, that a cue of friction must have to be felt; the lower of the values of [cue-timing-2019]."""
+
+
+@dataclass(frozen=True)
+class Margin:
+    """Reductions of friction beside what people feel.
+
+    driven, idle : reductions of friction, 0.55 for 55 %
+    """
+
+    driven: float
+    idle: float
+
+    @property
+    def felt(self) -> bool:
+        """Whether the driven region is felt at all."""
+        return self.driven > WEBER_FRACTION
+
+    @property
+    def localised(self) -> bool:
+        """Whether the driven region is felt and the idle one is not."""
+        return self.felt and self.idle <= WEBER_FRACTION
+
+    @property
+    def times_threshold(self) -> float:
+        """The driven reduction in units of the threshold."""
+        return self.driven / WEBER_FRACTION
+
+    @property
+    def stopped(self) -> float:
+        """Share of the driven reduction that does not reach the idle region."""
+        return 1 - self.idle / self.driven
+
+
+def rise_time(quality_factor: float, frequency: float) -> float:
+    """Time from 10 to 90 % of the amplitude of a resonance, s: ln 9 of its time constants Q / (pi f)."""
+    return math.log(9) * time_constant(quality_factor, frequency)
+
+
+def time_constant(quality_factor: float, frequency: float) -> float:
+    """Time constant of the amplitude of a resonance, Q / (pi f), s."""
+    _positive("quality_factor", quality_factor)
+    _positive("frequency", frequency)
+    return quality_factor / (math.pi * frequency)
+
+
+@dataclass(frozen=True)
+class QualityLimits:
+    """Largest loaded quality factors at which the friction changes within the threshold of a cue.
+
+    by_rise : its 10 to 90 % rise time is the threshold
+    by_constant : its time constant is
+    """
+
+    by_rise: float
+    by_constant: float
+
+
+def quality_limits(frequency: float, threshold: float = CUE_THRESHOLD) -> QualityLimits:
+    """Limits on the loaded quality factor at a frequency (Hz) for a threshold in s.
+
+    Raises
+    ------
+    FrictionError : a frequency or a threshold that is not positive
+    """
+    _positive("frequency", frequency)
+    _positive("threshold", threshold)
+    by_constant = math.pi * frequency * threshold
+    return QualityLimits(by_rise=by_constant / math.log(9), by_constant=by_constant)
+
+
+def _positive(name: str, value: float) -> None:
+    if not (math.isfinite(value) and value > 0):
+        raise FrictionError(
+            argument=name,
+            given=f"{value}",
+            allowed="a positive number",
+            cause="the value was not set, or has the wrong sign",
+            next_step="give it in SI units",
+        )

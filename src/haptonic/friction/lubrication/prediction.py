@@ -1,0 +1,141 @@
+"""Both models beside each other, with what the uncertainty of their parameters makes of them."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Callable
+from importlib.metadata import version
+
+import numpy as np
+import xarray as xr
+from numpy.typing import ArrayLike, NDArray
+
+from haptonic.errors import FrictionError
+from haptonic.friction.lubrication.parameters import Finger, Touch, Values
+from haptonic.friction.lubrication.sharing import (
+    amplitude_for,
+    amplitude_ratio,
+    checked_amplitude,
+    shared_friction,
+)
+from haptonic.friction.lubrication.slider import VALIDITY, intermittent_friction
+
+Array = NDArray[np.float64]
+Model = Callable[[ArrayLike, Touch, Values], Array]
+
+MODELS: dict[str, Model] = {"load_sharing": shared_friction, "intermittent": intermittent_friction}
+VALID = {
+    "load_sharing": "a film of air all the time; not where the excursion reaches 0.95 of the gap (NaN)",
+    "intermittent": VALIDITY,
+}
+QUANTILES = (0.025, 0.975)
+DIRECT = (
+    200  # amplitudes, above which a curve through as many is interpolated: friction depends on nothing else
+)
+
+
+def predict(
+    amplitude: xr.DataArray, touch: Touch, finger: Finger, *, samples: int = 200, seed: int = 0
+) -> xr.Dataset:
+    """Friction over that without vibration, mu / mu0, by both models.
+
+    Parameters
+    ----------
+    amplitude : of displacement, zero to peak, m, any dimensions: a line of amplitudes, or a map
+    touch : frequency, force, speed
+    finger : parameters with their uncertainty
+    samples : draws from the plausible intervals
+    seed : of the draws
+
+    Returns
+    -------
+    on the dimensions of ``amplitude``: for either model, ``load_sharing`` and ``intermittent``, its value,
+    and the ends (``_low``, ``_high``) of the interval that holds 95 % of the draws, NaN where a draw has
+    none; ``low`` and ``high``, the band around both models. The attribute ``assumptions`` (JSON) lists every
+    parameter with its mark.
+
+    Raises
+    ------
+    FrictionError : amplitudes that are no displacements in m, a force too large, or too few samples
+    """
+    if not isinstance(samples, int) or isinstance(samples, bool) or samples < 20:
+        raise FrictionError(
+            argument="samples",
+            given=samples,
+            allowed="an integer of at least 20",
+            cause="fewer draws leave no interval of 95 %",
+            next_step="leave it out, or use 200",
+        )
+    moving = checked_amplitude(amplitude.values)
+    line, place = np.unique(moving, return_inverse=True)
+    knots = line if line.size <= DIRECT else np.linspace(line[0], line[-1], DIRECT)
+    drawn = {name: numbers[:, None] for name, numbers in finger.sampled(samples, seed).items()}
+    found: dict[str, Array] = {}
+    for name, model in MODELS.items():
+        found[name] = model(knots, touch, finger.values)
+        cloud = model(knots, touch, drawn)
+        found[f"{name}_low"], found[f"{name}_high"] = np.quantile(cloud, QUANTILES, axis=0)
+    found["low"] = np.fmin(found["load_sharing_low"], found["intermittent_low"])
+    found["high"] = np.fmax(found["load_sharing_high"], found["intermittent_high"])
+    data = {
+        name: (
+            amplitude.dims,
+            np.interp(line, knots, values)[place].reshape(moving.shape),
+            {"units": "1", "long_name": "mu / mu0"},
+        )
+        for name, values in found.items()
+    }
+    for name, words in VALID.items():
+        data[name][2]["validity"] = words
+    attributes = {
+        "origin": "simulated",
+        "touch": json.dumps({"frequency": touch.frequency, "force": touch.force, "speed": touch.speed}),
+        "assumptions": json.dumps(finger.assumptions()),
+        "samples": samples,
+        "seed": seed,
+        "haptonic_version": version("haptonic"),
+    }
+    return xr.Dataset(data, coords=amplitude.coords, attrs=attributes)
+
+
+def explained(
+    driven: float, idle: float, touch: Touch, finger: Finger, *, samples: int = 200, seed: int = 0
+) -> xr.Dataset:
+    """Which amplitudes, and which ratio between two regions, explain two reductions by load sharing.
+
+    Parameters
+    ----------
+    driven, idle : reductions, 0.55 for 55 %
+
+    Returns
+    -------
+    ``driven``, ``idle`` (amplitudes, m) and ``ratio``, along ``quantity``: "value", and the ends "low" and
+    "high" of the interval that holds 95 % of the draws that have a solution; ``solved`` is their share
+
+    Raises
+    ------
+    FrictionError : reductions that are not 0 < idle < driven < 1
+    """
+    drawn = finger.sampled(samples, seed)
+    quantities: dict[str, Callable[[Values], Array]] = {
+        "ratio": lambda values: amplitude_ratio(driven, idle, touch, values),
+        "driven": lambda values: amplitude_for(1 - driven, touch, values),
+        "idle": lambda values: amplitude_for(1 - idle, touch, values),
+    }
+    rows = {name: (float(of(finger.values)), of(drawn)) for name, of in quantities.items()}
+    units = {"ratio": "1", "driven": "m", "idle": "m"}
+    data = {
+        name: ("quantity", np.array([value, *_interval(cloud)]), {"units": units[name]})
+        for name, (value, cloud) in rows.items()
+    }
+    attributes = {
+        "origin": "simulated",
+        "solved": float(np.isfinite(rows["ratio"][1]).mean()),
+        "assumptions": json.dumps(finger.assumptions()),
+    }
+    return xr.Dataset(data, coords={"quantity": ["value", "low", "high"]}, attrs=attributes)
+
+
+def _interval(cloud: Array) -> Array:
+    solved = cloud[np.isfinite(cloud)]
+    return np.asarray(np.quantile(solved, QUANTILES)) if solved.size else np.full(2, np.nan)

@@ -1,0 +1,94 @@
+"""Zero-lag low-pass filters for force records, by name."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from functools import lru_cache
+from types import MappingProxyType
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.signal import butter, filtfilt
+
+from haptonic.errors import FrictionError, nearest
+from haptonic.units import shown
+
+Array = NDArray[np.float64]
+
+ORDER = 2  # of one of the two passes
+CORNER = 50.0  # Hz
+
+FILTERS: Mapping[str, str] = MappingProxyType(
+    {
+        "literal": "two poles at 50 Hz, run forwards and backwards: -6 dB at 50 Hz",
+        "compensated": "two poles a little higher, run forwards and backwards: -3 dB at 50 Hz",
+        "none": "no filter",
+    }
+)
+
+
+def design_frequency(name: str, rate: float) -> float:
+    """Corner (Hz) that a single pass is designed with.
+
+    A pass of the bilinear Butterworth design has |H|^2 = 1 / (1 + (tan(pi f / rate) / tan(pi f_c / rate))^4),
+    and two passes have |H|^2 as their amplitude. It is -3 dB at `CORNER` if that ratio to the fourth is
+    sqrt(2) - 1.
+
+    Raises
+    ------
+    FrictionError : no such filter, or a sampling rate too low for it
+    """
+    if name not in FILTERS:
+        guess = nearest(str(name), FILTERS)
+        raise FrictionError(
+            argument="filter",
+            given=shown(name),
+            allowed=" or ".join(f'"{known}"' for known in FILTERS),
+            cause="the word is misspelt",
+            next_step=f'did you mean "{guess}"?' if guess else "choose one of these",
+        )
+    if not (np.isfinite(rate) and rate > 4 * CORNER):
+        raise FrictionError(
+            argument="rate",
+            given=f"{rate:g} Hz",
+            allowed=f"above {4 * CORNER:g} Hz",
+            cause="the rate is in kHz, or the times are in ms",
+            next_step="give times in seconds; forces are usually recorded at 1000 Hz",
+        )
+    if name != "compensated":
+        return CORNER
+    tangent = np.tan(np.pi * CORNER / rate) / (np.sqrt(2) - 1) ** 0.25
+    return float(rate / np.pi * np.arctan(tangent))
+
+
+def smoothed(signals: Array, rate: float, name: str = "literal") -> Array:
+    """Signals without what is above 50 Hz, and without delay.
+
+    Parameters
+    ----------
+    signals : (..., samples), more than 9 of them
+    rate : sampling rate, Hz
+    name : one of `FILTERS`
+
+    Raises
+    ------
+    FrictionError : no such filter, a sampling rate too low for it, or too few samples
+    """
+    frequency = design_frequency(name, rate)
+    if name == "none":
+        return np.asarray(signals)
+    if signals.shape[-1] <= 3 * (ORDER + 1):
+        raise FrictionError(
+            argument="signals",
+            given=f"{signals.shape[-1]} samples",
+            allowed=f"more than {3 * (ORDER + 1)}",
+            cause="an empty or a cut record",
+            next_step="leave the record out, or look at its file",
+        )
+    return np.asarray(filtfilt(*_coefficients(frequency, rate), signals))
+
+
+@lru_cache(maxsize=16)
+def _coefficients(frequency: float, rate: float) -> tuple[Array, Array]:
+    numerator, denominator = butter(ORDER, frequency, fs=rate)
+    return np.asarray(numerator), np.asarray(denominator)

@@ -1,0 +1,206 @@
+"""Tables of trials and of force records in CSV, NetCDF and HDF5 files."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from itertools import pairwise
+from pathlib import Path
+from typing import Any
+
+import h5py
+import numpy as np
+import pandas as pd
+import xarray as xr
+from numpy.typing import NDArray
+
+from haptonic.errors import FrictionError, ResourceError, nearest
+from haptonic.friction.signals.record import Label, Record
+
+Column = NDArray[Any]
+
+LABEL = ("participant", "block", "trial", "waveguide", "actuation")
+RECORD = (*LABEL, "time", "normal", "tangential")
+TRIALS = (*LABEL, "friction")
+WHOLE = ("block", "trial")
+JITTER = 0.1  # of a sampling interval, by which times may be off
+FORMATS = {".csv": "CSV", ".nc": "NetCDF", ".h5": "HDF5", ".hdf5": "HDF5"}
+
+
+def read_records(path: Path) -> Iterator[tuple[Label, Record]]:
+    """Force records from a table with one row for each sample.
+
+    Columns: ``participant``, ``block``, ``trial``, ``waveguide``, ``actuation`` ("on" or "off"), ``time``
+    (s), ``normal`` and ``tangential`` (N), and, if recorded, ``position`` (m). The rows of a trial lie
+    together.
+
+    Raises
+    ------
+    ResourceError : the file cannot be read
+    FrictionError : a column is missing, times that are not equidistant, or a channel in another unit
+    """
+    columns = read_columns(path, RECORD)
+    keys = [columns[name] for name in ("participant", "block", "trial")]
+    new = np.ones(len(keys[0]), dtype=bool)
+    new[1:] = np.any([key[1:] != key[:-1] for key in keys], axis=0)
+    starts = [*np.flatnonzero(new), len(new)]
+    for start, stop in pairwise(starts):
+        label = _label(columns, start)
+        for name in ("waveguide", "actuation"):
+            if len(set(columns[name][start:stop])) != 1:
+                raise _bad_table(path, f"{label}: {name} changes", "one condition for each trial")
+        time = _numbers(path, columns, "time")[start:stop]
+        position = _numbers(path, columns, "position")[start:stop] if "position" in columns else None
+        normal, tangential = (_numbers(path, columns, name)[start:stop] for name in ("normal", "tangential"))
+        yield label, Record(normal, tangential, _rate(path, time, label), position)
+
+
+def read_trials(path: Path) -> xr.Dataset:
+    """A table with one row for each trial, such as another program made, or `write_trials`.
+
+    Columns: ``participant``, ``block``, ``trial``, ``waveguide``, ``actuation`` ("on" or "off"), ``friction``
+    (mu); others, such as ``speed``, ``force`` and ``excluded``, are kept.
+
+    Raises
+    ------
+    ResourceError : the file cannot be read
+    FrictionError : a column is missing, or a cell that means nothing
+    """
+    columns = read_columns(path, TRIALS)
+    labels = [_label(columns, row) for row in range(len(columns["trial"]))]
+    table = dict(columns) | {name: np.array([getattr(label, name) for label in labels]) for name in LABEL}
+    friction = _numbers(path, columns, "friction")
+    excluded = table.get("excluded", np.full(len(labels), "", dtype=object))
+    table["excluded"] = np.array(["" if pd.isna(reason) else str(reason) for reason in excluded])
+    bad = ((friction < 0) | (friction > 10) | ~np.isfinite(friction)) & (table["excluded"] == "")
+    if bad.any():
+        row = int(np.flatnonzero(bad)[0])
+        raise _bad_table(path, f"{labels[row]}: friction {friction[row]:g}", "coefficients from 0 to 10")
+    table["friction"] = friction
+    return xr.Dataset({name: ("stroke", values) for name, values in table.items()})
+
+
+def write_trials(trials: xr.Dataset, path: Path) -> None:
+    """Write a table of trials; the ending of the name says in which form.
+
+    Raises
+    ------
+    FrictionError : another ending than .csv or .nc
+    """
+    if path.suffix == ".csv":
+        trials.to_dataframe().to_csv(path, index=False)
+    elif path.suffix == ".nc":
+        trials.to_netcdf(path, engine="h5netcdf")
+    else:
+        raise _other_format(path, [".csv", ".nc"])
+
+
+def read_columns(path: Path, required: Sequence[str]) -> dict[str, Column]:
+    """All columns of a table, of equal length.
+
+    Raises
+    ------
+    ResourceError : the file cannot be read
+    FrictionError : another ending, no rows, a column missing, or columns of unequal length
+    """
+    if path.suffix not in FORMATS:
+        raise _other_format(path, list(FORMATS))
+    try:
+        columns = _READERS[path.suffix](path)
+    except (OSError, ValueError, UnicodeDecodeError) as error:
+        missing = isinstance(error, FileNotFoundError)
+        raise ResourceError(
+            argument="table of trials",
+            given=path,
+            allowed=f"a readable {FORMATS[path.suffix]} file",
+            cause="there is no such file"
+            if missing
+            else "it is damaged, or of another kind than its name says",
+            next_step="check the name and the folder" if missing else "open it in another program to see",
+        ) from error
+    for name in required:
+        if name not in columns:
+            guess = nearest(name, columns)
+            raise FrictionError(
+                argument=f"{path.name}: column {name}",
+                given=", ".join(columns) or "no columns",
+                allowed=f"the columns {', '.join(required)}",
+                cause="the column has another name, or the table is of another kind",
+                next_step=f'rename "{guess}" to "{name}"' if guess else f'add the column "{name}"',
+            )
+    lengths = {len(column) for column in columns.values()}
+    if lengths == {0} or len(lengths) != 1:
+        raise _bad_table(path, f"columns of {sorted(lengths)} rows", "one row or more, in all columns")
+    return columns
+
+
+def _from_csv(path: Path) -> dict[str, Column]:
+    table = pd.read_csv(path, dtype=dict.fromkeys(("participant", "waveguide", "actuation"), str))
+    return {str(name): table[name].to_numpy() for name in table.columns}
+
+
+def _from_netcdf(path: Path) -> dict[str, Column]:
+    with xr.open_dataset(path, engine="h5netcdf", decode_timedelta=False) as data:
+        return {str(name): variable.values for name, variable in data.variables.items() if variable.ndim == 1}
+
+
+def _from_hdf5(path: Path) -> dict[str, Column]:
+    with h5py.File(path) as file:
+        sets = {
+            name: item for name, item in file.items() if isinstance(item, h5py.Dataset) and item.ndim == 1
+        }
+        return {
+            name: np.asarray(item.asstr()[:] if h5py.check_string_dtype(item.dtype) else item[:])
+            for name, item in sets.items()
+        }
+
+
+_READERS = {".csv": _from_csv, ".nc": _from_netcdf, ".h5": _from_hdf5, ".hdf5": _from_hdf5}
+
+
+def _label(columns: dict[str, Column], row: int) -> Label:
+    cells: dict[str, Any] = {name: columns[name][row] for name in LABEL}
+    for name in WHOLE:
+        value = cells[name]
+        if isinstance(value, int | float | np.integer | np.floating) and float(value).is_integer():
+            cells[name] = int(value)
+    for name in set(LABEL) - set(WHOLE):
+        cells[name] = "" if pd.isna(cells[name]) else str(cells[name]).strip()
+    cells["actuation"] = cells["actuation"].lower()
+    return Label(**cells)
+
+
+def _numbers(path: Path, columns: dict[str, Column], name: str) -> NDArray[np.float64]:
+    try:
+        return np.asarray(columns[name], dtype=float)
+    except (TypeError, ValueError):
+        raise _bad_table(path, f"text in the column {name}", f"numbers in the column {name}") from None
+
+
+def _rate(path: Path, time: NDArray[np.float64], label: Label) -> float:
+    steps = np.diff(time)
+    typical = float(np.median(steps)) if steps.size else 0.0
+    if not (typical > 0 and (np.abs(steps - typical) < JITTER * typical).all()):
+        raise _bad_table(
+            path, f"{label}: times that do not advance evenly", "equidistant times in s, ascending"
+        )
+    return 1 / typical
+
+
+def _bad_table(path: Path, given: str, allowed: str) -> FrictionError:
+    return FrictionError(
+        argument=path.name,
+        given=given,
+        allowed=allowed,
+        cause="rows were lost, sorted or joined, or a decimal comma was used",
+        next_step="look at these rows of the table",
+    )
+
+
+def _other_format(path: Path, allowed: list[str]) -> FrictionError:
+    return FrictionError(
+        argument="table of trials",
+        given=path.name,
+        allowed=f"a name that ends in {', '.join(allowed)}",
+        cause="the format is not read, or the ending was left out",
+        next_step="save the table as CSV",
+    )

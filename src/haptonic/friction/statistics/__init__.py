@@ -1,0 +1,34 @@
+"""What a table of trials proves: tests by trials, by participants and by a mixed model; effects; planning."""
+
+from haptonic.friction.statistics.comparison import (
+    Test,
+    by_mixed_model,
+    by_participants,
+    by_trials,
+    compared,
+    conclusion,
+)
+from haptonic.friction.statistics.effects import Equivalence, Estimate, drift, equivalence, reduction, stopped
+from haptonic.friction.statistics.pairs import Pairs, paired
+from haptonic.friction.statistics.planning import Population, false_alarms, participants_needed, power
+
+__all__ = [
+    "Equivalence",
+    "Estimate",
+    "Pairs",
+    "Population",
+    "Test",
+    "by_mixed_model",
+    "by_participants",
+    "by_trials",
+    "compared",
+    "conclusion",
+    "drift",
+    "equivalence",
+    "false_alarms",
+    "paired",
+    "participants_needed",
+    "power",
+    "reduction",
+    "stopped",
+]

@@ -1,0 +1,128 @@
+"""Trials with the vibration on beside trials with it off."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+import xarray as xr
+from numpy.typing import NDArray
+
+from haptonic.errors import FrictionError, nearest
+
+Array = NDArray[np.float64]
+Names = NDArray[np.str_]
+
+
+@dataclass(frozen=True, eq=False)
+class Pairs:
+    """Pairs of trials on one waveguide: the first trial on with the first one off within a block, and so on.
+
+    waveguide : its name
+    participant : (pair,) names
+    on, off : (pair,) coefficients of friction
+    omitted : trials that were excluded or have no partner
+    """
+
+    waveguide: str
+    participant: Names
+    on: Array
+    off: Array
+    omitted: int
+
+    @property
+    def people(self) -> tuple[str, ...]:
+        """Names of the participants in the order of their first pair."""
+        return tuple(dict.fromkeys(str(name) for name in self.participant))
+
+    @property
+    def means(self) -> tuple[Array, Array]:
+        """(participant,) mean friction on and off of each participant."""
+        inside = [self.participant == name for name in self.people]
+        return tuple(np.array([side[rows].mean() for rows in inside]) for side in (self.on, self.off))  # type: ignore[return-value]
+
+    def of(self, participant: str) -> Pairs:
+        """The pairs of one participant.
+
+        Raises
+        ------
+        FrictionError : nobody of that name has a pair
+        """
+        if participant not in self.people:
+            guess = nearest(participant, self.people)
+            raise FrictionError(
+                argument="participant",
+                given=f'"{participant}"',
+                allowed=f"one of {', '.join(self.people)}",
+                cause="the name is misspelt, or all trials were excluded",
+                next_step=f'did you mean "{guess}"?' if guess else "choose one of these",
+            )
+        rows = self.participant == participant
+        return Pairs(self.waveguide, self.participant[rows], self.on[rows], self.off[rows], omitted=0)
+
+    @property
+    def reduction(self) -> float:
+        """1 - mean on / mean off, every participant counting the same."""
+        on, off = self.means
+        return float(1 - on.mean() / off.mean())
+
+
+def paired(trials: xr.Dataset, waveguide: str) -> Pairs:
+    """The pairs of a table of trials, such as `haptonic.friction.signals.measured` makes.
+
+    A participant without a single pair drops out; the trials are counted in ``omitted``.
+
+    Raises
+    ------
+    FrictionError : a column is missing, no such waveguide, or not a single pair
+    """
+    for name in ("participant", "block", "trial", "waveguide", "actuation", "friction", "excluded"):
+        if name not in trials:
+            raise FrictionError(
+                argument="trials",
+                given=", ".join(str(name) for name in trials.data_vars) or "no columns",
+                allowed=f"a table with the column {name}",
+                cause="the table does not come from friction.signals",
+                next_step="make it with signals.measured, or read it with signals.read_trials",
+            )
+    guides = list(dict.fromkeys(str(name) for name in trials["waveguide"].values))
+    if waveguide not in guides:
+        guess = nearest(waveguide, guides)
+        raise FrictionError(
+            argument="waveguide",
+            given=f'"{waveguide}"',
+            allowed=f"one of {', '.join(guides)}",
+            cause="no trial was made there, or the name is misspelt",
+            next_step=f'did you mean "{guess}"?' if guess else "choose one of these",
+        )
+    columns = {
+        name: trials[name].values for name in ("participant", "block", "trial", "actuation", "friction")
+    }
+    here = trials["waveguide"].values == waveguide
+    rows = sorted(np.flatnonzero(here), key=lambda row: int(columns["trial"][row]))
+    usable = trials["excluded"].values == ""
+    places: dict[tuple[str, int, int], dict[str, float]] = {}
+    seen: dict[tuple[str, int, str], int] = {}
+    for row in rows:
+        person, block = str(columns["participant"][row]), int(columns["block"][row])
+        side = str(columns["actuation"][row])
+        rank = seen[person, block, side] = seen.get((person, block, side), 0) + 1
+        pair = places.setdefault((person, block, rank), {})
+        if usable[row]:
+            pair[side] = float(columns["friction"][row])
+    whole = {key: pair for key, pair in places.items() if len(pair) == 2}
+    if not whole:
+        raise FrictionError(
+            argument=f"trials on {waveguide}",
+            given=f"{len(rows)} trials, {int(usable[rows].sum())} of them usable",
+            allowed="at least one trial with the vibration on and one with it off in the same block",
+            cause="a condition is missing, or all its trials were excluded",
+            next_step="look at the reasons for exclusion",
+        )
+    return Pairs(
+        waveguide=waveguide,
+        participant=np.array([person for person, _, _ in whole]),
+        on=np.array([pair["on"] for pair in whole.values()]),
+        off=np.array([pair["off"] for pair in whole.values()]),
+        omitted=len(rows) - 2 * len(whole),
+    )

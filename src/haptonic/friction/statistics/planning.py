@@ -1,0 +1,183 @@
+"""How many participants and trials are needed, and how often each test cries wolf: by simulation."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+import xarray as xr
+from numpy.typing import NDArray
+from scipy import stats
+
+from haptonic.errors import FrictionError
+from haptonic.friction.statistics.comparison import by_mixed_model, by_participants, by_trials
+from haptonic.friction.statistics.pairs import Pairs
+from haptonic.units import shown
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True)
+class Population:
+    """What is assumed of people when an experiment is planned; all as shares of the mean friction.
+
+    reduction : mean of the population
+    effect_between : standard deviation of the reduction between people
+    within : standard deviation of a trial about the mean of its participant and condition
+    between : standard deviation of the level between people; pairs remove it
+    """
+
+    reduction: float
+    effect_between: float
+    within: float = 0.22
+    between: float = 0.15
+
+    def __post_init__(self) -> None:
+        for name in ("reduction", "effect_between", "within", "between"):
+            value = getattr(self, name)
+            number = isinstance(value, int | float) and not isinstance(value, bool)
+            if not (number and 0 <= value < 1):
+                raise _bad(f"population.{name}", value, "a share from 0 to 1", "a percentage was given")
+
+    def drawn(self, participants: int, trials: int, rng: np.random.Generator) -> Pairs:
+        """Pairs of one experiment; ``trials`` is the number in each condition."""
+        level = 1 + self.between * rng.standard_normal((participants, 1))
+        left = 1 - self.reduction + self.effect_between * rng.standard_normal((participants, 1))
+        noise = self.within * rng.standard_normal((2, participants, trials))
+        names = np.repeat([f"P{number + 1}" for number in range(participants)], trials)
+        on, off = level * left + noise[0], level + noise[1]
+        return Pairs("simulated", names, on.ravel(), off.ravel(), omitted=0)
+
+
+def power(
+    population: Population,
+    participants: list[int],
+    trials: list[int],
+    *,
+    tests: int = 2,
+    level: float = 0.05,
+    simulations: int = 2000,
+    seed: int = 0,
+) -> xr.Dataset:
+    """Chance that the test over participants shows the reduction, by simulated experiments.
+
+    Parameters
+    ----------
+    participants, trials : numbers to try; trials are those of one condition and participant
+    tests : made at once (Bonferroni): two waveguides
+    level : of all tests together
+
+    Returns
+    -------
+    ``power`` and ``error``, its Monte-Carlo standard error, on (participants, trials)
+
+    Raises
+    ------
+    FrictionError : fewer than 2 participants, no trials, or too few simulations
+    """
+    _counts("participants", participants, 2)
+    _counts("trials", trials, 1)
+    _counts("simulations", [simulations], 100)
+    rng = np.random.default_rng(seed)
+    chance = np.empty((len(participants), len(trials)))
+    for row, people in enumerate(participants):
+        for column, strokes in enumerate(trials):
+            noise = math.sqrt(2 / strokes) * population.within * rng.standard_normal((simulations, people))
+            level_of_each = 1 + population.between * rng.standard_normal((simulations, people))
+            effect = population.reduction + population.effect_between * rng.standard_normal(
+                (simulations, people)
+            )
+            p = stats.ttest_1samp(noise - level_of_each * effect, 0.0, axis=1).pvalue
+            chance[row, column] = (p * tests < level).mean()
+    dims = ("participants", "trials")
+    error = np.sqrt(chance * (1 - chance) / simulations)
+    return xr.Dataset(
+        {"power": (dims, chance), "error": (dims, error)},
+        coords={"participants": participants, "trials": trials},
+        attrs={
+            "origin": "simulated",
+            "tests": tests,
+            "level": level,
+            "simulations": simulations,
+            "seed": seed,
+        },
+    )
+
+
+def participants_needed(
+    population: Population, trials: int, *, wanted: float = 0.8, most: int = 60, seed: int = 0
+) -> int | None:
+    """Smallest number of participants that shows the reduction with the wanted chance; None above ``most``.
+
+    Raises
+    ------
+    FrictionError : a chance that is none, or no trials
+    """
+    if not 0 < wanted < 1:
+        raise _bad("wanted", wanted, "a chance above 0 and below 1", "a percentage was given")
+    low, high = 2, most
+    if power(population, [high], [trials], seed=seed)["power"].item() < wanted:
+        return None
+    while low < high:
+        middle = (low + high) // 2
+        if power(population, [middle], [trials], seed=seed)["power"].item() >= wanted:
+            high = middle
+        else:
+            low = middle + 1
+    return low
+
+
+def false_alarms(
+    population: Population,
+    participants: int,
+    trials: int,
+    *,
+    level: float = 0.05,
+    simulations: int = 400,
+    seed: int = 0,
+) -> dict[str, tuple[float, float, int]]:
+    """How often each test finds a difference where the population has none.
+
+    The population's own reduction is set to zero; people differ all the same.
+
+    Returns
+    -------
+    name of the test -> rate, its standard error, and the number of experiments in which it could be computed
+
+    Raises
+    ------
+    FrictionError : fewer than 2 participants, no trials, or too few simulations
+    """
+    _counts("participants", [participants], 2)
+    _counts("trials", [trials], 2)
+    _counts("simulations", [simulations], 20)
+    rng = np.random.default_rng(seed)
+    null = Population(0.0, population.effect_between, population.within, population.between)
+    values: dict[str, list[float]] = {}
+    for _ in range(simulations):
+        pairs = null.drawn(participants, trials, rng)
+        for test in (by_trials(pairs), by_participants(pairs), by_mixed_model(pairs)):
+            values.setdefault(test.name, []).append(test.p)
+    rates = {}
+    for name, many in values.items():
+        computed = [p for p in many if math.isfinite(p)]
+        rate = float(np.mean([p < level for p in computed])) if computed else math.nan
+        rates[name] = rate, math.sqrt(max(rate * (1 - rate), 1e-12) / max(len(computed), 1)), len(computed)
+    return rates
+
+
+def _counts(name: str, numbers: list[int], least: int) -> None:
+    whole = [isinstance(n, int) and not isinstance(n, bool) and n >= least for n in numbers]
+    if not numbers or not all(whole):
+        raise _bad(name, numbers, f"whole numbers from {least}", "a test needs so many to be computed at all")
+
+
+def _bad(name: str, given: object, allowed: str, cause: str) -> FrictionError:
+    return FrictionError(
+        argument=name,
+        given=shown(given),
+        allowed=allowed,
+        cause=cause,
+        next_step=f"give {allowed}",
+    )

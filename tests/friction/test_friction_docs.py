@@ -1,0 +1,39 @@
+"""What the page on friction, and the docstrings, print is executed."""
+
+import doctest
+import re
+from pathlib import Path
+
+from haptonic.friction.lubrication import parameters
+
+PAGE = Path(__file__).parents[2] / "docs" / "friction.md"
+BIBLIOGRAPHY = PAGE.with_name("references.bib")
+SOURCE = Path(parameters.__file__).parents[1]
+
+
+def test_the_printed_python_runs_and_says_what_it_should(capsys):
+    blocks = re.findall(r"```python\n(.*?)```", PAGE.read_text("utf-8"), re.DOTALL)
+    assert len(blocks) == 2
+    for text in blocks:
+        exec(compile(text, str(PAGE), "exec"), {})
+    said = capsys.readouterr().out
+    assert "load_sharing [0.88 0.43 0.03]" in said
+    assert "55 % against 11 %: 3.3 times the amplitude" in said
+    assert "felt in time below Q = 193" in said
+    assert "WG1, 3 participants: friction differs" in said
+    assert "WG2, 3 participants: " in said
+
+
+def test_docstring_examples():
+    found = doctest.testmod(parameters)
+    assert found.attempted >= 1
+    assert not found.failed
+
+
+def test_every_cited_source_is_in_the_bibliography():
+    known = set(re.findall(r"^@\w+\{([^,]+),", BIBLIOGRAPHY.read_text("utf-8"), re.MULTILINE))
+    cited = set()
+    for file in SOURCE.rglob("*.py"):
+        text = re.sub(r"# type: ignore.*", "", file.read_text("utf-8"))
+        cited |= set(re.findall(r"\[([a-z]+[a-z-]*-[a-z0-9-]+|[a-z]+\d{4})\]", text))
+    assert {"wiertlewski2016", "vezzoli2017", "daunizeau-haptics"} <= cited <= known

@@ -1,0 +1,342 @@
+"""From force records to trials: filters at their attenuation, strokes of known friction, every exclusion."""
+
+import h5py
+import numpy as np
+import pandas as pd
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from test_lubrication import refused
+
+from haptonic.errors import ResourceError
+from haptonic.friction.protocol import Protocol
+from haptonic.friction.signals import (
+    REASONS,
+    Label,
+    Record,
+    Rules,
+    design_frequency,
+    exclusions,
+    measure,
+    measured,
+    read_records,
+    read_trials,
+    smoothed,
+    write_trials,
+)
+from haptonic.friction.twin import Truth, strokes
+
+LABEL = Label("P1", 1, 1, "WG1", "on")
+
+
+def stroke(friction=0.4, force=0.8, speed=0.08, noise=0.0, seed=0, bias=(0.0, 0.0)):
+    """A stroke with 0.3 s before, 1 s of contact, 0.2 s after; moving all the time; arrays to spoil."""
+    time = np.arange(1500) / 1000
+    normal = force * np.clip(np.minimum(time - 0.3, 1.3 - time) / 0.05, 0, 1)
+    normal *= 1 + 0.005 * np.sin(20 * time)  # no finger is quite steady; a channel at its end is
+    rng = np.random.default_rng(seed)
+    return {
+        "normal": normal + noise * rng.standard_normal(1500) + bias[0],
+        "tangential": -friction * normal + noise * rng.standard_normal(1500) + bias[1],
+        "rate": 1000.0,
+        "position": speed * time,
+    }
+
+
+class TestFilters:
+    @pytest.mark.parametrize(("name", "level"), [("literal", -6.02), ("compensated", -3.01), ("none", 0.0)])
+    def test_attenuation_at_50_hz(self, name, level):
+        """Seen in a sine that is let through, away from the ends."""
+        time = np.arange(4000) / 1000
+        through = smoothed(np.sin(2 * np.pi * 50 * time), 1000.0, name)[1000:3000]
+        found = 20 * np.log10(np.sqrt(2 * np.mean(through**2)))
+        assert found == pytest.approx(level, abs=0.01)
+
+    def test_the_compensated_design_is_the_stated_one(self):
+        assert design_frequency("compensated", 1000.0) == pytest.approx(62.05, abs=0.005)
+        assert design_frequency("literal", 1000.0) == 50.0
+
+    @pytest.mark.parametrize("name", ["literal", "compensated"])
+    def test_no_delay_and_no_change_of_the_mean(self, name):
+        time = np.arange(2001) / 1000
+        pulse = np.exp(-(((time - 1) / 0.05) ** 2))
+        through = smoothed(pulse, 1000.0, name)
+        assert np.argmax(through) == 1000
+        assert through.sum() == pytest.approx(pulse.sum(), rel=1e-4)
+
+    def test_bad_filters_are_refused(self):
+        refused(lambda: smoothed(np.ones(50), 1000.0, "litteral"), "literal", "did you mean")
+        refused(lambda: smoothed(np.ones(50), 1.0), "1 Hz", "kHz")
+        refused(lambda: smoothed(np.ones(50), float("nan")), "nan")
+        refused(lambda: smoothed(np.ones(9), 1000.0), "9 samples")
+
+
+class TestMeasure:
+    @settings(max_examples=20)
+    @given(st.floats(0.02, 2), st.floats(0.2, 3), st.floats(0.02, 0.4), st.floats(-3, 3), st.floats(-3, 3))
+    def test_a_clean_stroke_says_its_friction(self, friction, force, speed, one, other):
+        """Whatever the force, the speed and the bias of the sensor."""
+        found = measure(Record(**stroke(friction, force, speed, noise=1e-6, bias=(one, other))))
+        assert found.excluded == ""
+        assert found.mean_of_ratios == pytest.approx(friction, rel=1e-3)
+        assert found.ratio_of_means == pytest.approx(friction, rel=1e-3)
+        assert found.speed == pytest.approx(speed, rel=0.01)
+        assert found.force == pytest.approx(force, rel=0.06)
+        assert found.duration == pytest.approx(1.0, abs=0.06)
+
+    def test_the_two_averages_differ_as_they_should(self):
+        """Twice the friction while pressed half as hard: 0.3 of ratios, 0.2667 of means."""
+        made = stroke(friction=1.0, force=1.0)
+        half = np.arange(1500) < 800
+        made["normal"] = made["normal"] * np.where(half, 1.0, 0.5)
+        made["tangential"] = made["normal"] * np.where(half, 0.2, 0.4)
+        found = measure(Record(**made))
+        assert found.mean_of_ratios == pytest.approx(0.3, abs=0.01)
+        assert found.ratio_of_means == pytest.approx(0.8 / 3, abs=0.01)
+        assert found.spread == pytest.approx(0.1, abs=0.01)
+
+    def test_noise_of_the_sensor(self):
+        """21 mN rms: below 50 Hz little is left of it."""
+        found = [measure(Record(**stroke(noise=0.021, seed=seed))).mean_of_ratios for seed in range(20)]
+        assert np.mean(found) == pytest.approx(0.4, abs=0.003)
+        assert np.std(found) < 0.004
+
+    def test_the_way_back_does_not_count(self):
+        made = stroke()
+        back = np.arange(1500) > 1000
+        made["position"] = np.where(back, 0.08 * (2 - np.arange(1500) / 1000), made["position"])
+        made["tangential"][back] *= -3
+        found = measure(Record(**made))
+        assert found.mean_of_ratios == pytest.approx(0.4, rel=0.02)
+        assert found.reversing == pytest.approx(0.2, abs=0.02)
+
+    def test_speeding_up_does_not_count(self):
+        made = stroke()
+        slow = np.arange(1500) < 700
+        made["position"] = np.cumsum(np.where(slow, 0.008, 0.08)) / 1000
+        made["tangential"] *= np.where(slow, 3, 1)
+        found = measure(Record(**made))
+        assert found.mean_of_ratios == pytest.approx(0.4, rel=0.03)
+        assert found.off_plateau == pytest.approx(400 / 1500, abs=0.02)
+        assert found.below_threshold == pytest.approx(500 / 1500, abs=0.02)
+
+    def test_without_a_position_the_middle_counts(self):
+        made = stroke()
+        made["position"] = None
+        made["tangential"][:500] *= 3  # the first fifth of the contact is left out
+        found = measure(Record(**made))
+        assert found.mean_of_ratios == pytest.approx(0.4, rel=5e-3)
+        assert np.isnan(found.speed)
+        assert found.duration == pytest.approx(0.6, abs=0.01)
+
+    def test_the_shares_add_up(self):
+        found = measure(Record(**stroke()))
+        shares = found.below_threshold + found.reversing + found.off_plateau + found.duration / 1.5
+        assert shares == pytest.approx(1)
+
+
+def spoiled(what):
+    made = stroke()
+    if what == "missing numbers":
+        made["tangential"][700] = np.nan
+    elif what == "record too short":
+        made = {name: array[:9] if name != "rate" else array for name, array in made.items()}
+    elif what == "saturated channel":
+        made["normal"] = np.minimum(made["normal"], 0.5)
+    elif what == "contact before the stroke":
+        made = {name: array[310:] if name != "rate" else array for name, array in made.items()}
+    elif what == "no contact":
+        made["normal"] = 0.01 * np.sin(np.arange(1500.0))
+    elif what == "steady part too short":
+        made["normal"] *= np.abs(np.arange(1500) - 800) < 40
+    elif what == "normal force outside of the rule":
+        made["normal"] *= 10
+        made["tangential"] *= 10
+    elif what == "speed outside of the rule":
+        made["position"] *= 10
+    return Record(**made)
+
+
+@pytest.mark.parametrize("reason", REASONS)
+def test_every_reason_has_its_trial(reason):
+    assert measure(spoiled(reason)).excluded == reason
+
+
+def test_excluded_trials_stay_in_the_table():
+    records = [(Label("P1", 1, n + 1, "WG1", "on"), spoiled(reason)) for n, reason in enumerate(REASONS)]
+    records.append((Label("P1", 1, 99, "WG1", "on"), Record(**stroke())))
+    table = measured(records)
+    counts = exclusions(table)
+    assert table.sizes["stroke"] == len(REASONS) + 1
+    assert counts == dict.fromkeys(REASONS, 1)
+    assert table["excluded"].values[-1] == ""
+    assert list(table["trial"].values) == [*range(1, len(REASONS) + 1), 99]
+
+
+def test_a_record_twice_is_refused():
+    record = Record(**stroke())
+    refused(lambda: measured([(LABEL, record), (LABEL, record)]), "more than once")
+    refused(lambda: measured([]), "none")
+
+
+@pytest.mark.parametrize(
+    ("name", "array", "word"),
+    [
+        ("normal", np.full(1500, 2000.0), "2000 N"),
+        ("tangential", np.full(1500, -800.0), "800 N"),
+        ("position", np.linspace(0, 140, 1500), "140 m"),
+        ("tangential", np.ones(1499), "(1499,)"),
+        ("tangential", np.ones((1500, 3)), "(1500, 3)"),
+        ("normal", np.array(["a"] * 1500), "<U1"),
+        ("rate", 0.0, "0.0 Hz"),
+        ("rate", float("nan"), "nan"),
+    ],
+)
+def test_bad_records_are_refused(name, array, word):
+    refused(lambda: Record(**(stroke() | {name: array})), word, "record.")
+
+
+@pytest.mark.parametrize(
+    ("rules", "word"),
+    [
+        ({"threshold": 100.0}, "100"),
+        ({"threshold": float("nan")}, "nan"),
+        ({"plateau": 50}, "50"),
+        ({"steady": "0.1 s"}, "0.1 s"),
+        ({"steady": True}, "True"),
+        ({"force": (5.0, 0.1)}, "lowest"),
+        ({"speed": 0.078}, "0.078"),
+        ({"filter": "bessel"}, "bessel"),
+    ],
+)
+def test_bad_rules_are_refused(rules, word):
+    refused(lambda: Rules(**rules), word)
+
+
+@pytest.mark.parametrize(
+    ("label", "word"),
+    [
+        ({"actuation": "onn"}, '"on"'),
+        ({"participant": " "}, "participant of"),
+        ({"block": 0}, "block of"),
+        ({"trial": 1.5}, "1.5"),
+        ({"waveguide": None}, "waveguide of"),
+    ],
+)
+def test_bad_labels_are_refused(label, word):
+    good = {"participant": "P1", "block": 1, "trial": 1, "waveguide": "WG1", "actuation": "on"}
+    refused(lambda: Label(**(good | label)), word)
+
+
+class TestFiles:
+    def rows(self):
+        """Two trials of the twin, one row for each sample."""
+        parts = []
+        for n, (label, record, _) in enumerate(strokes(Truth(), Protocol(2, 2), 1)):
+            if n < 2:
+                parts.append(
+                    pd.DataFrame(
+                        {
+                            "participant": label.participant,
+                            "block": label.block,
+                            "trial": label.trial,
+                            "waveguide": label.waveguide,
+                            "actuation": label.actuation.upper(),
+                            "time": 5.0 + np.arange(len(record.normal)) / 1000,
+                            "normal": record.normal,
+                            "tangential": record.tangential,
+                            "position": record.position,
+                        }
+                    )
+                )
+        return pd.concat(parts, ignore_index=True)
+
+    def written(self, table, path):
+        if path.suffix == ".csv":
+            table.to_csv(path, index=False)
+        elif path.suffix == ".nc":
+            table.to_xarray().drop_vars("index").to_netcdf(path, engine="h5netcdf")
+        else:
+            with h5py.File(path, "w") as file:
+                for name in table:
+                    array = table[name].to_numpy()
+                    file[name] = array if array.dtype.kind in "fi" else [str(cell) for cell in array]
+        return path
+
+    @pytest.mark.parametrize("name", ["a.csv", "a.nc", "a.h5", "a.hdf5"])
+    def test_every_format_gives_the_same_trials(self, tmp_path, name):
+        table = self.rows()
+        found = dict(read_records(self.written(table, tmp_path / name)))
+        assert list(found) == [Label("P1", 1, 1, "WG2", "on"), Label("P1", 1, 2, "WG2", "off")]
+        for label, record in found.items():
+            rows = table[table["trial"] == label.trial]
+            assert record.rate == pytest.approx(1000)
+            assert record.normal == pytest.approx(rows["normal"].to_numpy())
+            assert record.tangential == pytest.approx(rows["tangential"].to_numpy())
+            assert record.position == pytest.approx(rows["position"].to_numpy())
+
+    @pytest.mark.parametrize(
+        ("spoil", "word"),
+        [
+            (lambda t: t.drop(columns="normal"), "column normal"),
+            (lambda t: t.rename(columns={"tangential": "tangental"}), 'rename "tangental"'),
+            (lambda t: t.assign(time=t["time"].to_numpy()[::-1]), "times that do not advance evenly"),
+            (lambda t: t.drop(index=[500]), "participant P1, block 1, trial 1"),
+            (lambda t: t.assign(actuation="maybe"), '"on" or "off"'),
+            (lambda t: t.assign(waveguide=["WG1", *["WG2"] * (len(t) - 1)]), "waveguide changes"),
+            (lambda t: t.assign(normal=1000 * t["normal"]), "record.normal"),
+            (lambda t: t.assign(normal="0,8"), "text in the column normal"),
+            (lambda t: t.assign(block=1.5), "block of"),
+            (lambda t: t.iloc[:0], "[0] rows"),
+        ],
+    )
+    def test_bad_tables_of_records(self, tmp_path, spoil, word):
+        path = self.written(spoil(self.rows()), tmp_path / "a.csv")
+        refused(lambda: list(read_records(path)), word)
+
+    def test_files_that_cannot_be_read(self, tmp_path):
+        (tmp_path / "b.nc").write_bytes(b"no such thing")
+        (tmp_path / "b.h5").write_bytes(b"no such thing")
+        (tmp_path / "b.csv").write_bytes(b"\xff\xfe\x00\x81")
+        for name in ("a.csv", "a.nc", "a.h5", "b.nc", "b.h5", "b.csv"):
+            with pytest.raises(ResourceError):
+                list(read_records(tmp_path / name))
+        refused(lambda: list(read_records(tmp_path / "a.tdms")), "a.tdms", ".csv")
+
+    @pytest.mark.parametrize("name", ["t.csv", "t.nc"])
+    def test_trials_come_back(self, tmp_path, name):
+        made = [(label, record) for label, record, _ in strokes(Truth(), Protocol(2, 2), 2)]
+        made.append((Label("P9", 1, 1, "WG1", "off"), spoiled("no contact")))
+        table = measured(made)
+        write_trials(table, tmp_path / name)
+        back = read_trials(tmp_path / name)
+        for column in ("participant", "block", "trial", "waveguide", "actuation", "excluded"):
+            assert list(back[column].values) == list(table[column].values), column
+        for column in ("friction", "ratio_of_means", "force", "speed"):
+            assert back[column].values == pytest.approx(table[column].values, nan_ok=True)
+
+    def test_bad_tables_of_trials(self, tmp_path):
+        good = pd.DataFrame(
+            {
+                "participant": ["1", "1"],
+                "block": [1, 1],
+                "trial": [1, 2],
+                "waveguide": "WG1",
+                "actuation": ["on", "off"],
+                "friction": [0.2, 0.4],
+            }
+        )
+        path = tmp_path / "t.csv"
+        good.to_csv(path, index=False)
+        assert read_trials(path)["participant"].values.tolist() == ["1", "1"]  # a name, though a number
+        for bad, word in (
+            (good.assign(friction=[0.2, np.nan]), "trial 2"),
+            (good.assign(friction=[-0.2, 0.4]), "-0.2"),
+            (good.assign(friction=[20.0, 40.0]), "friction 20"),
+            (good.drop(columns="friction"), "column friction"),
+            (good.assign(participant=["1", None]), "participant of"),
+        ):
+            bad.to_csv(path, index=False)
+            refused(lambda: read_trials(path), word)
+        good.to_csv(path, index=False)
+        refused(lambda: write_trials(read_trials(path), tmp_path / "t.xlsx"), "t.xlsx")

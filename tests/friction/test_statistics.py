@@ -1,0 +1,343 @@
+"""What trials prove: tests by hand and by simulation, alarms counted where there is nothing, bad tables."""
+
+import math
+from dataclasses import replace
+
+import numpy as np
+import pytest
+import xarray as xr
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from scipy import stats
+from statsmodels.stats.power import TTestPower
+from statsmodels.stats.weightstats import ttost_paired
+from test_lubrication import refused
+
+from haptonic.friction.lubrication import WEBER_FRACTION
+from haptonic.friction.statistics import (
+    Pairs,
+    Population,
+    by_mixed_model,
+    by_participants,
+    by_trials,
+    compared,
+    conclusion,
+    drift,
+    equivalence,
+    false_alarms,
+    paired,
+    participants_needed,
+    power,
+    reduction,
+    stopped,
+)
+
+PAPER = Population(reduction=0.11, effect_between=0.06)
+
+
+def table(rows):
+    """Trials from (participant, block, trial, waveguide, actuation, friction, excluded)."""
+    names = ("participant", "block", "trial", "waveguide", "actuation", "friction", "excluded")
+    return xr.Dataset(
+        {
+            name: ("stroke", np.array(column))
+            for name, column in zip(names, zip(*rows, strict=True), strict=True)
+        }
+    )
+
+
+def drawn(participants=4, trials=30, seed=0, population=PAPER):
+    return population.drawn(participants, trials, np.random.default_rng(seed))
+
+
+class TestPairs:
+    ROWS = (
+        ("A", 1, 1, "WG1", "on", 0.1, ""),
+        ("A", 1, 2, "WG1", "off", 0.4, ""),
+        ("A", 1, 3, "WG1", "on", 0.2, "no contact"),
+        ("A", 1, 4, "WG1", "off", 0.5, ""),
+        ("A", 1, 5, "WG1", "on", 0.3, ""),
+        ("A", 1, 6, "WG1", "off", 0.6, ""),
+        ("A", 2, 1, "WG2", "off", 0.9, ""),
+        ("B", 1, 2, "WG1", "on", 0.7, ""),
+        ("B", 1, 1, "WG1", "off", 0.8, ""),
+    )
+
+    def test_by_hand(self):
+        """The second pair of A lacks its trial with the vibration on; nothing moves up into its place."""
+        pairs = paired(table(self.ROWS), "WG1")
+        assert sorted(zip(pairs.participant.tolist(), pairs.on, pairs.off, strict=True)) == [
+            ("A", 0.1, 0.4),
+            ("A", 0.3, 0.6),
+            ("B", 0.7, 0.8),
+        ]
+        assert pairs.omitted == 2
+        on, off = pairs.means
+        assert on == pytest.approx([0.2, 0.7] if pairs.people == ("A", "B") else [0.7, 0.2])
+        assert pairs.reduction == pytest.approx(1 - 0.45 / 0.65)
+        assert off.mean() == pytest.approx(0.65)
+        assert pairs.of("A").off.tolist() == [0.4, 0.6]
+
+    @given(st.permutations(range(9)))
+    def test_the_order_of_the_rows_does_not_count(self, order):
+        pairs = paired(table([self.ROWS[row] for row in order]), "WG1")
+        assert sorted(zip(pairs.on, pairs.off, strict=True)) == [(0.1, 0.4), (0.3, 0.6), (0.7, 0.8)]
+
+    def test_bad_tables_are_refused(self):
+        whole = table(self.ROWS)
+        refused(lambda: paired(whole, "WG3"), "WG3", "did you mean")
+        refused(lambda: paired(whole, "WG2"), "trials on WG2")
+        refused(lambda: paired(whole.drop_vars("excluded"), "WG1"), "column excluded")
+        refused(lambda: paired(xr.Dataset(), "WG1"), "no columns")
+        refused(
+            lambda: paired(whole.assign(excluded=("stroke", ["no contact"] * 9)), "WG1"), "0 of them usable"
+        )
+        refused(lambda: paired(whole, "WG1").of("a"), "participant")
+
+
+class TestTests:
+    def test_the_paired_test_by_hand(self):
+        """Differences 1, 2, 3 (tenths): t = 2 / (1 / sqrt 3), 0.2 +- 4.3027 * 0.057735."""
+        pairs = Pairs(
+            "WG1", np.array(["A", "B", "C"]), np.array([0.1, 0.2, 0.3]), np.array([0.2, 0.4, 0.6]), 0
+        )
+        for test in (by_trials(pairs), by_participants(pairs)):
+            assert test.difference == pytest.approx(-0.2)
+            assert test.statistic == pytest.approx(-2 * math.sqrt(3))
+            assert (test.low, test.high) == pytest.approx((-0.2 - 0.24841, -0.2 + 0.24841), abs=1e-4)
+            assert test.p == pytest.approx(0.0742, abs=1e-4)
+            assert test.d_z == pytest.approx(-2)
+            assert test.d_z == pytest.approx(test.statistic / math.sqrt(3))
+            assert test.d_av == pytest.approx(-0.2 / 0.15)
+            assert test.among(2).corrected == pytest.approx(2 * test.p)
+            assert test.among(100).corrected == 1.0
+
+    def test_each_test_counts_its_own_units(self):
+        pairs = drawn(5, 30)
+        assert (by_trials(pairs).n, by_participants(pairs).n, by_mixed_model(pairs).n) == (150, 5, 5)
+        assert (by_trials(pairs).dof, by_participants(pairs).dof) == (149, 4)
+
+    @pytest.mark.parametrize("seed", range(4))
+    def test_the_mixed_model_of_a_balanced_design_is_the_test_by_participants(self, seed):
+        """They are known to agree where the effects of people vary by more than their trials explain."""
+        pairs = drawn(8, 40, seed, Population(0.2, 0.1, within=0.1))
+        mixed, people = by_mixed_model(pairs), by_participants(pairs)
+        assert mixed.difference == pytest.approx(people.difference, rel=1e-5)
+        assert mixed.statistic == pytest.approx(people.statistic, rel=0.02)
+        assert (mixed.low, mixed.high) == pytest.approx((people.low, people.high), rel=0.03)
+        assert mixed.p == pytest.approx(people.p, rel=0.3)
+
+    @settings(max_examples=10)
+    @given(st.integers(0, 1000), st.floats(0.1, 10))
+    def test_neither_scale_nor_sign_changes_the_verdict(self, seed, scale):
+        pairs = drawn(5, 8, seed)
+        larger = replace(pairs, on=scale * pairs.on, off=scale * pairs.off)
+        turned = replace(pairs, on=pairs.off, off=pairs.on)
+        for test in (by_trials, by_participants):
+            assert test(larger).p == pytest.approx(test(pairs).p)
+            assert test(turned).statistic == pytest.approx(-test(pairs).statistic)
+            assert test(larger).d_av == pytest.approx(test(pairs).d_av)
+
+    def test_unbalanced_people_count_the_same(self):
+        """Ten times the trials of one person do not move the mean over people."""
+        pairs = drawn(3, 10)
+        one = pairs.participant == "P1"
+        more = [np.concatenate([side, *[side[one]] * 9]) for side in (pairs.participant, pairs.on, pairs.off)]
+        heavier = Pairs("simulated", *more, omitted=0)
+        assert by_participants(heavier).p == pytest.approx(by_participants(pairs).p)
+        assert by_trials(heavier).n == 120
+
+    def test_one_participant(self):
+        """No p-value over people, and it says why."""
+        pairs = drawn(1, 30)
+        for test in (by_participants(pairs), by_mixed_model(pairs)):
+            assert math.isnan(test.p)
+            assert math.isnan(test.among(2).corrected)
+            assert "one participant only" in test.note
+        assert by_trials(pairs).p < 0.05
+        assert "these participants only" in conclusion(compared([pairs]))
+
+    def test_trials_that_do_not_vary(self):
+        level = np.full(6, 0.4)
+        pairs = Pairs("WG1", np.repeat(["A", "B", "C"], 2), 0.5 * level, level, 0)
+        for test in (by_trials(pairs), by_participants(pairs)):
+            assert math.isnan(test.p)
+            assert "equal" in test.note
+        same = by_mixed_model(replace(pairs, on=level))
+        assert math.isnan(same.p)
+        assert same.note
+        assert math.isnan(by_trials(Pairs("WG1", np.array(["A"]), level[:1], level[:1], 0)).p)
+
+    def test_corrected_for_the_waveguides(self):
+        one, other = drawn(seed=1), replace(drawn(seed=2), waveguide="other")
+        tests = compared([one, other])
+        assert [test.waveguide for test in tests] == ["simulated"] * 3 + ["other"] * 3
+        for test in tests:
+            assert test.corrected == pytest.approx(min(1, 2 * test.p), nan_ok=True)
+
+
+class TestWhatTrialsProve:
+    def test_an_idle_waveguide_of_three_people(self):
+        """Stated: a simulated 11 % drop has a corrected p of 2e-8 by trials and 0.20 by participants."""
+        found = []
+        for seed in range(60):
+            pairs = drawn(3, 60, seed)
+            found.append([test(pairs).among(2).corrected for test in (by_trials, by_participants)])
+        trials, people = np.median(found, axis=0)
+        assert trials < 1e-4
+        assert 0.1 < people < 0.4
+
+    def test_what_may_be_concluded(self):
+        seeds = (drawn(3, 60, seed) for seed in range(20))
+        said = " ".join(conclusion([test.among(2) for test in compared([pairs])]) for pairs in seeds)
+        assert "so few cannot show that others would" in said
+        sure = compared([drawn(12, 60, 0, Population(0.55, 0.05))])
+        assert "also for people who did not take part" in conclusion(sure)
+        nothing = compared([drawn(3, 10, 5, Population(0.0, 0.0))])
+        assert "does not prove there is none" in conclusion(nothing)
+
+    @pytest.mark.slow
+    def test_how_often_each_test_cries_wolf(self):
+        """Nobody's mean effect, but people differ: 5 % is what each test promises."""
+        rates = false_alarms(PAPER, participants=6, trials=60, simulations=300, seed=1)
+        trials, people, mixed = (
+            rates[name] for name in ("trials, as published", "participants", "mixed model")
+        )
+        assert trials[0] > 0.2
+        assert people[0] == pytest.approx(0.05, abs=3 * math.sqrt(0.05 * 0.95 / 300))
+        assert mixed[0] == pytest.approx(0.05, abs=3 * math.sqrt(0.05 * 0.95 / 300))
+        assert mixed[2] == people[2] == 300
+
+    @pytest.mark.slow
+    def test_where_people_do_not_differ_every_test_keeps_its_promise(self):
+        rates = false_alarms(Population(0.0, 0.0), participants=6, trials=20, simulations=200, seed=2)
+        assert rates["trials, as published"][0] == pytest.approx(0.05, abs=0.047)
+        assert rates["participants"][0] == pytest.approx(0.05, abs=0.047)
+        assert rates["mixed model"][0] < 0.097
+
+
+class TestEffects:
+    def test_the_bootstrap_holds_the_truth_as_often_as_it_can(self):
+        """Twelve people: a percentile interval of 95 % is a little narrow, no more."""
+        inside = []
+        for seed in range(150):
+            found = reduction(drawn(12, 20, seed), draws=400, seed=seed)
+            inside.append(found.low < 0.11 < found.high)
+        assert 0.85 < np.mean(inside) <= 0.99
+
+    def test_an_interval_that_forgets_the_people_is_too_narrow(self):
+        pairs = drawn(8, 60)
+        alone = replace(pairs, participant=np.array([f"{n}" for n in range(len(pairs.on))]))
+        clustered, blind = reduction(pairs), reduction(alone, draws=300)
+        assert clustered.high - clustered.low > 1.8 * (blind.high - blind.low)
+        assert clustered.value == pytest.approx(blind.value, abs=1e-9)
+
+    def test_the_share_that_is_stopped(self):
+        rng = np.random.default_rng(0)
+        driven, idle = (Population(r, 0.01).drawn(10, 60, rng) for r in (0.55, 0.11))
+        found = stopped(driven, idle)
+        assert found.value == pytest.approx(1 - idle.reduction / driven.reduction)
+        assert found.low < 0.8 < found.high
+        assert found.high - found.low < 0.15
+        assert "few" in stopped(drawn(3), drawn(3)).note
+        refused(lambda: stopped(drawn(3), drawn(4)), "P4")
+
+    def test_one_participant_has_no_interval(self):
+        found = reduction(drawn(1))
+        assert math.isnan(found.low)
+        assert "one participant" in found.note
+
+    def test_the_same_people_are_drawn_on_both(self):
+        """A waveguide compared with itself: a ratio without spread from people, only from trials."""
+        pairs = drawn(6, 400, population=Population(0.3, 0.2, within=0.01))
+        found = stopped(pairs, pairs)
+        assert found.value == pytest.approx(0)
+        assert found.high - found.low < 0.02
+
+    def test_equivalence_against_another_code(self):
+        """TOST of statsmodels on the same reductions."""
+        pairs = drawn(10, 60, 3, Population(0.03, 0.03, 0.1))
+        found = equivalence(pairs, WEBER_FRACTION)
+        on, off = pairs.means
+        each = 1 - on / off
+        p, _, _ = ttost_paired(each, np.zeros(10), -0.11, 0.11)
+        assert found.p == pytest.approx(p)
+        assert found.mean == pytest.approx(each.mean())
+        assert found.p < 0.05
+        assert -0.11 < found.low < found.high < 0.11
+        assert stats.ttest_1samp(each, 0.11, alternative="less").pvalue == pytest.approx(found.p_above)
+
+    def test_the_interval_and_the_test_agree(self):
+        for seed in range(20):
+            found = equivalence(drawn(6, 20, seed, Population(0.08, 0.04)), 0.11)
+            assert (found.p < 0.05) == (found.low > -0.11 and found.high < 0.11)
+
+    def test_at_the_bound_itself_one_in_twenty(self):
+        hits = [equivalence(drawn(8, 20, seed), 0.11).p < 0.05 for seed in range(300)]
+        assert np.mean(hits) == pytest.approx(0.05, abs=0.04)
+
+    def test_equivalence_needs_people_and_a_share(self):
+        found = equivalence(drawn(1), 0.11)
+        assert math.isnan(found.p)
+        assert "one participant" in found.note
+        for bound in (11, 0, -0.1, float("nan")):
+            refused(lambda b=bound: equivalence(drawn(), b), "0.11 for 11 %")
+
+    def test_drift(self):
+        """A line that was put in, a tenth of the mean, and a second plate that is twice as rough."""
+        rows = []
+        for person, steepness in (("A", 0.08), ("B", 0.10), ("C", 0.12)):
+            for n in range(40):
+                guide, rough = (("WG1", 1), ("WG2", 2))[n % 2]
+                actuation = ("on", "off")[(n // 2) % 2]
+                friction = 0.4 * rough + 0.6 * steepness * (n / 39 - 0.5)
+                friction *= 0.5 if actuation == "on" else 1
+                rows.append((person, 1 + n // 20, 1 + n % 20, guide, actuation, friction, ""))
+        found = drift(table(rows))
+        assert found.value == pytest.approx(0.1, abs=0.005)
+        assert found.low < 0.08
+        assert found.high > 0.12
+        refused(lambda: drift(table(rows[:4])), "at least 3")
+        assert "one participant" in drift(table(rows[:40])).note
+
+
+class TestPlanning:
+    def test_power_against_the_noncentral_t(self):
+        """Without differences of level the paired test has a power in closed form."""
+        plan = Population(0.11, 0.06, within=0.2, between=0.0)
+        spread = math.sqrt(0.06**2 + 2 * 0.2**2 / 20)
+        found = power(plan, [4, 8], [20], tests=2, simulations=4000, seed=1)
+        for people in (4, 8):
+            exact = TTestPower().power(0.11 / spread, people, 0.025)
+            got = found["power"].sel(participants=people, trials=20).item()
+            assert got == pytest.approx(exact, abs=0.03)
+
+    def test_more_people_more_power_but_more_trials_only_up_to_a_point(self):
+        found = power(Population(0.11, 0.08), [3, 6, 12], [10, 60, 1000])["power"]
+        assert (np.diff(found.values, axis=0) > 0).all()
+        assert found.sel(participants=3, trials=1000) < 0.3
+
+    def test_nothing_to_find_is_found_at_the_level(self):
+        found = power(Population(0.0, 0.05), [6], [30], tests=2, simulations=5000)
+        assert found["power"].item() == pytest.approx(0.025, abs=0.008)
+
+    def test_participants_needed(self):
+        plan = Population(0.11, 0.08)
+        people = participants_needed(plan, 60)
+        chances = power(plan, [people - 1, people], [60], simulations=6000, seed=9)["power"].values
+        assert chances[1] > 0.77
+        assert chances[0] < 0.83
+        assert participants_needed(Population(0.01, 0.2), 10, most=10) is None
+
+    def test_bad_plans_are_refused(self):
+        plan = Population(0.11, 0.08)
+        refused(lambda: Population(11, 0.08), "population.reduction")
+        refused(lambda: Population(0.11, float("nan")), "nan")
+        refused(lambda: Population(0.11, True), "True")
+        refused(lambda: power(plan, [1], [60]), "participants")
+        refused(lambda: power(plan, [], [60]), "participants")
+        refused(lambda: power(plan, [3], [0]), "trials")
+        refused(lambda: power(plan, [3], [2.5]), "2.5")
+        refused(lambda: power(plan, [3], [20], simulations=3), "simulations")
+        refused(lambda: participants_needed(plan, 60, wanted=80), "wanted")
+        refused(lambda: false_alarms(plan, 1, 20), "participants")

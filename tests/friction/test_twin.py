@@ -1,0 +1,138 @@
+"""The made-up experiment: the analysis returns the truth that made it; orders are balanced as they say."""
+
+from collections import Counter
+
+import numpy as np
+import pytest
+import xarray as xr
+from test_lubrication import refused
+
+from haptonic.friction.protocol import Protocol, imbalance
+from haptonic.friction.signals import Label, exclusions, measure, measured
+from haptonic.friction.statistics import by_participants, by_trials, drift, paired, reduction, stopped
+from haptonic.friction.twin import Truth, coefficients, strokes
+
+
+def statistic_table(truth, participants, seed):
+    """Trials with their true coefficients: no forces, so that many experiments are cheap."""
+    rows = list(coefficients(truth, Protocol(), participants, np.random.default_rng(seed)))
+    columns = {
+        name: [getattr(label, name) for label, _ in rows]
+        for name in ("participant", "block", "trial", "waveguide", "actuation")
+    }
+    columns |= {"friction": [friction for _, friction in rows], "excluded": [""] * len(rows)}
+    return xr.Dataset({name: ("stroke", np.array(values)) for name, values in columns.items()})
+
+
+class TestStrokes:
+    def test_the_friction_of_every_stroke_is_found_again(self):
+        """Without noise of the sensor to a third of a percent, with it to a few per cent, and unbiased."""
+        for noise, spread in ((0.0, 0.003), (0.021, 0.03)):
+            made = list(strokes(Truth(noise=noise), Protocol(2, 20), 2, seed=3))
+            table = measured((label, record) for label, record, _ in made)
+            assert exclusions(table) == dict.fromkeys(exclusions(table), 0)
+            off = table["friction"].values / np.array([friction for *_, friction in made]) - 1
+            assert np.sqrt(np.mean(off**2)) < spread
+            assert abs(off.mean()) < 0.005
+
+    def test_forces_speeds_and_noise_are_the_published_ones(self):
+        made = [record for _, record, _ in strokes(Truth(), Protocol(4, 50), 1, seed=1)]
+        found = [measure(record) for record in made]
+        assert np.mean([one.speed for one in found]) == pytest.approx(0.078, abs=0.004)
+        assert np.std([one.speed for one in found]) == pytest.approx(0.013, abs=0.004)
+        assert np.mean([one.force for one in found]) == pytest.approx(0.8, abs=0.1)
+        assert np.std([one.force for one in found]) == pytest.approx(0.35, abs=0.1)
+        quiet = np.concatenate([record.normal[:200] for record in made])
+        assert quiet.std() == pytest.approx(0.021, rel=0.02)
+        assert quiet.mean() == pytest.approx(0.3, abs=0.001)
+
+    def test_the_same_seed_the_same_experiment(self):
+        one, same, other = (
+            next(iter(strokes(Truth(), Protocol(2, 2), 1, seed)))[1].normal for seed in (1, 1, 2)
+        )
+        assert (one == same).all()
+        assert (one != other).any()
+
+    def test_bad_truths_are_refused(self):
+        refused(lambda: Truth(within=22), "twin.within")
+        refused(lambda: Truth(noise=float("nan")), "nan")
+        refused(lambda: Truth(friction=0.0), "twin.friction")
+        refused(lambda: Truth(remaining={"WG1": 45.0}), "remaining.WG1")
+        refused(lambda: list(strokes(Truth(remaining={"WG1": 0.45}), Protocol(), 1)), "WG2")
+        refused(lambda: list(strokes(Truth(), Protocol(), 0)), "participants")
+
+
+class TestExperiment:
+    @pytest.mark.slow
+    def test_the_published_experiment(self):
+        """Three people, 240 strokes each: what went in comes out within its own intervals."""
+        truth = Truth(effect_between=0.03)
+        made = list(strokes(truth, Protocol(), 3, seed=11))
+        table = measured((label, record) for label, record, _ in made)
+        driven, idle = paired(table, "WG1"), paired(table, "WG2")
+        assert len(driven.on) + driven.omitted / 2 == 180
+        assert reduction(driven).value == pytest.approx(0.55, abs=0.06)
+        assert reduction(idle).value == pytest.approx(0.11, abs=0.08)
+        assert stopped(driven, idle).value == pytest.approx(0.8, abs=0.13)
+        test = by_trials(idle)
+        assert test.high - test.low == pytest.approx(0.04, abs=0.008)  # as published
+
+    def test_intervals_hold_the_truth_in_95_of_100(self):
+        truth = Truth(between=0.1)
+        inside, blind = [], []
+        for seed in range(100):
+            pairs = paired(statistic_table(truth, 3, seed), "WG2")
+            for test, hits in ((by_participants, inside), (by_trials, blind)):
+                found = test(pairs)
+                hits.append(found.low < -0.42 * 0.11 < found.high)
+        assert np.mean(inside) >= 0.89  # 95 % less three standard errors
+        assert np.mean(blind) < 0.85  # the interval of the test as published
+
+    def test_the_drift_that_was_put_in(self):
+        """0.1 of the session's mean, seen through 22 % of scatter by ten people."""
+        found = drift(statistic_table(Truth(drift=0.1), 10, 0))
+        assert found.low < 0.1 < found.high
+        none = drift(statistic_table(Truth(drift=0.0, within=0.01), 10, 0))
+        assert none.value == pytest.approx(0, abs=0.005)
+
+
+class TestProtocol:
+    def test_the_published_order(self):
+        labels = Protocol().order(3)
+        assert len(labels) == 3 * 240
+        assert Counter((one.participant, one.waveguide, one.actuation) for one in labels) == {
+            (f"P{n}", guide, side): 60
+            for n in (1, 2, 3)
+            for guide in ("WG1", "WG2")
+            for side in ("on", "off")
+        }
+        assert {one.waveguide for one in labels if one.block % 2 == 0} == {"WG1"}
+        assert {one.waveguide for one in labels if one.block % 2} == {"WG2"}
+        for first, second in zip(labels[::2], labels[1::2], strict=True):
+            assert (first.actuation, second.actuation) == ("on", "off")
+        assert labels[0] == Label("P1", 1, 1, "WG2", "on")
+
+    def test_counterbalancing_takes_away_what_the_order_does(self):
+        """As published, off always comes one trial after on; balanced, as often before."""
+        assert imbalance(Protocol().order(4)) == pytest.approx(1)
+        assert imbalance(Protocol(counterbalanced=True).order(4)) == pytest.approx(0)
+        first = {one.participant: one.waveguide for one in reversed(Protocol(counterbalanced=True).order(4))}
+        assert Counter(first.values()) == {"WG1": 2, "WG2": 2}
+
+    def test_shuffled_blocks_keep_their_numbers(self):
+        plain, mixed = Protocol().order(2), Protocol().shuffled(2, np.random.default_rng(0))
+
+        def counted(labels):
+            return Counter((one.participant, one.block, one.waveguide, one.actuation) for one in labels)
+
+        assert counted(plain) == counted(mixed)
+        assert [one.actuation for one in plain] != [one.actuation for one in mixed]
+        assert [(one.block, one.trial) for one in plain] == [(one.block, one.trial) for one in mixed]
+
+    @pytest.mark.parametrize("numbers", [{"blocks": 7}, {"trials": 0}, {"trials": 30.0}, {"blocks": True}])
+    def test_bad_protocols_are_refused(self, numbers):
+        refused(lambda: Protocol(**numbers), "even number")
+
+    def test_no_participant_is_refused(self):
+        for number in (0, -1, 2.5, True):
+            refused(lambda n=number: Protocol().order(n), "participants")
