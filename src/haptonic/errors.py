@@ -60,6 +60,10 @@ class ResponseError(HaptonicError):
     """A frequency response, or a file of one, cannot be used."""
 
 
+class ScanError(HaptonicError):
+    """A scan file, or what it holds, cannot be used."""
+
+
 class ResourceError(HaptonicError):
     """The machine has too little memory, or a file cannot be read or written."""
 
