@@ -132,11 +132,15 @@ def estimate(
     store = growing((len(frequency), points), plan.single, key, state)
     averages = scan.repeats * _pieces(scan.samples, plan)
     size = max(1, int(WORKING_MEMORY / (48.0 * plan.length * averages)))
-    for first, reference, response in scan.chunks(size, start=store.done):
-        _add(store, first, reference, response, scan, plan)
-        store.keep(first + len(response))
-        if progress is not None:
-            progress(store.done, points)
+    try:
+        for first, reference, response in scan.chunks(size, start=store.done):
+            _add(store, first, reference, response, scan, plan)
+            store.done = first + len(response)
+            store.keep()
+            if progress is not None:
+                progress(store.done, points)
+    finally:
+        store.keep(now=True)
     return _finished(scan, store, plan, frequency, averages, settings)
 
 

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import json
+import time
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
@@ -14,6 +15,7 @@ from numpy.typing import DTypeLike, NDArray
 from haptonic.errors import ScanError
 
 PROGRESS = "progress.json"
+SECONDS = 5.0  # between two savings: each brings all pages that changed to the disk
 
 
 @dataclass(eq=False)
@@ -29,18 +31,19 @@ class Growing:
     done: int
     folder: Path | None
     key: str
+    kept_at: float = field(init=False, default_factory=time.monotonic)
 
-    def keep(self, done: int) -> None:
-        """Bring what was filled to the disk, then say so: a kill in between loses one portion."""
-        self.done = done
-        if self.folder is None:
+    def keep(self, *, now: bool = False) -> None:
+        """Bring what was filled to the disk, then say so, every few seconds; a kill loses no more."""
+        if self.folder is None or not (now or time.monotonic() - self.kept_at > SECONDS):
             return
         for array in (self.response, self.coherence, self.measures):
             if isinstance(array, np.memmap):
                 array.flush()
         temporary = self.folder / f"{PROGRESS}.tmp"
-        temporary.write_text(json.dumps({"key": self.key, "done": done}))
+        temporary.write_text(json.dumps({"key": self.key, "done": self.done}))
         temporary.replace(self.folder / PROGRESS)
+        self.kept_at = time.monotonic()
 
 
 def growing(shape: tuple[int, int], single: bool, key: Mapping[str, Any], folder: Path | None) -> Growing:
