@@ -168,11 +168,12 @@ def _warnings(
 ) -> list[str]:
     notes = []
     half = sample_rate / 2
-    if band[1] > NYQUIST_MARGIN * half:
+    safe = NYQUIST_MARGIN * half
+    if band[1] > safe:
         notes.append(
             f"the band reaches {band[1] / 1e3:g} kHz, {100 * band[1] / half:.0f} % of half the sample rate "
             f"({half / 1e3:g} kHz): lines there are bent by the converters' filters or folded "
-            f"back; stay below {NYQUIST_MARGIN * half / 1e3:g} kHz or sample at {2 * band[1] / NYQUIST_MARGIN / 1e3:g} kHz"
+            f"back; stay below {safe / 1e3:g} kHz or sample at {band[1] / safe * sample_rate / 1e3:g} kHz"
         )
     if quality_factor is not None:
         needed = RING_DOWNS * quality_factor / band[0]
@@ -180,8 +181,8 @@ def _warnings(
             safe = RING_DOWNS * quality_factor / duration
             notes.append(
                 f"the period of {duration * 1e3:g} ms is shorter than {needed * 1e3:.4g} ms, the ring-down "
-                f"3 Q / f at {band[0] / 1e3:g} kHz: repeat it, and do not record the first period; a single shot "
-                f"is right above {safe / 1e3:.4g} kHz only"
+                f"3 Q / f at {band[0] / 1e3:g} kHz: repeat it, and do not record the first period; "
+                f"a single shot is right above {safe / 1e3:.4g} kHz only"
             )
     return notes
 
