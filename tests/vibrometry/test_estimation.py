@@ -13,6 +13,7 @@ from scans import X, Y, assert_five_parts
 
 from haptonic.errors import ScanError
 from haptonic.vibrometry import InMemory, TimeScan, estimate
+from haptonic.vibrometry.estimation.quality import clipped_share
 
 RATE, SAMPLES = 200e3, 2000
 LINES = np.fft.rfftfreq(SAMPLES, 1 / RATE)
@@ -235,6 +236,16 @@ class TestQuality:
         assert found.quality.clipped[1] > 0
         assert "saturated" in found.quality.flags[1]
         assert "saturated" not in estimate(self.scan(full_scale=5.0), band=(19e3, 21e3)).quality.flags[1]
+
+    @pytest.mark.parametrize("sign", [1, -1])
+    def test_clipping_on_one_side(self, sign):
+        record = sign * np.array(
+            [[[0.1, 1.0, 1.0, 1.0, -0.2, 0.3, -0.9, 0.2]], [[0.1, 1.0, 0.2, 0.9, 0, 0, 0, 0]]]
+        )
+        assert clipped_share(record, 1.0).tolist() == [3 / 8, 1 / 8]
+        assert clipped_share(record, 1.1).tolist() == [0, 0]
+        # without a full scale a single peak is none, three equal ones are
+        assert clipped_share(record, None).tolist() == [3 / 8, 0]
 
     def test_repair_is_marked(self):
         before = estimate(self.scan(), band=(19e3, 21e3))

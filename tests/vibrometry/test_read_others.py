@@ -14,6 +14,8 @@ from scans import LINES, VALUES, X, Y, assert_five_parts, response
 from haptonic.errors import ScanError
 from haptonic.response import write
 from haptonic.vibrometry import InMemory, TimeScan, read_scan, write_records
+from haptonic.vibrometry.findings import Notebook
+from haptonic.vibrometry.readers.matlab import matlab_arrays
 
 TIME = np.arange(50) / 200e3
 RECORDS = np.random.default_rng(5).integers(-30000, 30000, size=(12, 3, 50)).astype(np.int16)
@@ -71,6 +73,13 @@ class TestMatlab:
         found = read_scan(tmp_path / "a.mat", variables=names, reference="A1, V").response
         assert found.values[..., 0] == pytest.approx(VALUES)
         assert found.points == pytest.approx(np.column_stack([X, Y]))
+
+    def test_arrays_have_the_shape_that_matlab_shows(self, tmp_path, save):
+        table = np.arange(6.0).reshape(2, 3)
+        save(tmp_path / "a.mat", a=table, z=table * 1j)
+        found = matlab_arrays(tmp_path / "a.mat", Notebook(tmp_path, "MATLAB"))
+        assert np.array_equal(found["a"], table)
+        assert np.array_equal(found["z"], table * 1j)
 
     def test_a_structure(self, tmp_path):
         scipy.io.savemat(tmp_path / "a.mat", {"s": {"h": VALUES.T, "f": LINES}, "x": X, "y": Y})

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import json
+
 import numpy as np
 import pytest
 import pyuff
@@ -76,6 +78,10 @@ class TestFilesOfOthers:
     def test_all_samples_are_tested(self):
         assert {path.name for path in SAMPLES} == set(REFUSED)
 
+    def test_the_code_page_of_older_instruments(self):
+        (function,) = uff_contents(DATA / "non_ascii_header.uff").functions
+        assert function.header.over.unit == "(1/N)*(m/s²)"
+
     def test_a_measured_response_comes_back(self, tmp_path):
         text = (DATA / "meas_point_1.txt").read_text().split()
         measured = np.array([complex(one) for one in text])
@@ -117,6 +123,32 @@ class TestAWholeScan:
         path.write_bytes(content)
         found = read_scan(path).response
         assert np.array_equal(found.values[:, 1, 0], trap)
+
+    def test_the_other_order_of_bytes(self, tmp_path):
+        path = uff(tmp_path / "a.uff", nodes(count=1), curve(1, VALUES[:, 0], binary=1))
+        content, plain = path.read_bytes(), VALUES[:, 0].tobytes()
+        assert plain in content
+        turned = content.replace(plain, VALUES[:, 0].astype(">c16").tobytes())
+        path.write_bytes(turned.replace(b"58b     1     2", b"58b     2     2"))
+        assert np.array_equal(read_scan(path).response.values[:, 0, 0], VALUES[:, 0])
+
+    def test_uneven_lines_with_touching_numbers(self, tmp_path):
+        path = uff(
+            tmp_path / "a.uff", nodes(count=1), curve(1, -np.abs(VALUES[:, 0]) + 0j, abscissa_spacing=0)
+        )
+        text = path.read_text()
+        for line in text.splitlines()[-9:-1]:
+            real = float(line[13:33])
+            text = text.replace(line, f"{line[:13]}{real:20.13E}{'-0.0000000000000D-00':>20}")
+        path.write_text(text)
+        found = read_scan(path).response
+        assert found.frequency == pytest.approx(LINES)
+        assert found.values[:, 0, 0] == pytest.approx(-np.abs(VALUES[:, 0]), rel=1e-10)
+
+    def test_a_drive_against_the_axis(self, tmp_path):
+        found = read_scan(whole(tmp_path / "a.uff", ref_dir=-3, ref_node=4)).response
+        assert found.values[..., 0] == pytest.approx(-VALUES, rel=1e-10)
+        assert found.dataset.attrs["reference"] == "4z, V"
 
     def test_single_precision_and_fortran_numbers(self, tmp_path):
         path = whole(tmp_path / "a.uff")
@@ -266,6 +298,26 @@ class TestBrokenFiles:
         path.write_text("\n".join(lines) + "\n")
         assert '"overload"' in read_scan(path).report.dropped[0].reason
 
+    @pytest.mark.parametrize("kind", [15, 2411])
+    def test_a_broken_node(self, tmp_path, kind):
+        """The others keep their places; the point of the broken one has none."""
+        curves = [curve(i + 1, VALUES[:, i]) for i in range(12)]
+        path = uff(tmp_path / "a.uff", units(), nodes(kind=kind), *curves)
+        lines = path.read_text().splitlines()
+        at = next(i for i, line in enumerate(lines) if line.split()[:4] == ["5", "0", "0", "0"])
+        if kind == 15:
+            lines[at] = lines[at][:-13] + "     overflow"
+        else:
+            lines[at + 1] = lines[at + 1][:-25] + "                 overflow"
+        path.write_text("\n".join(lines) + "\n")
+        scan = read_scan(path)
+        keep = [i for i in range(12) if i != 4]
+        assert scan.response.points == pytest.approx(np.column_stack([X, Y])[keep], abs=1e-9)
+        assert [str(one) for one in scan.report.dropped] == [
+            "points (geometry): 1 that are cut short or not numbers",
+            "point 5 (data set 7 (type 58)): no coordinates",
+        ]
+
     def test_duplicates_and_strangers(self, tmp_path):
         curves = [curve(i + 1, VALUES[:, i]) for i in range(10)]
         odd = [
@@ -334,7 +386,7 @@ class TestTimeRecords:
                   "orddenom_spec_data_type": 0, "binary": 1, "n_bytes": 512}  # fmt: skip
         moving = [curve(i + 1, VALUES.real[0, i] * time, **common) for i in range(12)]
         driven = [
-            curve(i + 1, np.cos(1e4 * time), **common | {"ordinate_axis_units_lab": "mV",
+            curve(i + 1, (i + 1) * np.cos(1e4 * time), **common | {"ordinate_axis_units_lab": "mV",
                   "ordinate_spec_data_type": 1}) for i in range(12)
         ]  # fmt: skip
         return time, moving, driven
@@ -348,7 +400,7 @@ class TestTimeRecords:
         assert scan.reference_scale == 1e-3
         _, reference, moved = next(scan.chunks(5, start=2))
         assert moved[:, 0] == pytest.approx(VALUES.real[0, 2:7, None] * time, rel=1e-5)
-        assert reference[3, 0] == pytest.approx(np.cos(1e4 * time), rel=1e-5, abs=1e-6)
+        assert reference[3, 0] == pytest.approx(6 * np.cos(1e4 * time), rel=1e-5, abs=1e-5)
 
     def test_one_reference_for_all(self, tmp_path):
         _, moving, driven = self.records(tmp_path)
@@ -408,6 +460,20 @@ class TestWriter:
         lines = np.array([100.0, 207.0, 300.0, 400.0, 500.0, 600.0, 700.0, 800.0])
         write_uff(response(frequency=lines), tmp_path / "a.uff")
         assert read_scan(tmp_path / "a.uff").response.frequency == pytest.approx(lines, rel=1e-12)
+
+    def test_evenly_spaced_lines_are_written_by_their_spacing(self, tmp_path):
+        write_uff(response(), tmp_path / "a.uff")
+        assert all(one["abscissa_spacing"] == 1 for one in _sets(tmp_path / "a.uff")[2:])
+        lines = np.array([100.0, 207.0, 300.0, 400.0, 500.0, 600.0, 700.0, 800.0])
+        write_uff(response(frequency=lines), tmp_path / "b.uff")
+        assert all(one["abscissa_spacing"] == 0 for one in _sets(tmp_path / "b.uff")[2:])
+
+    def test_points_keep_their_numbers(self, tmp_path):
+        numbers = [str(7 * i + 3) for i in range(12)]
+        write_uff(response(inputs={"points": numbers}), tmp_path / "a.uff")
+        assert [f"{one['rsp_node']}" for one in _sets(tmp_path / "a.uff")[2:]] == numbers
+        again = read_scan(tmp_path / "a.uff").response
+        assert json.loads(again.dataset.attrs["inputs"])["points"] == numbers
 
     def test_netcdf(self, tmp_path):
         write(response(), tmp_path / "a.nc")
