@@ -50,6 +50,7 @@ INSIDE_FUNCTIONS = {
     "units": {"pint"},
     "jobs": {"dask", "distributed"},
     "workshop": {"netgen"},
+    "vibrometry": {"nptdms", "sdypy"},
 }
 
 

@@ -1,0 +1,248 @@
+"""Single measured curves put together to one frequency response on common lines."""
+
+from __future__ import annotations
+
+from collections import Counter, defaultdict
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any, Literal
+
+import numpy as np
+from numpy.typing import NDArray
+
+from haptonic.errors import ScanError
+from haptonic.response import FrequencyResponse
+from haptonic.vibrometry.findings import Notebook
+from haptonic.vibrometry.labels import Motion, steps
+
+Array = NDArray[np.float64]
+Complex = NDArray[np.complex128]
+
+SAME_LINE = 1e-4  # of the line spacing: files hold the spacing with six digits
+AXES = {1: "x", 2: "y", 3: "z"}
+
+
+@dataclass(frozen=True, eq=False)
+class Curve:
+    """One curve of one point, in SI units.
+
+    source : what to call it in a report, such as "dataset 12"
+    point : name of the point
+    axis : +-1, +-2 or +-3 for x, y and z; negative against the axis
+    kind : a response or its coherence
+    frequency, values : (line,)
+    motion : what moves; of a coherence it says nothing
+    reference : "A1, V" or empty
+    """
+
+    source: str
+    point: str
+    axis: int
+    kind: Literal["response", "coherence"]
+    frequency: Array
+    values: NDArray[Any]
+    motion: Motion
+    reference: str
+
+
+@dataclass(frozen=True)
+class Place:
+    """Position of a point, m."""
+
+    x: float
+    y: float
+
+
+def assemble(
+    curves: Sequence[Curve],
+    places: Mapping[str, Place],
+    notes: Notebook,
+    *,
+    reference: str | None = None,
+    origin: Literal["measured", "simulated"] = "measured",
+    title: str = "",
+    inputs: Mapping[str, Any] | None = None,
+) -> FrequencyResponse:
+    """One response from curves. What does not fit the most frequent lines and unit is named in the notes.
+
+    Parameters
+    ----------
+    places : of the points; one without is dropped
+    reference : which reference, if the file has several; its name or its name and unit
+
+    Raises
+    ------
+    ScanError : several references and none chosen, or nothing is left
+    """
+    measured = [curve for curve in curves if curve.kind == "response"]
+    measured = _of_one_reference(measured, reference)
+    measured = _kept(measured, notes, _not_finite)
+    measured = _kept(measured, notes, lambda curve: None if curve.point in places else "no coordinates")
+    measured = _on_common_lines(measured, notes)
+    measured = _once_each(measured, notes, places)
+    if not measured:
+        raise nothing_left(notes)
+    motion = Counter(curve.motion for curve in measured).most_common(1)[0][0]
+    if len({curve.motion for curve in measured}) > 1:
+        notes.remark(f"displacements, velocities and accelerations are mixed; all were turned into {motion}")
+    # The value knows velocity and displacement only.
+    target: Literal["velocity", "displacement"] = "displacement" if motion == "displacement" else "velocity"
+    if motion == "acceleration":
+        notes.remark("accelerations were divided by i omega: the response is a velocity")
+    lines = measured[0].frequency
+    below = 1 if lines[0] == 0 and any(steps(curve.motion, target) < 0 for curve in measured) else 0
+    if below:
+        notes.remark("the line at 0 Hz was left out: there is nothing to divide by")
+    lines = lines[below:]
+    names, axes = _points_and_axes(measured, notes)
+    if not names or not lines.size:
+        raise nothing_left(notes)
+    row, column = {name: i for i, name in enumerate(names)}, {axis: i for i, axis in enumerate(axes)}
+    values = np.empty((len(lines), len(names), len(axes)), dtype=np.complex128)
+    for curve in measured:
+        if curve.point in row:
+            factor = np.sign(curve.axis) * (2j * np.pi * lines) ** steps(curve.motion, target)
+            values[:, row[curve.point], column[abs(curve.axis)]] = factor * curve.values[below:]
+    return FrequencyResponse.of(
+        values,
+        frequency=lines,
+        x=np.array([places[name].x for name in names]),
+        y=np.array([places[name].y for name in names]),
+        direction=[AXES[axis] for axis in axes],
+        quantity=target,
+        reference=measured[0].reference,
+        origin=origin,
+        coherence=_coherence([c for c in curves if c.kind == "coherence"], measured[0], names, below, notes),
+        title=title,
+        inputs=dict(inputs or {}) | {"points": names},
+    )
+
+
+def nothing_left(notes: Notebook) -> ScanError:
+    """The error of a file of which no point can be used."""
+    return ScanError(
+        argument="scan",
+        given=f"{notes.path}: {notes.first_reasons()}",
+        allowed="at least one point with a measured frequency response and its coordinates",
+        cause="the file holds something else than a scan, or only its geometry, or was cut short",
+        next_step="export the frequency responses of all points together with their coordinates",
+    )
+
+
+def _of_one_reference(curves: list[Curve], asked: str | None) -> list[Curve]:
+    known = list(dict.fromkeys(curve.reference for curve in curves))
+    if asked is None and len(known) <= 1:
+        return curves
+    chosen = [name for name in known if asked in (name, name.partition(",")[0])]
+    if len(chosen) != 1:
+        raise ScanError(
+            argument="reference",
+            given="none" if asked is None else f'"{asked}"',
+            allowed="one of " + "; ".join(f'"{name}"' for name in known),
+            cause="the file holds responses to several references"
+            if asked is None
+            else "the name is misspelt",
+            next_step=f'choose one: read_scan(path, reference="{known[0] if known else "A1"}")',
+        )
+    return [curve for curve in curves if curve.reference == chosen[0]]
+
+
+def _kept(curves: list[Curve], notes: Notebook, refuse: Callable[[Curve], str | None]) -> list[Curve]:
+    """The curves for which ``refuse`` gives no reason; the others are named."""
+    kept = []
+    for curve in curves:
+        reason = refuse(curve)
+        if reason:
+            notes.drop(f"point {curve.point} ({curve.source})", reason)
+        else:
+            kept.append(curve)
+    return kept
+
+
+def _not_finite(curve: Curve) -> str | None:
+    bad = np.count_nonzero(~np.isfinite(curve.values))
+    if bad:
+        return f"{bad} of its {len(curve.values)} numbers are not finite"
+    lines = curve.frequency
+    if not (np.isfinite(lines).all() and len(lines) and lines[0] >= 0 and (np.diff(lines) > 0).all()):
+        return "its frequencies do not ascend from zero or above"
+    return None
+
+
+def _on_common_lines(curves: list[Curve], notes: Notebook) -> list[Curve]:
+    """Those on the most frequent set of lines."""
+    groups: dict[tuple[int, str, str], list[Curve]] = defaultdict(list)
+    for curve in curves:
+        ends = (f"{curve.frequency[0]:.5e}", f"{curve.frequency[-1]:.5e}")
+        groups[len(curve.frequency), *ends].append(curve)
+    if not groups:
+        return []
+    common = max(groups.values(), key=len)[0].frequency
+    step = (common[-1] - common[0]) / max(len(common) - 1, 1)
+    return _kept(curves, notes, lambda curve: _other_lines(curve.frequency, common, step))
+
+
+def _other_lines(lines: Array, common: Array, step: float) -> str | None:
+    slack = SAME_LINE * step + 1e-5 * common[-1] if step else 1e-5 * common[-1]
+    if len(lines) == len(common) and np.abs(lines - common).max() <= slack:
+        return None
+    return (
+        f"{len(lines)} lines from {lines[0]:g} to {lines[-1]:g} Hz, where the scan has "
+        f"{len(common)} from {common[0]:g} to {common[-1]:g} Hz"
+    )
+
+
+def _once_each(curves: list[Curve], notes: Notebook, places: Mapping[str, Place]) -> list[Curve]:
+    """The first curve of each point and direction, and the first point at each place."""
+    first: dict[tuple[str, int], Curve] = {}
+    there: dict[tuple[float, float], str] = {}
+    kept = []
+    for curve in curves:
+        place = places[curve.point]
+        owner = there.setdefault((place.x, place.y), curve.point)
+        other = first.setdefault((curve.point, abs(curve.axis)), curve)
+        if owner != curve.point:
+            notes.drop(f"point {curve.point} ({curve.source})", f"lies where point {owner} lies")
+        elif other is not curve:
+            same = np.array_equal(other.values, curve.values)
+            what = "the same again" if same else "other values"
+            notes.drop(f"point {curve.point} ({curve.source})", f"measured twice, {what}; the first is used")
+        else:
+            kept.append(curve)
+    return kept
+
+
+def _points_and_axes(curves: list[Curve], notes: Notebook) -> tuple[list[str], list[int]]:
+    """Points that were measured in all directions of the scan, and these directions."""
+    measured: dict[str, set[int]] = defaultdict(set)
+    for curve in curves:
+        measured[curve.point].add(abs(curve.axis))
+    wanted = Counter(frozenset(axes) for axes in measured.values()).most_common(1)[0][0]
+    names = []
+    for name, axes in measured.items():
+        if axes == wanted:
+            names.append(name)
+            continue
+        lost = ", ".join(AXES[axis] for axis in sorted(wanted ^ axes))
+        notes.drop(f"point {name}", f"directions differ from those of the scan: {lost}")
+    return names, sorted(wanted)
+
+
+def _coherence(
+    curves: list[Curve], like: Curve, names: list[str], below: int, notes: Notebook
+) -> NDArray[np.floating[Any]] | None:
+    """(line, point) when every point has one on the same lines, else nothing and a remark."""
+    found: dict[str, Curve] = {}
+    for curve in curves:
+        found.setdefault(curve.point, curve)
+    usable = {
+        name: np.real(found[name].values)
+        for name in names
+        if name in found and np.shape(found[name].values) == np.shape(like.values)
+    }
+    usable = {name: c for name, c in usable.items() if np.isfinite(c).all() and c.min() >= 0 and c.max() <= 1}
+    if len(usable) == len(names):
+        return np.stack([usable[name][below:] for name in names], axis=1)
+    if curves:
+        notes.remark(f"coherence left out: only {len(usable)} of {len(names)} points have a usable one")
+    return None

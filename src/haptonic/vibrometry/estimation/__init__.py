@@ -1,0 +1,285 @@
+"""From time records to frequency responses, a few points at a time."""
+
+from __future__ import annotations
+
+import hashlib
+from collections.abc import Callable
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from haptonic.errors import ScanError, nearest
+from haptonic.response import FrequencyResponse
+from haptonic.vibrometry.estimation.progress import Growing, growing
+from haptonic.vibrometry.estimation.quality import (
+    Quality,
+    clipped_share,
+    frozen_share,
+    judged,
+    repaired,
+)
+from haptonic.vibrometry.estimation.spectra import (
+    ESTIMATORS,
+    Estimator,
+    Real,
+    Spectra,
+    WindowName,
+    rolled,
+    segmented,
+    shifts,
+    spectra_of,
+    window_of,
+)
+from haptonic.vibrometry.findings import Notebook, ReadReport
+from haptonic.vibrometry.labels import steps
+from haptonic.vibrometry.records import Samples, TimeScan
+
+__all__ = ["Estimate", "Quality", "Spectra", "estimate", "repaired", "spectra_of", "window_of"]
+
+WORKING_MEMORY = 48e6  # bytes of transforms that are held at a time
+EXCITED = 1e-8  # of the largest power of the drive, below which a line counts as not driven
+
+Progress = Callable[[int, int], object]
+
+
+@dataclass(frozen=True, eq=False)
+class Estimate:
+    """A frequency response estimated from records, the quality of its points, and what was left out."""
+
+    response: FrequencyResponse
+    quality: Quality
+    report: ReadReport
+    averages: int
+
+    def repaired(self, *flags: str) -> Estimate:
+        """Points with one of these flags replaced by their neighbours, and marked.
+
+        Raises
+        ------
+        ScanError : an unknown flag, or too few points without flags
+        """
+        response, quality = repaired(self.response, self.quality, flags)
+        return Estimate(response, quality, self.report, self.averages)
+
+
+@dataclass(frozen=True)
+class _Plan:
+    """All that the computation of a portion needs, for a given scan."""
+
+    estimator: Estimator
+    length: int
+    step: int
+    lines: slice
+    kept: NDArray[np.int64] = field(compare=False)
+    window: Real | None = field(compare=False)
+    like: Real | None = field(compare=False)
+    single: bool
+    workers: int
+    factor: NDArray[Any] = field(compare=False)
+
+
+def estimate(
+    scan: TimeScan,
+    *,
+    estimator: Estimator = "H1",
+    window: WindowName = "none",
+    decay: float | None = None,
+    segment: int | None = None,
+    overlap: float = 0.0,
+    band: tuple[float, float] | None = None,
+    align: bool = False,
+    state: Path | None = None,
+    progress: Progress | None = None,
+    workers: int = 1,
+) -> Estimate:
+    """Frequency responses of all points, read once from the file and a portion at a time.
+
+    Records of 16-bit integers or of single precision are transformed in single precision: its error is far
+    below their own noise. Lines that the drive leaves out are left out of the result, and said.
+
+    Parameters
+    ----------
+    estimator : "H1" for noise on the response (a laser's), "H2" for noise on the reference, "Hv" for both
+    window : "none" for periodic chirps, "exponential" for bursts, "hann" for random drives, see `window_of`
+    decay : of the exponential window, s
+    segment : samples of one transform: a period of the drive; by default a whole record
+    overlap : of segments that follow one another, from 0 to below 1
+    band : lowest and highest frequency, Hz
+    align : turn each record so that its reference starts as that of the very first one
+    state : folder in which a stopped estimation is continued
+    progress : called with the points done and their number
+    workers : threads of the transforms
+
+    Returns
+    -------
+    The response is a velocity or displacement per unit of the reference; its coherence is there when there
+    is more than one average.
+
+    Raises
+    ------
+    ScanError : settings that do not fit the records, or nothing left
+    """
+    plan = _planned(scan, estimator, window, decay, segment, overlap, band, align, workers)
+    points, frequency = len(scan.names), _frequencies(scan, plan)[plan.kept]
+    settings = {
+        "estimator": estimator, "window": window, "decay": decay, "segment": plan.length, "overlap": overlap,
+        "band": [float(frequency[0]), float(frequency[-1])], "align": align,
+    }  # fmt: skip
+    key = settings | {"scan": _fingerprint(scan)}
+    store = growing((len(frequency), points), plan.single, key, state)
+    averages = scan.repeats * _pieces(scan.samples, plan)
+    size = max(1, int(WORKING_MEMORY / (48.0 * plan.length * averages)))
+    try:
+        for first, reference, response in scan.chunks(size, start=store.done):
+            _add(store, first, reference, response, scan, plan)
+            store.done = first + len(response)
+            store.keep()
+            if progress is not None:
+                progress(store.done, points)
+    finally:
+        store.keep(now=True)
+    return _finished(scan, store, plan, frequency, averages, settings)
+
+
+def _planned(
+    scan: TimeScan,
+    estimator: Estimator,
+    window: WindowName,
+    decay: float | None,
+    segment: int | None,
+    overlap: float,
+    band: tuple[float, float] | None,
+    align: bool,
+    workers: int,
+) -> _Plan:
+    if estimator not in ESTIMATORS:
+        guess = nearest(str(estimator), ESTIMATORS) or "H1"
+        raise _wrong("estimator", f'"{estimator}"', 'one of "H1", "H2", "Hv"', f'did you mean "{guess}"?')
+    length = scan.samples if segment is None else segment
+    if not 2 <= length <= scan.samples:
+        allowed = f"2 to {scan.samples} samples, the length of a record"
+        raise _wrong("segment", f"{length} samples", allowed, "give the samples of one period of the drive")
+    if not 0 <= overlap < 1:
+        raise _wrong("overlap", f"{overlap:g}", "from 0 to below 1", "give a share, such as 0.5 for half")
+    step = max(1, length - int(overlap * length))
+    reference, response = scan.source.load(0, min(8, len(scan.names)))
+    low, high = band if band is not None else (0.0, scan.sample_rate / 2)
+    frequency = np.fft.rfftfreq(length, 1 / scan.sample_rate)
+    # a line at 0 Hz has no motion
+    first = max(1, int(np.searchsorted(frequency, low * (1 - 1e-9))))
+    last = int(np.searchsorted(frequency, high * (1 + 1e-9), side="right"))
+    if not first < last:
+        allowed = (
+            f"a band with at least one of the lines, {frequency[1]:g} Hz apart, up to {frequency[-1]:g} Hz"
+        )
+        raise _wrong(
+            "band", f"{low:g} to {high:g} Hz", allowed, "give both limits in Hz, the lower one first"
+        )
+    single = all(a.dtype.itemsize <= 2 or a.dtype == np.float32 for a in (reference, response))
+    weights = window_of(window, length, scan.sample_rate, decay)
+    drive = segmented(reference.astype(np.float64), length, step)
+    probe = spectra_of(drive, drive, None, slice(first, last))
+    power = np.where(np.isfinite(probe.xx), probe.xx, 0).max(axis=0)
+    kept = np.flatnonzero(power > EXCITED * power.max())
+    if not len(kept):
+        given = "no signal in the first points' records"
+        raise _wrong("reference", given, "a drive with power in the band", "check the reference's cable")
+    power_of_i = steps(scan.motion, "displacement" if scan.motion == "displacement" else "velocity")
+    scale = scan.response_scale / scan.reference_scale
+    factor = scale * (2j * np.pi * frequency[first:last][kept]) ** power_of_i
+    like = reference[0, 0].astype(np.float64) if align else None
+    return _Plan(estimator, length, step, slice(first, last), kept, weights, like, single, workers, factor)
+
+
+def _add(
+    store: Growing, first: int, reference: Samples, response: Samples, scan: TimeScan, plan: _Plan
+) -> None:
+    """One portion: measures of its records first, then its spectra."""
+    last = first + len(response)
+    store.measures[first:last, 0] = clipped_share(response, scan.full_scale)
+    store.measures[first:last, 1] = frozen_share(response)
+    kind = np.float32 if plan.single else np.float64
+    x: Real = reference.astype(kind)
+    y: Real = response.astype(kind)
+    if plan.like is not None:
+        lags = shifts(x.astype(np.float64), plan.like)
+        x, y = rolled(x, lags), rolled(y, np.broadcast_to(lags, y.shape[:2]))
+    x, y = (segmented(one, plan.length, plan.step) for one in (x, y))
+    spectra = spectra_of(x, y, plan.window, plan.lines, plan.workers)
+    values = spectra.response(plan.estimator)[:, plan.kept] * plan.factor.astype(spectra.xy.dtype)
+    coherence = spectra.coherence()[:, plan.kept]
+    store.response[:, first:last] = values.T
+    store.coherence[:, first:last] = coherence.T
+    fine: NDArray[np.bool_] = np.asarray((np.isfinite(values) & np.isfinite(coherence)).all(axis=1))
+    median = np.median(np.where(fine[:, None], coherence, 0.0), axis=1)
+    store.measures[first:last, 2] = np.where(fine, median, np.nan)
+
+
+def _finished(
+    scan: TimeScan,
+    store: Growing,
+    plan: _Plan,
+    frequency: NDArray[np.float64],
+    averages: int,
+    settings: dict[str, Any],
+) -> Estimate:
+    notes = Notebook(Path(scan.title or "records"), "time records")
+    dead = np.isnan(store.measures[:, 2])
+    for name in np.array(scan.names)[dead]:
+        notes.drop(f"point {name}", "samples that are not finite, or no signal in one of the channels")
+    if dead.all():
+        given = "no point with a signal in both channels"
+        raise _wrong("records", given, "at least one usable point", "check the channels and their order")
+    lost = len(range(*plan.lines.indices(plan.length))) - len(frequency)
+    if lost:
+        notes.remark(f"{lost} lines of the band are not driven and were left out")
+    if averages == 1:
+        notes.remark("one average only: the coherence says nothing and was left out")
+    everything = not dead.any()
+    keep = np.flatnonzero(~dead)
+    response = store.response if everything else store.response[:, keep]
+    coherence = store.coherence if everything else store.coherence[:, keep]
+    names = tuple(np.array(scan.names)[keep].tolist())
+    measures = store.measures[keep]
+    median = measures[:, 2] if averages > 1 else np.full(len(keep), np.nan)
+    made = FrequencyResponse.of(
+        np.asarray(response)[..., None],
+        frequency=frequency, x=scan.x[keep], y=scan.y[keep], direction=[scan.direction],
+        quantity="displacement" if scan.motion == "displacement" else "velocity",
+        reference=scan.reference, origin=scan.origin, title=scan.title,
+        coherence=np.asarray(coherence) if averages > 1 else None,
+        inputs=settings | {"averages": averages, "points": list(names)},
+    )  # fmt: skip
+    quality = judged(names, measures[:, 0], measures[:, 1], median)
+    return Estimate(made, quality, notes.closed(len(keep)), averages)
+
+
+def _pieces(samples: int, plan: _Plan) -> int:
+    return (samples - plan.length) // plan.step + 1
+
+
+def _frequencies(scan: TimeScan, plan: _Plan) -> NDArray[np.float64]:
+    return np.asarray(np.fft.rfftfreq(plan.length, 1 / scan.sample_rate)[plan.lines], dtype=float)
+
+
+def _fingerprint(scan: TimeScan) -> str:
+    """Of the scan's form and its first and last point: enough to notice that a folder is of another one."""
+    digest = hashlib.sha256(repr((scan.names, scan.repeats, scan.samples, scan.sample_rate)).encode())
+    for first in sorted({0, len(scan.names) - 1}):
+        for samples in scan.source.load(first, first + 1):
+            digest.update(np.ascontiguousarray(samples).tobytes())
+    digest.update(np.concatenate([scan.x, scan.y]).tobytes())
+    return digest.hexdigest()
+
+
+def _wrong(argument: str, given: str, allowed: str, next_step: str) -> ScanError:
+    return ScanError(
+        argument=argument,
+        given=given,
+        allowed=allowed,
+        cause="the settings belong to other records",
+        next_step=next_step,
+    )

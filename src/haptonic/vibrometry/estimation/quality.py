@@ -1,0 +1,153 @@
+"""How good the records of each point are, and the repair of bad points by their neighbours."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Collection
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.spatial import cKDTree
+
+from haptonic.errors import ScanError
+from haptonic.response import FrequencyResponse
+
+Array = NDArray[np.float64]
+Samples = NDArray[Any]
+
+NEAR_FULL = 0.999  # of the full scale: a sample beyond it is clipped
+FLAT_TOP = 3  # samples in a row at the largest value, which a free vibration does not have
+FROZEN = 0.01  # of a record's samples in a row that are all the same: the laser lost the surface
+LOW = 0.8  # median coherence below which a point is flagged
+NEIGHBOURS = 4
+FLAGS = ("saturated", "dropout", "low coherence", "repaired")
+
+
+@dataclass(frozen=True, eq=False)
+class Quality:
+    """Of the points of an estimate.
+
+    names : of the points
+    clipped : (point,) share of clipped samples
+    frozen : (point,) longest run of equal samples over the length of a record
+    coherence : (point,) median over the lines; NaN where there is one average only
+    flags : of each point, out of "saturated", "dropout", "low coherence" and "repaired"
+    """
+
+    names: tuple[str, ...]
+    clipped: Array
+    frozen: Array
+    coherence: Array
+    flags: tuple[tuple[str, ...], ...]
+
+    def flagged(self, *flags: str) -> NDArray[np.bool_]:
+        """(point,) which points have one of these flags; of any flag when none is named."""
+        wanted = set(flags or FLAGS)
+        return np.array([bool(wanted & set(one)) for one in self.flags])
+
+
+def judged(names: tuple[str, ...], clipped: Array, frozen: Array, coherence: Array) -> Quality:
+    """The flags that follow from the measures."""
+    flags = []
+    for share, run, median in zip(clipped, frozen, coherence, strict=True):
+        found = [("saturated", share > 0), ("dropout", run > FROZEN), ("low coherence", median < LOW)]
+        flags.append(tuple(name for name, bad in found if bad))
+    return Quality(names, clipped, frozen, coherence, tuple(flags))
+
+
+def clipped_share(response: Samples, full_scale: float | None) -> Array:
+    """(point,) share of samples at the full scale, or in a flat top when that is not known.
+
+    Parameters
+    ----------
+    response : (point, repeat, sample) as stored
+    """
+    if full_scale is not None:
+        beyond = (response >= NEAR_FULL * full_scale) | (response <= -NEAR_FULL * full_scale)
+        return np.asarray(beyond.mean(axis=(1, 2)))
+    share = np.zeros(len(response))
+    for sign in (1, -1):
+        top = response.max(axis=2, keepdims=True) if sign == 1 else response.min(axis=2, keepdims=True)
+        at = (response == top) & (top != 0)
+        in_row = at[..., :-2] & at[..., 1:-1] & at[..., 2:]
+        has_flat_top = in_row.any(axis=2, keepdims=True)
+        share += (at & has_flat_top).mean(axis=(1, 2))
+    return share
+
+
+def frozen_share(response: Samples) -> Array:
+    """(point,) longest run of equal samples that follow one another, over the length of a record.
+
+    A run is found on a comb of samples first: only where several of these are equal can one be long.
+    """
+    samples = response.shape[2]
+    stride = max(1, int(0.25 * FROZEN * samples))
+    comb = response[..., ::stride]
+    suspects = (comb[..., 1:] == comb[..., :-1]).any(axis=2) if stride > 1 else np.ones(comb.shape[:2], bool)
+    longest = np.zeros(len(response))
+    for point, repeat in np.argwhere(suspects):
+        record = response[point, repeat]
+        edges = np.flatnonzero(np.diff(record) != 0)
+        run = np.diff(np.concatenate([[-1], edges, [samples - 1]])).max()
+        longest[point] = max(longest[point], run / samples if run > 1 else 0.0)
+    return longest
+
+
+def repaired(
+    response: FrequencyResponse, quality: Quality, flags: Collection[str]
+) -> tuple[FrequencyResponse, Quality]:
+    """Points with one of these flags replaced by the mean of their neighbours, weighted by 1/distance^2.
+
+    The replaced points are marked: "repaired" among their flags, and by name in the response's inputs and
+    title. Their coherence is set to zero: nothing was measured there.
+
+    Raises
+    ------
+    ScanError : an unknown flag, or fewer than four points without flags
+    """
+    for flag in flags:
+        if flag not in FLAGS:
+            raise ScanError(
+                argument="flags",
+                given=f'"{flag}"',
+                allowed=" or ".join(f'"{name}"' for name in FLAGS[:-1]),
+                cause="the flag is misspelt",
+                next_step="choose among these",
+            )
+    bad = quality.flagged(*flags)
+    good = np.flatnonzero(~quality.flagged())
+    if not bad.any():
+        return response, quality
+    if len(good) < NEIGHBOURS:
+        raise ScanError(
+            argument="repair",
+            given=f"{len(good)} points without flags",
+            allowed=f"at least {NEIGHBOURS}",
+            cause="the whole scan is bad: the range of the vibrometer or the drive was wrong",
+            next_step="measure again; nothing can be repaired here",
+        )
+    places, values = response.points, response.values.copy()
+    distance, near = cKDTree(places[good]).query(places[bad], k=NEIGHBOURS)
+    weight = 1 / np.maximum(distance, 1e-12) ** 2
+    weight /= weight.sum(axis=1, keepdims=True)
+    mixed = np.einsum("lpkd,pk->lpd", values[:, good[near]], weight)
+    values[:, bad] = mixed.astype(values.dtype)
+    data, notes = response.dataset, response.dataset.attrs
+    names = [name for name, one in zip(quality.names, bad, strict=True) if one]
+    coherence = None
+    if "coherence" in data:
+        coherence = np.where(bad, 0.0, data["coherence"].values)
+    made = FrequencyResponse.of(
+        values,
+        frequency=response.frequency, x=places[:, 0], y=places[:, 1],
+        reference=notes["reference"], origin=notes["origin"], quantity=notes["quantity"],
+        direction=[str(name) for name in data["direction"].values],
+        coherence=coherence,
+        region=[str(name) for name in data["region"].values] if "region" in data.coords else None,
+        title=f"{notes['title']} ({len(names)} points repaired)".strip(),
+        inputs=json.loads(notes["inputs"]) | {"repaired": names},
+    )  # fmt: skip
+    marked = [(*one, "repaired") if is_bad else one for one, is_bad in zip(quality.flags, bad, strict=True)]
+    return made, Quality(quality.names, quality.clipped, quality.frozen, quality.coherence, tuple(marked))

@@ -1,0 +1,132 @@
+"""Spectra of records and the estimators of a frequency response made of them [bendat2010]."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any, Literal
+
+import numpy as np
+import scipy.fft
+from numpy.typing import NDArray
+
+from haptonic.errors import ScanError
+
+Real = NDArray[np.floating[Any]]
+Complex = NDArray[np.complexfloating[Any, Any]]
+Estimator = Literal["H1", "H2", "Hv"]
+WindowName = Literal["none", "hann", "exponential"]
+
+ESTIMATORS: tuple[Estimator, ...] = ("H1", "H2", "Hv")
+WINDOWS: tuple[WindowName, ...] = ("none", "hann", "exponential")
+
+
+@dataclass(frozen=True, eq=False)
+class Spectra:
+    """Averaged spectra of the reference x and the response y, each (point, line).
+
+    xx, yy : auto spectra, means of |X|^2 and |Y|^2
+    xy : cross spectrum, mean of conj(X) Y
+    averages : how many records the means are of
+    """
+
+    xx: Real
+    yy: Real
+    xy: Complex
+    averages: int
+
+    def response(self, estimator: Estimator) -> Complex:
+        """H1 = Sxy/Sxx, blind to noise on the response; H2 = Syy/Syx, blind to noise on the reference;
+        Hv, their geometric mean. A line without any signal gives a number that is not finite."""
+        with np.errstate(divide="ignore", invalid="ignore"):
+            if estimator == "H1":
+                return np.asarray(self.xy / self.xx)
+            if estimator == "H2":
+                return np.asarray(self.yy / self.xy.conj())
+            return np.asarray(self.xy / np.abs(self.xy) * np.sqrt(self.yy / self.xx))
+
+    def coherence(self) -> Real:
+        """|Sxy|^2 / (Sxx Syy) = H1/H2, from 0 to 1; 1 for a single average, whatever the noise."""
+        with np.errstate(divide="ignore", invalid="ignore"):
+            squared = self.xy.real**2 + self.xy.imag**2
+            return np.asarray(np.minimum(squared / self.xx / self.yy, 1.0))
+
+
+def window_of(name: WindowName, samples: int, sample_rate: float, decay: float | None) -> Real | None:
+    """Weights of a record's samples, or None for "none".
+
+    "none" is for periodic drives recorded over whole periods, which do not leak. "hann" is for random drives.
+    "exponential", exp(-t / decay), is for bursts whose ring-down outlasts the record. It weights both
+    channels, so the estimate is exactly H(i omega + 1/decay): every pole is damped by 1/decay more.
+
+    Raises
+    ------
+    ScanError : an unknown name, or an exponential window without its decay
+    """
+    if name not in WINDOWS:
+        raise ScanError(
+            argument="window",
+            given=f'"{name}"',
+            allowed=" or ".join(f'"{known}"' for known in WINDOWS),
+            cause="the name is misspelt, or haptonic does not have such a window",
+            next_step='use "none" for periodic chirps, "exponential" for bursts, "hann" for random drives',
+        )
+    if (name == "exponential") != (decay is not None and np.isfinite(decay) and decay > 0):
+        raise ScanError(
+            argument="decay",
+            given=str(decay),
+            allowed='a positive time in s with the window "exponential", nothing with the others',
+            cause="the window and its decay were not given together",
+            next_step='give both: window="exponential", decay=0.01',
+        )
+    if name == "none":
+        return None
+    time = np.arange(samples)
+    if name == "hann":
+        return np.asarray(0.5 - 0.5 * np.cos(2 * np.pi * time / samples))
+    return np.asarray(np.exp(-time / (sample_rate * (decay or 1.0))))
+
+
+def segmented(records: Real, length: int, step: int) -> Real:
+    """(point, segment, sample) of records (point, repeat, sample), each cut in pieces that may overlap."""
+    if length == step == records.shape[2]:
+        return records
+    views = np.lib.stride_tricks.sliding_window_view(records, length, axis=2)[:, :, ::step]
+    return np.asarray(views).reshape(len(records), -1, length)
+
+
+def spectra_of(
+    reference: Real, response: Real, window: Real | None, lines: slice, workers: int = 1
+) -> Spectra:
+    """Averaged spectra of segments.
+
+    Parameters
+    ----------
+    reference, response : (point or 1, segment, sample), (point, segment, sample)
+    window : (sample,)
+    lines : of the transform that are kept
+    """
+    transforms = []
+    for segments in (reference, response):
+        weighted = segments if window is None else segments * window.astype(segments.dtype)
+        transforms.append(scipy.fft.rfft(weighted, axis=2, workers=workers)[..., lines])
+    x, y = transforms
+    xx, yy = ((one.real**2 + one.imag**2).mean(axis=1) for one in (x, y))
+    xy = np.einsum("psl,psl->pl", np.broadcast_to(x, y.shape).conj(), y) / y.shape[1]
+    return Spectra(np.broadcast_to(xx, yy.shape), yy, xy, y.shape[1])
+
+
+def shifts(reference: Real, like: Real) -> NDArray[np.int64]:
+    """By how many samples each reference record (..., sample) lags behind another one, by correlation.
+
+    The records are taken as periodic, as those of a repeated drive are.
+    """
+    length = reference.shape[-1]
+    spectrum = scipy.fft.rfft(reference, axis=-1) * scipy.fft.rfft(like).conj()
+    lag = scipy.fft.irfft(spectrum, n=length, axis=-1).argmax(axis=-1)
+    return np.asarray(np.where(lag > length // 2, lag - length, lag))
+
+
+def rolled(records: Real, lags: NDArray[np.int64]) -> Real:
+    """Records (point, repeat, sample) moved to the front by as many samples, around the end."""
+    places = (np.arange(records.shape[-1]) + lags[..., None]) % records.shape[-1]
+    return np.asarray(np.take_along_axis(records, places, axis=-1))

@@ -1,0 +1,84 @@
+"""Units as instruments write them, such as ``mm/s``, ``(m/s)/V`` or ``g``, turned into SI."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass
+from typing import Literal
+
+Motion = Literal["displacement", "velocity", "acceleration"]
+
+GRAVITY = 9.80665  # m/s^2, the standard value: sensors give accelerations in g
+SI: dict[str, Motion] = {"m": "displacement", "m/s": "velocity", "m/s^2": "acceleration"}
+ORDER: tuple[Motion, ...] = ("displacement", "velocity", "acceleration")
+PREFIX = {"p": 1e-12, "n": 1e-9, "u": 1e-6, "µ": 1e-6, "m": 1e-3, "c": 1e-2, "k": 1e3, "M": 1e6, "": 1.0}
+OTHER = {"in": 0.0254, "inch": 0.0254, "ft": 0.3048}
+
+_SUPERSCRIPTS = str.maketrans({"²": "2", "\u03bc": "µ", "·": "*", "\u00d7": "*"})
+_MOTION = re.compile(
+    r"(?:(?P<prefix>[pnuµmc]?)m|(?P<other>inch|in|ft))(?P<per>/s(?:ec)?(?P<squared>\^?2|\*\*2|/s)?)?"
+)
+_PLAIN = re.compile(r"(?P<prefix>[pnuµmkM]?)(?P<unit>V|N|A|Pa|W)")
+
+
+@dataclass(frozen=True)
+class Label:
+    """What a written unit means.
+
+    motion : what moves, or None when it is no motion
+    unit : in SI, such as "V"; as it was written if it is not known
+    factor : value in SI of one of the written unit
+    """
+
+    motion: Motion | None
+    unit: str
+    factor: float
+
+
+@dataclass(frozen=True)
+class Ratio:
+    """A numerator and what it is divided by; the denominator's unit is empty if there is none."""
+
+    over: Label
+    under: Label
+
+    @property
+    def factor(self) -> float:
+        return self.over.factor / self.under.factor
+
+
+def label_of(text: str) -> Label:
+    """Meaning of one unit without a denominator of its own: "mm/s", "g", "mV"."""
+    plain = re.sub(r"[\s()\[\]]", "", text.translate(_SUPERSCRIPTS))
+    if plain.upper() in ("", "NONE", "-"):
+        return Label(None, "", 1.0)
+    if plain in ("g", "gn", "G"):
+        return Label("acceleration", "m/s^2", GRAVITY)
+    match = _MOTION.fullmatch(plain)
+    if match:
+        power = 0 if not match["per"] else 2 if match["squared"] else 1
+        unit = ("m", "m/s", "m/s^2")[power]
+        return Label(ORDER[power], unit, OTHER[match["other"]] if match["other"] else PREFIX[match["prefix"]])
+    match = _PLAIN.fullmatch(plain)
+    if match:
+        return Label(None, match["unit"], PREFIX[match["prefix"]])
+    return Label(None, text.strip(), 1.0)
+
+
+def ratio_of(text: str) -> Ratio:
+    """Meaning of a unit that may hold its own denominator: "(m/s)/V", "m/s/V", "mm/s per V"."""
+    plain = re.sub(r"\s+per\s+", "/", text.strip())
+    bracketed = re.fullmatch(r"\(1/(?P<under>[^()]+)\)\*\(?(?P<over>[^()]+)\)?", re.sub(r"\s", "", plain))
+    if bracketed:
+        return Ratio(label_of(bracketed["over"]), label_of(bracketed["under"]))
+    cuts = [found.start() for found in re.finditer("/", plain)]
+    for cut in [len(plain), *reversed(cuts)]:
+        over = label_of(plain[:cut])
+        if over.motion is not None:
+            return Ratio(over, label_of(plain[cut + 1 :]))
+    return Ratio(label_of(plain), label_of(""))
+
+
+def steps(source: Motion, target: Motion) -> int:
+    """How often a quantity is multiplied by i omega to become another one."""
+    return ORDER.index(target) - ORDER.index(source)

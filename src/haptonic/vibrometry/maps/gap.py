@@ -1,0 +1,171 @@
+"""The gap in a measurement: where the lattice falls silent while the driven region does not."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+import xarray as xr
+from numpy.typing import NDArray
+
+from haptonic.errors import ScanError
+from haptonic.response import FrequencyResponse
+
+Array = NDArray[np.float64]
+
+LEAST_STEP = 6.0  # dB by which the contrast has to rise, or there is no gap to speak of
+QUARTERS = (0.25, 0.75)  # of the step, between which the edge's transition lies
+
+
+@dataclass(frozen=True)
+class MeasuredGap:
+    """Edges of a gap, Hz, and how well the measurement tells them.
+
+    lower, upper : where the contrast crosses the middle between its levels outside and inside
+    lower_error, upper_error : standard errors: scatter over the points (bootstrap), spacing of the lines, and
+        the width of the transition
+    lower_transition, upper_transition : where the contrast rises from a quarter to three quarters of its step
+    outside, inside : levels of the contrast, dB
+    """
+
+    lower: float
+    upper: float
+    lower_error: float
+    upper_error: float
+    lower_transition: float
+    upper_transition: float
+    outside: float
+    inside: float
+
+
+def measured_gap(
+    response: FrequencyResponse,
+    over: str,
+    lattice: str,
+    *,
+    smoothing: float = 1e3,
+    resamples: int = 200,
+    seed: int = 0,
+) -> MeasuredGap:
+    """The widest range in which a region vibrates much more than the lattice.
+
+    Single resonances make the contrast rough: energies are averaged over ``smoothing`` first. The level
+    inside is the 90th percentile of the contrast, the level outside its 25th: a gap that fills more than
+    three quarters of the lines, or less than a tenth, is not told.
+
+    Parameters
+    ----------
+    over, lattice : names of regions
+    smoothing : width of the average over frequency, Hz
+    resamples : of the points, for the scatter
+    seed : of the resampling
+
+    Raises
+    ------
+    ScanError : the contrast rises by less than 6 dB
+    ResponseError : no point lies in one of the regions
+    """
+    lines = response.frequency
+    if not (np.isfinite(smoothing) and smoothing >= 0 and len(lines) >= 8 and resamples >= 2):
+        raise ScanError(
+            argument="measured_gap",
+            given=f"smoothing {smoothing:g} Hz, {len(lines)} lines, {resamples} resamples",
+            allowed="a smoothing of zero or more, at least eight lines and two resamples",
+            cause="the response was cut to a few lines",
+            next_step="give the response over the whole range, gap and surroundings",
+        )
+    energies = []
+    for name in (over, lattice):
+        values = response.values[:, response.inside(name)].astype(np.complex128)
+        energies.append(_smooth(lines, (np.abs(values) ** 2).sum(axis=2), smoothing))
+    above, below = energies
+    level = _contrast(above.mean(axis=1), below.mean(axis=1))
+    outside, inside = (float(np.percentile(level, share)) for share in (25, 90))
+    if inside - outside < LEAST_STEP:
+        raise ScanError(
+            argument="measured_gap",
+            given=f"a contrast of {over} over {lattice} between {outside:.3g} and {inside:.3g} dB",
+            allowed=f"one that rises by {LEAST_STEP:g} dB or more",
+            cause="the gap lies outside of the measured range, or noise hides the silence of the lattice",
+            next_step="look at the contrast against frequency; measure a wider range, with more averages",
+        )
+    edges = _edges(lines, level, outside, inside, 0.5)
+    wide, narrow = (_edges(lines, level, outside, inside, share) for share in QUARTERS)
+    transition = [max(0.0, narrow[0] - wide[0]), max(0.0, wide[1] - narrow[1])]
+    chance = np.random.default_rng(seed)
+    drawn = []
+    for _ in range(resamples):
+        parts = [e[:, chance.integers(0, e.shape[1], e.shape[1])].mean(axis=1) for e in energies]
+        drawn.append(_edges(lines, _contrast(parts[0], parts[1]), outside, inside, 0.5))
+    scatter = np.std(np.array(drawn), axis=0)
+    spacing = float(np.median(np.diff(lines)))
+    error = [
+        float(np.sqrt(s**2 + spacing**2 / 12 + t**2 / 12)) for s, t in zip(scatter, transition, strict=True)
+    ]
+    return MeasuredGap(
+        lower=edges[0], upper=edges[1], lower_error=error[0], upper_error=error[1],
+        lower_transition=transition[0], upper_transition=transition[1], outside=outside, inside=inside,
+    )  # fmt: skip
+
+
+def region_statistics(response: FrequencyResponse, low: float, high: float) -> xr.Dataset:
+    """Root mean square, mean and largest amplitude of each region over a band, and how many points it has.
+
+    Raises
+    ------
+    ResponseError : no line in the band
+    ScanError : the points have no regions
+    """
+    part = response.between(low, high)
+    if not part.regions:
+        raise ScanError(
+            argument="region",
+            given="points without regions",
+            allowed="points that lie in named regions",
+            cause="the scan was not registered to the plate",
+            next_step="register it first: register_by_corners(...).registered(response, regions)",
+        )
+    amplitude = np.linalg.norm(part.values.astype(np.complex128), axis=2)
+    of_point = np.sqrt((amplitude**2).mean(axis=0))
+    masks = {name: part.inside(name) for name in part.regions}
+    unit = {"units": part.units}
+    rows = {
+        "rms": [float(np.sqrt((of_point[m] ** 2).mean())) for m in masks.values()],
+        "mean": [float(of_point[m].mean()) for m in masks.values()],
+        "largest": [float(of_point[m].max()) for m in masks.values()],
+    }
+    made = {name: ("region", np.array(values), unit) for name, values in rows.items()}
+    counts = ("region", np.array([int(m.sum()) for m in masks.values()]))
+    return xr.Dataset(made | {"points": counts}, coords={"region": list(masks)}, attrs={"band": [low, high]})
+
+
+def _contrast(above: Array, below: Array) -> Array:
+    tiny = np.finfo(float).tiny
+    return np.asarray(10 * np.log10(np.maximum(above, tiny) / np.maximum(below, tiny)))
+
+
+def _smooth(lines: Array, energy: Array, width: float) -> Array:
+    """Mean over the lines within half the width on either side."""
+    first = np.searchsorted(lines, lines - width / 2, side="left")
+    last = np.searchsorted(lines, lines + width / 2, side="right")
+    # windows one by one: differences of running sums would lose what is much smaller than the largest value
+    return np.stack([energy[a:b].mean(axis=0) for a, b in zip(first, last, strict=True)])
+
+
+def _edges(lines: Array, level: Array, outside: float, inside: float, share: float) -> tuple[float, float]:
+    """Ends of the widest range above a threshold, between the lines."""
+    threshold = outside + share * (inside - outside)
+    high = np.concatenate([[False], level > threshold, [False]])
+    change = np.flatnonzero(np.diff(high.astype(int)))
+    starts, stops = change[::2], change[1::2] - 1
+    if not len(starts):
+        peak = float(lines[level.argmax()])
+        return peak, peak
+    widest = int((lines[stops] - lines[starts]).argmax())
+    start, stop = int(starts[widest]), int(stops[widest])
+    lower, upper = float(lines[start]), float(lines[stop])
+    if start > 0:
+        lower = float(np.interp(threshold, level[start - 1 : start + 1], lines[start - 1 : start + 1]))
+    if stop < len(lines) - 1:
+        upper = float(np.interp(-threshold, -level[stop : stop + 2], lines[stop : stop + 2]))
+    return lower, upper

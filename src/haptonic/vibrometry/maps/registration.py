@@ -1,0 +1,189 @@
+"""From the coordinates of a scan to those of the plate."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.spatial import ConvexHull, QhullError, cKDTree
+
+from haptonic.errors import ScanError
+from haptonic.response import FrequencyResponse
+from haptonic.vibrometry.scan_plan import Region
+
+Array = NDArray[np.float64]
+
+ROUNDS = 50  # of the best fit; it has settled long before
+SETTLED = 1e-12  # of the plate's size
+AS_GOOD = 1.05  # ratio of two misfits that count as equal
+WORST = 0.25  # of the size of a plate: a misfit beyond it means that the points belong to something else
+
+
+@dataclass(frozen=True, eq=False)
+class Registration:
+    """plate = scale R(angle) scan + shift, with x turned over first if the plate was seen from behind.
+
+    angle : rad, anticlockwise
+    shift : (2,) m
+    misfit : rms distance of the points that it was made of, m
+    """
+
+    scale: float
+    angle: float
+    shift: Array
+    mirrored: bool
+    misfit: float
+
+    def of(self, points: Array) -> Array:
+        """(point, 2) places on the plate of points of the scan, m."""
+        turned = points * np.array([-1.0, 1.0]) if self.mirrored else points
+        return np.asarray(self.scale * turned @ _turn(self.angle).T + self.shift)
+
+    def registered(
+        self, response: FrequencyResponse, regions: Mapping[str, Region] | None = None
+    ) -> FrequencyResponse:
+        """The response at its places on the plate, with the names of the regions that its points lie in.
+
+        Parameters
+        ----------
+        regions : where a point lies in several, the first one counts; the response's own names without
+
+        Raises
+        ------
+        ScanError : motions within the plate, whose directions would turn too
+        """
+        data, notes = response.dataset, response.dataset.attrs
+        directions = [str(name) for name in data["direction"].values]
+        if directions != ["z"] and (self.mirrored or abs(self.angle) > 1e-12):
+            raise ScanError(
+                argument="registration",
+                given=f"a turn by {np.degrees(self.angle):.4g} deg of motions along {', '.join(directions)}",
+                allowed="motions along z, or a registration without a turn",
+                cause="in-plane motions turn with the coordinates",
+                next_step="turn the scan in the instrument's program, or keep z only",
+            )
+        points = self.of(response.points)
+        names = [str(name) for name in data["region"].values] if "region" in data.coords else None
+        if regions is not None:
+            names = [""] * len(points)
+            for name, region in reversed(list(regions.items())):
+                for number in np.flatnonzero(region.holds(points)):
+                    names[number] = name
+        made = {"scale": self.scale, "angle": self.angle, "shift": self.shift.tolist(), "misfit": self.misfit}
+        return FrequencyResponse.of(
+            response.values, frequency=response.frequency,
+            x=points[:, 0].copy(), y=points[:, 1].copy(), direction=directions, region=names,
+            quantity=notes["quantity"], reference=notes["reference"], origin=notes["origin"],
+            coherence=data["coherence"].values if "coherence" in data else None, title=notes["title"],
+            inputs=json.loads(notes["inputs"]) | {"registration": made | {"mirrored": self.mirrored}},
+        )  # fmt: skip
+
+
+def register_by_corners(
+    scan: Array, plate: Array, *, scaled: bool = True, mirrored: bool = False
+) -> Registration:
+    """Least squares over pairs of points, such as the plate's corners [umeyama1991].
+
+    Parameters
+    ----------
+    scan, plate : (n, 2) the same n >= 2 places in both coordinates, m
+    scaled : let the scale differ from 1
+    mirrored : the plate was seen from behind
+
+    Raises
+    ------
+    ScanError : not as many points in both, or all on one place
+    """
+    if scan.shape != plate.shape or scan.ndim != 2 or scan.shape[1:] != (2,) or len(scan) < 2:
+        raise _wrong("corners", f"{scan.shape} and {plate.shape}", "two or more pairs of points, (n, 2) each")
+    if not (np.isfinite(scan).all() and np.isfinite(plate).all()):
+        raise _wrong("corners", "coordinates that are not finite", "finite coordinates")
+    seen = scan * np.array([-1.0, 1.0]) if mirrored else scan
+    middle, target = seen.mean(axis=0), plate.mean(axis=0)
+    a, b = seen - middle, plate - target
+    spread = float((a**2).sum())
+    if spread == 0 or (b**2).sum() == 0:
+        raise _wrong("corners", "all points on one place", "points that are apart")
+    # with complex numbers a turn and a scale are one factor
+    za, zb = a[:, 0] + 1j * a[:, 1], b[:, 0] + 1j * b[:, 1]
+    factor = complex((za.conj() * zb).sum()) / spread
+    scale, angle = (abs(factor) if scaled else 1.0), float(np.angle(factor))
+    if scale == 0:
+        raise _wrong("corners", "pairs without any common turn", "the same places in the same order")
+    shift = target - scale * _turn(angle) @ middle
+    left = scale * seen @ _turn(angle).T + shift - plate
+    return Registration(scale, angle, shift, mirrored, float(np.sqrt((left**2).sum(axis=1).mean())))
+
+
+def register_by_fit(
+    scan: Array, plate: Array, *, scaled: bool = True, mirrored: bool = False
+) -> Registration:
+    """Best fit of all points of a scan to the planned ones, each to its nearest (iterative closest points).
+
+    It starts from the smallest rectangles around both, in all four positions; among fits that are equally
+    good, as the symmetry of a grid makes them, the smallest turn is taken.
+
+    Parameters
+    ----------
+    scan : (n, 2) measured; plate : (m, 2) planned, m; some of them may be missing on either side
+
+    Raises
+    ------
+    ScanError : points on a line, or no fit
+    """
+    seen = scan * np.array([-1.0, 1.0]) if mirrored else scan
+    (size, tilt, middle), (target_size, target_tilt, target) = _rectangle(seen), _rectangle(plate)
+    tree, found = cKDTree(plate), []
+    for quarter in range(4):
+        angle = target_tilt - tilt + quarter * np.pi / 2
+        sides = size[::-1] if quarter % 2 else size
+        scale = float(np.sqrt(target_size.prod() / sides.prod())) if scaled else 1.0
+        fit = Registration(scale, angle, target - scale * _turn(angle) @ middle, False, np.inf)
+        for _ in range(ROUNDS):
+            near = plate[tree.query(fit.of(seen))[1]]
+            better = register_by_corners(seen, near, scaled=scaled)
+            settled = abs(fit.misfit - better.misfit) <= SETTLED * target_size.max()
+            fit = better
+            if settled:
+                break
+        found.append(fit)
+    least = min(fit.misfit for fit in found)
+    equal = [fit for fit in found if fit.misfit <= AS_GOOD * least + 1e-9 * target_size.max()]
+    best = min(equal, key=lambda fit: abs(float(np.angle(np.exp(1j * fit.angle)))))
+    if best.misfit > WORST * target_size.min():
+        raise _wrong("fit", f"a misfit of {best.misfit * 1e3:.4g} mm", "points of the same plate")
+    return Registration(best.scale, best.angle, best.shift, mirrored, best.misfit)
+
+
+def _rectangle(points: Array) -> tuple[Array, float, Array]:
+    """Sides, turn and middle of the smallest rectangle around points; one of its sides lies on the hull's."""
+    try:
+        hull = points[ConvexHull(points).vertices]
+    except (QhullError, ValueError) as error:
+        raise _wrong(
+            "fit", f"{len(points)} points on one line", "three points or more, not on a line"
+        ) from error
+    sides = np.diff(np.vstack([hull, hull[:1]]), axis=0)
+    boxes = []
+    for tilt in np.arctan2(sides[:, 1], sides[:, 0]):
+        turned = hull @ _turn(float(-tilt)).T
+        low, high = turned.min(axis=0), turned.max(axis=0)
+        boxes.append((high - low, float(tilt), _turn(float(tilt)) @ (low + high) / 2))
+    return min(boxes, key=lambda box: float(box[0].prod()))
+
+
+def _turn(angle: float) -> Array:
+    return np.array([[np.cos(angle), -np.sin(angle)], [np.sin(angle), np.cos(angle)]])
+
+
+def _wrong(argument: str, given: str, allowed: str) -> ScanError:
+    return ScanError(
+        argument=f"registration.{argument}",
+        given=given,
+        allowed=allowed,
+        cause="points of another scan or in another order, or millimetres for metres",
+        next_step="give the same places in both coordinates, in m",
+    )

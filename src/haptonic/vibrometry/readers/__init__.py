@@ -1,0 +1,183 @@
+"""Scan files of many programs, read by one function."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import h5py
+
+from haptonic import response
+from haptonic.errors import ScanError
+from haptonic.response import FrequencyResponse
+from haptonic.vibrometry.curves import assemble
+from haptonic.vibrometry.findings import Notebook, ReadReport
+from haptonic.vibrometry.readers import hdf5, uff, uff_time
+from haptonic.vibrometry.readers.folder import read_folder
+from haptonic.vibrometry.readers.matlab import matlab_arrays
+from haptonic.vibrometry.readers.tables import Mapped, Origin, scan_of, table_of
+from haptonic.vibrometry.readers.tdms import read_tdms
+from haptonic.vibrometry.records import TimeScan
+
+__all__ = ["Scan", "read_scan"]
+
+FORMATS = (
+    "UFF (.uff, .unv), MATLAB (.mat), TDMS, NetCDF and HDF5 in haptonic's layouts, a folder of CSV files"
+)
+UFF_SUFFIXES = (".uff", ".unv", ".uf")
+SIMULATED = "origin: simulated"
+
+
+@dataclass(frozen=True, eq=False)
+class Scan:
+    """What a file gave: a frequency response or time records, and the report of how it was read."""
+
+    content: FrequencyResponse | TimeScan
+    report: ReadReport
+
+    @property
+    def response(self) -> FrequencyResponse:
+        """The frequency response.
+
+        Raises
+        ------
+        ScanError : the file holds time records
+        """
+        if isinstance(self.content, TimeScan):
+            raise ScanError(
+                argument="scan.response",
+                given=f"{self.report.path}, which holds time records",
+                allowed="a scan of frequency responses",
+                cause="the instrument stored time data",
+                next_step="estimate them: haptonic.vibrometry.estimate(scan.records)",
+            )
+        return self.content
+
+    @property
+    def records(self) -> TimeScan:
+        """The time records.
+
+        Raises
+        ------
+        ScanError : the file holds frequency responses
+        """
+        if isinstance(self.content, FrequencyResponse):
+            raise ScanError(
+                argument="scan.records",
+                given=f"{self.report.path}, which holds frequency responses",
+                allowed="a scan of time records",
+                cause="the instrument estimated the responses itself",
+                next_step="use scan.response",
+            )
+        return self.content
+
+
+def read_scan(
+    path: Path | str,
+    *,
+    variables: Mapping[str, str] | None = None,
+    unit: str = "m/s/V",
+    length_unit: float | None = None,
+    reference: str | None = None,
+    origin: Origin = "measured",
+    title: str = "",
+) -> Scan:
+    """Read a scan, whatever program wrote it; what could not be used is named in ``report``.
+
+    Parameters
+    ----------
+    path : of a file, or of a folder with one CSV file for each point
+    variables : how a MATLAB file's variables (a TDMS file's channels) are called, see
+        `haptonic.vibrometry.readers.tables.Mapped`; usual names are guessed
+    unit : of responses in files that give none
+    length_unit : one unit of the coordinates, m, where it is not that of the file; 1e-3 for mm
+    reference : which reference, when there are several; or its name and unit, when the file gives none
+    origin : "simulated" for a file of a simulation; files that say so themselves are believed
+    title : for people
+
+    Raises
+    ------
+    ScanError : an unknown format, or a file of which nothing can be used
+    ResponseError : a NetCDF file that haptonic did not write
+    """
+    path = Path(path)
+    if not path.exists():
+        raise _refused(path, "there is no such file", "the name is misspelt", "check the name and the folder")
+    how = Mapped(variables or {}, unit, 1.0 if length_unit is None else length_unit, reference or "")
+    kind = _kind(path)
+    notes = Notebook(path, kind)
+    content: FrequencyResponse | TimeScan
+    if kind == "UFF":
+        content, notes = _uff(path, length_unit, reference, origin, title)
+    elif kind == "NetCDF":
+        content = response.read(path)
+    elif kind == "HDF5":
+        content = hdf5.read_records(path, notes)
+    elif kind == "MATLAB":
+        content = scan_of(table_of(matlab_arrays(path, notes), how, notes), how, notes, origin, title)
+    elif kind == "TDMS":
+        content = read_tdms(path, how, notes, origin, title)
+    else:
+        content = read_folder(path, how, notes, origin, title)
+    points = len(content.x) if isinstance(content, TimeScan) else content.dataset.sizes["point"]
+    return Scan(content, notes.closed(points))
+
+
+def _uff(
+    path: Path, length_unit: float | None, reference: str | None, origin: Origin, title: str
+) -> tuple[FrequencyResponse | TimeScan, Notebook]:
+    contents = uff.uff_contents(path)
+    if length_unit is not None:
+        contents = uff.scaled(contents, length_unit)
+    if any(SIMULATED in line for f in contents.functions for line in f.header.lines):
+        origin = "simulated"
+    title = title or contents.title
+    if uff_time.has_records(contents) and not any(f.header.function == 4 for f in contents.functions):
+        return uff_time.time_scan_of(contents, origin, title), contents.notes
+    curves, places = uff.curves_of(contents)
+    inputs: dict[str, Any] = {"file": path.name, "lines": [line.tolist() for line in contents.lines]}
+    made = assemble(
+        curves, places, contents.notes, reference=reference, origin=origin, title=title, inputs=inputs
+    )
+    return made, contents.notes
+
+
+def _kind(path: Path) -> str:
+    """The format, by content where that tells, else by the suffix."""
+    if path.is_dir():
+        return "CSV folder"
+    suffix = path.suffix.lower()
+    if suffix in (".svd", ".pvd"):
+        raise _refused(
+            path,
+            "a Polytec file, which only the maker's library can read",
+            "the scan was saved in the instrument's own format",
+            "in PSV software: File > Export > Universal File (UFF), FFT > FRF, with geometry; read that file",
+        )
+    with path.open("rb") as file:
+        head = file.read(4096)
+    if head[:4] == b"TDSm" or suffix == ".tdms":
+        return "TDMS"
+    if suffix == ".mat" or head[:10] == b"MATLAB 5.0":
+        return "MATLAB"
+    if h5py.is_hdf5(path):
+        try:
+            with h5py.File(path, "r") as data:
+                return "HDF5" if data.attrs.get("kind") == hdf5.KIND else "NetCDF"
+        except OSError as error:
+            cause = "its copy was interrupted"
+            raise _refused(path, "an HDF5 file that is cut short", cause, "copy the file again") from error
+    if suffix in UFF_SUFFIXES or any(line.rstrip() == b"    -1" for line in head.splitlines()[:40]):
+        return "UFF"
+    if suffix in (".nc", ".h5", ".hdf5"):
+        raise _refused(path, "not an HDF5 file", "the copy was interrupted", "copy the file again")
+    next_step = "choose one of these; a CSV scan is a folder with geometry.csv and one file for each point"
+    raise _refused(path, "a file of an unknown format", "another program wrote it", next_step)
+
+
+def _refused(path: Path, found: str, cause: str, next_step: str) -> ScanError:
+    return ScanError(
+        argument="path", given=f"{path}: {found}", allowed=FORMATS, cause=cause, next_step=next_step
+    )

@@ -1,0 +1,209 @@
+"""Named arrays, as MATLAB files, TDMS files and folders of CSV hold them, made into a scan."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any, Literal
+
+import numpy as np
+from numpy.typing import NDArray
+
+from haptonic.errors import ScanError, nearest
+from haptonic.response import FrequencyResponse
+from haptonic.vibrometry.curves import Curve, Place, assemble
+from haptonic.vibrometry.findings import Notebook
+from haptonic.vibrometry.labels import ratio_of
+from haptonic.vibrometry.records import InMemory, TimeScan
+
+Origin = Literal["measured", "simulated"]
+# What a variable may be called when nothing else is said; the first that is there is taken.
+GUESSES: dict[str, tuple[str, ...]] = {
+    "frequency": ("frequency", "freq", "frequencies", "f", "freqs", "fvec", "f_hz"),
+    "response": ("response", "frf", "h1", "h", "hf", "vel_frf", "velocity", "v", "data", "y_resp"),
+    "coherence": ("coherence", "coh", "gamma2", "cxy"),
+    "x": ("x", "xs", "x_m", "xpos", "xcoord", "x_mm"),
+    "y": ("y", "ys", "y_m", "ypos", "ycoord", "y_mm"),
+    "points": ("points", "xyz", "xy", "coords", "coordinates", "nodes", "pos", "positions"),
+    "reference": ("reference", "ref", "drive", "input", "voltage", "excitation"),
+    "sample_rate": ("sample_rate", "fs", "samplerate", "sampling_rate", "rate"),
+}
+NEEDED = "response, x and y (or points), and frequency for responses or reference and sample_rate for records"
+
+
+@dataclass(frozen=True)
+class Mapped:
+    """How variables of a file are understood.
+
+    variables : name of the variable for "frequency", "response", "coherence", "x", "y", "points",
+        "reference", "sample_rate"; what is left out is guessed from usual names
+    unit : of the response, such as "mm/s/V" or, for time records, "mm/s"
+    length_unit : one unit of the coordinates, m
+    reference : name and unit of the reference, such as "A1, V"
+    """
+
+    variables: Mapping[str, str]
+    unit: str
+    length_unit: float
+    reference: str
+
+
+def table_of(arrays: Mapping[str, NDArray[Any]], how: Mapped, notes: Notebook) -> dict[str, NDArray[Any]]:
+    """The arrays by what they mean.
+
+    Raises
+    ------
+    ScanError : the mapping names an unknown meaning or a variable that is not there
+    """
+    for meaning, name in how.variables.items():
+        for word, known, what in ((meaning, GUESSES, "meanings"), (name, arrays, "variables")):
+            if word not in known:
+                guess = nearest(word, known)
+                raise ScanError(
+                    argument=f"variables.{meaning}",
+                    given=f'"{word}"',
+                    allowed=f"one of the {what}: {', '.join(sorted(known)) or 'none'}",
+                    cause="the name is misspelt, or the file is another one",
+                    next_step=f'did you mean "{guess}"?' if guess else "choose one of these",
+                )
+    found = {meaning: arrays[name] for meaning, name in how.variables.items()}
+    lower = {name.lower(): name for name in arrays}
+    taken = set(how.variables.values())
+    for meaning, guesses in GUESSES.items():
+        guess = next((lower[g] for g in guesses if g in lower and lower[g] not in taken), None)
+        if meaning not in found and guess is not None:
+            found[meaning] = arrays[guess]
+            taken.add(guess)
+            notes.remark(f'the variable "{guess}" was taken as {meaning}')
+    for name in arrays:
+        if name not in taken:
+            notes.remark(f'the variable "{name}" was not used')
+    return found
+
+
+def scan_of(
+    table: Mapping[str, NDArray[Any]], how: Mapped, notes: Notebook, origin: Origin, title: str
+) -> FrequencyResponse | TimeScan:
+    """The arrays of a table as responses, or as time records when they come with a sample rate.
+
+    Raises
+    ------
+    ScanError : arrays are missing or do not fit together, or nothing is left
+    """
+    places = _places(table, how, notes)
+    if "response" not in table:
+        raise _unfit("response", "no such variable", notes)
+    unit = ratio_of(how.unit)
+    if unit.over.motion is None:
+        raise ScanError(
+            argument="unit",
+            given=f'"{how.unit}"',
+            allowed='a unit of displacement, velocity or acceleration, such as "mm/s/V"',
+            cause="the unit is that of the sensor's voltage, or misspelt",
+            next_step="give the unit after the vibrometer's sensitivity was applied",
+        )
+    if "sample_rate" in table:
+        return _records(table, places, how, notes, origin, title)
+    if "frequency" not in table:
+        raise _unfit("frequency", "neither frequencies nor a sample rate", notes)
+    lines = np.asarray(table["frequency"], dtype=float).ravel()
+    values = _points_first(np.squeeze(np.asarray(table["response"])), len(places), len(lines), notes)
+    if not np.iscomplexobj(values):
+        raise _unfit("response", "real numbers: the phase is missing", notes)
+    reference = how.reference if unit.under.unit or how.reference else ""
+    motion = unit.over.motion
+    curves = [
+        Curve(f"row {i + 1}", str(i + 1), 3, "response", lines, unit.factor * row, motion, reference)
+        for i, row in enumerate(values)
+    ]
+    if "coherence" in table:
+        both = _points_first(np.squeeze(np.asarray(table["coherence"])), len(places), len(lines), notes)
+        curves += [
+            Curve(f"row {i + 1}", str(i + 1), 3, "coherence", lines, row, motion, "")
+            for i, row in enumerate(both)
+        ]
+    known = {str(i + 1): place for i, place in enumerate(places) if place is not None}
+    return assemble(curves, known, notes, origin=origin, title=title, inputs={"file": notes.path.name})
+
+
+def _places(table: Mapping[str, NDArray[Any]], how: Mapped, notes: Notebook) -> list[Place | None]:
+    if "x" in table and "y" in table:
+        columns = [np.asarray(table[name], dtype=float).ravel() for name in ("x", "y")]
+    elif "points" in table and np.ndim(table["points"]) == 2:
+        both = np.asarray(table["points"], dtype=float)
+        both = both.T if both.shape[0] in (2, 3) and both.shape[1] not in (2, 3) else both
+        columns = [both[:, 0], both[:, 1]]
+    else:
+        raise _unfit("x, y or points", "no coordinates", notes)
+    if len(columns[0]) != len(columns[1]):
+        raise _unfit("x and y", f"{len(columns[0])} and {len(columns[1])} numbers", notes)
+    pairs = [how.length_unit * column for column in columns]
+    fine = np.isfinite(pairs[0]) & np.isfinite(pairs[1])
+    return [
+        Place(float(x), float(y)) if ok else None for x, y, ok in zip(pairs[0], pairs[1], fine, strict=True)
+    ]
+
+
+def _points_first(values: NDArray[Any], points: int, lines: int, notes: Notebook) -> NDArray[Any]:
+    """(point, line), whichever way they came; MATLAB files have points in columns as often as in rows."""
+    if values.shape == (points, lines):
+        if points == lines:
+            notes.remark("as many points as lines: rows were taken as points")
+        return values
+    if values.shape == (lines, points):
+        return values.T
+    if values.size == points * lines and values.ndim == 1:
+        return values.reshape(points, lines)
+    raise _unfit("response", f"shape {values.shape}, for {points} points and {lines} lines", notes)
+
+
+def _records(
+    table: Mapping[str, NDArray[Any]],
+    places: list[Place | None],
+    how: Mapped,
+    notes: Notebook,
+    origin: Origin,
+    title: str,
+) -> TimeScan:
+    if "reference" not in table:
+        raise _unfit("reference", "time records without the record of the drive", notes)
+    response, reference = (_records_first(table[name], len(places)) for name in ("response", "reference"))
+    fits = response.shape[1:] == reference.shape[1:] and len(reference) in (1, len(response))
+    if len(response) != len(places) or not fits:
+        raise _unfit(
+            "response", f"{response.shape}, reference {reference.shape}, {len(places)} points", notes
+        )
+    keep = [i for i, place in enumerate(places) if place is not None]
+    for i, place in enumerate(places):
+        if place is None:
+            notes.drop(f"point {i + 1}", "no coordinates")
+    found = [place for place in places if place is not None]
+    unit = ratio_of(how.unit).over
+    return TimeScan(
+        InMemory(reference if len(reference) == 1 else reference[keep], response[keep]),
+        tuple(str(i + 1) for i in keep),
+        np.array([place.x for place in found]), np.array([place.y for place in found]),
+        response.shape[1], response.shape[2],
+        float(np.asarray(table["sample_rate"], dtype=float).ravel()[0]),
+        how.reference or "reference, V",
+        motion=unit.motion or "velocity", response_scale=unit.factor, origin=origin, title=title,
+    )  # fmt: skip
+
+
+def _records_first(values: NDArray[Any], points: int) -> NDArray[Any]:
+    """(point, repeat, sample) of records that came as (point, sample), (sample, point) or (sample,)."""
+    if np.ndim(values) == 3:
+        return np.asarray(values)
+    table = np.atleast_2d(np.squeeze(values))
+    turned = table.shape[0] != points and table.shape[1] in (1, points)
+    return np.asarray((table.T if turned else table)[:, None])
+
+
+def _unfit(argument: str, given: str, notes: Notebook) -> ScanError:
+    return ScanError(
+        argument=f"{notes.path.name}: {argument}",
+        given=given,
+        allowed=NEEDED,
+        cause="variables have other names than usual, or belong to different scans",
+        next_step='name them: read_scan(path, variables={"response": "...", "x": "...", "y": "..."})',
+    )

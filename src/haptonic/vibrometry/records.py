@@ -1,0 +1,110 @@
+"""Time records of a scan: many points, one after the other, read in small portions."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import Any, Literal, Protocol
+
+import numpy as np
+from numpy.typing import NDArray
+
+from haptonic.errors import ScanError
+from haptonic.vibrometry.labels import Motion
+
+Array = NDArray[np.float64]
+Samples = NDArray[Any]
+
+
+class Source(Protocol):
+    """Where records come from: a file, or arrays in memory."""
+
+    def load(self, start: int, stop: int) -> tuple[Samples, Samples]:
+        """Reference and response of the points from ``start`` up to ``stop``.
+
+        Returns
+        -------
+        Two arrays (point, repeat, sample) in SI units, or integers as they were stored; the first has one
+        point only when all points share the reference.
+        """
+        ...
+
+
+@dataclass(frozen=True, eq=False)
+class InMemory:
+    """Records that are already arrays: (point or 1, repeat, sample) and (point, repeat, sample)."""
+
+    reference: Samples
+    response: Samples
+
+    def load(self, start: int, stop: int) -> tuple[Samples, Samples]:
+        shared = len(self.reference) == 1
+        return self.reference if shared else self.reference[start:stop], self.response[start:stop]
+
+
+@dataclass(frozen=True, eq=False)
+class TimeScan:
+    """Time records of all points of a scan, not in memory until `chunks` asks for them.
+
+    source : gives the records
+    names : of the points, as the instrument numbers them
+    x, y : (point,) m
+    repeats, samples : records for each point, samples of each
+    sample_rate : Hz
+    motion : what the response measures
+    reference : name and unit of the reference channel, such as "A1, V"
+    reference_scale, response_scale : SI units of one stored unit
+    full_scale : largest stored value of the response that the instrument can give; None if unknown
+    direction : "x", "y" or "z"
+    start : time of the first sample after the trigger, s; the same for both channels
+    origin : "measured" or "simulated"
+    title : for people
+    """
+
+    source: Source
+    names: tuple[str, ...]
+    x: Array
+    y: Array
+    repeats: int
+    samples: int
+    sample_rate: float
+    reference: str
+    motion: Motion = "velocity"
+    reference_scale: float = 1.0
+    response_scale: float = 1.0
+    full_scale: float | None = None
+    direction: str = "z"
+    start: float = 0.0
+    origin: Literal["measured", "simulated"] = "measured"
+    title: str = ""
+
+    def __post_init__(self) -> None:
+        for name, given in (("sample_rate", self.sample_rate), ("response_scale", self.response_scale),
+                            ("reference_scale", self.reference_scale)):  # fmt: skip
+            if not (np.isfinite(given) and given != 0 and (given > 0 or name != "sample_rate")):
+                raise ScanError(
+                    argument=f"records.{name}",
+                    given=f"{given:g}",
+                    allowed="a finite number that is not zero; a rate is positive",
+                    cause="the file does not give it, or gives it wrongly",
+                    next_step=f"give the {name.replace('_', ' ')} in the mapping or in the file",
+                )
+        if not len(self.names) == len(self.x) == len(self.y) > 0:
+            raise ScanError(
+                argument="records.names",
+                given=f"{len(self.names)} names, {len(self.x)} and {len(self.y)} coordinates",
+                allowed="one name and one pair of coordinates for each point, at least one point",
+                cause="the geometry belongs to another scan",
+                next_step="give one row of the geometry for each record",
+            )
+
+    @property
+    def duration(self) -> float:
+        """Of one record, s."""
+        return self.samples / self.sample_rate
+
+    def chunks(self, size: int, start: int = 0) -> Iterator[tuple[int, Samples, Samples]]:
+        """Number of the first point, reference and response, ``size`` points at a time, as stored."""
+        for first in range(start, len(self.names), size):
+            reference, response = self.source.load(first, min(first + size, len(self.names)))
+            yield first, reference, response

@@ -1,0 +1,117 @@
+"""In which order a scan visits its points, and which it leaves out."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from haptonic.errors import ScanError
+
+Array = NDArray[np.float64]
+Bools = NDArray[np.bool_]
+
+RIM = 1e-9  # of a size, within which a point lies on the rim
+
+
+@dataclass(frozen=True)
+class Rectangle:
+    """A region along the axes, from (x, y) on, its rim included; m."""
+
+    x: float
+    y: float
+    width: float
+    height: float
+
+    def holds(self, points: Array) -> Bools:
+        """(point,) which points of (point, 2) lie in it."""
+        slack = RIM * max(self.width, self.height)
+        inside_x = (points[:, 0] >= self.x - slack) & (points[:, 0] <= self.x + self.width + slack)
+        inside_y = (points[:, 1] >= self.y - slack) & (points[:, 1] <= self.y + self.height + slack)
+        return np.asarray(inside_x & inside_y)
+
+
+@dataclass(frozen=True)
+class Disc:
+    """A round region, its rim included; m."""
+
+    x: float
+    y: float
+    diameter: float
+
+    def holds(self, points: Array) -> Bools:
+        """(point,) which points of (point, 2) lie in it."""
+        distance = np.hypot(points[:, 0] - self.x, points[:, 1] - self.y)
+        return np.asarray(distance <= 0.5 * self.diameter * (1 + RIM))
+
+
+Region = Rectangle | Disc
+
+
+@dataclass(frozen=True, eq=False)
+class ScanPlan:
+    """Points in the order in which they are visited.
+
+    points : (point, 2) m
+    left_out : (point, 2) those of the grid that lie in an excluded region
+    travel : length of the way, m
+    """
+
+    points: Array
+    left_out: Array
+    travel: float
+
+
+def scan_plan(area: Rectangle, step: float, excluded: Sequence[Region] = ()) -> ScanPlan:
+    """A regular grid over an area, centred in it, to and fro along its longer side.
+
+    Parameters
+    ----------
+    step : of the grid along both axes, m
+    excluded : regions without points: pillars when their side is scanned, clamps
+
+    Raises
+    ------
+    ScanError : sizes that are not positive, or no point left
+    """
+    for name, given in (("step", step), ("area.width", area.width), ("area.height", area.height)):
+        if not (np.isfinite(given) and given > 0):
+            raise _wrong(name, f"{given:g} m", "a positive length", "give it in m, such as 0.002")
+    axes = []
+    for start, size in ((area.x, area.width), (area.y, area.height)):
+        count = int(np.floor(size / step * (1 + RIM))) + 1
+        axes.append(start + 0.5 * (size - (count - 1) * step) + step * np.arange(count))
+    along = 0 if area.width >= area.height else 1
+    rows = np.stack(np.meshgrid(axes[along], axes[1 - along]), axis=-1)  # (row, place along, 2)
+    if along == 1:
+        rows = rows[..., ::-1]
+    out = np.zeros(rows.shape[:2], dtype=bool)
+    for region in excluded:
+        out |= region.holds(rows.reshape(-1, 2)).reshape(out.shape)
+    visited: list[Array] = []
+    for row, skipped in zip(rows, out, strict=True):
+        left = row[~skipped]
+        if len(left):
+            # from the end that is nearer to where the stage is, which need not alternate where rows are cut
+            here = visited[-1] if visited else left[0]
+            turn = np.linalg.norm(left[-1] - here) < np.linalg.norm(left[0] - here)
+            visited.extend(left[::-1] if turn else left)
+    if not visited:
+        raise _wrong(
+            "excluded", f"{len(excluded)} regions", "a point outside of them", "leave one of them out"
+        )
+    points = np.array(visited)
+    travel = float(np.linalg.norm(np.diff(points, axis=0), axis=1).sum())
+    return ScanPlan(points, rows[out], travel)
+
+
+def _wrong(argument: str, given: str, allowed: str, next_step: str) -> ScanError:
+    return ScanError(
+        argument=f"scan_plan.{argument}",
+        given=given,
+        allowed=allowed,
+        cause="a size in mm, or regions that cover the whole plate",
+        next_step=next_step,
+    )

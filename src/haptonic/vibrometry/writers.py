@@ -1,0 +1,107 @@
+"""Frequency responses as universal files, in ASCII: the form that every program reads."""
+
+from __future__ import annotations
+
+import json
+import tempfile
+from collections.abc import Iterator
+from itertools import chain
+from pathlib import Path
+
+import numpy as np
+import pyuff
+from numpy.typing import NDArray
+
+from haptonic.errors import ScanError
+from haptonic.response import FrequencyResponse
+from haptonic.vibrometry.readers import SIMULATED
+
+KIND = {"displacement": 8, "velocity": 11}
+UNIT_TYPES = {"N": 13, "Pa": 15}
+AXES = {"x": 1, "y": 2, "z": 3}
+EVEN = 1e-6  # of the spacing: how even lines must be to be written by their first and their spacing
+
+
+def write_uff(response: FrequencyResponse, path: Path) -> None:
+    """Write a response as UFF: units (164), nodes (2411), one function for each point and direction (58).
+
+    Values keep twelve digits, frequencies six: evenly spaced ones in their first and their spacing.
+    The origin stands in the fifth line of each function, so that a simulation is never taken for a
+    measurement. `haptonic.store.write_atomically` makes the file whole or not at all.
+
+    Raises
+    ------
+    ScanError : the file cannot be written
+    """
+    points = response.points
+    names = _numbers(response)
+    zeros = np.zeros(len(names), dtype=int)
+    units = {
+        "type": 164, "units_code": 1, "units_description": "SI: Meter (newton)", "temp_mode": 2,
+        "length": 1.0, "force": 1.0, "temp": 1.0, "temp_offset": 273.15,
+    }  # fmt: skip
+    nodes = {
+        "type": 2411, "node_nums": names, "def_cs": zeros, "disp_cs": zeros, "color": zeros,
+        "x": points[:, 0], "y": points[:, 1], "z": np.zeros(len(names)),
+    }  # fmt: skip
+    try:
+        # After each set pyuff reads the whole file again: so each goes to a small file of its own first.
+        with tempfile.TemporaryDirectory() as folder, path.open("wb") as out:
+            one = Path(folder) / "one.uff"
+            file = pyuff.UFF(str(one))
+            for part in chain((units, nodes), _functions(response, names)):
+                file.write_sets(part, "overwrite")
+                out.write(one.read_bytes())
+    except OSError as error:
+        raise ScanError(
+            argument="output file",
+            given=f"{path} ({error})",
+            allowed="a file in a folder that can be written, with room for it",
+            cause="the folder does not exist or the disk is full",
+            next_step="choose another folder for the output",
+        ) from error
+
+
+def _functions(response: FrequencyResponse, names: NDArray[np.int64]) -> Iterator[dict[str, object]]:
+    notes, lines = response.dataset.attrs, response.frequency
+    name, _, unit = (part.strip() for part in str(notes["reference"]).partition(","))
+    step = np.diff(lines)
+    even = len(lines) > 1 and np.ptp(step) <= EVEN * step.mean()
+    common: dict[str, object] = {
+        "type": 58, "binary": 0, "load_case_id": 0, "rsp_ent_name": "NONE",
+        "ref_ent_name": name[:10] or "NONE", "ref_node": 0, "ref_dir": 0,
+        "id1": (str(notes["title"]) or "NONE").encode("ascii", "replace").decode()[:80],
+        "id4": f"haptonic {notes['haptonic_version']}", "id5": f"origin: {notes['origin']}",
+        "abscissa_spacing": int(even), "x": lines, "abscissa_spec_data_type": 18,
+        "abscissa_axis_lab": "Frequency", "abscissa_axis_units_lab": "Hz",
+    }  # fmt: skip
+    assert notes["origin"] != "simulated" or common["id5"] == SIMULATED
+    motion = str(notes["quantity"])
+    for column, direction in enumerate(response.dataset["direction"].values):
+        for row, number in enumerate(names):
+            yield common | {
+                "func_type": 4, "rsp_node": int(number), "rsp_dir": AXES[str(direction)],
+                "ordinate_spec_data_type": KIND[motion], "ordinate_axis_lab": motion.capitalize(),
+                "ordinate_axis_units_lab": {"velocity": "m/s", "displacement": "m"}[motion],
+                "orddenom_spec_data_type": UNIT_TYPES.get(unit, 1 if unit else 0),
+                "orddenom_axis_lab": name[:20] or "NONE", "orddenom_axis_units_lab": unit[:20] or "NONE",
+                "data": response.values[:, row, column].astype(np.complex128),
+            }  # fmt: skip
+    if "coherence" in response.dataset:
+        coherence = response.dataset["coherence"].values
+        for row, number in enumerate(names):
+            yield common | {
+                "func_type": 6, "rsp_node": int(number), "rsp_dir": 3, "ordinate_spec_data_type": 0,
+                "orddenom_spec_data_type": 0, "data": coherence[:, row].astype(float),
+            }  # fmt: skip
+
+
+def _numbers(response: FrequencyResponse) -> NDArray[np.int64]:
+    """Numbers of the points: those of the file that they came from, else counted from 1."""
+    known = json.loads(response.dataset.attrs["inputs"]).get("points")
+    count = response.dataset.sizes["point"]
+    if isinstance(known, list) and len(known) == count and all(str(n).isdigit() for n in known):
+        numbers = np.array([int(n) for n in known])
+        if len(set(known)) == count and numbers.min() > 0:
+            return numbers
+    return np.arange(1, count + 1)

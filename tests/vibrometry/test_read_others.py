@@ -1,0 +1,354 @@
+"""MATLAB, TDMS, HDF5 and folders of CSV: what is whole is read, what is not is named."""
+
+from __future__ import annotations
+
+import sys
+
+import h5py
+import numpy as np
+import pytest
+import scipy.io
+from nptdms import ChannelObject, GroupObject, RootObject, TdmsWriter
+from scans import LINES, VALUES, X, Y, assert_five_parts, response
+
+from haptonic.errors import ScanError
+from haptonic.response import write
+from haptonic.vibrometry import InMemory, TimeScan, read_scan, write_records
+from haptonic.vibrometry.findings import Notebook
+from haptonic.vibrometry.readers.matlab import matlab_arrays
+
+TIME = np.arange(50) / 200e3
+RECORDS = np.random.default_rng(5).integers(-30000, 30000, size=(12, 3, 50)).astype(np.int16)
+DRIVE = np.random.default_rng(6).integers(-30000, 30000, size=(12, 3, 50)).astype(np.int16)
+
+
+def time_scan(reference=DRIVE, **changes) -> TimeScan:
+    keywords = {"response_scale": 2e-6, "reference_scale": 3e-3, "full_scale": 32767.0, "start": 1e-3,
+                "origin": "simulated", "title": "twin"} | changes  # fmt: skip
+    names = tuple(f"P{i}" for i in range(12))
+    return TimeScan(InMemory(reference, RECORDS), names, X, Y, 3, 50, 200e3, "A1, V", **keywords)
+
+
+def save_v73(path, **arrays) -> None:
+    """As MATLAB lays version 7.3 out: HDF5 with reversed axes, complex numbers as pairs."""
+    with h5py.File(path, "w", userblock_size=512) as file:
+        for name, array in arrays.items():
+            value = np.atleast_2d(array).T
+            if np.iscomplexobj(value):
+                pair = np.empty(value.shape, dtype=[("real", "f8"), ("imag", "f8")])
+                pair["real"], pair["imag"] = value.real, value.imag
+                value = pair
+            file[name] = value
+    with path.open("rb+") as file:
+        file.write(b"MATLAB 7.3 MAT-file, Platform: GLNXA64".ljust(116))
+
+
+SAVERS = {"v5": lambda path, **arrays: scipy.io.savemat(path, arrays), "v7.3": save_v73}
+
+
+@pytest.fixture(params=SAVERS)
+def save(request):
+    return SAVERS[request.param]
+
+
+class TestMatlab:
+    @pytest.mark.parametrize("turned", [False, True])
+    def test_usual_names_are_guessed_and_said(self, tmp_path, save, turned):
+        frf = VALUES if turned else VALUES.T
+        save(
+            tmp_path / "a.mat", FRF=frf, freq=LINES, X=X * 1e3, Y=Y * 1e3, coh=np.full((8, 12), 0.5), junk=1.0
+        )
+        scan = read_scan(tmp_path / "a.mat", unit="mm/s/V", length_unit=1e-3, reference="A1, V")
+        found = scan.response
+        assert found.values[..., 0] == pytest.approx(1e-3 * VALUES)
+        assert found.points == pytest.approx(np.column_stack([X, Y]))
+        assert found.dataset["coherence"].values == pytest.approx(np.full((8, 12), 0.5))
+        assert found.units == "m/s/V"
+        assert 'the variable "FRF" was taken as response' in scan.report.remarks
+        assert 'the variable "junk" was not used' in scan.report.remarks
+
+    def test_named_variables_and_points_in_one_table(self, tmp_path, save):
+        save(tmp_path / "a.mat", Q=VALUES, omega=LINES, P=np.column_stack([X, Y, 0 * X]))
+        names = {"response": "Q", "frequency": "omega", "points": "P"}
+        found = read_scan(tmp_path / "a.mat", variables=names, reference="A1, V").response
+        assert found.values[..., 0] == pytest.approx(VALUES)
+        assert found.points == pytest.approx(np.column_stack([X, Y]))
+
+    def test_arrays_have_the_shape_that_matlab_shows(self, tmp_path, save):
+        table = np.arange(6.0).reshape(2, 3)
+        save(tmp_path / "a.mat", a=table, z=table * 1j)
+        found = matlab_arrays(tmp_path / "a.mat", Notebook(tmp_path, "MATLAB"))
+        assert np.array_equal(found["a"], table)
+        assert np.array_equal(found["z"], table * 1j)
+
+    def test_a_structure(self, tmp_path):
+        scipy.io.savemat(tmp_path / "a.mat", {"s": {"h": VALUES.T, "f": LINES}, "x": X, "y": Y})
+        names = {"response": "s.h", "frequency": "s.f"}
+        assert read_scan(tmp_path / "a.mat", variables=names).response.values[..., 0] == pytest.approx(VALUES)
+
+    @pytest.mark.parametrize("wide", [1, 2])
+    def test_time_records(self, tmp_path, save, wide):
+        v, drive = RECORDS[:, 0].astype(float), DRIVE[:, 0].astype(float)
+        if wide == 2:
+            v, drive = v.T, drive.T  # a column for each point
+        save(tmp_path / "a.mat", v=v, ref=drive, fs=200e3, x=X, y=Y)
+        scan = read_scan(tmp_path / "a.mat", unit="mm/s", reference="A1, V").records
+        _, reference, moved = next(scan.chunks(4, start=1))
+        assert np.array_equal(moved[:, 0], RECORDS[1:5, 0])
+        assert np.array_equal(reference[:, 0], DRIVE[1:5, 0])
+        assert (scan.response_scale, scan.sample_rate, scan.samples) == (1e-3, 200e3, 50)
+
+    def test_holes_are_named(self, tmp_path, save):
+        values, x = VALUES.T.copy(), X.copy()
+        values[3, 2], x[7] = np.nan, np.nan
+        save(tmp_path / "a.mat", frf=values, f=LINES, x=x, y=Y)
+        scan = read_scan(tmp_path / "a.mat")
+        assert scan.report.points == 10
+        assert [str(one) for one in scan.report.dropped] == [
+            "point 4 (row 4): 1 of its 8 numbers are not finite",
+            "point 8 (row 8): no coordinates",
+        ]
+        assert np.isfinite(scan.response.values).all()
+
+    @pytest.mark.parametrize(
+        ("arrays", "words"),
+        [
+            ({"f": LINES, "x": X, "y": Y}, ["response", "no such variable"]),
+            ({"frf": VALUES, "f": LINES}, ["no coordinates"]),
+            ({"frf": VALUES, "x": X, "y": Y}, ["neither frequencies nor"]),
+            ({"frf": VALUES.real, "f": LINES, "x": X, "y": Y}, ["the phase is missing"]),
+            ({"frf": VALUES[:, :9], "f": LINES, "x": X, "y": Y}, ["12 points and 8 lines"]),
+            ({"frf": VALUES, "f": LINES, "x": X, "y": Y[:3]}, ["12 and 3 numbers"]),
+            ({"v": VALUES.real, "fs": 1e3, "x": X, "y": Y}, ["without the record of the drive"]),
+            ({"v": VALUES.real, "ref": LINES[:5], "fs": 1e3, "x": X, "y": Y}, ["12 points"]),
+            ({"v": VALUES.real, "ref": LINES, "fs": 0.0, "x": X, "y": Y}, ["sample_rate"]),
+        ],
+    )
+    def test_what_does_not_fit(self, tmp_path, save, arrays, words):
+        save(tmp_path / "a.mat", **arrays)
+        with pytest.raises(ScanError) as caught:
+            read_scan(tmp_path / "a.mat")
+        assert_five_parts(caught.value, *words)
+
+    def test_a_wrong_mapping(self, tmp_path, save):
+        save(tmp_path / "a.mat", frf=VALUES, f=LINES, x=X, y=Y)
+        with pytest.raises(ScanError, match='did you mean "frf"'):
+            read_scan(tmp_path / "a.mat", variables={"response": "fr"})
+        with pytest.raises(ScanError, match='did you mean "response"'):
+            read_scan(tmp_path / "a.mat", variables={"respons": "frf"})
+        with pytest.raises(ScanError, match="mm/s/V"):
+            read_scan(tmp_path / "a.mat", unit="V/V")
+
+    @pytest.mark.parametrize("content", [b"", b"hello", b"MATLAB 5.0 MAT-file" + bytes(200)])
+    def test_damaged(self, tmp_path, content):
+        (tmp_path / "a.mat").write_bytes(content)
+        with pytest.raises(ScanError) as caught:
+            read_scan(tmp_path / "a.mat")
+        assert_five_parts(caught.value)
+
+
+def save_tdms(path, *, rate=200e3, offset=2e-3, lost=(), short=()) -> None:
+    wave = {"wf_increment": 1 / rate, "wf_start_offset": offset}
+    parts = [RootObject()]
+    for i in range(12):
+        place = {} if i in lost else {"x": X[i] * 1e3, "y": Y[i] * 1e3}
+        name = f"P{i}"
+        count = 40 if i in short else 50
+        parts += [
+            GroupObject(name, properties=place),
+            ChannelObject(name, "laser", RECORDS[i, 0, :count].astype(float), wave | {"unit_string": "mm/s"}),
+            ChannelObject(name, "amplifier", DRIVE[i, 0, :count].astype(float), wave | {"unit_string": "mV"}),
+        ]
+    with TdmsWriter(path) as writer:
+        writer.write_segment(parts)
+
+
+class TestTdms:
+    def test_a_scan(self, tmp_path):
+        save_tdms(tmp_path / "a.tdms", lost=[3], short=[5])
+        scan = read_scan(tmp_path / "a.tdms", length_unit=1e-3)
+        records = scan.records
+        assert (records.sample_rate, records.start) == (pytest.approx(200e3), 2e-3)
+        assert (records.response_scale, records.reference_scale) == (1e-3, 1e-3)
+        assert records.reference == "reference, V"
+        keep = [i for i in range(12) if i not in (3, 5)]
+        assert records.x == pytest.approx(X[keep])
+        _, reference, moved = next(records.chunks(12))
+        assert np.array_equal(moved[:, 0], RECORDS[keep, 0])
+        assert np.array_equal(reference[:, 0], DRIVE[keep, 0])
+        assert [one.what for one in scan.report.dropped] == ["point P3", "point P5"]
+        assert "40 samples" in scan.report.dropped[1].reason
+
+    def test_without_the_package(self, tmp_path, monkeypatch):
+        save_tdms(tmp_path / "a.tdms")
+        monkeypatch.setitem(sys.modules, "nptdms", None)
+        with pytest.raises(ScanError) as caught:
+            read_scan(tmp_path / "a.tdms")
+        assert_five_parts(caught.value, "haptonic[tdms]")
+
+    def test_damaged(self, tmp_path):
+        (tmp_path / "a.tdms").write_bytes(b"TDSm" + bytes(40))
+        with pytest.raises(ScanError) as caught:
+            read_scan(tmp_path / "a.tdms")
+        assert_five_parts(caught.value)
+
+    def test_no_point(self, tmp_path):
+        save_tdms(tmp_path / "a.tdms", lost=range(12))
+        with pytest.raises(ScanError, match="no properties x and y"):
+            read_scan(tmp_path / "a.tdms")
+
+
+class TestHdf5:
+    @pytest.mark.parametrize("shared", [False, True])
+    def test_round_trip(self, tmp_path, shared):
+        before = time_scan(DRIVE[:1] if shared else DRIVE)
+        write_records(before, tmp_path / "a.h5")
+        after = read_scan(tmp_path / "a.h5").records
+        for name in ("names", "repeats", "samples", "sample_rate", "reference", "motion", "reference_scale",
+                     "response_scale", "full_scale", "direction", "start", "origin", "title"):  # fmt: skip
+            assert getattr(after, name) == getattr(before, name), name
+        assert np.array_equal(after.x, X)
+        first, reference, moved = list(after.chunks(5))[1]
+        assert (first, moved.dtype) == (5, np.int16)
+        assert np.array_equal(moved, RECORDS[5:10])
+        assert np.array_equal(reference, DRIVE[:1] if shared else DRIVE[5:10])
+
+    def test_a_scan_that_stopped(self, tmp_path):
+        write_records(time_scan(), tmp_path / "a.h5")
+        with h5py.File(tmp_path / "a.h5", "r+") as file:
+            file["response"].attrs["measured"] = 7
+        scan = read_scan(tmp_path / "a.h5")
+        assert scan.records.names == tuple(f"P{i}" for i in range(7))
+        assert [one.what for one in scan.report.dropped] == [f"point P{i}" for i in range(7, 12)]
+
+    def test_responses_in_netcdf_are_told_apart(self, tmp_path):
+        write(response(), tmp_path / "a.h5")
+        assert np.array_equal(read_scan(tmp_path / "a.h5").response.values, response().values)
+
+    @pytest.mark.parametrize("lost", ["x", "response", "reference", "sample_rate", "motion"])
+    def test_a_part_is_missing(self, tmp_path, lost):
+        write_records(time_scan(), tmp_path / "a.h5")
+        with h5py.File(tmp_path / "a.h5", "r+") as file:
+            del (file.attrs if lost in file.attrs else file)[lost]
+        with pytest.raises(ScanError) as caught:
+            read_scan(tmp_path / "a.h5")
+        assert_five_parts(caught.value, "missing or damaged")
+
+    def test_a_later_form_and_another_motion(self, tmp_path):
+        write_records(time_scan(), tmp_path / "a.h5")
+        with h5py.File(tmp_path / "a.h5", "r+") as file:
+            file.attrs["motion"] = "temperature"
+        with pytest.raises(ScanError, match="temperature"):
+            read_scan(tmp_path / "a.h5")
+        with h5py.File(tmp_path / "a.h5", "r+") as file:
+            file.attrs["form"] = 2
+        with pytest.raises(ScanError, match="later haptonic"):
+            read_scan(tmp_path / "a.h5")
+
+    def test_cut(self, tmp_path):
+        write_records(time_scan(), tmp_path / "a.h5")
+        content = (tmp_path / "a.h5").read_bytes()
+        (tmp_path / "a.h5").write_bytes(content[: len(content) // 2])
+        with pytest.raises(ScanError) as caught:
+            read_scan(tmp_path / "a.h5")
+        assert_five_parts(caught.value)
+
+
+def save_folder(path, head="frequency (Hz),real (mm/s/V),imaginary (mm/s/V),coherence", cells=None):
+    path.mkdir()
+    rows = ["file, x, y"]
+    for i in range(12):
+        table = [LINES, 1e3 * VALUES[:, i].real, 1e3 * VALUES[:, i].imag, np.full(8, 0.9)]
+        lines = [",".join(repr(float(cell)) for cell in row) for row in zip(*(cells or table), strict=True)]
+        (path / f"p{i}.csv").write_text("\n".join([head, *lines]) + "\n")
+        rows.append(f"p{i}.csv, {X[i]!r}, {Y[i]!r}".replace("np.float64(", "").replace(")", ""))
+    (path / "geometry.csv").write_text("\n".join(rows) + "\n")
+    return path
+
+
+class TestFolder:
+    def test_a_scan(self, tmp_path):
+        scan = read_scan(save_folder(tmp_path / "scan"), reference="A1, V")
+        assert scan.report.complete
+        assert scan.response.values[..., 0] == pytest.approx(VALUES)
+        assert scan.response.frequency == pytest.approx(LINES)
+        assert scan.response.points == pytest.approx(np.column_stack([X, Y]))
+        assert scan.response.dataset["coherence"].values == pytest.approx(np.full((8, 12), 0.9))
+
+    def test_amplitude_and_phase_in_khz(self, tmp_path):
+        cells = [LINES / 1e3, np.full(8, 2.0), np.full(8, 90.0)]
+        path = save_folder(tmp_path / "scan", "freq (kHz),amplitude (m/s),phase_deg", cells)
+        found = read_scan(path).response
+        assert found.values == pytest.approx(np.full((8, 12, 1), 2j))
+        assert found.frequency == pytest.approx(LINES)
+        assert found.units == "m/s"
+
+    def test_what_is_broken_is_named(self, tmp_path):
+        path = save_folder(tmp_path / "scan")
+        (path / "p1.csv").unlink()
+        (path / "p2.csv").write_text((path / "p2.csv").read_text()[:-12])
+        (path / "p3.csv").write_text("a,b\n1,2\n")
+        text = (path / "p4.csv").read_text().splitlines()
+        text[3] = "overload," + text[3].partition(",")[2]
+        (path / "p4.csv").write_text("\n".join(text))
+        (path / "p5.csv").write_text("frequency,real (mm/s/V),imaginary\n")
+        (path / "p6.csv").write_text("frequency,real (Pa),imaginary\n1,2,3\n")
+        (path / "p7.csv").write_bytes(b"\xff\xfe\x00")
+        (path / "stray.csv").write_text("x\n")
+        table = (path / "geometry.csv").read_text() + "p0.csv, 1, 1\n../p0.csv, 1, 1\nlost.csv, one, 1\n"
+        (path / "geometry.csv").write_text(table)
+        scan = read_scan(path)
+        keep = [0, 8, 9, 10, 11]
+        assert scan.response.values[..., 0] == pytest.approx(VALUES[:, keep])
+        assert scan.report.missing == ("p1.csv",)
+        named = {one.what: one.reason for one in scan.report.dropped}
+        assert set(named) == {f"file p{i}.csv" for i in range(2, 8)} | {
+            "file stray.csv", "line 14 of geometry.csv", "line 15 of geometry.csv", "point lost.csv"
+        }  # fmt: skip
+        for what, word in {"file p2.csv": "cut short", "file p3.csv": "no columns", "file p4.csv": "overload",
+                           "file p5.csv": "no values", "file p6.csv": "Pa"}.items():  # fmt: skip
+            assert word in named[what]
+
+    def test_no_geometry(self, tmp_path):
+        with pytest.raises(ScanError) as caught:
+            read_scan(tmp_path)
+        assert_five_parts(caught.value, "file,x,y")
+
+    def test_nothing_left(self, tmp_path):
+        path = save_folder(tmp_path / "scan")
+        for i in range(12):
+            (path / f"p{i}.csv").write_text("")
+        with pytest.raises(ScanError) as caught:
+            read_scan(path)
+        assert_five_parts(caught.value, "no columns")
+
+
+class TestOtherFiles:
+    def test_polytec(self, tmp_path):
+        (tmp_path / "a.svd").write_bytes(bytes(100))
+        with pytest.raises(ScanError) as caught:
+            read_scan(tmp_path / "a.svd")
+        assert_five_parts(caught.value, "Universal File", "FRF", "geometry")
+
+    @pytest.mark.parametrize("name", ["a.txt", "a.nc", "a.h5", "a.csv"])
+    def test_unknown(self, tmp_path, name):
+        (tmp_path / name).write_bytes(b"hello")
+        with pytest.raises(ScanError) as caught:
+            read_scan(tmp_path / name)
+        assert_five_parts(caught.value, name)
+
+    def test_nothing_there(self, tmp_path):
+        with pytest.raises(ScanError, match="no such file"):
+            read_scan(tmp_path / "a.uff")
+
+
+class TestTimeScan:
+    @pytest.mark.parametrize("change", [{"response_scale": np.nan}, {"reference_scale": 0.0}])
+    def test_impossible_scales(self, change):
+        with pytest.raises(ScanError) as caught:
+            time_scan(**change)
+        assert_five_parts(caught.value, next(iter(change)))
+
+    def test_names_and_places_belong_together(self):
+        with pytest.raises(ScanError, match="12 and 11 coordinates"):
+            TimeScan(InMemory(DRIVE, RECORDS), ("a",) * 12, X, Y[:-1], 3, 50, 1.0, "A1, V")
