@@ -383,7 +383,8 @@ def _attached_tile(plate: Plate, recipe: _Recipe, highest: float, fineness: Fine
     y = layout.y[block.rows[0] : block.rows[1] + 1]
     actuators = [one for one in attached if isinstance(one, Actuator)]
     forces = [one for one in attached if isinstance(one, Force)]
-    orders = BodyOrders(max(fineness.plain, fineness.along), fineness.plain, 2, 3)
+    # in the plane as fine as a tile without anything on it: a force must not soften or stiffen the plate
+    orders = BodyOrders(max(fineness.plain, fineness.along - 1) + 2, fineness.plain, 2, 3)
     longest = 1.01 * max(np.diff(x).max(), np.diff(y).max())
     piece = body(x, y, layout.thickness, layout.material, actuators, orders, float(longest))
     loads = {}

@@ -1,0 +1,83 @@
+"""The long way round for plates: whole matrices of an assembly, dense, with all losses in them."""
+
+import numpy as np
+
+from haptonic.plate.model import PlateModel
+
+
+def placed(size, form, unknowns, total):
+    """Add a form of one tile; unknowns that are held, which have the number ``size``, drop out."""
+    free = unknowns < size
+    total[np.ix_(unknowns[free], unknowns[free])] += form[np.ix_(free, free)]
+
+
+def forms(assembly):
+    """Stiffness by part and mass, (size, size), without supports."""
+    size = assembly.size
+    stiffness, mass = {}, np.zeros((size, size))
+    for group in assembly.groups:
+        for unknowns in group.unknowns:
+            placed(size, group.tile.mass, unknowns, mass)
+            for part, form in group.tile.stiffness.items():
+                placed(size, form, unknowns, stiffness.setdefault(part, np.zeros((size, size))))
+    return stiffness, mass
+
+
+def beds(model: PlateModel):
+    """(size, size) of every support."""
+    found = []
+    for bed in model.beds:
+        found.append(np.zeros((model.assembly.size,) * 2))
+        found[-1][: model.assembly.free, : model.assembly.free] = bed.stiffness.toarray()
+    return found
+
+
+def lossless(model: PlateModel):
+    """Stiffness, supports included, and mass."""
+    stiffness, mass = forms(model.assembly)
+    return sum(stiffness.values()) + sum(beds(model)), mass
+
+
+def finger_impedance(finger, omega):
+    """Force over displacement of a mass behind a spring and a damper, from its two equations of motion."""
+    spring = finger.stiffness + 1j * omega * finger.damping
+    if np.isinf(finger.mass):
+        return spring
+    behind = spring / (spring - omega**2 * finger.mass)  # displacement of the mass over that of the pad
+    return spring * (1 - behind)
+
+
+def dynamic(model: PlateModel, omega):
+    """(size, size) complex dynamic stiffness with every loss and the finger."""
+    plate, parts = model.plate, forms(model.assembly)
+    stiffness, mass = parts
+    total = (1 + 1j * plate.loss_factor) * stiffness["plate"] - omega**2 * mass
+    for actuator in plate.actuators:
+        solid, name = actuator.material, actuator.name
+        total = total + (1 + 1j * solid.loss_factor) * stiffness[f"{name} ceramic"]
+        total += stiffness[f"{name} field"] / (1 - 1j * solid.dielectric_loss)
+        if actuator.bond is not None:
+            total += (1 + 1j * actuator.bond.material.loss_factor) * stiffness[f"{name} bond"]
+    for support, bed in zip(
+        [support for support in plate.supports if support.hold == "spring" or support.where == "corners"],
+        beds(model),
+        strict=True,
+    ):
+        total += (1 + 1j * support.loss_factor) * bed
+    if plate.finger is not None:
+        pad = model.pad.toarray()
+        total += finger_impedance(plate.finger, omega) / len(pad) * pad.T @ pad
+    return total
+
+
+def answered(model: PlateModel, drives, omegas):
+    """(size, n) answers to drives of given amplitudes, each by one dense solution."""
+    load = sum(amplitude * model.drives[name] for name, amplitude in drives.items())
+    return np.stack([np.linalg.solve(dynamic(model, omega), load) for omega in omegas], axis=-1)
+
+
+def energy(model: PlateModel, fields, omegas):
+    """(n,) squares of the energy norm u* (K + omega^2 M) u of fields (size, n)."""
+    K, M = lossless(model)
+    stiff = np.einsum("in,in->n", fields.conj(), K @ fields).real
+    return stiff + omegas**2 * np.einsum("in,in->n", fields.conj(), M @ fields).real
