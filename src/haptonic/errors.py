@@ -62,6 +62,8 @@ class ResponseError(HaptonicError):
 
 class FrictionError(HaptonicError):
     """Trials, or the numbers of a model of friction, cannot be used."""
+
+
 class ScanError(HaptonicError):
     """A scan file, or what it holds, cannot be used."""
 

@@ -60,7 +60,13 @@ def test_plate_writes_its_files_and_tables(haptonic, inside, plated, tmp_path):
     ran = haptonic("plate", plated(), "--out", out)
     assert ran.code == 0, ran.err
     assert {path.name for path in out.iterdir()} == FILES
-    for words in ("root mean square velocity", "power at", "A1 dielectric", "modes near the carrier", "Simulated"):
+    for words in (
+        "root mean square velocity",
+        "power at",
+        "A1 dielectric",
+        "modes near the carrier",
+        "Simulated",
+    ):
         assert words in ran.out
     response = read(out / "response.nc")
     assert response.values.shape[0] == 19
