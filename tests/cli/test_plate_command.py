@@ -44,9 +44,10 @@ points = 19
 [[sweep]]""",
 )
 CARRIER = ('carrier = "60 kHz"', 'carrier = "10 kHz"')
+PICTURES = ("plan", "maps", "velocity", "contrast", "impedance-A1")
 FILES = {
     "response.nc", "maps.nc", "plate.nc", "modes.nc", "plate.vtu", "carrier.webp",
-    *(f"{name}.{kind}" for name in ("plan", "maps", "velocity", "contrast", "impedance-A1") for kind in ("svg", "png")),
+    *(f"{name}.{kind}" for name in PICTURES for kind in ("svg", "png")),
 }  # fmt: skip
 
 

@@ -132,7 +132,7 @@ def test_a_force_on_a_cell_of_the_lattice():
 
 @pytest.mark.nightly
 def test_the_products_own_orders_at_the_carrier_against_the_full_model():
-    """4 x 3 cells with a waveguide and a patch, a third of a million unknowns: 16 GB, a quarter of an hour."""
+    """4 x 3 cells with a waveguide and a patch, a third of a million unknowns: 16 GB, 15 minutes."""
     whole, model = whole_of("prototype", (4, 1, 4)), model_of("prototype", 70e3, Fineness())
     exact = full.frequencies(whole, 16, 57e3, full.quickly_factorised)
     found = modes(model, 0.998 * exact[0], 1.003 * exact[-1])
