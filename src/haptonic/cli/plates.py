@@ -34,7 +34,7 @@ def plate(
         loaded = load(study)
         frequency = None if at is None else float(to_si(at, "Hz", "--at"))
         folder = folder_for(study, out, json, "plate")
-        files = _files(loaded.plate())
+        files = plate_files(loaded.plate())
         refuse_taken(folder, files, overwrite=overwrite)
         if loaded.plate().rigid:
             voice.warn(f"nothing holds the plate: {loaded.plate().rigid_modes} rigid-body motions are free")
@@ -54,7 +54,8 @@ def plate(
         voice.answer(result.to_json())
 
 
-def _files(plate: Plate) -> list[str]:
+def plate_files(plate: Plate) -> list[str]:
+    """Names of all that `write_plate` can write."""
     names = ["plan", "maps", "velocity", "contrast", *(f"impedance-{a.name}" for a in plate.actuators)]
     return ["response.nc", "maps.nc", "plate.nc", "modes.nc", "plate.vtu", "carrier.webp", *pictures(names)]
 

@@ -24,9 +24,9 @@ BEYOND = 0.06  # share of the highest frequency by which shifts go beyond the ba
 BLOCK, LENGTH = 8, 8  # forces at each shift, and blocks of vectors that they give
 LOSSES = 3  # orders to which the answer is expanded in losses other than the plate's
 FEWEST_RANDOM = 4  # of the forces at each shift
-ROUNDS = 4  # of refinement
 NEAR_ZERO = 1e-3  # share of the highest shift's frequency that the lowest one has at least
-WORST = 6  # lines whose direct answers a round of refinement adds
+WORST = 6  # shifts that a refinement adds
+MOST_DIRECT = 24  # lines that are answered directly rather than by a larger basis
 
 
 @dataclass(frozen=True, eq=False)
@@ -75,48 +75,58 @@ class Band:
         return cls(low, high, reduced, tuple(found))
 
     def refined(self, frequencies: Array) -> Band:
-        """With the direct answers to all drives at frequencies, Hz, in the basis."""
+        """With further shifts at frequencies, Hz."""
         model = self.reduced.model
-        loads = np.stack(list(model.drives.values()), axis=1).astype(complex)
-        answers = [direct_answer(model, loads, 2 * np.pi * float(f)) for f in frequencies]
-        vectors = np.hstack([part for answer in answers for part in (answer.real, answer.imag)])
-        scale = np.sqrt(np.einsum("nk,nk->k", vectors, model.assembly.mass_times(vectors)))
-        more = Chain(self.chains[0].shift, self.chains[0].below, vectors[:, scale > 0] / scale[scale > 0])
-        return self._joined(model, self.low, self.high, [*self.chains, more])
+        shifts = ((2 * np.pi * frequencies) ** 2).tolist()
+        more = chains(model.assembly, _forces(model), shifts, LENGTH)
+        return self._joined(model, self.low, self.high, [*self.chains, *more])
 
     def answer(
         self, drives: Mapping[str, complex], frequencies: Array, tolerance: float
     ) -> tuple[Band, Vibration]:
         """Answer to drives at frequencies, Hz, each line with an error of at most ``tolerance``.
 
+        A line of the reduced plate that is not good enough is replaced by the direct answer; if many are
+        not, the basis gets further shifts first.
+
         Returns
         -------
-        the band, refined where lines were not good enough, and the answer
+        the band, refined if many lines were not good enough, and the answer
 
         Raises
         ------
         HaptonicError : lines that stay above the tolerance
         """
-        band = self
-        for _ in range(ROUNDS):
-            vibration = band.reduced.answer(drives, 2 * np.pi * frequencies)
-            poor = vibration.error > tolerance
-            if not poor.any():
-                return band, vibration
-            band = band.refined(_worst(frequencies, np.where(poor, vibration.error, 0.0)))
-        vibration = band.reduced.answer(drives, 2 * np.pi * frequencies)
-        poor = vibration.error > tolerance
-        if poor.any():
+        band, omega = self, 2 * np.pi * frequencies
+        vibration = band.reduced.answer(drives, omega)
+        poor = np.flatnonzero(vibration.error > tolerance)
+        if len(poor) > MOST_DIRECT:
+            band = band.refined(_worst(frequencies, vibration.error))
+            vibration = band.reduced.answer(drives, omega)
+            poor = np.flatnonzero(vibration.error > tolerance)
+        if len(poor) <= MOST_DIRECT and len(poor):
+            vibration = vibration.with_lines(poor, band._directly(drives, omega[poor]))
+            poor = np.flatnonzero(vibration.error > tolerance)
+        if len(poor):
             worst = float(frequencies[vibration.error.argmax()])
             raise HaptonicError(
                 argument="plate.response.tolerance",
                 given=f"{tolerance:g}",
-                allowed=f"what can be reached: {poor.sum()} of {len(poor)} lines stay above it, the worst at "
+                allowed=f"what can be reached: {len(poor)} of {len(omega)} lines stay above it, the worst at "
                 f"{worst / 1e3:.3f} kHz with {vibration.error.max():.1e}",
                 cause="very little loss, or a tolerance near rounding",
                 next_step="ask for a larger tolerance, or give the plate its loss",
             )
         return band, vibration
+
+    def _directly(self, drives: Mapping[str, complex], omega: Array) -> Vibration:
+        """The direct answer at some angular frequencies, rad/s."""
+        model = self.reduced.model
+        load = sum(amplitude * model.drives[name] for name, amplitude in drives.items())
+        load = np.asarray(load, complex)[:, None]
+        fields = np.hstack([direct_answer(model, load, float(one)) for one in omega])
+        both = np.hstack([np.eye(len(omega)), 1j * np.eye(len(omega))]).T
+        return self.reduced.checked(drives, omega, np.hstack([fields.real, fields.imag]), both)
 
 
 def _forces(model: PlateModel) -> Callable[[Shifted], Array]:

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from typing import Any
 
 import numpy as np
 import scipy.linalg as la
@@ -27,7 +28,7 @@ class Vibration:
 
     omega : (n,) rad/s
     drives : complex amplitudes by name, V or N
-    amplitudes : (r, n) of the basis
+    vectors : (size, r); amplitudes : (r, n) of them: together the displacement, m
     error : (n,) bound of the relative error in the energy norm
     stored : by part (n, blocks) strain energy, J; moving : (n, blocks) kinetic energy, J
     dissipated : by part (n,) W, "supports" and "finger" among them; given : (n,) W from the drives
@@ -36,6 +37,7 @@ class Vibration:
 
     omega: Array
     drives: Mapping[str, complex]
+    vectors: Array
     amplitudes: Complex
     error: Array
     stored: Mapping[str, Array]
@@ -48,6 +50,29 @@ class Vibration:
     def frequency(self) -> Array:
         """Hz"""
         return np.asarray(self.omega / (2 * np.pi))
+
+    def with_lines(self, lines: Ints, other: Vibration) -> Vibration:
+        """With some lines taken from another answer to the same drives on the same model."""
+
+        def mixed(own: Any, others: Any) -> Any:
+            new = own.copy()
+            new[lines] = others
+            return new
+
+        (old_count, count), new_count = self.amplitudes.shape, len(other.amplitudes)
+        found = np.zeros((old_count + new_count, count), dtype=complex)
+        found[:old_count] = self.amplitudes
+        found[:old_count, lines] = 0.0
+        found[old_count:, lines] = other.amplitudes
+        by_name = {
+            name: {k: mixed(own, getattr(other, name)[k]) for k, own in getattr(self, name).items()}
+            for name in ("stored", "dissipated", "charge")
+        }
+        plain = {
+            name: mixed(getattr(self, name), getattr(other, name)) for name in ("error", "moving", "given")
+        }
+        vectors = np.hstack([self.vectors, other.vectors])
+        return replace(self, vectors=vectors, amplitudes=found, **by_name, **plain)
 
 
 @dataclass(frozen=True, eq=False)
@@ -72,22 +97,24 @@ class ReducedPlate:
         load = np.asarray(sum(amplitude * model.drives[name] for name, amplitude in drives.items()), complex)
         extras = [(directions, extra.impedance(omega)) for extra, directions in self.extras]
         found = amplitudes(basis.values, model.factors["plate"], extras, basis.vectors.T @ load, omega)
-        checker = _Checker(self, load)
+        return self.checked(drives, omega, basis.vectors, found)
+
+    def checked(
+        self, drives: Mapping[str, complex], omega: Array, vectors: Array, found: Complex
+    ) -> Vibration:
+        """What vectors (size, r) with amplitudes (r, n) are worth as an answer to drives."""
+        model = self.model
+        load = np.asarray(sum(amplitude * model.drives[name] for name, amplitude in drives.items()), complex)
+        checker = _Checker(self, load, vectors)
         pieces = [
             checker.lines(omega[start : start + CHUNK], found[:, start : start + CHUNK])
             for start in range(0, len(omega), CHUNK)
         ]
-        joined = {name: np.concatenate([piece[name] for piece in pieces]) for name in pieces[0]}
-        return self._told(drives, omega, found, joined)
-
-    def _told(
-        self, drives: Mapping[str, complex], omega: Array, found: Complex, seen: dict[str, Array]
-    ) -> Vibration:
-        model = self.model
+        seen = {name: np.concatenate([piece[name] for piece in pieces]) for name in pieces[0]}
         charge, dissipated = {}, {}
         given = np.zeros(len(omega))
         for name, amplitude in drives.items():
-            motion = (model.drives[name] @ self.basis.vectors) @ found
+            motion = (model.drives[name] @ vectors) @ found
             if name in model.capacitance:
                 blocked = model.blocked(name) * amplitude
                 charge[name] = blocked + motion
@@ -100,8 +127,8 @@ class ReducedPlate:
             dissipated[name] = 2 * omega * model.factors[name].imag * values.sum(axis=1)
         dissipated["supports"], dissipated["finger"] = seen["supports"], seen["finger"]
         return Vibration(
-            omega, dict(drives), found, seen["error"], stored, seen["moving"], dissipated, given, charge
-        )
+            omega, dict(drives), vectors, found, seen["error"], stored, seen["moving"], dissipated, given, charge
+        )  # fmt: skip
 
 
 def amplification(loss: float, omega: Array, sigma: float, complete: tuple[float, float]) -> Array:
@@ -128,8 +155,8 @@ def amplification(loss: float, omega: Array, sigma: float, complete: tuple[float
 class _Checker:
     """Puts reduced answers back into the unreduced equations."""
 
-    def __init__(self, reduced: ReducedPlate, load: Complex) -> None:
-        self.reduced, self.load = reduced, load
+    def __init__(self, reduced: ReducedPlate, load: Complex, vectors: Array) -> None:
+        self.reduced, self.vectors = reduced, vectors
         assembly = reduced.model.assembly
         counts = assembly.gathered([np.ones((*group.unknowns.shape, 1)) for group in assembly.groups])
         self.share = 1.0 / counts  # of an unknown that each of its tiles gets
@@ -141,7 +168,7 @@ class _Checker:
         reduced, model = self.reduced, self.reduced.model
         assembly, factors, count = model.assembly, model.factors, len(omega)
         square = np.tile(omega**2, 2)
-        fields = reduced.basis.vectors @ np.hstack([found.real, found.imag])
+        fields = self.vectors @ np.hstack([found.real, found.imag])
         blocks = len(assembly.skeleton.blocks)
         out: dict[str, Array] = {
             "moving": np.zeros((count, blocks)),

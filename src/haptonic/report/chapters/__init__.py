@@ -1,7 +1,14 @@
 """The chapters in their order. Each is a module with ``chapter(results)``."""
 
-from haptonic.report.chapters import comparison, dispersion, mirror, modes, sweeps
+from haptonic.report.chapters import comparison, dispersion, mirror, modes, plate, sweeps
 
-IN_ORDER = (dispersion.chapter, modes.chapter, sweeps.chapter, mirror.chapter, comparison.chapter)
+IN_ORDER = (
+    dispersion.chapter,
+    modes.chapter,
+    sweeps.chapter,
+    mirror.chapter,
+    plate.chapter,
+    comparison.chapter,
+)
 
 __all__ = ["IN_ORDER"]

@@ -109,7 +109,7 @@ def _computed(
     every = np.union1d(question.frequencies, extra)
     band, vibration = band.answer(drives, every, question.tolerance)
     points, regions = grid_points(plate, question.grid)
-    surface = model.observed(points) @ band.reduced.basis.vectors
+    surface = model.observed(points) @ vibration.vectors
     velocity = (surface @ vibration.amplitudes) * (1j * vibration.omega)
     marked = _marked(plate, every, velocity, regions, carrier, gap)
     main = np.searchsorted(every, question.frequencies)

@@ -118,7 +118,7 @@ def body_dataset(band: Band, vibration: Vibration, line: int) -> xr.Dataset:
     """Displacement of the whole plate at one line, on the corners of the elements."""
     assembly = band.reduced.model.assembly
     amplitudes = vibration.amplitudes[:, line]
-    vectors = band.reduced.basis.vectors
+    vectors = vibration.vectors
     field = np.stack([vectors @ amplitudes.real, vectors @ amplitudes.imag], axis=1)
     layout = assembly.skeleton.layout
     points, cells, moved, count = [], [], [], 0
