@@ -46,6 +46,9 @@ class TestSignals:
             bend = np.abs(np.diff(twice, 2))
             assert bend[samples - 3 : samples + 2].max() <= bend[: samples - 3].max() * (1 + 1e-9)
 
+            if kind == "chirp":  # whole turns: it comes up to zero from below and goes on above
+                assert signal[-1] < signal[0] == 0 < signal[1]
+
     def test_the_crest_factor_is_low(self, kind):
         crest = drive(**USUAL, kind=kind).crest_factor
         assert crest == pytest.approx(np.sqrt(2), rel=0.01) if kind == "chirp" else crest < 2.0

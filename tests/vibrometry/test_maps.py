@@ -10,6 +10,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 from scans import assert_five_parts
+from scipy.stats import linregress
 
 from haptonic.errors import HaptonicWarning, ResponseError, ScanError
 from haptonic.response import FrequencyResponse
@@ -293,6 +294,15 @@ class TestDecay:
         # 600 trials at 95 %: a standard error of 0.9 %
         assert np.mean(held) == pytest.approx(0.95, abs=0.027)
 
+    def test_slope_and_error_are_those_of_scipy(self):
+        response = self.lattice(ripple=4.0)
+        found = lattice_decay(response, "lattice", depth="x", start=0.021, pitch=7e-3)
+        row = response.values[:, :11, 0]  # all rows have the same levels
+        for line in range(3):
+            other = linregress(self.x[:11] / 7e-3, 20 * np.log10(np.abs(row[line])))
+            assert found["decay"].values[line] == pytest.approx(-other.slope, abs=1e-9)
+            assert found["error"].values[line] == pytest.approx(other.stderr)
+
     def test_structure_in_the_cells_widens_the_interval(self):
         plain, rippled = (
             lattice_decay(self.lattice(ripple=r), "lattice", depth="x", start=0.021, pitch=7e-3)
@@ -316,3 +326,33 @@ class TestDecay:
         response = made(np.zeros((1, 4)), np.array([1.0]), np.arange(4.0), np.zeros(4), region=["L"] * 4)
         with pytest.raises(ScanError, match="without any vibration"):
             lattice_decay(response, "L", depth="x", start=0.0, pitch=1.0)
+
+
+def test_among_equal_fits_the_smallest_turn():
+    """A whole grid looks the same after half a turn."""
+    plan = scan_plan(PLATE, 4e-3).points
+    found = register_by_fit(moved(plan, 1.0, 0.03, [0.1, 0.0]), plan)
+    assert found.angle == pytest.approx(0.03, abs=1e-6)
+
+
+def test_edges_lie_between_the_lines_and_the_widest_range_counts():
+    from haptonic.vibrometry.maps.gap import _edges
+
+    lines = np.arange(10.0)
+    level = np.array([0.0, 0.0, 9.0, 0.0, 2.0, 8.0, 8.0, 8.0, 4.0, 0.0])
+    # from 2 to 8 dB the middle is 5: half of the way from 4 to 5, three quarters of that from 7 to 8
+    assert _edges(lines, level, 2.0, 8.0, 0.5) == pytest.approx((4.5, 7.75))
+    assert _edges(lines, 0 * level, 2.0, 8.0, 0.5) == (0.0, 0.0)
+
+
+def test_without_scatter_the_error_is_that_of_lines_and_transition():
+    pair = [0, -1]
+    response = gapped(slope=800.0)
+    one = made(response.values[:, pair, 0], LINES, GRID_X[pair], GRID_Y[pair], region=[REGION[0], REGION[-1]])
+    found = measured_gap(one, "WG1", "lattice", smoothing=0.0)
+    for error, width in (
+        (found.lower_error, found.lower_transition),
+        (found.upper_error, found.upper_transition),
+    ):
+        assert width > 500
+        assert error == pytest.approx(np.sqrt((100.0**2 + width**2) / 12))
