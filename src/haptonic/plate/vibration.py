@@ -68,11 +68,17 @@ class Vibration:
             name: {k: mixed(own, getattr(other, name)[k]) for k, own in getattr(self, name).items()}
             for name in ("stored", "dissipated", "charge")
         }
-        plain = {
-            name: mixed(getattr(self, name), getattr(other, name)) for name in ("error", "moving", "given")
-        }
-        vectors = np.hstack([self.vectors, other.vectors])
-        return replace(self, vectors=vectors, amplitudes=found, **by_name, **plain)
+        return replace(
+            self,
+            vectors=np.hstack([self.vectors, other.vectors]),
+            amplitudes=found,
+            error=mixed(self.error, other.error),
+            moving=mixed(self.moving, other.moving),
+            given=mixed(self.given, other.given),
+            stored=by_name["stored"],
+            dissipated=by_name["dissipated"],
+            charge=by_name["charge"],
+        )
 
 
 @dataclass(frozen=True, eq=False)
@@ -127,7 +133,8 @@ class ReducedPlate:
             dissipated[name] = 2 * omega * model.factors[name].imag * values.sum(axis=1)
         dissipated["supports"], dissipated["finger"] = seen["supports"], seen["finger"]
         return Vibration(
-            omega, dict(drives), vectors, found, seen["error"], stored, seen["moving"], dissipated, given, charge
+            omega, dict(drives), vectors, found, seen["error"], stored, seen["moving"], dissipated, given,
+            charge,
         )  # fmt: skip
 
 

@@ -45,8 +45,8 @@ def chapter(results: Results) -> Chapter | Absent:
         paragraphs=(
             f"The plate has {result.plate.layout.pillars} pillars and is computed from condensed tiles with "
             f"{result.lines.attrs['unknowns']} unknowns on {result.lines.attrs['basis']} vectors. At every "
-            "line the answer was put back into the unreduced equations; the largest error of the field that this "
-            f"bounds is {float(result.lines['error'].max()):.0e}. Loss factor of the plate: "
+            "line the answer was put back into the unreduced equations; the largest error of the field that "
+            f"this bounds is {float(result.lines['error'].max()):.0e}. Loss factor of the plate: "
             f"{result.plate.loss_factor:g}, assumed.",
         ),
         findings=tuple(_findings(result, paper.is_its_cell(results.study))),
