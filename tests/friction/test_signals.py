@@ -129,6 +129,15 @@ class TestMeasure:
         assert np.isnan(found.speed)
         assert found.duration == pytest.approx(0.6, abs=0.01)
 
+    def test_without_a_position_the_way_back_is_seen_in_the_force(self):
+        made = stroke()
+        made["position"] = None
+        made["tangential"][900:] *= -3  # within the middle of the contact, which ends at 1.1 s
+        found = measure(Record(**made))
+        assert found.mean_of_ratios == pytest.approx(0.4, rel=0.03)
+        assert found.duration == pytest.approx(0.4, abs=0.02)
+        assert found.reversing == pytest.approx(400 / 1500, abs=0.02)
+
     def test_the_shares_add_up(self):
         found = measure(Record(**stroke()))
         shares = found.below_threshold + found.reversing + found.off_plateau + found.duration / 1.5

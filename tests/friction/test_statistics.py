@@ -208,6 +208,12 @@ class TestWhatTrialsProve:
         assert mixed[0] == pytest.approx(0.05, abs=3 * math.sqrt(0.05 * 0.95 / 300))
         assert mixed[2] == people[2] == 300
 
+    def test_a_reduction_of_the_population_is_left_out_of_the_alarms(self):
+        """A drop that every test would see for certain."""
+        rates = false_alarms(Population(0.5, 0.02, within=0.02), 8, 4, simulations=30)
+        assert rates["participants"][0] < 0.3
+        assert rates["trials, as published"][2] == 30
+
     @pytest.mark.slow
     def test_where_people_do_not_differ_every_test_keeps_its_promise(self):
         rates = false_alarms(Population(0.0, 0.0), participants=6, trials=20, simulations=200, seed=2)
@@ -324,6 +330,8 @@ class TestPlanning:
     def test_participants_needed(self):
         plan = Population(0.11, 0.08)
         people = participants_needed(plan, 60)
+        enough = [n for n in range(2, 20) if power(plan, [n], [60])["power"].item() >= 0.8]
+        assert people == enough[0]
         chances = power(plan, [people - 1, people], [60], simulations=6000, seed=9)["power"].values
         assert chances[1] > 0.77
         assert chances[0] < 0.83

@@ -46,6 +46,21 @@ class TestStrokes:
         assert quiet.std() == pytest.approx(0.021, rel=0.02)
         assert quiet.mean() == pytest.approx(0.3, abs=0.001)
 
+    def test_coefficients_are_those_of_the_population(self):
+        """Means over 150 people: the level, what is left on either waveguide, and no net drift."""
+        table = statistic_table(Truth(), 150, 0)
+        on = table["actuation"] == "on"
+        for guide, left in (("WG1", 0.45), ("WG2", 0.89)):
+            here = table["waveguide"] == guide
+            level = float(table["friction"][here & ~on].mean())
+            assert level == pytest.approx(0.42, rel=0.04)
+            assert float(table["friction"][here & on].mean()) == pytest.approx(left * level, rel=0.02)
+
+    def test_both_channels_have_the_bias(self):
+        made = [record for _, record, _ in strokes(Truth(bias=0.3), Protocol(2, 10), 1, seed=1)]
+        quiet = np.concatenate([[record.normal[:200], record.tangential[:200]] for record in made], axis=1)
+        assert quiet.mean(axis=1) == pytest.approx([0.3, -0.3], abs=0.003)
+
     def test_the_same_seed_the_same_experiment(self):
         one, same, other = (
             next(iter(strokes(Truth(), Protocol(2, 2), 1, seed)))[1].normal for seed in (1, 1, 2)
@@ -90,6 +105,9 @@ class TestExperiment:
 
     def test_the_drift_that_was_put_in(self):
         """0.1 of the session's mean, seen through 22 % of scatter by ten people."""
+        steady = statistic_table(Truth(drift=0.4, between=0.0, within=0.0), 1, 0)
+        off = steady["friction"].values[steady["actuation"].values == "off"]
+        assert off.mean() == pytest.approx(0.42, rel=0.005)
         found = drift(statistic_table(Truth(drift=0.1), 10, 0))
         assert found.low < 0.1 < found.high
         none = drift(statistic_table(Truth(drift=0.0, within=0.01), 10, 0))
