@@ -1,0 +1,463 @@
+"""Answers of a basis against direct complex solutions, and what any answer has to obey."""
+
+from dataclasses import replace
+from functools import cache
+
+import numpy as np
+import pytest
+import scipy.linalg as la
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from small import COARSE, LOSS, PITCH, busy_plate, drawn, glued, plain_plate
+from whole import answered, beds, dynamic, energy, finger_impedance, forms, lossless
+
+from haptonic.errors import GeometryError, HaptonicError
+from haptonic.plate.direct import direct_answer
+from haptonic.plate.krylov import Basis
+from haptonic.plate.model import PlateModel, _blocks, impedance, sunflower
+from haptonic.plate.modes import modes_between
+from haptonic.plate.parts import Finger, Force, Plate, Support
+from haptonic.plate.skeleton import Block
+from haptonic.plate.sweep import Band
+from haptonic.plate.vibration import ReducedPlate, amplification
+
+HZ = 2 * np.pi
+BOTH = {"A": 40.0, "F": 0.3 - 0.2j}
+LINES = np.linspace(2e3, 30e3, 15)
+
+
+@cache
+def busy():
+    return PlateModel.of(busy_plate(), 40e3, COARSE)
+
+
+@cache
+def busy_band():
+    return Band.of(busy(), 2e3, 30e3)
+
+
+def true_error(model, band, vibration):
+    """In the energy norm, relative, against dense solutions with every loss."""
+    exact = answered(model, vibration.drives, vibration.omega)
+    ours = band.reduced.basis.vectors @ vibration.amplitudes
+    return np.sqrt(energy(model, ours - exact, vibration.omega) / energy(model, exact, vibration.omega))
+
+
+# -- the answer, and the bound of its error -----------------------------------------------------------
+
+
+@pytest.mark.parametrize("drives", [{"A": 1.0}, {"F": 1j}, BOTH], ids=["patch", "force", "both"])
+def test_the_error_is_below_its_bound_and_that_below_the_tolerance(drives):
+    band, vibration = busy_band().answer(drives, LINES, 1e-2)
+    error = true_error(busy(), band, vibration)
+    assert (vibration.error < 1e-2).all()
+    assert (error < vibration.error).all()
+    assert (error < 5e-4).all()
+
+
+def test_a_poor_basis_says_so():
+    """With most vectors gone the bound has to grow along with the error."""
+    full = busy_band().reduced.basis
+    for kept in (20, 40, 80):
+        basis = Basis(full.vectors[:, :kept], full.values[:kept], (0.0, 0.0))
+        reduced = ReducedPlate.of(busy(), basis, HZ * 16e3)
+        vibration = reduced.answer(BOTH, HZ * LINES)
+        exact = answered(busy(), BOTH, HZ * LINES)
+        ours = basis.vectors @ vibration.amplitudes
+        error = np.sqrt(energy(busy(), ours - exact, HZ * LINES) / energy(busy(), exact, HZ * LINES))
+        assert error.max() > 1e-3
+        assert (error < vibration.error).all()
+
+
+@pytest.mark.parametrize("loss", [0.0, 2e-4, 0.05])
+def test_another_damping_needs_no_new_basis(loss):
+    plate = replace(busy_plate(), loss_factor=loss)
+    model = replace(busy(), plate=plate)
+    reduced = ReducedPlate.of(model, busy_band().reduced.basis, HZ * 16e3)
+    vibration = reduced.answer(BOTH, HZ * LINES)
+    exact = answered(model, BOTH, HZ * LINES)
+    ours = reduced.basis.vectors @ vibration.amplitudes
+    error = np.sqrt(energy(model, ours - exact, HZ * LINES) / energy(model, exact, HZ * LINES))
+    assert (error < 1e-3).all()
+    assert (error < vibration.error).all()
+
+
+@settings(max_examples=6)
+@given(
+    st.floats(0, 0.05),
+    st.floats(0, 0.1),
+    st.floats(0, 0.3),
+    st.floats(0, 10.0),
+    st.sampled_from([2e-3, np.inf]),
+)
+def test_losses_of_all_kinds_on_one_basis(plate_loss, glue_loss, spring_loss, damping, mass):
+    plate = busy_plate()
+    (patch,), (left, right) = plate.actuators, plate.supports
+    glue = replace(patch.bond.material, loss_factor=glue_loss)
+    plate = replace(
+        plate,
+        loss_factor=plate_loss,
+        actuators=(replace(patch, bond=replace(patch.bond, material=glue)),),
+        supports=(replace(left, loss_factor=spring_loss), right),
+        finger=replace(plate.finger, damping=damping, mass=mass),
+    )
+    beds = tuple(replace(bed, loss_factor=spring_loss) for bed in busy().beds)
+    model = replace(busy(), plate=plate, beds=beds)
+    reduced = ReducedPlate.of(model, busy_band().reduced.basis, HZ * 16e3)
+    lines = HZ * LINES[::4]
+    vibration = reduced.answer(BOTH, lines)
+    exact = answered(model, BOTH, lines)
+    ours = reduced.basis.vectors @ vibration.amplitudes
+    error = np.sqrt(energy(model, ours - exact, lines) / energy(model, exact, lines))
+    assert (error < 2e-3).all()
+    assert (error < np.maximum(vibration.error, 1e-9)).all()
+
+
+def test_a_clamp_of_corners_and_a_patch_reach_the_tolerance():
+    """The clamp is a bed a hundred times as stiff as the plate, without its loss."""
+    plate = replace(busy_plate(), supports=(Support("corners", "clamped", 3e-3),), finger=None)
+    model, lines = PlateModel.of(plate, 40e3, COARSE), np.linspace(5e3, 30e3, 26)
+    band, vibration = Band.of(model, 5e3, 30e3).answer({"F": 1.0}, lines, 1e-3)
+    assert (true_error(model, band, vibration) < vibration.error).all()
+
+
+def test_direct_answers_are_those_of_the_whole_complex_matrix():
+    loads = np.stack([busy().drives["A"], 1j * busy().drives["F"]], axis=1)
+    for omega in HZ * LINES[[0, 7]]:
+        exact = np.linalg.solve(dynamic(busy(), omega), loads)
+        found = direct_answer(busy(), loads, omega)
+        assert np.linalg.norm(found - exact) < 1e-6 * np.linalg.norm(exact)
+    bare = replace(busy(), plate=replace(busy_plate(), finger=None))
+    exact = np.linalg.solve(dynamic(bare, HZ * 9e3), loads)
+    assert np.linalg.norm(direct_answer(bare, loads, HZ * 9e3) - exact) < 1e-6 * np.linalg.norm(exact)
+
+
+def test_modes_have_the_quality_of_the_complex_eigenvalues():
+    """To first order in the losses; without a finger."""
+    bare = replace(busy(), plate=replace(busy_plate(), finger=None, loss_factor=1e-4))
+    factors = dict(bare.factors)
+    band = Band.of(bare, 2e3, 30e3)
+    modes = modes_between(band, 2e3, 30e3)
+    stiffness, _ = forms(bare.assembly)
+    K, M = lossless(bare)
+    values, _ = la.eigh(K, M, subset_by_value=((HZ * 2e3) ** 2, (HZ * 30e3) ** 2))
+    assert modes.frequency == pytest.approx(np.sqrt(values) / HZ, rel=1e-7)
+    assert (np.abs(modes.frequency - np.sqrt(values) / HZ) <= modes.error * modes.frequency + 1e-6).all()
+    small = 1e-3  # of the losses: then the eigenvalues of the complex matrix follow them linearly
+    lossy = K.astype(complex)
+    for part, form in stiffness.items():
+        lossy += 1j * small * factors[part].imag * form
+    (bed,) = beds(bare)
+    lossy += 1j * small * 0.08 * bed
+    complex_values = la.eigvals(np.linalg.solve(M, lossy))
+    for frequency, quality in zip(modes.frequency, modes.quality, strict=True):
+        near = complex_values[np.abs(complex_values.real - (HZ * frequency) ** 2).argmin()]
+        assert near.imag / near.real / small == pytest.approx(1 / quality, rel=1e-3)
+    assert sum(modes.lost.values()) == pytest.approx(1.0)
+    held = np.einsum("nk,nk->k", modes.vectors, beds(bare)[0] @ modes.vectors) / values
+    assert sum(part.sum(1) for part in modes.stored.values()) + held == pytest.approx(1.0)
+
+
+# -- completeness -------------------------------------------------------------------------------------
+
+
+def test_a_basis_is_complete_where_the_dense_modes_say_so():
+    basis = busy_band().reduced.basis
+    low, high = basis.complete
+    assert low == 0.0
+    assert high > (HZ * 30e3) ** 2
+    exact = la.eigh(*lossless(busy()), eigvals_only=True)
+    inside = exact[exact < high]
+    assert basis.values[: len(inside)] == pytest.approx(inside, rel=1e-7)
+    assert basis.values[len(inside)] > high
+    for chain in busy_band().chains:
+        assert chain.below == (exact < chain.shift).sum()
+    K, M = lossless(busy())
+    V, scale = basis.vectors, np.sqrt(np.outer(basis.values, basis.values))
+    heavy = np.abs(V.T @ M @ V - np.eye(V.shape[1]))
+    stiff = np.abs((V.T @ K @ V - np.diag(basis.values)) / scale)
+    own = slice(0, len(inside))
+    assert heavy[own, own].max() < 1e-9
+    assert stiff[own, own].max() < 1e-9
+    assert max(heavy.max(), stiff.max()) < 0.05  # rounding of the stiffest vectors: 4e-3 seen
+
+
+def test_what_is_missing_shows_and_can_be_added():
+    """Chains of one force only, at the ends: modes in between are missing, and refinement brings them."""
+    band = busy_band()
+    model = busy()
+    few = [replace(chain, vectors=chain.vectors[:, :3]) for chain in (band.chains[0], band.chains[-1])]
+    poor = Band._joined(model, band.low, band.high, few)
+    low, high = poor.reduced.basis.complete
+    assert high - low < 0.9 * ((HZ * 30e3) ** 2 - (HZ * 2e3) ** 2)
+    bad = poor.reduced.answer(BOTH, HZ * LINES)
+    assert bad.error.max() > 0.1
+    assert (true_error(model, poor, bad) < bad.error).all()
+    better, vibration = poor.answer(BOTH, LINES, 1e-2)
+    assert len(better.chains) > 2
+    assert (vibration.error < 1e-2).all()
+    rounding = 3e-6  # of lines whose direct answers are in the basis
+    assert (true_error(model, better, vibration) < np.maximum(vibration.error, rounding)).all()
+
+
+def test_a_count_of_ritz_values_is_not_convergence_but_the_bound_stays_of_the_right_size():
+    """Eight vectors of each chain: as many Ritz values as modes, 15 % off; the interval counts as complete."""
+    few = [replace(chain, vectors=chain.vectors[:, :8]) for chain in busy_band().chains]
+    poor = Band._joined(busy(), 2e3, 30e3, few)
+    bad = poor.reduced.answer(BOTH, HZ * LINES)
+    error = true_error(busy(), poor, bad)
+    assert error.max() > 0.3
+    assert (error < 5 * bad.error).all()
+    assert (bad.error[error > 0.3] > 0.1).all()
+
+
+def test_a_band_of_one_frequency():
+    drives, line = {"A": 1.0}, np.array([12.3e3])
+    band, vibration = Band.of(busy(), line[0], line[0]).answer(drives, line, 1e-2)
+    assert (true_error(busy(), band, vibration) < vibration.error).all()
+
+
+def test_a_tolerance_out_of_reach_is_refused():
+    with pytest.raises(HaptonicError, match=r"plate\.response\.tolerance"):
+        busy_band().answer(BOTH, LINES[:2], 1e-14)
+
+
+@settings(max_examples=40)
+@given(
+    st.floats(0, 0.1), st.floats(0.1, 10.0), st.floats(0.01, 5.0), st.floats(0.0, 0.99), st.floats(1.01, 50.0)
+)
+def test_amplification_bounds_every_mode_that_may_be_missing(loss, omega, sigma, low, high):
+    """By brute force over many eigenvalues."""
+    square = omega**2
+    modes = np.concatenate([np.linspace(0, 100 * square, 20001), square * np.linspace(0.9, 1.1, 2001)])
+    gain = (modes + sigma) / np.abs(modes * (1 + 1j * loss) - square + 1e-300)
+    (anything,) = amplification(loss, np.array([omega]), sigma, (0.0, 0.0))
+    assert loss < 1e-6 or anything >= gain.max() * (1 - 1e-3)
+    assert loss < 1e-3 or anything < 1.05 * gain.max() + 1.1
+    (beyond,) = amplification(loss, np.array([omega]), sigma, (low * square, high * square))
+    outside = (modes >= high * square) | ((modes <= low * square) & (low > 0))
+    assert beyond >= gain[outside].max() * (1 - 1e-9)
+
+
+# -- what physics asks --------------------------------------------------------------------------------
+
+
+def test_given_power_is_dissipated_power():
+    vibration = busy_band().reduced.answer(BOTH, HZ * LINES)
+    spent = sum(vibration.dissipated.values())
+    assert vibration.given == pytest.approx(spent, rel=2e-5)
+    assert set(vibration.dissipated) == {
+        "plate", "A bond", "A ceramic", "A field", "A dielectric", "supports", "finger"
+    }  # fmt: skip
+    for name, power in vibration.dissipated.items():
+        assert (power >= 0).all(), name
+        assert power.max() > 0, name
+
+
+def test_powers_and_energies_are_those_of_the_direct_solution():
+    vibration = busy_band().reduced.answer(BOTH, HZ * LINES)
+    omega, model = vibration.omega, busy()
+    u = answered(model, BOTH, omega)
+    stiffness, mass = forms(model.assembly)
+
+    def twice(form):
+        return np.einsum("in,in->n", u.conj(), form @ u).real / 2
+
+    for part, form in stiffness.items():
+        assert vibration.stored[part].sum(1) == pytest.approx(twice(form) / 2, rel=2e-3)
+    assert vibration.moving.sum(1) == pytest.approx(omega**2 * twice(mass) / 2, rel=2e-3)
+    assert vibration.dissipated["plate"] == pytest.approx(omega * LOSS * twice(stiffness["plate"]), rel=2e-3)
+    (bed,) = model.beds
+    form = np.zeros_like(mass)
+    form[: model.assembly.free, : model.assembly.free] = bed.stiffness.toarray()
+    assert vibration.dissipated["supports"] == pytest.approx(omega * 0.08 * twice(form), rel=2e-3)
+    pad, finger = model.pad.toarray(), model.plate.finger
+    felt = np.array([finger_impedance(finger, w) for w in omega])
+    assert impedance(finger, omega) == pytest.approx(felt, rel=1e-9)
+    expected = omega * felt.imag * twice(pad.T @ pad) / len(pad)
+    assert vibration.dissipated["finger"] == pytest.approx(expected, rel=2e-3)
+    solid = model.plate.actuators[0].material
+    charge = 40.0 * model.capacitance["A"] * (1 - 1j * solid.dielectric_loss) + model.drives["A"] @ u
+    assert vibration.charge["A"] == pytest.approx(charge, rel=1e-3)
+    given = 0.5 * (40.0 * (1j * omega * charge).conj()).real
+    given += 0.5 * (BOTH["F"] * (1j * omega * (model.drives["F"] @ u)).conj()).real
+    assert vibration.given == pytest.approx(given, rel=2e-3)
+
+
+def test_reciprocity_of_a_force_and_a_patch():
+    """Charge per newton on the grounded patch is motion per volt below the force."""
+    reduced, drives = busy_band().reduced, busy().drives
+    per_newton = reduced.answer({"F": 1.0, "A": 0.0}, HZ * LINES).charge["A"]
+    motion = (drives["F"] @ reduced.basis.vectors) @ reduced.answer({"A": 1.0}, HZ * LINES).amplitudes
+    assert per_newton == pytest.approx(motion, rel=1e-7)
+    u, v = (answered(busy(), {name: 1.0}, HZ * LINES[:3]) for name in ("A", "F"))
+    assert drives["F"] @ u == pytest.approx(drives["A"] @ v, rel=1e-7)
+    assert motion[:3] == pytest.approx(drives["F"] @ u, rel=5e-3)
+
+
+def test_a_plate_without_loss_neither_takes_nor_loses_power():
+    plate = plain_plate(
+        2, 3, forces=(Force("F", (3e-3, 9e-3), None),), supports=(Support("left", "clamped"),)
+    )
+    model = PlateModel.of(replace(plate, loss_factor=0.0), 40e3, COARSE)
+    band, vibration = Band.of(model, 2e3, 30e3).answer({"F": 1.0}, np.array([3.3e3, 14.1e3, 27.7e3]), 1e-3)
+    assert (true_error(model, band, vibration) < vibration.error).all()
+    motion = (model.drives["F"] @ band.reduced.basis.vectors) @ vibration.amplitudes
+    assert np.abs(vibration.given).max() < 1e-9 * (vibration.omega * np.abs(motion)).min()
+    assert all((power == 0).all() for power in vibration.dissipated.values())
+
+
+def test_the_virial_theorem_ties_both_energies_to_the_work_of_the_force():
+    """Twice the difference of the averages is half the real part of force times displacement."""
+    reduced = busy_band().reduced
+    plate = replace(busy_plate(), finger=None, loss_factor=0.0)
+    model = replace(busy(), plate=plate)
+    reduced = ReducedPlate.of(model, reduced.basis, HZ * 16e3)
+    vibration = reduced.answer({"F": 1.0}, HZ * LINES)
+    strain = sum(values.sum(1) for values in vibration.stored.values())
+    bed = vibration.dissipated["supports"] / (2 * vibration.omega * 0.08)
+    field_factor = (1 / (1 - 1j * plate.actuators[0].material.dielectric_loss)).real
+    strain = strain + bed + (field_factor - 1) * vibration.stored["A field"].sum(1)
+    motion = (model.drives["F"] @ reduced.basis.vectors) @ vibration.amplitudes
+    assert 2 * (strain - vibration.moving.sum(1)) == pytest.approx(0.5 * motion.real, rel=1e-4)
+
+
+def test_a_symmetric_plate_under_a_symmetric_force_moves_symmetrically():
+    centre = (1.5 * PITCH, 1.0 * PITCH)
+    plate = plain_plate(
+        2,
+        3,
+        supports=(Support("left", "clamped"), Support("right", "clamped")),
+        forces=(Force("F", centre, None),),
+    )
+    model = PlateModel.of(plate, 40e3, COARSE)
+    band, vibration = Band.of(model, 5e3, 30e3).answer({"F": 1.0}, np.array([7e3, 21.3e3]), 1e-3)
+    u = band.reduced.basis.vectors @ vibration.amplitudes
+    where = np.random.default_rng(4).uniform(0, 1, (20, 2)) * centre
+    size = 2 * np.array(centre)
+    seen = [
+        model.observed(np.where(flip, size - where, where)) @ u
+        for flip in ([False, False], [True, False], [False, True], [True, True])
+    ]
+    for other in seen[1:]:
+        assert np.abs(other - seen[0]).max() < 4e-3 * np.abs(seen[0]).max()
+    pair = model.observed(np.array([[5e-3, 3e-3], [16e-3, 11e-3]])) @ u
+    assert abs(pair[0] - pair[1]).max() < 4e-3 * np.abs(seen[0]).max()
+
+
+def test_a_slow_force_meets_the_static_stiffness():
+    model = busy()
+    K, _ = lossless(replace(model, plate=replace(busy_plate(), finger=None)))
+    static = model.drives["F"] @ np.linalg.solve(K, model.drives["F"])
+    band = Band.of(model, 20.0, 3e3)
+    vibration = band.reduced.answer({"F": 1.0}, HZ * np.array([20.0]))
+    motion = (model.drives["F"] @ band.reduced.basis.vectors) @ vibration.amplitudes
+    assert motion[0] == pytest.approx(static, rel=0.02)
+    # what is left is the finger's inertia and the losses
+    exact = model.drives["F"] @ answered(model, {"F": 1.0}, HZ * np.array([20.0]))
+    assert motion == pytest.approx(exact, rel=1e-4)
+
+
+def test_far_below_resonance_a_patch_is_a_capacitor_between_clamped_and_free():
+    patch = glued((10.5e-3, 7e-3), (15e-3, 10e-3, 0.7e-3))
+    plate = plain_plate(2, 3, supports=(Support("left", "clamped"),), actuators=(patch,))
+    model = PlateModel.of(plate, 40e3, COARSE)
+    band = Band.of(model, 100.0, 5e3)
+    vibration = band.reduced.answer({"A": 3.0}, HZ * np.array([100.0]))
+    (charge,) = vibration.charge["A"] / 3.0
+    clamped, solid = model.capacitance["A"], patch.material
+    d = np.array(solid.coupling) @ np.linalg.inv(solid.stiffness)
+    free = (np.array(solid.permittivity) + d @ np.array(solid.coupling).T)[2, 2] * 150e-6 / 0.7e-3
+    assert clamped == pytest.approx(solid.permittivity[2][2] * 150e-6 / 0.7e-3, rel=2e-2)
+    assert clamped < charge.real < free
+    K, _ = lossless(model)
+    static = clamped + model.drives["A"] @ np.linalg.solve(K, model.drives["A"])
+    assert charge.real == pytest.approx(static, rel=1e-3)
+    assert charge.imag < 0, "losses make the current lag behind that of a capacitor"
+
+
+# -- finger and mass ----------------------------------------------------------------------------------
+
+
+def resonance_of_a_strip(finger):
+    """The lowest peak of a cantilever's tip, Hz, and its height, m/N."""
+    plate = plain_plate(
+        1,
+        4,
+        supports=(Support("left", "clamped"),),
+        forces=(Force("F", (27e-3, 3.5e-3), None),),
+        finger=finger,
+    )
+    model = PlateModel.of(plate, 40e3, COARSE)
+    band = Band.of(model, 500.0, 20e3)
+    lines = np.linspace(500.0, 20e3, 4000)
+    vibration = band.reduced.answer({"F": 1.0}, HZ * lines)
+    motion = np.abs((model.drives["F"] @ band.reduced.basis.vectors) @ vibration.amplitudes)
+    peaks = np.flatnonzero((motion[1:-1] > motion[:-2]) & (motion[1:-1] > motion[2:])) + 1
+    return lines[peaks], motion[peaks]
+
+
+def test_a_finger_adds_its_mass_at_an_antinode_and_nothing_at_a_clamp():
+    bare, _ = resonance_of_a_strip(None)
+    stiff = {"diameter": 2e-3, "stiffness": 1e9, "damping": 0.0}
+    tip, _ = resonance_of_a_strip(Finger((26.5e-3, 3.5e-3), mass=50e-6, **stiff))
+    foot, _ = resonance_of_a_strip(Finger((1.5e-3, 3.5e-3), mass=50e-6, **stiff))
+    assert tip[0] < 0.95 * bare[0]
+    assert foot[0] == pytest.approx(bare[0], rel=2e-3)
+    # Rayleigh: a cantilever of mass m bends as if m / 4 sat at its tip
+    mass = 2700 * 28e-3 * 7e-3 * 1.5e-3
+    share = (26.5 / 28) ** 3.5  # of the tip's square, about, where the finger lies
+    assert tip[0] / bare[0] == pytest.approx((1 + 4 * share * 50e-6 / mass) ** -0.5, rel=0.02)
+
+
+def test_a_damped_finger_lowers_a_peak_where_the_plate_moves():
+    _, bare = resonance_of_a_strip(None)
+    damper = {"diameter": 2e-3, "mass": np.inf, "stiffness": 0.0, "damping": 0.5}
+    _, tip = resonance_of_a_strip(Finger((26.5e-3, 3.5e-3), **damper))
+    _, foot = resonance_of_a_strip(Finger((1.2e-3, 3.5e-3), **damper))
+    assert tip[0] < 0.5 * bare[0]
+    assert foot[0] == pytest.approx(bare[0], rel=0.02)
+
+
+def test_points_below_a_finger_share_its_disc():
+    points = sunflower(400)
+    assert (np.linalg.norm(points, axis=1) < 1).all()
+    assert points.mean(axis=0) == pytest.approx([0, 0], abs=5e-3)
+    assert (points.T @ points) / 400 == pytest.approx(np.eye(2) / 4, abs=5e-3)  # as of a disc
+
+
+# -- refused --------------------------------------------------------------------------------------------
+
+
+SIZE = (6e-3, 6e-3, 0.7e-3)
+NEAR, FAR = glued((10.5e-3, 3.5e-3), SIZE), glued((24.5e-3, 10.5e-3), SIZE, "B")
+
+
+def test_things_that_share_tiles_become_one_block():
+    """A force that reaches over both patches; without it each has a tile of its own."""
+    across = Force("F", (17.5e-3, 7e-3), (20e-3, 10e-3))
+    plate = Plate(drawn("oppp oppp"), actuators=(NEAR, FAR), forces=(across,))
+    carrying = {block: members for block, members in _blocks(plate).items() if members}
+    assert {block: {one.name for one in members} for block, members in carrying.items()} == {
+        Block((0, 2), (1, 4)): {"A", "B", "F"}
+    }
+    apart = {block: members for block, members in _blocks(replace(plate, forces=())).items() if members}
+    assert apart == {Block((0, 1), (1, 2)): (NEAR,), Block((1, 2), (3, 4)): (FAR,)}
+    tiles = sorted(tile for block in _blocks(plate) for tile in block.tiles)
+    assert tiles == list(np.ndindex(2, 4))
+
+
+def test_patches_that_share_tiles_with_a_lattice_are_refused():
+    on_lattice = glued((7e-3, 10.5e-3), (10e-3, 5e-3, 0.7e-3))
+    with pytest.raises(GeometryError, match='"A"') as caught:
+        PlateModel.of(Plate(drawn("oppp pppp"), actuators=(on_lattice,)), 20e3, COARSE)
+    assert all(caught.value.parts().values())
+    # each on plain plate, but the smallest rectangle around both takes in the lattice
+    row = glued((11.5e-3, 10.5e-3), (20e-3, 5e-3, 0.7e-3))
+    column = glued((24.5e-3, 7e-3), (5e-3, 9e-3, 0.7e-3), "B")
+    with pytest.raises(GeometryError, match=r'"A" and "B"|"B" and "A"'):
+        _blocks(Plate(drawn("pppp oopp"), actuators=(row, column)))
+    assert _blocks(Plate(drawn("pppp pppp"), actuators=(row, column)))
+    hole = Plate(drawn("pppp p.pp"), actuators=(replace(NEAR, centre=(7e-3, 3.5e-3)),))
+    with pytest.raises(GeometryError, match="lattice, or leaves the plate"):
+        _blocks(hole)

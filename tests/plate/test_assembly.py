@@ -1,0 +1,193 @@
+"""The assembled plate against dense matrices, and its supports against closed forms."""
+
+from dataclasses import replace
+from functools import cache
+
+import numpy as np
+import pytest
+import scipy.linalg as la
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from small import ALUMINIUM, COARSE, PITCH, THICKNESS, busy_plate, drawn, plain_plate
+from whole import beds, forms, lossless
+
+from haptonic.cell.quadrature import lobatto
+from haptonic.plate.model import PlateModel
+from haptonic.plate.parts import Plate, Support
+from haptonic.plate.skeleton import Block, Skeleton, TraceOrders
+from haptonic.plate.supports import CLAMPED, supported
+
+HZ = 2 * np.pi
+
+
+@cache
+def busy():
+    return PlateModel.of(busy_plate(), 40e3, COARSE)
+
+
+@cache
+def dense():
+    return lossless(busy())
+
+
+@cache
+def eigenvalues():
+    return la.eigh(*dense(), eigvals_only=True)
+
+
+def random(columns, seed=0):
+    return np.random.default_rng(seed).standard_normal((busy().assembly.size, columns))
+
+
+def test_products_are_those_of_the_whole_matrices():
+    K, M = dense()
+    vectors = random(70)  # more than one share of columns
+    assert busy().assembly.mass_times(vectors) == pytest.approx(M @ vectors, abs=1e-12 * np.abs(M).max())
+    expected = K @ vectors
+    assert np.abs(busy().assembly.stiffness_times(vectors) - expected).max() < 1e-12 * np.abs(expected).max()
+
+
+@settings(max_examples=8)
+@given(st.floats(0.0, 60e3))
+def test_solutions_and_counts_at_any_shift(frequency):
+    K, M = dense()
+    shift = (HZ * frequency) ** 2
+    shifted = busy().assembly.shifted(shift)
+    assert shifted.below == (eigenvalues() < shift).sum()
+    right = random(3, 1)
+    found = shifted.solve(right)
+    rest = (K - shift * M) @ found - right
+    assert np.abs(rest).max() < 1e-8 * (np.abs(K) @ np.abs(found)).max()
+    assert np.linalg.norm(found - np.linalg.solve(K - shift * M, right)) < 1e-5 * np.linalg.norm(found)
+
+
+def test_a_shift_between_two_modes_of_a_tile_counts_them():
+    """Above the tiles' own modes with the rim at rest, whose signs the skeleton does not see."""
+    highest = max(group.tile.values.max() for group in busy().assembly.groups)
+    shift = 1.01 * highest
+    assert busy().assembly.shifted(shift).below == (eigenvalues() < shift).sum()
+
+
+# -- supports ---------------------------------------------------------------------------------------
+
+
+def rigid(skeleton):
+    """(size, 6) translations and rotations on all unknowns of a skeleton (place, level, component)."""
+    levels = 0.5 * skeleton.layout.thickness * (1 + lobatto(skeleton.orders.through)[0])
+    position = np.empty((len(skeleton.points), len(levels), 3))
+    position[..., :2] = skeleton.points[:, None]
+    position[..., 2] = levels
+    moves = [np.broadcast_to(axis, position.shape) for axis in np.eye(3)]
+    moves += [np.cross(axis, position) for axis in np.eye(3)]
+    return np.reshape(moves, (6, -1)).T
+
+
+def skeleton(text="ppp pp."):
+    layout = drawn(text)
+    tiles = [Block((i, i + 1), (j, j + 1)) for i, j in np.ndindex(layout.rows, layout.columns)]
+    return Skeleton.of(layout, [one for one in tiles if layout.at(one.tiles[0])], TraceOrders(3, 2))
+
+
+@pytest.mark.parametrize(("where", "edges"), [("left", 2), ("right", 2), ("top", 3), ("bottom", 3)])
+def test_springs_store_what_a_rigid_motion_takes(where, edges):
+    """An edge of the L that looks to a side counts, on the rim of the map or not."""
+    places = skeleton()
+    held, (bed,) = supported(places, [Support(where, "spring", stiffness=3e9, loss_factor=0.1)])
+    area = edges * PITCH * THICKNESS
+    assert not len(held)
+    assert bed.loss_factor == 0.1
+    moves = rigid(places)
+    energy = moves.T @ (bed.stiffness @ moves)
+    assert energy[:3, :3] == pytest.approx(3e9 * area * np.eye(3), abs=1e-6 * 3e9 * area)
+    # turned about the x axis by one radian: z and y squared over the faces
+    faces = [edge for edge in places.outer_edges if edge.side == where]
+    assert len(faces) == edges
+    squared = sum(_integral(edge, 1) for edge in faces) * THICKNESS + THICKNESS**3 / 3 * edges * PITCH
+    assert energy[3, 3] == pytest.approx(3e9 * squared, rel=1e-9)
+
+
+def _integral(edge, axis):
+    """Of the square of a coordinate along an edge."""
+    a, b = edge.start[axis], edge.end[axis]
+    return edge.length * (a * a + a * b + b * b) / 3
+
+
+def test_corners_are_held_on_their_length_from_the_corners_of_the_map():
+    places = skeleton()
+    moves = rigid(places)
+    held, (bed,) = supported(places, [Support("corners", "spring", length=3e-3, stiffness=1e9)])
+    assert not len(held)
+    # the L has three corners of the map, each with two edges
+    expected = 1e9 * 6 * 3e-3 * THICKNESS
+    assert moves[:, 2] @ bed.stiffness @ moves[:, 2] == pytest.approx(expected, rel=1e-9)
+    touched = np.flatnonzero(np.diff(bed.stiffness.indptr))
+    points = places.points[np.unique(touched // places.orders.per_node)]
+    ends = np.array([(x, y) for x in (0, 3 * PITCH) for y in (0, 2 * PITCH)])
+    assert (np.abs(points[:, None] - ends).sum(-1).min(1) <= PITCH + 1e-9).all()
+    _, (clamp,) = supported(places, [Support("corners", "clamped", length=3e-3)])
+    stiff = CLAMPED * ALUMINIUM.stiffness[0, 0] / THICKNESS
+    assert clamp.stiffness.toarray() == pytest.approx(bed.stiffness.toarray() * stiff / 1e9)
+
+
+def test_a_corner_as_long_as_its_edge_is_held_for_good():
+    places = skeleton()
+    held, beds_found = supported(places, [Support("corners", "clamped", length=PITCH)])
+    assert not beds_found
+    points = {tuple(np.round(places.points[k // places.orders.per_node] / PITCH, 6)) for k in held}
+    assert {(0.0, 0.0), (0.0, 2.0), (3.0, 2.0)} <= points
+    assert {(1.0, 0.0), (0.0, 1.0), (1.0, 2.0), (2.0, 2.0), (3.0, 1.0)} <= points
+    assert not {(2.0, 0.0), (2.0, 1.0), (1.0, 1.0)} & points
+    assert len(points) == 20  # of three runs around a corner, two edges of order 3 each: 7, 7 and 6 more
+
+
+def test_clamped_edges_rest_and_simple_ones_move_normal_to_their_face():
+    places = skeleton("pp pp")
+    per_node = places.orders.per_node
+    for where, axis, end in (("left", 0, 0.0), ("top", 1, 2 * PITCH)):
+        on_edge = np.flatnonzero(np.abs(places.points[:, axis] - end) < 1e-12)
+        clamped, _ = supported(places, [Support(where, "clamped")])
+        assert np.array_equal(clamped, np.sort(places.unknowns(on_edge)))
+        simple, _ = supported(places, [Support(where, "simple")])
+        assert np.array_equal(simple, clamped[clamped % per_node % 3 != axis])
+
+
+def test_a_plate_has_the_free_motions_that_its_supports_leave():
+    cases = {
+        (): 6,
+        (Support("left", "simple"),): 3,  # along x, and turns about y and z that only tilt the face
+        (Support("left", "simple"), Support("bottom", "simple")): 1,  # the turn about their common corner
+        (Support("left", "simple"), Support("right", "simple")): 1,
+        (Support("left", "simple"), Support("bottom", "simple"), Support("top", "simple")): 0,
+        (Support("left", "clamped"),): 0,
+        (Support("right", "spring", stiffness=1e9),): 0,
+    }
+    for supports, count in cases.items():
+        plate = plain_plate(1, 2, supports=supports)
+        assert plate.rigid_modes == count
+        values = la.eigh(*lossless(PlateModel.of(plate, 40e3, COARSE)), eigvals_only=True)
+        assert (np.abs(values[:count]) < 1e-6 * values[count]).all()
+        assert values[count] > (HZ * 20) ** 2  # the bed is soft
+
+
+def test_separate_beds_of_one_model_add_to_the_stiffness():
+    model = busy()
+    stiffness, _ = forms(model.assembly)
+    K, _ = dense()
+    assert pytest.approx(sum(stiffness.values()) + sum(beds(model))) == K
+    soft = replace(busy_plate(), supports=(Support("right", "clamped"),))
+    bare = lossless(PlateModel.of(soft, 40e3, COARSE))[0]
+    assert np.linalg.norm(K - bare) > 1e-3 * np.linalg.norm(bare[:50])
+
+
+def test_holes_and_notches_leave_gaps_in_the_numbers_of_no_one():
+    plate = Plate(drawn("ppp p.p ppp"))
+    model = PlateModel.of(plate, 40e3, COARSE)
+    assert np.array_equal(np.sort(model.assembly.number), np.arange(model.assembly.free))
+    values = la.eigh(*lossless(model), eigvals_only=True)
+    assert (np.abs(values[:6]) < 1e-6 * values[6]).all()
+    weight = ALUMINIUM.density * 8 * PITCH**2 * THICKNESS
+    skeleton_part = np.zeros((model.assembly.size, 6))
+    skeleton_part[: model.assembly.free] = rigid(model.assembly.skeleton)
+    mass = skeleton_part.T @ model.assembly.mass_times(skeleton_part)
+    assert mass[:3, :3] == pytest.approx(weight * np.eye(3), abs=1e-6 * weight)
+    assert np.abs(model.assembly.stiffness_times(skeleton_part)).max() < 1e-4 * 70e9 * THICKNESS * PITCH
