@@ -18,6 +18,7 @@ Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 Ints = NDArray[np.int64]
 
+ROUNDING = 1e-9  # relative error that no residual shows, because it is computed in floating point too
 CHUNK = 48  # lines that are checked at once
 LOWEST_SIGMA = 0.02  # of the largest Ritz frequency: below it tiles are stiff, and bounds tile by tile wide
 
@@ -224,7 +225,7 @@ class _Checker:
             dual += _energy(scaled, scaled).reshape(-1, 2, count).sum((0, 1))
         loss = factors["plate"].imag
         gain = amplification(loss, omega, sigma, reduced.basis.complete)
-        out["error"] = gain * np.sqrt(dual / np.maximum(norm, np.finfo(float).tiny))
+        out["error"] = ROUNDING + gain * np.sqrt(dual / np.maximum(norm, np.finfo(float).tiny))
         return out
 
     def _whitening(self, number: int, sigma: float) -> Array:
