@@ -201,7 +201,7 @@ def test_what_is_missing_shows_and_can_be_added():
 
 
 def test_a_count_of_ritz_values_is_not_convergence_but_the_bound_stays_of_the_right_size():
-    """Eight vectors of each chain: as many Ritz values as modes, 15 % off; the interval counts as complete."""
+    """Eight vectors of each chain: as many Ritz values as modes, 15 % off: it counts as complete."""
     few = [replace(chain, vectors=chain.vectors[:, :8]) for chain in busy_band().chains]
     poor = Band._joined(busy(), 2e3, 30e3, few)
     bad = poor.reduced.answer(BOTH, HZ * LINES)
