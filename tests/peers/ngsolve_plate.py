@@ -28,7 +28,9 @@ def plate_frequencies(
     at_foot = [
         edge for edge in solid.edges
         if abs(edge.center.z - thickness) < 1e-9
-        and any(np.hypot(edge.center.x - x / unit, edge.center.y - y / unit) < 1e-6 + radius for x, y in centres)
+        and any(
+            np.hypot(edge.center.x - x / unit, edge.center.y - y / unit) < 1e-6 + radius for x, y in centres
+        )
         and 0 < edge.center.x < size[0] / unit and 0 < edge.center.y < size[1] / unit
     ]  # fmt: skip
     for edge in at_foot:

@@ -331,7 +331,7 @@ def test_a_symmetric_plate_under_a_symmetric_force_moves_symmetrically():
         forces=(Force("F", centre, None),),
     )
     model = PlateModel.of(plate, 40e3, COARSE)
-    band, vibration = Band.of(model, 5e3, 30e3).answer({"F": 1.0}, np.array([7e3, 21.3e3]), 1e-3)
+    _, vibration = Band.of(model, 5e3, 30e3).answer({"F": 1.0}, np.array([7e3, 21.3e3]), 1e-3)
     u = vibration.vectors @ vibration.amplitudes
     where = np.random.default_rng(4).uniform(0, 1, (20, 2)) * centre
     size = 2 * np.array(centre)
