@@ -5,7 +5,7 @@ As in `ngsolve_cell`, nothing comes from haptonic; lengths are scaled by the pit
 
 import ngsolve as ng
 import numpy as np
-from netgen.occ import Axis, Box, Cylinder, OCCGeometry, X, Y, Z, gp_Pnt
+from netgen.occ import Box, Cylinder, OCCGeometry, X, Z, gp_Pnt
 from scipy.sparse.linalg import LinearOperator, eigsh
 
 from peers.ngsolve_cell import FOOT_RATIO, PeerCell, _assembled, _direct_solver
@@ -13,36 +13,46 @@ from peers.ngsolve_cell import FOOT_RATIO, PeerCell, _assembled, _direct_solver
 SHIFT = -1e-4
 
 
-def plate_frequencies(
-    cell: PeerCell, size, centres, count, *, order=3, maxh=0.6, foot_layers=2, clamped=False
-):
+def plate_frequencies(cell: PeerCell, size, centres, count, *, order=3, maxh=0.6, layers=2, clamped=False):
     """(count,) lowest frequencies, Hz, of a rectangular plate; six of a free one are about 0.
 
+    layers : of refinement towards the feet of the pillars
     size : (along x, along y), m; centres : (x, y) of the pillars, m; clamped : the face at x = 0 is held
     """
     unit = cell.pitch_x
     thickness, radius, height = cell.thickness / unit, cell.diameter / 2 / unit, cell.height / unit
     solid = Box((0, 0, 0), (size[0] / unit, size[1] / unit, thickness))
     for x, y in centres:
-        solid += Cylinder(Axis(gp_Pnt(x / unit, y / unit, thickness), Z), r=radius, h=height)
+        solid += Cylinder(gp_Pnt(x / unit, y / unit, thickness), Z, r=radius, h=height)
+    places = np.array(centres) / unit
     at_foot = [
-        edge for edge in solid.edges
+        edge
+        for edge in solid.edges
         if abs(edge.center.z - thickness) < 1e-9
+<<<<<<< HEAD
         and any(
             np.hypot(edge.center.x - x / unit, edge.center.y - y / unit) < 1e-6 + radius for x, y in centres
         )
         and 0 < edge.center.x < size[0] / unit and 0 < edge.center.y < size[1] / unit
     ]  # fmt: skip
+=======
+        and np.linalg.norm(places - [edge.center.x, edge.center.y], axis=1).min() < 1e-6
+    ]
+    assert len(at_foot) == 2 * len(centres), "each edge is listed for either of its faces"
+>>>>>>> 50acf8a
     for edge in at_foot:
         edge.hpref = 1
         edge.maxh = 0.6 * radius
-    solid.faces.Min(X).name = "held"
-    assert abs(solid.faces.Min(Y).center.y) < 1e-9
+    held = solid.faces.Min(X)
+    held.name = "held"
+    if clamped:  # where the stress is singular too
+        for edge in held.edges:
+            edge.maxh = 0.5 * thickness
     mesh = ng.Mesh(
         OCCGeometry(solid).GenerateMesh(maxh=maxh, grading=0.5, curvaturesafety=1.0, parallel_meshing=False)
     )
-    if foot_layers:
-        mesh.RefineHP(foot_layers, factor=FOOT_RATIO)
+    if layers:
+        mesh.RefineHP(layers, factor=FOOT_RATIO)
     mesh.Curve(order)
     space = ng.VectorH1(mesh, order=order, dirichlet="held" if clamped else "")
     stiffness, mass = _assembled(space, cell.poisson_ratio)

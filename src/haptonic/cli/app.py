@@ -27,7 +27,7 @@ from haptonic.cli.options import (
     pictures,
     tell_where,
 )
-from haptonic.cli.plates import plate, plate_files, write_plate
+from haptonic.cli.plates import plate
 from haptonic.errors import StudyError
 from haptonic.report import Results, paper, write_report
 from haptonic.results import (
@@ -139,8 +139,6 @@ def reproduce(
         names += ["report.html", *(f"{n}.nc" for n in sweeps)]
         if _has_mirror(loaded):
             names += LAYER_FILES
-        if loaded.plate_section is not None and loaded.carrier is not None:
-            names += plate_files(loaded.plate())
         refuse_taken(folder, names, overwrite=overwrite)
         started, timings = datetime.now(UTC), {}
         clock = time.perf_counter()
@@ -155,12 +153,6 @@ def reproduce(
         mirror, guides = _mirror(loaded, voice, workers, scheduler)
         if mirror:
             timings["mirror and waveguide"] = time.perf_counter() - clock
-        plated = None
-        if loaded.plate_section is not None and loaded.carrier is not None:
-            clock = time.perf_counter()
-            with voice.counted("plate", 0) as progress:
-                plated = loaded.vibrating(on_progress=progress)
-            timings["plate"] = time.perf_counter() - clock
         filleted = None
         if paper.is_its_cell(loaded):
             with voice.busy("the paper's cell with a fillet"):
@@ -172,11 +164,7 @@ def reproduce(
             if mirror:
                 write_layers(mirror, folder, overwrite)
             data = tuple(one.dataset for one in swept)
-            if plated:
-                write_plate(plated, folder, overwrite)
-            results = Results(
-                loaded, result.dataset, data, mirror, guides, plated, filleted, timings, started
-            )
+            results = Results(loaded, result.dataset, data, mirror, guides, filleted, timings, started)
             report = write_report(results, folder / "report.html", overwrite=overwrite)
         voice.tell(gap_table(result))
         for one in swept:
