@@ -29,17 +29,9 @@ def plate_frequencies(cell: PeerCell, size, centres, count, *, order=3, maxh=0.6
         edge
         for edge in solid.edges
         if abs(edge.center.z - thickness) < 1e-9
-<<<<<<< HEAD
-        and any(
-            np.hypot(edge.center.x - x / unit, edge.center.y - y / unit) < 1e-6 + radius for x, y in centres
-        )
-        and 0 < edge.center.x < size[0] / unit and 0 < edge.center.y < size[1] / unit
-    ]  # fmt: skip
-=======
         and np.linalg.norm(places - [edge.center.x, edge.center.y], axis=1).min() < 1e-6
     ]
     assert len(at_foot) == 2 * len(centres), "each edge is listed for either of its faces"
->>>>>>> 50acf8a
     for edge in at_foot:
         edge.hpref = 1
         edge.maxh = 0.6 * radius
