@@ -9,24 +9,21 @@ import scipy.sparse as sp
 from numpy.typing import NDArray
 
 from haptonic.plate.model import PlateModel, impedance
-from haptonic.solvers import Pattern, Solver, chosen
+from haptonic.solvers import Pattern, chosen
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 
 
-def direct_answer(
-    model: PlateModel, loads: Complex, omega: float, analysed: dict[str, Solver] | None = None
-) -> Complex:
+def direct_answer(model: PlateModel, loads: Complex, omega: float) -> Complex:
     """(size, k) displacement under loads (size, k) at an angular frequency, rad/s.
 
     Modes of the tiles are eliminated, the skeleton is solved for by a real symmetric factorisation of twice
-    the size, and the finger is added by Woodbury's formula. An empty ``analysed`` keeps the analysed pattern
-    for further frequencies of the same model.
+    the size, and the finger is added by Woodbury's formula.
     """
     pad = model.pad
     right = np.hstack([loads, pad.T.toarray().astype(complex)])
-    answers = _without_finger(model, right, omega, {} if analysed is None else analysed)
+    answers = _without_finger(model, right, omega)
     count = loads.shape[1]
     if not pad.shape[0]:
         return answers
@@ -37,7 +34,7 @@ def direct_answer(
     return np.asarray(own - of_pad @ np.linalg.solve(flexibility + pad @ of_pad, pad @ own))
 
 
-def _without_finger(model: PlateModel, loads: Complex, omega: float, analysed: dict[str, Solver]) -> Complex:
+def _without_finger(model: PlateModel, loads: Complex, omega: float) -> Complex:
     assembly, factors = model.assembly, model.factors
     matrices, eliminated = [], []
     reduced = loads[: assembly.free].copy()
@@ -53,7 +50,7 @@ def _without_finger(model: PlateModel, loads: Complex, omega: float, analysed: d
         own = share[:, trace:]
         pieces.append(np.concatenate([follow.T @ own, np.zeros_like(own)], axis=1))
     reduced += assembly.gathered(pieces)[: assembly.free]
-    on_skeleton = _solved(model, matrices, reduced, analysed)
+    on_skeleton = _solved(model, matrices, reduced)
     out = np.zeros((assembly.size + 1, loads.shape[1]), dtype=complex)
     out[: assembly.free] = on_skeleton
     for (group, share), (inner, follow) in zip(assembly.shares(loads), eliminated, strict=True):
@@ -62,9 +59,7 @@ def _without_finger(model: PlateModel, loads: Complex, omega: float, analysed: d
     return out[:-1]
 
 
-def _solved(
-    model: PlateModel, matrices: list[NDArray[Any]], right: Complex, analysed: dict[str, Solver]
-) -> Complex:
+def _solved(model: PlateModel, matrices: list[NDArray[Any]], right: Complex) -> Complex:
     """Solution on the skeleton: (R + i I)(x + i y) = b is symmetric as [[R, -I], [-I, -R]] (x, y)."""
     assembly = model.assembly
     without_beds = [assembly.numbers([part(matrix) for matrix in matrices]) for part in (np.real, np.imag)]
@@ -75,10 +70,8 @@ def _solved(
     imaginary = imaginary - beds + lossy
     both = sp.csr_array(sp.triu(sp.block_array([[real, -imaginary], [-imaginary, -real]])))
     both.sort_indices()
-    if "solver" not in analysed:
-        pattern = Pattern(both.indptr.astype(np.int32), both.indices.astype(np.int32))
-        analysed["solver"] = chosen()(pattern)
-    solver = analysed["solver"]
+    pattern = Pattern(both.indptr.astype(np.int32), both.indices.astype(np.int32))
+    solver = chosen()(pattern)
     solver.factorise(both.data, definite=False)
     halves = solver.solve(np.vstack([right.real, -right.imag]))
     return np.asarray(halves[: assembly.free] + 1j * halves[assembly.free :])

@@ -15,7 +15,6 @@ from haptonic.plate.direct import direct_answer
 from haptonic.plate.krylov import Basis, Chain, chains
 from haptonic.plate.model import PlateModel
 from haptonic.plate.vibration import ReducedPlate, Vibration
-from haptonic.solvers import Solver
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
@@ -126,8 +125,7 @@ class Band:
         model = self.reduced.model
         total = sum(amplitude * model.drives[name] for name, amplitude in drives.items())
         load: Complex = np.asarray(total, np.complex128)[:, None]
-        analysed: dict[str, Solver] = {}
-        fields = np.hstack([direct_answer(model, load, float(one), analysed) for one in omega])
+        fields = np.hstack([direct_answer(model, load, float(one)) for one in omega])
         both = np.hstack([np.eye(len(omega)), 1j * np.eye(len(omega))]).T
         return self.reduced.checked(drives, omega, np.hstack([fields.real, fields.imag]), both)
 
