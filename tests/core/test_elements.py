@@ -10,31 +10,12 @@ from strategies import cells, plans, reference_cell
 from haptonic.cell import MeshPlan, mesh_cell
 from haptonic.elements import element_matrices
 from haptonic.materials import IsotropicMaterial, OrthotropicMaterial, elasticity_tensor
+from motions import rigid_motions, unit_strains
 
 # nine constants that differ, so that no two entries can be swapped unseen
 WOOD = OrthotropicMaterial(
     "wood-like", 11e9, 13e9, 17e9, 2.3e9, 1.9e9, 1.7e9, 3.1e9, 4.3e9, 5.7e9, density=600.0
 )
-SHEARED = [(1, 2), (0, 2), (0, 1)]
-
-
-def unit_strains(points):
-    """(6, 3 nodes) linear displacements with unit engineering strain 11, 22, 33, 23, 13, 12."""
-    fields = np.zeros((6, *points.shape))
-    for i in range(3):
-        fields[i, :, i] = points[:, i]
-        a, b = SHEARED[i]
-        fields[3 + i, :, a] = points[:, b]  # not symmetric: the rotation in it must cost nothing
-    return fields.reshape(6, -1)
-
-
-def rigid_motions(points):
-    """(6, 3 nodes) translations, then rotations about the axes."""
-    motions = np.zeros((6, *points.shape))
-    for i in range(3):
-        motions[i, :, i] = 1.0
-        motions[3 + i] = np.cross(np.eye(3)[i], points)
-    return motions.reshape(6, -1)
 
 
 @settings(max_examples=6)

@@ -7,7 +7,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 import scipy.sparse as sp
-from fields import factorised, patch, rigid_motions, settled, total, unit_strains
+from fields import factorised, patch, settled, total
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from scipy.sparse.linalg import LinearOperator, eigsh
@@ -16,6 +16,7 @@ from haptonic.materials import IsotropicMaterial, material
 from haptonic.plate.body import BodyOrders, body, free_patch, loss_factors
 from haptonic.plate.layout import Layout
 from haptonic.plate.parts import Bond, Plate
+from motions import rigid_motions, unit_strains
 
 ALUMINIUM, CERAMIC, GLUE = material("aluminium-paper"), material("pzt-4"), material("silver-epoxy")
 ORDERS = BodyOrders(along=2, plate=2, bond=1, ceramic=2)

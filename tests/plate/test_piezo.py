@@ -5,7 +5,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from fields import patch, rigid_motions, total, unit_strains
+from fields import patch, total
 from scipy.linalg import eigh
 from scipy.optimize import brentq
 from scipy.sparse.linalg import eigsh
@@ -13,6 +13,7 @@ from scipy.sparse.linalg import eigsh
 from haptonic.materials import PiezoelectricMaterial, material
 from haptonic.plate.body import BodyOrders, free_patch
 from haptonic.plate.piezo import electric_matrices, electric_part
+from motions import rigid_motions, unit_strains
 
 REFERENCE = json.loads((Path(__file__).parents[1] / "data/piezo.json").read_text("utf-8"))
 SOFT, HARD = material("pzt-5a"), material("pzt-4")

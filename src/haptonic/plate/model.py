@@ -126,6 +126,11 @@ class PlateModel:
         """Complex factor of each part's stiffness."""
         return loss_factors(self.plate)
 
+    def load(self, drives: Mapping[str, complex]) -> Complex:
+        """(size,) forces of drives of given complex amplitudes, V or N."""
+        total = sum(amplitude * self.drives[name] for name, amplitude in drives.items())
+        return np.asarray(total, np.complex128)
+
     def blocked(self, actuator: str) -> complex:
         """Capacitance of an actuator at rest with its dielectric loss, F."""
         (loss,) = (a.material.dielectric_loss for a in self.plate.actuators if a.name == actuator)

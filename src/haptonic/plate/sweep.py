@@ -17,7 +17,6 @@ from haptonic.plate.model import PlateModel
 from haptonic.plate.vibration import ReducedPlate, Vibration
 
 Array = NDArray[np.float64]
-Complex = NDArray[np.complex128]
 
 SPACING = 6e3  # Hz between neighbouring shifts, at most
 MODES = 60  # between neighbouring shifts, about, at most
@@ -123,8 +122,7 @@ class Band:
     def _directly(self, drives: Mapping[str, complex], omega: Array) -> Vibration:
         """The direct answer at some angular frequencies, rad/s."""
         model = self.reduced.model
-        total = sum(amplitude * model.drives[name] for name, amplitude in drives.items())
-        load: Complex = np.asarray(total, np.complex128)[:, None]
+        load = model.load(drives)[:, None]
         fields = np.hstack([direct_answer(model, load, float(one)) for one in omega])
         both = np.hstack([np.eye(len(omega)), 1j * np.eye(len(omega))]).T
         return self.reduced.checked(drives, omega, np.hstack([fields.real, fields.imag]), both)

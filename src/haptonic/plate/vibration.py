@@ -101,7 +101,7 @@ class ReducedPlate:
     def answer(self, drives: Mapping[str, complex], omega: Array) -> Vibration:
         """Answer to drives of given complex amplitudes (V or N) at angular frequencies (n,), rad/s."""
         model, basis = self.model, self.basis
-        load = np.asarray(sum(amplitude * model.drives[name] for name, amplitude in drives.items()), complex)
+        load = model.load(drives)
         extras = [(directions, extra.impedance(omega)) for extra, directions in self.extras]
         found = amplitudes(basis.values, model.factors["plate"], extras, basis.vectors.T @ load, omega)
         return self.checked(drives, omega, basis.vectors, found)
@@ -111,8 +111,7 @@ class ReducedPlate:
     ) -> Vibration:
         """What vectors (size, r) with amplitudes (r, n) are worth as an answer to drives."""
         model = self.model
-        load = np.asarray(sum(amplitude * model.drives[name] for name, amplitude in drives.items()), complex)
-        checker = _Checker(self, load, vectors)
+        checker = _Checker(self, model.load(drives), vectors)
         pieces = [
             checker.lines(omega[start : start + CHUNK], found[:, start : start + CHUNK])
             for start in range(0, len(omega), CHUNK)
