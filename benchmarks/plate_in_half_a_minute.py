@@ -10,7 +10,8 @@ from record import STUDY, peak_memory, write
 
 import haptonic
 from haptonic.plate import Band, PlateModel
-from haptonic.plate.direct import direct_answer
+from haptonic.plate.damping import real_times
+from haptonic.plate.direct import Direct
 from haptonic.results.plate.question import amplitude_of, drives_of, grid_points, reference_of
 
 STEPS = ("tiles", "basis", "lines and their check", "grid")
@@ -33,15 +34,16 @@ def main() -> None:
     band, vibration = band.answer(drives, lines, asked.tolerance)
     marks.append(time.perf_counter())
     points, _ = grid_points(plate, asked.grid)
-    velocity = (model.observed(points) @ vibration.vectors) @ vibration.amplitudes * (1j * vibration.omega)
+    seen = model.displaced(points, vibration.vectors)
+    velocity = real_times(seen, vibration.amplitudes) * (1j * vibration.omega)
     marks.append(time.perf_counter())
     assert velocity.shape == (len(points), len(lines))
     peak = peak_memory()
     true = []
-    load = sum(amplitude * model.drives[name] for name, amplitude in drives.items())
+    load, direct = model.load(drives)[:, None], Direct(model)
     for frequency in CHECKED:
         k = int(np.abs(lines - frequency).argmin())
-        exact = direct_answer(model, np.asarray(load, complex)[:, None], float(vibration.omega[k]))[:, 0]
+        exact = direct.answer(load, float(vibration.omega[k]))[:, 0]
         apart = vibration.vectors @ vibration.amplitudes[:, k] - exact
         energies = [
             sum(

@@ -7,6 +7,7 @@ Pardiso is used where it is installed, else CHOLMOD, else SciPy's SuperLU. ``HAP
 from __future__ import annotations
 
 import ctypes
+import importlib.metadata
 import importlib.util
 import os
 import sys
@@ -67,7 +68,12 @@ class Solver(Protocol):
 
 
 class PardisoSolver:
-    """MKL Pardiso, without its iterative refinement, which costs a factor of 40 on many right-hand sides."""
+    """MKL Pardiso, without its iterative refinement, which costs a factor of 40 on many right-hand sides.
+
+    Always on one thread, whoever calls: OpenMP's limits hold for the calling thread only, and an analysis
+    made with another number of threads than its factorisation gives wrong counts and worse. Threads of our
+    own, each with its solver, use the cores better.
+    """
 
     name = "MKL Pardiso"
 
@@ -115,11 +121,14 @@ class PardisoSolver:
         count = 1 if right is None or right.ndim == 1 else right.shape[1]
         handle = self._handles[self._type].ctypes.data_as(ctypes.POINTER(ctypes.c_int64))
         error = ctypes.c_int32(0)
-        _pardiso_function()(
+        pardiso, set_threads = _mkl_functions()
+        before = set_threads(1)
+        pardiso(
             handle, number(1), number(1), number(self._type), number(phase), number(self._pattern.size),
             reals(self._data), integers(self._rows), integers(self._columns), integers(self._unused),
             number(count), integers(self._settings), number(0), reals(right), reals(out), ctypes.byref(error),
         )  # fmt: skip
+        set_threads(before)
         if error.value in (-4, -7):
             raise np.linalg.LinAlgError("the matrix is singular or not definite")
         if error.value == -2:
@@ -200,12 +209,25 @@ class SuperLUSolver:
 
 
 @cache
-def _pardiso_function() -> Any:
+def _mkl_functions() -> tuple[Any, Any]:
+    """Pardiso, and what sets the number of MKL's threads for the calling thread and returns the former."""
     # idle threads of MKL otherwise spin for 0.2 s after every call and take the cores from others
     os.environ.setdefault("KMP_BLOCKTIME", "0")
-    from pypardiso import PyPardisoSolver  # optional dependency; finds and loads the library
+    if "PYPARDISO_MKL_RT" not in os.environ and (library := _mkl_library()):
+        os.environ["PYPARDISO_MKL_RT"] = library
+    from pypardiso import PyPardisoSolver  # optional dependency; loads the library
 
-    return PyPardisoSolver()._mkl_pardiso
+    loaded = PyPardisoSolver()
+    return loaded._mkl_pardiso, loaded.libmkl.MKL_Set_Num_Threads_Local
+
+
+def _mkl_library() -> str | None:
+    """Where pip put MKL; to find it pypardiso would look through the whole environment, a second long."""
+    try:
+        files = importlib.metadata.files("mkl") or []
+    except importlib.metadata.PackageNotFoundError:
+        return None
+    return next((str(file.locate()) for file in files if "mkl_rt" in file.name), None)
 
 
 SOLVERS: dict[str, tuple[str | None, type[Solver]]] = {

@@ -108,7 +108,7 @@ def full(plate, cell_order, rings, plain_order):
     for actuator in plate.actuators:
         (x, y), (width, height, _) = actuator.centre, actuator.size
         taken = layout.under((x - width / 2, y - height / 2, x + width / 2, y + height / 2))
-        pieces.append(_with_patch(layout, actuator, taken, plain_order + 2, plain_order))
+        pieces.append(_with_patch(layout, actuator, taken, plain_order + 1, plain_order))
     for i, j in np.ndindex(layout.rows, layout.columns):
         if layout.at((i, j)) is not None and (i, j) not in taken:
             pieces.append(_single(layout, (i, j), cell_order, rings, plain_order))
@@ -282,7 +282,7 @@ def fields_on(whole, model, vectors):
     """
     layout, found = model.plate.layout, {}
     for group, share in model.assembly.shares(vectors):
-        for number, own in zip(group.blocks, share, strict=True):
+        for number, own in zip(group.blocks, share.swapaxes(0, 1), strict=True):
             block = model.assembly.skeleton.blocks[number]
             corner = np.array([layout.x[block.columns[0]], layout.y[block.rows[0]], 0.0])
             lifted = group.tile.inside.lifted(own)

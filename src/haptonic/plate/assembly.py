@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
+from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
@@ -10,10 +11,12 @@ from typing import Any
 import numpy as np
 import scipy.sparse as sp
 from numpy.typing import NDArray
+from threadpoolctl import threadpool_limits
 
 from haptonic.plate.skeleton import Skeleton
-from haptonic.plate.tile import Tile
+from haptonic.plate.tile import Eliminated, Tile, applied
 from haptonic.solvers import Pattern, Solver, chosen
+from haptonic.superelement.parallel import threads
 
 Array = NDArray[np.float64]
 Ints = NDArray[np.int64]
@@ -88,13 +91,13 @@ class Assembly:
     # -- products ---------------------------------------------------------------------------------
 
     def shares(self, vectors: NDArray[Any]) -> Iterator[tuple[Group, NDArray[Any]]]:
-        """(blocks, n, k) the part of vectors (size, k) on the tiles of each group."""
+        """(n, blocks, k) the part of vectors (size, k) on the tiles of each group."""
         padded = np.concatenate([vectors, np.zeros((1, vectors.shape[1]), vectors.dtype)])
         for group in self.groups:
-            yield group, padded[group.unknowns]
+            yield group, padded[group.unknowns.T]
 
     def gathered(self, pieces: Sequence[NDArray[Any]]) -> NDArray[Any]:
-        """(size, k) sum of contributions (blocks, n, k) of the groups."""
+        """(size, k) sum of contributions (n, blocks, k) of the groups."""
         return np.asarray(
             sum(
                 gather @ piece.reshape(-1, piece.shape[-1])
@@ -106,7 +109,7 @@ class Assembly:
     def _gathers(self) -> list[sp.csr_array]:
         gathers = []
         for group in self.groups:
-            to = group.unknowns.ravel()
+            to = group.unknowns.T.ravel()
             kept = np.flatnonzero(to < self.size)
             entries = (np.ones(len(kept)), (to[kept], kept))
             gathers.append(sp.csr_array(entries, shape=(self.size, len(to))))
@@ -117,14 +120,14 @@ class Assembly:
         return self._times(
             vectors,
             out,
-            lambda part: self.gathered([group.tile.mass @ share for group, share in self.shares(part)]),
+            lambda part: self.gathered([applied(g.tile.mass, share) for g, share in self.shares(part)]),
         )
 
     def stiffness_times(self, vectors: Array, out: Array | None = None) -> Array:
         """K of all parts, supports included, times vectors (size, k)."""
 
         def product(part: Array) -> Array:
-            pieces = [group.tile.elastic @ share for group, share in self.shares(part)]
+            pieces = [applied(group.tile.elastic, share) for group, share in self.shares(part)]
             found = self.gathered(pieces)
             found[: self.free] += self.beds @ part[: self.free]
             return found
@@ -132,18 +135,28 @@ class Assembly:
         return self._times(vectors, out, product)
 
     def _times(self, vectors: Array, out: Array | None, product: Callable[[Array], Array]) -> Array:
-        """A product of some columns after the others: fresh memory is slow."""
+        """A product of some columns at once, side by side in threads."""
         out = np.empty_like(vectors) if out is None else out
-        for start in range(0, vectors.shape[1], AT_ONCE):
+
+        def some(start: int) -> None:
             columns = slice(start, start + AT_ONCE)
             out[:, columns] = product(np.ascontiguousarray(vectors[:, columns]))
+
+        starts = range(0, vectors.shape[1], AT_ONCE)
+        if len(starts) < 2:
+            for start in starts:
+                some(start)
+            return out
+        self.prepare()
+        with threadpool_limits(1), ThreadPoolExecutor(threads()) as pool:
+            list(pool.map(some, starts))
         return out
 
     # -- the matrix on the skeleton ---------------------------------------------------------------
 
     @cached_property
     def _places(self) -> tuple[Pattern, list[Ints], Ints]:
-        """Pattern of the upper triangle, and where each group's entries, and those of the beds, go."""
+        """Pattern of the upper triangle, where each group's entries go, and (nnz,) a key of each entry."""
         rows, columns, sizes = [], [], []
         for group in self.groups:
             trace = group.unknowns[:, : group.tile.trace_size]
@@ -154,10 +167,8 @@ class Assembly:
             columns.append(high[:, upper].ravel())
             sizes.append(len(rows[-1]))
         bed = sp.coo_array(sp.triu(self.beds))
-        rows.append(bed.row.astype(np.int64))
-        columns.append(bed.col.astype(np.int64))
-        rows.append(np.arange(self.free))
-        columns.append(np.arange(self.free))
+        rows += [bed.row.astype(np.int64), np.arange(self.free)]
+        columns += [bed.col.astype(np.int64), np.arange(self.free)]
         row, column = np.concatenate(rows), np.concatenate(columns)
         kept = column < self.free
         key = row * self.free + column
@@ -167,8 +178,7 @@ class Assembly:
         counts = np.bincount(unique // self.free, minlength=self.free)
         indptr = np.concatenate([[0], np.cumsum(counts)])
         pattern = Pattern(indptr.astype(np.int32), (unique % self.free).astype(np.int32))
-        pieces = np.split(where, np.cumsum([*sizes, bed.nnz])[: len(sizes) + 1])
-        return pattern, pieces[: len(sizes)], pieces[len(sizes)]
+        return pattern, np.split(where, np.cumsum(sizes))[:-1], unique
 
     def prepare(self) -> None:
         """Do the index work before threads ask for it at once."""
@@ -180,16 +190,45 @@ class Assembly:
         """Of the upper triangle on the free unknowns of the skeleton."""
         return self._places[0]
 
-    def numbers(self, parts: Sequence[Array]) -> Array:
-        """Numbers on the pattern from one matrix (trace, trace) for each group; the beds are added."""
-        pattern, places, of_beds = self._places
+    def numbers(self, parts: Sequence[Array], springs: sp.csr_array) -> Array:
+        """Numbers on the pattern from one matrix (trace, trace) for each group and springs (free, free).
+
+        The springs are the beds, or some of them.
+        """
+        pattern, places, keys = self._places
         data = np.zeros(len(pattern.indices) + 1)
         for group, place, part in zip(self.groups, places, parts, strict=True):
             upper = part[np.triu_indices(len(part))]
-            weights = np.broadcast_to(upper, (len(group.blocks), len(upper))).ravel()
-            data += np.bincount(place, weights, minlength=len(data))
-        data += np.bincount(of_beds, sp.coo_array(sp.triu(self.beds)).data, minlength=len(data))
+            for own in place.reshape(len(group.blocks), -1):  # free entries of one block never coincide
+                data[own] += upper
+        bed = sp.coo_array(sp.triu(springs))
+        np.add.at(data, np.searchsorted(keys, bed.row.astype(np.int64) * self.free + bed.col), bed.data)
         return data[:-1]
+
+    def solved(
+        self,
+        right: NDArray[Any],
+        eliminated: Sequence[Eliminated],
+        on_skeleton: Callable[[NDArray[Any]], NDArray[Any]],
+    ) -> NDArray[Any]:
+        """(size, k) solutions for right-hand sides (size, k).
+
+        Parameters
+        ----------
+        eliminated : the modes of each group; on_skeleton : solves for (free, k) with them eliminated
+        """
+        pieces, inner = [], []
+        for (group, share), one in zip(self.shares(right), eliminated, strict=True):
+            own = share[group.tile.trace_size :]
+            inner.append(one.alone(own))
+            pieces.append(np.concatenate([applied(one.follow.T, own), np.zeros_like(own)]))
+        reduced = right[: self.free] + self.gathered(pieces)[: self.free]
+        out = np.zeros((self.size + 1, right.shape[1]), dtype=right.dtype)
+        out[: self.free] = on_skeleton(reduced)
+        for group, one, own in zip(self.groups, eliminated, inner, strict=True):
+            trace = group.tile.trace_size
+            out[group.unknowns.T[trace:]] = own + applied(one.follow, out[group.unknowns.T[:trace]])
+        return out[:-1]
 
     def shifted(self, shift: float, solver: Solver | None = None) -> Shifted:
         """K - shift M, factorised."""
@@ -206,30 +245,17 @@ class Shifted:
     assembly: Assembly
     shift: float
     solver: Solver
-    answers: tuple[Array, ...]
+    eliminated: tuple[Eliminated, ...]
     below: int
 
     @classmethod
     def of(cls, assembly: Assembly, shift: float, solver: Solver) -> Shifted:
-        matrices, answers = zip(*(group.tile.dynamic(shift) for group in assembly.groups), strict=True)
-        below = solver.factorise(assembly.numbers(matrices), definite=shift <= 0)
+        eliminated = tuple(group.tile.dynamic(shift) for group in assembly.groups)
+        numbers = assembly.numbers([one.on_trace for one in eliminated], assembly.beds)
+        below = solver.factorise(numbers, definite=shift <= 0)
         below += sum(len(g.blocks) * int((g.tile.values < shift).sum()) for g in assembly.groups)
-        return cls(assembly, shift, solver, answers, below)
+        return cls(assembly, shift, solver, eliminated, below)
 
     def solve(self, right: Array) -> Array:
         """(size, k) solutions of (K - shift M) x = right."""
-        assembly = self.assembly
-        pieces, inner = [], []
-        for (group, share), answer in zip(assembly.shares(right), self.answers, strict=True):
-            trace = group.tile.trace_size
-            own = share[:, trace:]
-            inner.append(own / (group.tile.values - self.shift)[:, None])
-            pieces.append(np.concatenate([answer.T @ own, np.zeros_like(own)], axis=1))
-        reduced = right[: assembly.free] + assembly.gathered(pieces)[: assembly.free]
-        out = np.zeros((assembly.size + 1, right.shape[1]))
-        out[: assembly.free] = self.solver.solve(reduced)
-        for group, answer, own in zip(assembly.groups, self.answers, inner, strict=True):
-            trace = group.tile.trace_size
-            on_trace = out[group.unknowns[:, :trace]]
-            out[group.unknowns[:, trace:]] = own + answer @ on_trace
-        return out[:-1]
+        return self.assembly.solved(right, self.eliminated, self.solver.solve)

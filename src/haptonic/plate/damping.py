@@ -8,22 +8,25 @@ frequency costs little (Woodbury 1950, Inverting modified matrices, Princeton me
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 import scipy.linalg as la
 from numpy.typing import NDArray
+from threadpoolctl import threadpool_limits
 
 from haptonic.plate.krylov import Basis
+from haptonic.superelement.parallel import threads
 
 Array = NDArray[np.float64]
 Ints = NDArray[np.int64]
 Complex = NDArray[np.complex128]
 
-AT_ONCE = 64  # lines
+AT_ONCE = 32  # lines
 NO_STIFFNESS = 1e-13  # share of a form's largest eigenvalue that is rounding
-NEGLIGIBLE = 1e-7  # share of the dynamic stiffness that a direction may add without being kept
+NEGLIGIBLE = 1e-6  # share of the dynamic stiffness that a direction may add without being kept
 
 
 @dataclass(frozen=True, eq=False)
@@ -46,12 +49,35 @@ class Extra:
         axes = axes[:, kept] * np.sqrt(sizes[kept])
         return cls(rows, axes, lambda omega: np.full(len(omega), weight))
 
-    def directions(self, basis: Basis, omega: float) -> Array:
-        """(r, p) U with A^T V about U^T for all that counts, of vectors V at a typical frequency (rad/s)."""
+    def on(self, basis: Basis, omega: float) -> Reduced:
+        """On a basis; ``omega`` is a typical frequency, rad/s."""
         scale = np.sqrt(np.abs(basis.values) + omega**2)[:, None]
-        left, sizes, _ = la.svd(basis.vectors[self.rows].T @ self.axes / scale, full_matrices=False)
+        seen = basis.turn.T @ (basis.raw[self.rows].T @ self.axes)
+        left, sizes, _ = la.svd(seen / scale, full_matrices=False)
+        directions = scale * left * sizes
         kept = abs(self.impedance(np.array([omega]))[0]) * sizes**2 > NEGLIGIBLE
-        return np.asarray(scale * left[:, kept] * sizes[kept])
+        return Reduced(self, seen, directions[:, kept], directions[:, ~kept])
+
+
+@dataclass(frozen=True, eq=False)
+class Reduced:
+    """What adds ``impedance(omega) U U^T`` on a basis.
+
+    extra : from which; whole : (r, m) the U of its axes
+    kept, dropped : (r, p) main directions of these, those that count and the rest
+    """
+
+    extra: Extra
+    whole: Array
+    kept: Array
+    dropped: Array
+
+
+def real_times(matrix: Array, columns: Complex) -> Complex:
+    """A real matrix times complex columns, without making it complex."""
+    out = np.empty((len(matrix), columns.shape[1]), dtype=complex)
+    out.real, out.imag = matrix @ columns.real, matrix @ columns.imag
+    return out
 
 
 def amplitudes(
@@ -83,15 +109,21 @@ def amplitudes(
         [np.repeat(1.0 / impedance[:, None], directions.shape[1], axis=1) for directions, impedance in extras]
     )
     first, second = np.triu_indices(U.shape[1])
-    products = (U[:, first] * U[:, second]).T
+    pair = np.empty((U.shape[1],) * 2, dtype=np.int64)
+    pair[first, second] = pair[second, first] = np.arange(len(first))
+    products = U[:, first] * U[:, second]
     index = np.arange(U.shape[1])
-    motion = (U.T @ plain).T[..., None]  # of the directions, without the extras
-    forces = np.empty((U.shape[1], len(omega)), dtype=complex)
-    for start in range(0, len(omega), AT_ONCE):
+    motion = real_times(U.T, plain).T[..., None]  # of the directions, without the extras
+
+    def forces(start: int) -> Complex:
+        """(p, lines) on the directions."""
         lines = slice(start, start + AT_ONCE)
-        seen = (products @ alone.real[:, lines] + 1j * (products @ alone.imag[:, lines])).T
-        compliance = np.empty((len(seen), len(index), len(index)), dtype=complex)
-        compliance[:, first, second] = compliance[:, second, first] = seen
+        seen = np.empty((len(motion[lines]), len(first)), dtype=complex)
+        seen.real, seen.imag = alone.real[:, lines].T @ products, alone.imag[:, lines].T @ products
+        compliance = np.take(seen, pair, axis=1)
         compliance[:, index, index] += flexibility[lines]
-        forces[:, lines] = np.linalg.solve(compliance, motion[lines])[..., 0].T
-    return np.asarray(plain - alone * (U @ forces))
+        return np.asarray(np.linalg.solve(compliance, motion[lines])[..., 0].T)
+
+    with threadpool_limits(1), ThreadPoolExecutor(threads()) as pool:
+        found = list(pool.map(forces, range(0, len(omega), AT_ONCE)))
+    return np.asarray(plain - alone * real_times(U, np.hstack(found)))

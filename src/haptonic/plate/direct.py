@@ -2,76 +2,95 @@
 
 from __future__ import annotations
 
-from typing import Any
+from functools import cached_property
 
 import numpy as np
 import scipy.sparse as sp
 from numpy.typing import NDArray
 
 from haptonic.plate.model import PlateModel, impedance
-from haptonic.solvers import Pattern, chosen
+from haptonic.solvers import Pattern, Solver, chosen
 
 Array = NDArray[np.float64]
+Ints = NDArray[np.int64]
 Complex = NDArray[np.complex128]
 
 
-def direct_answer(model: PlateModel, loads: Complex, omega: float) -> Complex:
-    """(size, k) displacement under loads (size, k) at an angular frequency, rad/s.
+class Direct:
+    """Answers one frequency after the other; what does not depend on it is done once.
 
     Modes of the tiles are eliminated, the skeleton is solved for by a real symmetric factorisation of twice
     the size, and the finger is added by Woodbury's formula.
     """
-    pad = model.pad
-    right = np.hstack([loads, pad.T.toarray().astype(complex)])
-    answers = _without_finger(model, right, omega)
-    count = loads.shape[1]
-    if not pad.shape[0]:
-        return answers
-    finger = model.plate.finger
-    assert finger is not None
-    own, of_pad = answers[:, :count], answers[:, count:]
-    flexibility = np.eye(pad.shape[0]) * pad.shape[0] / impedance(finger, np.array([omega]))[0]
-    return np.asarray(own - of_pad @ np.linalg.solve(flexibility + pad @ of_pad, pad @ own))
+
+    def __init__(self, model: PlateModel) -> None:
+        self.model = model
+        beds = model.assembly.beds
+        self._lossy = sum(
+            (bed.loss_factor * bed.stiffness for bed in model.beds), start=sp.csr_array(beds.shape)
+        )
+
+    def answer(self, loads: Complex, omega: float) -> Complex:
+        """(size, k) displacement under loads (size, k) at an angular frequency, rad/s."""
+        model = self.model
+        pad, finger = model.pad, model.plate.finger
+        if finger is None:
+            return self._without_finger(loads, omega)
+        answers = self._without_finger(np.hstack([loads, pad.T.toarray().astype(complex)]), omega)
+        own, of_pad = np.split(answers, [loads.shape[1]], axis=1)
+        flexibility = np.eye(pad.shape[0]) * pad.shape[0] / impedance(finger, np.array([omega]))[0]
+        return np.asarray(own - of_pad @ np.linalg.solve(flexibility + pad @ of_pad, pad @ own))
+
+    def _without_finger(self, loads: Complex, omega: float) -> Complex:
+        assembly = self.model.assembly
+        eliminated = [group.tile.complex_dynamic(self.model.factors, omega) for group in assembly.groups]
+        real = assembly.numbers([one.on_trace.real for one in eliminated], assembly.beds)
+        imaginary = assembly.numbers([one.on_trace.imag for one in eliminated], self._lossy)
+        self._solver.factorise(self._doubled.numbers(real, imaginary), definite=False)
+
+        def on_skeleton(right: Complex) -> Complex:
+            halves = self._solver.solve(np.vstack([right.real, -right.imag]))
+            return np.asarray(halves[: assembly.free] + 1j * halves[assembly.free :])
+
+        return assembly.solved(loads, eliminated, on_skeleton)
+
+    @cached_property
+    def _doubled(self) -> _Doubled:
+        return _Doubled(self.model.assembly.pattern)
+
+    @cached_property
+    def _solver(self) -> Solver:
+        return chosen()(self._doubled.pattern)
 
 
-def _without_finger(model: PlateModel, loads: Complex, omega: float) -> Complex:
-    assembly, factors = model.assembly, model.factors
-    matrices, eliminated = [], []
-    reduced = loads[: assembly.free].copy()
-    pieces = []
-    for group, share in assembly.shares(loads):
-        tile = group.tile
-        trace = tile.trace_size
-        whole = sum(factors[name] * part for name, part in tile.stiffness.items()) - omega**2 * tile.mass
-        inner = np.linalg.inv(whole[trace:, trace:])
-        follow = -inner @ whole[trace:, :trace]
-        matrices.append(whole[:trace, :trace] + whole[:trace, trace:] @ follow)
-        eliminated.append((inner, follow))
-        own = share[:, trace:]
-        pieces.append(np.concatenate([follow.T @ own, np.zeros_like(own)], axis=1))
-    reduced += assembly.gathered(pieces)[: assembly.free]
-    on_skeleton = _solved(model, matrices, reduced)
-    out = np.zeros((assembly.size + 1, loads.shape[1]), dtype=complex)
-    out[: assembly.free] = on_skeleton
-    for (group, share), (inner, follow) in zip(assembly.shares(loads), eliminated, strict=True):
-        trace = group.tile.trace_size
-        out[group.unknowns[:, trace:]] = inner @ share[:, trace:] + follow @ out[group.unknowns[:, :trace]]
-    return out[:-1]
+class _Doubled:
+    """(R + i I)(x + i y) = b is symmetric as [[R, -I], [-I, -R]] (x, y) = (Re b, -Im b)."""
 
+    def __init__(self, upper: Pattern) -> None:
+        size, count = upper.size, len(upper.indices)
+        # the number of each entry of the upper triangle, plus one, wherever it stands in the whole matrix
+        whole = upper.matrix(np.arange(1.0, count + 1))
+        whole.sort_indices()
+        self.from_whole = whole.data.astype(np.int64) - 1
+        lengths = np.diff(upper.indptr) + np.diff(whole.indptr)
+        indptr = np.concatenate([[0], np.cumsum([*lengths, *np.diff(upper.indptr)])])
 
-def _solved(model: PlateModel, matrices: list[NDArray[Any]], right: Complex) -> Complex:
-    """Solution on the skeleton: (R + i I)(x + i y) = b is symmetric as [[R, -I], [-I, -R]] (x, y)."""
-    assembly = model.assembly
-    without_beds = [assembly.numbers([part(matrix) for matrix in matrices]) for part in (np.real, np.imag)]
-    real, imaginary = (assembly.pattern.matrix(numbers) for numbers in without_beds)
-    # `numbers` adds the beds to either
-    beds = sp.csr_array(assembly.beds)
-    lossy = sum((bed.loss_factor * bed.stiffness for bed in model.beds), start=sp.csr_array(beds.shape))
-    imaginary = imaginary - beds + lossy
-    both = sp.csr_array(sp.triu(sp.block_array([[real, -imaginary], [-imaginary, -real]])))
-    both.sort_indices()
-    pattern = Pattern(both.indptr.astype(np.int32), both.indices.astype(np.int32))
-    solver = chosen()(pattern)
-    solver.factorise(both.data, definite=False)
-    halves = solver.solve(np.vstack([right.real, -right.imag]))
-    return np.asarray(halves[: assembly.free] + 1j * halves[assembly.free :])
+        def places(of: sp.csr_array | Pattern, start: Ints) -> Ints:
+            within = np.arange(len(of.indices)) - np.repeat(of.indptr[:-1], np.diff(of.indptr))
+            return np.asarray(np.repeat(start, np.diff(of.indptr)) + within)
+
+        self.first = places(upper, indptr[:size])
+        self.between = places(whole, indptr[:size] + np.diff(upper.indptr))
+        self.second = places(upper, indptr[size:-1])
+        indices = np.empty(indptr[-1], dtype=np.int32)
+        indices[self.first] = upper.indices
+        indices[self.between] = whole.indices + size
+        indices[self.second] = upper.indices + size
+        self.pattern = Pattern(indptr.astype(np.int32), indices)
+
+    def numbers(self, real: Array, imaginary: Array) -> Array:
+        """Numbers on the pattern from those of two upper triangles."""
+        data = np.empty(len(self.pattern.indices))
+        data[self.first], data[self.second] = real, -real
+        data[self.between] = -imaginary[self.from_whole]
+        return data

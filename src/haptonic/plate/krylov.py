@@ -7,9 +7,10 @@ any damping may couple them. Inertia counts at the shifts tell whether a mode of
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
+from functools import cached_property
 from itertools import pairwise
 
 import numpy as np
@@ -17,13 +18,64 @@ import scipy.linalg as la
 from numpy.typing import NDArray
 from threadpoolctl import threadpool_limits
 
-from haptonic.plate.assembly import Assembly, Shifted
+from haptonic.plate.assembly import AT_ONCE, Assembly, Shifted
 from haptonic.solvers import Solver, chosen
 from haptonic.superelement.parallel import threads
 
 Array = NDArray[np.float64]
 
+TOGETHER = 4  # chains that are made orthogonal to the others at once
 REPEATED = 1e-13  # share of a direction's squared length that must not lie in the others
+
+
+class _Orthonormal:
+    """Vectors that are orthonormal in mass, to which blocks are added one after the other."""
+
+    def __init__(self, assembly: Assembly, capacity: int) -> None:
+        self.assembly = assembly
+        self._vectors = np.empty((assembly.size, capacity), order="F")
+        self._heavy = np.empty_like(self._vectors)
+        self.count = 0
+
+    @property
+    def vectors(self) -> Array:
+        """(size, count)"""
+        return self._vectors[:, : self.count]
+
+    def add(self, new: Array) -> Array:
+        """Add what is new in each of vectors (size, k); returns the mass times what was added."""
+        for _ in range(2):  # one pass of Gram and Schmidt is not enough
+            self._project(new)
+        return self._append(new, scaled=True)
+
+    def add_known(self, new: Array) -> None:
+        """Add what is new in vectors (size, k) of length 1 in mass, which are overwritten."""
+        self._project(new)
+        turn = self._turn(new, self.assembly.mass_times(new), scaled=False)
+        new = new @ turn  # what was nearly the same is as long as the rest now, so it can be made orthogonal
+        self._project(new)
+        self._append(new, scaled=False)
+
+    def _project(self, new: Array) -> None:
+        if self.count:
+            known = slice(0, self.count)
+            new -= self._vectors[:, known] @ (self._heavy[:, known].T @ new)
+
+    def _turn(self, new: Array, heavy: Array, scaled: bool) -> Array:
+        """What makes vectors orthonormal among themselves, without those that nothing but rounding is in."""
+        gram = new.T @ heavy
+        lengths = np.sqrt(np.maximum(np.diag(gram), np.finfo(float).tiny)) if scaled else np.ones(len(gram))
+        weights, turn = la.eigh(gram / lengths / lengths[:, None])
+        kept = weights > REPEATED
+        return np.asarray(turn[:, kept] / np.sqrt(weights[kept]) / lengths[:, None])
+
+    def _append(self, new: Array, scaled: bool) -> Array:
+        heavy = self.assembly.mass_times(new)
+        turn = self._turn(new, heavy, scaled)
+        added = slice(self.count, self.count + turn.shape[1])
+        self.count = added.stop
+        self._vectors[:, added], self._heavy[:, added] = new @ turn, heavy @ turn
+        return self._heavy[:, added]
 
 
 @dataclass(frozen=True, eq=False)
@@ -37,26 +89,11 @@ class Chain:
 
 def chain(shifted: Shifted, loads: Array, length: int) -> Chain:
     """At most ``length`` blocks of mass-orthonormal Krylov vectors of loads (size, b)."""
-    assembly = shifted.assembly
-    vectors = np.empty((assembly.size, length * loads.shape[1]), order="F")
-    inertia = np.empty_like(vectors)
-    count = 0
-    new = shifted.solve(loads)
-    for step in range(length):
-        for _ in range(2 if count else 0):  # one pass of Gram and Schmidt is not enough
-            new -= vectors[:, :count] @ (inertia[:, :count].T @ new)
-        heavy = assembly.mass_times(new)
-        gram = new.T @ heavy
-        scale = np.sqrt(np.maximum(np.diag(gram), np.finfo(float).tiny))
-        weights, turn = la.eigh(gram / scale / scale[:, None])
-        kept = weights > REPEATED
-        turn = turn[:, kept] / np.sqrt(weights[kept]) / scale[:, None]
-        end = count + turn.shape[1]
-        vectors[:, count:end], inertia[:, count:end] = new @ turn, heavy @ turn
-        if step < length - 1:
-            new = shifted.solve(inertia[:, count:end])
-        count = end
-    return Chain(shifted.shift, shifted.below, vectors[:, :count])
+    span = _Orthonormal(shifted.assembly, length * loads.shape[1])
+    heavy = loads
+    for _ in range(length):
+        heavy = span.add(shifted.solve(heavy))
+    return Chain(shifted.shift, shifted.below, span.vectors)
 
 
 def chains(
@@ -89,50 +126,63 @@ def chains(
 class Basis:
     """Ritz vectors: orthonormal in mass, orthogonal in stiffness.
 
-    vectors : (size, r); values : (r,) Ritz values, (rad/s)^2, ascending
-    complete : (rad/s)^2 between which no mode is missing, by inertia counts
+    raw : (size, r) orthonormal in mass; turn : (r, r) Ritz vectors in terms of these
+    values : (r,) Ritz values, (rad/s)^2, ascending
+    below : eigenvalues below each shift, from the inertia of its factorisation
     """
 
-    vectors: Array
+    raw: Array
+    turn: Array
     values: Array
-    complete: tuple[float, float]
+    below: Mapping[float, int]
 
     @classmethod
-    def spanned(cls, assembly: Assembly, chains: Sequence[Chain]) -> Basis:
-        """Rayleigh and Ritz on the span of chains."""
-        raw = np.asfortranarray(np.hstack([chain.vectors for chain in chains]))
-        work = np.empty_like(raw)
-        gram = raw.T @ assembly.mass_times(raw, out=work)
-        factor, pivots, rank, _ = la.lapack.dpstrf(gram, tol=REPEATED * gram.diagonal().max(), lower=0)
-        order = pivots - 1
-        kept = order[:rank]
-        triangle = np.triu(factor[:rank, :rank])
-        stiff = raw.T @ assembly.stiffness_times(raw, out=work)
-        stiff = la.solve_triangular(triangle, stiff[np.ix_(kept, kept)], trans=1)
-        stiff = la.solve_triangular(triangle, stiff.T, trans=1)
-        values, turn = la.eigh(0.5 * (stiff + stiff.T), driver="evd")
-        turn = la.solve_triangular(triangle, turn)
-        full = np.zeros((raw.shape[1], rank))
-        full[kept] = turn
-        vectors = np.matmul(raw, full, out=work[:, :rank])
-        return cls(vectors, values, _complete(values, chains))
+    def spanned(cls, assembly: Assembly, pieces: Sequence[Array], below: Mapping[float, int]) -> Basis:
+        """Rayleigh and Ritz on the span of pieces (size, k)."""
+        span = _Orthonormal(assembly, sum(piece.shape[1] for piece in pieces))
+        for start in range(0, len(pieces), TOGETHER):
+            span.add_known(np.hstack(pieces[start : start + TOGETHER]))
+        raw = span.vectors
+        reduced = np.zeros((span.count, span.count))  # its upper triangle, block by block
+
+        def project(start: int) -> None:
+            end = min(start + AT_ONCE, span.count)
+            reduced[:end, start:end] = raw[:, :end].T @ assembly.stiffness_times(raw[:, start:end])
+
+        assembly.prepare()
+        with threadpool_limits(1), ThreadPoolExecutor(threads()) as pool:
+            list(pool.map(project, range(0, span.count, AT_ONCE)))
+        values, turn = la.eigh(reduced, lower=False, driver="evd", overwrite_a=True)
+        return cls(raw, turn, values, below)
+
+    @classmethod
+    def of(cls, assembly: Assembly, chains: Sequence[Chain], known: Basis | None = None) -> Basis:
+        """The span of chains, and of a basis that is there already."""
+        below = {chain.shift: chain.below for chain in chains}
+        pieces = [chain.vectors for chain in chains]
+        if known is None:
+            return cls.spanned(assembly, pieces, below)
+        return cls.spanned(assembly, [known.raw, *pieces], {**known.below, **below})
 
     @property
     def dimension(self) -> int:
         return len(self.values)
 
+    def vectors(self, which: NDArray[np.int64] | slice = slice(None)) -> Array:
+        """(size, k) Ritz vectors, all or some."""
+        return np.asarray(self.raw @ self.turn[:, which])
 
-def _complete(values: Array, chains: Sequence[Chain]) -> tuple[float, float]:
-    """The widest interval between two shifts in which as many Ritz values lie as there are modes."""
-    ends = sorted({(chain.shift, chain.below) for chain in chains})
-    best = run = (0.0, 0.0)
-    if (values < ends[0][0]).sum() == ends[0][1]:
-        best = run = (0.0, ends[0][0])
-    else:
-        run = (ends[0][0], ends[0][0])
-    for (low, below_low), (high, below_high) in pairwise(ends):
-        found = int(((values >= low) & (values < high)).sum())
-        run = (run[0], high) if found == below_high - below_low else (high, high)
-        if run[1] - run[0] > best[1] - best[0]:
-            best = run
-    return best
+    @cached_property
+    def complete(self) -> tuple[float, float]:
+        """The widest interval, (rad/s)^2, in which as many Ritz values lie as there are modes."""
+        ends = sorted(self.below.items())
+        if not ends:
+            return (0.0, 0.0)
+        low, below_low = ends[0]
+        start = 0.0 if (self.values < low).sum() == below_low else low
+        best = run = (start, low)
+        for (low, below_low), (high, below_high) in pairwise(ends):
+            found = int(((self.values >= low) & (self.values < high)).sum())
+            run = (run[0], high) if found == below_high - below_low else (high, high)
+            best = max(best, run, key=lambda one: one[1] - one[0])
+        return best

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Hashable, Mapping
+from collections.abc import Hashable, Iterator, Mapping
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, replace
 from functools import cached_property
@@ -30,6 +30,7 @@ from haptonic.plate.tile import Tile
 from haptonic.superelement.parallel import threads
 
 Array = NDArray[np.float64]
+Ints = NDArray[np.int64]
 Complex = NDArray[np.complex128]
 
 ON_LINE = 1e-6  # of a tile's size, by which the edge of a patch may miss the line that it lies on
@@ -138,6 +139,24 @@ class PlateModel:
 
     def observed(self, where: Array) -> sp.csr_array:
         """(k, size) what gives the normal displacement of points (k, 2) of the flat face, m."""
+        rows, columns, values = [np.zeros(0, int)], [np.zeros(0, int)], [np.zeros(0)]
+        for points, unknowns, weights in self._seen_on_blocks(where):
+            rows.append(np.repeat(points, len(unknowns)))
+            columns.append(np.tile(unknowns, len(points)))
+            values.append(weights.ravel())
+        entries = (np.concatenate(values), (np.concatenate(rows), np.concatenate(columns)))
+        return sp.csr_array(entries, shape=(len(where), self.assembly.size + 1))[:, :-1]
+
+    def displaced(self, where: Array, vectors: Array) -> Array:
+        """(k, n) normal displacement of points (k, 2) of the flat face, m, for many vectors (size, n)."""
+        padded = np.vstack([vectors, np.zeros((1, vectors.shape[1]))])
+        seen = np.empty((len(where), vectors.shape[1]))
+        for points, unknowns, weights in self._seen_on_blocks(where):
+            seen[points] = weights @ padded[unknowns]
+        return seen
+
+    def _seen_on_blocks(self, where: Array) -> Iterator[tuple[Ints, Ints, Array]]:
+        """Points (m,) on each block, its unknowns (n,), and the (m, n) weights of these in what is seen."""
         assembly, layout = self.assembly, self.plate.layout
         x, y = np.array(layout.x), np.array(layout.y)
         column = np.clip(np.searchsorted(x, where[:, 0], side="right") - 1, 0, layout.columns - 1)
@@ -150,22 +169,15 @@ class PlateModel:
             sizes[number] = np.array([x[block.columns[1]], y[block.rows[1]]]) - corners[number]
         block_at = block_of[row, column]
         assert (block_at >= 0).all(), "points beside the plate"
-        rows, columns, values = [], [], []
+        local = np.clip(where - corners[block_at], 0.0, sizes[block_at])
         for group in assembly.groups:
-            place = np.full(len(corners), -1)
-            place[group.blocks] = np.arange(len(group.blocks))
-            points = np.flatnonzero(place[block_at] >= 0)
-            if not len(points):
+            own = [np.flatnonzero(block_at == block) for block in group.blocks]
+            together = np.concatenate(own)
+            if not len(together):
                 continue
-            own = block_at[points]
-            local = np.clip(where[points] - corners[own], 0.0, sizes[own])
-            weights = group.tile.inside.normal_at(local)
-            unknowns = group.unknowns[place[own]]
-            rows.append(np.repeat(points, weights.shape[1]))
-            columns.append(unknowns.ravel())
-            values.append(weights.ravel())
-        entries = (np.concatenate(values), (np.concatenate(rows), np.concatenate(columns)))
-        return sp.csr_array(entries, shape=(len(where), assembly.size + 1))[:, :-1]
+            weights = group.tile.inside.normal_at(local[together])
+            ends = np.cumsum([len(points) for points in own])[:-1]
+            yield from zip(own, group.unknowns, np.split(weights, ends), strict=True)
 
     @cached_property
     def pad(self) -> sp.csr_array:
@@ -345,8 +357,6 @@ def _tiles(plate: Plate, recipes: list[_Recipe], highest: float, fineness: Finen
     made: dict[_Recipe, Tile] = {}
 
     def make(recipe: _Recipe) -> Tile:
-        if recipe.attached:
-            return _attached_tile(plate, recipe, highest, fineness)
         rows, columns = recipe.shape
         if recipe.shape == (1, 1):
             return _single_tile(plate, recipe, highest, fineness)
@@ -359,14 +369,19 @@ def _tiles(plate: Plate, recipes: list[_Recipe], highest: float, fineness: Finen
 
     plain = [recipe for recipe in recipes if not recipe.attached]
     steps = [
-        [*(recipe for recipe in recipes if recipe.attached), *(recipe.of_shape((1, 1)) for recipe in plain)],
+        [recipe.of_shape((1, 1)) for recipe in plain],
         [recipe.of_shape((1, recipe.shape[1])) for recipe in plain],
         plain,
     ]
     with threadpool_limits(1), ThreadPoolExecutor(threads()) as pool:
+        attached = {
+            recipe: pool.submit(_attached_tile, plate, recipe, highest, fineness)
+            for recipe in recipes if recipe.attached
+        }  # fmt: skip
         for step in steps:
             missing = [recipe for recipe in dict.fromkeys(step) if recipe not in made]
             made |= dict(zip(missing, pool.map(make, missing), strict=True))
+        made |= {recipe: future.result() for recipe, future in attached.items()}
     return [made[recipe] for recipe in recipes]
 
 
@@ -388,8 +403,10 @@ def _attached_tile(plate: Plate, recipe: _Recipe, highest: float, fineness: Fine
     y = layout.y[block.rows[0] : block.rows[1] + 1]
     actuators = [one for one in attached if isinstance(one, Actuator)]
     forces = [one for one in attached if isinstance(one, Force)]
-    # in the plane as fine as a tile without anything on it: a force must not soften or stiffen the plate
-    orders = BodyOrders(max(fineness.plain, fineness.along - 1) + 2, fineness.plain, 2, 3)
+    # in the plane as fine as a tile without anything on it: a force must not soften or stiffen the plate;
+    # the edges of a patch divide a tile into smaller elements, which need less
+    finer = 1 if actuators else 2
+    orders = BodyOrders(max(fineness.plain, fineness.along - 1) + finer, fineness.plain, 2, 3)
     longest = 1.01 * max(np.diff(x).max(), np.diff(y).max())
     piece = body(x, y, layout.thickness, layout.material, actuators, orders, float(longest))
     loads = {}

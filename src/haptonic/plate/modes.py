@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from haptonic.plate.sweep import Band
+from haptonic.plate.tile import applied
 
 Array = NDArray[np.float64]
 
@@ -44,13 +45,14 @@ def modes_between(band: Band, low: float, high: float) -> PlateModes:
     assembly, factors = model.assembly, model.factors
     square = (2 * np.pi * np.array([low, high])) ** 2
     picked = np.flatnonzero((basis.values >= square[0]) & (basis.values <= square[1]))
-    vectors, values = np.ascontiguousarray(basis.vectors[:, picked]), basis.values[picked]
+    vectors, values = basis.vectors(picked), basis.values[picked]
     residual = assembly.stiffness_times(vectors) - values * assembly.mass_times(vectors)
     blocks = len(assembly.skeleton.blocks)
     stored = {name: np.zeros((len(values), blocks)) for name in factors}
     for group, share in assembly.shares(vectors):
         for name, part in group.tile.stiffness.items():
-            stored[name][:, group.blocks] += np.einsum("bnk,bnk->kb", share, part @ share) / values[:, None]
+            twice = np.einsum("nbk,nbk->kb", share, applied(part, share))
+            stored[name][:, group.blocks] += twice / values[:, None]
     loss = {name: factors[name].imag * stored[name].sum(axis=1) for name in factors}
     loss["supports"] = np.zeros(len(values))
     for bed in model.beds:

@@ -11,17 +11,17 @@ from numpy.typing import NDArray
 
 from haptonic.errors import HaptonicError
 from haptonic.plate.assembly import Shifted
-from haptonic.plate.direct import direct_answer
+from haptonic.plate.direct import Direct
 from haptonic.plate.krylov import Basis, Chain, chains
 from haptonic.plate.model import PlateModel
 from haptonic.plate.vibration import ReducedPlate, Vibration
 
 Array = NDArray[np.float64]
 
-SPACING = 6e3  # Hz between neighbouring shifts, at most
-MODES = 60  # between neighbouring shifts, about, at most
+SPACING = 8e3  # Hz between neighbouring shifts, at most
+MODES = 85  # between neighbouring shifts, about, at most
 BEYOND = 0.06  # share of the highest frequency by which shifts go beyond the band
-BLOCK, LENGTH = 8, 8  # forces at each shift, and blocks of vectors that they give
+BLOCK, LENGTH = 12, 8  # forces at each shift, and blocks of vectors that they give
 LOSSES = 3  # orders to which the answer is expanded in losses other than the plate's
 FEWEST_RANDOM = 4  # of the forces at each shift
 NEAR_ZERO = 1e-3  # share of the highest shift's frequency that the lowest one has at least
@@ -36,7 +36,6 @@ class Band:
     low: float
     high: float
     reduced: ReducedPlate
-    chains: tuple[Chain, ...]
 
     @classmethod
     def of(
@@ -69,17 +68,18 @@ class Band:
         return cls._joined(model, low, high, found)
 
     @classmethod
-    def _joined(cls, model: PlateModel, low: float, high: float, found: list[Chain]) -> Band:
-        basis = Basis.spanned(model.assembly, found)
-        reduced = ReducedPlate.of(model, basis, np.pi * (low + high))
-        return cls(low, high, reduced, tuple(found))
+    def _joined(
+        cls, model: PlateModel, low: float, high: float, found: list[Chain], known: Basis | None = None
+    ) -> Band:
+        basis = Basis.of(model.assembly, found, known)
+        return cls(low, high, ReducedPlate.of(model, basis, np.pi * (low + high)))
 
     def refined(self, frequencies: Array) -> Band:
         """With further shifts at frequencies, Hz."""
         model = self.reduced.model
         shifts = ((2 * np.pi * frequencies) ** 2).tolist()
         more = chains(model.assembly, _forces(model), shifts, LENGTH)
-        return self._joined(model, self.low, self.high, [*self.chains, *more])
+        return self._joined(model, self.low, self.high, more, self.reduced.basis)
 
     def answer(
         self, drives: Mapping[str, complex], frequencies: Array, tolerance: float
@@ -122,8 +122,8 @@ class Band:
     def _directly(self, drives: Mapping[str, complex], omega: Array) -> Vibration:
         """The direct answer at some angular frequencies, rad/s."""
         model = self.reduced.model
-        load = model.load(drives)[:, None]
-        fields = np.hstack([direct_answer(model, load, float(one)) for one in omega])
+        load, direct = model.load(drives)[:, None], Direct(model)
+        fields = np.hstack([direct.answer(load, float(one)) for one in omega])
         both = np.hstack([np.eye(len(omega)), 1j * np.eye(len(omega))]).T
         return self.reduced.checked(drives, omega, np.hstack([fields.real, fields.imag]), both)
 

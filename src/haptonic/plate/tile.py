@@ -17,6 +17,30 @@ Ints = NDArray[np.int64]
 Fields = NDArray[Any]  # real or complex
 
 
+def applied(matrix: Fields, share: Fields) -> Fields:
+    """(m, blocks, k) a matrix (m, n) times the parts (n, blocks, k) of vectors on like blocks."""
+    return np.asarray((matrix @ share.reshape(len(share), -1)).reshape(-1, *share.shape[1:]))
+
+
+@dataclass(frozen=True, eq=False)
+class Eliminated:
+    """The modes of a tile, taken out of its equations.
+
+    on_trace : (trace, trace) dynamic stiffness that is left; follow : (modes, trace) the modes behind a trace
+    inverse : (modes, modes) of their own dynamic stiffness, or (modes,) if that is diagonal
+    """
+
+    on_trace: Fields
+    follow: Fields
+    inverse: Fields
+
+    def alone(self, forces: Fields) -> Fields:
+        """Answer of the modes to forces (modes, blocks, k) with the trace at rest."""
+        if self.inverse.ndim == 1:
+            return np.asarray(self.inverse[:, None, None] * forces)
+        return applied(self.inverse, forces)
+
+
 class Inside(Protocol):
     """From the unknowns of a tile to displacement inside it; positions are from its lower left corner, m."""
 
@@ -70,13 +94,22 @@ class Tile:
         """(n, n) stiffness of all parts together."""
         return np.asarray(sum(self.stiffness.values()))
 
-    def dynamic(self, shift: float) -> tuple[Array, Array]:
-        """Stiffness K - shift M seen by the trace, and the modes X b that follow a trace b."""
-        trace = self.trace_size
+    def dynamic(self, shift: float) -> Eliminated:
+        """K - shift M with the modes eliminated."""
         matrix = self.elastic - shift * self.mass
+        return self._eliminated(matrix, 1 / (self.values - shift))
+
+    def complex_dynamic(self, factors: Mapping[str, complex], omega: float) -> Eliminated:
+        """Dynamic stiffness at an angular frequency, rad/s, with a complex factor of each part."""
+        stiff = sum(factors[name] * part for name, part in self.stiffness.items())
+        matrix = np.asarray(stiff - omega**2 * self.mass)
+        return self._eliminated(matrix, np.linalg.inv(matrix[self.trace_size :, self.trace_size :]))
+
+    def _eliminated(self, matrix: Fields, inverse: Fields) -> Eliminated:
+        trace = self.trace_size
         coupling = matrix[trace:, :trace]
-        answer = -coupling / (self.values - shift)[:, None]
-        return matrix[:trace, :trace] + coupling.T @ answer, answer
+        follow = -(inverse[:, None] * coupling if inverse.ndim == 1 else inverse @ coupling)
+        return Eliminated(matrix[:trace, :trace] + coupling.T @ follow, follow, inverse)
 
 
 @dataclass(frozen=True, eq=False)

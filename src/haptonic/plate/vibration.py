@@ -3,24 +3,29 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
-import scipy.linalg as la
 from numpy.typing import NDArray
+from threadpoolctl import threadpool_limits
 
-from haptonic.plate.damping import Extra, amplitudes
+from haptonic.plate.assembly import Shifted
+from haptonic.plate.damping import Reduced, amplitudes, real_times
 from haptonic.plate.krylov import Basis
 from haptonic.plate.model import PlateModel, impedance
+from haptonic.plate.tile import applied
+from haptonic.superelement.parallel import threads
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 Ints = NDArray[np.int64]
 
 ROUNDING = 1e-9  # relative error that no residual shows, because it is computed in floating point too
+TINY = np.finfo(float).tiny
 CHUNK = 48  # lines that are checked at once
-LOWEST_SIGMA = 0.02  # of the largest Ritz frequency: below it tiles are stiff, and bounds tile by tile wide
+LOWEST_SIGMA = 1e-4  # of the largest Ritz frequency: below it K + sigma M of a free plate is singular
 
 
 @dataclass(frozen=True, eq=False)
@@ -86,37 +91,60 @@ class Vibration:
 class ReducedPlate:
     """A model on a basis: any damping and any amplitudes of the drives cost no factorisation any more.
 
-    extras : what damps otherwise than the plate, with its directions (r, p)
+    extras : what damps otherwise than the plate
     """
 
     model: PlateModel
     basis: Basis
-    extras: tuple[tuple[Extra, Array], ...]
+    extras: tuple[Reduced, ...]
 
     @classmethod
     def of(cls, model: PlateModel, basis: Basis, omega: float) -> ReducedPlate:
         """``omega`` is a typical one, rad/s."""
-        return cls(model, basis, tuple((extra, extra.directions(basis, omega)) for extra in model.extras))
+        return cls(model, basis, tuple(extra.on(basis, omega) for extra in model.extras))
 
     def answer(self, drives: Mapping[str, complex], omega: Array) -> Vibration:
         """Answer to drives of given complex amplitudes (V or N) at angular frequencies (n,), rad/s."""
         model, basis = self.model, self.basis
         load = model.load(drives)
-        extras = [(directions, extra.impedance(omega)) for extra, directions in self.extras]
-        found = amplitudes(basis.values, model.factors["plate"], extras, basis.vectors.T @ load, omega)
-        return self.checked(drives, omega, basis.vectors, found)
+        loads = basis.turn.T @ (basis.raw.T @ load)
+        extras = [(one.kept, one.extra.impedance(omega)) for one in self.extras]
+        loss = model.factors["plate"]
+        found = amplitudes(basis.values, loss, extras, loads, omega)
+        force = np.zeros_like(found)
+        for one in self.extras:
+            force += real_times(one.dropped, one.extra.impedance(omega) * real_times(one.dropped.T, found))
+        missed = self.answered(force, omega)
+        return self.checked(drives, omega, basis.raw, real_times(basis.turn, found), missed)
+
+    def answered(self, force: Complex, omega: Array) -> Array:
+        """(n,) four times the strain and kinetic energy of Ritz vectors under small forces (r, n) on them."""
+        values = self.basis.values
+        moved = np.abs(force / (self.model.factors["plate"] * values[:, None] - omega**2)) ** 2
+        return np.asarray(values @ moved + omega**2 * moved.sum(0))
 
     def checked(
-        self, drives: Mapping[str, complex], omega: Array, vectors: Array, found: Complex
+        self,
+        drives: Mapping[str, complex],
+        omega: Array,
+        vectors: Array,
+        found: Complex,
+        missed: Array | float = 0.0,
     ) -> Vibration:
-        """What vectors (size, r) with amplitudes (r, n) are worth as an answer to drives."""
+        """What vectors (size, r) with amplitudes (r, n) are worth as an answer to drives.
+
+        ``missed`` (n,) is four times the energy of an error within the basis.
+        """
         model = self.model
         checker = _Checker(self, model.load(drives), vectors)
-        pieces = [
-            checker.lines(omega[start : start + CHUNK], found[:, start : start + CHUNK])
-            for start in range(0, len(omega), CHUNK)
-        ]
+        model.assembly.prepare()
+        with threadpool_limits(1), ThreadPoolExecutor(threads()) as pool:
+            starts = range(0, len(omega), CHUNK)
+            pieces = list(
+                pool.map(lambda k: checker.lines(omega[k : k + CHUNK], found[:, k : k + CHUNK]), starts)
+            )
         seen = {name: np.concatenate([piece[name] for piece in pieces]) for name in pieces[0]}
+        error = ROUNDING + np.sqrt((seen["missed"] + missed) / np.maximum(seen["energy"], TINY))
         charge, dissipated = {}, {}
         given = np.zeros(len(omega))
         for name, amplitude in drives.items():
@@ -133,7 +161,7 @@ class ReducedPlate:
             dissipated[name] = 2 * omega * model.factors[name].imag * values.sum(axis=1)
         dissipated["supports"], dissipated["finger"] = seen["supports"], seen["finger"]
         return Vibration(
-            omega, dict(drives), vectors, found, seen["error"], stored, seen["moving"], dissipated, given,
+            omega, dict(drives), vectors, found, error, stored, seen["moving"], dissipated, given,
             charge,
         )  # fmt: skip
 
@@ -164,14 +192,11 @@ class _Checker:
 
     def __init__(self, reduced: ReducedPlate, load: Complex, vectors: Array) -> None:
         self.reduced, self.vectors = reduced, vectors
-        assembly = reduced.model.assembly
-        counts = assembly.gathered([np.ones((*group.unknowns.shape, 1)) for group in assembly.groups])
-        self.share = 1.0 / counts  # of an unknown that each of its tiles gets
         self.total = np.stack([load.real, load.imag], axis=1)
-        self._kept: dict[tuple[int, float], Array] = {}
+        self._idle: list[Shifted] = []
 
     def lines(self, omega: Array, found: Complex) -> dict[str, Array]:
-        """Energies, W and error of some lines."""
+        """Energies and W of some lines, and four times the energy of the whole and of its error, at most."""
         reduced, model = self.reduced, self.reduced.model
         assembly, factors, count = model.assembly, model.factors, len(omega)
         square = np.tile(omega**2, 2)
@@ -183,13 +208,13 @@ class _Checker:
         }
         pieces = []
         for group, share in assembly.shares(fields):
-            heavy = group.tile.mass @ share
+            heavy = applied(group.tile.mass, share)
             out["moving"][:, group.blocks] = (
                 0.25 * (square * _energy(share, heavy)).reshape(-1, 2, count).sum(1).T
             )
             total = -square * heavy
             for name, part in group.tile.stiffness.items():
-                stiff = part @ share
+                stiff = applied(part, share)
                 energy = 0.25 * _energy(share, stiff).reshape(-1, 2, count).sum(1).T
                 out[f"stored {name}"][:, group.blocks] += energy
                 total += _times(stiff, factors[name])
@@ -215,29 +240,37 @@ class _Checker:
         residual[:, :count] -= self.total[:, :1]
         residual[:, count:] -= self.total[:, 1:]
         norm += 4 * out["moving"].sum(1)
-        # any sigma gives a bound; few of them, so that tiles are factorised for few of them
-        sigma = float(max(omega.min(), LOWEST_SIGMA * np.sqrt(reduced.basis.values[-1])) ** 2)
-        sigma = 4.0 ** np.floor(np.log(sigma) / np.log(4.0))
-        dual = np.zeros(count)
-        for number, (_, share) in enumerate(assembly.shares(residual * self.share)):
-            scaled = self._whitening(number, sigma) @ share
-            dual += _energy(scaled, scaled).reshape(-1, 2, count).sum((0, 1))
-        loss = factors["plate"].imag
-        gain = amplification(loss, omega, sigma, reduced.basis.complete)
-        out["error"] = ROUNDING + gain * np.sqrt(dual / np.maximum(norm, np.finfo(float).tiny))
+        # any sigma above omega^2 gives a bound; few of them, so that few factorisations are needed
+        sigma = float(max(omega.max(), LOWEST_SIGMA * np.sqrt(reduced.basis.values[-1])) ** 2)
+        sigma = 4.0 ** np.ceil(np.log(sigma) / np.log(4.0))
+        beyond = self._beyond(residual, sigma)
+        dual = np.maximum(np.einsum("nk,nk->k", residual, beyond), 0.0).reshape(2, count).sum(0)
+        gain = amplification(factors["plate"].imag, omega, sigma, reduced.basis.complete)
+        # what is missed beyond the basis moves its modes through the other losses, most those at resonance
+        force = np.zeros((reduced.basis.dimension, count), dtype=complex)
+        for one in reduced.extras:
+            motion = one.extra.axes.T @ beyond[one.extra.rows]
+            force += real_times(
+                one.whole, one.extra.impedance(omega) * (motion[:, :count] + 1j * motion[:, count:])
+            )
+        out["missed"] = gain**2 * (dual + reduced.answered(force, omega))
+        out["energy"] = norm
         return out
 
-    def _whitening(self, number: int, sigma: float) -> Array:
-        """(n, n) inverse of the Cholesky factor of K + sigma M of a group's tile."""
-        if (number, sigma) not in self._kept:
-            tile = self.reduced.model.assembly.groups[number].tile
-            self._kept[number, sigma] = la.inv(la.cholesky(tile.elastic + sigma * tile.mass, lower=True))
-        return self._kept[number, sigma]
+    def _beyond(self, residual: Array, sigma: float) -> Array:
+        """(size, columns) inverse of K + sigma M, supports included, times residuals."""
+        assembly = self.reduced.model.assembly
+        norm = self._idle.pop() if self._idle else None  # each thread has its own
+        if norm is None or norm.shift != -sigma:
+            norm = assembly.shifted(-sigma, None if norm is None else norm.solver)
+        found = norm.solve(residual)
+        self._idle.append(norm)
+        return found
 
 
 def _energy(share: Array, force: Array) -> Array:
     """(blocks, columns) products of motion and force."""
-    return np.asarray(np.einsum("bnk,bnk->bk", share, force))
+    return np.asarray(np.einsum("nbk,nbk->bk", share, force))
 
 
 def _times(columns: Array, factor: complex) -> Array:

@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 from haptonic.bloch import Gap
 from haptonic.errors import StudyError
 from haptonic.plate import Band, Fineness, Plate, PlateModel, modes_between
+from haptonic.plate.damping import real_times
 from haptonic.response import FrequencyResponse, from_plain, plain
 from haptonic.results.common import stamped
 from haptonic.results.plate.datasets import body_dataset, lines_dataset, modes_dataset
@@ -109,8 +110,8 @@ def _computed(
     every = np.union1d(question.frequencies, extra)
     band, vibration = band.answer(drives, every, question.tolerance)
     points, regions = grid_points(plate, question.grid)
-    surface = model.observed(points) @ vibration.vectors
-    velocity = (surface @ vibration.amplitudes) * (1j * vibration.omega)
+    surface = model.displaced(points, vibration.vectors)
+    velocity = real_times(surface, vibration.amplitudes) * (1j * vibration.omega)
     marked = _marked(plate, every, velocity, regions, carrier, gap)
     main = np.searchsorted(every, question.frequencies)
 
@@ -124,7 +125,7 @@ def _computed(
         )  # fmt: skip
 
     lines = lines_dataset(plate, vibration, band)
-    shapes = np.asarray(model.observed(points) @ found.vectors)
+    shapes = model.displaced(points, found.vectors)
     at_resonance = int(marked[np.abs(every[marked] - resonance_of(every[marked], carrier, gap)).argmin()])
     return [
         response(main, "finite plate"),

@@ -125,7 +125,7 @@ def body_dataset(band: Band, vibration: Vibration, line: int) -> xr.Dataset:
     for group, shares in assembly.shares(field):
         inside = group.tile.inside
         used, own = np.unique(inside.subcells, return_inverse=True)
-        for block, share in zip(group.blocks, shares, strict=True):
+        for block, share in zip(group.blocks, shares.swapaxes(0, 1), strict=True):
             rows, columns = assembly.skeleton.blocks[block].rows, assembly.skeleton.blocks[block].columns
             corner = [layout.x[columns[0]], layout.y[rows[0]], 0.0]
             points.append(inside.points[used] + corner)
