@@ -2,7 +2,8 @@
 
 With Ritz values lambda and the loss of the plate f = 1 + i eta, the reduced dynamic stiffness is
 ``diag(f lambda - omega^2) + sum_j U_j Z_j(omega) U_j^T``. The second part has a low rank, so that every
-frequency costs little (Woodbury 1950, Inverting modified matrices, Princeton memorandum 42).
+frequency costs little (Woodbury 1950, Inverting modified matrices, Princeton memorandum 42). Of its weakest
+directions only the diagonal is kept.
 """
 
 from __future__ import annotations
@@ -26,7 +27,7 @@ Complex = NDArray[np.complex128]
 
 AT_ONCE = 32  # lines
 NO_STIFFNESS = 1e-13  # share of a form's largest eigenvalue that is rounding
-NEGLIGIBLE = 1e-6  # share of the dynamic stiffness that a direction may add without being kept
+NEGLIGIBLE = 2e-5  # share of the dynamic stiffness that a direction may add without being kept
 
 
 @dataclass(frozen=True, eq=False)
@@ -55,8 +56,9 @@ class Extra:
         seen = basis.turn.T @ (basis.raw[self.rows].T @ self.axes)
         left, sizes, _ = la.svd(seen / scale, full_matrices=False)
         directions = scale * left * sizes
-        kept = abs(self.impedance(np.array([omega]))[0]) * sizes**2 > NEGLIGIBLE
-        return Reduced(self, seen, directions[:, kept], directions[:, ~kept])
+        counts = abs(self.impedance(np.array([omega]))[0]) * sizes**2 > NEGLIGIBLE
+        rest = (directions[:, ~counts] ** 2).sum(axis=1, keepdims=True)
+        return Reduced(self, seen, directions[:, counts], rest)
 
 
 @dataclass(frozen=True, eq=False)
@@ -64,13 +66,19 @@ class Reduced:
     """What adds ``impedance(omega) U U^T`` on a basis.
 
     extra : from which; whole : (r, m) the U of its axes
-    kept, dropped : (r, p) main directions of these, those that count and the rest
+    kept : (r, p) main directions of these that count
+    alone : (r, 1) diagonal of the rest
     """
 
     extra: Extra
     whole: Array
     kept: Array
-    dropped: Array
+    alone: Array
+
+    def dropped(self, fields: Complex) -> Complex:
+        """(r, n) U U^T times fields without what ``kept`` and ``alone`` give."""
+        everything = real_times(self.whole, real_times(self.whole.T, fields))
+        return everything - real_times(self.kept, real_times(self.kept.T, fields)) - self.alone * fields
 
 
 def real_times(matrix: Array, columns: Complex) -> Complex:
@@ -80,26 +88,19 @@ def real_times(matrix: Array, columns: Complex) -> Complex:
     return out
 
 
-def amplitudes(
-    values: Array,
-    loss: complex,
-    extras: Sequence[tuple[Array, Complex]],
-    loads: NDArray[Any],
-    omega: Array,
-) -> Complex:
+def amplitudes(stiffness: Complex, extras: Sequence[tuple[Array, Complex]], loads: NDArray[Any]) -> Complex:
     """Amplitudes of Ritz vectors.
 
     Parameters
     ----------
-    values : (r,) Ritz values; loss : complex factor of them
-    extras : directions (r, p) and impedances (n,) of what adds to that
-    loads : (r,) reduced load; omega : (n,) rad/s
+    stiffness : (r, n) dynamic stiffness of each vector alone
+    extras : directions (r, p) and impedances (n,) of what adds to that; loads : (r,) reduced load
 
     Returns
     -------
     (r, n)
     """
-    alone = 1.0 / (loss * values[:, None] - omega**2)
+    alone = 1.0 / stiffness
     plain = np.asarray(alone * loads[:, None])
     extras = [(directions, impedance) for directions, impedance in extras if directions.shape[1]]
     if not extras:
@@ -125,5 +126,5 @@ def amplitudes(
         return np.asarray(np.linalg.solve(compliance, motion[lines])[..., 0].T)
 
     with threadpool_limits(1), ThreadPoolExecutor(threads()) as pool:
-        found = list(pool.map(forces, range(0, len(omega), AT_ONCE)))
+        found = list(pool.map(forces, range(0, len(motion), AT_ONCE)))
     return np.asarray(plain - alone * real_times(U, np.hstack(found)))

@@ -14,7 +14,8 @@ from threadpoolctl import threadpool_limits
 from haptonic.plate.assembly import Shifted
 from haptonic.plate.damping import Reduced, amplitudes, real_times
 from haptonic.plate.krylov import Basis
-from haptonic.plate.model import PlateModel, impedance
+from haptonic.plate.model import PlateModel
+from haptonic.plate.model import impedance as finger_impedance
 from haptonic.plate.tile import applied
 from haptonic.superelement.parallel import threads
 
@@ -108,12 +109,15 @@ class ReducedPlate:
         model, basis = self.model, self.basis
         load = model.load(drives)
         loads = basis.turn.T @ (basis.raw.T @ load)
-        extras = [(one.kept, one.extra.impedance(omega)) for one in self.extras]
-        loss = model.factors["plate"]
-        found = amplitudes(basis.values, loss, extras, loads, omega)
+        impedances = [one.extra.impedance(omega) for one in self.extras]
+        stiffness = np.asarray(model.factors["plate"] * basis.values[:, None] - omega**2, np.complex128)
+        for one, impedance in zip(self.extras, impedances, strict=True):
+            stiffness = stiffness + one.alone * impedance
+        kept = [one.kept for one in self.extras]
+        found = amplitudes(stiffness, list(zip(kept, impedances, strict=True)), loads)
         force = np.zeros_like(found)
-        for one in self.extras:
-            force += real_times(one.dropped, one.extra.impedance(omega) * real_times(one.dropped.T, found))
+        for one, impedance in zip(self.extras, impedances, strict=True):
+            force += impedance * one.dropped(found)
         missed = self.answered(force, omega)
         return self.checked(drives, omega, basis.raw, real_times(basis.turn, found), missed)
 
@@ -231,7 +235,7 @@ class _Checker:
         out["finger"] = np.zeros(count)
         if (finger := model.plate.finger) is not None:
             pad = model.pad
-            felt = impedance(finger, omega) / pad.shape[0]
+            felt = finger_impedance(finger, omega) / pad.shape[0]
             motion = pad @ fields
             motion = motion[:, :count] + 1j * motion[:, count:]
             force = felt * motion
