@@ -2,8 +2,7 @@
 
 With Ritz values lambda and the loss of the plate f = 1 + i eta, the reduced dynamic stiffness is
 ``diag(f lambda - omega^2) + sum_j U_j Z_j(omega) U_j^T``. The second part has a low rank, so that every
-frequency costs little (Woodbury 1950, Inverting modified matrices, Princeton memorandum 42). Of its weakest
-directions only the diagonal is kept.
+frequency costs little (Woodbury 1950, Inverting modified matrices, Princeton memorandum 42).
 """
 
 from __future__ import annotations
@@ -27,7 +26,7 @@ Complex = NDArray[np.complex128]
 
 AT_ONCE = 32  # lines
 NO_STIFFNESS = 1e-13  # share of a form's largest eigenvalue that is rounding
-NEGLIGIBLE = 2e-5  # share of the dynamic stiffness that a direction may add without being kept
+NEGLIGIBLE = 5e-5  # share of the dynamic stiffness that a direction may add without being kept
 
 
 @dataclass(frozen=True, eq=False)
@@ -81,50 +80,67 @@ class Reduced:
         return everything - real_times(self.kept, real_times(self.kept.T, fields)) - self.alone * fields
 
 
-def real_times(matrix: Array, columns: Complex) -> Complex:
+def real_times(matrix: Array, columns: NDArray[Any]) -> Complex:
     """A real matrix times complex columns, without making it complex."""
     out = np.empty((len(matrix), columns.shape[1]), dtype=complex)
     out.real, out.imag = matrix @ columns.real, matrix @ columns.imag
     return out
 
 
-def amplitudes(stiffness: Complex, extras: Sequence[tuple[Array, Complex]], loads: NDArray[Any]) -> Complex:
-    """Amplitudes of Ritz vectors.
+def amplitudes(
+    values: Array, loss: complex, extras: Sequence[Reduced], loads: NDArray[Any], omega: Array
+) -> tuple[Complex, Complex]:
+    """Amplitudes of Ritz vectors, and small forces on them with which they would be exact.
+
+    What the main directions of extras leave out is made up for by one step of iterative refinement.
 
     Parameters
     ----------
-    stiffness : (r, n) dynamic stiffness of each vector alone
-    extras : directions (r, p) and impedances (n,) of what adds to that; loads : (r,) reduced load
+    values : (r,) Ritz values; loss : complex factor of them
+    loads : (r,) reduced load; omega : (n,) rad/s
 
     Returns
     -------
-    (r, n)
+    amplitudes (r, n) and forces (r, n)
     """
+    impedances = [one.extra.impedance(omega) for one in extras]
+    stiffness = np.asarray(loss * values[:, None] - omega**2, np.complex128)
+    for one, impedance in zip(extras, impedances, strict=True):
+        stiffness = stiffness + one.alone * impedance
     alone = 1.0 / stiffness
-    plain = np.asarray(alone * loads[:, None])
-    extras = [(directions, impedance) for directions, impedance in extras if directions.shape[1]]
     if not extras:
-        return plain
-    U = np.hstack([directions for directions, _ in extras])
-    flexibility = np.hstack(
-        [np.repeat(1.0 / impedance[:, None], directions.shape[1], axis=1) for directions, impedance in extras]
-    )
+        return np.asarray(alone * loads[:, None]), np.zeros_like(alone)
+    U = np.hstack([one.kept for one in extras])
+    sizes = [one.kept.shape[1] for one in extras]
+    with np.errstate(divide="ignore", invalid="ignore"):  # what adds nothing has no direction either
+        flexibility = np.repeat(1.0 / np.stack(impedances, axis=1), sizes, axis=1)
     first, second = np.triu_indices(U.shape[1])
     pair = np.empty((U.shape[1],) * 2, dtype=np.int64)
     pair[first, second] = pair[second, first] = np.arange(len(first))
     products = U[:, first] * U[:, second]
     index = np.arange(U.shape[1])
-    motion = real_times(U.T, plain).T[..., None]  # of the directions, without the extras
 
-    def forces(start: int) -> Complex:
-        """(p, lines) on the directions."""
+    def some(start: int) -> tuple[Complex, Complex]:
         lines = slice(start, start + AT_ONCE)
-        seen = np.empty((len(motion[lines]), len(first)), dtype=complex)
-        seen.real, seen.imag = alone.real[:, lines].T @ products, alone.imag[:, lines].T @ products
+        own = alone[:, lines]
+        seen = np.empty((own.shape[1], len(first)), dtype=complex)
+        seen.real, seen.imag = own.real.T @ products, own.imag.T @ products
         compliance = np.take(seen, pair, axis=1)
         compliance[:, index, index] += flexibility[lines]
-        return np.asarray(np.linalg.solve(compliance, motion[lines])[..., 0].T)
+
+        def moved(force: Complex) -> Complex:
+            plain = np.asarray(own * force)
+            motion = real_times(U.T, plain).T[..., None]
+            return np.asarray(plain - own * real_times(U, np.linalg.solve(compliance, motion)[..., 0].T))
+
+        def left_out(found: Complex) -> Complex:
+            parts = zip(extras, impedances, strict=True)
+            return np.asarray(sum(impedance[lines] * one.dropped(found) for one, impedance in parts))
+
+        found = moved(np.broadcast_to(loads[:, None], own.shape).astype(complex))
+        correction = moved(left_out(found))
+        return found - correction, left_out(correction)
 
     with threadpool_limits(1), ThreadPoolExecutor(threads()) as pool:
-        found = list(pool.map(forces, range(0, len(motion), AT_ONCE)))
-    return np.asarray(plain - alone * real_times(U, np.hstack(found)))
+        found, left = zip(*pool.map(some, range(0, len(omega), AT_ONCE)), strict=True)
+    return np.hstack(found), np.hstack(left)

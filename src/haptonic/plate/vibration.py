@@ -109,15 +109,7 @@ class ReducedPlate:
         model, basis = self.model, self.basis
         load = model.load(drives)
         loads = basis.turn.T @ (basis.raw.T @ load)
-        impedances = [one.extra.impedance(omega) for one in self.extras]
-        stiffness = np.asarray(model.factors["plate"] * basis.values[:, None] - omega**2, np.complex128)
-        for one, impedance in zip(self.extras, impedances, strict=True):
-            stiffness = stiffness + one.alone * impedance
-        kept = [one.kept for one in self.extras]
-        found = amplitudes(stiffness, list(zip(kept, impedances, strict=True)), loads)
-        force = np.zeros_like(found)
-        for one, impedance in zip(self.extras, impedances, strict=True):
-            force += impedance * one.dropped(found)
+        found, force = amplitudes(basis.values, model.factors["plate"], self.extras, loads, omega)
         missed = self.answered(force, omega)
         return self.checked(drives, omega, basis.raw, real_times(basis.turn, found), missed)
 
