@@ -12,9 +12,10 @@ from small import COARSE, LOSS, PITCH, busy_plate, drawn, glued, plain_plate
 from whole import answered, beds, dynamic, energy, finger_impedance, forms, lossless
 
 from haptonic.errors import GeometryError, HaptonicError
+from haptonic.plate.blocks import blocks_of
 from haptonic.plate.direct import Direct
 from haptonic.plate.krylov import Basis, chains
-from haptonic.plate.model import PlateModel, _blocks, impedance, sunflower
+from haptonic.plate.model import PlateModel, impedance, sunflower
 from haptonic.plate.modes import modes_between
 from haptonic.plate.parts import Finger, Force, Plate, Support
 from haptonic.plate.skeleton import Block
@@ -448,13 +449,13 @@ def test_things_that_share_tiles_become_one_block():
     """A force that reaches over both patches; without it each has a tile of its own."""
     across = Force("F", (17.5e-3, 7e-3), (20e-3, 10e-3))
     plate = Plate(drawn("oppp oppp"), actuators=(NEAR, FAR), forces=(across,))
-    carrying = {block: members for block, members in _blocks(plate).items() if members}
+    carrying = {block: members for block, members in blocks_of(plate).items() if members}
     assert {block: {one.name for one in members} for block, members in carrying.items()} == {
         Block((0, 2), (1, 4)): {"A", "B", "F"}
     }
-    apart = {block: members for block, members in _blocks(replace(plate, forces=())).items() if members}
+    apart = {block: members for block, members in blocks_of(replace(plate, forces=())).items() if members}
     assert apart == {Block((0, 1), (1, 2)): (NEAR,), Block((1, 2), (3, 4)): (FAR,)}
-    tiles = sorted(tile for block in _blocks(plate) for tile in block.tiles)
+    tiles = sorted(tile for block in blocks_of(plate) for tile in block.tiles)
     assert tiles == list(np.ndindex(2, 4))
 
 
@@ -467,8 +468,8 @@ def test_patches_that_share_tiles_with_a_lattice_are_refused():
     row = glued((11.5e-3, 10.5e-3), (20e-3, 5e-3, 0.7e-3))
     column = glued((24.5e-3, 7e-3), (5e-3, 9e-3, 0.7e-3), "B")
     with pytest.raises(GeometryError, match=r'"A" and "B"|"B" and "A"'):
-        _blocks(Plate(drawn("pppp oopp"), actuators=(row, column)))
-    assert _blocks(Plate(drawn("pppp pppp"), actuators=(row, column)))
+        blocks_of(Plate(drawn("pppp oopp"), actuators=(row, column)))
+    assert blocks_of(Plate(drawn("pppp pppp"), actuators=(row, column)))
     hole = Plate(drawn("pppp p.pp"), actuators=(replace(NEAR, centre=(7e-3, 3.5e-3)),))
     with pytest.raises(GeometryError, match="lattice, or leaves the plate"):
-        _blocks(hole)
+        blocks_of(hole)

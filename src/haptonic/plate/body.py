@@ -1,5 +1,5 @@
 """A rectangle of plain plate with the patches that are glued to it, not reduced: stiffness by part, mass,
-drive. Also a patch on its own.
+drive. Also a patch on its own, and a cell of a lattice.
 """
 
 from __future__ import annotations
@@ -15,11 +15,13 @@ import scipy.sparse as sp
 from numpy.lib.stride_tricks import sliding_window_view
 from numpy.typing import NDArray
 
+from haptonic.cell import MeshPlan, UnitCell, mesh_cell
 from haptonic.cell.quadrature import lobatto
 from haptonic.elements import element_matrices
 from haptonic.materials import Material, PiezoelectricMaterial
 from haptonic.plate.parts import Actuator, Plate
 from haptonic.plate.piezo import electric_part
+from haptonic.plate.surface import flat_faces
 
 Array = NDArray[np.float64]
 Ints = NDArray[np.int64]
@@ -41,7 +43,7 @@ class BodyOrders:
 
 @dataclass(frozen=True, eq=False)
 class Body:
-    """Piece of plain plate with what is glued to it, not reduced. Unknown 3 i + k is component k at node i.
+    """Piece of a plate with what is glued to it, not reduced. Unknown 3 i + k is component k at node i.
 
     The names of parts are "plate" and, of each actuator NAME, "NAME bond", "NAME ceramic" (c^E) and
     "NAME field": what the electric field in it adds while its electrodes are at given voltage. With the
@@ -56,7 +58,7 @@ class Body:
     capacitance : by actuator, of the clamped patch, F
     faces : (k, n1, n2) node numbers of the quadrilaterals on the flat face z = 0, by orders
     rim : nodes on the four lateral sides of the plate, ascending; of a patch alone, on its own sides
-    elements : by part (k, n1, n2, n3) node numbers
+    elements : by part, of a cell by orders, (k, n1, n2, n3) node numbers
     """
 
     points: Array
@@ -112,6 +114,33 @@ def body(
         ceramics[actuator.name] = _ceramic(actuator, grid.cropped(at), height, orders.ceramic, start, below)
         layers.append(ceramics[actuator.name])
     return _assembled(layers, ceramics)
+
+
+def body_of_cell(cell: UnitCell, plan: MeshPlan, x: tuple[float, float], y: tuple[float, float]) -> Body:
+    """A cell of a lattice between two lines along x and two along y, m."""
+    mesh = mesh_cell(cell, plan)
+    points = mesh.points.copy()
+    rim = np.zeros(len(points), dtype=bool)
+    for axis, (start, end) in enumerate((x, y)):
+        low, high = points[:, axis].min(), points[:, axis].max()
+        first, last = (np.abs(points[:, axis] - border) < SAME * (high - low) for border in (low, high))
+        points[:, axis] += start - low
+        points[first, axis], points[last, axis] = start, end  # on the lines but for rounding
+        rim |= first | last
+    mass, total = np.zeros(len(mesh.points)), sp.csr_array((3 * len(mesh.points),) * 2)
+    families = {f"plate {k}": family.nodes for k, family in enumerate(mesh.topology.families)}
+    for nodes in families.values():
+        total = total + _elastic(mesh.points, nodes, cell.material, mass)
+    return Body(
+        points=points,
+        stiffness=MappingProxyType({"plate": total}),
+        mass=np.repeat(mass, 3),
+        drive=MappingProxyType({}),
+        capacitance=MappingProxyType({}),
+        faces=tuple(flat_faces(mesh)),
+        rim=np.flatnonzero(rim),
+        elements=MappingProxyType(families),
+    )
 
 
 def free_patch(actuator: Actuator, orders: BodyOrders, longest: float) -> Body:
@@ -242,7 +271,7 @@ def _assembled(layers: Sequence[_Layer], ceramics: Mapping[str, _Layer]) -> Body
     mass = np.zeros(len(points))
     stiffness, drive, capacitance = {}, {}, {}
     for layer in layers:
-        stiffness[layer.part] = _elastic(points, layer, mass)
+        stiffness[layer.part] = _elastic(points, layer.elements, layer.material, mass)
     for name, layer in ceramics.items():
         assert isinstance(layer.material, PiezoelectricMaterial)
         glued, free = layer.number[..., 0], layer.number[..., -1]
@@ -274,13 +303,13 @@ def _spread(dense: Array, own: Ints, size: int) -> sp.csr_array:
     return sp.csr_array((dense.ravel(), columns, starts.cumsum(dtype=np.int32)), shape=(size, size))
 
 
-def _elastic(points: Array, layer: _Layer, mass: Array) -> sp.csr_array:
-    """(3 n, 3 n) stiffness of a layer; its lumped mass is added to ``mass`` (n,)."""
+def _elastic(points: Array, elements: Ints, material: Material, mass: Array) -> sp.csr_array:
+    """(3 n, 3 n) stiffness of elements (k, n1, n2, n3); their lumped mass is added to ``mass`` (n,)."""
     count = len(points)
     total = sp.csr_array((3 * count,) * 2)
-    for start in range(0, len(layer.elements), BATCH):
-        nodes = layer.elements[start : start + BATCH]
-        matrices = element_matrices(points, nodes, layer.material)
+    for start in range(0, len(elements), BATCH):
+        nodes = elements[start : start + BATCH]
+        matrices = element_matrices(points, nodes, material)
         flat = nodes.reshape(len(nodes), -1)
         first, second = matrices.pairs
         code, block = np.unique((flat[:, first] * count + flat[:, second]).ravel(), return_inverse=True)

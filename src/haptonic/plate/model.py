@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Hashable, Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, replace
 from functools import cached_property
@@ -14,10 +14,10 @@ from numpy.typing import NDArray
 from threadpoolctl import threadpool_limits
 
 from haptonic.cell import MeshPlan, UnitCell
-from haptonic.errors import GeometryError
 from haptonic.lattice import Lattice
 from haptonic.plate.assembly import Assembly
-from haptonic.plate.body import BodyOrders, body, loss_factors
+from haptonic.plate.blocks import Attached, blocks_of
+from haptonic.plate.body import Body, BodyOrders, body, body_of_cell, loss_factors
 from haptonic.plate.damping import Extra
 from haptonic.plate.joined import joined_tile
 from haptonic.plate.layout import Layout
@@ -33,12 +33,8 @@ Array = NDArray[np.float64]
 Ints = NDArray[np.int64]
 Complex = NDArray[np.complex128]
 
-ON_LINE = 1e-6  # of a tile's size, by which the edge of a patch may miss the line that it lies on
-JOINED = (5, 4)  # rows and columns of like tiles that are joined at most
 FORCE_POINTS = 12  # along either side of a force's rectangle
 FINGER_POINTS = 37  # of equal area on the disc below a finger
-
-Attached = Actuator | Force
 
 
 @dataclass(frozen=True)
@@ -91,7 +87,7 @@ class PlateModel:
         """
         fineness = fineness or Fineness()
         layout = plate.layout
-        blocks = _blocks(plate)
+        blocks = blocks_of(plate)
         recipes = [_recipe(plate, block, attached) for block, attached in blocks.items()]
         unique = list(dict.fromkeys(recipes))
         tiles = _tiles(plate, unique, highest, fineness)
@@ -100,13 +96,12 @@ class PlateModel:
         held, beds = supported(skeleton, plate.supports)
         total = sp.csr_array(sum((bed.stiffness for bed in beds), start=sp.csr_array((skeleton.size,) * 2)))
         assembly = Assembly.of(skeleton, tiles, which, held, total)
-        drives = {}
+        drives: dict[str, Array] = {}
         for group in assembly.groups:
             for name, drive in group.tile.drive.items():
                 (unknowns,) = group.unknowns  # a block with a drive is one of its kind
-                drives[name] = np.zeros(assembly.size + 1)
-                drives[name][unknowns] = drive
-        model = cls(
+                drives.setdefault(name, np.zeros(assembly.size + 1))[unknowns] += drive
+        return cls(
             plate=plate,
             fineness=fineness,
             highest=highest,
@@ -115,12 +110,6 @@ class PlateModel:
             drives={name: drive[:-1] for name, drive in drives.items()},
             capacitance={name: c for tile in tiles for name, c in tile.capacitance.items()},
         )
-        on_cells = {}
-        for force in plate.forces:
-            if force.name not in drives:
-                points, weights = _spread(force)
-                on_cells[force.name] = model.observed(points).T @ weights
-        return replace(model, drives={**model.drives, **on_cells})
 
     @property
     def factors(self) -> Mapping[str, complex]:
@@ -228,97 +217,19 @@ def sunflower(count: int) -> Array:
     return np.asarray(radius[:, None] * np.stack([np.cos(angle), np.sin(angle)], axis=-1))
 
 
-def _extent(attached: Attached) -> tuple[float, float]:
-    """Of what is attached, along x and y, m."""
-    return (0.0, 0.0) if attached.size is None else (attached.size[0], attached.size[1])
-
-
-def _covering(layout: Layout, attached: Attached) -> Block:
-    """The smallest block of tiles below something."""
-    ranges = []
-    for lines, centre, size in zip(
-        (layout.y, layout.x), attached.centre[::-1], _extent(attached)[::-1], strict=True
-    ):
-        slack = ON_LINE * float(np.diff(lines).min())
-        start = int(np.searchsorted(lines, centre - size / 2 + slack, side="right")) - 1
-        end = int(np.searchsorted(lines, centre + size / 2 - slack, side="left"))
-        ranges.append((max(start, 0), min(max(end, start + 1), len(lines) - 1)))
-    return Block(ranges[0], ranges[1])
-
-
-def _is_plain(layout: Layout, block: Block) -> bool:
-    """Whether a block holds nothing but plain plate."""
-    return not {layout.at(tile) for tile in block.tiles} & {None, *layout.cells}
-
-
-def _spread(force: Force) -> tuple[Array, Array]:
-    """Points (k, 2) of the flat face that a force acts on, m, and the share (k,) that each of them gets."""
+def _spread(force: Force, bounds: tuple[float, float, float, float]) -> tuple[Array, Array]:
+    """Points (k, 2) of the flat face that a force acts on within bounds, m, and the share (k,) of each."""
     if force.size is None:
         return np.array([force.centre]), np.ones(1)
     nodes, share = leggauss(FORCE_POINTS)
-    grid = np.meshgrid(nodes * force.size[0], nodes * force.size[1], indexing="ij")
-    points = np.array(force.centre) + 0.5 * np.stack(grid, axis=-1).reshape(-1, 2)
-    return points, np.outer(share, share).ravel() / 4
-
-
-def _blocks(plate: Plate) -> dict[Block, tuple[Attached, ...]]:
-    """Blocks that cover the plate, with what is attached to each."""
-    layout = plate.layout
-    special: list[tuple[Block, tuple[Attached, ...]]] = []
-    on_plain = [force for force in plate.forces if _is_plain(layout, _covering(layout, force))]
-    everything: list[Attached] = [*plate.actuators, *on_plain]
-    for attached in everything:
-        block = _covering(layout, attached)
-        members: tuple[Attached, ...] = (attached,)
-        while meeting := [one for one in special if one[0].meets(block)]:
-            for one in meeting:
-                special.remove(one)
-                block, members = block.joined(one[0]), (*one[1], *members)
-        special.append((block, members))
-    for block, members in special:
-        if not _is_plain(layout, block):
-            raise GeometryError(
-                argument="plate",
-                given=" and ".join(f'"{member.name}"' for member in members) + " on one block of tiles",
-                allowed="a block of nothing but plain tiles below what shares a tile with something else",
-                cause="the smallest rectangle of tiles below them holds a lattice, or leaves the plate",
-                next_step="move them apart, so that they share no tile",
-            )
-    taken = {tile for block, _ in special for tile in block.tiles}
-    return {**dict.fromkeys(_rectangles(layout, taken), ()), **dict(special)}
-
-
-def _rectangles(layout: Layout, taken: set[tuple[int, int]]) -> list[Block]:
-    """Rectangles of like tiles that cover what is not taken, from the lower left."""
-    left = [
-        (i, j) for i in range(layout.rows) for j in range(layout.columns)
-        if layout.at((i, j)) is not None and (i, j) not in taken
-    ]  # fmt: skip
-    open_tiles = dict.fromkeys(left)
-    found = []
-    while open_tiles:
-        i, j = next(iter(open_tiles))
-        kind = _kind(layout, (i, j))
-
-        def fits(tile: tuple[int, int], kind: Hashable = kind) -> bool:
-            return tile in open_tiles and _kind(layout, tile) == kind
-
-        wide = high = 1
-        while wide < JOINED[1] and fits((i, j + wide)):
-            wide += 1
-        while high < JOINED[0] and all(fits((i + high, j + k)) for k in range(wide)):
-            high += 1
-        found.append(Block((i, i + high), (j, j + wide)))
-        for tile in found[-1].tiles:
-            del open_tiles[tile]
-    return found
-
-
-def _kind(layout: Layout, tile: tuple[int, int]) -> Hashable:
-    """What tiles that may be joined have in common: name and size, in thicknesses."""
-    left, bottom, right, top = layout.bounds(tile)
-    sizes = (round((right - left) / layout.thickness, 9), round((top - bottom) / layout.thickness, 9))
-    return layout.at(tile), sizes
+    places, shares = [], []
+    for axis in (0, 1):
+        whole, middle = force.size[axis], force.centre[axis]
+        low, high = max(middle - whole / 2, bounds[axis]), min(middle + whole / 2, bounds[axis + 2])
+        places.append(0.5 * (low + high) + 0.5 * (high - low) * nodes)
+        shares.append(0.5 * share * (high - low) / whole)
+    grid = np.meshgrid(*places, indexing="ij")
+    return np.stack(grid, axis=-1).reshape(-1, 2), np.outer(*shares).ravel()
 
 
 @dataclass(frozen=True)
@@ -402,16 +313,27 @@ def _attached_tile(plate: Plate, recipe: _Recipe, highest: float, fineness: Fine
     x = layout.x[block.columns[0] : block.columns[1] + 1]
     y = layout.y[block.rows[0] : block.rows[1] + 1]
     actuators = [one for one in attached if isinstance(one, Actuator)]
-    forces = [one for one in attached if isinstance(one, Force)]
+    if recipe.cell is not None:
+        cell = layout.cells[recipe.cell]
+        plan = MeshPlan.suited(cell, fineness.cell, fineness.rings)
+        piece = body_of_cell(cell, plan, (x[0], x[-1]), (y[0], y[-1]))
+    else:
+        piece = _plain_body(layout, x, y, actuators, fineness)
+    loads = {}
+    for force in attached:
+        if isinstance(force, Force):
+            points, weights = _spread(force, (x[0], y[0], x[-1], y[-1]))
+            loads[force.name] = np.zeros(len(piece.mass))
+            loads[force.name][2::3] = surface_weights(piece.points, piece.faces, points).T @ weights
+    return block_tile(piece, x, y, layout.thickness, loads, fineness.trace, highest)
+
+
+def _plain_body(
+    layout: Layout, x: Sequence[float], y: Sequence[float], actuators: list[Actuator], fineness: Fineness
+) -> Body:
     # in the plane as fine as a tile without anything on it: a force must not soften or stiffen the plate;
     # the edges of a patch divide a tile into smaller elements, which need less
     finer = 1 if actuators else 2
     orders = BodyOrders(max(fineness.plain, fineness.along - 1) + finer, fineness.plain, 2, 3)
     longest = 1.01 * max(np.diff(x).max(), np.diff(y).max())
-    piece = body(x, y, layout.thickness, layout.material, actuators, orders, float(longest))
-    loads = {}
-    for force in forces:
-        points, weights = _spread(force)
-        loads[force.name] = np.zeros(len(piece.mass))
-        loads[force.name][2::3] = surface_weights(piece.points, piece.faces, points).T @ weights
-    return block_tile(piece, x, y, layout.thickness, loads, fineness.trace, highest)
+    return body(x, y, layout.thickness, layout.material, actuators, orders, float(longest))

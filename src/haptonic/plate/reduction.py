@@ -107,7 +107,7 @@ def block_tile(
     orders: TraceOrders,
     highest: float,
 ) -> Tile:
-    """A rectangle of plain plate with what is glued to it as a tile for frequencies up to ``highest`` (Hz).
+    """A body, plain plate or a cell with what is on it, as a tile for frequencies up to ``highest`` (Hz).
 
     Parameters
     ----------
