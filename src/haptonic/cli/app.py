@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import Annotated
 
 import typer
+import xarray as xr
 from rich.table import Table
 
 from haptonic import __version__, plots
@@ -27,13 +28,15 @@ from haptonic.cli.options import (
     pictures,
     tell_where,
 )
-from haptonic.cli.plates import plate
+from haptonic.cli.plates import plate, plate_files, write_plate
 from haptonic.errors import StudyError
 from haptonic.report import Results, paper, write_report
+from haptonic.report.guide_shifts import guide_shifts
 from haptonic.results import (
     Bands,
     Guides,
     Layers,
+    PlateResult,
     Runner,
     Sweep,
     layer_tasks,
@@ -139,6 +142,8 @@ def reproduce(
         names += ["report.html", *(f"{n}.nc" for n in sweeps)]
         if _has_mirror(loaded):
             names += LAYER_FILES
+        if loaded.plate_section is not None and loaded.carrier is not None:
+            names += plate_files(loaded.plate())
         refuse_taken(folder, names, overwrite=overwrite)
         started, timings = datetime.now(UTC), {}
         clock = time.perf_counter()
@@ -153,6 +158,10 @@ def reproduce(
         mirror, guides = _mirror(loaded, voice, workers, scheduler)
         if mirror:
             timings["mirror and waveguide"] = time.perf_counter() - clock
+        clock = time.perf_counter()
+        plated, shifts = _plate(loaded, voice)
+        if plated:
+            timings["plate"] = time.perf_counter() - clock
         filleted = None
         if paper.is_its_cell(loaded):
             with voice.busy("the paper's cell with a fillet"):
@@ -164,7 +173,11 @@ def reproduce(
             if mirror:
                 write_layers(mirror, folder, overwrite)
             data = tuple(one.dataset for one in swept)
-            results = Results(loaded, result.dataset, data, mirror, guides, filleted, timings, started)
+            if plated:
+                write_plate(plated, folder, overwrite)
+            results = Results(
+                loaded, result.dataset, data, mirror, guides, plated, shifts, filleted, timings, started
+            )
             report = write_report(results, folder / "report.html", overwrite=overwrite)
         voice.tell(gap_table(result))
         for one in swept:
@@ -172,6 +185,18 @@ def reproduce(
         voice.tell(f"report: {report}")
         answer = {"report": str(report), "seconds": timings, "sweeps": [one.to_json() for one in swept]}
         voice.answer({**result.to_json(), **answer})
+
+
+def _plate(loaded: Study, voice: Voice) -> tuple[PlateResult | None, xr.Dataset | None]:
+    """The finite plate, and what moves the mode of its guides if it is the paper's."""
+    if loaded.plate_section is None or loaded.carrier is None:
+        return None, None
+    with voice.counted("plate", 0) as progress:
+        result = loaded.vibrating(on_progress=progress)
+    if not (paper.is_its_cell(loaded) and loaded.plate_section.actuator):
+        return result, None
+    with voice.busy("what moves the mode of the guides"):
+        return result, guide_shifts(loaded, Store.default())
 
 
 for command in (layers, waveguide, plate, design, tolerance, export):

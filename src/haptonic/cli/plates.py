@@ -34,14 +34,14 @@ def plate(
         loaded = load(study)
         frequency = None if at is None else float(to_si(at, "Hz", "--at"))
         folder = folder_for(study, out, json, "plate")
-        files = _files(loaded.plate())
+        files = plate_files(loaded.plate())
         refuse_taken(folder, files, overwrite=overwrite)
         if loaded.plate().rigid:
             voice.warn(f"nothing holds the plate: {loaded.plate().rigid_modes} rigid-body motions are free")
         with voice.counted("shifts", 0) as progress:
             result = loaded.vibrating(at=frequency, on_progress=progress)
         if folder:
-            _write(result, folder, overwrite)
+            write_plate(result, folder, overwrite)
         voice.tell(localisation_table(result))
         voice.tell(power_table(result))
         if result.modes.sizes["mode"]:
@@ -54,12 +54,13 @@ def plate(
         voice.answer(result.to_json())
 
 
-def _files(plate: Plate) -> list[str]:
+def plate_files(plate: Plate) -> list[str]:
+    """Names of all that `write_plate` can write."""
     names = ["plan", "maps", "velocity", "contrast", *(f"impedance-{a.name}" for a in plate.actuators)]
     return ["response.nc", "maps.nc", "plate.nc", "modes.nc", "plate.vtu", "carrier.webp", *pictures(names)]
 
 
-def _write(result: PlateResult, folder: Path, overwrite: bool) -> None:
+def write_plate(result: PlateResult, folder: Path, overwrite: bool) -> None:
     """Data, pictures and the animation of a plate."""
     write_files(
         folder,

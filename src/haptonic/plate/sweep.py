@@ -81,13 +81,17 @@ class Band:
         more = chains(model.assembly, _forces(model), shifts, LENGTH)
         return self._joined(model, self.low, self.high, more, self.reduced.basis)
 
+    def from_zero(self) -> Band:
+        """With all modes below the band as well."""
+        return Band.of(self.reduced.model, 0.0, self.high)
+
     def answer(
         self, drives: Mapping[str, complex], frequencies: Array, tolerance: float
     ) -> tuple[Band, Vibration]:
         """Answer to drives at frequencies, Hz, each line with an error of at most ``tolerance``.
 
         A line of the reduced plate that is not good enough is replaced by the direct answer; if many are
-        not, the basis gets further shifts first.
+        not, the basis gets further shifts first, or all modes below the band if it lacks them.
 
         Returns
         -------
@@ -101,7 +105,9 @@ class Band:
         vibration = band.reduced.answer(drives, omega)
         poor = np.flatnonzero(vibration.error > tolerance)
         if len(poor) > MOST_DIRECT:
-            band = band.refined(_worst(frequencies, vibration.error))
+            # without the modes below it a basis has Ritz values that are no modes
+            whole = band.reduced.basis.complete[0] == 0.0
+            band = band.refined(_worst(frequencies, vibration.error)) if whole else band.from_zero()
             vibration = band.reduced.answer(drives, omega)
             poor = np.flatnonzero(vibration.error > tolerance)
         if len(poor) <= MOST_DIRECT and len(poor):

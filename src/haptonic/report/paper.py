@@ -22,6 +22,7 @@ TRACTION, EXPANSION = 3, 5  # the two modes that it names otherwise
 BRAGG_SPEED, BRAGG_FREQUENCY = 3040.0, 60e3  # m/s, Hz
 ENOUGH_ROWS = 3  # "almost total reflection"; not detailed there
 RESONANCE = 58.8e3  # Hz, of the mode that its waveguides were sized for; Fig. 5
+GUIDE_MODE = "0x17"  # that mode's name
 GUIDE_WIDTH, GUIDE_LENGTH, NODAL_SPACING = 32e-3, 140e-3, 8e-3  # m
 
 # Not the paper's: what quadratic tetrahedra of a size that is common in practice give for its cell, computed

@@ -1,12 +1,13 @@
 """The chapters in their order. Each is a module with ``chapter(results)``."""
 
-from haptonic.report.chapters import comparison, dispersion, mirror, modes, sweeps
+from haptonic.report.chapters import comparison, dispersion, mirror, modes, plate, sweeps
 
 IN_ORDER = (
     dispersion.chapter,
     modes.chapter,
     sweeps.chapter,
     mirror.chapter,
+    plate.chapter,
     comparison.chapter,
 )
 

@@ -10,16 +10,16 @@ import numpy as np
 import xarray as xr
 from numpy.typing import NDArray
 
-from haptonic.plate import Band, Plate, PlateModes, Vibration
+from haptonic.plate import Band, Plate, PlateModel, PlateModes, Vibration
 from haptonic.results.plate.question import reference_of
 from haptonic.results.plate.shapes import nodal_name
 
 Array = NDArray[np.float64]
 
 
-def _by_region(plate: Plate, stored: Mapping[str, Array], band: Band) -> tuple[list[str], Array]:
+def _by_region(plate: Plate, stored: Mapping[str, Array], model: PlateModel) -> tuple[list[str], Array]:
     """Names of regions, lattices and actuators, and (n, names) what is stored in each."""
-    layout, blocks = plate.layout, band.reduced.model.assembly.skeleton.blocks
+    layout, blocks = plate.layout, model.assembly.skeleton.blocks
     names = [layout.at(block.tiles[0]) for block in blocks]
     shares = {
         name: stored["plate"][:, [k for k, other in enumerate(names) if other == name]].sum(axis=1)
@@ -33,7 +33,8 @@ def _by_region(plate: Plate, stored: Mapping[str, Array], band: Band) -> tuple[l
 
 def lines_dataset(plate: Plate, vibration: Vibration, band: Band) -> xr.Dataset:
     """Energies, powers, impedances and errors against frequency."""
-    regions, stored = _by_region(plate, vibration.stored, band)
+    model = band.reduced.model
+    regions, stored = _by_region(plate, vibration.stored, model)
     actuators = [actuator.name for actuator in plate.actuators]
     _, unit = reference_of(plate)
     impedance = np.stack(
@@ -65,7 +66,6 @@ def lines_dataset(plate: Plate, vibration: Vibration, band: Band) -> xr.Dataset:
             "actuator": np.array(actuators, dtype=str),
         },
     )  # fmt: skip
-    model = band.reduced.model
     data.attrs |= {
         "unknowns": model.assembly.size,
         "basis": band.reduced.basis.dimension,
@@ -79,14 +79,9 @@ def modes_dataset(
     plate: Plate, band: Band, found: PlateModes, shapes: Array, points: Array, regions: list[str]
 ) -> xr.Dataset:
     """Modes near the carrier."""
-    names, stored = _by_region(plate, found.stored, band)
+    names, stored = _by_region(plate, found.stored, band.reduced.model)
     losses = list(found.lost)
-    inside = np.array(regions)
-    called = []
-    for k in range(len(found.frequency)):
-        plain_names = [name for name in names if name in plate.layout.regions]
-        best = max(plain_names, key=lambda name: stored[k, names.index(name)], default=None)
-        called.append(nodal_name(_on_grid(points, shapes[:, k], inside == best)) if best else "")
+    called = mode_names(plate, band.reduced.model, found, shapes, points, regions)
     return xr.Dataset(
         {
             "mode_frequency": ("mode", found.frequency, {"units": "Hz"}),
@@ -103,6 +98,23 @@ def modes_dataset(
             "x": ("point", points[:, 0], {"units": "m"}), "y": ("point", points[:, 1], {"units": "m"}),
         },
     )  # fmt: skip
+
+
+def mode_names(
+    plate: Plate, model: PlateModel, found: PlateModes, shapes: Array, points: Array, regions: list[str]
+) -> list[str]:
+    """Nodal lines of each mode in the region of plain plate that holds most of its energy; "" if it has none.
+
+    shapes : (points, modes) normal displacement; regions : of the points
+    """
+    names, stored = _by_region(plate, found.stored, model)
+    inside = np.array(regions)
+    plain = [name for name in names if name in plate.layout.regions]
+    called = []
+    for k in range(len(found.frequency)):
+        best = max(plain, key=lambda name: stored[k, names.index(name)], default=None)
+        called.append(nodal_name(_on_grid(points, shapes[:, k], inside == best)) if best else "")
+    return called
 
 
 def _on_grid(points: Array, values: Array, mask: NDArray[np.bool_]) -> Array:
