@@ -15,7 +15,7 @@ IMAGES = ROOT / "docs" / "images"
 PAGE = ROOT / "docs" / "benchmarks.md"
 NAMES = (
     "diagram_in_a_second", "thousand_times_cheaper", "sweeps_in_twenty_seconds", "estimates_hold", "cost_growth",
-    "mirror_in_thirty_seconds", "plate_in_half_a_minute",
+    "mirror_in_thirty_seconds", "plate_in_half_a_minute", "plate_growth", "rows_keep_it_there",
 )  # fmt: skip
 
 
@@ -232,9 +232,54 @@ True errors in the energy norm, against direct complex answers of the same plate
 """
 
 
+def plate_growth(record: dict[str, Any]) -> str:
+    rows = [
+        [
+            one["pillars"], one["unknowns"], one["basis"], f"{one['seconds']:.0f} s",
+            f"{one['peak_bytes'] / 1e9:.1f} GB", f"{one['largest_bound']:.0e}",
+        ] if "seconds" in one else [
+            one["pillars"], one["unknowns"], "", f"refused after {one['refused_after_s']:.0f} s", one["said"], "",
+        ]
+        for one in record["plates"]
+    ]  # fmt: skip
+    fit = record["exponents"]
+    return f"""## Growth of the finite plate
+
+The prototype's map with fewer and more rows, zero to 100 kHz, {record["lines"]} lines. Fitted exponents against the
+number of pillars: time {fit["seconds"]:.2f}, peak memory {fit["peak_bytes"]:.2f}, vectors {fit["basis"]:.2f}.
+
+{table(["pillars", "unknowns", "vectors", "time", "peak memory", "largest bound"], rows)}
+
+{measured_on(record)}
+"""
+
+
+def rows_between(record: dict[str, Any]) -> str:
+    kept = zip(
+        record["rows"], record["resonance_hz"], record["contrast_db"], record["mirror_db"], record["seconds"],
+        strict=True,
+    )  # fmt: skip
+    rows = [
+        [count, f"{f / 1e3:.2f} kHz", f"{level:.1f} dB", f"{mirror:.1f} dB",
+         f"{count * record['guide_db_per_row']:.1f} dB", f"{seconds:.0f} s"]
+        for count, f, level, mirror, seconds in kept
+    ]  # fmt: skip
+    return f"""## Rows between the guides
+
+The prototype with zero to four rows of its lattice between the guides, its patch in the first of them, at the
+resonance of that guide in the gap: simulated contrast of the first guide over the second, beside what a mirror of
+so many rows holds back of a {record["family"]} wave that meets it head-on (all it turns into counts as let through)
+and what the guide's own mode loses in them.
+
+{table(["rows", "resonance", "contrast", "mirror, head-on", "guide's mode", "time"], rows)}
+
+{measured_on(record)}
+"""
+
+
 def main() -> None:
     records = {name: json.loads((RESULTS / f"{name}.json").read_text("utf-8")) for name in NAMES}
-    writers = (diagram, peer, sweeps, estimates, growth, mirror, plate)
+    writers = (diagram, peer, sweeps, estimates, growth, mirror, plate, plate_growth, rows_between)
     chapters = [writer(records[name]) for name, writer in zip(NAMES, writers, strict=True)]
     head = (
         "# Benchmarks\n\nWritten by `make bench` from the records in `benchmarks/results`. Machines differ and "

@@ -2,6 +2,7 @@
 
 from dataclasses import replace
 from functools import cache
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -11,7 +12,7 @@ from hypothesis import strategies as st
 from small import COARSE, LOSS, PITCH, busy_plate, drawn, glued, plain_plate
 from whole import answered, beds, dynamic, energy, finger_impedance, forms, lossless
 
-from haptonic.errors import GeometryError, HaptonicError
+from haptonic.errors import GeometryError, HaptonicError, ResourceError
 from haptonic.plate.blocks import blocks_of
 from haptonic.plate.direct import Direct
 from haptonic.plate.krylov import Basis, chains
@@ -228,6 +229,17 @@ def test_a_band_of_one_frequency():
 def test_a_tolerance_out_of_reach_is_refused():
     with pytest.raises(HaptonicError, match=r"plate\.response\.tolerance"):
         busy_band().answer(BOTH, LINES[:2], 1e-14)
+
+
+def test_what_does_not_fit_is_refused_before_it_starts(monkeypatch):
+    free = 4e6
+    monkeypatch.setattr("psutil.virtual_memory", lambda: SimpleNamespace(available=free))
+    with pytest.raises(ResourceError, match=r"plate\.response\.highest") as caught:
+        Band.of(busy(), 2e3, 30e3)
+    exact = la.eigh(*lossless(busy()), eigvals_only=True)
+    modes = ((exact > (HZ * 2e3 * 0.94) ** 2) & (exact < (HZ * 30e3 * 1.06) ** 2)).sum()
+    assert f"{modes} modes" in caught.value.parts()["cause"]
+    assert "30 kHz" in str(caught.value)
 
 
 @settings(max_examples=40)

@@ -7,9 +7,10 @@ from dataclasses import dataclass
 from itertools import pairwise
 
 import numpy as np
+import psutil
 from numpy.typing import NDArray
 
-from haptonic.errors import HaptonicError
+from haptonic.errors import HaptonicError, ResourceError
 from haptonic.plate.assembly import Shifted
 from haptonic.plate.direct import Direct
 from haptonic.plate.krylov import Basis, Chain, chains
@@ -25,6 +26,7 @@ BLOCK, LENGTH = 12, 8  # forces at each shift, and blocks of vectors that they g
 LOSSES = 3  # orders to which the answer is expanded in losses other than the plate's
 FEWEST_RANDOM = 4  # of the forces at each shift
 NEAR_ZERO = 1e-3  # share of the highest shift's frequency that the lowest one has at least
+COPIES = 10  # of the basis that the computation holds at its peak, about; measured on the prototype
 WORST = 6  # shifts that a refinement adds
 MOST_DIRECT = 24  # lines that are answered directly rather than by a larger basis
 
@@ -45,11 +47,17 @@ class Band:
         high: float,
         told: Callable[[int, int], None] = lambda done, all: None,
     ) -> Band:
-        """Span a basis for a band; ``told`` is called with the shifts done and all that are planned."""
+        """Span a basis for a band; ``told`` is called with the shifts done and all that are planned.
+
+        Raises
+        ------
+        ResourceError : the basis would need more memory than is free
+        """
         top = high * (1 + BEYOND)
         bottom = max(low * (1 - BEYOND), NEAR_ZERO * top)
         count = int(np.ceil((top - bottom) / SPACING)) + 1
         first = (2 * np.pi * np.linspace(bottom, top, count)) ** 2
+        _check_memory(model, first[0], first[-1], count)
         done: list[None] = []
         planned = [count]
 
@@ -132,6 +140,27 @@ class Band:
         fields = np.hstack([direct.answer(load, float(one)) for one in omega])
         both = np.hstack([np.eye(len(omega)), 1j * np.eye(len(omega))]).T
         return self.reduced.checked(drives, omega, np.hstack([fields.real, fields.imag]), both)
+
+
+def _check_memory(model: PlateModel, low: float, high: float, shifts: int) -> None:
+    """Raise ResourceError if a basis between two shifts, (rad/s)^2, would not fit; counts the modes first."""
+    model.assembly.prepare()
+    top = model.assembly.shifted(high)
+    modes = top.below
+    if low < high:
+        modes -= model.assembly.shifted(low, top.solver).below
+    vectors = BLOCK * LENGTH * int(np.ceil(shifts / 2 + modes / MODES))
+    needed = 8.0 * COPIES * model.assembly.size * vectors
+    free = psutil.virtual_memory().available
+    if needed > free:
+        raise ResourceError(
+            argument="plate.response.highest",
+            given=f"{np.sqrt(high) / (2e3 * np.pi * (1 + BEYOND)):.4g} kHz, for a plate of "
+            f"{model.plate.layout.pillars} pillars and {model.assembly.size} unknowns",
+            allowed=f"what fits into the {free / 1e9:.1f} GB that are free",
+            cause=f"{modes} modes lie in the band; their basis needs about {needed / 1e9:.1f} GB",
+            next_step="ask for a lower highest frequency or a smaller plate, or for a larger machine",
+        )
 
 
 def _forces(model: PlateModel) -> Callable[[Shifted], Array]:
