@@ -1,4 +1,4 @@
-"""Claim: time and memory of a plate grow as a power of its pillars, and what no longer fits is refused before it
+"""Claim: time and memory of a plate grow as a power of its pillars; what no longer fits is refused before it
 starts. The prototype's map with fewer and more rows, from zero to 100 kHz, at a tenth of its lines."""
 
 from __future__ import annotations
