@@ -1,5 +1,5 @@
-"""Claim: three rows of the lattice keep the prototype's vibration in its guide. The same plate with none to four
-between its guides, driven by its patch, at the resonance of the driven guide in the gap."""
+"""Claim: three rows of the lattice keep the prototype's vibration in its guide. The same plate with none to
+four between its guides, driven by its patch, at the resonance of the driven guide in the gap."""
 
 from __future__ import annotations
 

@@ -9,7 +9,11 @@ import pytest
 import xarray as xr
 
 from five_parts import assert_five_parts
+from haptonic.report import Absent, Chapter, Results
+from haptonic.report.chapters.plate import chapter
 from haptonic.response import read
+from haptonic.store import Store
+from haptonic.study import load
 
 PLATE = (
     "[[sweep]]",
@@ -115,3 +119,17 @@ def test_plate_refuses(inside, plated, change, at, argument):
 
 def test_a_study_without_a_plate_says_so(inside, study):
     assert_five_parts(inside("plate", study(CARRIER), "--json"), "plate")
+
+
+def test_the_chapter_of_the_report(plated, monkeypatch, tmp_path):
+    monkeypatch.setenv("HAPTONIC_STORE", str(tmp_path / "store"))
+    study = load(plated())
+    result = study.vibrating(store=Store(tmp_path / "store"))
+    made = chapter(Results(study, xr.Dataset(), plate=result))
+    assert isinstance(made, Chapter)
+    words = " ".join([*made.paragraphs, *made.findings])
+    assert "4 pillars" in words
+    assert "assumed" in words
+    assert all("imulated" in picture.caption or "computed" in picture.caption for picture in made.pictures)
+    assert all("imulated" in table.caption for table in made.tables)
+    assert isinstance(chapter(Results(study, xr.Dataset())), Absent)

@@ -19,7 +19,9 @@ Fields = NDArray[Any]  # real or complex
 
 def applied(matrix: Fields, share: Fields) -> Fields:
     """(m, blocks, k) a matrix (m, n) times the parts (n, blocks, k) of vectors on like blocks."""
-    return np.asarray((matrix @ share.reshape(len(share), -1)).reshape(-1, *share.shape[1:]))
+    blocks, columns = share.shape[1:]
+    flat = matrix @ share.reshape(len(share), blocks * columns)
+    return np.asarray(flat.reshape(len(matrix), blocks, columns))
 
 
 @dataclass(frozen=True, eq=False)
