@@ -17,7 +17,7 @@ from haptonic.errors import ResourceError
 from haptonic.plate import Band, Layout, Plate, PlateModel
 from haptonic.results.plate.question import amplitude_of, drives_of, reference_of
 
-ROWS = (10, 15, 20, 30, 220)
+ROWS = (10, 15, 20, 30, 60, 220)
 POINTS = 101
 
 
