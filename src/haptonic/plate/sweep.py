@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import pairwise
 
 import numpy as np
@@ -15,6 +15,7 @@ from haptonic.plate.assembly import Shifted
 from haptonic.plate.direct import Direct
 from haptonic.plate.krylov import Basis, Chain, chains
 from haptonic.plate.model import PlateModel
+from haptonic.plate.parts import Finger
 from haptonic.plate.vibration import ReducedPlate, Vibration
 
 Array = NDArray[np.float64]
@@ -89,6 +90,13 @@ class Band:
         more = chains(model.assembly, _forces(model), shifts, LENGTH)
         return self._joined(model, self.low, self.high, more, self.reduced.basis)
 
+    def touched(self, finger: Finger | None) -> Band:
+        """With a finger elsewhere, another one or none, on the same basis: it costs no factorisation."""
+        model = self.reduced.model
+        moved = replace(model, plate=replace(model.plate, finger=finger))
+        reduced = ReducedPlate.of(moved, self.reduced.basis, np.pi * (self.low + self.high))
+        return replace(self, reduced=reduced)
+
     def from_zero(self) -> Band:
         """With all modes below the band as well."""
         return Band.of(self.reduced.model, 0.0, self.high)
@@ -143,12 +151,22 @@ class Band:
 
 
 def _check_memory(model: PlateModel, low: float, high: float, shifts: int) -> None:
-    """Raise ResourceError if a basis between two shifts, (rad/s)^2, would not fit; counts the modes first."""
-    model.assembly.prepare()
-    top = model.assembly.shifted(high)
-    modes = top.below
-    if low < high:
-        modes -= model.assembly.shifted(low, top.solver).below
+    """Raise ResourceError if a basis between two shifts, (rad/s)^2, would not fit.
+
+    The modes of the tiles with their rims at rest, which are known, are a lower bound of all modes
+    (Wittrick and Williams 1971, doi 10.1093/qjmam/24.3.263); only if they fit are the modes counted.
+    """
+    assembly = model.assembly
+    if low <= (2 * NEAR_ZERO) ** 2 * high:
+        at_rest = sum(len(g.blocks) * int((g.tile.values < high).sum()) for g in assembly.groups)
+        _check_fit(model, high, shifts, at_rest, "at least ")
+    assembly.prepare()
+    top = assembly.shifted(high)
+    below = assembly.shifted(low, top.solver).below if low < high else top.below
+    _check_fit(model, high, shifts, top.below - below, "")
+
+
+def _check_fit(model: PlateModel, high: float, shifts: int, modes: int, how_sure: str) -> None:
     vectors = BLOCK * LENGTH * int(np.ceil(shifts / 2 + modes / MODES))
     needed = 8.0 * COPIES * model.assembly.size * vectors
     free = psutil.virtual_memory().available
@@ -158,7 +176,8 @@ def _check_memory(model: PlateModel, low: float, high: float, shifts: int) -> No
             given=f"{np.sqrt(high) / (2e3 * np.pi * (1 + BEYOND)):.4g} kHz, for a plate of "
             f"{model.plate.layout.pillars} pillars and {model.assembly.size} unknowns",
             allowed=f"what fits into the {free / 1e9:.1f} GB that are free",
-            cause=f"{modes} modes lie in the band; their basis needs about {needed / 1e9:.1f} GB",
+            cause=f"{how_sure}{modes} modes lie in the band; their basis needs {how_sure or 'about '}"
+            f"{needed / 1e9:.1f} GB",
             next_step="ask for a lower highest frequency or a smaller plate, or for a larger machine",
         )
 
