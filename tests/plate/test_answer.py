@@ -181,6 +181,20 @@ def test_a_finger_moves_without_a_new_basis(finger):
     assert band.reduced.basis is busy_band().reduced.basis
 
 
+def test_a_light_finger_takes_its_share_of_a_mode():
+    """By the power that it takes at the resonance, in the direct solution."""
+    finger = Finger((18e-3, 11e-3), 6e-3, mass=np.inf, stiffness=0.0, damping=2e-2)
+    plate = replace(busy_plate(), finger=finger, loss_factor=1e-4)
+    band = Band.of(replace(busy(), plate=plate), 2e3, 30e3)
+    modes = modes_between(band, 2e3, 30e3)
+    k = int(modes.lost["finger"].argmax())
+    vibration = band.reduced.answer({"F": 1.0}, HZ * modes.frequency[[k]])
+    (taken,) = vibration.dissipated["finger"] / sum(vibration.dissipated.values())
+    assert taken > 0.01
+    assert modes.lost["finger"][k] == pytest.approx(taken, rel=0.05)
+    assert sum(modes.lost.values()) == pytest.approx(1.0)
+
+
 # -- completeness -------------------------------------------------------------------------------------
 
 

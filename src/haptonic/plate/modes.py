@@ -7,6 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from haptonic.plate.model import impedance
 from haptonic.plate.sweep import Band
 from haptonic.plate.tile import applied
 
@@ -17,12 +18,12 @@ RISE = 2.2  # time constants from 10 to 90 % of the final amplitude
 
 @dataclass(frozen=True, eq=False)
 class PlateModes:
-    """Modes in ascending order.
+    """Modes in ascending order, of the plate without the finger's stiffness and inertia.
 
     frequency : (k,) Hz; error : (k,) relative, bound from the residual
-    quality : (k,) quality factors with all losses
+    quality : (k,) quality factors with all losses, to first order; the finger's among them
     stored : by part (k, blocks) shares of the strain energy
-    lost : by part (k,) shares of the loss, "supports" among them
+    lost : by part (k,) shares of the loss, "supports" and "finger" among them
     vectors : (size, k) of the assembly, modal mass 1
     """
 
@@ -58,6 +59,10 @@ def modes_between(band: Band, low: float, high: float) -> PlateModes:
     for bed in model.beds:
         energy = np.einsum("nk,nk->k", vectors[: assembly.free], bed.stiffness @ vectors[: assembly.free])
         loss["supports"] += bed.loss_factor * energy / values
+    loss["finger"] = np.zeros(len(values))
+    if (finger := model.plate.finger) is not None:
+        motion = ((model.pad @ vectors) ** 2).sum(axis=0) / model.pad.shape[0]
+        loss["finger"] = impedance(finger, np.sqrt(values)).imag * motion / values
     total = np.asarray(sum(loss.values()))
     with np.errstate(divide="ignore"):
         quality = 1 / total
