@@ -127,6 +127,8 @@ def test_the_chapter_of_the_report(plated, monkeypatch, tmp_path):
     result = study.vibrating(store=Store(tmp_path / "store"))
     made = chapter(Results(study, xr.Dataset(), plate=result))
     assert isinstance(made, Chapter)
+    for name in ("velocity", "contrast", "impedance-A1"):
+        assert result.figures()[name].axes[0].get_title() == "simulated"
     words = " ".join([*made.paragraphs, *made.findings])
     assert "4 pillars" in words
     assert "assumed" in words

@@ -29,7 +29,9 @@ LOOKS = tuple(
 
 
 @style.drawn
-def contrast_spectrum(frequency: Array, contrast: Mapping[str, Array], gap: Gap) -> Figure:
+def contrast_spectrum(
+    frequency: Array, contrast: Mapping[str, Array], gap: Gap, *, origin: str = ""
+) -> Figure:
     """By how much one region vibrates more than another one, against frequency.
 
     Parameters
@@ -37,19 +39,20 @@ def contrast_spectrum(frequency: Array, contrast: Mapping[str, Array], gap: Gap)
     frequency : (frequency,) Hz
     contrast : label of each curve and its values (frequency,), dB
     gap : edges of the band gap, Hz, or None
+    origin : of the data, "simulated" or "measured", the title
     """
     figure = style.blank(_height(len(contrast)))
     axes = figure.add_subplot()
     handles = _curves(axes, frequency, contrast)
     axes.axhline(0, color=style.INK, lw=0.7, zorder=1, gid="zero")
     axes.set_ylabel("contrast (dB)")
-    _finish(figure, axes, frequency, [*handles, *_shade(axes, frequency, gap)])
+    _finish(figure, axes, frequency, [*handles, *_shade(axes, frequency, gap)], origin)
     return figure
 
 
 @style.drawn
 def velocity_spectrum(
-    frequency: Array, velocity: Mapping[str, Array], gap: Gap, *, units: str = "m/s/V"
+    frequency: Array, velocity: Mapping[str, Array], gap: Gap, *, units: str = "m/s/V", origin: str = ""
 ) -> Figure:
     """Root-mean-square velocity of regions against frequency, on a logarithmic scale.
 
@@ -58,6 +61,7 @@ def velocity_spectrum(
     frequency : (frequency,) Hz
     velocity : name of each region and its values (frequency,), in ``units``; zeros are not drawn
     gap : edges of the band gap, Hz, or None
+    origin : of the data, "simulated" or "measured", the title
     """
     figure = style.blank(_height(len(velocity)))
     axes = figure.add_subplot()
@@ -65,12 +69,12 @@ def velocity_spectrum(
     handles = _curves(axes, frequency, positive)
     axes.set_yscale("log")
     axes.set_ylabel(f"rms normal velocity of the region\n({units})")
-    _finish(figure, axes, frequency, [*handles, *_shade(axes, frequency, gap)])
+    _finish(figure, axes, frequency, [*handles, *_shade(axes, frequency, gap)], origin)
     return figure
 
 
 @style.drawn
-def impedance_spectrum(frequency: Array, impedance: Complex, gap: Gap) -> Figure:
+def impedance_spectrum(frequency: Array, impedance: Complex, gap: Gap, *, origin: str = "") -> Figure:
     """Electrical impedance of an actuator: magnitude above phase.
 
     Parameters
@@ -78,6 +82,7 @@ def impedance_spectrum(frequency: Array, impedance: Complex, gap: Gap) -> Figure
     frequency : (frequency,) Hz, above 0
     impedance : (frequency,) ohm
     gap : edges of the band gap, Hz, or None
+    origin : of the data, "simulated" or "measured", the title
     """
     figure = style.blank(10.5)
     magnitude, phase = figure.subplots(2, 1, sharex=True, height_ratios=(3, 2))
@@ -95,7 +100,7 @@ def impedance_spectrum(frequency: Array, impedance: Complex, gap: Gap) -> Figure
     phase.set_ylim(*((-100, 100) if passive else (-190, 190)))
     phase.set_yticks([-90, -45, 0, 45, 90] if passive else [-180, -90, 0, 90, 180])
     shades = [_shade(axes, frequency, gap) for axes in (magnitude, phase)]
-    _finish(figure, phase, frequency, [*handles, *shades[0]])
+    _finish(figure, phase, frequency, [*handles, *shades[0]], origin)
     return figure
 
 
@@ -122,7 +127,8 @@ def _shade(axes: Axes, frequency: Array, gap: Gap) -> list[Artist]:
     return [shade]
 
 
-def _finish(figure: Figure, axes: Axes, frequency: Array, handles: list[Artist]) -> None:
+def _finish(figure: Figure, axes: Axes, frequency: Array, handles: list[Artist], origin: str) -> None:
+    figure.axes[0].set_title(origin)
     axes.set_xlabel("frequency (kHz)")
     axes.set_xlim(frequency[0] / 1e3, frequency[-1] / 1e3)
     figure.legend(handles=handles, loc="outside lower center", ncols=2)

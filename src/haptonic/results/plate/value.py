@@ -71,21 +71,27 @@ class PlateResult:
     def figures(self) -> dict[str, Figure]:
         """All pictures but the animation, by name."""
         frequency, gap = self.response.frequency, self._gap_edges
-        layout = self.plate.layout
+        layout, origin = self.plate.layout, str(self.response.dataset.attrs["origin"])
         found = {
             "plan": plots.plate_plan(self.plate),
             "maps": plots.maps(self.marked, self.marked.frequency.tolist(), layout, gap),
             "velocity": plots.velocity_spectrum(
-                frequency, {k: v.values for k, v in self.levels.items()}, gap, units=self.response.units
+                frequency,
+                {k: v.values for k, v in self.levels.items()},
+                gap,
+                units=self.response.units,
+                origin=origin,
             ),
         }
         if contrasts := self.contrasts(self.response):
             curves = {name: level.values for name, level in contrasts.items()}
-            found["contrast"] = plots.contrast_spectrum(frequency, curves, gap)
+            found["contrast"] = plots.contrast_spectrum(frequency, curves, gap, origin=origin)
         for actuator in self.plate.actuators:
             impedance = self.impedance(actuator.name)
             lines = self.lines["frequency"].values
-            found[f"impedance-{actuator.name}"] = plots.impedance_spectrum(lines, impedance, gap)
+            found[f"impedance-{actuator.name}"] = plots.impedance_spectrum(
+                lines, impedance, gap, origin=origin
+            )
         return found
 
     @property
