@@ -206,8 +206,9 @@ class TestChaptersLeftOut:
         assert "pitch 7 mm; plate 1.5 mm" in made.text
 
     def test_every_chapter_is_a_chapter_or_says_why_not(self):
+        left_out = [one.title for one in (c(mirrored()) for c in IN_ORDER) if isinstance(one, Absent)]
+        assert left_out == ["Plate"], "no finite plate was computed for these results"
         for chapter in IN_ORDER:
-            assert isinstance(chapter(mirrored()), Chapter)
             made = chapter(results(study=study_with(sweep=()), sweeps=()))
             assert isinstance(made, Chapter | Absent)
 

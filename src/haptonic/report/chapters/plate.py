@@ -23,7 +23,7 @@ def chapter(results: Results) -> Chapter | Absent:
         return Absent(TITLE, "it was not computed in this run")
     figures = result.figures()
     captions = {
-        "plan": "The plate as it was computed.",
+        "plan": "Simulated plate: its pillars, regions, actuators and supports.",
         "maps": "Simulated normal velocity of the flat face, each map scaled to its largest point. The paper "
         "(Fig. 5C) shows the driven waveguide alone in the gap, and the whole plate below and above it.",
         "contrast": "Simulated contrast of the driven region.",
