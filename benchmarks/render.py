@@ -268,7 +268,7 @@ def rows_between(record: dict[str, Any]) -> str:
 
 The prototype with zero to four rows of its lattice between the guides, its patch in the first of them, at the
 resonance of that guide in the gap: simulated contrast of the first guide over the second, beside what a mirror of
-so many rows holds back of a {record["family"]} wave that meets it head-on (all it turns into counts as let through)
+so many rows holds back of {record["family"]} waves that meet it head-on (all they turn into counts as let through)
 and what the guide's own mode loses in them.
 
 {table(["rows", "resonance", "contrast", "mirror, head-on", "guide's mode", "time"], rows)}
