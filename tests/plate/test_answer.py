@@ -20,7 +20,7 @@ from haptonic.plate.model import PlateModel, impedance, sunflower
 from haptonic.plate.modes import modes_between
 from haptonic.plate.parts import Finger, Force, Plate, Support
 from haptonic.plate.skeleton import Block
-from haptonic.plate.sweep import Band, _forces
+from haptonic.plate.sweep import MOST_DIRECT, Band, _forces
 from haptonic.plate.vibration import ReducedPlate, amplification
 
 HZ = 2 * np.pi
@@ -161,9 +161,9 @@ def test_modes_have_the_quality_of_the_complex_eigenvalues():
     assert sum(part.sum(1) for part in modes.stored.values()) + held == pytest.approx(1.0)
 
 
-def cut_chains(count, kept):
+def cut_chains(count, kept, low=2e3):
     """Chains of which only the first vectors are there."""
-    shifts = (HZ * np.linspace(2e3, 32e3, count)) ** 2
+    shifts = (HZ * np.linspace(low, 32e3, count)) ** 2
     found = chains(busy().assembly, _forces(busy()), shifts.tolist(), 2)
     return [replace(chain, vectors=chain.vectors[:, :kept]) for chain in found]
 
@@ -245,6 +245,17 @@ def test_a_count_of_ritz_values_is_not_convergence_but_the_bound_stays_of_the_ri
     assert error.max() > 0.3
     assert (error < 5 * bad.error).all()
     assert (bad.error[error > 0.3] > 0.1).all()
+
+
+def test_a_poor_band_that_starts_high_is_begun_anew_from_zero():
+    lines = np.linspace(20e3, 30e3, 40)
+    poor = Band._joined(busy(), 20e3, 30e3, cut_chains(2, 3, 19e3))
+    assert poor.reduced.basis.complete[0] > 0.0
+    assert (poor.reduced.answer(BOTH, HZ * lines).error > 1e-2).sum() > MOST_DIRECT
+    band, vibration = poor.answer(BOTH, lines, 1e-2)
+    assert band.reduced.basis.complete[0] == 0.0
+    assert min(band.reduced.basis.below) < (HZ * 100.0) ** 2
+    assert (true_error(busy(), band, vibration) < vibration.error).all()
 
 
 def test_a_band_of_one_frequency():

@@ -122,7 +122,8 @@ class Band:
         poor = np.flatnonzero(vibration.error > tolerance)
         if len(poor) > MOST_DIRECT:
             # without the modes below it a basis has Ritz values that are no modes
-            whole = band.reduced.basis.complete[0] == 0.0
+            basis = band.reduced.basis
+            whole = basis.complete[0] == 0.0 or _from_zero(min(basis.below), max(basis.below))
             band = band.refined(_worst(frequencies, vibration.error)) if whole else band.from_zero()
             vibration = band.reduced.answer(drives, omega)
             poor = np.flatnonzero(vibration.error > tolerance)
@@ -150,6 +151,11 @@ class Band:
         return self.reduced.checked(drives, omega, np.hstack([fields.real, fields.imag]), both)
 
 
+def _from_zero(low: float, high: float) -> bool:
+    """Whether shifts, (rad/s)^2, begin as low as they ever do."""
+    return low <= (2 * NEAR_ZERO) ** 2 * high
+
+
 def _check_memory(model: PlateModel, low: float, high: float, shifts: int) -> None:
     """Raise ResourceError if a basis between two shifts, (rad/s)^2, would not fit.
 
@@ -157,7 +163,7 @@ def _check_memory(model: PlateModel, low: float, high: float, shifts: int) -> No
     (Wittrick and Williams 1971, doi 10.1093/qjmam/24.3.263); only if they fit are the modes counted.
     """
     assembly = model.assembly
-    if low <= (2 * NEAR_ZERO) ** 2 * high:
+    if _from_zero(low, high):
         at_rest = sum(len(g.blocks) * int((g.tile.values < high).sum()) for g in assembly.groups)
         _check_fit(model, high, shifts, at_rest, "at least ")
     assembly.prepare()
