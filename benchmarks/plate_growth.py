@@ -15,7 +15,7 @@ from record import STUDY, peak_memory, write
 import haptonic
 from haptonic.errors import ResourceError
 from haptonic.plate import Band, Layout, Plate, PlateModel
-from haptonic.results.plate.question import amplitude_of, drives_of, reference_of
+from haptonic.results.plate.question import unit_drives
 
 ROWS = (10, 15, 20, 30, 60, 220)
 POINTS = 101
@@ -41,9 +41,7 @@ def measured(rows: int) -> dict[str, object]:
         band = Band.of(model, 100.0, 1e5)
     except ResourceError as error:
         return {**found, "refused_after_s": time.perf_counter() - start, "said": error.parts()["cause"]}
-    _, unit = reference_of(plate)
-    drives = {drive.name: amplitude_of(drive) / unit for drive in drives_of(plate)}
-    answer = band.reduced.answer(drives, 2 * np.pi * np.linspace(100.0, 1e5, POINTS))
+    answer = band.reduced.answer(unit_drives(plate), 2 * np.pi * np.linspace(100.0, 1e5, POINTS))
     return {
         **found,
         "basis": band.reduced.basis.dimension,

@@ -12,7 +12,7 @@ import haptonic
 from haptonic.plate import Band, PlateModel
 from haptonic.plate.damping import real_times
 from haptonic.plate.direct import Direct
-from haptonic.results.plate.question import amplitude_of, drives_of, grid_points, reference_of
+from haptonic.results.plate.question import grid_points, unit_drives
 
 STEPS = ("tiles", "basis", "lines and their check", "grid")
 CHECKED = (5e3, 20e3, 48e3, 57e3, 75e3, 98e3)  # Hz, lines that are compared with the direct answer
@@ -24,8 +24,7 @@ def main() -> None:
     assert section is not None
     asked = section.response
     lines = np.linspace(asked.lowest, asked.highest, asked.points)
-    _, unit = reference_of(plate)
-    drives = {drive.name: amplitude_of(drive) / unit for drive in drives_of(plate)}
+    drives = unit_drives(plate)
     marks = [time.perf_counter()]
     model = PlateModel.of(plate, asked.highest)
     marks.append(time.perf_counter())

@@ -19,11 +19,11 @@ from haptonic.results.common import stamped
 from haptonic.results.plate.datasets import body_dataset, lines_dataset, modes_dataset
 from haptonic.results.plate.question import (
     PlateQuestion,
-    amplitude_of,
     drives_of,
     grid_points,
     reference_of,
     resonance_of,
+    unit_drives,
 )
 from haptonic.results.plate.value import PlateResult
 from haptonic.store import Store, content_key
@@ -103,12 +103,11 @@ def _computed(
     model = PlateModel.of(plate, high, fineness)
     band = Band.of(model, low, high, lambda done, planned: told(done, planned, False))
     found = modes_between(band, max(low, (1 - NEAR) * carrier), min(high, (1 + NEAR) * carrier))
-    reference, unit = reference_of(plate)
-    drives = {drive.name: amplitude_of(drive) / unit for drive in drives_of(plate)}
+    reference, _ = reference_of(plate)
     aside = [carrier] if gap is None else [BELOW * gap[0], ABOVE * gap[1], *found.frequency]
     extra = [f for f in aside if low <= f <= high]
     every = np.union1d(question.frequencies, extra)
-    band, vibration = band.answer(drives, every, question.tolerance)
+    band, vibration = band.answer(unit_drives(plate), every, question.tolerance)
     points, regions = grid_points(plate, question.grid)
     surface = model.displaced(points, vibration.vectors)
     velocity = real_times(surface, vibration.amplitudes) * (1j * vibration.omega)

@@ -54,6 +54,12 @@ def reference_of(plate: Plate) -> tuple[str, float]:
     return f"{first.name}, {'V' if isinstance(first, Actuator) else 'N'}", abs(amplitude_of(first))
 
 
+def unit_drives(plate: Plate) -> dict[str, complex]:
+    """Complex amplitudes of all drives by name, for a unit of the first that drives the plate."""
+    _, unit = reference_of(plate)
+    return {drive.name: amplitude_of(drive) / unit for drive in drives_of(plate)}
+
+
 def grid_points(plate: Plate, spacing: float) -> tuple[Array, list[str]]:
     """Points (k, 2) of the flat face on a grid of squares, at the middle of each, m, and their regions.
 

@@ -14,7 +14,7 @@ from haptonic.plate import Band, Fineness, Layout, Plate, PlateModel, modes_betw
 from haptonic.plate.damping import real_times
 from haptonic.response import FrequencyResponse, contrast, rms
 from haptonic.results.plate.datasets import mode_names
-from haptonic.results.plate.question import amplitude_of, drives_of, grid_points, reference_of
+from haptonic.results.plate.question import grid_points, reference_of, unit_drives
 from haptonic.store import Store, content_key
 
 Array = NDArray[np.float64]
@@ -81,9 +81,8 @@ def resonance(plate: Plate, look: Look, over: str, under: str) -> tuple[float, f
     """Frequency, Hz, at which a region moves most, and its contrast over another one there, dB."""
     model = PlateModel.of(plate, look.high)
     lines = np.arange(look.low, look.high + LINE / 2, LINE)
-    reference, unit = reference_of(plate)
-    drives = {drive.name: amplitude_of(drive) / unit for drive in drives_of(plate)}
-    _, vibration = Band.of(model, 0.0, look.high).answer(drives, lines, look.tolerance)
+    reference, _ = reference_of(plate)
+    _, vibration = Band.of(model, 0.0, look.high).answer(unit_drives(plate), lines, look.tolerance)
     points, regions = grid_points(plate, look.grid)
     seen = real_times(model.displaced(points, vibration.vectors), vibration.amplitudes)
     response = FrequencyResponse.of(
