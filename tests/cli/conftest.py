@@ -49,6 +49,40 @@ to = 0.6
 steps = 3
 """
 
+PLATE = (
+    "[[sweep]]",
+    """
+[plate]
+map = \"\"\"
+o11o
+\"\"\"
+rows = 2
+loss_factor = 5e-3
+
+[plate.tiles]
+o = "lattice"
+1 = "WG"
+
+[plate.clamp]
+corners = "5 mm"
+
+[[plate.actuator]]
+name = "A1"
+region = "WG"
+centre = ["7 mm", "7 mm"]
+size = ["6 mm", "5 mm", "0.5 mm"]
+material = "pzt-4"
+voltage = "10 V"
+
+[plate.response]
+lowest = "2 kHz"
+highest = "20 kHz"
+points = 19
+
+[[sweep]]""",
+)
+LOW_CARRIER = ('carrier = "60 kHz"', 'carrier = "10 kHz"')
+
 
 @dataclass(frozen=True)
 class Ran:
@@ -120,3 +154,9 @@ def study(tmp_path: Path) -> Callable[[str], Path]:
         return path
 
     return write
+
+
+@pytest.fixture
+def plated(study: Callable[..., Path]) -> Callable[..., Path]:
+    """Write a study with a small plate at a low carrier, with pieces of text replaced."""
+    return lambda *changes: study(LOW_CARRIER, PLATE, *changes)

@@ -15,49 +15,11 @@ from haptonic.response import read
 from haptonic.store import Store
 from haptonic.study import load
 
-PLATE = (
-    "[[sweep]]",
-    """
-[plate]
-map = \"\"\"
-o11o
-\"\"\"
-rows = 2
-loss_factor = 5e-3
-
-[plate.tiles]
-o = "lattice"
-1 = "WG"
-
-[plate.clamp]
-corners = "5 mm"
-
-[[plate.actuator]]
-name = "A1"
-region = "WG"
-centre = ["7 mm", "7 mm"]
-size = ["6 mm", "5 mm", "0.5 mm"]
-material = "pzt-4"
-voltage = "10 V"
-
-[plate.response]
-lowest = "2 kHz"
-highest = "20 kHz"
-points = 19
-
-[[sweep]]""",
-)
-CARRIER = ('carrier = "60 kHz"', 'carrier = "10 kHz"')
 PICTURES = ("plan", "maps", "velocity", "contrast", "impedance-A1")
 FILES = {
     "response.nc", "maps.nc", "plate.nc", "modes.nc", "plate.vtu", "carrier.webp",
     *(f"{name}.{kind}" for name in PICTURES for kind in ("svg", "png")),
 }  # fmt: skip
-
-
-@pytest.fixture
-def plated(study):
-    return lambda *changes: study(CARRIER, PLATE, *changes)
 
 
 def test_plate_writes_its_files_and_tables(haptonic, inside, plated, tmp_path):
@@ -118,7 +80,7 @@ def test_plate_refuses(inside, plated, change, at, argument):
 
 
 def test_a_study_without_a_plate_says_so(inside, study):
-    assert_five_parts(inside("plate", study(CARRIER), "--json"), "plate")
+    assert_five_parts(inside("plate", study(), "--json"), "plate")
 
 
 def test_the_chapter_of_the_report(plated, monkeypatch, tmp_path):

@@ -15,6 +15,7 @@ from haptonic import __version__, plots
 from haptonic.cli.console import Voice, speaking
 from haptonic.cli.designing import design, export, tolerance
 from haptonic.cli.doctor import examined
+from haptonic.cli.feeling import feel
 from haptonic.cli.mirrors import LAYER_FILES, layers, waveguide, write_layers
 from haptonic.cli.options import (
     KEPT,
@@ -199,7 +200,7 @@ def _plate(loaded: Study, voice: Voice) -> tuple[PlateResult | None, xr.Dataset 
         return result, guide_shifts(loaded, Store.default())
 
 
-for command in (layers, waveguide, plate, design, tolerance, export):
+for command in (layers, waveguide, plate, feel, design, tolerance, export):
     app.command()(command)
 
 

@@ -173,16 +173,26 @@ class Basis:
         return np.asarray(self.raw @ self.turn[:, which])
 
     @cached_property
+    def _counted(self) -> list[tuple[float, float, bool]]:
+        """Intervals between neighbouring shifts, and whether as many Ritz values lie there as modes."""
+        ends = sorted(self.below.items())
+        if ends and (self.values < ends[0][0]).sum() == ends[0][1]:
+            ends = [(0.0, 0), *ends]
+        return [
+            (low, high, int(((self.values >= low) & (self.values < high)).sum()) == other - one)
+            for (low, one), (high, other) in pairwise(ends)
+        ]
+
+    @property
+    def incomplete(self) -> list[tuple[float, float]]:
+        """Intervals between shifts, (rad/s)^2, in which modes are missing, or Ritz values are no modes."""
+        return [(low, high) for low, high, whole in self._counted if not whole]
+
+    @cached_property
     def complete(self) -> tuple[float, float]:
         """The widest interval, (rad/s)^2, in which as many Ritz values lie as there are modes."""
-        ends = sorted(self.below.items())
-        if not ends:
-            return (0.0, 0.0)
-        low, below_low = ends[0]
-        start = 0.0 if (self.values < low).sum() == below_low else low
-        best = run = (start, low)
-        for (low, below_low), (high, below_high) in pairwise(ends):
-            found = int(((self.values >= low) & (self.values < high)).sum())
-            run = (run[0], high) if found == below_high - below_low else (high, high)
+        best = run = (0.0, 0.0)
+        for low, high, whole in self._counted:
+            run = (run[0] if run[1] == low else low, high) if whole else (high, high)
             best = max(best, run, key=lambda one: one[1] - one[0])
         return best

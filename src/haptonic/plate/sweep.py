@@ -22,6 +22,8 @@ Array = NDArray[np.float64]
 
 SPACING = 8e3  # Hz between neighbouring shifts, at most
 MODES = 85  # between neighbouring shifts, about, at most
+CROWDED = 2.5  # times as many, from which on they are parted again: modes crowd where a band begins
+ROUNDS = 3  # of parting them, and of adding shifts where modes are still missing
 BEYOND = 0.06  # share of the highest frequency by which shifts go beyond the band
 BLOCK, LENGTH = 12, 8  # forces at each shift, and blocks of vectors that they give
 LOSSES = 3  # orders to which the answer is expanded in losses other than the plate's
@@ -67,14 +69,16 @@ class Band:
             told(len(done), planned[0])
 
         found = chains(model.assembly, _forces(model), first.tolist(), LENGTH, tell)
-        between = []
-        for one, other in pairwise(found):
-            parts = int(np.ceil((other.below - one.below) / MODES))
-            roots = np.sqrt([one.shift, other.shift])
-            between += [float(np.interp(k / parts, [0, 1], roots)) ** 2 for k in range(1, parts)]
-        planned[0] += len(between)
-        found += chains(model.assembly, _forces(model), between, LENGTH, tell)
-        return cls._joined(model, low, high, found)
+        for crowd in [1.0, *[CROWDED] * ROUNDS]:
+            between = _between(found, crowd * MODES)
+            planned[0] += len(between)
+            found += chains(model.assembly, _forces(model), between, LENGTH, tell)
+        band = cls._joined(model, low, high, found)
+        for _ in range(ROUNDS if _from_zero(first[0], first[-1]) else 0):
+            if not (gaps := band.reduced.basis.incomplete):
+                break
+            band = band.refined(np.sqrt(np.mean(gaps, axis=1)) / (2 * np.pi))
+        return band
 
     @classmethod
     def _joined(
@@ -149,6 +153,17 @@ class Band:
         fields = np.hstack([direct.answer(load, float(one)) for one in omega])
         both = np.hstack([np.eye(len(omega)), 1j * np.eye(len(omega))]).T
         return self.reduced.checked(drives, omega, np.hstack([fields.real, fields.imag]), both)
+
+
+def _between(found: list[Chain], most: float) -> list[float]:
+    """Shifts, (rad/s)^2, that part neighbours with more modes than that between them, evenly in frequency."""
+    shifts = []
+    for one, other in pairwise(sorted(found, key=lambda chain: chain.shift)):
+        if (modes := other.below - one.below) > most:
+            parts = int(np.ceil(modes / MODES))
+            roots = np.sqrt([one.shift, other.shift])
+            shifts += [float(np.interp(k / parts, [0, 1], roots)) ** 2 for k in range(1, parts)]
+    return shifts
 
 
 def _from_zero(low: float, high: float) -> bool:

@@ -2,6 +2,7 @@
 
 from haptonic.plots.bands import dispersion
 from haptonic.plots.designs import front, search
+from haptonic.plots.feel import friction_map, reduction_curve
 from haptonic.plots.mirrors import decay, guide, layers
 from haptonic.plots.modes import mode_shapes
 from haptonic.plots.plates import animated, maps, plate_plan
@@ -17,6 +18,7 @@ __all__ = [
     "decay",
     "density_of_states",
     "dispersion",
+    "friction_map",
     "front",
     "guide",
     "impedance_spectrum",
@@ -25,6 +27,7 @@ __all__ = [
     "maps",
     "mode_shapes",
     "plate_plan",
+    "reduction_curve",
     "save",
     "search",
     "sweep",

@@ -154,11 +154,17 @@ def _normal_shape(line: FrequencyResponse) -> Complex:
 def _draw_map(axes: Axes, line: FrequencyResponse, layout: Layout) -> AxesImage:
     """The vibration at one frequency when its largest point is farthest out, and the regions around it."""
     grid = line.grid()
-    ends = [_ends(1e3 * grid[name].values) for name in ("x", "y")]
+    sides = [ends(1e3 * grid[name].values) for name in ("x", "y")]
     image = axes.imshow(
         _normal_shape(line).real, cmap=style.diverging(), norm=Normalize(-1, 1), origin="lower",
-        extent=(*ends[0], *ends[1]), interpolation="nearest", gid="map",
+        extent=(*sides[0], *sides[1]), interpolation="nearest", gid="map",
     )  # fmt: skip
+    outlined(axes, layout)
+    return image
+
+
+def outlined(axes: Axes, layout: Layout) -> None:
+    """Set axes to a plate's size, in mm, and outline its regions with their names."""
     axes.set_facecolor(style.BEYOND)
     axes.set(xlim=(1e3 * layout.x[0], 1e3 * layout.x[-1]), ylim=(1e3 * layout.y[0], 1e3 * layout.y[-1]))
     axes.set_xlabel("x (mm)")
@@ -172,10 +178,9 @@ def _draw_map(axes: Axes, line: FrequencyResponse, layout: Layout) -> AxesImage:
             name, (1e3 * x, 1e3 * top), xytext=(0, -4), textcoords="offset points",
             ha="center", va="top", fontsize=8.5, gid="region name", path_effects=HALO,
         )  # fmt: skip
-    return image
 
 
-def _ends(middles: Array) -> tuple[float, float]:
+def ends(middles: Array) -> tuple[float, float]:
     """Where a row of pictured points begins and ends: half a step beyond the outer ones."""
     step = middles[1] - middles[0] if len(middles) > 1 else 1.0
     return float(middles[0] - 0.5 * step), float(middles[-1] + 0.5 * step)

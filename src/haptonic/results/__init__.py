@@ -3,6 +3,7 @@
 from haptonic.results.bands import Bands, compute_bands, gap_json
 from haptonic.results.common import Asked, refuse_taken, write_files, write_netcdf
 from haptonic.results.design import Design, compute_design, compute_front, planned
+from haptonic.results.feel import Feel, Pad, compute_loaded
 from haptonic.results.guides import Guides, compute_guides
 from haptonic.results.layers import Layers, compute_layers, layer_tasks
 from haptonic.results.plate import PlateQuestion, PlateResult, compute_plate
@@ -14,8 +15,10 @@ __all__ = [
     "Asked",
     "Bands",
     "Design",
+    "Feel",
     "Guides",
     "Layers",
+    "Pad",
     "PlateQuestion",
     "PlateResult",
     "Row",
@@ -27,6 +30,7 @@ __all__ = [
     "compute_front",
     "compute_guides",
     "compute_layers",
+    "compute_loaded",
     "compute_plate",
     "compute_sweeps",
     "compute_tolerance",

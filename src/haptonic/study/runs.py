@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import replace
 
 import xarray as xr
 from pydantic import ValidationError
@@ -13,14 +12,11 @@ from haptonic.bloch.mirrors import Incidence
 from haptonic.design.brief import Brief
 from haptonic.errors import StudyError
 from haptonic.materials import IsotropicMaterial
-from haptonic.plate import Fineness
 from haptonic.results import (
     Bands,
     Design,
     Guides,
     Layers,
-    PlateQuestion,
-    PlateResult,
     Row,
     Runner,
     Sweep,
@@ -30,23 +26,21 @@ from haptonic.results import (
     compute_front,
     compute_guides,
     compute_layers,
-    compute_plate,
     compute_sweeps,
     compute_tolerance,
 )
-from haptonic.results.carrier import gap_around
 from haptonic.results.common import stamped
 from haptonic.results.layers import Question
 from haptonic.results.tolerance import BATCH
 from haptonic.store import Store
+from haptonic.study.plate_runs import PlateStudy
 from haptonic.study.quantity import SI_NUMBERS
-from haptonic.study.schema import Description
 from haptonic.units import format_quantity, shown
 
 LOWEST, HIGHEST = 0.6, 1.4  # of the carrier: ends of a mirror's spectrum where the study gives none
 
 
-class Study(Description):
+class Study(PlateStudy):
     """What a study file describes, and all that can be computed from it.
 
     It is read by `haptonic.study.load`. Each method gives a result that holds all of the answer.
@@ -298,55 +292,6 @@ class Study(Description):
         )
         return found
 
-    def fineness(self) -> Fineness | None:
-        """Of the finite plate's mesh, if [mesh] says one."""
-        order, rings = self.mesh.order, self.mesh.foot_rings
-        if order is None:
-            return None
-        usual = Fineness()
-        rings = usual.rings if rings is None else rings
-        return Fineness(min(order, usual.along), usual.through, cell=order, rings=rings, plain=order)
-
-    def vibrating(
-        self,
-        *,
-        at: float | None = None,
-        store: Store | None = None,
-        on_progress: Callable[[int, int, bool], None] = lambda done, planned, stored: None,
-    ) -> PlateResult:
-        """How the finite plate answers its drives over the band of [plate.response].
-
-        Parameters
-        ----------
-        at : a single frequency instead, Hz; the gap is then not looked for
-
-        Raises
-        ------
-        StudyError : no [plate], no carrier, or nothing that drives the plate
-        """
-        plate = self.plate()
-        section = self.plate_section
-        assert section is not None
-        carrier = self.need_carrier() if at is None else at
-        asked = section.response
-        question = PlateQuestion(asked.lowest, asked.highest, asked.points, asked.tolerance, asked.grid)
-        if at is not None:
-            question = replace(question, lowest=at, highest=at, points=1)
-        store = store or Store.default()
-        gap = None
-        if at is None and (cells := list(plate.layout.cells.values())):
-            gap = gap_around(cells[0], self.asked(), carrier, Runner(store))
-        return compute_plate(
-            plate,
-            question,
-            carrier=carrier,
-            gap=gap if gap is not None and gap.lower < carrier < gap.upper else None,
-            inputs=self.inputs(),
-            store=store,
-            fineness=self.fineness(),
-            told=on_progress,
-        )
-
     def gap_with(self, values: Mapping[str, float], runner: Runner | None = None) -> Gap | None:
         """The widest complete gap with some parameters (SI, by path) changed."""
         found = (runner or Runner(Store.default())).gaps(
@@ -357,15 +302,3 @@ class Study(Description):
     def tolerance_tasks(self) -> int:
         """How many tasks `toleranced` has."""
         return -(-self.tolerance.samples // BATCH) + 2
-
-    def need_carrier(self) -> float:
-        """The carrier, Hz; raises StudyError if the study does not give it."""
-        if self.carrier is None:
-            raise StudyError(
-                argument="carrier",
-                given="nothing",
-                allowed="the frequency of the drive",
-                cause="the study does not say which frequency the gap has to hold",
-                next_step='add carrier = "60 kHz" at the top of the study',
-            )
-        return self.carrier

@@ -35,11 +35,13 @@ from haptonic.study.plating import built_in, plate_of
 from haptonic.study.problems import study_error
 from haptonic.study.quantity import SI_NUMBERS, Quantity, collected, problem
 from haptonic.study.sections import BandsSection, CellSection, MaterialSection, MeshSection, Section
+from haptonic.study.touch_tables import TouchSection
 from haptonic.study.vary import Expression, check_names, parse, solve
 from haptonic.study.writing import toml_of
 from haptonic.units import format_quantity, to_si
 
 MOST_SWEEPS = 50
+AFTERWARDS = {"touch"}  # sections that ask for something of results, and decide none of bands and plates
 OF_A_CELL = {"carrier", "material", "cell", "bands"}  # sections whose numbers an expression can name
 
 
@@ -147,6 +149,7 @@ class Description(Section):
     plate_section: PlateSection | None = Field(
         None, alias="plate", title="Plate", description="A finite one, made of cells and of plain plate."
     )
+    touch: TouchSection = Field(TouchSection(), title="Touch", description="The finger that feels the plate.")
     sweep: tuple[SweepSection, ...] = Field(
         (), title="Sweeps", description="Rows of designs to compare.", max_length=MOST_SWEEPS
     )
@@ -326,7 +329,7 @@ class Description(Section):
         The title is left out because it decides nothing; a built-in material is given by its constants, so
         that a correction in the library changes the key.
         """
-        data = self.model_dump(mode="json", by_alias=True, exclude={"title", "material"})
+        data = self.model_dump(mode="json", by_alias=True, exclude={"title", "material"} | AFTERWARDS)
         if self.plate_section is None:
             del data["plate"]
         else:

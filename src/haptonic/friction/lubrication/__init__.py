@@ -1,6 +1,6 @@
 """From vibration to friction: a squeezed film or intermittent contact, and a band of both."""
 
-from haptonic.friction.lubrication.parameters import Finger, Parameter, Touch
+from haptonic.friction.lubrication.parameters import FORCES, SPEEDS, Finger, Parameter, Touch
 from haptonic.friction.lubrication.perception import (
     CUE_THRESHOLD,
     WEBER_FRACTION,
@@ -21,6 +21,8 @@ from haptonic.friction.lubrication.slider import intermittent_friction, slider_f
 
 __all__ = [
     "CUE_THRESHOLD",
+    "FORCES",
+    "SPEEDS",
     "WEBER_FRACTION",
     "Finger",
     "Margin",

@@ -183,13 +183,17 @@ class Finger:
         }
 
 
+FORCES = (0.01, 20.0)  # N, and
+SPEEDS = (1e-3, 2.0)  # m/s: what a finger does
+
+
 @dataclass(frozen=True)
 class Touch:
     """How the finger touches the vibrating plate.
 
     frequency : of the vibration, Hz
-    force : normal force, N; between 0.01 and 20
-    speed : of the sliding, m/s
+    force : normal force, N; within `FORCES`
+    speed : of the sliding, m/s; within `SPEEDS`
     """
 
     frequency: float
@@ -199,8 +203,8 @@ class Touch:
     def __post_init__(self) -> None:
         limits: Mapping[str, tuple[float, float, str]] = {
             "frequency": (1e3, 1e6, "Hz"),
-            "force": (0.01, 20.0, "N"),
-            "speed": (1e-3, 2.0, "m/s"),
+            "force": (*FORCES, "N"),
+            "speed": (*SPEEDS, "m/s"),
         }
         for name, (low, high, unit) in limits.items():
             value = getattr(self, name)

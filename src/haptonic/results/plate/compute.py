@@ -18,9 +18,12 @@ from haptonic.response import FrequencyResponse, from_plain, plain
 from haptonic.results.common import stamped
 from haptonic.results.plate.datasets import body_dataset, lines_dataset, modes_dataset
 from haptonic.results.plate.question import (
+    NEAR,
     PlateQuestion,
-    drives_of,
+    driven_region,
     grid_points,
+    loudest_within,
+    points_of,
     reference_of,
     resonance_of,
     unit_drives,
@@ -31,7 +34,6 @@ from haptonic.store import Store, content_key
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 
-NEAR = 0.06  # share of the carrier around it within which modes are listed
 BELOW, ABOVE = 0.76, 1.25  # of the gap's edges, where the maps below and above it are taken
 
 
@@ -141,20 +143,12 @@ def _marked(
     """Lines of the maps: below, in and above the gap; in it where the driven region resonates most."""
     if gap is None:
         return np.array([int(np.abs(every - carrier).argmin())])
-    inside = np.flatnonzero((every > gap[0]) & (every < gap[1]))
-    layout = plate.layout
-    first = drives_of(plate)[0]
-    driven = layout.at(layout.under((*first.centre, *first.centre))[0])
-    there = np.array([name == driven for name in regions])
-    if not there.any():
-        there[:] = True
+    there = points_of(regions, driven_region(plate))
     found = []
     if every[0] <= BELOW * gap[0]:
         found.append(int(np.abs(every - BELOW * gap[0]).argmin()))
-    if len(inside):
-        loudness = (np.abs(velocity[there][:, inside]) ** 2).mean(axis=0)
-        near = np.abs(every[inside] / carrier - 1) < NEAR
-        found.append(int(inside[np.where(near, loudness, 0.0).argmax()]))
+    if ((every > gap[0]) & (every < gap[1])).any():
+        found.append(loudest_within(every, velocity, there, gap, carrier))
     if every[-1] >= ABOVE * gap[1]:
         found.append(int(np.abs(every - ABOVE * gap[1]).argmin()))
     return np.array(found or [int(np.abs(every - carrier).argmin())])

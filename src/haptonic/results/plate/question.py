@@ -13,6 +13,10 @@ from haptonic.plate import Plate
 from haptonic.plate.parts import Actuator, Force
 
 Array = NDArray[np.float64]
+Complex = NDArray[np.complex128]
+Mask = NDArray[np.bool_]
+
+NEAR = 0.06  # share of the carrier around it within which modes are listed and a resonance is looked for
 
 
 @dataclass(frozen=True)
@@ -60,6 +64,13 @@ def unit_drives(plate: Plate) -> dict[str, complex]:
     return {drive.name: amplitude_of(drive) / unit for drive in drives_of(plate)}
 
 
+def driven_region(plate: Plate) -> str | None:
+    """The region of plain plate that carries the first drive that lies on one: actuators, then forces."""
+    layout = plate.layout
+    names = [layout.at(layout.under((*drive.centre, *drive.centre))[0]) for drive in drives_of(plate)]
+    return next((name for name in names if name is not None and name not in layout.cells), None)
+
+
 def grid_points(plate: Plate, spacing: float) -> tuple[Array, list[str]]:
     """Points (k, 2) of the flat face on a grid of squares, at the middle of each, m, and their regions.
 
@@ -77,6 +88,25 @@ def grid_points(plate: Plate, spacing: float) -> tuple[Array, list[str]]:
     there = [k for k, name in enumerate(names) if name is not None]
     regions = [names[k] or "" for k in there]
     return np.stack([x, y], axis=-1)[there], ["" if name in layout.cells else name for name in regions]
+
+
+def points_of(regions: Sequence[str], name: str | None) -> Mask:
+    """(points,) which of them lie in a region; all, if none does."""
+    there = np.array([region == name for region in regions])
+    return there if there.any() else np.ones(len(there), dtype=bool)
+
+
+def loudest_within(
+    frequency: Array, velocity: Complex, there: Mask, gap: Sequence[float], carrier: float
+) -> int:
+    """The line in a gap and near the carrier at which some points vibrate most.
+
+    velocity : (points, lines); there : (points,) which of them count
+    """
+    inside = np.flatnonzero((frequency > gap[0]) & (frequency < gap[1]))
+    loudness = (np.abs(velocity[there][:, inside]) ** 2).mean(axis=0)
+    near = np.abs(frequency[inside] / carrier - 1) < NEAR
+    return int(inside[np.where(near, loudness, 0.0).argmax()])
 
 
 def resonance_of(marked: Array, carrier: float, gap: Sequence[float] | None) -> float:

@@ -1,0 +1,121 @@
+"""What is left of a vibration below a finger, wherever on the flat face it lies.
+
+A finger damps what it touches. On a reduced plate with dynamic stiffness A, a finger of dynamic stiffness Z,
+spread evenly over the n points of a disc that it covers, turns the displacement u of these points into
+``(1 + Z/n C)^-1 u`` with their compliance ``C = S A^-1 S^T``, S being what gives their displacement; it is
+the formula of `haptonic.plate.damping` again. C among the points of one disc is all that is needed, so that
+every place of the face is answered without a factorisation.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import dataclass
+
+import numpy as np
+import scipy.linalg as la
+from numpy.typing import NDArray
+from scipy.spatial import cKDTree
+from threadpoolctl import threadpool_limits
+
+from haptonic.plate.damping import real_times
+from haptonic.plate.vibration import ReducedPlate
+from haptonic.superelement.parallel import threads
+
+Array = NDArray[np.float64]
+Complex = NDArray[np.complex128]
+Ints = NDArray[np.int64]
+
+ROUNDING = 1e-9  # of a disc's radius, within which a point on its rim counts
+TOGETHER = 32  # places that are answered at once
+
+
+@dataclass(frozen=True, eq=False)
+class Places:
+    """Points of the flat face, and the discs of a finger around each of them.
+
+    points : (k, 2) m, as evenly spread as a grid; diameter : of the disc, m
+    """
+
+    points: Array
+    diameter: float
+
+    @property
+    def discs(self) -> list[list[int]]:
+        """For each point, the points below a finger there: those within its radius."""
+        near: list[list[int]] = (
+            cKDTree(self.points)
+            .query_ball_point(self.points, 0.5 * self.diameter * (1 + ROUNDING), return_sorted=True)
+            .tolist()
+        )
+        return near
+
+
+def below_finger(
+    reduced: ReducedPlate, places: Places, displacement: Complex, omega: float, impedances: Sequence[complex]
+) -> Array:
+    """Amplitude below a finger at every place: root mean square over its disc, m.
+
+    Parameters
+    ----------
+    reduced : the plate without a finger
+    displacement : (k,) normal to the face at all places, without a finger, m
+    omega : rad/s
+    impedances : (p,) dynamic stiffnesses of whole fingers, N/m: force over displacement, 0 for none
+
+    Returns
+    -------
+    (p, k) m
+    """
+    discs = places.discs
+    most = max(len(disc) for disc in discs)
+    # short discs, at the plate's rim, are filled up with a point that never moves
+    still = len(places.points)
+    index = np.array([disc + [still] * (most - len(disc)) for disc in discs])
+    count = np.array([len(disc) for disc in discs])
+    seen = reduced.model.displaced(places.points, reduced.basis.raw) @ reduced.basis.turn
+    seen = np.vstack([seen, np.zeros(seen.shape[1])])
+    compliance = _Compliance(reduced, seen, omega)
+    moved = np.append(displacement, 0.0)
+    stiffness = np.asarray(impedances)
+    found = np.empty((len(stiffness), len(index)))
+    unit = np.eye(most)
+
+    def some(start: int) -> None:
+        picked = slice(start, start + TOGETHER)
+        among = compliance.among(index[picked])
+        for row, stiff in enumerate(stiffness):
+            share = (stiff / count[picked])[:, None, None]
+            left = np.linalg.solve(unit + share * among, moved[index[picked]][..., None])[..., 0]
+            found[row, picked] = np.sqrt((np.abs(left) ** 2).sum(axis=1) / count[picked])
+
+    with threadpool_limits(1), ThreadPoolExecutor(threads()) as pool:
+        list(pool.map(some, range(0, len(index), TOGETHER)))
+    return found
+
+
+class _Compliance:
+    """Displacement per force between points of a reduced plate at one frequency."""
+
+    def __init__(self, reduced: ReducedPlate, seen: Array, omega: float) -> None:
+        line = np.array([omega])
+        stiffness = reduced.model.factors["plate"] * reduced.basis.values - omega**2
+        for one in reduced.extras:
+            stiffness = stiffness + one.alone[:, 0] * one.extra.impedance(line)[0]
+        self.seen, self.flexible = seen, 1.0 / stiffness
+        directions = np.hstack([np.zeros((len(stiffness), 0)), *(one.kept for one in reduced.extras)])
+        weights = [np.full(one.kept.shape[1], one.extra.impedance(line)[0]) for one in reduced.extras]
+        stiff = np.concatenate([np.zeros(0), *weights])
+        self.through = real_times(seen, self.flexible[:, None] * directions)
+        inner = np.diag(1.0 / stiff) + real_times(directions.T, self.flexible[:, None] * directions)
+        self.inner = la.inv(inner) if len(inner) else inner
+
+    def among(self, points: Ints) -> Complex:
+        """(m, n, n) compliance among each of m sets of n points, given by their numbers (m, n)."""
+        near, through = self.seen[points], self.through[points]
+        transposed = near.transpose(0, 2, 1)
+        real = (near * self.flexible.real) @ transposed
+        imaginary = (near * self.flexible.imag) @ transposed
+        own = real + 1j * imaginary
+        return np.asarray(own - through @ self.inner @ through.transpose(0, 2, 1))

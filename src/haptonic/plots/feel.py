@@ -1,0 +1,92 @@
+"""What a finger feels: friction over the flat face, and reductions against the drive."""
+
+from __future__ import annotations
+
+from itertools import cycle
+from typing import Any
+
+import numpy as np
+import xarray as xr
+from matplotlib.axes import Axes
+from matplotlib.colors import Normalize
+from matplotlib.figure import Figure
+from matplotlib.image import AxesImage
+from matplotlib.lines import Line2D
+from matplotlib.patches import Patch
+
+from haptonic.plate.layout import Layout
+from haptonic.plots import style
+from haptonic.plots.plates import ends, outlined
+from haptonic.plots.spectra import LOOKS
+
+PANELS = {"low": "least, within the band", "value": "prediction", "high": "most, within the band"}
+
+
+@style.drawn
+def friction_map(friction: xr.Dataset, layout: Layout, *, title: str = "") -> Figure:
+    """Friction that a finger meets with its middle at each point, over that without vibration.
+
+    Parameters
+    ----------
+    friction : ``value``, ``low`` and ``high`` (point,) mu / mu0; ``x`` and ``y`` of a grid, m
+    title : of all three maps: frequency, drive, origin
+    """
+    column = (style.WIDTH - 2.0) / 3
+    tall = column * (layout.y[-1] - layout.y[0]) / (layout.x[-1] - layout.x[0])
+    figure = style.blank(min(tall, 16.0) + 3.6)
+    panels = figure.subplots(1, 3, sharey=True)
+    for axes, (end, words) in zip(panels, PANELS.items(), strict=True):
+        image = _draw_friction(axes, friction, end, layout)
+        axes.set_title(words, fontsize=9)
+    panels[0].set_ylabel("y of the finger's middle (mm)")
+    figure.suptitle(title, fontsize=9.5)
+    bar = figure.colorbar(image, ax=list(panels), location="bottom", shrink=0.6, aspect=30, pad=0.02)
+    bar.set_label("friction with over without vibration, µ / µ₀ (dimensionless)")
+    return figure
+
+
+def _draw_friction(axes: Axes, friction: xr.Dataset, end: str, layout: Layout) -> AxesImage:
+    x, column = np.unique(np.round(friction["x"].values, 9), return_inverse=True)
+    y, row = np.unique(np.round(friction["y"].values, 9), return_inverse=True)
+    grid = np.full((len(y), len(x)), np.nan)
+    grid[row, column] = friction[end].values
+    image = axes.imshow(
+        grid, cmap=style.perceptual(), norm=Normalize(0, 1), origin="lower",
+        extent=(*ends(1e3 * x), *ends(1e3 * y)), interpolation="nearest", gid="friction",
+    )  # fmt: skip
+    outlined(axes, layout)
+    return image
+
+
+@style.drawn
+def reduction_curve(curve: xr.Dataset, drive: float, noticed: float, *, title: str = "") -> Figure:
+    """Mean reduction of friction over each region against the amplitude of the drive.
+
+    Parameters
+    ----------
+    curve : ``value``, ``low`` and ``high`` (region, drive); drive : the one in use, in the curve's units
+    noticed : smallest reduction that people notice, as a share
+    """
+    figure = style.blank(9.0)
+    axes = figure.add_subplot()
+    handles: list[Line2D | Patch] = []
+    drives, unit = curve["drive"].values, curve["drive"].attrs["units"]
+    for name, (colour, dashes) in zip(curve["region"].values.tolist(), cycle(LOOKS), strict=False):
+        region = curve.sel(region=name)
+        low, high = 100 * region["low"].values, 100 * region["high"].values
+        axes.fill_between(drives, low, high, color=colour, alpha=0.18, lw=0, gid="band")
+        handles += axes.plot(
+            drives, 100 * region["value"].values, color=colour, ls=dashes, label=name, gid="curve"
+        )
+    handles.append(Patch(facecolor=style.PALE_INK, alpha=0.3, label="band of models and parameters"))
+    look: dict[str, Any] = {"color": style.INK, "lw": 0.9}
+    handles.append(
+        axes.axhline(100 * noticed, ls=style.DOTTED, label=f"just noticed, {100 * noticed:.0f} %", **look)
+    )
+    handles.append(axes.axvline(drive, ls=style.DASHED, label=f"drive in use, {drive:g} {unit}", **look))
+    axes.set(
+        xlim=(0, drives[-1]), ylim=(0, 100), title=title, xlabel=f"amplitude of the drive ({unit})",
+        ylabel="reduction of friction (%)",
+    )  # fmt: skip
+    figure.legend(handles=handles, loc="outside lower center", ncols=3)
+    return figure

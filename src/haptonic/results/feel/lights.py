@@ -1,0 +1,85 @@
+"""Whether a plate does what it is for, as traffic lights that each give their reason."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any, Literal
+
+from haptonic.friction.lubrication import CUE_THRESHOLD, WEBER_FRACTION
+from haptonic.results.feel.felt import Felt
+
+FAR = 2.0  # times the smallest drop that people feel: what a driven region should reach
+Colour = Literal["green", "amber", "red"]
+
+
+@dataclass(frozen=True)
+class Light:
+    """One demand on a plate. what : the demand; reason : the numbers behind the colour"""
+
+    colour: Colour
+    what: str
+    reason: str
+
+    def to_json(self) -> dict[str, Any]:
+        """Plain values for machines."""
+        return {"colour": self.colour, "what": self.what, "reason": self.reason}
+
+
+def lights(
+    reductions: Mapping[str, Felt],
+    driven: str | None,
+    rise: float,
+    constant: float,
+    frequency: float,
+    gap: tuple[float, float] | None,
+) -> list[Light]:
+    """A light for every region, one for the time that the vibration takes, one for the gap.
+
+    Parameters
+    ----------
+    rise, constant : 10 to 90 % rise time and time constant with a finger on the driven region, s
+    frequency, gap : of the drive, and the edges of the gap around the carrier, Hz
+    """
+    found = [
+        _driven(name, felt) if name == driven else _idle(name, felt) for name, felt in reductions.items()
+    ]
+    return [*found, _time(rise, constant), _in_gap(frequency, gap)]
+
+
+def _driven(name: str, felt: Felt) -> Light:
+    wanted = FAR * WEBER_FRACTION
+    colour: Colour = "green" if felt.low >= wanted else "amber" if felt.value >= wanted else "red"
+    return Light(colour, f"{name} is felt clearly", f"reduction {felt}, wanted {_percent(wanted)} or more")
+
+
+def _idle(name: str, felt: Felt) -> Light:
+    colour: Colour = (
+        "green" if felt.high <= WEBER_FRACTION else "amber" if felt.value <= WEBER_FRACTION else "red"
+    )
+    return Light(
+        colour, f"{name} is not felt", f"reduction {felt}, wanted {_percent(WEBER_FRACTION)} or less"
+    )
+
+
+def _time(rise: float, constant: float) -> Light:
+    colour: Colour = "green" if rise <= CUE_THRESHOLD else "amber" if constant <= CUE_THRESHOLD else "red"
+    reason = f"10 to 90 % in {_milliseconds(rise)}, time constant {_milliseconds(constant)}"
+    return Light(
+        colour, "the vibration builds up in time", f"{reason}, wanted {_milliseconds(CUE_THRESHOLD)}"
+    )
+
+
+def _in_gap(frequency: float, gap: tuple[float, float] | None) -> Light:
+    if gap is None:
+        return Light("red", "the drive lies in a band gap", "no gap around the carrier")
+    reason = f"{frequency / 1e3:.2f} kHz, gap {gap[0] / 1e3:.2f} to {gap[1] / 1e3:.2f} kHz"
+    return Light("green" if gap[0] < frequency < gap[1] else "red", "the drive lies in a band gap", reason)
+
+
+def _percent(share: float) -> str:
+    return f"{100 * share:.0f} %"
+
+
+def _milliseconds(time: float) -> str:
+    return f"{1e3 * time:.1f} ms"

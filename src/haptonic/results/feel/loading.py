@@ -1,0 +1,166 @@
+"""The vibration below a finger, wherever it lies, per unit of the drive, by way of the store."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import asdict, dataclass, replace
+from typing import Any
+
+import numpy as np
+import xarray as xr
+from numpy.typing import NDArray
+
+from haptonic.bloch import Gap
+from haptonic.plate import Band, Fineness, Plate, PlateModel, PlateModes, modes_between
+from haptonic.plate.touch import Places, below_finger
+from haptonic.results.common import stamped
+from haptonic.results.plate.question import (
+    NEAR,
+    driven_region,
+    grid_points,
+    loudest_within,
+    points_of,
+    reference_of,
+    unit_drives,
+)
+from haptonic.store import Store, content_key
+
+Array = NDArray[np.float64]
+Complex = NDArray[np.complex128]
+
+FREE = "free"  # the vibration that no finger damps
+LOADS = (FREE, "low", "value", "high")  # by the damping of the finger
+
+
+@dataclass(frozen=True)
+class Pad:
+    """What the finger does to the plate: a damper, spread evenly over a disc.
+
+    diameter : m
+    damping : N s/m of the whole disc: the lowest plausible, the value, the highest plausible
+    """
+
+    diameter: float
+    damping: tuple[float, float, float]
+
+
+def compute_loaded(
+    plate: Plate,
+    pad: Pad,
+    *,
+    carrier: float,
+    at: float | None,
+    gap: Gap | None,
+    grid: float,
+    tolerance: float,
+    inputs: Mapping[str, Any],
+    store: Store,
+    fineness: Fineness | None = None,
+    told: Callable[[int, int, bool], None] = lambda done, planned, stored: None,
+) -> xr.Dataset:
+    """Amplitudes below a finger per unit of the first drive, from the store if they were computed before.
+
+    Parameters
+    ----------
+    at : Hz; by default the resonance of the driven region that is loudest near the carrier, in the gap if
+        there is one
+    grid : distance of the places, m; tolerance : relative error of the vibration without a finger
+
+    Returns
+    -------
+    ``amplitude`` (load, point), m per unit: root mean square over the disc around each point, peak in time;
+    ``quality`` (load, point) of the mode that answers most, with a finger there; ``load`` is "free" or the
+    "low", "value" or "high" damping; attributes ``frequency_hz``, ``reference``, ``error`` and, for the mode,
+    ``mode_hz``
+
+    Raises
+    ------
+    StudyError : nothing drives the plate
+    ResourceError : the basis would need more memory than there is
+    HaptonicError : the vibration cannot be had as exactly as asked for
+    """
+    alone = replace(plate, finger=None)
+    reference_of(alone)
+    edges = None if gap is None else [gap.lower, gap.upper]
+    key = content_key(
+        {"part": "below a finger", "carrier": carrier, "at": at, "gap": edges, "grid": grid,
+         "tolerance": tolerance, **asdict(pad), "inputs": dict(inputs)}
+    )  # fmt: skip
+    found = store.get(key)
+    if found is None:
+        found = stamped(_computed(alone, pad, carrier, at, edges, grid, tolerance, fineness, told), inputs)
+        store.put(key, found)
+    return found
+
+
+def _computed(
+    plate: Plate,
+    pad: Pad,
+    carrier: float,
+    at: float | None,
+    gap: list[float] | None,
+    grid: float,
+    tolerance: float,
+    fineness: Fineness | None,
+    told: Callable[[int, int, bool], None],
+) -> xr.Dataset:
+    middle = carrier if at is None else at
+    high = (1 + NEAR) * middle
+    model = PlateModel.of(plate, high, fineness)
+    band = Band.of(model, 0.0, high, lambda done, planned: told(done, planned, False))
+    modes = modes_between(band, (1 - NEAR) * middle, high)
+    points, regions = grid_points(plate, grid)
+    drives = unit_drives(plate)
+    low, top = gap or (0.0, np.inf)
+    resonances = modes.frequency[(modes.frequency > low) & (modes.frequency < top)]
+    frequencies = resonances if at is None and len(resonances) else np.array([middle])
+    band, vibration = band.answer(drives, frequencies, tolerance)
+    surface = model.displaced(points, vibration.vectors) @ vibration.amplitudes
+    there = points_of(regions, driven_region(plate))
+    line = loudest_within(frequencies, surface * vibration.omega, there, (0.0, np.inf), middle)
+    omega = float(vibration.omega[line])
+    places = Places(points, pad.diameter)
+    impedances = [0.0, *(1j * omega * damping for damping in pad.damping)]
+    amplitude = below_finger(band.reduced, places, surface[:, line], omega, impedances)
+    mode, quality = _loaded_quality(model, modes, drives, omega, places, pad)
+    reference, _ = reference_of(plate)
+    return xr.Dataset(
+        {
+            "amplitude": (("load", "point"), amplitude, {"units": f"m/({reference.split(', ')[1]})"}),
+            "quality": (("load", "point"), quality, {"long_name": "quality factor of the mode"}),
+        },
+        coords={
+            "load": list(LOADS),
+            "x": ("point", points[:, 0], {"units": "m"}), "y": ("point", points[:, 1], {"units": "m"}),
+            "region": ("point", np.array(regions, dtype=str)),
+        },
+        attrs={
+            "frequency_hz": omega / (2 * np.pi), "mode_hz": mode, "reference": reference,
+            "error": float(vibration.error[line]), "unknowns": model.assembly.size,
+            "basis": band.reduced.basis.dimension, "origin": "simulated",
+        },
+    )  # fmt: skip
+
+
+def _loaded_quality(
+    model: PlateModel,
+    modes: PlateModes,
+    drives: Mapping[str, complex],
+    omega: float,
+    places: Places,
+    pad: Pad,
+) -> tuple[float, Array]:
+    """The mode that answers most at omega, Hz, and (load, point) its quality factor with a finger there.
+
+    Its loss is that of the plate alone and, to first order, that of the finger: damping times the mean square
+    of the mode shape, of modal mass 1, below it, over omega.
+    """
+    if not len(modes.frequency):
+        return float("nan"), np.full((len(LOADS), len(places.points)), np.nan)
+    values = (2 * np.pi * modes.frequency) ** 2
+    answer = modes.vectors.T @ model.load(drives) / (values * (1 + 1j / modes.quality) - omega**2)
+    best = int(np.abs(answer).argmax())
+    shape = model.displaced(places.points, modes.vectors[:, [best]])[:, 0]
+    square = np.array([(shape[disc] ** 2).mean() for disc in places.discs])
+    lost = np.array([0.0, *pad.damping])[:, None] * square / np.sqrt(values[best])
+    return float(modes.frequency[best]), 1 / (1 / modes.quality[best] + lost)

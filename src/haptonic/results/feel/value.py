@@ -1,0 +1,289 @@
+"""What a finger feels of a plate: friction wherever it lies, regions, the drive that it takes, the time."""
+
+from __future__ import annotations
+
+import json
+import math
+from collections.abc import Callable
+from dataclasses import dataclass
+from functools import cached_property, partial
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import xarray as xr
+from matplotlib.figure import Figure
+from numpy.typing import NDArray
+from scipy.optimize import brentq
+from scipy.spatial import cKDTree
+
+from haptonic import plots
+from haptonic.errors import StudyError
+from haptonic.friction.lubrication import (
+    CUE_THRESHOLD,
+    WEBER_FRACTION,
+    Finger,
+    Margin,
+    Touch,
+    predict,
+    rise_time,
+    time_constant,
+)
+from haptonic.plate import Plate
+from haptonic.results.common import write_netcdf
+from haptonic.results.feel.felt import Felt
+from haptonic.results.feel.lights import Light, lights
+from haptonic.results.plate.question import driven_region
+from haptonic.units import format_quantity
+
+Array = NDArray[np.float64]
+
+STRONGEST = 1e4  # V or N: no drive is looked for beyond
+SMALLEST, LARGEST = 1e-9, 5e-5  # m, amplitudes between which the law of friction is tabulated
+LOGARITHMS = np.linspace(np.log(SMALLEST), np.log(LARGEST), 200)
+AMPLITUDES = np.exp(LOGARITHMS)
+ENDS = ("value", "low", "high")
+CURVE = 41  # drives of the curve of reduction against drive
+BEYOND = 2.0  # times the drive: where that curve ends
+
+
+@dataclass(frozen=True, eq=False)
+class Feel:
+    """Friction that a finger meets on a plate, over that without vibration.
+
+    plate : what vibrates; gap : edges of its lattice's gap around the carrier, Hz, if there is one
+    loaded : from `compute_loaded`; diameter : of the finger's disc, m
+    touch : frequency, force and speed; skin : what the lubrication models know of the finger
+    drive : amplitude of the first drive, V or N
+    """
+
+    plate: Plate
+    gap: tuple[float, float] | None
+    loaded: xr.Dataset
+    diameter: float
+    touch: Touch
+    skin: Finger
+    drive: float
+
+    @property
+    def frequency(self) -> float:
+        """Hz"""
+        return float(self.loaded.attrs["frequency_hz"])
+
+    @property
+    def unit(self) -> str:
+        """Of the drive, V or N."""
+        return str(self.loaded.attrs["reference"]).rsplit(", ", 1)[1]
+
+    @property
+    def driven(self) -> str | None:
+        """The region of plain plate that carries the drive."""
+        return driven_region(self.plate)
+
+    @property
+    def regions(self) -> tuple[str, ...]:
+        """Regions of plain plate."""
+        return self.plate.layout.regions
+
+    def below(self, region: str) -> NDArray[np.bool_]:
+        """(point,) places at which the whole finger lies on a region, or its middle if it is too small."""
+        inside = self.loaded["region"].values == region
+        points = np.stack([self.loaded["x"].values, self.loaded["y"].values], axis=1)
+        if inside.all():
+            return np.asarray(inside)
+        clear = cKDTree(points[~inside]).query(points)[0] > 0.5 * self.diameter
+        layout = self.plate.layout
+        edges = np.array([layout.x[0], layout.y[0]]), np.array([layout.x[-1], layout.y[-1]])
+        room = np.minimum(points - edges[0], edges[1] - points).min(axis=1) >= 0.5 * self.diameter
+        whole = inside & clear & room
+        return whole if whole.any() else np.asarray(inside)
+
+    @cached_property
+    def law(self) -> xr.Dataset:
+        """``value``, ``low`` and ``high`` against amplitude: mu / mu0 by load sharing, and the band.
+
+        Where the plate would strike the skin through the film, the value is that of intermittent contact.
+        """
+        found = predict(xr.DataArray(AMPLITUDES, dims="amplitude"), self.touch, self.skin)
+        shared = found["load_sharing"]
+        value = shared.where(np.isfinite(shared), found["intermittent"])
+        return xr.Dataset({"value": value, "low": found["low"], "high": found["high"]})
+
+    def _left(self, end: str, load: str, drive: float) -> Array:
+        """(point,) mu / mu0 with a finger of some damping."""
+        moved = self.loaded["amplitude"].sel(load=load).values * drive
+        return np.asarray(np.interp(np.log(np.maximum(moved, SMALLEST)), LOGARITHMS, self.law[end].values))
+
+    def friction(self, drive: float | None = None) -> xr.Dataset:
+        """``value`` (point,) mu / mu0; ``low`` and ``high``, the band of both models, skin and damping."""
+        drive = self.drive if drive is None else drive
+        return xr.Dataset(  # the least friction is with the least damping
+            {end: ("point", self._left(end, end, drive)) for end in ENDS}
+            | {"amplitude": self.loaded["amplitude"].sel(load="value", drop=True) * drive},
+            attrs={"origin": "simulated", "drive": f"{drive:g} {self.unit}"},
+        )
+
+    def reductions(self, drive: float | None = None) -> dict[str, Felt]:
+        """Mean reduction over the places of every region."""
+        found = self.friction(drive)
+        return {
+            name: Felt(
+                *(1 - float(found[end].values[self.below(name)].mean()) for end in ("value", "high", "low"))
+            )
+            for name in self.regions
+        }
+
+    def drive_for(self, reduction: float, region: str) -> float | None:
+        """Amplitude of the drive, V or N, for a mean reduction; None if none up to `STRONGEST` gives it."""
+        if not 0 < reduction < 1:
+            raise StudyError(
+                argument="reduction",
+                given=f"{reduction:g}",
+                allowed="a share above 0 and below 1",
+                cause="a percentage was given, or what is left of the friction",
+                next_step="give 0.5 for half the friction",
+            )
+
+        def missing(logarithm: float) -> float:
+            left = self._left("value", "value", math.exp(logarithm))[where]
+            return 1 - float(left.mean()) - reduction
+
+        where = self.below(region)
+        low, high = math.log(1e-3 * self.drive), math.log(self.drive)
+        while missing(high) < 0:
+            high += math.log(2)
+            if high > math.log(STRONGEST):
+                return None
+        return math.exp(brentq(missing, low, high, xtol=1e-4)) if missing(low) < 0 else math.exp(low)
+
+    def amplitude(self, region: str, load: str = "value") -> float:
+        """Mean amplitude below a finger on a region, m."""
+        return self.drive * float(self.loaded["amplitude"].sel(load=load).values[self.below(region)].mean())
+
+    def quality(self, load: str = "value") -> float:
+        """Median quality factor of the mode that answers most, a finger being on the driven region."""
+        where = self.below(self.driven) if self.driven else np.ones(self.loaded.sizes["point"], dtype=bool)
+        return float(np.median(self.loaded["quality"].sel(load=load).values[where]))
+
+    @property
+    def rise(self) -> float:
+        """Time from 10 to 90 % of the vibration with a finger on the driven region, s."""
+        return rise_time(self.quality(), self.frequency)
+
+    @property
+    def constant(self) -> float:
+        """Time constant of the vibration with a finger on the driven region, s."""
+        return time_constant(self.quality(), self.frequency)
+
+    @property
+    def ratio(self) -> dict[str, float]:
+        """Amplitude below a finger on the driven region over that on every other one."""
+        if self.driven is None:
+            return {}
+        most = self.amplitude(self.driven)
+        return {name: most / self.amplitude(name) for name in self.regions if name != self.driven}
+
+    @property
+    def margins(self) -> dict[str, Margin]:
+        """The driven region beside every other one."""
+        if self.driven is None:
+            return {}
+        found = self.reductions()
+        return {
+            name: Margin(found[self.driven].value, found[name].value)
+            for name in self.regions if name != self.driven
+        }  # fmt: skip
+
+    @property
+    def lights(self) -> list[Light]:
+        """Whether the plate does what it is for, each as a traffic light with its reason."""
+        return lights(self.reductions(), self.driven, self.rise, self.constant, self.frequency, self.gap)
+
+    @property
+    def curve(self) -> xr.Dataset:
+        """``value``, ``low`` and ``high`` (region, drive): reduction against the amplitude of the drive."""
+        drives = np.linspace(0, BEYOND * self.drive, CURVE)
+        found = [self.reductions(float(drive)) for drive in drives]
+        dims = ("region", "drive")
+        return xr.Dataset(
+            {
+                end: (dims, np.array([[getattr(one[name], end) for one in found] for name in self.regions]))
+                for end in ENDS
+            },
+            coords={"region": list(self.regions), "drive": ("drive", drives, {"units": self.unit})},
+        )
+
+    @property
+    def dataset(self) -> xr.Dataset:
+        """Friction and amplitudes at every place, with all that made them."""
+        found = self.friction()
+        quality = self.loaded["quality"].sel(load="value", drop=True)
+        described = {
+            "value": "mu / mu0, load sharing",
+            "low": "lower end of the band",
+            "high": "upper end of the band",
+        }
+        for name, words in described.items():
+            found[name].attrs = {"units": "1", "long_name": words}
+        found["amplitude"].attrs = {"units": "m", "long_name": "rms below the finger, peak in time"}
+        found["quality"] = quality
+        found.attrs |= dict(self.loaded.attrs) | {
+            "touch": json.dumps({"force_n": self.touch.force, "speed_m_s": self.touch.speed}),
+            "assumptions": json.dumps(self.skin.assumptions()),
+        }
+        return found
+
+    def files(self) -> dict[str, Callable[[Path], None]]:
+        """What to write, by file name."""
+        return {"feel.nc": partial(write_netcdf, self.dataset)}
+
+    FILES = ("feel.nc",)
+    FIGURES = ("friction", "reduction")
+
+    def figures(self) -> dict[str, Figure]:
+        """All pictures, by name."""
+        title = f"{self.frequency / 1e3:.2f} kHz, {format_quantity(self.drive, self.unit)}, simulated"
+        return {
+            "friction": plots.friction_map(self.friction(), self.plate.layout, title=title),
+            "reduction": plots.reduction_curve(
+                self.curve, self.drive, WEBER_FRACTION, title=f"{self.frequency / 1e3:.2f} kHz, simulated"
+            ),
+        }
+
+    def to_json(self) -> dict[str, Any]:
+        """Plain values for machines."""
+        found = self.reductions()
+        return {
+            "origin": "simulated",
+            "frequency_hz": self.frequency,
+            "gap_hz": self.gap,
+            "drive": {"amplitude": self.drive, "unit": self.unit},
+            "touch": {"force_n": self.touch.force, "speed_m_s": self.touch.speed},
+            "driven": self.driven,
+            "regions": {
+                name: {
+                    "reduction": found[name].value,
+                    "reduction_interval": [found[name].low, found[name].high],
+                    "amplitude_m": self.amplitude(name),
+                    "amplitude_without_finger_m": self.amplitude(name, "free"),
+                    "drive_to_be_felt": self.drive_for(WEBER_FRACTION, name),
+                }
+                for name in self.regions
+            },
+            "amplitude_ratio": self.ratio,
+            "localised": {name: margin.localised for name, margin in self.margins.items()},
+            "stopped": {name: margin.stopped for name, margin in self.margins.items()},
+            "quality_factor": _finite(self.quality()),
+            "quality_factor_without_finger": _finite(self.quality("free")),
+            "rise_time_s": _finite(self.rise),
+            "cue_threshold_s": CUE_THRESHOLD,
+            "weber_fraction": WEBER_FRACTION,
+            "lights": [light.to_json() for light in self.lights],
+            "error": float(self.loaded.attrs["error"]),
+            "assumptions": self.skin.assumptions(),
+            "version": self.loaded.attrs["haptonic_version"],
+        }
+
+
+def _finite(value: float) -> float | None:
+    return value if math.isfinite(value) else None

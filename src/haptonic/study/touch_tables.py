@@ -1,0 +1,92 @@
+"""The table of the study file about the finger that feels the plate."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import Annotated, Any
+
+from pydantic import Field, create_model, model_validator
+
+from haptonic.friction.lubrication import FORCES, SPEEDS, Finger, Parameter, Touch
+from haptonic.study.quantity import Quantity, problem
+from haptonic.study.sections import Section
+from haptonic.units import format_quantity
+
+Force = Annotated[float, Quantity("N", at_least=FORCES[0], at_most=FORCES[1], typical=(0.1, 5.0))]
+Speed = Annotated[float, Quantity("m/s", at_least=SPEEDS[0], at_most=SPEEDS[1], typical=(0.01, 0.5))]
+Damping = Annotated[float, Quantity("N s/m", above=0.0, at_most=1e4, typical=(1.0, 100.0))]
+USUAL_DAMPING = (5.0, 10.0, 30.0)  # N s/m, assumed: what a fingertip does to a vibrating plate
+
+
+def _three(parameter: Parameter) -> Any:
+    """A field for the lowest plausible value of a parameter, its value, and the highest plausible one."""
+    low, high = parameter.bounds
+    number = Annotated[float, Quantity(parameter.unit, above=low, below=high)]
+    usual = ", ".join(
+        format_quantity(n, parameter.unit)
+        for n in (parameter.plausible[0], parameter.value, parameter.plausible[1])
+    )
+    field = Field(
+        None,
+        title=parameter.title[0].upper() + parameter.title[1:],
+        description=f"Lowest plausible, value, highest plausible; else {usual}, {parameter.mark}: "
+        f"{parameter.source}.",
+    )
+    return (tuple[number, number, number] | None, field)
+
+
+class _Ordered(Section):
+    """Numbers that come in threes, in ascending order."""
+
+    @model_validator(mode="after")
+    def _ascends(self) -> _Ordered:
+        for name, field in type(self).model_fields.items():
+            three = getattr(self, name)
+            if isinstance(three, tuple) and list(three) != sorted(three):
+                raise problem(
+                    ", ".join(f"{number:g}" for number in three),
+                    "the lowest plausible value, the value, the highest plausible value",
+                    "they are not in ascending order",
+                    f"sort the numbers of {field.alias or name}",
+                    at=name,
+                )
+        return self
+
+
+SkinSection: Any = create_model(
+    "SkinSection",
+    __base__=_Ordered,
+    __module__=__name__,
+    __doc__="What the models of friction know of the fingertip; what is not given is assumed.",
+    **{name: _three(parameter) for name, parameter in Finger()},
+)
+
+
+class TouchSection(_Ordered):
+    """The finger that feels the plate, and how hard the plate is driven."""
+
+    force: Force = Field(Touch.force, title="Force of the finger", description="Normal to the plate.")
+    speed: Speed = Field(Touch.speed, title="Speed of the finger", description="Along the plate.")
+    diameter: Annotated[float, Quantity("m", at_least=1e-3, at_most=40e-3, typical=(5e-3, 20e-3))] = Field(
+        10e-3, title="Diameter below the finger", description="Of the disc that it covers; assumed."
+    )
+    damping: tuple[Damping, Damping, Damping] = Field(
+        USUAL_DAMPING,
+        title="Damping of the finger",
+        description="Of the whole disc: lowest plausible, value, highest plausible; assumed.",
+    )
+    voltage: Annotated[float, Quantity("V", above=0.0, at_most=1e4, typical=(1.0, 500.0))] | None = Field(
+        None, title="Voltage", description="Of the first actuator while the finger feels; else the plate's."
+    )
+    skin: SkinSection = Field(
+        default_factory=SkinSection, title="Skin", description="What the models of friction know of it."
+    )
+
+    def finger(self) -> Finger:
+        """The fingertip as the lubrication models compute with it."""
+        known = dict(Finger())
+        given = {name: three for name in type(self.skin).model_fields if (three := getattr(self.skin, name))}
+        return replace(
+            Finger(),
+            **{name: known[name].having(value, (low, high)) for name, (low, value, high) in given.items()},
+        )

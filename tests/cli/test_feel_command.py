@@ -1,0 +1,114 @@
+"""The command about what a finger feels, from the outside."""
+
+from __future__ import annotations
+
+import json
+
+import numpy as np
+import pytest
+import xarray as xr
+
+from five_parts import assert_five_parts
+
+FILES = {"feel.nc", *(f"{name}.{kind}" for name in ("friction", "reduction") for kind in ("svg", "png"))}
+TOUCH = ("[[sweep]]", '[touch]\nforce = "0.8 N"\nvoltage = "200 V"\n\n[[sweep]]')
+
+
+def test_feel_writes_its_files_and_tables(inside, plated, tmp_path):
+    out = tmp_path / "out"
+    ran = inside("feel", plated(TOUCH), "--out", out)
+    assert ran.code == 0, ran.err
+    assert {path.name for path in out.iterdir()} == FILES
+    for words in (
+        "WG (driven)",
+        "200 V, simulated",
+        "Assumed, not measured",
+        "contact gap",
+        "■ red",
+        "0.8 N",
+    ):
+        assert words in ran.out, ran.out
+    with xr.open_dataset(out / "feel.nc", engine="h5netcdf") as data:
+        assert data.attrs["origin"] == "simulated"
+        assert json.loads(data.attrs["touch"]) == {"force_n": 0.8, "speed_m_s": 0.078}
+        assert ((data["low"] <= data["value"]) & (data["value"] <= data["high"])).all()
+    again = inside("feel", plated(TOUCH), "--out", out)
+    assert_five_parts(again, "overwrite")
+
+
+def test_the_voltage_scales_amplitudes_and_nothing_is_computed_anew(inside, plated):
+    low, high = (inside("feel", plated(), "--voltage", volts, "--json").json for volts in ("10 V", "30 V"))
+    one, three = (answer["regions"]["WG"] for answer in (low, high))
+    assert three["amplitude_m"] == pytest.approx(3 * one["amplitude_m"])
+    assert one["amplitude_m"] < one["amplitude_without_finger_m"]
+    assert three["reduction"] > one["reduction"]
+    assert one["drive_to_be_felt"] == pytest.approx(three["drive_to_be_felt"], rel=1e-3)
+    assert low["origin"] == "simulated"
+    assert low["quality_factor"] < low["quality_factor_without_finger"]
+    assert {light["colour"] for light in low["lights"]} <= {"green", "amber", "red"}
+    # the same plate at the same frequency by the other command, per volt, without a finger
+    line = inside("plate", plated(), "--at", f"{low['frequency_hz']} Hz", "--json").json["maps"][0]
+    assert line["finger_um"]["WG"] * 10 == pytest.approx(
+        1e6 * one["amplitude_without_finger_m"], rel=0.35
+    )  # its largest against our mean
+
+
+def test_feel_at_a_frequency_and_for_a_reduction(inside, plated):
+    answer = inside("feel", plated(), "--at", "9 kHz", "--reduction", "0.3", "--json").json
+    assert answer["frequency_hz"] == pytest.approx(9e3)
+    drive = answer["drive_for"]["WG"]
+    if drive is None:
+        pytest.fail("no drive found")
+    again = inside("feel", plated(), "--at", "9 kHz", "--voltage", f"{drive} V", "--json").json
+    assert again["regions"]["WG"]["reduction"] == pytest.approx(0.3, abs=2e-3)
+
+
+def test_the_map_is_that_of_the_response(inside, plated, tmp_path):
+    out = tmp_path / "out"
+    inside("feel", plated(), "--out", out)
+    with xr.open_dataset(out / "feel.nc", engine="h5netcdf") as data:
+        order = np.argsort(data["amplitude"].values)
+        assert (np.diff(data["value"].values[order]) <= 1e-12).all()  # more vibration, less friction
+
+
+@pytest.mark.parametrize(
+    ("options", "words"),
+    [
+        (["--voltage", "200"], ["unit"]),
+        (["--voltage", "3 kHz"], ["V"]),
+        (["--at", "58 mm"], ["Hz"]),
+        (["--reduction", "55"], ["percentage"]),
+    ],
+)
+def test_bad_options_are_refused(inside, plated, options, words):
+    assert_five_parts(inside("feel", plated(), *options), *words)
+
+
+def test_a_voltage_for_a_plate_that_a_force_drives_is_refused(inside, plated):
+    force = (
+        "[[plate.actuator]]",
+        '[[plate.force]]\nregion = "WG"\nname = "F"\ncentre = ["7 mm", "7 mm"]\n\n',
+    )
+    study = plated(force)
+    text = study.read_text("utf-8")
+    study.write_text(text[: text.index('name = "A1"')] + text[text.index("[plate.response]") :], "utf-8")
+    assert_five_parts(inside("feel", study, "--voltage", "200 V"), "force drives the plate")
+
+
+@pytest.mark.parametrize(
+    ("change", "words"),
+    [
+        ('damping = ["30 N s/m", "10 N s/m", "5 N s/m"]', ["touch.damping", "ascending"]),
+        ('force = "2000 N"', ["touch.force"]),
+        ('skin = { contact_gap = ["4 um", "3 um", "5 um"] }', ["touch.skin.contact_gap", "ascending"]),
+        ('skin = { gap = ["4 um", "5 um", "6 um"] }', ["contact_gap"]),
+        ('skin = { film_share = "1" }', ["touch.skin.film_share"]),
+        ('voltage = "0 V"', ["touch.voltage"]),
+    ],
+)
+def test_bad_keys_of_the_touch_are_refused(inside, plated, change, words):
+    assert_five_parts(inside("feel", plated(("[[sweep]]", f"[touch]\n{change}\n\n[[sweep]]"))), *words)
+
+
+def test_a_study_without_a_plate_is_refused(inside, study):
+    assert_five_parts(inside("feel", study()), "plate")

@@ -1,0 +1,176 @@
+"""What a finger feels, from amplitudes that are known."""
+
+import math
+
+import numpy as np
+import pytest
+import xarray as xr
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from haptonic.cell import Pillar, UnitCell
+from haptonic.errors import StudyError
+from haptonic.friction.lubrication import (
+    CUE_THRESHOLD,
+    WEBER_FRACTION,
+    Finger,
+    Touch,
+    intermittent_friction,
+    shared_friction,
+)
+from haptonic.lattice import Lattice
+from haptonic.materials import material
+from haptonic.plate.layout import Layout
+from haptonic.plate.parts import Force, Plate
+from haptonic.results.feel.felt import Felt
+from haptonic.results.feel.lights import FAR, lights
+from haptonic.results.feel.value import Feel
+
+ALUMINIUM = material("aluminium-paper")
+CELL = UnitCell(Lattice.square(7e-3), 1.5e-3, ALUMINIUM, Pillar(3.5e-3, 14.7e-3))
+ROW = ("A", "A", "A", "o", "B", "B", "B")
+LINES = tuple(7e-3 * np.arange(8))
+LAYOUT = Layout((ROW,) * 4, LINES, tuple(7e-3 * np.arange(5)), {"o": CELL}, 1.5e-3, ALUMINIUM)
+PLATE = Plate(LAYOUT, forces=(Force("F", (10e-3, 14e-3), None),), loss_factor=1e-3)
+FREE, LOADED = 10e-9, np.array([10e-9, 8e-9, 6e-9, 3e-9])  # m per newton on A; a tenth of it on B
+QUALITY = np.array([600.0, 500.0, 400.0, 200.0])
+
+
+def made(drive=150.0, idle=0.1, speed=0.078, **finger):
+    axes = [np.arange(1e-3, end, 2e-3) for end in (LINES[-1], LAYOUT.y[-1])]
+    x, y = (axis.ravel() for axis in np.meshgrid(*axes))
+    region = np.where(x < 21e-3, "A", np.where(x > 28e-3, "B", ""))
+    share = np.where(region == "A", 1.0, np.where(region == "B", idle, 0.5))
+    loaded = xr.Dataset(
+        {
+            "amplitude": (("load", "point"), LOADED[:, None] * share),
+            "quality": (("load", "point"), QUALITY[:, None] * np.ones(len(x))),
+        },
+        coords={
+            "load": ["free", "low", "value", "high"],
+            "x": ("point", x), "y": ("point", y), "region": ("point", region),
+        },
+        attrs={"frequency_hz": 58.8e3, "reference": "F, N", "error": 1e-4, "haptonic_version": "0"},
+    )  # fmt: skip
+    skin = Finger().having(**finger) if finger else Finger()
+    return Feel(PLATE, (52e3, 60e3), loaded, 10e-3, Touch(58.8e3, 0.5, speed), skin, drive)
+
+
+@settings(max_examples=6, deadline=None)
+@given(st.floats(5.0, 400.0), st.floats(0.05, 0.9))
+def test_friction_is_that_of_the_models_at_each_amplitude(drive, idle):
+    found = made(drive, idle)
+    friction = found.friction()
+    for region, share in (("A", 1.0), ("B", idle)):
+        amplitude = LOADED[2] * share * drive
+        exact = float(shared_friction(amplitude, found.touch, found.skin.values))
+        at = friction.isel(point=int(np.flatnonzero(found.below(region))[0]))
+        assert float(at["amplitude"]) == pytest.approx(amplitude)
+        assert float(at["value"]) == pytest.approx(exact, abs=2e-3)
+        assert float(at["low"]) <= float(at["value"]) <= float(at["high"])
+        assert found.reductions()[region].value == pytest.approx(1 - exact, abs=2e-3)
+
+
+def test_where_the_plate_strikes_the_skin_the_other_model_answers():
+    found = made(1000.0, film_share=5e-4)
+    amplitude = LOADED[2] * 1000.0
+    assert math.isnan(shared_friction(amplitude, found.touch, found.skin.values))
+    exact = float(intermittent_friction(amplitude, found.touch, found.skin.values))
+    assert found.reductions()["A"].value == pytest.approx(1 - exact, abs=2e-3)
+
+
+def test_damping_widens_the_interval_to_the_right_sides():
+    found = made().reductions()["A"]
+    narrow = made()
+    narrow.loaded["amplitude"][1:] = narrow.loaded["amplitude"][2]
+    inner = narrow.reductions()["A"]
+    assert found.low < inner.low < inner.value < inner.high < found.high
+    assert found.value == pytest.approx(inner.value)
+
+
+@settings(max_examples=5, deadline=None)
+@given(st.floats(0.02, 0.9))
+def test_the_drive_for_a_reduction_gives_it(reduction):
+    found = made()
+    drive = found.drive_for(reduction, "A")
+    assert made(drive).reductions()["A"].value == pytest.approx(reduction, abs=1e-3)
+    # a tenth of the amplitude needs ten times the drive, if there is one
+    idle = found.drive_for(reduction, "B")
+    assert idle == pytest.approx(10 * drive, rel=1e-3) if idle else 10 * drive > 9e3
+
+
+def test_a_reduction_that_no_drive_gives():
+    found = made()
+    found.loaded["amplitude"][:] = 0.0
+    assert found.drive_for(0.5, "A") is None
+
+
+@pytest.mark.parametrize("reduction", [0.0, 1.0, 55.0, -0.1, math.nan])
+def test_a_reduction_that_is_no_share_is_refused(reduction):
+    with pytest.raises(StudyError, match="percentage"):
+        made().drive_for(reduction, "A")
+
+
+def test_places_are_those_where_the_whole_finger_lies_on_the_region():
+    found = made()
+    x, y = found.loaded["x"].values, found.loaded["y"].values
+    inside = found.below("A")
+    assert inside.any()
+    for edge in (x, 21e-3 - x, y, 28e-3 - y):  # the plate's rim and the lattice
+        assert edge[inside].min() >= 5e-3 - 1.1e-3
+    assert ((x > 6e-3) & (x < 15e-3) & (y > 6e-3) & (y < 22e-3) <= inside).all()
+    wide = Feel(PLATE, None, found.loaded, 40e-3, found.touch, found.skin, 1.0)
+    np.testing.assert_array_equal(wide.below("A"), found.loaded["region"].values == "A")
+
+
+def test_times_and_ratios_are_those_with_a_finger():
+    found = made(idle=0.25)
+    assert found.driven == "A"
+    assert found.ratio == {"B": pytest.approx(4.0)}
+    assert found.quality() == pytest.approx(400)
+    assert found.constant == pytest.approx(400 / (math.pi * 58.8e3))
+    assert found.rise == pytest.approx(math.log(9) * found.constant)
+    margin = found.margins["B"]
+    assert margin.stopped == pytest.approx(1 - margin.idle / margin.driven)
+
+
+def test_what_is_written_says_what_was_assumed_and_that_it_is_simulated():
+    data = made(contact_gap=4e-6).dataset
+    assert data.attrs["origin"] == "simulated"
+    assert '"mark": "given"' in data.attrs["assumptions"]
+    assert '"mark": "assumed"' in data.attrs["assumptions"]
+    assert data["amplitude"].attrs["units"] == "m"
+
+
+# -- traffic lights -----------------------------------------------------------------------------------
+
+FAST, SLOW = 0.5 * CUE_THRESHOLD, 2 * CUE_THRESHOLD
+GOOD = {"A": Felt(0.5, 0.4, 0.6), "B": Felt(0.02, 0.0, 0.05)}
+WANTED = FAR * WEBER_FRACTION
+
+
+@pytest.mark.parametrize(
+    ("changes", "colours"),
+    [
+        ({}, ["green", "green", "green", "green"]),
+        ({"A": Felt(0.5, WANTED - 0.01, 0.6)}, ["amber", "green", "green", "green"]),
+        ({"A": Felt(WANTED - 0.01, 0.0, 0.6)}, ["red", "green", "green", "green"]),
+        ({"B": Felt(0.02, 0.0, WEBER_FRACTION + 0.01)}, ["green", "amber", "green", "green"]),
+        ({"B": Felt(WEBER_FRACTION + 0.01, 0.0, 0.2)}, ["green", "red", "green", "green"]),
+    ],
+)
+def test_regions_are_judged_by_their_whole_interval(changes, colours):
+    found = lights(GOOD | changes, "A", FAST, FAST, 56e3, (52e3, 60e3))
+    assert [light.colour for light in found] == colours
+
+
+@pytest.mark.parametrize(("rise", "constant", "colour"), [
+    (FAST, FAST, "green"), (SLOW, FAST, "amber"), (SLOW, SLOW, "red"),
+])  # fmt: skip
+def test_the_time_is_judged_by_both_definitions(rise, constant, colour):
+    assert lights(GOOD, "A", rise, constant, 56e3, (52e3, 60e3))[2].colour == colour
+
+
+@pytest.mark.parametrize("gap", [None, (52e3, 55e3), (57e3, 60e3)])
+def test_a_drive_outside_of_the_gap_is_red(gap):
+    assert lights(GOOD, "A", FAST, FAST, 56e3, gap)[3].colour == "red"

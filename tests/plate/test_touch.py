@@ -1,0 +1,129 @@
+"""The vibration below a finger, against dense solutions with the finger in them."""
+
+from dataclasses import replace
+from functools import cache
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from small import COARSE, LOSS, busy_plate, drawn
+from whole import dynamic
+
+from haptonic.plate import sweep
+from haptonic.plate.model import PlateModel
+from haptonic.plate.modes import modes_between
+from haptonic.plate.parts import Finger, Force, Plate, Support
+from haptonic.plate.sweep import Band
+from haptonic.plate.touch import Places, below_finger
+from haptonic.response import FrequencyResponse, disc_average
+
+HZ = 2 * np.pi
+DRIVES = {"A": 40.0, "F": 0.3 - 0.2j}
+SPACING = 1.75e-3
+
+
+@cache
+def bare():
+    return PlateModel.of(replace(busy_plate(), finger=None), 40e3, COARSE)
+
+
+@cache
+def bare_band():
+    return Band.of(bare(), 0.0, 40e3)
+
+
+@cache
+def grid():
+    layout = bare().plate.layout
+    axes = [np.arange(SPACING / 2, lines[-1], SPACING) for lines in (layout.x, layout.y)]
+    return np.stack([axis.ravel() for axis in np.meshgrid(*axes)], axis=1)
+
+
+def free_field(omega):
+    _, vibration = bare_band().answer(DRIVES, np.array([omega / HZ]), 1e-3)
+    return (bare().displaced(grid(), vibration.vectors) @ vibration.amplitudes)[:, 0]
+
+
+def with_a_finger(place, places, omega, stiffness):
+    """Root mean square over the disc, from the whole complex matrix with the finger's share in it."""
+    disc = places.discs[place]
+    seen = bare().displaced(grid()[disc], np.eye(bare().assembly.size))
+    matrix = dynamic(bare(), omega) + stiffness / len(disc) * seen.T @ seen
+    moved = seen @ np.linalg.solve(matrix, bare().load(DRIVES))
+    return np.sqrt((np.abs(moved) ** 2).mean())
+
+
+@settings(max_examples=6)
+@given(st.floats(6e3, 34e3), st.integers(0, 5), st.floats(0.5, 60.0), st.floats(-2e6, 2e6))
+def test_a_finger_anywhere_is_as_in_the_whole_matrix(frequency, which, damping, stiffness):
+    omega = HZ * frequency
+    places, stiff = Places(grid(), 8e-3), stiffness + 1j * omega * damping
+    found = below_finger(bare_band().reduced, places, free_field(omega), omega, [0.0, stiff])
+    place = np.linspace(0, len(grid()) - 1, 6).astype(int)[which]
+    for row, value in enumerate((0.0, stiff)):
+        exact = with_a_finger(place, places, omega, value)
+        assert found[row, place] == pytest.approx(exact, rel=5e-3)
+
+
+def test_without_a_finger_it_is_the_average_over_the_disc():
+    omega = HZ * 21e3
+    field = free_field(omega)
+    response = FrequencyResponse.of(
+        field[None, :, None], frequency=np.array([21e3]), x=grid()[:, 0], y=grid()[:, 1],
+        reference="A, V", origin="simulated", quantity="displacement",
+    )  # fmt: skip
+    found = below_finger(bare_band().reduced, Places(grid(), 8e-3), field, omega, [0.0])
+    np.testing.assert_allclose(found[0], disc_average(response, 8e-3).values[0], rtol=1e-5)
+
+
+def test_a_finger_that_does_not_give_way_stops_the_plate():
+    omega = HZ * 21e3
+    free, held = below_finger(
+        bare_band().reduced, Places(grid(), 8e-3), free_field(omega), omega, [0.0, 1e13]
+    )
+    assert (held < 1e-3 * free.max()).all()
+
+
+def test_the_grid_of_a_disc_is_fine_enough():
+    """Another grid of points below the same finger, the one that a plate with a finger of its own has."""
+    omega, place = HZ * 21e3, len(grid()) // 2 + 5
+    found = below_finger(bare_band().reduced, Places(grid(), 8e-3), free_field(omega), omega, [10j * omega])
+    finger = Finger(tuple(grid()[place]), 8e-3, mass=np.inf, stiffness=0.0, damping=10.0)
+    _, vibration = bare_band().touched(finger).answer(DRIVES, np.array([21e3]), 1e-2)
+    disc = Places(grid(), 8e-3).discs[place]
+    moved = bare().displaced(grid()[disc], vibration.vectors) @ vibration.amplitudes
+    assert found[0, place] == pytest.approx(np.sqrt((np.abs(moved) ** 2).mean()), rel=0.05)
+
+
+# -- a basis that misses nothing ----------------------------------------------------------------------
+
+
+def test_crowded_modes_are_parted_and_missing_ones_found(monkeypatch):
+    """With few and short chains modes are missing at first; the basis has to notice and to find them."""
+    high = 80e3
+    lattice = Plate(
+        drawn("ooo ooo"),
+        supports=(Support("left", "clamped"),),
+        forces=(Force("F", (10e-3, 5e-3), None),),
+        loss_factor=LOSS,
+    )
+    model = PlateModel.of(lattice, high, COARSE)
+    full = Band.of(model, 0.0, high).reduced.basis
+    assert full.incomplete == []
+    for name, value in {"LENGTH": 1, "MODES": 10_000, "SPACING": 200e3, "ROUNDS": 0}.items():
+        monkeypatch.setattr(sweep, name, value)
+    assert Band.of(model, 0.0, high).reduced.basis.incomplete
+    monkeypatch.setattr(sweep, "ROUNDS", 8)
+    mended = Band.of(model, 0.0, high).reduced.basis
+    assert mended.incomplete == []
+    top = max(mended.below)
+    assert (mended.values < top).sum() == mended.below[top] > 30
+    monkeypatch.setattr(sweep, "MODES", 8)
+    parted = sorted(Band.of(model, 0.0, high).reduced.basis.below.items())
+    assert max(np.diff([below for _, below in parted])) <= sweep.CROWDED * 8
+
+
+def test_modes_of_a_band_are_all_modes():
+    found = modes_between(bare_band(), 1e3, 40e3)
+    assert (found.error < 1e-3).all()
