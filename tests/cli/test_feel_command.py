@@ -9,6 +9,9 @@ import pytest
 import xarray as xr
 
 from five_parts import assert_five_parts
+from haptonic.report import Absent, Chapter, Results
+from haptonic.report.chapters.feel import chapter
+from haptonic.study import load
 
 FILES = {"feel.nc", *(f"{name}.{kind}" for name in ("friction", "reduction") for kind in ("svg", "png"))}
 TOUCH = ("[[sweep]]", '[touch]\nforce = "0.8 N"\nvoltage = "200 V"\n\n[[sweep]]')
@@ -112,3 +115,18 @@ def test_bad_keys_of_the_touch_are_refused(inside, plated, change, words):
 
 def test_a_study_without_a_plate_is_refused(inside, study):
     assert_five_parts(inside("feel", study()), "plate")
+
+
+def test_the_report_tells_what_a_finger_feels(plated, monkeypatch, store_folder):
+    monkeypatch.setenv("HAPTONIC_STORE", str(store_folder))
+    study = load(plated())
+    result = study.felt()
+    made = chapter(Results(study, xr.Dataset(), feel=result))
+    assert isinstance(made, Chapter)
+    assert len(made.pictures) == 2
+    felt = result.reductions()["WG"]
+    assert any(str(felt) in words for words in made.findings)
+    assert any(f"{result.quality():.0f}; the vibration" in words for words in made.findings)
+    assert not any("paper" in words for words in made.findings)  # it is not its plate
+    assert all("imulated" in picture.caption for picture in made.pictures)
+    assert isinstance(chapter(Results(study, xr.Dataset())), Absent)

@@ -15,7 +15,7 @@ from haptonic import __version__, plots
 from haptonic.cli.console import Voice, speaking
 from haptonic.cli.designing import design, export, tolerance
 from haptonic.cli.doctor import examined
-from haptonic.cli.feeling import feel
+from haptonic.cli.feeling import FEEL_FILES, feel, write_feel
 from haptonic.cli.mirrors import LAYER_FILES, layers, waveguide, write_layers
 from haptonic.cli.options import (
     KEPT,
@@ -35,6 +35,7 @@ from haptonic.report import Results, paper, write_report
 from haptonic.report.guide_shifts import guide_shifts
 from haptonic.results import (
     Bands,
+    Feel,
     Guides,
     Layers,
     PlateResult,
@@ -144,7 +145,7 @@ def reproduce(
         if _has_mirror(loaded):
             names += LAYER_FILES
         if loaded.plate_section is not None and loaded.carrier is not None:
-            names += plate_files(loaded.plate())
+            names += [*plate_files(loaded.plate()), *FEEL_FILES]
         refuse_taken(folder, names, overwrite=overwrite)
         started, timings = datetime.now(UTC), {}
         clock = time.perf_counter()
@@ -163,6 +164,10 @@ def reproduce(
         plated, shifts = _plate(loaded, voice)
         if plated:
             timings["plate"] = time.perf_counter() - clock
+        clock = time.perf_counter()
+        felt = _felt(loaded, voice)
+        if felt:
+            timings["what a finger feels"] = time.perf_counter() - clock
         filleted = None
         if paper.is_its_cell(loaded):
             with voice.busy("the paper's cell with a fillet"):
@@ -176,8 +181,10 @@ def reproduce(
             data = tuple(one.dataset for one in swept)
             if plated:
                 write_plate(plated, folder, overwrite)
+            if felt:
+                write_feel(felt, folder, overwrite)
             results = Results(
-                loaded, result.dataset, data, mirror, guides, plated, shifts, filleted, timings, started
+                loaded, result.dataset, data, mirror, guides, plated, felt, shifts, filleted, timings, started
             )
             report = write_report(results, folder / "report.html", overwrite=overwrite)
         voice.tell(gap_table(result))
@@ -198,6 +205,14 @@ def _plate(loaded: Study, voice: Voice) -> tuple[PlateResult | None, xr.Dataset 
         return result, None
     with voice.busy("what moves the mode of the guides"):
         return result, guide_shifts(loaded, Store.default())
+
+
+def _felt(loaded: Study, voice: Voice) -> Feel | None:
+    """What a finger feels of the plate, if there is one."""
+    if loaded.plate_section is None or loaded.carrier is None:
+        return None
+    with voice.counted("what a finger feels", 0) as progress:
+        return loaded.felt(on_progress=progress)
 
 
 for command in (layers, waveguide, plate, feel, design, tolerance, export):

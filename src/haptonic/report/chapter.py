@@ -10,7 +10,7 @@ import xarray as xr
 from matplotlib.figure import Figure
 
 from haptonic.bloch import Gap
-from haptonic.results import Guides, Layers, PlateResult
+from haptonic.results import Feel, Guides, Layers, PlateResult
 from haptonic.study import Study
 
 
@@ -23,6 +23,7 @@ class Results:
     sweeps : one dataset for each of the study's sweeps that was computed; may be empty
     layers, guides : what was asked of the lattice as a mirror, if it was computed
     plate : how the finite plate vibrates, if it was computed
+    feel : what a finger feels of the plate, if it was computed
     guide_shifts : from `haptonic.report.guide_shifts`, if the plate is the paper's
     filleted : the gap of the same cell with a fillet of the radius that `paper` names, if it was computed
     timings : seconds that each part of the run took, by name
@@ -35,6 +36,7 @@ class Results:
     layers: Layers | None = None
     guides: Guides | None = None
     plate: PlateResult | None = None
+    feel: Feel | None = None
     guide_shifts: xr.Dataset | None = None
     filleted: Gap | None = None
     timings: Mapping[str, float] = field(default_factory=dict)

@@ -1,6 +1,6 @@
 """The chapters in their order. Each is a module with ``chapter(results)``."""
 
-from haptonic.report.chapters import comparison, dispersion, mirror, modes, plate, sweeps
+from haptonic.report.chapters import comparison, dispersion, feel, mirror, modes, plate, sweeps
 
 IN_ORDER = (
     dispersion.chapter,
@@ -8,6 +8,7 @@ IN_ORDER = (
     sweeps.chapter,
     mirror.chapter,
     plate.chapter,
+    feel.chapter,
     comparison.chapter,
 )
 

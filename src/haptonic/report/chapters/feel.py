@@ -1,0 +1,128 @@
+"""What a finger feels of the plate: predicted friction beside the paper's, and the ratio that explains it."""
+
+from __future__ import annotations
+
+import math
+
+from haptonic.friction.lubrication import CUE_THRESHOLD, WEBER_FRACTION, explained
+from haptonic.report import paper
+from haptonic.report.chapter import Absent, Chapter, Picture, Results, Table
+from haptonic.results import Feel
+from haptonic.units import format_quantity
+
+TITLE = "What a finger feels"
+
+
+def chapter(results: Results) -> Chapter | Absent:
+    """Predicted friction over the plate, reductions of its regions, and the inversion of the paper's."""
+    result = results.feel
+    if result is None:
+        return Absent(TITLE, "it was not computed in this run")
+    figures = result.figures()
+    drive = format_quantity(result.drive, result.unit)
+    pictures = (
+        Picture(
+            figures["friction"],
+            "Simulated friction below a finger with its middle at each point, over that without vibration, "
+            f"at {result.frequency / 1e3:.2f} kHz and {drive}; on either side the ends of the band that two "
+            "models and all plausible parameters leave.",
+            "Maps of friction over the plate.",
+        ),
+        Picture(
+            figures["reduction"],
+            "Simulated reduction of friction, averaged over each region, against the amplitude of the drive.",
+            "Reduction of each region against the drive, with bands.",
+        ),
+    )
+    assumed = [str(one["title"]) for one in result.skin.assumptions().values() if one["mark"] == "assumed"]
+    return Chapter(
+        title=TITLE,
+        identifier="feel",
+        paragraphs=(
+            f"A finger of {result.touch.force:g} N that slides at {1e3 * result.touch.speed:g} mm/s damps "
+            "the plate wherever it lies; amplitudes are those that are left below it. Friction follows from "
+            "them by a film of squeezed air that shares the load with the skin, which gives the value, or by "
+            "intermittent contact; the band spans both.",
+            f"Nobody measured this fingertip. Assumed: {'; '.join(assumed)}; the damping that it adds.",
+        ),
+        findings=(*_findings(result), *_inversion(results, result)),
+        pictures=pictures,
+        tables=(_table(results, result), _lights(result)),
+    )
+
+
+def _findings(result: Feel) -> list[str]:
+    said = [
+        f"{name}{' (driven)' if name == result.driven else ''}: friction falls by {felt}; "
+        f"{_noticed(result, name)}."
+        for name, felt in result.reductions().items()
+    ]
+    mode = result.loaded.attrs["mode_hz"]
+    if math.isfinite(mode):
+        said.append(
+            f"A finger on the driven region lowers the quality factor of the mode at {mode / 1e3:.2f} kHz "
+            f"from {result.quality('free'):.0f} to {result.quality():.0f}; the vibration then takes "
+            f"{1e3 * result.rise:.1f} ms from 10 to 90 %. Cues of {1e3 * CUE_THRESHOLD:.1f} ms are felt."
+        )
+    return said
+
+
+def _noticed(result: Feel, region: str) -> str:
+    drive = result.drive_for(WEBER_FRACTION, region)
+    if drive is None:
+        return "no drive makes it noticed"
+    return f"it is noticed from {drive:.3g} {result.unit} on"
+
+
+def _inversion(results: Results, result: Feel) -> list[str]:
+    """What ratio of amplitudes the paper's reductions need, and what the simulated plate has."""
+    if not (paper.is_its_cell(results.study) and result.ratio):
+        return []
+    found = explained(paper.DRIVEN_REDUCTION, paper.IDLE_REDUCTION, result.touch, result.skin)["ratio"]
+    value, low, high = (float(found.sel(quantity=end)) for end in ("value", "low", "high"))
+    idle, ratio = next(iter(result.ratio.items()))
+    margin = result.margins[idle]
+    return [
+        f"The paper's reductions, {_percent(paper.DRIVEN_REDUCTION)} and {_percent(paper.IDLE_REDUCTION)}, "
+        f"need an amplitude {value:.1f} times as large on the driven guide as on the idle one ({low:.1f} to "
+        f"{high:.1f} over the plausible parameters), that is {_decibels(value)}. Below a finger the "
+        f"simulated plate has {ratio:.1f} times, {_decibels(ratio)}.",
+        f"In the simulation the lattice stops {_percent(margin.stopped)} of the reduction; the paper finds "
+        f"about {_percent(paper.STOPPED)}. So its prototype lets more through than the model of it. Its maps "
+        "are normalised each by itself and do not say how much; a scan of both guides on one scale would.",
+    ]
+
+
+def _table(results: Results, result: Feel) -> Table:
+    head = ["region", "amplitude below a finger", "without finger", "reduction", "noticed from"]
+    published = {}
+    if paper.is_its_cell(results.study) and result.driven:
+        published = dict.fromkeys(result.regions, _percent(paper.IDLE_REDUCTION))
+        published[result.driven] = _percent(paper.DRIVEN_REDUCTION)
+        head.append("paper, measured")
+    reductions = result.reductions()
+    rows = []
+    for name in result.regions:
+        drive = result.drive_for(WEBER_FRACTION, name)
+        row = [
+            name,
+            f"{1e6 * result.amplitude(name):.2g} um",
+            f"{1e6 * result.amplitude(name, 'free'):.2g} um",
+            str(reductions[name]),
+            "not reached" if drive is None else f"{drive:.3g} {result.unit}",
+        ]
+        rows.append(tuple([*row, published[name]] if published else row))
+    return Table("Simulated friction of the regions.", tuple(head), tuple(rows))
+
+
+def _lights(result: Feel) -> Table:
+    rows = tuple((light.what, light.colour, light.reason) for light in result.lights)
+    return Table("Does the plate do what it is for?", ("demand", "light", "why"), rows)
+
+
+def _percent(share: float) -> str:
+    return f"{100 * share:.0f} %"
+
+
+def _decibels(ratio: float) -> str:
+    return f"{20 * math.log10(ratio):.1f} dB"
