@@ -190,45 +190,17 @@ class Assembly:
         """Of the upper triangle on the free unknowns of the skeleton."""
         return self._places[0]
 
-    def numbers(self, parts: Sequence[Array], springs: sp.csr_array) -> Array:
-        """Numbers on the pattern from one matrix (trace, trace) for each group and springs (free, free).
-
-        The springs are the beds, or some of them.
-        """
+    def numbers(self, parts: Sequence[Array]) -> Array:
+        """Numbers on the pattern from one matrix (trace, trace) for each group, and the beds."""
         pattern, places, keys = self._places
         data = np.zeros(len(pattern.indices) + 1)
         for group, place, part in zip(self.groups, places, parts, strict=True):
             upper = part[np.triu_indices(len(part))]
             for own in place.reshape(len(group.blocks), -1):  # free entries of one block never coincide
                 data[own] += upper
-        bed = sp.coo_array(sp.triu(springs))
+        bed = sp.coo_array(sp.triu(self.beds))
         np.add.at(data, np.searchsorted(keys, bed.row.astype(np.int64) * self.free + bed.col), bed.data)
         return data[:-1]
-
-    def solved(
-        self,
-        right: NDArray[Any],
-        eliminated: Sequence[Eliminated],
-        on_skeleton: Callable[[NDArray[Any]], NDArray[Any]],
-    ) -> NDArray[Any]:
-        """(size, k) solutions for right-hand sides (size, k).
-
-        Parameters
-        ----------
-        eliminated : the modes of each group; on_skeleton : solves for (free, k) with them eliminated
-        """
-        pieces, inner = [], []
-        for (group, share), one in zip(self.shares(right), eliminated, strict=True):
-            own = share[group.tile.trace_size :]
-            inner.append(one.alone(own))
-            pieces.append(np.concatenate([applied(one.follow.T, own), np.zeros_like(own)]))
-        reduced = right[: self.free] + self.gathered(pieces)[: self.free]
-        out = np.zeros((self.size + 1, right.shape[1]), dtype=right.dtype)
-        out[: self.free] = on_skeleton(reduced)
-        for group, one, own in zip(self.groups, eliminated, inner, strict=True):
-            trace = group.tile.trace_size
-            out[group.unknowns.T[trace:]] = own + applied(one.follow, out[group.unknowns.T[:trace]])
-        return out[:-1]
 
     def shifted(self, shift: float, solver: Solver | None = None) -> Shifted:
         """K - shift M, factorised."""
@@ -251,11 +223,23 @@ class Shifted:
     @classmethod
     def of(cls, assembly: Assembly, shift: float, solver: Solver) -> Shifted:
         eliminated = tuple(group.tile.dynamic(shift) for group in assembly.groups)
-        numbers = assembly.numbers([one.on_trace for one in eliminated], assembly.beds)
+        numbers = assembly.numbers([one.on_trace for one in eliminated])
         below = solver.factorise(numbers, definite=shift <= 0)
         below += sum(len(g.blocks) * int((g.tile.values < shift).sum()) for g in assembly.groups)
         return cls(assembly, shift, solver, eliminated, below)
 
     def solve(self, right: Array) -> Array:
-        """(size, k) solutions of (K - shift M) x = right."""
-        return self.assembly.solved(right, self.eliminated, self.solver.solve)
+        """(size, k) solutions of (K - shift M) x = right, (size, k)."""
+        assembly = self.assembly
+        pieces, inner = [], []
+        for (group, share), one in zip(assembly.shares(right), self.eliminated, strict=True):
+            own = share[group.tile.trace_size :]
+            inner.append(one.inverse[:, None, None] * own)
+            pieces.append(np.concatenate([applied(one.follow.T, own), np.zeros_like(own)]))
+        reduced = right[: assembly.free] + assembly.gathered(pieces)[: assembly.free]
+        out = np.zeros((assembly.size + 1, right.shape[1]))
+        out[: assembly.free] = self.solver.solve(reduced)
+        for group, one, own in zip(assembly.groups, self.eliminated, inner, strict=True):
+            trace = group.tile.trace_size
+            out[group.unknowns.T[trace:]] = own + applied(one.follow, out[group.unknowns.T[:trace]])
+        return out[:-1]

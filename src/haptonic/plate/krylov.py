@@ -191,7 +191,8 @@ class Basis:
     @cached_property
     def complete(self) -> tuple[float, float]:
         """The widest interval, (rad/s)^2, in which as many Ritz values lie as there are modes."""
-        best = run = (0.0, 0.0)
+        start = self._counted[0][0] if self._counted else 0.0
+        best = run = (start, start)
         for low, high, whole in self._counted:
             run = (run[0] if run[1] == low else low, high) if whole else (high, high)
             best = max(best, run, key=lambda one: one[1] - one[0])

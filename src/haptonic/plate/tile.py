@@ -29,18 +29,12 @@ class Eliminated:
     """The modes of a tile, taken out of its equations.
 
     on_trace : (trace, trace) dynamic stiffness that is left; follow : (modes, trace) the modes behind a trace
-    inverse : (modes, modes) of their own dynamic stiffness, or (modes,) if that is diagonal
+    inverse : (modes,) of their own dynamic stiffness, which is diagonal
     """
 
-    on_trace: Fields
-    follow: Fields
-    inverse: Fields
-
-    def alone(self, forces: Fields) -> Fields:
-        """Answer of the modes to forces (modes, blocks, k) with the trace at rest."""
-        if self.inverse.ndim == 1:
-            return np.asarray(self.inverse[:, None, None] * forces)
-        return applied(self.inverse, forces)
+    on_trace: Array
+    follow: Array
+    inverse: Array
 
 
 class Inside(Protocol):
@@ -99,18 +93,9 @@ class Tile:
     def dynamic(self, shift: float) -> Eliminated:
         """K - shift M with the modes eliminated."""
         matrix = self.elastic - shift * self.mass
-        return self._eliminated(matrix, 1 / (self.values - shift))
-
-    def complex_dynamic(self, factors: Mapping[str, complex], omega: float) -> Eliminated:
-        """Dynamic stiffness at an angular frequency, rad/s, with a complex factor of each part."""
-        stiff = sum(factors[name] * part for name, part in self.stiffness.items())
-        matrix = np.asarray(stiff - omega**2 * self.mass)
-        return self._eliminated(matrix, np.linalg.inv(matrix[self.trace_size :, self.trace_size :]))
-
-    def _eliminated(self, matrix: Fields, inverse: Fields) -> Eliminated:
-        trace = self.trace_size
+        trace, inverse = self.trace_size, 1 / (self.values - shift)
         coupling = matrix[trace:, :trace]
-        follow = -(inverse[:, None] * coupling if inverse.ndim == 1 else inverse @ coupling)
+        follow = -inverse[:, None] * coupling
         return Eliminated(matrix[:trace, :trace] + coupling.T @ follow, follow, inverse)
 
 
