@@ -129,7 +129,7 @@ def _measured(records: list[Record], rules: Rules) -> dict[str, NDArray[np.gener
         excluded[whole] = "record too short"
     else:
         flagged = np.array([record.saturated for record in records])
-        excluded[whole & (flagged | _saturated(channels[:2]))] = "saturated channel"
+        excluded[whole & (flagged | saturated(channels[:2]))] = "saturated channel"
     usable = np.flatnonzero(excluded == "")
     found = {name: np.full(count, value) for name, value in asdict(Measured()).items() if name != "excluded"}
     if usable.size:
@@ -209,8 +209,8 @@ def _median(values: Array, mask: Mask) -> Array:
     return np.asarray(np.where(count > 0, np.where(count[:, None] > 0, middle, 0.0).mean(axis=1), 0.0))
 
 
-def _saturated(channels: Array) -> Mask:
-    """(stroke,) whether a channel stays at its largest size for several samples in a row."""
+def saturated(channels: Array) -> Mask:
+    """(stroke,) whether one of (channel, stroke, sample) stays at its largest size for some samples."""
     size = np.abs(channels)
     largest = size.max(axis=2, keepdims=True)
     at_end = (size == largest) & (largest > 0)
