@@ -45,6 +45,7 @@ class Sensor:
     rate : sampling rate, Hz, where the files have no time
     gauges : names of six channels in V, in the order of the columns of ``calibration``
     calibration : (6, 6) Fx Fy Fz Tx Ty Tz (N, N m) for one volt of each gauge, or None
+    forced : whether the calibration is to be used also where a file has forces
     largest_force, largest_gauge : N and V at which a channel is at its end, or None
     """
 
@@ -60,6 +61,7 @@ class Sensor:
     calibration: NDArray[np.float64] | None = None
     largest_force: float | None = None
     largest_gauge: float | None = None
+    forced: bool = True
 
     def wired(self, channels: Channels) -> Wiring:
         """Which channel is which.
@@ -73,11 +75,16 @@ class Sensor:
         leads: dict[str, Lead] = {}
         matrix: Array | None = None
         gauges: tuple[str, ...] = ()
+        guesses = {
+            meaning: next((names[word] for word in words if word in names), "")
+            for meaning, words in GUESSES.items()
+        }
+        raw = self.calibration is not None and (self.forced or not guesses["normal"])
         for meaning in ("normal", "tangential", "position", "time"):
             asked = getattr(self, meaning)
-            if self.calibration is not None and DIMENSION[meaning] == "N":
+            found = guesses[meaning]
+            if raw and DIMENSION[meaning] == "N":
                 continue
-            found = next((names[guess] for guess in GUESSES[meaning] if guess in names), "")
             if asked:
                 leads[meaning] = self._lead(meaning, asked, channels)
             elif found:
@@ -85,7 +92,7 @@ class Sensor:
                 remarks.append(f'the channel "{found}" was taken as {meaning}')
             elif DIMENSION[meaning] == "N":
                 channels[GUESSES[meaning][0].capitalize()]  # refused, with the names that there are
-        if self.calibration is not None:
+        if raw and self.calibration is not None:
             matrix = self._rows(self.calibration)
             gauges = self.gauges or _guessed_gauges(names, channels)
             if not self.gauges:
