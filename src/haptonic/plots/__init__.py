@@ -2,6 +2,7 @@
 
 from haptonic.plots.bands import dispersion
 from haptonic.plots.designs import front, search
+from haptonic.plots.friction import conditions, reductions, trial_sheet
 from haptonic.plots.mirrors import decay, guide, layers
 from haptonic.plots.modes import mode_shapes
 from haptonic.plots.plates import animated, maps, plate_plan
@@ -13,6 +14,7 @@ from haptonic.plots.zone import density_of_states, iso_frequency
 
 __all__ = [
     "animated",
+    "conditions",
     "contrast_spectrum",
     "decay",
     "density_of_states",
@@ -25,9 +27,11 @@ __all__ = [
     "maps",
     "mode_shapes",
     "plate_plan",
+    "reductions",
     "save",
     "search",
     "sweep",
     "tolerance",
+    "trial_sheet",
     "velocity_spectrum",
 ]

@@ -90,6 +90,8 @@ def summary(trials: xr.Dataset, driven: str | None = None) -> Summary:
     FrictionError : no waveguide is called like that
     """
     guides = list(dict.fromkeys(str(name) for name in trials["waveguide"].values))
+    if driven is not None and driven not in guides:
+        paired(trials, driven)  # refused, with the names that there are
     omissions = []
     pairs: dict[str, Pairs] = {}
     for guide in guides:
@@ -97,13 +99,13 @@ def summary(trials: xr.Dataset, driven: str | None = None) -> Summary:
             pairs[guide] = paired(trials, guide)
         except FrictionError as error:
             omissions.append(f"{guide}: no test; {error.given}; {error.cause}")
-    if driven is not None and driven not in guides:
-        paired(trials, driven)  # refused, with the names that there are
     chosen = "as the study says"
     if driven is None and pairs:
         driven = max(pairs, key=lambda guide: pairs[guide].reduction)
         chosen = "the largest reduction was found there; the study does not say"
-    conditions = tuple(conditions_of(trials))
+    guides.sort(key=lambda guide: guide != driven)
+    pairs = {guide: pairs[guide] for guide in guides if guide in pairs}
+    conditions = tuple(conditions_of(trials, guides))
     omissions += _unbalanced(conditions)
     all_pairs = list(pairs.values())
     tests = compared(all_pairs)
@@ -138,12 +140,10 @@ def summary(trials: xr.Dataset, driven: str | None = None) -> Summary:
     )
 
 
-def conditions_of(trials: xr.Dataset) -> Iterator[Condition]:
+def conditions_of(trials: xr.Dataset, guides: list[str]) -> Iterator[Condition]:
     """Every condition of every participant and, if there are several, of all."""
     columns = {name: trials[name].values for name in ("participant", "waveguide", "actuation", "excluded")}
-    people, guides = (
-        list(dict.fromkeys(columns[name].tolist())) for name in ("participant", "waveguide")
-    )  # fmt: skip
+    people = list(dict.fromkeys(columns["participant"].tolist()))
     for person in [*people, *[EVERYBODY] * (len(people) > 1)]:
         for guide in guides:
             for side in SIDES:
