@@ -198,7 +198,7 @@ def trial_sheet(trials: xr.Dataset, traces: xr.Dataset, *, origin: str) -> Figur
     axes.plot([], [], color=style.GREEN, lw=4, alpha=0.5, label="steady part")
     figure.legend(
         loc="outside lower center", ncols=3,
-        title=f"height of a cell: {2 * high:.2g} N about zero; width: {lasts:.2g} s; number: friction",
+        title=f"green: {2 * high:.2g} N high about zero; cell: {lasts:.2g} s wide; number: friction",
         title_fontsize=7,
     )  # fmt: skip
     return figure

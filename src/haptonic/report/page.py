@@ -66,10 +66,9 @@ def filled(template: str, **values: object) -> str:
     return environment.from_string(text).render(**values)
 
 
-def _embedded(figure: Figure, kind: str = "svg") -> str:
+def _embedded(figure: Figure) -> str:
     """The figure as an address that holds all of it."""
-    form = {"svg": "svg+xml"}.get(kind, kind)
-    return f"data:image/{form};base64," + base64.b64encode(rendered(figure, kind)).decode()
+    return "data:image/svg+xml;base64," + base64.b64encode(rendered(figure, "svg")).decode()
 
 
 def _key_numbers(results: Results) -> list[tuple[str, str]]:

@@ -270,7 +270,8 @@ def _of_file(error: HaptonicError, name: str) -> HaptonicError:
 
 
 def _why(name: str, error: HaptonicError) -> str:
-    return f"{name}: {error.argument}: {error.given}; {error.cause}"
+    where = error.argument if name in error.argument else f"{name}: {error.argument}"
+    return f"{where}: {error.given}; {error.cause}"
 
 
 def _declared(trials: xr.Dataset, excluded: Sequence[Exclusion]) -> xr.Dataset:

@@ -8,7 +8,7 @@ from contextlib import contextmanager
 from dataclasses import dataclass, field
 from functools import partial
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import h5py
 import numpy as np
@@ -20,9 +20,13 @@ from haptonic.vibrometry.findings import Notebook
 from haptonic.vibrometry.readers.matlab import matlab_arrays
 from haptonic.vibrometry.readers.tdms import open_tdms
 
+if TYPE_CHECKING:
+    from nptdms import TdmsFile
+
 Array = NDArray[np.float64]
 
 FORMATS = (".csv", ".h5", ".hdf5", ".mat", ".tdms")
+SIMULATED = "simulated"
 RATES = ("sample_rate", "sampling_rate", "fs", "rate")  # Hz: an attribute, or a variable with one number
 _UNIT = re.compile(r"^(?P<name>.*?)\s*[\[(](?P<unit>[^\])]*)[\])]\s*$")
 
@@ -85,7 +89,7 @@ def opened(path: Path) -> Iterator[Callable[[str], Channels]]:
     ScanError : a damaged MATLAB or TDMS file, or no npTDMS
     """
     if not path.is_file():
-        raise _unreadable(path, "there is no such file", "check its name in the table of trials")
+        raise _unreadable(path, "no such file", "check its name in the table of trials")
     kind = path.suffix.lower()
     try:
         if kind == ".csv":
@@ -98,8 +102,8 @@ def opened(path: Path) -> Iterator[Callable[[str], Channels]]:
             arrays = matlab_arrays(path, Notebook(path, "MATLAB"))
             yield lambda group: _of_arrays(path, arrays, group)
         elif kind == ".tdms":
-            groups = {group.name: group for group in open_tdms(path).groups()}
-            yield lambda group: _of_tdms(path, groups, group)
+            whole = open_tdms(path)
+            yield lambda group: _of_tdms(path, whole, group)
         else:
             raise _unreadable(path, f'"{kind}" is no ending of a format that is read', "save it as CSV")
     except (OSError, UnicodeDecodeError, pd.errors.ParserError, pd.errors.EmptyDataError) as error:
@@ -116,13 +120,14 @@ def _table(path: Path) -> tuple[pd.DataFrame, bool]:
     # a table from a program with decimal commas separates its columns by semicolons
     form = {"sep": ";", "decimal": ","} if ";" in plain else {}
     table = pd.read_csv(path, comment="#", skipinitialspace=True, encoding="utf-8-sig", **form)
-    return table, "simulated" in comments
+    return table, SIMULATED in comments
 
 
 def _of_columns(path: Path, table: tuple[pd.DataFrame, bool], group: str) -> Channels:
     if group:
         raise _no_group(path, group, [])
     data, simulated = table
+    simulated |= "origin" in data and SIMULATED in set(data["origin"].head(1))
     plain = {str(name): name for name in data.columns}
     named = {name: _UNIT.match(name) for name in plain}
     readers = {
@@ -150,7 +155,7 @@ def _of_hdf5(path: Path, file: h5py.File, group: str) -> Channels:
         {name: partial(item.__getitem__, ()) for name, item in sets.items()},
         {name: str(item.attrs["units"]) for name, item in sets.items() if "units" in item.attrs},
         _rate(attributes),
-        str(attributes.get("origin", "")) == "simulated",
+        attributes.get("origin", "") == SIMULATED,
     )
 
 
@@ -168,14 +173,15 @@ def _of_arrays(path: Path, arrays: Mapping[str, NDArray[Any]], group: str) -> Ch
     )
 
 
-def _of_tdms(path: Path, groups: Mapping[str, Any], group: str) -> Channels:
+def _of_tdms(path: Path, file: TdmsFile, group: str) -> Channels:
+    groups = {one.name: one for one in file.groups()}
     if not group and len(groups) == 1:
         group = next(iter(groups))
     if group not in groups:
         raise _no_group(path, group, list(groups))
     channels = {str(channel.name): channel for channel in groups[group].channels()}
     steps = [float(channel.properties.get("wf_increment", 0.0)) for channel in channels.values()]
-    properties = groups[group].properties
+    properties = {**file.properties, **groups[group].properties}
     return Channels(
         {name: partial(channel.__getitem__, slice(None)) for name, channel in channels.items()},
         {
@@ -184,7 +190,7 @@ def _of_tdms(path: Path, groups: Mapping[str, Any], group: str) -> Channels:
             if channel.properties.get("unit_string")
         },
         1 / steps[0] if steps and steps[0] > 0 else None,
-        str(properties.get("origin", "")) == "simulated",
+        properties.get("origin", "") == SIMULATED,
     )
 
 
@@ -192,12 +198,12 @@ def _rate(attributes: Mapping[str, Any]) -> float | None:
     return next((float(attributes[name]) for name in RATES if name in attributes), None)
 
 
-def _unreadable(path: Path, cause: str, next_step: str) -> FrictionError:
+def _unreadable(path: Path, given: str, next_step: str) -> FrictionError:
     return FrictionError(
-        argument=f"record {path.name}",
-        given=str(path),
+        argument=path.name,
+        given=given,
         allowed=f"a readable file that ends in {', '.join(FORMATS)}",
-        cause=cause,
+        cause="the file was moved, renamed, cut or saved in another format",
         next_step=next_step,
     )
 

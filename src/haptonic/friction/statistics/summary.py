@@ -28,6 +28,7 @@ Array = NDArray[np.float64]
 
 EVERYBODY = "all participants"
 SIDES = ("off", "on")
+MOST_NAMED = 5  # participants with unequal conditions
 
 
 @dataclass(frozen=True)
@@ -181,8 +182,14 @@ def _spread(trials: xr.Dataset, name: str, rows: NDArray[np.bool_]) -> tuple[flo
     return mean, float(values.std(ddof=1)) if values.size > 1 else math.nan
 
 
-def _unbalanced(conditions: tuple[Condition, ...]) -> Iterator[str]:
-    """Conditions with no trial, and those of one participant whose numbers differ."""
+def _unbalanced(conditions: tuple[Condition, ...]) -> list[str]:
+    """Conditions with no trial, and participants whose conditions differ in number; some of many."""
+    found = list(_unequal(conditions))
+    more = len(found) - MOST_NAMED
+    return [*found[:MOST_NAMED], *[f"the same of {more} other participants"] * (more > 0)]
+
+
+def _unequal(conditions: tuple[Condition, ...]) -> Iterator[str]:
     for person in dict.fromkeys(one.participant for one in conditions if one.participant != EVERYBODY):
         own = [one for one in conditions if one.participant == person]
         names = {f"{one.waveguide} {one.actuation}": one.used for one in own}
