@@ -5,8 +5,6 @@ import math
 import numpy as np
 import pytest
 import xarray as xr
-from hypothesis import given, settings
-from hypothesis import strategies as st
 from statsmodels.stats.multitest import multipletests
 from test_lubrication import refused
 from test_statistics import drawn
@@ -41,9 +39,9 @@ def where(table, **labels):
 
 
 class TestCorrections:
-    @settings(max_examples=25, deadline=None)
-    @given(st.lists(st.floats(0, 1), min_size=1, max_size=8))
-    def test_bonferroni_and_holm_against_another_code(self, ps):
+    @pytest.mark.parametrize("count", [1, 2, 5, 8])
+    def test_bonferroni_and_holm_against_another_code(self, count):
+        ps = np.random.default_rng(count).uniform(0, 0.3, count).tolist()
         tests = corrected([Test("participants", "WG1", 5, -0.1, p=p) for p in ps])
         for name, values in (
             ("bonferroni", [one.corrected for one in tests]),
@@ -52,9 +50,7 @@ class TestCorrections:
             assert values == pytest.approx(multipletests(ps, method=name)[1])
 
     def test_a_test_without_p_has_no_corrected_one_but_counts(self):
-        tests = corrected(
-            [Test("participants", name, 5, 0.1, p=p) for name, p in (("a", math.nan), ("b", 0.01))]
-        )
+        tests = corrected([Test("participants", "WG1", 5, 0.1, p=p) for p in (math.nan, 0.01)])
         assert math.isnan(tests[0].holm)
         assert math.isnan(tests[0].corrected)
         assert tests[1].holm == tests[1].corrected == 0.02
@@ -80,19 +76,19 @@ class TestSizes:
         spread = math.sqrt(1.5 - 2 * 0.6 * math.sqrt(0.5))
         truth = {"d_z": effect / spread, "d_av": effect / (0.5 * (1 + math.sqrt(0.5)))}
         hits = {"d_z": 0, "d_av": 0}
-        for _ in range(600):
+        for _ in range(400):
             both = rng.multivariate_normal([effect, 0], covariance, n)
             apart = both[:, 0] - both[:, 1]
             mean_spread = float(both.std(axis=0, ddof=1).mean())
             found = effect_sizes(float(apart.mean()), float(apart.std(ddof=1)), mean_spread, n)
             for name in hits:
                 hits[name] += found[f"{name}_low"] < truth[name] < found[f"{name}_high"]
-        # 95 %, with three standard errors of 600 draws; d_av's is approximate
-        assert hits["d_z"] / 600 == pytest.approx(0.95, abs=0.027)
-        assert hits["d_av"] / 600 == pytest.approx(0.95, abs=0.04)
+        # 95 %, with three standard errors of 400 draws; d_av's is approximate
+        assert hits["d_z"] / 400 == pytest.approx(0.95, abs=0.033)
+        assert hits["d_av"] / 400 == pytest.approx(0.95, abs=0.04)
 
     def test_the_interval_of_d_z_excludes_zero_just_when_the_test_does(self):
-        for seed in range(40):
+        for seed in range(15):
             one = compared([drawn(5, 6, seed)])[1]
             assert (one.p < 0.05) == (one.d_z_low * one.d_z_high > 0)
             assert one.d_z_low < one.d_z < one.d_z_high
@@ -132,9 +128,8 @@ class TestSummary:
         assert [one.waveguide for one in found.equivalences] == ["WG2"]
         assert len(found.conclusions) == 2
         assert found.omissions == ()
-        one = next(
-            c for c in found.conditions if (c.participant, c.waveguide, c.actuation) == ("P2", "WG1", "on")
-        )
+        asked = ("P2", "WG1", "on")
+        one = next(c for c in found.conditions if (c.participant, c.waveguide, c.actuation) == asked)
         values = table["friction"].values[where(table, participant="P2", waveguide="WG1", actuation="on")]
         assert one.friction == pytest.approx((values.mean(), values.std(ddof=1)))
         assert one.by_means[0] == pytest.approx(values.mean() + 0.01)
