@@ -12,10 +12,9 @@ import xarray as xr
 
 from five_parts import assert_five_parts
 from haptonic.results import FrictionResult
-
-ROOT = Path(__file__).parents[2]
 from trial_folders import edited, made_up, written
 
+ROOT = Path(__file__).parents[2]
 MADE = made_up(trials=4)
 PICTURES = {f"{name}.{kind}" for name in ("conditions", "reductions") for kind in ("svg", "png")}
 FILES = {"trials.nc", "trials.csv", "quality.html"} | PICTURES
@@ -112,9 +111,12 @@ def test_a_study_elsewhere_and_the_driven_waveguide(inside, study, tmp_path):
 
 def test_the_papers_numbers_stand_beside_those_of_its_twin(inside, tmp_path, monkeypatch):
     asked = []
-    monkeypatch.setattr(
-        FrictionResult, "figures", lambda self, *, published: {} if asked.append(published) else {}
-    )
+
+    def figures(self: FrictionResult, *, published: bool) -> dict[str, object]:
+        asked.append(published)
+        return {}
+
+    monkeypatch.setattr(FrictionResult, "figures", figures)
     monkeypatch.setattr(FrictionResult, "blocks", lambda self: ([], 0))
     folder = written(tmp_path / "trials", MADE)
     inside("friction", folder, "--study", ROOT / "studies" / "touchpad.toml", "--out", tmp_path / "a")
