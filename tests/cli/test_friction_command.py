@@ -17,7 +17,8 @@ from trial_folders import edited, made_up, written
 ROOT = Path(__file__).parents[2]
 MADE = made_up(trials=4)
 PICTURES = {f"{name}.{kind}" for name in ("conditions", "reductions") for kind in ("svg", "png")}
-FILES = {"trials.nc", "trials.csv", "quality.html"} | PICTURES
+TABLES = {"trials.csv", "conditions.csv", "tests.csv"}
+FILES = {"trials.nc", "quality.html"} | TABLES | PICTURES
 
 
 def test_friction_writes_its_files_and_tables(haptonic, inside, tmp_path):
@@ -42,6 +43,16 @@ def test_friction_writes_its_files_and_tables(haptonic, inside, tmp_path):
     assert data.attrs["origin"] == "simulated"
     table = pd.read_csv(out / "trials.csv")
     assert table["friction"].to_numpy() == pytest.approx(data["friction"].values)
+    for name in TABLES:
+        assert set(pd.read_csv(out / name).get("origin", ["simulated"])) == {"simulated"}
+    tests = pd.read_csv(out / "tests.csv")
+    assert tests["participant"].isna().sum() == 6
+    assert len(tests) == 6 + 2 * 3
+    conditions = pd.read_csv(out / "conditions.csv")
+    first = conditions.iloc[0]
+    rows = (table["participant"] == first["participant"]) & (table["waveguide"] == first["waveguide"])
+    rows &= table["actuation"] == first["actuation"]
+    assert first["friction_sd"] == pytest.approx(table["friction"][rows].std())
     page = (out / "quality.html").read_text("utf-8")
     assert "Simulated: these trials were made up" in page
     assert page.count('<section id="sheet') == 6

@@ -15,6 +15,8 @@ from trial_folders import channels, edited, made_up, written
 MADE = made_up(trials=4)
 TRUE = measured(MADE)["friction"].values
 PLAIN = Sensor()
+ALMOST_DEPENDENT = np.eye(6)
+ALMOST_DEPENDENT[0] = ALMOST_DEPENDENT[1] + 1e-9 * ALMOST_DEPENDENT[0]
 
 
 def friction_in(folder, sensor=PLAIN, **more):
@@ -208,6 +210,7 @@ class TestSensor:
             (np.ones((6, 6)), "rank 1"),
             (np.diag([1, 1, 1, 1, 1, 0.0]), "rank 5"),
             (np.eye(6) + np.diag([np.nan] * 6), "rank"),
+            (ALMOST_DEPENDENT, "rank 6, condition number"),
         ],
     )
     def test_bad_calibrations_are_refused(self, tmp_path, rows, word):

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from pathlib import Path
-from typing import Annotated
+from typing import Annotated, TypeVar
 
 import typer
 from rich.table import Table
@@ -13,13 +14,18 @@ from haptonic import plots
 from haptonic.cli.console import Voice, speaking
 from haptonic.cli.options import Json, Out, Overwrite, Workers, folder_for, pictures, tell_where
 from haptonic.friction.lubrication import WEBER_FRACTION
+from haptonic.friction.recordings import Sensor
 from haptonic.friction.statistics import Estimate, Test
+from haptonic.friction.statistics.summary import EVERYBODY, Condition
 from haptonic.report import paper, write_quality
 from haptonic.results import FrictionResult, compute_friction, refuse_taken, write_files
 from haptonic.study import Study, TrialsSection, load_trials
 
 STUDY = "study.toml"  # beside the trials
 QUALITY = "quality.html"
+MOST_SHOWN = 12  # participants whose rows are printed
+
+Row = TypeVar("Row", Condition, Test)
 
 
 def friction(
@@ -38,7 +44,7 @@ def friction(
     """Coefficients of friction from force records, and what they prove."""
     with speaking(json) as voice:
         section, loaded = _asked(path, study)
-        sensor = section.sensor.frozen(path if path.is_dir() else path.parent)
+        sensor = section.sensor.frozen(path) if path.is_dir() else Sensor()
         folder = folder_for(path.absolute(), out, json, "friction")
         names = [*FrictionResult.FILES, QUALITY, *pictures(FrictionResult.FIGURES)]
         refuse_taken(folder, names, overwrite=overwrite)
@@ -127,7 +133,7 @@ def conditions_table(result: FrictionResult) -> Table:
         "participant", "waveguide", "vibration", "trials", "left out", "friction (mean of ratios)",
         "ratio of means", "force / N", "speed / (mm/s)", title="conditions: mean ± standard deviation",
     )  # fmt: skip
-    for one in result.found.conditions:
+    for one in _few(result, result.found.conditions):
         fast = one.speed[0] * 1e3, one.speed[1] * 1e3
         table.add_row(
             one.participant, one.waveguide, one.actuation, str(one.used), str(one.excluded),
@@ -142,9 +148,15 @@ def tests_table(result: FrictionResult) -> Table:
         "waveguide", "test", "n", "on - off", "95 % interval", "t", "p", "Bonferroni", "Holm", "d_z", "d_av",
         "note", title="tests of the difference of friction",
     )  # fmt: skip
-    for test in (*result.found.tests, *result.found.each):
+    for test in (*result.found.tests, *_few(result, result.found.each)):
         table.add_row(test.waveguide, *_cells(test))
     return table
+
+
+def _few(result: FrictionResult, rows: Sequence[Row]) -> list[Row]:
+    """Rows of single participants only where there are few of them; the files have all."""
+    few = len(set(result.trials["participant"].values.tolist())) <= MOST_SHOWN
+    return [row for row in rows if few or row.participant == EVERYBODY]
 
 
 def _cells(test: Test) -> list[str]:

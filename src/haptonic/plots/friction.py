@@ -23,6 +23,7 @@ Array = NDArray[np.float64]
 PUBLISHED = {"driven": 0.55, "idle": 0.11, "stopped": 0.80}  # [daunizeau-haptics]
 LOOKS = ((style.BLUE, "o"), (style.ORANGE, "s"), (style.GREEN, "^"), (style.PURPLE, "D"), (style.SKY, "v"))
 MOST_PEOPLE = 12  # whose bars stand beside those of all
+MOST_NAMED = 30  # who have a name beside their reductions
 COLUMNS = 6  # of trials on a sheet
 STEADY: dict[str, Any] = {"color": style.GREEN, "alpha": 0.18, "lw": 0, "zorder": 1}
 
@@ -124,7 +125,8 @@ def reductions(
     """
     people = list(dict.fromkeys(name for _, name in own))
     rows = [*people, EVERYBODY]
-    figure = style.blank(min(60.0, 4.0 + 0.75 * len(rows)))
+    named = len(people) <= MOST_NAMED
+    figure = style.blank(4.0 + 0.75 * min(len(rows), MOST_NAMED))
     axes = figure.subplots()
     for g, (guide, whole) in enumerate(population.items()):
         colour, marker = LOOKS[g % len(LOOKS)]
@@ -145,7 +147,7 @@ def reductions(
     axes.axvline(0, color=style.INK, lw=0.7)
     weber = axes.axvline(11, color=style.CARRIER, ls=style.DASHED, lw=1.0, gid="weber")
     weber.set_label("smallest drop that people feel, 11 %")
-    axes.set_yticks(range(len(rows)), rows)
+    axes.set_yticks(range(len(rows)) if named else [len(people)], rows if named else [EVERYBODY])
     axes.set_ylim(len(rows) - 0.4, -0.6)
     axes.set_xlabel("reduction of friction (%)")
     axes.set_title("reduction with its 95 % interval" + _mark(origin))

@@ -11,16 +11,19 @@ from functools import partial
 from pathlib import Path
 from typing import Any
 
+import pandas as pd
 import xarray as xr
 from matplotlib.figure import Figure
 
 from haptonic import plots
 from haptonic.friction.recordings import Exclusion, Sensor, analysed, traces
 from haptonic.friction.signals import Rules, exclusions, write_trials
-from haptonic.friction.statistics.summary import Summary, summary
+from haptonic.friction.statistics import Test
+from haptonic.friction.statistics.summary import Condition, Summary, summary
 
 Told = Callable[[int, int, bool], None]
 
+PARTS = ("mean", "sd")
 MOST_SHEETS = 60  # blocks that are drawn trial by trial
 
 
@@ -40,7 +43,7 @@ class FrictionResult:
     remarks: tuple[str, ...]
     found: Summary
 
-    FILES = ("trials.nc", "trials.csv")
+    FILES = ("trials.nc", "trials.csv", "conditions.csv", "tests.csv")
     FIGURES = ("conditions", "reductions")
 
     @property
@@ -55,7 +58,16 @@ class FrictionResult:
 
     def files(self) -> dict[str, Callable[[Path], object]]:
         """What writes each file."""
-        return {name: partial(write_trials, self.trials) for name in self.FILES}
+        found = self.found
+        rows: dict[str, Sequence[Condition | Test]] = {
+            "conditions.csv": found.conditions,
+            "tests.csv": (*found.tests, *found.each),
+        }
+        tables: dict[str, Callable[[Path], object]] = {
+            name: partial(_write_rows, [asdict(one) for one in many], self.origin)
+            for name, many in rows.items()
+        }
+        return {**{name: partial(write_trials, self.trials) for name in self.FILES[:2]}, **tables}
 
     def figures(self, *, published: bool = False) -> dict[str, Figure]:
         """All pictures by name.
@@ -161,6 +173,17 @@ def compute_friction(
     """
     read = analysed(source, sensor, rules, excluded, workers=workers, told=told)
     return FrictionResult(source, sensor, rules, read.trials, read.remarks, summary(read.trials, driven))
+
+
+def _write_rows(rows: list[dict[str, Any]], origin: str, path: Path) -> None:
+    """A CSV table; a pair (mean, standard deviation) becomes two columns, and each row says its origin."""
+    flat = []
+    for row in rows:
+        pairs = {name: value for name, value in row.items() if isinstance(value, tuple)}
+        plain = {name: value for name, value in row.items() if name not in pairs}
+        plain |= {f"{name}_{part}": value[k] for name, value in pairs.items() for k, part in enumerate(PARTS)}
+        flat.append(plain | {"origin": origin})
+    pd.DataFrame(flat).to_csv(path, index=False)
 
 
 def _finite(value: Any) -> Any:

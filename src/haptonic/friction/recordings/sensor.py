@@ -260,9 +260,12 @@ def read_calibration(path: Path) -> Array:
         matrix, given = np.empty((0, 0)), f"{path}, which is no table of numbers"
     cause = "another file, or the matrix of a sensor with another number of axes"
     if matrix.shape == (6, 6):
-        if np.isfinite(matrix).all() and np.linalg.cond(matrix / _scale(matrix)) < WORST_CONDITION:
+        whole = np.nan_to_num(matrix / _scale(np.nan_to_num(matrix)))
+        condition = float(np.linalg.cond(whole))
+        if np.isfinite(matrix).all() and condition < WORST_CONDITION:
             return matrix
-        given = f"a matrix of rank {np.linalg.matrix_rank(np.nan_to_num(matrix))}"
+        rank = np.linalg.matrix_rank(whole)
+        given = f"a matrix of rank {rank}, condition number {condition:.2g}"
         cause = "a row was copied twice or left at zero"
     raise FrictionError(
         argument="trials.sensor.calibration",
