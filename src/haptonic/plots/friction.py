@@ -54,9 +54,8 @@ def conditions(
     axes = figure.subplots()
     bar = 0.8 / (2 * len(guides))
     shown = {(one.participant, one.waveguide, one.actuation): one for one in found}
-    top = max(
-        (one.friction[0] + np.nan_to_num(one.friction[1]) for one in found if one.used), default=1.0
-    )  # fmt: skip
+    drawn = [one for one in found if one.used and one.participant in people]
+    top = max((one.friction[0] + np.nan_to_num(one.friction[1]) for one in drawn), default=1.0)
     for place, person in enumerate(people):
         for g, guide in enumerate(guides):
             colour = LOOKS[g % len(LOOKS)][0]
