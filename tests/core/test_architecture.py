@@ -27,7 +27,7 @@ ALLOWED: dict[str, set[str]] = {
     "bloch": {"superelement", "cell", "lattice", "materials", "errors"},
     "response": BASE,
     "vibrometry": BASE | {"response"},
-    "friction": BASE | {"response"},
+    "friction": BASE | {"response", "vibrometry"},
     "design": CORE,
     "plate": CORE - {"bloch"} | {"response"},
 }

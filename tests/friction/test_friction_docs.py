@@ -2,9 +2,18 @@
 
 import doctest
 import re
+import shlex
 from pathlib import Path
 
+import pandas as pd
+import pytest
+from typer.testing import CliRunner
+
+from haptonic.cli.app import app
 from haptonic.friction.lubrication import parameters
+from haptonic.friction.signals import measured
+from haptonic.results import FrictionResult
+from trial_folders import made_up, written
 
 PAGE = Path(__file__).parents[2] / "docs" / "friction.md"
 BIBLIOGRAPHY = PAGE.with_name("references.bib")
@@ -22,6 +31,35 @@ def test_the_printed_python_runs_and_says_what_it_should(capsys):
     assert "felt in time below Q = 193" in said
     assert "WG1, 3 participants: friction differs" in said
     assert "WG2, 3 participants: " in said
+
+
+def test_the_printed_section_and_commands_run(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    text = PAGE.read_text("utf-8")
+    (section,) = (one for one in re.findall(r"```toml\n(.*?)```", text, re.DOTALL) if "[trials]" in one)
+    made = made_up(2, 4, 8)
+    folder = written(
+        tmp_path / "trials",
+        made,
+        change=lambda found: found | {"Fz": -1e3 * found["Fz"], "Fy": 1e3 * found["Fy"]},
+    )
+    (folder / "study.toml").write_text(section)
+    lines = [
+        line
+        for block in re.findall(r"```bash\n(.*?)```", text, re.DOTALL)
+        for line in block.splitlines()
+        if line.startswith("haptonic friction")
+    ]
+    assert len(lines) == 2
+    monkeypatch.setattr(FrictionResult, "blocks", lambda self: ([], 0))
+    for line in lines:
+        words = shlex.split(line.replace("--workers 2", "--workers 0"))[1:]
+        done = CliRunner().invoke(app, [*words, "--overwrite"], catch_exceptions=False)
+        assert done.exit_code == 0, done.stderr
+    table = pd.read_csv(tmp_path / "results" / "friction" / "trials.csv")
+    counts = table["excluded"].isna().to_numpy()
+    assert counts.sum() == len(made) - 1  # one is declared not to count
+    assert table["friction"].to_numpy()[counts] == pytest.approx(measured(made)["friction"].values[counts])
 
 
 def test_docstring_examples():

@@ -30,6 +30,7 @@ from haptonic.cli.options import (
     tell_where,
 )
 from haptonic.cli.plates import plate, plate_files, write_plate
+from haptonic.cli.touching import friction
 from haptonic.errors import StudyError
 from haptonic.report import Results, paper, write_report
 from haptonic.report.guide_shifts import guide_shifts
@@ -215,7 +216,7 @@ def _felt(loaded: Study, voice: Voice) -> Feel | None:
         return loaded.felt(on_progress=progress)
 
 
-for command in (layers, waveguide, plate, feel, design, tolerance, export):
+for command in (layers, waveguide, plate, feel, friction, design, tolerance, export):
     app.command()(command)
 
 

@@ -3,6 +3,7 @@
 from haptonic.plots.bands import dispersion
 from haptonic.plots.designs import front, search
 from haptonic.plots.feel import friction_map, reduction_curve
+from haptonic.plots.friction import conditions, reductions, trial_sheet
 from haptonic.plots.mirrors import decay, guide, layers
 from haptonic.plots.modes import mode_shapes
 from haptonic.plots.plates import animated, maps, plate_plan
@@ -14,6 +15,7 @@ from haptonic.plots.zone import density_of_states, iso_frequency
 
 __all__ = [
     "animated",
+    "conditions",
     "contrast_spectrum",
     "decay",
     "density_of_states",
@@ -28,9 +30,11 @@ __all__ = [
     "mode_shapes",
     "plate_plan",
     "reduction_curve",
+    "reductions",
     "save",
     "search",
     "sweep",
     "tolerance",
+    "trial_sheet",
     "velocity_spectrum",
 ]

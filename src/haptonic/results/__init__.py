@@ -4,6 +4,7 @@ from haptonic.results.bands import Bands, compute_bands, gap_json
 from haptonic.results.common import Asked, refuse_taken, write_files, write_netcdf
 from haptonic.results.design import Design, compute_design, compute_front, planned
 from haptonic.results.feel import Feel, Pad, compute_loaded
+from haptonic.results.friction import FrictionResult, compute_friction
 from haptonic.results.guides import Guides, compute_guides
 from haptonic.results.layers import Layers, compute_layers, layer_tasks
 from haptonic.results.plate import PlateQuestion, PlateResult, compute_plate
@@ -16,6 +17,7 @@ __all__ = [
     "Bands",
     "Design",
     "Feel",
+    "FrictionResult",
     "Guides",
     "Layers",
     "Pad",
@@ -27,6 +29,7 @@ __all__ = [
     "Tolerance",
     "compute_bands",
     "compute_design",
+    "compute_friction",
     "compute_front",
     "compute_guides",
     "compute_layers",

@@ -13,6 +13,7 @@ from pydantic import ValidationError
 from haptonic.errors import HaptonicWarning, StudyError, nearest
 from haptonic.study.problems import study_error
 from haptonic.study.runs import Study
+from haptonic.study.trial_tables import TrialsFile, TrialsSection
 from haptonic.units import shown
 
 LARGEST_FILE = 1_000_000  # bytes; a study needs a few thousand
@@ -44,6 +45,24 @@ def loads(text: str, origin: str = "study") -> Study:
     for words in study.unusual():
         warnings.warn(f"{origin}: {words}", HaptonicWarning, stacklevel=2)
     return study
+
+
+def load_trials(path: Path) -> tuple[TrialsSection, Study | None]:
+    """The table [trials] of a study file, and the study; of a file with nothing else there is no study.
+
+    Raises
+    ------
+    StudyError : as `load`
+    """
+    data = _parsed(_read(path), str(path))
+    if not data.keys() <= TrialsFile.model_fields.keys():
+        study = load(path)
+        return study.trials, study
+    try:
+        return TrialsFile.model_validate(data).trials, None
+    except ValidationError as error:
+        refusal = study_error(error, TrialsFile, str(path))
+    raise refusal
 
 
 def _checked(data: dict[str, Any], origin: str) -> Study:

@@ -36,12 +36,16 @@ from haptonic.study.problems import study_error
 from haptonic.study.quantity import SI_NUMBERS, Quantity, collected, problem
 from haptonic.study.sections import BandsSection, CellSection, MaterialSection, MeshSection, Section
 from haptonic.study.touch_tables import TouchSection
+from haptonic.study.trial_tables import TrialsSection
 from haptonic.study.vary import Expression, check_names, parse, solve
 from haptonic.study.writing import toml_of
 from haptonic.units import format_quantity, to_si
 
 MOST_SWEEPS = 50
-AFTERWARDS = {"touch"}  # sections that ask for something of results, and decide none of bands and plates
+AFTERWARDS = {
+    "touch",
+    "trials",
+}  # sections that ask for something of results, and decide none of bands and plates
 OF_A_CELL = {"carrier", "material", "cell", "bands"}  # sections whose numbers an expression can name
 
 
@@ -150,6 +154,9 @@ class Description(Section):
         None, alias="plate", title="Plate", description="A finite one, made of cells and of plain plate."
     )
     touch: TouchSection = Field(TouchSection(), title="Touch", description="The finger that feels the plate.")
+    trials: TrialsSection = Field(
+        TrialsSection(), title="Trials", description="How force records are processed, and which count."
+    )
     sweep: tuple[SweepSection, ...] = Field(
         (), title="Sweeps", description="Rows of designs to compare.", max_length=MOST_SWEEPS
     )
@@ -326,8 +333,8 @@ class Description(Section):
     def inputs(self) -> dict[str, Any]:
         """Plain values in SI units of all that decides a result, for provenance and as a key of results.
 
-        The title is left out because it decides nothing; a built-in material is given by its constants, so
-        that a correction in the library changes the key.
+        The title and the sections that ask for something of such results decide nothing; a built-in
+        material is given by its constants, so that a correction in the library changes the key.
         """
         data = self.model_dump(mode="json", by_alias=True, exclude={"title", "material"} | AFTERWARDS)
         if self.plate_section is None:

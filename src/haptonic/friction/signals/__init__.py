@@ -1,12 +1,15 @@
 """From force records to a table of trials: filters, steady part, friction, and what was left out and why."""
 
 from haptonic.friction.signals.filters import FILTERS, design_frequency, smoothed
-from haptonic.friction.signals.measuring import REASONS, Measured, Rules, exclusions, measure, measured
+from haptonic.friction.signals.measuring import measure
 from haptonic.friction.signals.record import Label, Record
+from haptonic.friction.signals.rules import OMISSIONS, REASONS, Measured, Rules
 from haptonic.friction.signals.tables import read_records, read_trials, write_trials
+from haptonic.friction.signals.trials import exclusions, measured
 
 __all__ = [
     "FILTERS",
+    "OMISSIONS",
     "REASONS",
     "Label",
     "Measured",

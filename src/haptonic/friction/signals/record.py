@@ -69,12 +69,14 @@ class Record:
     normal, tangential : (samples,) N; normal is positive where the finger presses
     rate : sampling rate, Hz
     position : (samples,) m along the stroke, or None
+    saturated : whether a channel of the sensor was at its end, where the forces themselves do not show it
     """
 
     normal: Array
     tangential: Array
     rate: float
     position: Array | None = None
+    saturated: bool = False
 
     def __post_init__(self) -> None:
         if not (np.isfinite(self.rate) and self.rate > 0):

@@ -44,14 +44,16 @@ def read_records(path: Path) -> Iterator[tuple[Label, Record]]:
     new[1:] = np.any([key[1:] != key[:-1] for key in keys], axis=0)
     starts = [*np.flatnonzero(new), len(new)]
     for start, stop in pairwise(starts):
-        label = _label(columns, start)
+        label = label_of(columns, start)
         for name in ("waveguide", "actuation"):
             if len(set(columns[name][start:stop])) != 1:
                 raise _bad_table(path, f"{label}: {name} changes", "one condition for each trial")
-        time = _numbers(path, columns, "time")[start:stop]
-        position = _numbers(path, columns, "position")[start:stop] if "position" in columns else None
-        normal, tangential = (_numbers(path, columns, name)[start:stop] for name in ("normal", "tangential"))
-        yield label, Record(normal, tangential, _rate(path, time, label), position)
+        time = numbers_of(path, columns, "time")[start:stop]
+        position = numbers_of(path, columns, "position")[start:stop] if "position" in columns else None
+        normal, tangential = (
+            numbers_of(path, columns, name)[start:stop] for name in ("normal", "tangential")
+        )
+        yield label, Record(normal, tangential, rate_of(time, f"{path.name}, {label}"), position)
 
 
 def read_trials(path: Path) -> xr.Dataset:
@@ -66,9 +68,9 @@ def read_trials(path: Path) -> xr.Dataset:
     FrictionError : a column is missing, or a cell that means nothing
     """
     columns = read_columns(path, TRIALS)
-    labels = [_label(columns, row) for row in range(len(columns["trial"]))]
+    labels = [label_of(columns, row) for row in range(len(columns["trial"]))]
     table = dict(columns) | {name: np.array([getattr(label, name) for label in labels]) for name in LABEL}
-    friction = _numbers(path, columns, "friction")
+    friction = numbers_of(path, columns, "friction")
     excluded = table.get("excluded", np.full(len(labels), "", dtype=object))
     table["excluded"] = np.array(["" if pd.isna(reason) else str(reason) for reason in excluded])
     bad = ((friction < 0) | (friction > 10) | ~np.isfinite(friction)) & (table["excluded"] == "")
@@ -157,7 +159,13 @@ def _from_hdf5(path: Path) -> dict[str, Column]:
 _READERS = {".csv": _from_csv, ".nc": _from_netcdf, ".h5": _from_hdf5, ".hdf5": _from_hdf5}
 
 
-def _label(columns: dict[str, Column], row: int) -> Label:
+def label_of(columns: dict[str, Column], row: int) -> Label:
+    """The label in a row of a table.
+
+    Raises
+    ------
+    FrictionError : a cell that means nothing
+    """
     cells: dict[str, Any] = {name: columns[name][row] for name in LABEL}
     for name in WHOLE:
         value = cells[name]
@@ -169,19 +177,35 @@ def _label(columns: dict[str, Column], row: int) -> Label:
     return Label(**cells)
 
 
-def _numbers(path: Path, columns: dict[str, Column], name: str) -> NDArray[np.float64]:
+def numbers_of(path: Path, columns: dict[str, Column], name: str) -> NDArray[np.float64]:
+    """A column as numbers.
+
+    Raises
+    ------
+    FrictionError : it holds text
+    """
     try:
         return np.asarray(columns[name], dtype=float)
     except (TypeError, ValueError):
         raise _bad_table(path, f"text in the column {name}", f"numbers in the column {name}") from None
 
 
-def _rate(path: Path, time: NDArray[np.float64], label: Label) -> float:
+def rate_of(time: NDArray[np.float64], where: str) -> float:
+    """Sampling rate, Hz, of equidistant times in s.
+
+    Raises
+    ------
+    FrictionError : times that do not advance evenly; ``where`` says in what
+    """
     steps = np.diff(time)
     typical = float(np.median(steps)) if steps.size else 0.0
     if not (typical > 0 and (np.abs(steps - typical) < JITTER * typical).all()):
-        raise _bad_table(
-            path, f"{label}: times that do not advance evenly", "equidistant times in s, ascending"
+        raise FrictionError(
+            argument=where,
+            given="times that do not advance evenly",
+            allowed="equidistant times in s, ascending",
+            cause="rows were lost, sorted or joined",
+            next_step="look at these rows",
         )
     return 1 / typical
 

@@ -2,11 +2,13 @@
 
 from haptonic.friction.statistics.comparison import (
     Test,
+    by_each,
     by_mixed_model,
     by_participants,
     by_trials,
     compared,
     conclusion,
+    corrected,
 )
 from haptonic.friction.statistics.effects import Equivalence, Estimate, drift, equivalence, reduction, stopped
 from haptonic.friction.statistics.pairs import Pairs, paired
@@ -18,11 +20,13 @@ __all__ = [
     "Pairs",
     "Population",
     "Test",
+    "by_each",
     "by_mixed_model",
     "by_participants",
     "by_trials",
     "compared",
     "conclusion",
+    "corrected",
     "drift",
     "equivalence",
     "false_alarms",

@@ -19,6 +19,7 @@ from statsmodels.regression.mixed_linear_model import MixedLM, MixedLMParams
 from statsmodels.tools.sm_exceptions import ConvergenceWarning
 
 from haptonic.friction.statistics.pairs import Pairs
+from haptonic.friction.statistics.sizes import effect_sizes
 
 Array = NDArray[np.float64]
 Name = Literal["trials, as published", "participants", "mixed model"]
@@ -36,9 +37,12 @@ class Test:
     n : number of its units: pairs of trials, or participants
     difference : mean, on less off; low, high : its 95 % confidence interval
     statistic, dof : Student's t and its degrees of freedom
-    p : two-sided, for itself; corrected : times the number of tests made at once (Bonferroni)
+    p : two-sided, for itself; corrected : times the number of tests made at once (Bonferroni); holm : by the
+        rule of Holm, which promises the same and finds more
     d_z : mean difference over the standard deviation of the differences, t / sqrt(n)
     d_av : mean difference over the mean of the standard deviations on and off
+    d_z_low, d_z_high, d_av_low, d_av_high : their 95 % intervals, see `sizes`
+    participant : whose trials alone were tested; empty for all of them
     """
 
     __test__ = False  # no test in pytest's sense
@@ -53,9 +57,15 @@ class Test:
     dof: float = math.nan
     p: float = math.nan
     corrected: float = math.nan
+    holm: float = math.nan
     d_z: float = math.nan
+    d_z_low: float = math.nan
+    d_z_high: float = math.nan
     d_av: float = math.nan
+    d_av_low: float = math.nan
+    d_av_high: float = math.nan
     note: str = ""
+    participant: str = ""
 
     def among(self, tests: int) -> Test:
         """The test with its p-value corrected for a number of tests."""
@@ -126,7 +136,30 @@ def by_mixed_model(pairs: Pairs) -> Test:
 def compared(pairs: list[Pairs]) -> list[Test]:
     """All three tests of every waveguide, corrected for the number of waveguides."""
     tests = [test(one) for one in pairs for test in (by_trials, by_participants, by_mixed_model)]
-    return [test.among(len(pairs)) for test in tests]
+    kinds = [corrected(tests[kind::3]) for kind in range(3)]
+    return [kind[row] for row in range(len(pairs)) for kind in kinds]
+
+
+def by_each(pairs: list[Pairs]) -> list[Test]:
+    """The test over trials of every participant by himself or herself, on every waveguide; all corrected."""
+    return corrected(
+        [
+            replace(by_trials(one.of(name)), participant=name, note="speaks of this participant only")
+            for one in pairs
+            for name in one.people
+        ]
+    )
+
+
+def corrected(tests: list[Test]) -> list[Test]:
+    """Tests made at once, corrected for their number by the rules of Bonferroni and of Holm."""
+    order = sorted(range(len(tests)), key=lambda row: (math.isnan(tests[row].p), tests[row].p))
+    made, largest = list(tests), 0.0
+    for rank, row in enumerate(order):
+        largest = max(largest, min(1.0, tests[row].p * (len(tests) - rank)))
+        holm = largest if math.isfinite(tests[row].p) else math.nan
+        made[row] = replace(tests[row].among(len(tests)), holm=holm)
+    return made
 
 
 def conclusion(tests: list[Test], level: float = 0.05) -> str:
@@ -168,8 +201,7 @@ def _paired(name: Name, waveguide: str, on: Array, off: Array, unit: str) -> Tes
         statistic=float(result.statistic),
         dof=float(result.df),
         p=float(result.pvalue),
-        d_z=made.difference / spread,
-        d_av=made.difference / mean_spread if mean_spread > 0 else math.nan,
+        **effect_sizes(made.difference, spread, mean_spread, n),
         note=_few(n) if unit == "participant" else "trials of one participant are taken for independent",
     )
 

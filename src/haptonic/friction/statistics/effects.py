@@ -178,12 +178,10 @@ def _resampled(many: list[Pairs], draws: int, seed: int) -> list[tuple[Array, Ar
         sums = np.zeros((2, draws))
         for number, name in enumerate(people):
             rows = np.flatnonzero(pairs.participant == name)
-            for column in range(len(people)):
-                hit = np.flatnonzero(chosen[:, column] == number)
-                if hit.size:
-                    drawn = rng.integers(len(rows), size=(hit.size, len(rows)))
-                    for side, values in enumerate((pairs.on[rows], pairs.off[rows])):
-                        sums[side, hit] += values[drawn].mean(axis=1)
+            hit = np.nonzero(chosen == number)[0]  # a draw as often as the participant is in it
+            drawn = rng.integers(len(rows), size=(len(hit), len(rows)))
+            for side, values in enumerate((pairs.on[rows], pairs.off[rows])):
+                sums[side] += np.bincount(hit, values[drawn].mean(axis=1), draws)
         made.append((sums[0] / len(people), sums[1] / len(people)))
     return made
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 import xarray as xr
@@ -30,12 +31,12 @@ class Pairs:
     off: Array
     omitted: int
 
-    @property
+    @cached_property
     def people(self) -> tuple[str, ...]:
         """Names of the participants in the order of their first pair."""
         return tuple(dict.fromkeys(str(name) for name in self.participant))
 
-    @property
+    @cached_property
     def means(self) -> tuple[Array, Array]:
         """(participant,) mean friction on and off of each participant."""
         inside = [self.participant == name for name in self.people]

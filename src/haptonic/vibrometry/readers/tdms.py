@@ -16,7 +16,7 @@ from haptonic.vibrometry.readers.tables import Mapped, Origin
 from haptonic.vibrometry.records import InMemory, TimeScan
 
 if TYPE_CHECKING:
-    from nptdms import TdmsChannel
+    from nptdms import TdmsChannel, TdmsFile
 
 POSITION = (("x", "y"), ("X", "Y"), ("x_m", "y_m"))
 
@@ -31,26 +31,7 @@ def read_tdms(path: Path, how: Mapped, notes: Notebook, origin: Origin, title: s
     ------
     ScanError : npTDMS is not installed, or the file is damaged or holds no usable point
     """
-    try:
-        from nptdms import TdmsFile
-    except ImportError as error:
-        raise ScanError(
-            argument="TDMS file",
-            given=str(path),
-            allowed="TDMS files where the package npTDMS is installed",
-            cause="npTDMS is an optional part of haptonic and is not installed",
-            next_step='pip install "haptonic[tdms]"',
-        ) from error
-    try:
-        file = TdmsFile.read(path)
-    except Exception as error:
-        raise ScanError(
-            argument="TDMS file",
-            given=f"{path} ({type(error).__name__})",
-            allowed="a whole TDMS file",
-            cause="the file is of another kind, or its copy was interrupted",
-            next_step="copy it again, without the .tdms_index file beside it",
-        ) from error
+    file = open_tdms(path)
     names, rows, places = [], [], []
     form: tuple[Any, ...] | None = None
     for group in file.groups():
@@ -85,6 +66,35 @@ def read_tdms(path: Path, how: Mapped, notes: Notebook, origin: Origin, title: s
         motion=motion.motion, response_scale=motion.factor, reference_scale=drive.factor,
         start=start, origin=origin, title=title,
     )  # fmt: skip
+
+
+def open_tdms(path: Path) -> TdmsFile:
+    """A whole TDMS file.
+
+    Raises
+    ------
+    ScanError : npTDMS is not installed, or the file is damaged
+    """
+    try:
+        from nptdms import TdmsFile
+    except ImportError as error:
+        raise ScanError(
+            argument="TDMS file",
+            given=str(path),
+            allowed="TDMS files where the package npTDMS is installed",
+            cause="npTDMS is an optional part of haptonic and is not installed",
+            next_step='pip install "haptonic[tdms]"',
+        ) from error
+    try:
+        return TdmsFile.read(path)
+    except Exception as error:
+        raise ScanError(
+            argument="TDMS file",
+            given=f"{path} ({type(error).__name__})",
+            allowed="a whole TDMS file",
+            cause="the file is of another kind, or its copy was interrupted",
+            next_step="copy it again, without the .tdms_index file beside it",
+        ) from error
 
 
 def _channels(channels: list[TdmsChannel], how: Mapped) -> tuple[TdmsChannel, TdmsChannel] | None:

@@ -1,0 +1,309 @@
+"""The trials of an experiment as a stream: read file by file, measured, forgotten but for a row each."""
+
+from __future__ import annotations
+
+import multiprocessing
+from collections import Counter
+from collections.abc import Callable, Iterator, Sequence
+from concurrent.futures import FIRST_COMPLETED, Future, ProcessPoolExecutor, wait
+from dataclasses import asdict, dataclass
+from functools import partial
+from itertools import islice
+from pathlib import Path
+from typing import NamedTuple
+
+import numpy as np
+import xarray as xr
+from numpy.typing import NDArray
+
+from haptonic.errors import FrictionError, HaptonicError
+from haptonic.friction.recordings.files import Channels, opened
+from haptonic.friction.recordings.sensor import Sensor, Wiring, pressing
+from haptonic.friction.recordings.trial_table import Place, TrialTable
+from haptonic.friction.signals.measuring import Columns, channels_of, measure_all, processed
+from haptonic.friction.signals.record import Record
+from haptonic.friction.signals.rules import DECLARED, UNREADABLE, Measured, Rules
+from haptonic.friction.signals.tables import LABEL, read_columns, read_records, read_trials
+from haptonic.friction.signals.trials import joined, measured, tabulated
+
+Told = Callable[[int, int, bool], None]
+Portion = list[tuple[str, list[Place]]]
+
+TRIED = 20  # files that are looked into for channels of the expected names
+PRESSED = 30  # trials that the sign of the normal force is found from
+AHEAD = 4  # portions that wait for each worker
+POINTS = 80  # of a curve that is drawn small
+
+
+@dataclass(frozen=True)
+class Exclusion:
+    """Trials that do not count, by declaration: of a participant, of one block, or one trial of it."""
+
+    participant: str
+    reason: str
+    block: int | None = None
+    trial: int | None = None
+
+
+@dataclass(frozen=True, eq=False)
+class Analysed:
+    """The table of trials, see `haptonic.friction.signals.measured`, and what was guessed.
+
+    ``trials`` has ``detail`` beside ``excluded``: the file and what is wrong with it, or the declared reason.
+    """
+
+    trials: xr.Dataset
+    remarks: tuple[str, ...]
+
+
+class _Read(NamedTuple):
+    place: Place
+    record: Record | None
+    detail: str
+    simulated: bool
+
+
+def analysed(
+    source: Path,
+    sensor: Sensor,
+    rules: Rules,
+    excluded: Sequence[Exclusion] = (),
+    *,
+    workers: int = 0,
+    told: Told = lambda done, planned, stored: None,
+) -> Analysed:
+    """All trials of a folder with a table of trials, or of a single table.
+
+    What cannot be read is left out, and says so. Memory is that of a few files, and a row for each trial.
+
+    Parameters
+    ----------
+    source : a folder with ``trials.csv``; or a file of all samples, or of trials that were measured elsewhere
+    workers : processes; 0 works in this one
+    told : called with (done, planned, False) in trials
+
+    Raises
+    ------
+    ResourceError : no such file or folder
+    FrictionError : a table that is wrong, an exclusion of a trial that is not there, or no trial that counts
+    """
+    if source.is_dir() or not source.suffix:
+        trials, remarks = _from_folder(TrialTable.read(source), sensor, rules, workers, told)
+    else:
+        trials, remarks = _from_file(source, rules), ()
+    if "detail" not in trials:
+        trials["detail"] = ("stroke", np.full(trials.sizes["stroke"], ""))
+    trials = _declared(trials, excluded)
+    _need_trials(trials)
+    return Analysed(trials, remarks)
+
+
+def traces(
+    source: Path, sensor: Sensor, rules: Rules, blocks: Sequence[tuple[str, int]]
+) -> Iterator[tuple[str, int, xr.Dataset]]:
+    """Forces of every trial of some blocks (participant, number), to be drawn small.
+
+    Yields
+    ------
+    participant, block, and along (``stroke``, ``point``): ``time`` (s), ``normal`` and ``tangential`` (N),
+    ``steady``; along ``stroke``: ``trial``. What could not be read is not in it.
+    """
+    if not (source.is_dir() or not source.suffix):
+        return
+    table = TrialTable.read(source)
+    wiring = _wiring(table, sensor)
+    people, numbers = table.labels["participant"], table.labels["block"]
+    for participant, block in blocks:
+        rows = np.flatnonzero((people == participant) & (numbers == block)).tolist()
+        reads = _records(table.folder, wiring, table.portion(rows))
+        parts = {read.place.row: _trace(read.record, rules) for read in reads if read.record is not None}
+        if parts:
+            drawn = xr.concat(list(parts.values()), "stroke")
+            yield participant, block, drawn.assign(trial=("stroke", table.labels["trial"][list(parts)]))
+
+
+def _trace(record: Record, rules: Rules) -> xr.Dataset:
+    """Some points of one record; unfiltered where it cannot be filtered."""
+    count = len(record.normal)
+    at = np.unique(np.linspace(0, count - 1, POINTS).round().astype(int)) if count else np.zeros(0, dtype=int)
+    at = np.concatenate([at, np.full(POINTS - len(at), at[-1] if len(at) else 0)])
+    channels = channels_of([record])
+    curves = {"normal": channels[0, 0], "tangential": channels[1, 0], "steady": np.zeros(count, dtype=bool)}
+    if np.isfinite(channels).all() and count > POINTS:
+        stroke = processed(channels, record.rate, rules)
+        curves = {"normal": stroke.normal[0], "tangential": stroke.tangential[0], "steady": stroke.steady[0]}
+    curves["time"] = np.arange(count) / record.rate
+    return xr.Dataset({name: ("point", curve[at]) for name, curve in curves.items()})
+
+
+def _from_file(path: Path, rules: Rules) -> xr.Dataset:
+    columns = read_columns(path, LABEL)
+    origin = "simulated" if "simulated" in {str(word) for word in columns.get("origin", ())} else "measured"
+    trials = read_trials(path) if "friction" in columns else measured(read_records(path), rules)
+    return trials.assign_attrs(origin=origin)
+
+
+def _from_folder(
+    table: TrialTable, sensor: Sensor, rules: Rules, workers: int, told: Told
+) -> tuple[xr.Dataset, tuple[str, ...]]:
+    wiring = _wiring(table, sensor)
+    total, done = len(table.files), 0
+    order, found, simulated = [], [], table.simulated
+    for rows, columns, says_so in _portions(partial(_measured, table.folder, wiring, rules), table, workers):
+        order.append(rows)
+        found.append(columns)
+        simulated |= says_so
+        done += len(rows)
+        told(done, total, False)
+    back = np.argsort(np.concatenate(order))
+    columns = {name: column[back] for name, column in joined(found).items()}
+    origin = "simulated" if simulated else "measured"
+    trials = tabulated({**table.labels, **table.carried}, columns, rules, origin=origin)
+    return trials, wiring.remarks
+
+
+def _portions(
+    work: Callable[[Portion], tuple[NDArray[np.int_], Columns, bool]], table: TrialTable, workers: int
+) -> Iterator[tuple[NDArray[np.int_], Columns, bool]]:
+    """The work on every portion of a table, here or in processes, in any order."""
+    coming = table.portions()
+    if not workers:
+        yield from map(work, coming)
+        return
+    # spawned, because a fork of a process with threads may hang
+    context = multiprocessing.get_context("spawn")
+    with ProcessPoolExecutor(workers, mp_context=context) as pool:
+        waiting: set[Future[tuple[NDArray[np.int_], Columns, bool]]] = set()
+        try:
+            while True:
+                waiting |= {pool.submit(work, one) for one in islice(coming, AHEAD * workers - len(waiting))}
+                if not waiting:
+                    return
+                finished, waiting = wait(waiting, return_when=FIRST_COMPLETED)
+                for future in finished:
+                    yield future.result()
+        finally:
+            for future in waiting:
+                future.cancel()
+
+
+def _measured(
+    folder: Path, wiring: Wiring, rules: Rules, portion: Portion
+) -> tuple[NDArray[np.int_], Columns, bool]:
+    """Rows of the table, their columns, and whether any file says that it is simulated."""
+    reads = list(_records(folder, wiring, portion))
+    good = [i for i, read in enumerate(reads) if read.record is not None]
+    numbers = measure_all([read.record for read in reads if read.record is not None], rules)
+    empty = asdict(Measured(excluded=UNREADABLE))
+    columns: Columns = {}
+    for name, values in numbers.items():
+        columns[name] = np.full(len(reads), empty[name], dtype=values.dtype)
+        columns[name][good] = values
+    columns["detail"] = np.array([read.detail for read in reads], dtype=object)
+    return np.array([read.place.row for read in reads]), columns, any(read.simulated for read in reads)
+
+
+def _records(folder: Path, wiring: Wiring, portion: Portion) -> Iterator[_Read]:
+    """Every trial of a portion with its record, or with what is wrong. A file is opened once."""
+    for name, places in portion:
+        left = list(places)
+        try:
+            with opened(folder / name) as channels_in:
+                kept: dict[str, tuple[Channels, float]] = {}
+                while left:
+                    yield _read(name, left[0], channels_in, kept, wiring)
+                    left.pop(0)
+        except HaptonicError as error:
+            yield from (_Read(place, None, _why(name, error), False) for place in left)
+
+
+def _read(
+    name: str,
+    place: Place,
+    channels_in: Callable[[str], Channels],
+    kept: dict[str, tuple[Channels, float]],
+    wiring: Wiring,
+) -> _Read:
+    simulated = False
+    try:
+        if place.group not in kept:
+            kept.clear()  # groups come one after the other
+            channels = channels_in(place.group)
+            simulated = channels.simulated
+            kept[place.group] = channels, wiring.rate_in(channels)
+        channels, rate = kept[place.group]
+        record = wiring.record(channels, rate, place.start, place.stop)
+    except HaptonicError as error:
+        return _Read(place, None, _why(name, error), simulated)
+    return _Read(place, record, "", channels.simulated)
+
+
+def _wiring(table: TrialTable, sensor: Sensor) -> Wiring:
+    """The meaning of the channels, from the first file that has those that are needed.
+
+    Raises
+    ------
+    HaptonicError : what is wrong with the first file, if none of the first has them
+    """
+    first: HaptonicError | None = None
+    for name, places in islice((one for portion in table.portions() for one in portion), TRIED):
+        try:
+            with opened(table.folder / name) as channels_in:
+                wiring = sensor.wired(channels_in(places[0].group))
+        except HaptonicError as error:
+            first = first or _of_file(error, name)
+            continue
+        return _with_sign(table, wiring) if wiring.sign_unknown else wiring
+    assert first is not None
+    raise first
+
+
+def _with_sign(table: TrialTable, wiring: Wiring) -> Wiring:
+    reads = (read for portion in table.portions() for read in _records(table.folder, wiring, portion))
+    records = [read.record for read in islice(reads, PRESSED) if read.record is not None]
+    return wiring.turned() if pressing(records) < 0 else wiring
+
+
+def _of_file(error: HaptonicError, name: str) -> HaptonicError:
+    """The same error, with the file that it is about."""
+    return type(error)(**(error.parts() | {"argument": f"{name}: {error.argument}"}))
+
+
+def _why(name: str, error: HaptonicError) -> str:
+    where = error.argument if name in error.argument else f"{name}: {error.argument}"
+    return f"{where}: {error.given}; {error.cause}"
+
+
+def _declared(trials: xr.Dataset, excluded: Sequence[Exclusion]) -> xr.Dataset:
+    """The table with the declared exclusions in it."""
+    reason, detail = (trials[name].values.astype(object) for name in ("excluded", "detail"))
+    for number, one in enumerate(excluded, start=1):
+        rows = trials["participant"].values == one.participant
+        for name in ("block", "trial"):
+            if getattr(one, name) is not None:
+                rows &= trials[name].values == getattr(one, name)
+        if not rows.any():
+            raise FrictionError(
+                argument=f"trials.exclude[{number}]",
+                given=", ".join(f"{key} {value}" for key, value in asdict(one).items() if value is not None),
+                allowed="trials that are in the table",
+                cause="a slip in the name or the numbers, or the exclusion is of another experiment",
+                next_step="put it right, or remove it",
+            )
+        reason[rows], detail[rows] = DECLARED, one.reason
+    return trials.assign(excluded=("stroke", reason.astype(str)), detail=("stroke", detail.astype(str)))
+
+
+def _need_trials(trials: xr.Dataset) -> None:
+    excluded = trials["excluded"].values
+    if (excluded == "").any():
+        return
+    counts = Counter(excluded.tolist()).most_common()
+    detail = next((text for text in trials["detail"].values.tolist() if text), "")
+    raise FrictionError(
+        argument="trials",
+        given=", ".join(f"{count} of {len(excluded)}: {reason}" for reason, count in counts),
+        allowed="at least one trial that counts",
+        cause=detail or "the normal force counts in the other direction, or rules that fit no trial",
+        next_step="look at the records; signs, units and rules stand in [trials] and [trials.sensor]",
+    )

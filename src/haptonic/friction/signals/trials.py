@@ -1,0 +1,100 @@
+"""The table of trials: one row for each stroke, those that do not count included."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterable, Mapping
+from dataclasses import asdict, fields
+from importlib.metadata import version
+from itertools import islice
+from typing import Any
+
+import numpy as np
+import xarray as xr
+from numpy.typing import NDArray
+
+from haptonic.errors import FrictionError
+from haptonic.friction.signals.measuring import Columns, measure_all
+from haptonic.friction.signals.record import Label, Record
+from haptonic.friction.signals.rules import DEFAULT_RULES, OMISSIONS, REASONS, Rules
+
+PORTION = 256  # records that are held at a time
+UNITS = {"force": "N", "speed": "m/s", "duration": "s", "friction": "1"}
+IDENTITY = ("participant", "block", "trial")
+
+
+def measured(records: Iterable[tuple[Label, Record]], rules: Rules = DEFAULT_RULES) -> xr.Dataset:
+    """A table of trials from force records, which may come one by one from their files.
+
+    Returns
+    -------
+    along ``stroke``: the label (``participant``, ``block``, ``trial``, ``waveguide``, ``actuation``), what
+    `Measured` holds, and ``friction``, the mean of ratios. Excluded trials are in the table, with the reason
+    in ``excluded``; their numbers never enter a statistic.
+
+    Raises
+    ------
+    FrictionError : no record, two records of one trial, or a sampling rate too low for the filter
+    """
+    coming = iter(records)
+    labels: list[Label] = []
+    found: list[Columns] = []
+    while portion := list(islice(coming, PORTION)):
+        labels += [label for label, _ in portion]
+        found.append(measure_all([record for _, record in portion], rules))
+    named = {field.name: np.array([getattr(one, field.name) for one in labels]) for field in fields(Label)}
+    return tabulated(named, joined(found), rules)
+
+
+def joined(found: list[Columns]) -> Columns:
+    """Columns one below the other."""
+    return {name: np.concatenate([one[name] for one in found]) for name in (found[0] if found else {})}
+
+
+def tabulated(
+    labels: Mapping[str, NDArray[Any]], found: Columns, rules: Rules, *, origin: str = "measured"
+) -> xr.Dataset:
+    """The table of `measured` from its columns; ``origin`` is "measured" or "simulated".
+
+    Raises
+    ------
+    FrictionError : no row, or two of one trial
+    """
+    if not len(labels["participant"]):
+        raise FrictionError(
+            argument="records",
+            given="none",
+            allowed="at least one record",
+            cause="an empty folder or table",
+            next_step="choose another folder",
+        )
+    once = set()
+    for key in zip(*(labels[name].tolist() for name in IDENTITY), strict=True):
+        if key in once:
+            raise FrictionError(
+                argument="records",
+                given=f"participant {key[0]}, block {key[1]}, trial {key[2]} more than once",
+                allowed="one record for each trial",
+                cause="a file was read twice, or trials are numbered from 1 again within a block",
+                next_step="number the trials of a block consecutively",
+            )
+        once.add(key)
+    table = {**labels, **found, "friction": found["mean_of_ratios"]}
+    table |= {name: column.astype(str) for name, column in table.items() if column.dtype == object}
+    data = {
+        name: ("stroke", values, {"units": UNITS[name]} if name in UNITS else {})
+        for name, values in table.items()
+    }
+    attributes = {
+        "origin": origin,
+        "rules": json.dumps(asdict(rules)),
+        "haptonic_version": version("haptonic"),
+    }
+    return xr.Dataset(data, attrs=attributes)
+
+
+def exclusions(trials: xr.Dataset) -> dict[str, int]:
+    """How many trials were excluded, for each of `REASONS` and `OMISSIONS`; other programs' follow."""
+    given = [str(reason) for reason in trials["excluded"].values]
+    known = (*REASONS, *OMISSIONS)
+    return {reason: given.count(reason) for reason in (*known, *sorted(set(given) - {*known, ""}))}

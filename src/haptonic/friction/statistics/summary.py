@@ -1,0 +1,222 @@
+"""All that a table of trials says, in one value; what cannot be said is named with its reason."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+
+import numpy as np
+import xarray as xr
+from numpy.typing import NDArray
+from scipy import stats
+
+from haptonic.errors import FrictionError
+from haptonic.friction.lubrication import WEBER_FRACTION
+from haptonic.friction.statistics.comparison import Test, by_each, compared, conclusion
+from haptonic.friction.statistics.effects import (
+    Equivalence,
+    Estimate,
+    drift,
+    equivalence,
+    reduction,
+    stopped,
+)
+from haptonic.friction.statistics.pairs import Pairs, paired
+
+Array = NDArray[np.float64]
+
+EVERYBODY = "all participants"
+SIDES = ("off", "on")
+MOST_NAMED = 5  # participants with unequal conditions
+
+
+@dataclass(frozen=True)
+class Condition:
+    """Trials of one waveguide with the vibration on or off, of one participant or of all.
+
+    used, excluded : numbers of trials
+    friction, by_means : (mean, standard deviation) over trials of the mean of ratios and the ratio of means
+    force, speed : the same, N and m/s; NaN where it was not recorded
+    """
+
+    participant: str
+    waveguide: str
+    actuation: str
+    used: int
+    excluded: int
+    friction: tuple[float, float]
+    by_means: tuple[float, float]
+    force: tuple[float, float]
+    speed: tuple[float, float]
+
+
+@dataclass(frozen=True)
+class Summary:
+    """What trials prove. Tests and estimates that cannot be had are left out, and `omissions` says why.
+
+    driven : the waveguide with the vibration, idle : the others; chosen : who said so, in words
+    tests : of all participants together, three for each waveguide; each : of every participant
+    reductions : waveguide -> reduction in the population; own : the same of each participant's own trials
+    stopped : share of the driven reduction that does not reach an idle waveguide, by its name
+    equivalences : of idle waveguides, against what nobody feels
+    drift : of friction over a session, or None
+    conclusions : a sentence for each waveguide
+    """
+
+    driven: str | None
+    idle: tuple[str, ...]
+    chosen: str
+    conditions: tuple[Condition, ...]
+    tests: tuple[Test, ...]
+    each: tuple[Test, ...]
+    reductions: dict[str, Estimate]
+    own: dict[tuple[str, str], Estimate]
+    stopped: dict[str, Estimate]
+    equivalences: tuple[Equivalence, ...]
+    drift: Estimate | None
+    conclusions: tuple[str, ...]
+    omissions: tuple[str, ...]
+
+
+def summary(trials: xr.Dataset, driven: str | None = None) -> Summary:
+    """Everything, from a table of trials.
+
+    Parameters
+    ----------
+    driven : the waveguide that carries the vibration; else the one with the largest reduction
+
+    Raises
+    ------
+    FrictionError : no waveguide is called like that
+    """
+    guides = list(dict.fromkeys(str(name) for name in trials["waveguide"].values))
+    if driven is not None and driven not in guides:
+        paired(trials, driven)  # refused, with the names that there are
+    omissions = []
+    pairs: dict[str, Pairs] = {}
+    for guide in guides:
+        try:
+            pairs[guide] = paired(trials, guide)
+        except FrictionError as error:
+            omissions.append(f"{guide}: no test; {error.given}; {error.cause}")
+    chosen = "as the study says"
+    if driven is None and pairs:
+        driven = max(pairs, key=lambda guide: pairs[guide].reduction)
+        chosen = "the largest reduction was found there; the study does not say"
+    guides.sort(key=lambda guide: guide != driven)
+    pairs = {guide: pairs[guide] for guide in guides if guide in pairs}
+    conditions = tuple(conditions_of(trials, guides))
+    omissions += _unbalanced(conditions)
+    all_pairs = list(pairs.values())
+    tests = compared(all_pairs)
+    reductions = {guide: reduction(one) for guide, one in pairs.items()}
+    idle = tuple(guide for guide in guides if guide != driven)
+    shares = {}
+    for guide in idle:
+        try:
+            if driven in pairs and guide in pairs:
+                shares[guide] = stopped(*_same_people(pairs[driven], pairs[guide], omissions))
+        except FrictionError as error:
+            omissions.append(f"share stopped before {guide}: {error.given}; {error.cause}")
+    drifted = None
+    try:
+        drifted = drift(trials)
+    except FrictionError as error:
+        omissions.append(f"drift: {error.argument}: {error.given}; {error.cause}")
+    return Summary(
+        driven,
+        idle,
+        chosen if driven else "no waveguide can be tested",
+        conditions,
+        tuple(tests),
+        tuple(by_each(all_pairs)),
+        reductions,
+        {(guide, name): own_reduction(one.of(name)) for guide, one in pairs.items() for name in one.people},
+        shares,
+        tuple(equivalence(pairs[guide], WEBER_FRACTION) for guide in idle if guide in pairs),
+        drifted,
+        tuple(conclusion([test for test in tests if test.waveguide == guide]) for guide in pairs),
+        tuple(omissions),
+    )
+
+
+def conditions_of(trials: xr.Dataset, guides: list[str]) -> Iterator[Condition]:
+    """Every condition of every participant and, if there are several, of all."""
+    columns = {name: trials[name].values for name in ("participant", "waveguide", "actuation", "excluded")}
+    people = list(dict.fromkeys(columns["participant"].tolist()))
+    for person in [*people, *[EVERYBODY] * (len(people) > 1)]:
+        for guide in guides:
+            for side in SIDES:
+                rows = (columns["waveguide"] == guide) & (columns["actuation"] == side)
+                if person != EVERYBODY:
+                    rows &= columns["participant"] == person
+                good = rows & (columns["excluded"] == "")
+                numbers = (
+                    _spread(trials, name, good) for name in ("friction", "ratio_of_means", "force", "speed")
+                )
+                yield Condition(
+                    person, guide, side, int(good.sum()), int(rows.sum() - good.sum()), *numbers
+                )  # fmt: skip
+
+
+def own_reduction(pairs: Pairs) -> Estimate:
+    """Reduction 1 - on / off of one participant's own trials, with an interval from their scatter.
+
+    It says how well this participant's reduction is known, nothing of others. The ratio of two means from
+    pairs, linearised about the truth: Student's t of on - ratio * off, over the mean of off.
+    """
+    n, off = len(pairs.on), float(pairs.off.mean())
+    ratio = float(pairs.on.mean()) / off
+    if n < 2:
+        return Estimate(1 - ratio, math.nan, math.nan, "one pair of trials only")
+    error = float((pairs.on - ratio * pairs.off).std(ddof=1)) / math.sqrt(n) / off
+    reach = float(stats.t.ppf(0.975, n - 1)) * error
+    return Estimate(1 - ratio, 1 - ratio - reach, 1 - ratio + reach)
+
+
+def _spread(trials: xr.Dataset, name: str, rows: NDArray[np.bool_]) -> tuple[float, float]:
+    values = trials[name].values[rows] if name in trials else np.empty(0)
+    values = values[np.isfinite(values)]
+    mean = float(values.mean()) if values.size else math.nan
+    return mean, float(values.std(ddof=1)) if values.size > 1 else math.nan
+
+
+def _unbalanced(conditions: tuple[Condition, ...]) -> list[str]:
+    """Conditions with no trial, and participants whose conditions differ in number; some of many."""
+    found = list(_unequal(conditions))
+    more = len(found) - MOST_NAMED
+    return [*found[:MOST_NAMED], *[f"the same of {more} other participants"] * (more > 0)]
+
+
+def _unequal(conditions: tuple[Condition, ...]) -> Iterator[str]:
+    for person in dict.fromkeys(one.participant for one in conditions if one.participant != EVERYBODY):
+        own = [one for one in conditions if one.participant == person]
+        names = {f"{one.waveguide} {one.actuation}": one.used for one in own}
+        missing = [name for name, used in names.items() if not used]
+        if missing:
+            yield f"{person}: no trial that counts on {', '.join(missing)}"
+        elif len(set(names.values())) > 1:
+            yield f"{person}: unequal numbers of trials ({_numbers(names)})"
+
+
+def _numbers(names: dict[str, int]) -> str:
+    return ", ".join(f"{name}: {used}" for name, used in names.items())
+
+
+def _same_people(driven: Pairs, idle: Pairs, omissions: list[str]) -> tuple[Pairs, Pairs]:
+    """Both without participants who have pairs on one of them only."""
+    both = [name for name in driven.people if name in idle.people]
+    left_out = sorted(set(driven.people) ^ set(idle.people))
+    if not left_out or not both:
+        return driven, idle
+    omissions.append(
+        f"share stopped before {idle.waveguide}: without {', '.join(left_out)}, who has pairs on one "
+        "waveguide only"
+    )
+    return _of(driven, both), _of(idle, both)
+
+
+def _of(pairs: Pairs, people: list[str]) -> Pairs:
+    rows = np.isin(pairs.participant, people)
+    return replace(pairs, participant=pairs.participant[rows], on=pairs.on[rows], off=pairs.off[rows])

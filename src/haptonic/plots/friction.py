@@ -1,0 +1,231 @@
+"""Friction of strokes: bars of the conditions, reductions with intervals, every trial as a small plot."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+import numpy as np
+import xarray as xr
+from matplotlib.artist import Artist
+from matplotlib.axes import Axes
+from matplotlib.collections import LineCollection
+from matplotlib.figure import Figure
+from matplotlib.patches import Patch, Rectangle
+from numpy.typing import NDArray
+
+from haptonic.friction.statistics import Estimate
+from haptonic.friction.statistics.summary import EVERYBODY, Condition
+from haptonic.plots import style
+
+Array = NDArray[np.float64]
+
+PUBLISHED = {"driven": 0.55, "idle": 0.11, "stopped": 0.80}  # [daunizeau-haptics]
+LOOKS = ((style.BLUE, "o"), (style.ORANGE, "s"), (style.GREEN, "^"), (style.PURPLE, "D"), (style.SKY, "v"))
+MOST_PEOPLE = 12  # whose bars stand beside those of all
+MOST_NAMED = 30  # who have a name beside their reductions
+COLUMNS = 6  # of trials on a sheet
+STEADY: dict[str, Any] = {"color": style.GREEN, "alpha": 0.18, "lw": 0, "zorder": 1}
+
+
+@style.drawn
+def conditions(
+    found: Sequence[Condition],
+    reductions: Mapping[str, Estimate],
+    stopped: Mapping[str, Estimate],
+    *,
+    driven: str | None,
+    published: bool,
+    origin: str,
+) -> Figure:
+    """Mean friction of every condition with one standard deviation, by participant and of all.
+
+    Parameters
+    ----------
+    reductions, stopped : in the population, by waveguide; written above the bars of all participants
+    driven : the waveguide with the vibration
+    published : whether the paper's numbers stand beside
+    """
+    guides = list(dict.fromkeys(one.waveguide for one in found))
+    people = list(dict.fromkeys(one.participant for one in found))
+    if len(people) > MOST_PEOPLE + 1:
+        people = [EVERYBODY]
+    figure = style.blank(9.0, min(30.0, max(style.WIDTH, 3.0 + 2.6 * len(people) * len(guides) / 2)))
+    axes = figure.subplots()
+    bar = 0.8 / (2 * len(guides))
+    shown = {(one.participant, one.waveguide, one.actuation): one for one in found}
+    drawn = [one for one in found if one.used and one.participant in people]
+    top = max((one.friction[0] + np.nan_to_num(one.friction[1]) for one in drawn), default=1.0)
+    for place, person in enumerate(people):
+        for g, guide in enumerate(guides):
+            colour = LOOKS[g % len(LOOKS)][0]
+            for a, side in enumerate(("off", "on")):
+                one = shown[person, guide, side]
+                if not one.used:
+                    continue
+                x = place - 0.4 + bar * (2 * g + a + 0.5)
+                axes.bar(
+                    x, one.friction[0], 0.92 * bar, color=colour if side == "on" else "white",
+                    edgecolor=colour, lw=1.2, hatch=None if side == "on" else "///", zorder=2,
+                    gid=f"{person} {guide} {side}",
+                )  # fmt: skip
+                if np.isfinite(one.friction[1]):
+                    axes.errorbar(x, *one.friction, color=style.INK, capsize=2.5, lw=1.0, zorder=3)
+    axes.set_xticks(range(len(people)), people)
+    axes.set_xlim(-0.55, len(people) - 0.45)
+    axes.set_ylim(0, 1.06 * top)
+    axes.set_ylabel("coefficient of friction")
+    axes.set_title("mean and one standard deviation of trials" + _mark(origin))
+    handles: list[Artist] = [
+        Patch(
+            facecolor=LOOKS[g % len(LOOKS)][0] if side == "on" else "white",
+            edgecolor=LOOKS[g % len(LOOKS)][0],
+            hatch=None if side == "on" else "///",
+            label=f"{guide}, vibration {side}",
+        )
+        for g, guide in enumerate(guides)
+        for side in ("off", "on")
+    ]
+    figure.legend(handles=handles, loc="outside lower center", ncols=2)
+    lines = [*_said(reductions, stopped, driven, published)]
+    figure.suptitle("\n".join(lines), fontsize=8.5, x=0.02, ha="left")
+    return figure
+
+
+def _said(
+    reductions: Mapping[str, Estimate], stopped: Mapping[str, Estimate], driven: str | None, published: bool
+) -> list[str]:
+    lines = []
+    for guide, one in reductions.items():
+        role = "driven" if guide == driven else "idle"
+        beside = f"; published: {PUBLISHED[role]:.0%}" if published else ""
+        lines.append(f"{guide} ({role}): friction reduced by {_percent(one)}{beside}")
+    for guide, one in stopped.items():
+        beside = f"; published: about {PUBLISHED['stopped']:.0%}" if published else ""
+        lines.append(f"share of the reduction that does not reach {guide}: {_percent(one)}{beside}")
+    return lines
+
+
+def _percent(one: Estimate) -> str:
+    interval = f" [{one.low:.0%}, {one.high:.0%}]" if np.isfinite(one.low) else ", no interval"
+    return f"{one.value:.0%}{interval}"
+
+
+@style.drawn
+def reductions(
+    population: Mapping[str, Estimate], own: Mapping[tuple[str, str], Estimate], *, origin: str
+) -> Figure:
+    """Reduction of every participant and of the population, with 95 % intervals.
+
+    Parameters
+    ----------
+    population : by waveguide
+    own : by waveguide and participant, intervals from the scatter of the participant's trials
+    """
+    people = list(dict.fromkeys(name for _, name in own))
+    rows = [*people, EVERYBODY]
+    named = len(people) <= MOST_NAMED
+    figure = style.blank(4.0 + 0.75 * min(len(rows), MOST_NAMED))
+    axes = figure.subplots()
+    for g, (guide, whole) in enumerate(population.items()):
+        colour, marker = LOOKS[g % len(LOOKS)]
+        shift = 0.16 * (g - 0.5 * (len(population) - 1))
+        for row, person in enumerate(rows):
+            one = whole if person == EVERYBODY else own.get((guide, person))
+            if one is None:
+                continue
+            y = row + shift
+            if np.isfinite(one.low):
+                axes.plot([100 * one.low, 100 * one.high], [y, y], color=colour, lw=1.6, zorder=2)
+            bold = person == EVERYBODY
+            axes.plot(
+                100 * one.value, y, marker, color=colour, ms=7 if bold else 5, zorder=3,
+                label=guide if row == 0 else None, gid=f"{guide} {person}",
+            )  # fmt: skip
+    axes.axhline(len(people) - 0.5, color=style.PALE_INK, lw=0.7)
+    axes.axvline(0, color=style.INK, lw=0.7)
+    weber = axes.axvline(11, color=style.CARRIER, ls=style.DASHED, lw=1.0, gid="weber")
+    weber.set_label("smallest drop that people feel, 11 %")
+    axes.set_yticks(range(len(rows)) if named else [len(people)], rows if named else [EVERYBODY])
+    axes.set_ylim(len(rows) - 0.4, -0.6)
+    axes.set_xlabel("reduction of friction (%)")
+    axes.set_title("reduction with its 95 % interval" + _mark(origin))
+    figure.legend(loc="outside lower center", ncols=3)
+    return figure
+
+
+@style.drawn
+def trial_sheet(trials: xr.Dataset, traces: xr.Dataset, *, origin: str) -> Figure:
+    """Every trial of a block as a small plot: both forces, its steady part, and why it does not count.
+
+    One system of axes with the trials in its cells: thirty of them would take a second to draw.
+
+    Parameters
+    ----------
+    trials : of one participant and block, see `haptonic.friction.signals.measured`
+    traces : of those that could be read, see `haptonic.friction.recordings.traces`
+    """
+    trials = trials.sortby("trial")
+    count = trials.sizes["stroke"]
+    rows = -(-count // COLUMNS)
+    figure = style.blank(1.6 + 2.1 * rows, 18.0)
+    axes = figure.subplots()
+    place = {int(number): row for row, number in enumerate(traces["trial"].values)}
+    forces = {name: traces[name].values for name in ("normal", "tangential")}
+    high = float(np.nanmax([np.nanquantile(np.abs(one), 0.999) for one in forces.values()], initial=0.1))
+    lasts = float(np.nanmax(traces["time"].values, initial=1e-3))
+    for k in range(count):
+        trial = trials.isel(stroke=k)
+        x, y = k % COLUMNS, rows - 1 - k // COLUMNS
+        reason = str(trial["excluded"].values)
+        axes.add_patch(_cell(x, y, "#fbe9e2" if reason else "#f5f7f9"))
+        row = place.get(int(trial["trial"]))
+        if row is not None:
+            at = x + 0.04 + 0.88 * traces["time"].values[row] / lasts
+            curves = [one[row] for one in forces.values()]
+            _curves(axes, at, curves, traces["steady"].values[row], y, high)
+        number = "" if reason else f"  {float(trial['friction']):.2f}"
+        guide = f"{int(trial['trial'])}: {trial['waveguide'].values} {trial['actuation'].values}{number}"
+        axes.text(x + 0.03, y + 0.9, guide, fontsize=6.5, va="center")
+        if reason:
+            axes.text(x + 0.03, y + 0.06, reason, fontsize=6, va="center", color=style.RED)
+    axes.set_xlim(0, COLUMNS)
+    axes.set_ylim(0, rows)
+    axes.set_axis_off()
+    person, block = trials["participant"].values[0], int(trials["block"].values[0])
+    axes.set_title(f"{person}, block {block}{_mark(origin)}")
+    for name, colour in (("normal force", style.BLUE), ("tangential force", style.ORANGE)):
+        axes.plot([], [], color=colour, label=name)
+    axes.plot([], [], color=style.GREEN, lw=4, alpha=0.5, label="steady part")
+    figure.legend(
+        loc="outside lower center", ncols=3,
+        title=f"green: {2 * high:.2g} N high about zero; cell: {lasts:.2g} s wide; number: friction",
+        title_fontsize=7,
+    )  # fmt: skip
+    return figure
+
+
+def _cell(x: int, y: int, colour: str) -> Patch:
+    return Rectangle((x + 0.01, y + 0.01), 0.96, 0.96, facecolor=colour, edgecolor="none", zorder=0)
+
+
+def _curves(
+    axes: Axes, at: Array, forces: Sequence[Array], steady: NDArray[np.bool_], y: int, high: float
+) -> None:
+    middle, scale = y + 0.46, 0.36 / high
+    axes.plot(at[[0, -1]], [middle, middle], color=style.PALE_INK, lw=0.4, zorder=1)
+    colours = (style.BLUE, style.ORANGE)
+    lines = [
+        np.column_stack([at, middle + scale * np.clip(one, -high, high)]) for one in forces
+    ]  # fmt: skip
+    axes.add_collection(LineCollection(lines, colors=colours, linewidths=0.8, zorder=3), autolim=False)
+    if steady.any():
+        edges = np.flatnonzero(np.diff(np.concatenate([[0], steady.astype(int), [0]])))
+        for start, stop in edges.reshape(-1, 2):
+            axes.fill_between(
+                at[start:stop], y + 0.1, y + 0.82, color=style.GREEN, alpha=0.18, lw=0, zorder=1
+            )
+
+
+def _mark(origin: str) -> str:
+    return ", simulated" if origin == "simulated" else ""

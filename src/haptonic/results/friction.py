@@ -1,0 +1,195 @@
+"""What force records of people who stroke a plate say: trials, conditions, tests, localisation."""
+
+from __future__ import annotations
+
+import json
+import math
+from collections import Counter
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import asdict, dataclass
+from functools import partial
+from pathlib import Path
+from typing import Any
+
+import pandas as pd
+import xarray as xr
+from matplotlib.figure import Figure
+
+from haptonic import plots
+from haptonic.friction.recordings import Exclusion, Sensor, analysed, traces
+from haptonic.friction.signals import Rules, exclusions, write_trials
+from haptonic.friction.statistics import Test
+from haptonic.friction.statistics.summary import Condition, Summary, summary
+
+Told = Callable[[int, int, bool], None]
+
+PARTS = ("mean", "sd")
+MOST_SHEETS = 60  # blocks that are drawn trial by trial
+
+
+@dataclass(frozen=True, eq=False)
+class FrictionResult:
+    """Trials with all that was left out and why, and what they prove.
+
+    source : folder or table that was read; sensor, rules : how
+    trials : see `haptonic.friction.signals.measured`; remarks : what was guessed
+    found : everything that the statistics say
+    """
+
+    source: Path
+    sensor: Sensor
+    rules: Rules
+    trials: xr.Dataset
+    remarks: tuple[str, ...]
+    found: Summary
+
+    FILES = ("trials.nc", "trials.csv", "conditions.csv", "tests.csv")
+    FIGURES = ("conditions", "reductions")
+
+    @property
+    def origin(self) -> str:
+        """ "measured", or "simulated" if any trial is."""
+        return str(self.trials.attrs.get("origin", "measured"))
+
+    @property
+    def excluded(self) -> dict[str, int]:
+        """How many trials were left out, by reason."""
+        return {reason: count for reason, count in exclusions(self.trials).items() if count}
+
+    def files(self) -> dict[str, Callable[[Path], object]]:
+        """What writes each file."""
+        found = self.found
+        rows: dict[str, Sequence[Condition | Test]] = {
+            "conditions.csv": found.conditions,
+            "tests.csv": (*found.tests, *found.each),
+        }
+        tables: dict[str, Callable[[Path], object]] = {
+            name: partial(_write_rows, [asdict(one) for one in many], self.origin)
+            for name, many in rows.items()
+        }
+        return {**{name: partial(write_trials, self.trials) for name in self.FILES[:2]}, **tables}
+
+    def figures(self, *, published: bool = False) -> dict[str, Figure]:
+        """All pictures by name.
+
+        Parameters
+        ----------
+        published : whether the paper's three numbers stand beside ours, for its prototype or a twin of it
+        """
+        found = self.found
+        return {
+            "conditions": plots.conditions(
+                found.conditions,
+                found.reductions,
+                found.stopped,
+                driven=found.driven,
+                published=published,
+                origin=self.origin,
+            ),
+            "reductions": plots.reductions(found.reductions, found.own, origin=self.origin),
+        }
+
+    def blocks(self) -> tuple[list[tuple[str, int]], int]:
+        """Blocks (participant, number) that are drawn trial by trial, and how many are not.
+
+        If there are too many, those with the most excluded trials come first.
+        """
+        columns = [self.trials[name].values.tolist() for name in ("participant", "block", "excluded")]
+        every = Counter({(person, block): 0 for person, block, _ in zip(*columns, strict=True)})
+        every.update((person, block) for person, block, reason in zip(*columns, strict=True) if reason)
+        chosen = {key for key, _ in every.most_common(MOST_SHEETS)}
+        return [key for key in every if key in chosen], len(every) - len(chosen)
+
+    def sheets(self, blocks: Sequence[tuple[str, int]]) -> Iterator[tuple[str, int, Figure]]:
+        """Every trial of some blocks as a small plot; the files are read again for it."""
+        trials = self.trials
+        for person, block, drawn in traces(self.source, self.sensor, self.rules, blocks):
+            here = (trials["participant"].values == person) & (trials["block"].values == block)
+            yield person, block, plots.trial_sheet(trials.isel(stroke=here), drawn, origin=self.origin)
+
+    def to_json(self) -> dict[str, Any]:
+        """Plain values for machines."""
+        found, trials = self.found, self.trials
+        left_out = trials.isel(stroke=trials["excluded"].values != "")
+        values: dict[str, Any] = _finite(
+            {
+                "origin": self.origin,
+                "trials": trials.sizes["stroke"],
+                "excluded": [
+                    {
+                        name: left_out[name].values[row].item()
+                        for name in ("participant", "block", "trial", "waveguide", "actuation")
+                    }
+                    | {
+                        "reason": str(left_out["excluded"].values[row]),
+                        "detail": str(left_out["detail"].values[row]),
+                    }
+                    for row in range(left_out.sizes["stroke"])
+                ],
+                "exclusions": self.excluded,
+                "remarks": list(self.remarks),
+                "omissions": list(found.omissions),
+                "driven": found.driven,
+                "driven_chosen": found.chosen,
+                "conditions": [asdict(one) for one in found.conditions],
+                "tests": [asdict(one) for one in (*found.tests, *found.each)],
+                "conclusions": list(found.conclusions),
+                "reduction": {guide: asdict(one) for guide, one in found.reductions.items()},
+                "own_reduction": [
+                    {"waveguide": guide, "participant": name, **asdict(one)}
+                    for (guide, name), one in found.own.items()
+                ],
+                "stopped": {guide: asdict(one) for guide, one in found.stopped.items()},
+                "equivalence": [asdict(one) for one in found.equivalences],
+                "drift": asdict(found.drift) if found.drift else None,
+                "rules": json.loads(trials.attrs["rules"]) if "rules" in trials.attrs else None,
+                "version": trials.attrs.get("haptonic_version"),
+            }
+        )
+        return values
+
+
+def compute_friction(
+    source: Path,
+    sensor: Sensor,
+    rules: Rules,
+    excluded: Sequence[Exclusion] = (),
+    *,
+    driven: str | None = None,
+    workers: int = 0,
+    told: Told = lambda done, planned, stored: None,
+) -> FrictionResult:
+    """Read and measure all trials, and say what they prove.
+
+    Parameters
+    ----------
+    source : a folder with ``trials.csv``, or a single table; see `haptonic.friction.recordings.analysed`
+    driven : the waveguide that carries the vibration; else the one with the largest reduction
+
+    Raises
+    ------
+    ResourceError : no such file or folder
+    FrictionError : a table that is wrong, no trial that counts, or no waveguide of that name
+    """
+    read = analysed(source, sensor, rules, excluded, workers=workers, told=told)
+    return FrictionResult(source, sensor, rules, read.trials, read.remarks, summary(read.trials, driven))
+
+
+def _write_rows(rows: list[dict[str, Any]], origin: str, path: Path) -> None:
+    """A CSV table; a pair (mean, standard deviation) becomes two columns, and each row says its origin."""
+    flat = []
+    for row in rows:
+        pairs = {name: value for name, value in row.items() if isinstance(value, tuple)}
+        plain = {name: value for name, value in row.items() if name not in pairs}
+        plain |= {f"{name}_{part}": value[k] for name, value in pairs.items() for k, part in enumerate(PARTS)}
+        flat.append(plain | {"origin": origin})
+    pd.DataFrame(flat).to_csv(path, index=False)
+
+
+def _finite(value: Any) -> Any:
+    """The same with None in place of NaN, which JSON does not have."""
+    if isinstance(value, dict):
+        return {key: _finite(item) for key, item in value.items()}
+    if isinstance(value, list | tuple):
+        return [_finite(item) for item in value]
+    return None if isinstance(value, float) and not math.isfinite(value) else value

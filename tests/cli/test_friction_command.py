@@ -1,0 +1,173 @@
+"""The command about trials, from the outside."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import numpy as np
+import pandas as pd
+import pytest
+import xarray as xr
+
+from five_parts import assert_five_parts
+from haptonic.results import FrictionResult
+from trial_folders import edited, made_up, written
+
+ROOT = Path(__file__).parents[2]
+MADE = made_up(trials=4)
+PICTURES = {f"{name}.{kind}" for name in ("conditions", "reductions") for kind in ("svg", "png")}
+TABLES = {"trials.csv", "conditions.csv", "tests.csv"}
+FILES = {"trials.nc", "quality.html"} | TABLES | PICTURES
+
+
+def test_friction_writes_its_files_and_tables(haptonic, inside, tmp_path):
+    folder = written(tmp_path / "trials", MADE, origin="simulated")
+    out = tmp_path / "out"
+    ran = haptonic("friction", folder, "--out", out)
+    assert ran.code == 0, ran.err
+    assert {path.name for path in out.iterdir()} == FILES
+    for words in (
+        "24 trials, none of them left out",
+        "conditions: mean",
+        "tests of the difference",
+        "Holm",
+        "mixed model",
+        "Share of the reduction that does not reach WG2",
+        "one-sided test against the 11%",
+        "Drift over a session",
+        "Simulated: these trials were made up",
+    ):
+        assert words in ran.out, words
+    data = xr.load_dataset(out / "trials.nc", engine="h5netcdf")
+    assert data.attrs["origin"] == "simulated"
+    table = pd.read_csv(out / "trials.csv")
+    assert table["friction"].to_numpy() == pytest.approx(data["friction"].values)
+    for name in TABLES:
+        assert set(pd.read_csv(out / name).get("origin", ["simulated"])) == {"simulated"}
+    tests = pd.read_csv(out / "tests.csv")
+    assert tests["participant"].isna().sum() == 6
+    assert len(tests) == 6 + 2 * 3
+    conditions = pd.read_csv(out / "conditions.csv")
+    first = conditions.iloc[0]
+    rows = (table["participant"] == first["participant"]) & (table["waveguide"] == first["waveguide"])
+    rows &= table["actuation"] == first["actuation"]
+    assert first["friction_sd"] == pytest.approx(table["friction"][rows].std())
+    page = (out / "quality.html").read_text("utf-8")
+    assert "Simulated: these trials were made up" in page
+    assert page.count('<section id="sheet') == 6
+    assert "http" not in page.split("<body>")[0]
+    assert_five_parts(inside("friction", folder, "--out", out), "trials.nc", "overwrite")
+
+
+def test_one_object_for_machines(inside, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    folder = written(tmp_path / "trials", MADE)
+    (folder / "P2-B1-T3.csv").unlink()
+    (folder / "study.toml").write_text(
+        '[trials]\nfilter = "compensated"\n[[trials.exclude]]\nparticipant = "P1"\nblock = 2\ntrial = 1\n'
+        'reason = "slipped"\n'
+    )
+    ran = inside("friction", folder, "--json")
+    assert ran.code == 0, ran.err
+    found = ran.json
+    assert found["origin"] == "measured"
+    assert found["exclusions"] == {"unreadable record": 1, "declared beforehand": 1}
+    details = [one["detail"] for one in found["excluded"]]
+    assert "slipped" in details
+    assert any("P2-B1-T3.csv: no such file" in text for text in details)
+    assert str(tmp_path) not in ran.out
+    assert found["rules"]["filter"] == "compensated"
+    assert found["driven"] == "WG1"
+    pooled = [one for one in found["tests"] if not one["participant"]]
+    assert [(one["waveguide"], one["name"]) for one in pooled] == [
+        (guide, name)
+        for guide in ("WG1", "WG2")
+        for name in ("trials, as published", "participants", "mixed model")
+    ]
+    assert {"stopped", "equivalence", "drift", "conditions", "conclusions"} <= set(found)
+    assert found["stopped"]["WG2"]["value"] == pytest.approx(
+        1 - found["reduction"]["WG2"]["value"] / found["reduction"]["WG1"]["value"]
+    )
+    assert any("unequal numbers" in text for text in found["warnings"])
+    assert not (tmp_path / "results").exists()
+
+
+def test_one_participant_gets_no_p_value_for_people(inside, tmp_path):
+    folder = written(tmp_path / "trials", made_up(1, trials=4))
+    found = inside("friction", folder, "--json").json
+    for one in found["tests"]:
+        assert (one["p"] is None) == (one["name"] != "trials, as published"), one
+    assert found["reduction"]["WG1"]["low"] is None
+    assert all("one participant only" in text for text in found["conclusions"])
+
+
+def test_a_missing_condition_is_said_and_not_tested(inside, tmp_path):
+    folder = written(tmp_path / "trials", MADE)
+    edited(folder, lambda t: t[(t["waveguide"] == "WG1") | (t["actuation"] == "off")])
+    ran = inside("friction", folder, "--json")
+    assert ran.code == 0, ran.err
+    assert "WG2: no test" in ran.err
+    found = ran.json
+    assert {one["waveguide"] for one in found["tests"]} == {"WG1"}
+    assert found["stopped"] == {}
+
+
+def test_a_study_elsewhere_and_the_driven_waveguide(inside, study, tmp_path):
+    folder = written(tmp_path / "trials", MADE)
+    path = study(("[[sweep]]", '[trials]\ndriven = "WG2"\n[[sweep]]'))
+    found = inside("friction", folder, "--study", path, "--json").json
+    assert (found["driven"], found["driven_chosen"]) == ("WG2", "as the study says")
+
+
+def test_the_papers_numbers_stand_beside_those_of_its_twin(inside, tmp_path, monkeypatch):
+    asked = []
+
+    def figures(self: FrictionResult, *, published: bool) -> dict[str, object]:
+        asked.append(published)
+        return {}
+
+    monkeypatch.setattr(FrictionResult, "figures", figures)
+    monkeypatch.setattr(FrictionResult, "blocks", lambda self: ([], 0))
+    folder = written(tmp_path / "trials", MADE)
+    inside("friction", folder, "--study", ROOT / "studies" / "touchpad.toml", "--out", tmp_path / "a")
+    inside("friction", folder, "--out", tmp_path / "b")
+    assert asked == [True, False]
+
+
+@pytest.mark.parametrize(
+    ("text", "words"),
+    [
+        ('[trials]\nfilter = "bessel"\n', ("trials.filter", "literal")),
+        ('[trials]\nthreshold = "100 mm"\n', ("trials.threshold", "not a unit of force")),
+        ('[trials]\nforce = ["5 N", "0.1 N"]\n', ("trials.force", "exchange")),
+        ("[trials]\ntreshold = 1\n", ("treshold", "threshold")),
+        ('[trials.sensor]\nforce_unit = "mm"\n', ("trials.sensor.force_unit",)),
+        ('[trials.sensor]\ngauges = "a, b"\n', ("trials.sensor.gauges", "six different names")),
+        ('[trials.sensor]\ncalibration = "none.csv"\n', ("trials.sensor.calibration", "cannot be read")),
+        ('[trials.sensor]\nnormal = "G2"\ncalibration = "c.csv"\n', ("trials.sensor.normal", "Fx, Fy or Fz")),
+        ('[trials]\ndriven = "WG9"\n', ("WG9", "did you mean")),
+        ('[[trials.exclude]]\nparticipant = "P1"\ntrial = 2\nreason = "x"\n', ("trials.exclude[1].block",)),
+        ('[[trials.exclude]]\nparticipant = "P7"\nreason = "x"\n', ("trials.exclude[1]", "P7")),
+        ('[[trials.exclude]]\nparticipant = "P1"\n', ("trials.exclude[1].reason",)),
+    ],
+)
+def test_bad_studies_are_refused(inside, tmp_path, text, words):
+    folder = written(tmp_path / "trials", MADE[:8])
+    (folder / "study.toml").write_text(text)
+    assert_five_parts(inside("friction", folder, "--json"), *words)
+
+
+def test_bad_places_are_refused(inside, tmp_path):
+    assert_five_parts(inside("friction", tmp_path / "none", "--json"), "folder of trials")
+    assert_five_parts(inside("friction", tmp_path, "--json"), "trials.csv")
+    assert_five_parts(inside("friction", tmp_path / "none.csv", "--json"), "table of trials")
+    folder = written(tmp_path / "trials", MADE[:8], change=lambda f: {"a": f["time"], "b": f["Fz"]})
+    assert_five_parts(inside("friction", folder, "--json"), "[trials.sensor]")
+
+
+def test_json_has_no_nan(inside, tmp_path):
+    folder = written(tmp_path / "trials", made_up(1, trials=2))
+    ran = inside("friction", folder, "--json")
+    json.loads(ran.out, parse_constant=lambda name: pytest.fail(name))
+    assert np.isfinite(ran.json["reduction"]["WG1"]["value"])

@@ -1,0 +1,357 @@
+"""From folders of files to trials: every format, guesses, units, calibration, and all that can be wrong."""
+
+import h5py
+import numpy as np
+import pandas as pd
+import pytest
+from test_lubrication import refused
+
+from haptonic.errors import ResourceError
+from haptonic.friction.recordings import Exclusion, Sensor, analysed, read_calibration, traces
+from haptonic.friction.signals import Record, Rules, exclusions, measure, measured
+from haptonic.friction.signals.measuring import measure_all
+from trial_folders import channels, edited, made_up, written
+
+MADE = made_up(trials=4)
+TRUE = measured(MADE)["friction"].values
+PLAIN = Sensor()
+ALMOST_DEPENDENT = np.eye(6)
+ALMOST_DEPENDENT[0] = ALMOST_DEPENDENT[1] + 1e-9 * ALMOST_DEPENDENT[0]
+
+
+def friction_in(folder, sensor=PLAIN, **more):
+    return analysed(folder, sensor, Rules(), **more).trials
+
+
+def counts(trials):
+    return {reason: count for reason, count in exclusions(trials).items() if count}
+
+
+class TestTogether:
+    def test_strokes_measured_together_say_what_each_says_alone(self):
+        """Other lengths, rates, with and without position, and some spoiled ones between them."""
+        records = [record for _, record in MADE[:12]]
+        records[2] = Record(
+            records[2].normal[:-7], records[2].tangential[:-7], 1000.0, records[2].position[:-7]
+        )
+        records[4] = Record(records[4].normal, records[4].tangential, 1000.0)
+        records[5] = Record(records[5].normal, records[5].tangential, 900.0, records[5].position)
+        records[6] = Record(0 * records[6].normal, records[6].tangential, 1000.0, records[6].position)
+        records[7] = Record(records[7].normal, records[7].tangential, 1000.0, records[7].position, True)
+        together = measure_all(records)
+        for row, record in enumerate(records):
+            alone = measure(record)
+            for name, column in together.items():
+                one = getattr(alone, name)
+                same = one if isinstance(one, str) else pytest.approx(one, nan_ok=True, rel=1e-9)
+                assert column[row] == same, (row, name)
+        assert together["excluded"][6] == "no contact"
+        assert together["excluded"][7] == "saturated channel"
+
+
+class TestFormats:
+    @pytest.mark.parametrize("kind", ["csv", "h5", "hdf5", "mat", "tdms"])
+    @pytest.mark.parametrize("per", ["trial", "block"])
+    def test_every_format_gives_the_same_trials(self, tmp_path, kind, per):
+        found = friction_in(written(tmp_path / "a", MADE, kind=kind, per=per))
+        assert found["friction"].values == pytest.approx(TRUE, rel=1e-9)
+        assert found["trial"].values.tolist() == [label.trial for label, _ in MADE]
+        assert found.attrs["origin"] == "measured"
+
+    def test_workers_change_nothing(self, tmp_path):
+        folder = written(tmp_path / "a", MADE, per="block", kind="h5")
+        seen = []
+        found = friction_in(folder, workers=1, told=lambda *progress: seen.append(progress))
+        assert found["friction"].values == pytest.approx(TRUE, rel=1e-9)
+        assert seen[-1] == (len(MADE), len(MADE), False)
+
+    def test_groups_of_one_hdf5_file(self, tmp_path):
+        folder = written(tmp_path / "a", MADE)
+        with h5py.File(folder / "all.h5", "w") as file:
+            file.attrs["sample_rate"] = 1000.0
+            for row, (_, record) in enumerate(MADE):
+                for name, values in channels([record]).items():
+                    if name != "time":
+                        file[f"trial {row}/{name}"] = values
+        table = edited(folder, lambda t: t.assign(file="all.h5", group=[f"trial {n}" for n in range(len(t))]))
+        assert friction_in(table)["friction"].values == pytest.approx(TRUE, rel=1e-9)
+        missing = edited(folder, lambda t: t.assign(group=["trial 0", "nowhere", *t["group"][2:]]))
+        found = friction_in(missing)
+        assert counts(found) == {"unreadable record": 1}
+        assert "nowhere" in str(found["detail"].values[1])
+
+    def test_a_program_with_decimal_commas(self, tmp_path):
+        folder = written(tmp_path / "a", MADE)
+        for path in folder.glob("P*.csv"):
+            pd.read_csv(path).to_csv(path, sep=";", decimal=",", index=False)
+        assert friction_in(folder)["friction"].values == pytest.approx(TRUE, rel=1e-9)
+
+    def test_a_single_table_of_samples(self, tmp_path):
+        parts = []
+        for label, record in MADE[:12]:
+            part = pd.DataFrame(channels([record])).rename(columns={"Fz": "normal", "Fy": "tangential"})
+            parts.append(part.assign(**{name: getattr(label, name) for name in label.__dataclass_fields__}))
+        pd.concat(parts).assign(origin="simulated").to_csv(tmp_path / "all.csv", index=False)
+        found = friction_in(tmp_path / "all.csv")
+        assert found["friction"].values == pytest.approx(TRUE[:12], rel=1e-9)
+        assert found.attrs["origin"] == "simulated"
+
+    def test_a_table_of_trials_that_were_measured_elsewhere(self, tmp_path):
+        table = measured(MADE).to_dataframe()[
+            ["participant", "block", "trial", "waveguide", "actuation", "friction"]
+        ]
+        table.to_csv(tmp_path / "done.csv", index=False)
+        assert friction_in(tmp_path / "done.csv")["friction"].values == pytest.approx(TRUE)
+
+
+class TestOrigin:
+    @pytest.mark.parametrize("kind", ["csv", "h5", "tdms"])
+    def test_simulated_travels_from_the_file(self, tmp_path, kind):
+        folder = written(tmp_path / "a", MADE, kind=kind)
+        name = sorted(folder.glob(f"P*.{kind}"))[-1]
+        if kind == "csv":
+            pd.read_csv(name).assign(origin="simulated").to_csv(name, index=False)
+        elif kind == "h5":
+            with h5py.File(name, "a") as file:
+                file.attrs["origin"] = "simulated"
+        else:
+            from nptdms import RootObject, TdmsFile, TdmsWriter
+
+            parts = TdmsFile.read(name).groups()[0].channels()
+            with TdmsWriter(name) as file:
+                file.write_segment([RootObject({"origin": "simulated"}), *parts])
+        assert friction_in(folder).attrs["origin"] == "simulated"
+
+    def test_simulated_travels_from_the_table(self, tmp_path):
+        folder = written(tmp_path / "a", MADE, origin="measured")
+        assert friction_in(folder).attrs["origin"] == "measured"
+        one = edited(folder, lambda t: t.assign(origin=["simulated", *t["origin"][1:]]))
+        assert friction_in(one).attrs["origin"] == "simulated"
+        refused(
+            lambda: friction_in(edited(folder, lambda t: t.assign(origin="guessed"))), "guessed", "origin"
+        )
+
+
+def renamed(**names):
+    return lambda found: {names.get(name, name): values for name, values in found.items()}
+
+
+class TestSensor:
+    @pytest.mark.parametrize(
+        ("names", "scale"),
+        [
+            ({"Fz": "Force Z", "Fy": "Force Y"}, 1.0),
+            ({"Fz": "Fz (mN)", "Fy": "Fy [mN]"}, 1e3),
+            ({"Fz": "normal_force", "Fy": "tangential", "time": "Time [s]"}, 1.0),
+        ],
+    )
+    def test_usual_names_are_guessed_and_said(self, tmp_path, names, scale):
+        def change(found):
+            scaled = found | {"Fz": scale * found["Fz"], "Fy": scale * found["Fy"]}
+            return renamed(**names)(scaled)
+
+        read = analysed(written(tmp_path / "a", MADE, change=change), PLAIN, Rules())
+        assert read.trials["friction"].values == pytest.approx(TRUE, rel=1e-9)
+        assert any("was taken as normal" in text for text in read.remarks)
+
+    def test_the_sign_of_a_sensor_below_the_plate_is_found_and_said(self, tmp_path):
+        folder = written(tmp_path / "a", MADE, change=lambda found: found | {"Fz": -found["Fz"]})
+        read = analysed(folder, PLAIN, Rules())
+        assert read.trials["friction"].values == pytest.approx(TRUE, rel=1e-9)
+        assert "sign was turned" in " ".join(read.remarks)
+        named = analysed(folder, Sensor(normal="-Fz", tangential="Fy"), Rules())
+        assert named.trials["friction"].values == pytest.approx(TRUE, rel=1e-9)
+        assert "sign" not in " ".join(named.remarks)
+        refused(lambda: friction_in(folder, Sensor(normal="Fz")), "no contact", "other direction")
+
+    def test_names_units_and_rate_as_the_study_says(self, tmp_path):
+        def change(found):
+            return {"A": 1e3 * found["Fz"], "B": 1e3 * found["Fy"], "C": 1e3 * found["position"]}
+
+        folder = written(tmp_path / "a", MADE, change=change)
+        said = Sensor(
+            normal="A", tangential="B", position="C", force_unit="mN", position_unit="mm", rate=1000.0
+        )
+        found = friction_in(folder, said)
+        assert found["friction"].values == pytest.approx(TRUE, rel=1e-9)
+        assert found["speed"].values == pytest.approx(measured(MADE)["speed"].values)
+        refused(lambda: friction_in(folder, Sensor(normal="A", tangential="B")), "neither times nor a rate")
+
+    def test_a_calibration_matrix_makes_forces_of_gauges(self, tmp_path):
+        """Gauges are the matrix' inverse of made-up forces and torques: a second way to the same forces."""
+        matrix = np.random.default_rng(1).normal(size=(6, 6)) * np.array([[3.0]] * 3 + [[0.02]] * 3)
+        pd.DataFrame(matrix).to_csv(tmp_path / "m.csv", header=False, index=False)
+
+        def change(found):
+            six = np.array([found["Fx"], found["Fy"], found["Fz"], *0.01 * np.ones((3, len(found["Fz"])))])
+            volts = np.linalg.solve(matrix, six) + 0.5
+            return {"time": found["time"], "position": found["position"]} | {
+                f"G{n}": volts[n] for n in range(6)
+            }
+
+        folder = written(tmp_path / "a", MADE, change=change)
+        calibration = read_calibration(tmp_path / "m.csv")
+        assert calibration == pytest.approx(matrix)
+        read = analysed(folder, Sensor(calibration=calibration), Rules())
+        assert read.trials["friction"].values == pytest.approx(TRUE, rel=1e-6)
+        assert "G0, G1, G2, G3, G4, G5" in " ".join(read.remarks)
+        turned = analysed(folder, Sensor(calibration=-calibration), Rules())
+        assert turned.trials["friction"].values == pytest.approx(TRUE, rel=1e-6)
+        assert "sign was turned" in " ".join(turned.remarks)
+        refused(lambda: friction_in(folder, Sensor(calibration=calibration, normal="G1")), "Fx, Fy or Fz")
+        refused(lambda: friction_in(folder), "G0")
+        clipped = Sensor(calibration=calibration, largest_gauge=0.5)
+        refused(lambda: friction_in(folder, clipped), "saturated channel")
+
+    @pytest.mark.parametrize(
+        ("rows", "word"),
+        [
+            (np.eye(5), "5 x 5"),
+            (np.ones((6, 6)), "rank 1"),
+            (np.diag([1, 1, 1, 1, 1, 0.0]), "rank 5"),
+            (np.eye(6) + np.diag([np.nan] * 6), "rank"),
+            (ALMOST_DEPENDENT, "rank 6, condition number"),
+        ],
+    )
+    def test_bad_calibrations_are_refused(self, tmp_path, rows, word):
+        pd.DataFrame(rows).to_csv(tmp_path / "m.csv", header=False, index=False)
+        refused(lambda: read_calibration(tmp_path / "m.csv"), word, "full rank")
+        refused(lambda: read_calibration(tmp_path / "none.csv"), "cannot be read")
+        (tmp_path / "t.csv").write_text("a,b\nc,d\n")
+        refused(lambda: read_calibration(tmp_path / "t.csv"), "no table of numbers")
+
+    def test_the_names_of_the_axes_may_stand_around_the_matrix(self, tmp_path):
+        axes = ["Fx", "Fy", "Fz", "Tx", "Ty", "Tz"]
+        pd.DataFrame(np.diag(np.arange(1.0, 7)), axes, [f"G{n}" for n in range(6)]).to_csv(tmp_path / "m.csv")
+        assert read_calibration(tmp_path / "m.csv") == pytest.approx(np.diag(np.arange(1.0, 7)))
+
+    def test_a_force_at_the_end_of_the_range_is_saturated(self, tmp_path):
+        folder = written(tmp_path / "a", MADE)
+        largest = np.array([max(record.normal) for _, record in MADE])
+        limit = float(np.median(largest))
+        found = friction_in(folder, Sensor(largest_force=limit))
+        assert ((found["excluded"].values == "saturated channel") == (largest >= limit)).all()
+
+
+def spoiled(name, change):
+    """A change of one file of a folder of CSV files."""
+
+    def spoil(folder):
+        path = sorted(folder.glob("P*.csv"))[3]
+        if name == "remove":
+            path.unlink()
+        elif name == "bytes":
+            path.write_bytes(change)
+        else:
+            change(pd.read_csv(path)).to_csv(path, index=False)
+        return path.name
+
+    return spoil
+
+
+class TestOmissions:
+    """One trial is left out and named; the others stay."""
+
+    @pytest.mark.parametrize(
+        ("spoil", "reason", "word"),
+        [
+            (spoiled("remove", None), "unreadable record", "no such file"),
+            (spoiled("bytes", b"\xff\xfe\x00\x81"), "unreadable record", "damaged"),
+            (spoiled("bytes", b""), "unreadable record", "damaged"),
+            (spoiled("", lambda t: t.drop(columns="Fy")), "unreadable record", "channel Fy"),
+            (spoiled("", lambda t: t.assign(Fz=2000.0)), "unreadable record", "2000 N"),
+            (spoiled("", lambda t: t.assign(Fz="0,8")), "unreadable record", "decimal commas"),
+            (spoiled("", lambda t: t.assign(time=1000 * t["time"])), "unreadable record", "ms"),
+            (spoiled("", lambda t: t.assign(time=t["time"].to_numpy()[::-1])), "unreadable record", "evenly"),
+            (spoiled("", lambda t: t.assign(Fz=t["Fz"].clip(upper=0.5))), "saturated channel", ""),
+            (spoiled("", lambda t: t.assign(Fz=0.001 * np.sin(t["time"]))), "no contact", ""),
+            (spoiled("", lambda t: t.assign(Fy=t["Fy"].where(t["time"] > 0.5))), "missing numbers", ""),
+            (spoiled("", lambda t: t.iloc[:0]), "unreadable record", "evenly"),
+        ],
+    )
+    def test_what_cannot_be_used(self, tmp_path, spoil, reason, word):
+        folder = written(tmp_path / "a", MADE)
+        name = spoil(folder)
+        found = friction_in(folder)
+        assert counts(found) == {reason: 1}
+        (row,) = np.flatnonzero(found["excluded"].values)
+        table = pd.read_csv(folder / "trials.csv")
+        assert table["file"][row] == name
+        detail = str(found["detail"].values[row])
+        assert word in detail
+        assert (name in detail) == (reason == "unreadable record")
+        rest = np.delete(found["friction"].values, row)
+        assert rest == pytest.approx(np.delete(TRUE, row), rel=1e-9)
+
+    def test_times_beyond_the_end_of_a_block(self, tmp_path):
+        folder = written(tmp_path / "a", MADE, per="block", kind="h5")
+        found = friction_in(edited(folder, lambda t: t.assign(start=t["start"] + 1000 * (t["trial"] == 4))))
+        assert counts(found) == {"unreadable record": 6}
+        assert "start and stop" in str(found["detail"].values[3])
+
+    def test_declared_exclusions(self, tmp_path):
+        folder = written(tmp_path / "a", MADE)
+        found = friction_in(
+            folder,
+            excluded=[Exclusion("P1", "slipped", 1, 2), Exclusion("P2", "ill", 2), Exclusion("P3", "left")],
+        )
+        assert counts(found) == {"declared beforehand": 1 + 4 + 8}
+        assert str(found["detail"].values[1]) == "slipped"
+        for wrong in (Exclusion("P9", "x"), Exclusion("P1", "x", 7), Exclusion("P1", "x", 1, 70)):
+            refused(lambda one=wrong: friction_in(folder, excluded=[one]), "trials.exclude[1]")
+
+
+class TestTables:
+    @pytest.mark.parametrize(
+        ("change", "word"),
+        [
+            (lambda t: t.drop(columns="file"), "column file"),
+            (lambda t: t.rename(columns={"participant": "particpant"}), 'rename "particpant"'),
+            (lambda t: t.assign(file="/etc/passwd"), "in this folder"),
+            (lambda t: t.assign(file="../other.csv"), "in this folder"),
+            (lambda t: t.assign(file=""), "in this folder"),
+            (lambda t: t.assign(actuation="maybe"), '"on" or "off"'),
+            (lambda t: t.assign(trial=1), "more than once"),
+            (lambda t: t.iloc[:0], "[0] rows"),
+            (lambda t: t.assign(start="soon", stop=1.0), "numbers in the column start"),
+            (lambda t: t.assign(file="gone.csv"), "no such file"),
+        ],
+    )
+    def test_wrong_tables_are_refused(self, tmp_path, change, word):
+        folder = edited(written(tmp_path / "a", MADE[:6]), change)
+        refused(lambda: friction_in(folder), word)
+
+    def test_folders_without_a_table(self, tmp_path):
+        for folder in (tmp_path, tmp_path / "none"):
+            with pytest.raises(ResourceError, match="trials"):
+                friction_in(folder)
+        with pytest.raises(ResourceError):
+            friction_in(tmp_path / "none.csv")
+
+    def test_force_in_another_unit_everywhere(self, tmp_path):
+        folder = written(tmp_path / "a", MADE[:6], change=lambda found: found | {"Fz": 2500 * found["Fz"]})
+        refused(lambda: friction_in(folder), "6 of 6: unreadable record", "mN")
+
+    def test_volts_without_a_calibration(self, tmp_path):
+        folder = written(tmp_path / "a", MADE[:6], change=renamed(Fz="Fz (V)", Fy="Fy (V)"))
+        refused(lambda: friction_in(folder), '"V"', "calibration")
+
+
+class TestTraces:
+    def test_the_blocks_asked_for(self, tmp_path):
+        folder = written(tmp_path / "a", MADE, per="block", kind="h5")
+        found = list(traces(folder, PLAIN, Rules(), [("P2", 2), ("P1", 1)]))
+        assert [(person, block) for person, block, _ in found] == [("P2", 2), ("P1", 1)]
+        drawn = found[1][2]
+        assert drawn["trial"].values.tolist() == [1, 2, 3, 4]
+        # friction from the few points that are drawn is about that of all of them
+        row = drawn.isel(stroke=0)
+        steady = row["steady"].values
+        ratio = (-row["tangential"].values / row["normal"].values)[steady].mean()
+        assert ratio == pytest.approx(TRUE[0], rel=0.02)
+
+    def test_what_cannot_be_read_is_not_in_it(self, tmp_path):
+        folder = written(tmp_path / "a", MADE)
+        (folder / "P1-B1-T2.csv").unlink()
+        ((_, _, drawn),) = traces(folder, PLAIN, Rules(), [("P1", 1)])
+        assert drawn["trial"].values.tolist() == [1, 3, 4]

@@ -1,0 +1,71 @@
+"""The section about trials: what it makes of what was written, alone or in a study."""
+
+from pathlib import Path
+
+import numpy as np
+import pandas as pd
+import pytest
+
+from haptonic.errors import FrictionError, StudyError
+from haptonic.friction.recordings import Exclusion, Sensor
+from haptonic.friction.signals import Rules
+from haptonic.study import TrialsSection, load_trials, loads
+
+ALONE = """
+[trials]
+filter = "none"
+bias_window = "50 ms"
+force = ["300 mN", "2 N"]
+speed = ["5 cm/s", "0.2 m/s"]
+[trials.sensor]
+normal = "-Fz"
+gauges = "a, b,c,d, e, f"
+calibration = "m.csv"
+largest_gauge = "5000 mV"
+[[trials.exclude]]
+participant = "P1"
+reason = "ill"
+"""
+
+
+def test_the_defaults_are_those_of_the_analysis():
+    section = TrialsSection()
+    assert section.rules() == Rules()
+    assert section.exclusions() == ()
+    sensor = section.sensor.frozen(Path("nowhere"))
+    assert vars(sensor) == vars(Sensor(forced=False))
+
+
+def test_a_file_with_trials_alone(tmp_path):
+    path = tmp_path / "rules.toml"
+    path.write_text(ALONE)
+    section, study = load_trials(path)
+    assert study is None
+    assert section.rules() == Rules("none", 0.05, force=(0.3, 2.0), speed=(0.05, 0.2))
+    assert section.exclusions() == (Exclusion("P1", "ill"),)
+    with pytest.raises(FrictionError, match="cannot be read"):
+        section.sensor.frozen(tmp_path)
+    pd.DataFrame(2 * np.eye(6)).to_csv(tmp_path / "m.csv", header=False, index=False)
+    sensor = section.sensor.frozen(tmp_path)
+    assert sensor.gauges == ("a", "b", "c", "d", "e", "f")
+    assert sensor.calibration == pytest.approx(2 * np.eye(6))
+    assert (sensor.normal, sensor.largest_gauge, sensor.forced) == ("-Fz", 5.0, True)
+    path.write_text(ALONE.replace("bias_window", "bias_windw"))
+    with pytest.raises(StudyError, match="bias_windw"):
+        load_trials(path)
+
+
+def test_in_a_study(edited, tmp_path):
+    path = tmp_path / "study.toml"
+    path.write_text(edited(("[[sweep]]", ALONE + "[[sweep]]")))
+    section, study = load_trials(path)
+    assert study is not None
+    assert section == study.trials
+    assert loads(study.to_toml()) == study
+
+
+def test_trials_decide_no_result_that_is_kept(edited):
+    """Another threshold must not make the plate be computed again."""
+    plain, other = loads(edited()), loads(edited(("[[sweep]]", ALONE + "[[sweep]]")))
+    assert plain != other
+    assert plain.inputs() == other.inputs()

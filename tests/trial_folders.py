@@ -1,0 +1,99 @@
+"""Folders of force records as an experiment leaves them, made up."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from itertools import groupby
+from pathlib import Path
+from typing import Any
+
+import h5py
+import numpy as np
+import pandas as pd
+import scipy.io
+
+from haptonic.friction.protocol import Protocol
+from haptonic.friction.signals import Label, Record
+from haptonic.friction.twin import Truth, strokes
+
+Made = list[tuple[Label, Record]]
+Channels = dict[str, np.ndarray]
+
+
+def made_up(participants: int = 3, blocks: int = 2, trials: int = 6, seed: int = 0, **truth: Any) -> Made:
+    """Labels and records of an experiment."""
+    experiment = strokes(Truth(**truth), Protocol(blocks, trials), participants, seed)
+    return [(label, record) for label, record, _ in experiment]
+
+
+def channels(records: list[Record]) -> Channels:
+    """Named channels of records that follow each other."""
+    normal = np.concatenate([one.normal for one in records])
+    return {
+        "time": np.arange(len(normal)) / records[0].rate,
+        "Fx": np.zeros_like(normal),
+        "Fy": np.concatenate([one.tangential for one in records]),
+        "Fz": normal,
+        "position": np.concatenate([one.position for one in records]),
+    }
+
+
+def write_csv(found: Channels, path: Path) -> None:
+    pd.DataFrame(found).to_csv(path, index=False)
+
+
+def write_h5(found: Channels, path: Path) -> None:
+    with h5py.File(path, "w") as file:
+        for name, values in found.items():
+            file[name] = values
+
+
+def write_mat(found: Channels, path: Path) -> None:
+    scipy.io.savemat(path, found, oned_as="column")
+
+
+def write_tdms(found: Channels, path: Path) -> None:
+    from nptdms import ChannelObject, TdmsWriter
+
+    with TdmsWriter(path) as file:
+        file.write_segment([ChannelObject("records", name, values) for name, values in found.items()])
+
+
+WRITERS = {"csv": write_csv, "h5": write_h5, "hdf5": write_h5, "mat": write_mat, "tdms": write_tdms}
+
+
+def written(
+    folder: Path,
+    made: Made,
+    *,
+    kind: str = "csv",
+    per: str = "trial",
+    change: Callable[[Channels], Channels] = lambda found: found,
+    **more: Any,
+) -> Path:
+    """A folder with ``trials.csv`` and a file for each trial or block; ``more`` are columns of the table."""
+    folder.mkdir(exist_ok=True)
+    rows = []
+    parts = [[one] for one in made]
+    if per == "block":
+        parts = [list(group) for _, group in groupby(made, lambda one: (one[0].participant, one[0].block))]
+    for part in parts:
+        first = part[0][0]
+        name = f"{first.participant}-B{first.block}-T{first.trial}.{kind}"
+        WRITERS[kind](change(channels([record for _, record in part])), folder / name)
+        start = 0.0
+        for label, record in part:
+            stop = start + len(record.normal) / record.rate
+            row = {name: getattr(label, name) for name in Label.__dataclass_fields__}
+            rows.append(
+                row | {"file": name} | ({"start": start, "stop": stop} if per == "block" else {}) | more
+            )
+            start = stop
+    pd.DataFrame(rows).to_csv(folder / "trials.csv", index=False)
+    return folder
+
+
+def edited(folder: Path, change: Callable[[pd.DataFrame], pd.DataFrame]) -> Path:
+    """The folder with its table of trials changed."""
+    change(pd.read_csv(folder / "trials.csv")).to_csv(folder / "trials.csv", index=False)
+    return folder
