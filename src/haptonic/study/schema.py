@@ -42,10 +42,7 @@ from haptonic.study.writing import toml_of
 from haptonic.units import format_quantity, to_si
 
 MOST_SWEEPS = 50
-AFTERWARDS = {
-    "touch",
-    "trials",
-}  # sections that ask for something of results, and decide none of bands and plates
+AFTERWARDS = {"touch", "trials", "protocol", "participants"}  # sections that decide neither bands nor plates
 OF_A_CELL = {"carrier", "material", "cell", "bands"}  # sections whose numbers an expression can name
 
 
