@@ -8,7 +8,16 @@ from haptonic.friction.statistics.comparison import (
     compared,
     conclusion,
 )
-from haptonic.friction.statistics.effects import Equivalence, Estimate, drift, equivalence, reduction, stopped
+from haptonic.friction.statistics.effects import (
+    Equivalence,
+    Estimate,
+    drift,
+    equivalence,
+    reduction,
+    reduction_here,
+    stopped,
+    stopped_here,
+)
 from haptonic.friction.statistics.pairs import Pairs, paired
 from haptonic.friction.statistics.planning import Population, false_alarms, participants_needed, power
 
@@ -30,5 +39,7 @@ __all__ = [
     "participants_needed",
     "power",
     "reduction",
+    "reduction_here",
     "stopped",
+    "stopped_here",
 ]
