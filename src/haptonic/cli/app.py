@@ -15,6 +15,7 @@ from haptonic import __version__, plots
 from haptonic.cli.console import Voice, speaking
 from haptonic.cli.designing import design, export, tolerance
 from haptonic.cli.doctor import examined
+from haptonic.cli.experiments import protocol
 from haptonic.cli.mirrors import LAYER_FILES, layers, waveguide, write_layers
 from haptonic.cli.options import (
     KEPT,
@@ -29,6 +30,7 @@ from haptonic.cli.options import (
     tell_where,
 )
 from haptonic.cli.plates import plate, plate_files, write_plate
+from haptonic.cli.twins import twin
 from haptonic.errors import StudyError
 from haptonic.report import Results, paper, write_report
 from haptonic.report.guide_shifts import guide_shifts
@@ -199,8 +201,9 @@ def _plate(loaded: Study, voice: Voice) -> tuple[PlateResult | None, xr.Dataset 
         return result, guide_shifts(loaded, Store.default())
 
 
-for command in (layers, waveguide, plate, design, tolerance, export):
+for command in (layers, waveguide, plate, design, tolerance, export, protocol):
     app.command()(command)
+app.add_typer(twin, name="twin")
 
 
 @app.command()

@@ -4,6 +4,7 @@ from haptonic.plots.bands import dispersion
 from haptonic.plots.designs import front, search
 from haptonic.plots.mirrors import decay, guide, layers
 from haptonic.plots.modes import mode_shapes
+from haptonic.plots.planning import power
 from haptonic.plots.plates import animated, maps, plate_plan
 from haptonic.plots.spectra import contrast_spectrum, impedance_spectrum, velocity_spectrum
 from haptonic.plots.style import save
@@ -25,6 +26,7 @@ __all__ = [
     "maps",
     "mode_shapes",
     "plate_plan",
+    "power",
     "save",
     "search",
     "sweep",

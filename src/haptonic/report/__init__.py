@@ -2,5 +2,6 @@
 
 from haptonic.report.chapter import Absent, Chapter, Picture, Results, Table
 from haptonic.report.page import write_report
+from haptonic.report.sheet import write_sheet
 
-__all__ = ["Absent", "Chapter", "Picture", "Results", "Table", "write_report"]
+__all__ = ["Absent", "Chapter", "Picture", "Results", "Table", "write_report", "write_sheet"]

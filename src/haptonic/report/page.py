@@ -45,12 +45,8 @@ def page(results: Results) -> str:
     """The report as text."""
     made = [chapter(results) for chapter in IN_ORDER]
     chapters = [one for one in made if isinstance(one, Chapter)]
-    environment = Environment(
-        autoescape=True, undefined=StrictUndefined, trim_blocks=True, lstrip_blocks=True
-    )
-    environment.filters["embedded"] = _embedded
-    template = environment.from_string(files("haptonic.report").joinpath(TEMPLATE).read_text("utf-8"))
-    return template.render(
+    return filled(
+        TEMPLATE,
         study=results.study,
         facts=_key_numbers(results),
         chapters=chapters,
@@ -58,6 +54,16 @@ def page(results: Results) -> str:
         appendix=_appendix(results),
         version=version("haptonic"),
     )
+
+
+def filled(template: str, **values: object) -> str:
+    """A page of this folder with its values filled in; text is escaped."""
+    environment = Environment(
+        autoescape=True, undefined=StrictUndefined, trim_blocks=True, lstrip_blocks=True
+    )
+    environment.filters["embedded"] = _embedded
+    text = files("haptonic.report").joinpath(template).read_text("utf-8")
+    return environment.from_string(text).render(**values)
 
 
 def _embedded(figure: Figure) -> str:

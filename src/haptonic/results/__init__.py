@@ -6,31 +6,38 @@ from haptonic.results.design import Design, compute_design, compute_front, plann
 from haptonic.results.guides import Guides, compute_guides
 from haptonic.results.layers import Layers, compute_layers, layer_tasks
 from haptonic.results.plate import PlateQuestion, PlateResult, compute_plate
+from haptonic.results.protocol import Plan, Task, compute_plan
 from haptonic.results.runner import Runner
 from haptonic.results.sweeps import Row, Sweep, compute_sweeps, design_gaps
 from haptonic.results.tolerance import Tolerance, compute_tolerance
+from haptonic.results.twin import FrictionTwin, friction_twin
 
 __all__ = [
     "Asked",
     "Bands",
     "Design",
+    "FrictionTwin",
     "Guides",
     "Layers",
+    "Plan",
     "PlateQuestion",
     "PlateResult",
     "Row",
     "Runner",
     "Sweep",
+    "Task",
     "Tolerance",
     "compute_bands",
     "compute_design",
     "compute_front",
     "compute_guides",
     "compute_layers",
+    "compute_plan",
     "compute_plate",
     "compute_sweeps",
     "compute_tolerance",
     "design_gaps",
+    "friction_twin",
     "gap_json",
     "layer_tasks",
     "planned",

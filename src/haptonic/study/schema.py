@@ -29,6 +29,7 @@ from haptonic.materials import Material, material
 from haptonic.plate.parts import Plate
 from haptonic.results import Asked
 from haptonic.study.asking import DesignSection, LayersSection, ToleranceSection, WaveguideSection
+from haptonic.study.experiment_tables import ParticipantsSection, ProtocolSection
 from haptonic.study.keys import leaves, table
 from haptonic.study.plate_tables import PlateSection
 from haptonic.study.plating import built_in, plate_of
@@ -146,6 +147,12 @@ class Description(Section):
     )
     plate_section: PlateSection | None = Field(
         None, alias="plate", title="Plate", description="A finite one, made of cells and of plain plate."
+    )
+    protocol: ProtocolSection = Field(
+        ProtocolSection(), title="Protocol", description="Trials with people: how many, in which order."
+    )
+    participants: ParticipantsSection = Field(
+        ParticipantsSection(), title="Participants", description="What is assumed of people."
     )
     sweep: tuple[SweepSection, ...] = Field(
         (), title="Sweeps", description="Rows of designs to compare.", max_length=MOST_SWEEPS

@@ -19,7 +19,13 @@ from haptonic.friction.statistics.effects import (
     stopped_here,
 )
 from haptonic.friction.statistics.pairs import Pairs, paired
-from haptonic.friction.statistics.planning import Population, false_alarms, participants_needed, power
+from haptonic.friction.statistics.planning import (
+    Population,
+    false_alarms,
+    participants_needed,
+    power,
+    smallest_shown,
+)
 
 __all__ = [
     "Equivalence",
@@ -40,6 +46,7 @@ __all__ = [
     "power",
     "reduction",
     "reduction_here",
+    "smallest_shown",
     "stopped",
     "stopped_here",
 ]
