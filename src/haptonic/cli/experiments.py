@@ -55,7 +55,6 @@ def order_table(plan: Plan) -> Table:
 
 
 def _write(plan: Plan, folder: Path, overwrite: bool) -> None:
-    writers = {**plan.files(), SHEET: partial(write_sheet, plan)}
-    write_files(folder, writers, overwrite=overwrite)
+    write_files(folder, plan.files() | {SHEET: partial(write_sheet, plan)}, overwrite=overwrite)
     for name, figure in plan.figures().items():
         plots.save(figure, folder, name, overwrite=overwrite)

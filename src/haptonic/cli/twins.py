@@ -55,7 +55,9 @@ def friction(
     ] = False,
     amplitudes: Annotated[
         Path | None,
-        typer.Option("--from", metavar="FILE", help='Amplitudes in m by waveguide: {"WG1": 1e-6, ...} (JSON).'),
+        typer.Option(
+            "--from", metavar="FILE", help='Amplitudes in m by waveguide: {"WG1": 1e-6, ...} (JSON).'
+        ),
     ] = None,
     overwrite: Overwrite = False,
 ) -> None:

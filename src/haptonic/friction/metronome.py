@@ -30,7 +30,9 @@ def clicks(trials: int, lasting: float, pause: float) -> NDArray[np.int16]:
         start = (trial + 1) * pause + trial * lasting
         for moment, pitch in ((start, START), (start + lasting, END)):
             first = round(moment * RATE)
-            track[first : first + len(time)] += LOUD * np.exp(-time / FADING) * np.cos(2 * np.pi * pitch * time)
+            track[first : first + len(time)] += (
+                LOUD * np.exp(-time / FADING) * np.cos(2 * np.pi * pitch * time)
+            )
     return np.rint(FULL_SCALE * track).astype(np.int16)
 
 

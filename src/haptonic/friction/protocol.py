@@ -11,13 +11,14 @@ from haptonic.errors import FrictionError
 from haptonic.friction.signals import Label
 from haptonic.units import shown
 
+
 @dataclass(frozen=True)
 class Protocol:
     """Blocks of trials that alternate between on and off; the published one has 8 blocks of 30.
 
-    Even blocks of the published experiment alternate C1 and C3, odd ones C2 and C4 [daunizeau-haptics]; which
-    number means which is not said there. This is the reading in which every block compares on with off: even
-    blocks are strokes on the driven waveguide, odd ones on the idle one.
+    Even blocks of the published experiment alternate C1 and C3, odd ones C2 and C4 [daunizeau-haptics]; what
+    these stand for is not said. This is the reading in which every block compares on with off: even blocks are
+    strokes on the driven waveguide, odd ones on the idle one.
 
     waveguides : names of the driven and of the idle one
     blocks : for each participant, an even number

@@ -1,4 +1,4 @@
-"""``trials.csv``: which trial is in which file. A protocol writes it, a twin as well, and the analysis reads it."""
+"""``trials.csv``, which trial is in which file: protocols and twins write it, the analysis reads it."""
 
 from __future__ import annotations
 

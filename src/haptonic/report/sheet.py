@@ -21,7 +21,9 @@ def sheet(plan: Plan) -> str:
             person,
             [
                 (block, guide, list(trials))
-                for (block, guide), trials in groupby(labels, key=lambda label: (label.block, label.waveguide))
+                for (block, guide), trials in groupby(
+                    labels, key=lambda label: (label.block, label.waveguide)
+                )
             ],
         )
         for person, labels in groupby(plan.labels, key=lambda label: label.participant)
@@ -42,4 +44,3 @@ def sheet(plan: Plan) -> str:
 def write_sheet(plan: Plan, path: Path) -> None:
     """Write the sheet, UTF-8."""
     path.write_text(sheet(plan), encoding="utf-8")
-

@@ -97,8 +97,8 @@ class Plan:
         idle = self.power.sel(waveguide=self.protocol.waveguides[1])
         if float(idle["reduction"]) >= WEBER_FRACTION:
             said.append(
-                f"That nobody feels {self.protocol.waveguides[1]} (less than {_percent(WEBER_FRACTION)}) cannot "
-                f"be proved by any number of people if its reduction is {_percent(idle['reduction'])}."
+                f"That nobody feels {self.protocol.waveguides[1]} (less than {_percent(WEBER_FRACTION)}) "
+                f"cannot be proved by any number of people if its reduction is {_percent(idle['reduction'])}."
             )
         said.append(
             f"A test over the {self.protocol.pairs * self.participants} pairs of trials finds smaller "
@@ -113,9 +113,10 @@ class Plan:
         if trials < 1e-9:
             return "On and off have the same mean place in every session: a steady drift cancels."
         session = self.protocol.blocks * self.protocol.trials
+        added = 10 * trials / session
         return (
-            f"On and off lie up to {trials:.2g} trial{'s' * (trials != 1)} apart on average: a steady drift of "
-            f"10 % over a session of {session} adds {100 * 0.1 * trials / session:.2g} % of the friction to a difference."
+            f"On and off lie up to {trials:.2g} trial{'s' * (trials != 1)} apart on average: a steady drift "
+            f"of 10 % over a session of {session} adds {added:.2g} % of the friction to a difference."
         )
 
     def to_json(self) -> dict[str, Any]:
@@ -196,7 +197,9 @@ def compute_plan(
     )
     least = None
     if participants > 1:
-        least = smallest_shown(next(iter(populations.values())), participants, pairs, wanted=wanted, seed=seed)
+        least = smallest_shown(
+            next(iter(populations.values())), participants, pairs, wanted=wanted, seed=seed
+        )
     joined["reduction"] = ("waveguide", [population.reduction for population in populations.values()])
     joined["needed"] = ("waveguide", np.array([np.nan if n is None else n for n in needed], dtype=float))
     joined["shown"] = np.nan if least is None else least

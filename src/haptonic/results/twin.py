@@ -132,9 +132,7 @@ def friction_twin(
     return FrictionTwin(truth, protocol, tuple(group), seed, study, suffix, per, raw)
 
 
-def _channels(
-    strokes: list[Stroke], matrix: NDArray[np.float64] | None
-) -> dict[str, NDArray[np.float64]]:
+def _channels(strokes: list[Stroke], matrix: NDArray[np.float64] | None) -> dict[str, NDArray[np.float64]]:
     """Channels by name, strokes one after the other."""
     axes = np.hstack([stroke.axes for stroke in strokes])
     names = AXES if matrix is None else GAUGES

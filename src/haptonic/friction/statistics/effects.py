@@ -1,9 +1,9 @@
-"""How large the effect is: reductions with intervals for people, and for these participants; equivalence; drift.
+"""How large the effect is: reductions, for people and for these participants; equivalence; drift.
 
 Two statements that are easily mixed up. What a reduction is among *people* can only be said from how the
-participants differ: Student's t over them, wide for three, which covers as it says from two participants on.
-What it is for *these participants*, had they stroked for ever, is said by how their trials scatter: a bootstrap
-of trials within each of them, narrow, and silent about anybody else.
+participants differ: Student's t over them, wide for three, which holds as often as it says from two on. What
+it is for *these participants*, had they stroked for ever, is said by how their trials scatter: a bootstrap of
+trials within each of them, narrow, and silent about anybody else.
 """
 
 from __future__ import annotations

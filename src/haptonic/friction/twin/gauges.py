@@ -1,6 +1,6 @@
 """A six-axis sensor before its calibration: six gauge voltages as a 16-bit converter gives them.
 
-Three beams at 120 degrees carry the plate. Each has one gauge for the load along the axis and one for the load
+Three beams at 120 degrees carry the plate. Each has a gauge for the load along the axis and one for the load
 across the beam, as in small sensors of this kind; gains are uneven and gauges see a little of each other.
 """
 
@@ -31,8 +31,10 @@ def calibration() -> Array:
 
 
 def voltages(axes: Array, matrix: Array) -> Array:
-    """(6, samples) gauge voltages, V, that the calibration turns into these forces and torques: in steps of the
-    converter, and at the end of its range where the load is beyond it."""
+    """(6, samples) gauge voltages, V, that the calibration turns into these forces and torques.
+
+    They come in steps of the converter, and stay at the end of its range where the load is beyond it.
+    """
     step = 2 * RANGE / 2**BITS
     steps = np.rint(np.linalg.solve(matrix, axes) / step)
     return np.asarray(step * np.clip(steps, -(2 ** (BITS - 1)), 2 ** (BITS - 1) - 1))

@@ -1,4 +1,4 @@
-"""What is true of made-up participants, and the coefficient of friction of every trial that follows from it."""
+"""What is true of made-up participants, and the coefficients of friction that follow from it."""
 
 from __future__ import annotations
 
