@@ -17,15 +17,15 @@ class Protocol:
     """Blocks of trials that alternate between on and off; the published one has 8 blocks of 30.
 
     Even blocks of the published experiment alternate C1 and C3, odd ones C2 and C4 [daunizeau-haptics]; what
-    these stand for is not said. This is the reading in which every block compares on with off: even blocks are
-    strokes on the driven waveguide, odd ones on the idle one.
+    these stand for is not said. This is the reading in which every block compares on with off: even blocks
+    are strokes on the driven waveguide, odd ones on the idle one.
 
     waveguides : names of the driven and of the idle one
     blocks : for each participant, an even number
     trials : in a block, an even number
     counterbalanced : whether every second participant starts with the other waveguide, and every second block
         of a waveguide with the other actuation; the published order does not change
-    seed : draws, in every pair of neighbouring trials, whether on or off comes first; None leaves them in turn
+    seed : draws, in every pair of neighbouring trials, whether on or off comes first; None keeps the turn
     """
 
     blocks: int = 8

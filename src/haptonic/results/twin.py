@@ -22,6 +22,7 @@ from haptonic.friction.twin.gauges import GAUGES, calibration, voltages
 from haptonic.friction.twin.strokes import AXES, RATE, samples_of
 from haptonic.store import write_atomically
 
+NOTHING = 1e-6  # a reduction that is none
 TRUTH, STUDY, CALIBRATION = "truth.json", "study.toml", "calibration.csv"
 
 
@@ -67,7 +68,7 @@ class FrictionTwin:
             "amplitude_m": dict(film.amplitude) if film else None,
             "population": {
                 "reduction": {guide: 1 - truth.remaining[guide] for guide in guides},
-                "stopped": 1 - idle / driven if driven else None,
+                "stopped": 1 - idle / driven if driven > NOTHING else None,
                 "friction": truth.friction,
                 "between": truth.between,
                 "effect_between": truth.effect_between,

@@ -41,7 +41,7 @@ def waveguides_of(study: Study) -> tuple[str, str]:
     StudyError : a name that the plate does not have, or a plate with fewer than two regions
     """
     section, plate = study.protocol, study.plate_section
-    known = list(dict.fromkeys(plate.regions)) if plate else []
+    known = plate.regions if plate else []
     for key in ("driven", "idle"):
         name = getattr(section, key)
         if plate and name is not None and name not in known:

@@ -43,12 +43,7 @@ class Film:
         return float(left / self.mean[waveguide])
 
 
-def film_of(
-    amplitude: Mapping[str, float],
-    frequency: float,
-    force: tuple[float, float],
-    finger: Finger | None = None,
-) -> Film:
+def film_of(amplitude: Mapping[str, float], frequency: float, force: tuple[float, float]) -> Film:
     """What amplitudes leave of the friction.
 
     Parameters
@@ -63,7 +58,7 @@ def film_of(
     """
     forces = _forces(force)
     names = list(amplitude)
-    found = _shared(np.array([amplitude[name] for name in names], dtype=float), frequency, forces, finger)
+    found = _shared(np.array([amplitude[name] for name in names], dtype=float), frequency, forces)
     for name, curve in zip(names, found.T, strict=True):
         if not np.isfinite(curve).all():
             heaviest = format_quantity(float(forces[np.isnan(curve)].min()), "N")
@@ -84,10 +79,7 @@ def film_of(
 
 
 def explaining(
-    reduction: Mapping[str, float],
-    frequency: float,
-    force: tuple[float, float],
-    finger: Finger | None = None,
+    reduction: Mapping[str, float], frequency: float, force: tuple[float, float]
 ) -> dict[str, float]:
     """Amplitudes (m) that explain the mean reduction on every waveguide, over the forces of the strokes.
 
@@ -99,7 +91,7 @@ def explaining(
     FrictionError : a reduction that no amplitude explains
     """
     forces = _forces(force)
-    left = _mean(forces, _shared(AMPLITUDES, frequency, forces, finger), force)
+    left = _mean(forces, _shared(AMPLITUDES, frequency, forces), force)
     known = np.isfinite(left)
     made = {}
     for name, share in reduction.items():
@@ -121,9 +113,9 @@ def _forces(force: tuple[float, float]) -> Array:
     return np.linspace(LIGHTEST, max(mean + WIDEST * spread, 1.1 * LIGHTEST), FORCES)
 
 
-def _shared(amplitude: Array, frequency: float, forces: Array, finger: Finger | None) -> Array:
+def _shared(amplitude: Array, frequency: float, forces: Array) -> Array:
     """(force, amplitude) mu / mu0."""
-    values = (finger or Finger()).values
+    values = Finger().values
     return np.array([shared_friction(amplitude, Touch(frequency, float(one)), values) for one in forces])
 
 
