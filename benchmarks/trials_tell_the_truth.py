@@ -167,6 +167,6 @@ def main(seeds: int, experiments: int) -> None:
 if __name__ == "__main__":
     parser = argparse.ArgumentParser()
     parser.add_argument("--seeds", type=int, default=100)
-    parser.add_argument("--experiments", type=int, default=800)
+    parser.add_argument("--experiments", type=int, default=600)
     arguments = parser.parse_args()
     main(arguments.seeds, arguments.experiments)
