@@ -2,8 +2,12 @@
 
 import doctest
 import re
+import shlex
 from pathlib import Path
 
+from typer.testing import CliRunner
+
+from haptonic.cli.app import app
 from haptonic.friction.lubrication import parameters
 
 PAGE = Path(__file__).parents[2] / "docs" / "friction.md"
@@ -22,6 +26,20 @@ def test_the_printed_python_runs_and_says_what_it_should(capsys):
     assert "felt in time below Q = 193" in said
     assert "WG1, 3 participants: friction differs" in said
     assert "WG2, 3 participants: " in said
+
+
+def test_the_printed_commands_run(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "studies").symlink_to(PAGE.parents[1] / "studies")
+    lines = [
+        shlex.split(line, comments=True)[1:]
+        for block in re.findall(r"```sh\n(.*?)```", PAGE.read_text("utf-8"), re.DOTALL)
+        for line in block.splitlines()
+    ]
+    assert len(lines) >= 2
+    for line in lines:
+        ran = CliRunner().invoke(app, line, catch_exceptions=False)
+        assert ran.exit_code == 0, ran.stderr
 
 
 def test_docstring_examples():

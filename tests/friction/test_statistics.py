@@ -30,6 +30,7 @@ from haptonic.friction.statistics import (
     power,
     reduction,
     reduction_here,
+    smallest_shown,
     stopped,
     stopped_here,
 )
@@ -387,6 +388,16 @@ class TestPlanning:
         assert chances[1] > 0.77
         assert chances[0] < 0.83
         assert participants_needed(Population(0.01, 0.2), 10, most=10) is None
+
+    def test_the_smallest_reduction_that_a_design_shows(self):
+        """Without differences of level, where the power has a closed form."""
+        plan = Population(0.5, 0.06, within=0.2, between=0.0)
+        spread = math.sqrt(0.06**2 + 2 * 0.2**2 / 20)
+        for people in (3, 6):
+            effect = TTestPower().solve_power(nobs=people, alpha=0.025, power=0.8)
+            assert smallest_shown(plan, people, 20) == pytest.approx(effect * spread, rel=0.05)
+        assert smallest_shown(plan, 6, 20, wanted=0.95) > smallest_shown(plan, 6, 20)
+        assert smallest_shown(Population(0.1, 0.9, within=0.9), 2, 1) is None
 
     def test_bad_plans_are_refused(self):
         plan = Population(0.11, 0.08)
