@@ -42,6 +42,12 @@ material = "pzt-4"
 BALANCED = ("[protocol]", '[protocol]\norder = "balanced"\nseed = 4')
 
 
+@pytest.fixture(autouse=True)
+def _elsewhere(tmp_path, monkeypatch):
+    """What is written without --out goes where it does not stay."""
+    monkeypatch.chdir(tmp_path)
+
+
 def listed(folder):
     return list(csv.DictReader((folder / "trials.csv").read_text("utf-8").splitlines()))
 
@@ -130,6 +136,10 @@ class TestProtocol:
         assert inside("protocol", path, "--out", tmp_path / "plan").code == 0
         assert_five_parts(inside("protocol", path, "--out", tmp_path / "plan"), "output file")
         assert inside("protocol", path, "--out", tmp_path / "plan", "--overwrite").code == 0
+        (tmp_path / "other").mkdir()
+        (tmp_path / "other" / "power.png").touch()
+        assert_five_parts(inside("protocol", path, "--out", tmp_path / "other"), "power.png")
+        assert len(list((tmp_path / "other").iterdir())) == 1
 
 
 def strokes_of(folder, matrix=None):
@@ -174,7 +184,7 @@ class TestTwin:
 
     def test_every_form_holds_the_same_strokes(self, inside, study, tmp_path):
         """Per trial, per block and as gauge voltages: the same friction, to the steps of the converter."""
-        path, found = study(SMALL), []
+        path, found, forces = study(SMALL), [], []
         for name, options in (("trial", ()), ("block", ("--per", "block")), ("raw", ("--raw",))):
             folder = tmp_path / name
             ran = inside("twin", "friction", path, "--out", folder, "--seed", 3, *options)
@@ -183,6 +193,9 @@ class TestTwin:
             table = measured(strokes_of(folder, matrix))
             assert set(table["excluded"].values) == {""}
             found.append(table["friction"].values)
+            forces.append(table["force"].values)
+        assert forces[1] == pytest.approx(forces[0], abs=1e-5)
+        assert forces[2] == pytest.approx(forces[0], abs=2e-3)
         assert found[1] == pytest.approx(found[0], abs=1e-6)
         assert found[2] == pytest.approx(found[0], abs=5e-3)
         assert (found[2] != found[0]).all()
@@ -197,8 +210,8 @@ class TestTwin:
         assert all((tmp_path / "twin" / name).stat().st_size > 1000 for name in files)
 
     def test_what_is_true_shows(self, inside, study, tmp_path):
-        """People without differences, strokes without scatter: what is left is the truth itself."""
-        quiet = "[participants]\nwithin = 0\nbetween = 0\neffect_between = 0\nnoise = 0\ndrift = 0\n"
+        """Strokes without scatter: what is left is the truth itself, of everybody."""
+        quiet = "[participants]\nwithin = 0\nbetween = 0.3\neffect_between = 0.1\nnoise = 0\ndrift = 0\n"
         path = study(SMALL, ("[protocol]", f'{quiet}force_spread = "0 N"\n[protocol]'))
         amplitudes = tmp_path / "amplitudes.json"
         amplitudes.write_text('{"WG1": 1e-6, "WG2": 0, "elsewhere": 1}')
@@ -206,13 +219,14 @@ class TestTwin:
         truth = ran.json
         assert truth["amplitude_m"] == {"WG1": 1e-6, "WG2": 0.0}
         table = measured(strokes_of(tmp_path / "twin"))
-        for guide, reduction in truth["population"]["reduction"].items():
-            here = table["waveguide"] == guide
-            on, off = (
-                table["friction"][here & (table["actuation"] == side)].mean() for side in ("on", "off")
-            )
-            assert float(1 - on / off) == pytest.approx(reduction, abs=2e-3)
-            assert float(off) == pytest.approx(0.42, rel=3e-3)
+        for person, of in truth["participants"].items():
+            for guide, reduction in of["reduction"].items():
+                here = (table["waveguide"] == guide) & (table["participant"] == person)
+                on, off = (
+                    table["friction"][here & (table["actuation"] == side)].mean() for side in ("on", "off")
+                )
+                assert float(1 - on / off) == pytest.approx(reduction, abs=2e-3)
+                assert float(off) == pytest.approx(of["friction"], rel=3e-3)
         assert truth["population"]["reduction"]["WG2"] == pytest.approx(0, abs=1e-9)
         assert truth["population"]["stopped"] == pytest.approx(1)
         amplitudes.write_text('{"WG1": 0, "WG2": 0}')

@@ -21,19 +21,18 @@ def clicks(trials: int, lasting: float, pause: float) -> NDArray[np.int16]:
     Parameters
     ----------
     trials : in the block
-    lasting : of a stroke, s
-    pause : before each stroke, s
+    lasting : of a stroke, s, longer than a click
+    pause : before each stroke, s, longer than a click
     """
-    track = np.zeros(round((trials * (pause + lasting) + pause) * RATE))
+    track = np.zeros(round((trials * (pause + lasting) + pause) * RATE), dtype=np.int16)
     time = np.arange(round(AUDIBLE * RATE)) / RATE
+    fading = FULL_SCALE * LOUD * np.exp(-time / FADING)
     for trial in range(trials):
         start = (trial + 1) * pause + trial * lasting
         for moment, pitch in ((start, START), (start + lasting, END)):
             first = round(moment * RATE)
-            track[first : first + len(time)] += (
-                LOUD * np.exp(-time / FADING) * np.cos(2 * np.pi * pitch * time)
-            )
-    return np.rint(FULL_SCALE * track).astype(np.int16)
+            track[first : first + len(time)] = np.rint(fading * np.cos(2 * np.pi * pitch * time))
+    return track
 
 
 def write_wav(track: NDArray[np.int16], path: Path) -> None:

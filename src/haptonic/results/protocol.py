@@ -21,7 +21,7 @@ from haptonic.friction.statistics import Population, participants_needed, power,
 from haptonic.friction.trial_list import NAME, write_list
 from haptonic.results.common import stamped, write_netcdf
 
-MOST_DRAWN = 20  # participants up to which the power is always shown
+MOST_DRAWN = 20  # participants up to which the power is always computed
 
 
 @dataclass(frozen=True)
@@ -188,9 +188,10 @@ def compute_plan(
     found, needed = [], []
     for population in populations.values():
         needed.append(participants_needed(population, pairs, wanted=wanted, seed=seed))
-    most = max([MOST_DRAWN, participants, *(people + 2 for people in needed if people)])
+    most = max([MOST_DRAWN, *(people + 2 for people in needed if people)])
+    tried = sorted({*range(2, most + 1), max(participants, 2)})
     for population in populations.values():
-        chance = power(population, list(range(2, most + 1)), [pairs], tests=len(populations), seed=seed)
+        chance = power(population, tried, [pairs], tests=len(populations), seed=seed)
         found.append(chance.isel(trials=0))
     joined = xr.concat(found, dim="waveguide", combine_attrs="identical").assign_coords(
         waveguide=list(populations)

@@ -44,7 +44,7 @@ class ProtocolSection(Section):
     stroke: Annotated[float, Quantity("m", at_least=1e-3, at_most=1.0, typical=(10e-3, 200e-3))] = Field(
         70e-3, title="Stroke length", description="From where the finger sets down to where it lifts."
     )
-    pause: Annotated[float, Quantity("s", at_least=0.1, at_most=600.0, typical=(0.5, 60.0))] = Field(
+    pause: Annotated[float, Quantity("s", at_least=0.1, at_most=60.0, typical=(0.5, 30.0))] = Field(
         4.0, title="Pause", description="Between the end of a stroke and the start of the next."
     )
     driven: Name | None = Field(
