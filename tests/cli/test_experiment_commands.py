@@ -104,6 +104,13 @@ class TestProtocol:
         assert ran.json["shown"] is None
         assert "proves nothing about others" in ran.json["statements"][0]
 
+    def test_more_participants_than_are_needed(self, inside, study):
+        one = inside("protocol", study(SMALL, ("participants = 2", "participants = 90")), "--json").json
+        chances = one["waveguide"]["WG2"]
+        assert chances["participants"] == [*range(2, 21), 90]
+        assert chances["power"][-1] > 0.99
+        assert "90 participants show it" in one["statements"][1]
+
     def test_the_plate_names_the_waveguides(self, inside, study):
         """The one with the actuator is driven, the first other one idle, unless the study says."""
         assert inside("protocol", study(PLATE), "--json").json["waveguides"] == ["right", "left"]
@@ -176,6 +183,9 @@ class TestTwin:
         names = {path.name for path in (tmp_path / "twin").iterdir()}
         assert names == {row["file"] for row in rows} | {"trials.csv", "truth.json", "study.toml"}
         assert load(tmp_path / "twin" / "study.toml") == load(path)
+        stroke = pd.read_csv(tmp_path / "twin" / "P1-B01-T01.csv")
+        assert len(stroke) == 900  # 0.6 s of contact, 0.3 s without
+        assert stroke["time"].iloc[-1] == pytest.approx(0.899)
         truth = json.loads((tmp_path / "twin" / "truth.json").read_text("utf-8"))
         assert truth["origin"] == "simulated"
         assert truth["population"]["reduction"] == pytest.approx({"WG1": 0.55, "WG2": 0.11}, abs=1e-3)
@@ -194,6 +204,8 @@ class TestTwin:
             assert set(table["excluded"].values) == {""}
             found.append(table["friction"].values)
             forces.append(table["force"].values)
+            assert table["speed"].values.mean() == pytest.approx(0.1, abs=0.006)
+            assert forces[-1].mean() == pytest.approx(0.8, abs=0.2)
         assert forces[1] == pytest.approx(forces[0], abs=1e-5)
         assert forces[2] == pytest.approx(forces[0], abs=2e-3)
         assert found[1] == pytest.approx(found[0], abs=1e-6)
