@@ -305,7 +305,7 @@ def trials(record: dict[str, Any]) -> str:
 
 All of it is simulated. {record["people"]} people stroke the prototype's two waveguides {record["strokes"]} times in
 all, with amplitudes of {1e6 * record["amplitude_m"]["WG1"]:.2f} and {1e6 * record["amplitude_m"]["WG2"]:.2f} um,
-which by load sharing leave {100 * true["driven"]:.1f} % and {100 * true["idle"]:.1f} % less friction in the
+which by load sharing take {100 * true["driven"]:.1f} % and {100 * true["idle"]:.1f} % of the friction away in the
 population. The force records of {record["seeds"]} such experiments were processed and analysed in
 {record["covered_s"]:.0f} s. How often the stated intervals of 95 % held the truth; in brackets the counts between
 which 95 % of all such counts lie if the statement is right:
