@@ -44,6 +44,7 @@ EXAMPLES = {
     "V": "60 V",
     "N/m^3": "1e12 N/m^3",
     "kg": "0.01 kg",
+    "m/s": "78 mm/s",
 }
 KINDS = {
     "m": "length",
@@ -51,6 +52,7 @@ KINDS = {
     "Pa": "pressure or stiffness",
     "kg/m^3": "density",
     "s": "time",
+    "m/s": "speed",
     "rad": "angle",
     "N": "force",
     "V": "voltage",

@@ -51,6 +51,7 @@ INSIDE_FUNCTIONS = {
     "jobs": {"dask", "distributed"},
     "workshop": {"netgen"},
     "vibrometry": {"nptdms", "sdypy"},
+    "friction": {"nptdms"},
 }
 
 

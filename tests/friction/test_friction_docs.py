@@ -62,6 +62,20 @@ def test_the_printed_section_and_commands_run(tmp_path, monkeypatch):
     assert table["friction"].to_numpy()[counts] == pytest.approx(measured(made)["friction"].values[counts])
 
 
+def test_the_printed_commands_run(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "studies").symlink_to(PAGE.parents[1] / "studies")
+    lines = [
+        shlex.split(line, comments=True)[1:]
+        for block in re.findall(r"```sh\n(.*?)```", PAGE.read_text("utf-8"), re.DOTALL)
+        for line in block.splitlines()
+    ]
+    assert len(lines) >= 2
+    for line in lines:
+        ran = CliRunner().invoke(app, line, catch_exceptions=False)
+        assert ran.exit_code == 0, ran.stderr
+
+
 def test_docstring_examples():
     found = doctest.testmod(parameters)
     assert found.attempted >= 1

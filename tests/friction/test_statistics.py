@@ -29,7 +29,10 @@ from haptonic.friction.statistics import (
     participants_needed,
     power,
     reduction,
+    reduction_here,
+    smallest_shown,
     stopped,
+    stopped_here,
 )
 
 PAPER = Population(reduction=0.11, effect_between=0.06)
@@ -223,20 +226,58 @@ class TestWhatTrialsProve:
 
 
 class TestEffects:
-    def test_the_bootstrap_holds_the_truth_as_often_as_it_can(self):
-        """Twelve people: a percentile interval of 95 % is a little narrow, no more."""
-        inside = []
-        for seed in range(150):
-            found = reduction(drawn(12, 20, seed), draws=400, seed=seed)
-            inside.append(found.low < 0.11 < found.high)
-        assert 0.85 < np.mean(inside) <= 0.99
+    @pytest.mark.parametrize("people", [3, 12])
+    def test_intervals_for_people_hold_the_truth_in_95_of_100(self, people):
+        """Three standard errors of 600 experiments are 2.7 %."""
+        hits = {"driven": [], "idle": [], "stopped": []}
+        for seed in range(600):
+            driven, idle = (drawn(people, 20, (seed, n), Population(r, 0.05))
+                            for n, r in enumerate((0.55, 0.11)))  # fmt: skip
+            for name, found, true in (
+                ("driven", reduction(driven), 0.55),
+                ("idle", reduction(idle), 0.11),
+                ("stopped", stopped(driven, idle), 0.8),
+            ):
+                hits[name].append(found.low < true < found.high)
+        assert {name: np.mean(of) for name, of in hits.items()} == pytest.approx(
+            dict.fromkeys(hits, 0.95), abs=0.027
+        )
 
-    def test_an_interval_that_forgets_the_people_is_too_narrow(self):
-        pairs = drawn(8, 60)
-        alone = replace(pairs, participant=np.array([f"{n}" for n in range(len(pairs.on))]))
-        clustered, blind = reduction(pairs), reduction(alone, draws=300)
-        assert clustered.high - clustered.low > 1.8 * (blind.high - blind.low)
-        assert clustered.value == pytest.approx(blind.value, abs=1e-9)
+    def test_intervals_for_these_participants_hold_what_is_true_of_them(self):
+        """People who are what they are, and new trials of theirs: 60 pairs each."""
+        rng = np.random.default_rng(5)
+        level, left = 1 + 0.15 * rng.standard_normal(3), 0.45 + 0.1 * rng.standard_normal(3)
+        true = 1 - (level * left).mean() / level.mean()
+        hits, blind = [], []
+        for seed in range(200):
+            on, off = (
+                (mean[:, None] * (1 + 0.22 * rng.standard_normal((3, 60)))).ravel()
+                for mean in (level * left, level)
+            )
+            pairs = Pairs("WG1", np.repeat(["A", "B", "C"], 60), on, off, omitted=0)
+            found = reduction_here(pairs, draws=400, seed=seed)
+            hits.append(found.low < true < found.high)
+            blind.append(found.low < 0.55 < found.high)
+        assert np.mean(hits) == pytest.approx(0.95, abs=0.047)
+        assert np.mean(blind) < 0.5  # of the population they say nothing
+        assert found.about == "these participants"
+        assert reduction(pairs).about == "people"
+
+    def test_what_these_participants_show_is_narrower_than_what_people_would(self):
+        driven, idle = (drawn(4, 60, 1, Population(r, 0.1)) for r in (0.55, 0.11))
+        for wide, narrow in (
+            (reduction(driven), reduction_here(driven)),
+            (stopped(driven, idle), stopped_here(driven, idle)),
+        ):
+            assert wide.value == narrow.value
+            assert wide.high - wide.low > 2 * (narrow.high - narrow.low)
+
+    def test_too_few_pairs_for_a_bootstrap(self):
+        assert "few for a bootstrap" in reduction_here(drawn(3, 5)).note
+        assert "few for a bootstrap" not in reduction_here(drawn(3, 20)).note
+        found = reduction_here(drawn(3, 1))
+        assert math.isnan(found.low)
+        assert "single pair" in found.note
 
     def test_the_share_that_is_stopped(self):
         rng = np.random.default_rng(0)
@@ -245,7 +286,12 @@ class TestEffects:
         assert found.value == pytest.approx(1 - idle.reduction / driven.reduction)
         assert found.low < 0.8 < found.high
         assert found.high - found.low < 0.15
-        assert "few" in stopped(drawn(3), drawn(3)).note
+        few = stopped(*(drawn(3, population=Population(r, 0.01)) for r in (0.55, 0.11)))
+        assert "3 participants" in few.note
+        vague = stopped(drawn(3), drawn(3, seed=1))
+        assert math.isnan(vague.low)
+        assert "may be zero" in vague.note
+        refused(lambda: stopped_here(drawn(3), drawn(4)), "P4")
         refused(lambda: stopped(drawn(3), drawn(4)), "P4")
 
     def test_one_participant_has_no_interval(self):
@@ -254,11 +300,17 @@ class TestEffects:
         assert "one participant" in found.note
 
     def test_the_same_people_are_drawn_on_both(self):
-        """A waveguide compared with itself: a ratio without spread from people, only from trials."""
-        pairs = drawn(6, 400, population=Population(0.3, 0.2, within=0.01))
-        found = stopped(pairs, pairs)
+        """A waveguide compared with itself: no spread from people, and here only from trials."""
+        pairs = drawn(6, 400, population=Population(0.5, 0.1, within=0.01))
+        found, here = stopped(pairs, pairs), stopped_here(pairs, pairs)
         assert found.value == pytest.approx(0)
-        assert found.high - found.low < 0.02
+        assert found.high - found.low < 1e-12
+        assert 0 < here.high - here.low < 0.01
+        people = pairs.people[::-1]
+        turned = [pairs.of(name) for name in people]
+        joined = Pairs("other", *(np.concatenate([getattr(one, side) for one in turned])
+                                  for side in ("participant", "on", "off")), omitted=0)  # fmt: skip
+        assert stopped(pairs, joined).high == pytest.approx(0, abs=1e-12)  # whoever comes first
 
     def test_equivalence_against_another_code(self):
         """TOST of statsmodels on the same reductions."""
@@ -336,6 +388,16 @@ class TestPlanning:
         assert chances[1] > 0.77
         assert chances[0] < 0.83
         assert participants_needed(Population(0.01, 0.2), 10, most=10) is None
+
+    def test_the_smallest_reduction_that_a_design_shows(self):
+        """Without differences of level, where the power has a closed form."""
+        plan = Population(0.5, 0.06, within=0.2, between=0.0)
+        spread = math.sqrt(0.06**2 + 2 * 0.2**2 / 20)
+        for people in (3, 6):
+            effect = TTestPower().solve_power(nobs=people, alpha=0.025, power=0.8)
+            assert smallest_shown(plan, people, 20) == pytest.approx(effect * spread, rel=0.05)
+        assert smallest_shown(plan, 6, 20, wanted=0.95) > smallest_shown(plan, 6, 20)
+        assert smallest_shown(Population(0.1, 0.9, within=0.9), 2, 1) is None
 
     def test_bad_plans_are_refused(self):
         plan = Population(0.11, 0.08)

@@ -1,6 +1,7 @@
 """The made-up experiment: the analysis returns the truth that made it; orders are balanced as they say."""
 
 from collections import Counter
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -137,8 +138,11 @@ class TestProtocol:
         first = {one.participant: one.waveguide for one in reversed(Protocol(counterbalanced=True).order(4))}
         assert Counter(first.values()) == {"WG1": 2, "WG2": 2}
 
-    def test_shuffled_blocks_keep_their_numbers(self):
-        plain, mixed = Protocol().order(2), Protocol().shuffled(2, np.random.default_rng(0))
+    @pytest.mark.parametrize("protocol", [Protocol(), Protocol(4, 30, counterbalanced=True), Protocol(2, 6)])
+    def test_shuffled_pairs(self, protocol):
+        """The same numbers in every block, no drift let through, and an order that is not the plain one."""
+        drawn = replace(protocol, seed=0)
+        plain, mixed = protocol.order(3), drawn.order(3)
 
         def counted(labels):
             return Counter((one.participant, one.block, one.waveguide, one.actuation) for one in labels)
@@ -146,6 +150,15 @@ class TestProtocol:
         assert counted(plain) == counted(mixed)
         assert [one.actuation for one in plain] != [one.actuation for one in mixed]
         assert [(one.block, one.trial) for one in plain] == [(one.block, one.trial) for one in mixed]
+        odd = protocol.pairs % 2
+        assert imbalance(mixed) == pytest.approx(odd / protocol.pairs)
+        assert mixed == drawn.order(3) != replace(protocol, seed=1).order(3)
+
+    def test_other_names(self):
+        labels = Protocol(2, 4, waveguides=("left", "right")).order(1)
+        assert [one.waveguide for one in labels] == ["right"] * 4 + ["left"] * 4
+        assert Protocol(2, 4).pairs == 2
+        refused(lambda: Protocol(waveguides=("left", "left")), "two different names")
 
     @pytest.mark.parametrize("numbers", [{"blocks": 7}, {"trials": 0}, {"trials": 30.0}, {"blocks": True}])
     def test_bad_protocols_are_refused(self, numbers):

@@ -15,6 +15,7 @@ from haptonic import __version__, plots
 from haptonic.cli.console import Voice, speaking
 from haptonic.cli.designing import design, export, tolerance
 from haptonic.cli.doctor import examined
+from haptonic.cli.experiments import protocol
 from haptonic.cli.feeling import FEEL_FILES, feel, write_feel
 from haptonic.cli.mirrors import LAYER_FILES, layers, waveguide, write_layers
 from haptonic.cli.options import (
@@ -31,6 +32,7 @@ from haptonic.cli.options import (
 )
 from haptonic.cli.plates import plate, plate_files, write_plate
 from haptonic.cli.touching import friction
+from haptonic.cli.twins import twin
 from haptonic.errors import StudyError
 from haptonic.report import Results, paper, write_report
 from haptonic.report.guide_shifts import guide_shifts
@@ -216,8 +218,9 @@ def _felt(loaded: Study, voice: Voice) -> Feel | None:
         return loaded.felt(on_progress=progress)
 
 
-for command in (layers, waveguide, plate, feel, friction, design, tolerance, export):
+for command in (layers, waveguide, plate, feel, protocol, friction, design, tolerance, export):
     app.command()(command)
+app.add_typer(twin, name="twin")
 
 
 @app.command()

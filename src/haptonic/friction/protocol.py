@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.random import Generator
@@ -11,24 +11,28 @@ from haptonic.errors import FrictionError
 from haptonic.friction.signals import Label
 from haptonic.units import shown
 
-CONDITIONS = {"C1": ("WG1", "on"), "C2": ("WG2", "on"), "C3": ("WG1", "off"), "C4": ("WG2", "off")}
-"""Even blocks of the published experiment alternate C1 and C3, odd ones C2 and C4 [daunizeau-haptics]; which
-number means which is not said there: this is the reading in which every block compares on with off."""
-
 
 @dataclass(frozen=True)
 class Protocol:
     """Blocks of trials that alternate between on and off; the published one has 8 blocks of 30.
 
+    Even blocks of the published experiment alternate C1 and C3, odd ones C2 and C4 [daunizeau-haptics]; what
+    these stand for is not said. This is the reading in which every block compares on with off: even blocks
+    are strokes on the driven waveguide, odd ones on the idle one.
+
+    waveguides : names of the driven and of the idle one
     blocks : for each participant, an even number
     trials : in a block, an even number
     counterbalanced : whether every second participant starts with the other waveguide, and every second block
         of a waveguide with the other actuation; the published order does not change
+    seed : draws, in every pair of neighbouring trials, whether on or off comes first; None keeps the turn
     """
 
     blocks: int = 8
     trials: int = 30
     counterbalanced: bool = False
+    waveguides: tuple[str, str] = ("WG1", "WG2")
+    seed: int | None = None
 
     def __post_init__(self) -> None:
         for name in ("blocks", "trials"):
@@ -41,6 +45,19 @@ class Protocol:
                     cause="an odd number leaves one condition with more trials than the other",
                     next_step="add or drop one",
                 )
+        if len(set(self.waveguides)) != 2:
+            raise FrictionError(
+                argument="protocol.waveguides",
+                given=shown(self.waveguides),
+                allowed="two different names",
+                cause="the driven and the idle waveguide are compared with each other",
+                next_step="name another region",
+            )
+
+    @property
+    def pairs(self) -> int:
+        """How often one participant strokes one waveguide with the vibration on, and off."""
+        return self.blocks * self.trials // 4
 
     def order(self, participants: int) -> list[Label]:
         """Every trial in its order, for participants P1, P2, ...
@@ -57,32 +74,41 @@ class Protocol:
                 cause="the number was left out",
                 next_step="give how many people take part",
             )
-        return [
-            Label(f"P{person + 1}", block + 1, trial + 1, *CONDITIONS[self._condition(person, block, trial)])
+        made = [
+            Label(f"P{person + 1}", block + 1, trial + 1, *self._condition(person, block, trial))
             for person in range(participants)
             for block in range(self.blocks)
             for trial in range(self.trials)
         ]
+        return made if self.seed is None else _shuffled(made, np.random.default_rng(self.seed))
 
-    def shuffled(self, participants: int, rng: Generator) -> list[Label]:
-        """The same numbers of trials in each block, but on and off in a random order, as many of each."""
-        made = []
-        plain = self.order(participants)
-        for start in range(0, len(plain), self.trials):
-            block = plain[start : start + self.trials]
-            for label, drawn in zip(block, rng.permutation(self.trials), strict=True):
-                actuation = block[drawn].actuation
-                made.append(Label(label.participant, label.block, label.trial, label.waveguide, actuation))
-        return made
-
-    def _condition(self, person: int, block: int, trial: int) -> str:
-        number = block + 1
-        even = number % 2 == 0
+    def _condition(self, person: int, block: int, trial: int) -> tuple[str, str]:
+        """Waveguide and actuation."""
+        driven = block % 2 == 1
         if not self.counterbalanced:
-            return ("C1", "C3")[trial % 2] if even else ("C2", "C4")[trial % 2]
-        first = even != bool(person % 2)  # the waveguide changes places from one participant to the next
+            return self.waveguides[not driven], ("on", "off")[trial % 2]
+        driven = driven != bool(person % 2)  # the waveguide changes places from one participant to the next
         turned = trial + block // 2 + person // 2
-        return ("C1", "C3")[turned % 2] if first else ("C2", "C4")[turned % 2]
+        return self.waveguides[not driven], ("on", "off")[turned % 2]
+
+
+def _shuffled(plain: list[Label], rng: Generator) -> list[Label]:
+    """The same trials, but which of two neighbours has the vibration on is drawn at random.
+
+    As many of a participant's pairs on one waveguide begin with on as with off (one more or less if their
+    number is odd), so that a steady drift cancels.
+    """
+    made = list(plain)
+    pairs: dict[tuple[str, str], list[int]] = {}  # first trial of each
+    for row in range(0, len(made), 2):
+        pairs.setdefault((made[row].participant, made[row].waveguide), []).append(row)
+    for rows in pairs.values():
+        spare = rng.permutation(("on", "off"))[: len(rows) % 2]
+        firsts = rng.permutation([*("on", "off") * (len(rows) // 2), *spare])
+        for row, first in zip(rows, firsts, strict=True):
+            made[row] = replace(made[row], actuation=str(first))
+            made[row + 1] = replace(made[row + 1], actuation="off" if first == "on" else "on")
+    return made
 
 
 def imbalance(labels: list[Label]) -> float:

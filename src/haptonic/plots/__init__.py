@@ -6,6 +6,7 @@ from haptonic.plots.feel import friction_map, reduction_curve
 from haptonic.plots.friction import conditions, reductions, trial_sheet
 from haptonic.plots.mirrors import decay, guide, layers
 from haptonic.plots.modes import mode_shapes
+from haptonic.plots.planning import power
 from haptonic.plots.plates import animated, maps, plate_plan
 from haptonic.plots.spectra import contrast_spectrum, impedance_spectrum, velocity_spectrum
 from haptonic.plots.style import save
@@ -29,6 +30,7 @@ __all__ = [
     "maps",
     "mode_shapes",
     "plate_plan",
+    "power",
     "reduction_curve",
     "reductions",
     "save",

@@ -8,9 +8,11 @@ from haptonic.results.friction import FrictionResult, compute_friction
 from haptonic.results.guides import Guides, compute_guides
 from haptonic.results.layers import Layers, compute_layers, layer_tasks
 from haptonic.results.plate import PlateQuestion, PlateResult, compute_plate
+from haptonic.results.protocol import Plan, Task, compute_plan
 from haptonic.results.runner import Runner
 from haptonic.results.sweeps import Row, Sweep, compute_sweeps, design_gaps
 from haptonic.results.tolerance import Tolerance, compute_tolerance
+from haptonic.results.twin import FrictionTwin, friction_twin
 
 __all__ = [
     "Asked",
@@ -18,14 +20,17 @@ __all__ = [
     "Design",
     "Feel",
     "FrictionResult",
+    "FrictionTwin",
     "Guides",
     "Layers",
     "Pad",
+    "Plan",
     "PlateQuestion",
     "PlateResult",
     "Row",
     "Runner",
     "Sweep",
+    "Task",
     "Tolerance",
     "compute_bands",
     "compute_design",
@@ -34,10 +39,12 @@ __all__ = [
     "compute_guides",
     "compute_layers",
     "compute_loaded",
+    "compute_plan",
     "compute_plate",
     "compute_sweeps",
     "compute_tolerance",
     "design_gaps",
+    "friction_twin",
     "gap_json",
     "layer_tasks",
     "planned",

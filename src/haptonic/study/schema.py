@@ -29,6 +29,7 @@ from haptonic.materials import Material, material
 from haptonic.plate.parts import Plate
 from haptonic.results import Asked
 from haptonic.study.asking import DesignSection, LayersSection, ToleranceSection, WaveguideSection
+from haptonic.study.experiment_tables import ParticipantsSection, ProtocolSection
 from haptonic.study.keys import leaves, table
 from haptonic.study.plate_tables import PlateSection
 from haptonic.study.plating import built_in, plate_of
@@ -153,6 +154,12 @@ class Description(Section):
     touch: TouchSection = Field(TouchSection(), title="Touch", description="The finger that feels the plate.")
     trials: TrialsSection = Field(
         TrialsSection(), title="Trials", description="How force records are processed, and which count."
+    )
+    protocol: ProtocolSection = Field(
+        ProtocolSection(), title="Protocol", description="Trials with people: how many, in which order."
+    )
+    participants: ParticipantsSection = Field(
+        ParticipantsSection(), title="Participants", description="What is assumed of people."
     )
     sweep: tuple[SweepSection, ...] = Field(
         (), title="Sweeps", description="Rows of designs to compare.", max_length=MOST_SWEEPS

@@ -10,9 +10,24 @@ from haptonic.friction.statistics.comparison import (
     conclusion,
     corrected,
 )
-from haptonic.friction.statistics.effects import Equivalence, Estimate, drift, equivalence, reduction, stopped
+from haptonic.friction.statistics.effects import (
+    Equivalence,
+    Estimate,
+    drift,
+    equivalence,
+    reduction,
+    reduction_here,
+    stopped,
+    stopped_here,
+)
 from haptonic.friction.statistics.pairs import Pairs, paired
-from haptonic.friction.statistics.planning import Population, false_alarms, participants_needed, power
+from haptonic.friction.statistics.planning import (
+    Population,
+    false_alarms,
+    participants_needed,
+    power,
+    smallest_shown,
+)
 
 __all__ = [
     "Equivalence",
@@ -34,5 +49,8 @@ __all__ = [
     "participants_needed",
     "power",
     "reduction",
+    "reduction_here",
+    "smallest_shown",
     "stopped",
+    "stopped_here",
 ]

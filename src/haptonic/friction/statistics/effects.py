@@ -1,9 +1,16 @@
-"""How large the effect is: reductions with intervals clustered by participant; equivalence; drift."""
+"""How large the effect is: reductions, for people and for these participants; equivalence; drift.
+
+Two statements that are easily mixed up. What a reduction is among *people* can only be said from how the
+participants differ: Student's t over them, wide for three, which holds as often as it says from two on. What
+it is for *these participants*, had they stroked for ever, is said by how their trials scatter: a bootstrap of
+trials within each of them, narrow, and silent about anybody else.
+"""
 
 from __future__ import annotations
 
 import math
 from dataclasses import dataclass
+from typing import Literal
 
 import numpy as np
 import xarray as xr
@@ -14,52 +21,79 @@ from haptonic.errors import FrictionError
 from haptonic.friction.statistics.pairs import Pairs
 
 Array = NDArray[np.float64]
+About = Literal["people", "these participants"]
 
 DRAWS = 2000
 QUANTILES = (0.025, 0.975)
+FEWEST_FOR_A_BOOTSTRAP = 15  # pairs of one participant
 
 
 @dataclass(frozen=True)
 class Estimate:
-    """A value, the ends of its 95 % interval (NaN where there is none, and `note` says why)."""
+    """A value, the ends of its 95 % interval (NaN where there is none, and `note` says why).
+
+    about : whom the interval speaks of
+    """
 
     value: float
     low: float
     high: float
     note: str = ""
+    about: About = "people"
 
 
-def reduction(pairs: Pairs, *, draws: int = DRAWS, seed: int = 0) -> Estimate:
-    """Reduction of friction, 1 - on / off, with a bootstrap interval clustered by participant.
+def reduction(pairs: Pairs) -> Estimate:
+    """Reduction of friction, 1 - on / off, with Student's interval for people, over participants.
 
-    Participants are drawn first, then pairs of trials within each of them.
+    The ratio of two means over participants, linearised: what a participant contributes to its deviation is
+    (on - ratio off) / mean off.
     """
-    on, off = _resampled([pairs], draws, seed)[0]
-    return _estimate(pairs.reduction, 1 - on / off, len(pairs.people))
+    return _among_people(pairs.reduction, _contributions(pairs))
 
 
-def stopped(driven: Pairs, idle: Pairs, *, draws: int = DRAWS, seed: int = 0) -> Estimate:
+def stopped(driven: Pairs, idle: Pairs) -> Estimate:
     """Share of the driven region's reduction that does not reach the idle one, about 0.8 as published.
 
-    The same participants are drawn for both regions.
+    Student's interval for people, over participants, linearised as in `reduction`.
 
     Raises
     ------
     FrictionError : other participants on one region than on the other
     """
-    if set(driven.people) != set(idle.people):
-        raise FrictionError(
-            argument="pairs",
-            given=" and ".join(f"{', '.join(one.people)} on {one.waveguide}" for one in (driven, idle)),
-            allowed="the same participants on both",
-            cause="all trials of a participant on one of them were excluded",
-            next_step="leave this participant out of both",
-        )
-    (on, off), (idle_on, idle_off) = _resampled([driven, idle], draws, seed)
+    _check_the_same_people(driven, idle)
+    if driven.reduction == 0:
+        return Estimate(math.nan, math.nan, math.nan, "nothing is reduced on the driven region")
+    shares = idle.reduction / driven.reduction
+    value = 1 - shares
+    least = reduction(driven)
+    if len(driven.people) >= 2 and not (least.low > 0 or least.high < 0):
+        note = "the driven region's reduction may be zero: a share of it has no interval"
+        return Estimate(value, math.nan, math.nan, note)
+    place = [idle.people.index(name) for name in driven.people]
+    apart = shares * _contributions(driven) - _contributions(idle)[place]
+    return _among_people(value, apart / driven.reduction)
+
+
+def reduction_here(pairs: Pairs, *, draws: int = DRAWS, seed: int = 0) -> Estimate:
+    """Reduction of friction with an interval for these participants: pairs are drawn again within each."""
+    on, off = _resampled(pairs, draws, np.random.default_rng(seed))
+    return _among_these(pairs.reduction, 1 - on / off, pairs)
+
+
+def stopped_here(driven: Pairs, idle: Pairs, *, draws: int = DRAWS, seed: int = 0) -> Estimate:
+    """As `stopped`, with an interval for these participants: pairs are drawn again within each.
+
+    Raises
+    ------
+    FrictionError : other participants on one region than on the other
+    """
+    _check_the_same_people(driven, idle)
+    rng = np.random.default_rng(seed)
+    (on, off), (idle_on, idle_off) = (_resampled(pairs, draws, rng) for pairs in (driven, idle))
     with np.errstate(divide="ignore", invalid="ignore"):
         cloud = 1 - (1 - idle_on / idle_off) / (1 - on / off)
     value = 1 - idle.reduction / driven.reduction if driven.reduction != 0 else math.nan
-    return _estimate(value, cloud, len(driven.people))
+    return _among_these(value, cloud, driven)
 
 
 @dataclass(frozen=True)
@@ -168,27 +202,51 @@ def _without_guides(friction: Array, guide: NDArray[np.str_]) -> Array:
     return np.asarray(friction - np.array([means[name] for name in guide]))
 
 
-def _resampled(many: list[Pairs], draws: int, seed: int) -> list[tuple[Array, Array]]:
-    """(draws,) means on and off of every set of pairs, participants drawn alike for all of them."""
-    rng = np.random.default_rng(seed)
-    people = many[0].people
-    chosen = rng.integers(len(people), size=(draws, len(people)))
-    made = []
-    for pairs in many:
-        sums = np.zeros((2, draws))
-        for number, name in enumerate(people):
-            rows = np.flatnonzero(pairs.participant == name)
-            hit = np.nonzero(chosen == number)[0]  # a draw as often as the participant is in it
-            drawn = rng.integers(len(rows), size=(len(hit), len(rows)))
-            for side, values in enumerate((pairs.on[rows], pairs.off[rows])):
-                sums[side] += np.bincount(hit, values[drawn].mean(axis=1), draws)
-        made.append((sums[0] / len(people), sums[1] / len(people)))
-    return made
+def _check_the_same_people(driven: Pairs, idle: Pairs) -> None:
+    if set(driven.people) != set(idle.people):
+        raise FrictionError(
+            argument="pairs",
+            given=" and ".join(f"{', '.join(one.people)} on {one.waveguide}" for one in (driven, idle)),
+            allowed="the same participants on both",
+            cause="all trials of a participant on one of them were excluded",
+            next_step="leave this participant out of both",
+        )
 
 
-def _estimate(value: float, cloud: Array, people: int) -> Estimate:
+def _contributions(pairs: Pairs) -> Array:
+    """(participant,) how much each moves the reduction, times their number: they add up to zero."""
+    on, off = pairs.means
+    return np.asarray(-(on - (1 - pairs.reduction) * off) / off.mean())
+
+
+def _among_people(value: float, each: Array) -> Estimate:
+    people = len(each)
     if people < 2:
         return Estimate(value, math.nan, math.nan, "one participant only: no interval for others")
+    error = float(each.std(ddof=1)) / math.sqrt(people)
+    reach = float(stats.t.ppf(QUANTILES[1], people - 1)) * error
+    note = "" if people >= 6 else f"{people} participants: the interval is wide, and rests on normality"
+    return Estimate(value, value - reach, value + reach, note)
+
+
+def _resampled(pairs: Pairs, draws: int, rng: np.random.Generator) -> tuple[Array, Array]:
+    """(draws,) means on and off over the same participants, with pairs drawn again within each of them."""
+    sums = np.zeros((2, draws))
+    for name in pairs.people:
+        rows = np.flatnonzero(pairs.participant == name)
+        drawn = rows[rng.integers(len(rows), size=(draws, len(rows)))]
+        for side, values in enumerate((pairs.on, pairs.off)):
+            sums[side] += values[drawn].mean(axis=1)
+    return sums[0] / len(pairs.people), sums[1] / len(pairs.people)
+
+
+def _among_these(value: float, cloud: Array, pairs: Pairs) -> Estimate:
+    fewest = min(int((pairs.participant == name).sum()) for name in pairs.people)
+    if fewest < 2:
+        note = "a participant with a single pair of trials: their scatter is not known"
+        return Estimate(value, math.nan, math.nan, note, "these participants")
     low, high = np.nanquantile(cloud, QUANTILES)
-    note = "" if people >= 6 else f"{people} participants are few for a bootstrap: the interval is too narrow"
-    return Estimate(value, float(low), float(high), note)
+    note = "these participants only, nobody else"
+    if fewest < FEWEST_FOR_A_BOOTSTRAP:
+        note += f"; {fewest} pairs are few for a bootstrap: the interval is too narrow"
+    return Estimate(value, float(low), float(high), note, "these participants")

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 import xarray as xr
@@ -16,6 +16,8 @@ from haptonic.friction.statistics.pairs import Pairs
 from haptonic.units import shown
 
 Array = NDArray[np.float64]
+
+SHARP = 1e-3  # of a reduction that is looked for
 
 
 @dataclass(frozen=True)
@@ -126,6 +128,31 @@ def participants_needed(
         else:
             low = middle + 1
     return low
+
+
+def smallest_shown(
+    population: Population, participants: int, trials: int, *, wanted: float = 0.8, seed: int = 0
+) -> float | None:
+    """Smallest reduction that a design shows with the wanted chance, to 0.001; None if it shows none.
+
+    The population is taken as it is but for its reduction.
+
+    Raises
+    ------
+    FrictionError : fewer than 2 participants, or no trials
+    """
+    low, high = 0.0, 0.999
+
+    def chance(reduction: float) -> float:
+        tried = replace(population, reduction=reduction)
+        return float(power(tried, [participants], [trials], seed=seed)["power"].item())
+
+    if chance(high) < wanted:
+        return None
+    while high - low > SHARP:
+        middle = 0.5 * (low + high)
+        low, high = (low, middle) if chance(middle) >= wanted else (middle, high)
+    return high
 
 
 def false_alarms(

@@ -1,0 +1,23 @@
+"""A made-up experiment: force records of strokes with a known friction, to test the analysis with.
+
+Everything that comes from here is labelled as simulated.
+"""
+
+from haptonic.friction.twin.film import Film, explaining, film_of
+from haptonic.friction.twin.strokes import Stroke, recorded, strokes
+from haptonic.friction.twin.truth import Person, Trial, Truth, coefficients, people, trials
+
+__all__ = [
+    "Film",
+    "Person",
+    "Stroke",
+    "Trial",
+    "Truth",
+    "coefficients",
+    "explaining",
+    "film_of",
+    "people",
+    "recorded",
+    "strokes",
+    "trials",
+]

@@ -1,0 +1,113 @@
+"""Force records of strokes with a known friction: six axes of a sensor below the plate, and the position."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.random import Generator
+from numpy.typing import NDArray
+from scipy.signal import lfilter
+
+from haptonic.friction.protocol import Protocol
+from haptonic.friction.signals import Label, Record
+from haptonic.friction.twin.truth import Person, Trial, Truth, people, trials
+
+Array = NDArray[np.float64]
+
+RATE = 1000.0  # Hz
+BEFORE, AFTER = 0.2, 0.1  # s without contact
+TOUCHDOWN = 0.08  # s
+UNEVEN = 0.08  # force and speed wander by this share of themselves within a stroke
+WANDERING = 0.99  # correlation of the wandering from one sample to the next: some 0.1 s
+SIDEWAYS = 0.03  # force across the stroke over the normal one: nobody strokes quite straight
+OFF_AXIS, ABOVE = 0.027, 0.006  # m: from the sensor's axis to a waveguide's, and up to the flat face
+NOISY_LEVER = 0.008  # m: noise of the torques over that of the forces
+
+AXES = ("Fx", "Fy", "Fz", "Tx", "Ty", "Tz")
+
+
+@dataclass(frozen=True, eq=False)
+class Stroke:
+    """What a six-axis sensor below the plate records of one stroke.
+
+    trial : with the friction that made it
+    axes : (6, samples) `AXES`, N and N m; Fz is positive where the finger presses
+    position : (samples,) m along the stroke
+    """
+
+    trial: Trial
+    axes: Array
+    position: Array
+
+    @property
+    def record(self) -> Record:
+        """Normal and tangential force alone."""
+        return Record(normal=self.axes[2], tangential=self.axes[1], rate=RATE, position=self.position)
+
+
+def strokes(
+    truth: Truth, protocol: Protocol, participants: int, seed: int = 0
+) -> Iterator[tuple[Label, Record, float]]:
+    """Force records of an experiment, one by one, each with the coefficient of friction that made it.
+
+    Raises
+    ------
+    FrictionError : no participant, or a waveguide of which the truth says nothing
+    """
+    rng = np.random.default_rng(seed)
+    for stroke in recorded(truth, protocol, people(truth, participants, rng), rng):
+        yield stroke.trial.label, stroke.record, stroke.trial.friction
+
+
+def recorded(truth: Truth, protocol: Protocol, group: list[Person], rng: Generator) -> Iterator[Stroke]:
+    """What the sensor records of every stroke of these people, one by one.
+
+    Raises
+    ------
+    FrictionError : nobody, or a waveguide of which the truth says nothing
+    """
+    for trial in trials(truth, protocol, group, rng):
+        driven = trial.label.waveguide == protocol.waveguides[0]
+        yield _stroke(truth, trial, -OFF_AXIS if driven else OFF_AXIS, rng)
+
+
+def samples_of(truth: Truth) -> int:
+    """How many samples the record of a stroke has."""
+    return round((BEFORE + truth.contact + AFTER) * RATE)
+
+
+def _stroke(truth: Truth, trial: Trial, across: float, rng: Generator) -> Stroke:
+    time = np.arange(samples_of(truth)) / RATE
+    since, until = time - BEFORE, BEFORE + truth.contact - time
+    pressing = np.clip(np.minimum(since, until) / TOUCHDOWN, 0, 1)
+    moving = np.clip(np.minimum(since - TOUCHDOWN, until - TOUCHDOWN) / TOUCHDOWN, 0, 1)
+    normal = trial.force * pressing * (1 + _wandering(len(time), rng))
+    velocity = trial.speed * moving * (1 + _wandering(len(time), rng))
+    position = np.cumsum(velocity) / RATE
+    # at rest the finger holds by less than friction would allow
+    tangential = -trial.friction * normal * np.clip(velocity / (0.1 * trial.speed), 0, 1)
+    sideways = SIDEWAYS * normal * (1 + _wandering(len(time), rng))
+    along = position - 0.5 * trial.speed * truth.contact
+    axes = np.array(
+        [
+            sideways,
+            tangential,
+            normal,
+            along * normal - ABOVE * tangential,
+            ABOVE * sideways - across * normal,
+            across * tangential - along * sideways,
+        ]
+    )
+    scale = truth.bias * np.array([0.2, -1, 1, NOISY_LEVER, -NOISY_LEVER, NOISY_LEVER])
+    noise = truth.noise * np.array([1, 1, 1, NOISY_LEVER, NOISY_LEVER, NOISY_LEVER])
+    axes += scale[:, None] + noise[:, None] * rng.standard_normal(axes.shape)
+    return Stroke(trial, axes, position)
+
+
+def _wandering(samples: int, rng: Generator) -> Array:
+    """A slow random change, by `UNEVEN` on average."""
+    white = rng.standard_normal(samples) * UNEVEN * math.sqrt(1 - WANDERING**2)
+    return np.asarray(lfilter([1.0], [1.0, -WANDERING], white))

@@ -1,0 +1,151 @@
+"""What is true of made-up participants, and the coefficients of friction that follow from it."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
+from types import MappingProxyType
+
+import numpy as np
+from numpy.random import Generator
+
+from haptonic.errors import FrictionError
+from haptonic.friction.protocol import Protocol
+from haptonic.friction.signals import Label
+from haptonic.friction.twin.film import LIGHTEST, Film
+from haptonic.units import shown
+
+SLOWEST = 0.03  # m/s: what a participant who follows instructions does not fall below
+
+
+@dataclass(frozen=True)
+class Truth:
+    """What is true of the made-up participants.
+
+    friction : with the vibration off, mean over people
+    remaining : waveguide -> mu / mu0 with the vibration on, in the population
+    between : standard deviation of friction between people, as a share
+    effect_between : standard deviation of the reduction between people (of a reduction of 0.55, say)
+    within : standard deviation of friction from trial to trial, as a share; 0.22 gives the differences of 180
+        pairs on the idle waveguide an interval as wide as the published one, 0.04 [daunizeau-haptics]
+    drift : change of friction over the whole session, as a share: moisture, fatigue
+    noise : of the force sensor, N rms
+    force, speed : (mean, standard deviation) over trials, N and m/s
+    bias : of the sensor, N
+    contact : time that a stroke lasts, s
+    film : how what remains depends on the force of a stroke; without it, not at all
+    """
+
+    friction: float = 0.42
+    remaining: Mapping[str, float] = field(
+        default_factory=lambda: MappingProxyType({"WG1": 0.45, "WG2": 0.89})
+    )
+    between: float = 0.15
+    effect_between: float = 0.05
+    within: float = 0.22
+    drift: float = 0.1
+    noise: float = 0.021
+    force: tuple[float, float] = (0.8, 0.4)
+    speed: tuple[float, float] = (0.078, 0.013)
+    bias: float = 0.3
+    contact: float = 0.9
+    film: Film | None = None
+
+    def __post_init__(self) -> None:
+        for name in ("between", "effect_between", "within", "noise"):
+            value = getattr(self, name)
+            if not (math.isfinite(value) and 0 <= value <= 1):
+                raise _untrue(name, value, "0 to 1")
+        if not 0 < self.friction <= 5:
+            raise _untrue("friction", self.friction, "above 0, at most 5")
+        for guide, left in self.remaining.items():
+            if not 0 < left <= 1:
+                raise _untrue(f"remaining.{guide}", left, "mu / mu0, above 0 and at most 1")
+
+
+@dataclass(frozen=True)
+class Person:
+    """What is true of one participant.
+
+    friction : with the vibration off, in the middle of the session
+    remaining : waveguide -> mu / mu0 with the vibration on, mean over the forces of the strokes
+    """
+
+    friction: float
+    remaining: Mapping[str, float]
+
+
+@dataclass(frozen=True)
+class Trial:
+    """One stroke to be: its coefficient of friction, and the means of its force (N) and speed (m/s)."""
+
+    label: Label
+    friction: float
+    force: float
+    speed: float
+
+
+def _untrue(name: str, value: object, allowed: str) -> FrictionError:
+    return FrictionError(
+        argument=f"twin.{name}",
+        given=shown(value),
+        allowed=allowed,
+        cause="a percentage, or another unit",
+        next_step="give shares, such as 0.45 for a reduction of 55 %",
+    )
+
+
+def people(truth: Truth, participants: int, rng: Generator) -> list[Person]:
+    """Participants drawn from the population."""
+    return [
+        Person(
+            truth.friction * _positive_factor(truth.between, rng),
+            {
+                guide: float(np.clip(mean + truth.effect_between * rng.standard_normal(), 0.01, 2))
+                for guide, mean in truth.remaining.items()
+            },
+        )
+        for _ in range(participants)
+    ]
+
+
+def trials(truth: Truth, protocol: Protocol, group: Sequence[Person], rng: Generator) -> Iterator[Trial]:
+    """Every trial of an experiment with these people, in its order.
+
+    Raises
+    ------
+    FrictionError : nobody, or a waveguide of which the truth says nothing
+    """
+    labels = protocol.order(len(group))
+    for guide in {label.waveguide for label in labels} - set(truth.remaining):
+        raise _untrue("remaining", dict(truth.remaining), f"one number for each waveguide, also for {guide}")
+    session = protocol.blocks * protocol.trials
+    for row, label in enumerate(labels):
+        person, place = group[row // session], row % session
+        force = max(LIGHTEST, truth.force[0] + truth.force[1] * float(rng.standard_normal()))
+        speed = max(SLOWEST, truth.speed[0] + truth.speed[1] * float(rng.standard_normal()))
+        friction = person.friction * (1 + truth.drift * (place / session - 0.5))
+        if label.actuation == "on":
+            friction *= person.remaining[label.waveguide]
+            friction *= truth.film.relative(label.waveguide, force) if truth.film else 1.0
+        yield Trial(label, friction * _positive_factor(truth.within, rng), force, speed)
+
+
+def coefficients(
+    truth: Truth, protocol: Protocol, participants: int, rng: Generator
+) -> Iterator[tuple[Label, float]]:
+    """The true coefficient of friction of every trial, without force records: enough to test statistics.
+
+    Raises
+    ------
+    FrictionError : no participant, or a waveguide of which the truth says nothing
+    """
+    for trial in trials(truth, protocol, people(truth, participants, rng), rng):
+        yield trial.label, trial.friction
+
+
+def _positive_factor(spread: float, rng: Generator) -> float:
+    """A log-normal factor with mean 1 and this standard deviation."""
+    width = math.sqrt(math.log1p(spread**2))
+    return math.exp(width * float(rng.standard_normal()) - width**2 / 2)

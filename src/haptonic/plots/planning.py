@@ -1,0 +1,45 @@
+"""The chance that an experiment shows what is there, against the number of people who take part."""
+
+from __future__ import annotations
+
+import xarray as xr
+from matplotlib.figure import Figure
+from matplotlib.ticker import MaxNLocator
+
+from haptonic.plots import style
+
+SIDES = ((style.BLUE, "o"), (style.ORANGE, "s"))
+
+
+@style.drawn
+def power(dataset: xr.Dataset, participants: int) -> Figure:
+    """Power against participants, for the reduction assumed on each waveguide.
+
+    Parameters
+    ----------
+    dataset : variables ``power`` and ``error`` (waveguide, participants), ``reduction`` and ``needed``
+        (waveguide); attributes ``wanted``, ``level`` and ``tests``; coordinate ``trials``
+    participants : of the plan, marked
+    """
+    figure = style.blank(9.0)
+    axes = figure.subplots()
+    wanted = 100 * float(dataset.attrs["wanted"])
+    for row, (colour, marker) in zip(range(dataset.sizes["waveguide"]), SIDES, strict=True):
+        one = dataset.isel(waveguide=row)
+        name = f"{one['waveguide'].item()}: {100 * float(one['reduction']):.0f} % less friction assumed"
+        axes.errorbar(
+            one["participants"].values, 100 * one["power"].values, 200 * one["error"].values,
+            color=colour, marker=marker, ms=4, elinewidth=0.8, label=name, gid=str(one["waveguide"].item()),
+        )  # fmt: skip
+    axes.axhline(wanted, color=style.PALE_INK, ls=style.DASHED, lw=1.0, label=f"wanted, {wanted:g} %")
+    axes.axvline(participants, color=style.CARRIER, ls=style.DOTTED, lw=1.2, gid="plan",
+                 label=f"this plan: {participants}")  # fmt: skip
+    axes.set_ylim(0, 103)
+    axes.set_xlim(0.5, float(dataset["participants"].max()) + 0.5)
+    axes.xaxis.set_major_locator(MaxNLocator(integer=True))
+    axes.set_xlabel(f"participants, {int(dataset['trials'])} strokes each in every condition")
+    axes.set_ylabel("chance of showing it (%)")
+    level, tests = 100 * float(dataset.attrs["level"]), int(dataset.attrs["tests"])
+    axes.set_title(f"Simulated: paired t-test over participants, {tests} tests at {level:g} % together")
+    figure.legend(loc="outside lower center", ncols=2)
+    return figure

@@ -1,0 +1,208 @@
+"""A plan of trials: their order, what is asked of people, and how many of them are needed."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import asdict, dataclass
+from functools import cached_property, partial
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import xarray as xr
+from matplotlib.figure import Figure
+
+from haptonic import plots
+from haptonic.friction.lubrication import WEBER_FRACTION
+from haptonic.friction.metronome import clicks, write_wav
+from haptonic.friction.protocol import Protocol, imbalance
+from haptonic.friction.signals import Label
+from haptonic.friction.statistics import Population, participants_needed, power, smallest_shown
+from haptonic.friction.trial_list import NAME, write_list
+from haptonic.results.common import stamped, write_netcdf
+
+MOST_DRAWN = 20  # participants up to which the power is always computed
+
+
+@dataclass(frozen=True)
+class Task:
+    """What people are asked to do: speed (m/s), normal force (N), length of a stroke (m), pause (s)."""
+
+    speed: float
+    force: float
+    stroke: float
+    pause: float
+
+    @property
+    def lasting(self) -> float:
+        """Of a stroke, s."""
+        return self.stroke / self.speed
+
+
+@dataclass(frozen=True, eq=False)
+class Plan:
+    """An experiment before it is made.
+
+    title : of the study
+    protocol, participants : how many trials, in which order
+    order : "published" or "balanced"
+    task : what people are asked to do
+    power : dataset, on (waveguide, participants): ``power`` and its Monte-Carlo ``error``; on waveguide:
+        ``reduction`` assumed and ``needed`` participants (NaN if more than 60); ``shown``, the smallest
+        reduction that this number of participants shows (NaN if none)
+    """
+
+    FILES = (NAME, "metronome.wav", "power.nc")
+
+    title: str
+    protocol: Protocol
+    participants: int
+    order: str
+    task: Task
+    power: xr.Dataset
+
+    @cached_property
+    def labels(self) -> list[Label]:
+        """Every trial, in its order."""
+        return self.protocol.order(self.participants)
+
+    @property
+    def imbalance(self) -> float:
+        """Largest difference of the mean places of on and off in a session, in trials."""
+        return imbalance(self.labels)
+
+    @property
+    def statements(self) -> list[str]:
+        """What this number of participants can and cannot prove."""
+        people = f"{self.participants} participant{'s' * (self.participants != 1)}"
+        wanted = _percent(self.power.attrs["wanted"])
+        said = []
+        for guide in self.protocol.waveguides:
+            row = self.power.sel(waveguide=guide)
+            effect = f"{guide}, {_percent(row['reduction'])} less friction assumed"
+            needed = f"{float(row['needed']):.0f}" if np.isfinite(row["needed"]) else "more than 60"
+            if self.participants < 2:
+                said.append(f"{effect}: one participant proves nothing about others; {needed} are needed.")
+                continue
+            chance = _percent(row["power"].sel(participants=self.participants))
+            said.append(
+                f"{effect}: {people} show it, also for other people, with a chance of {chance}; "
+                f"{wanted} needs {needed}."
+            )
+        least = float(self.power["shown"])
+        if np.isfinite(least):
+            said.append(f"{people} show reductions of {_percent(least)} and more with a chance of {wanted}.")
+        elif self.participants > 1:
+            said.append(f"{people} show no reduction at all with a chance of {wanted}.")
+        idle = self.power.sel(waveguide=self.protocol.waveguides[1])
+        if float(idle["reduction"]) >= WEBER_FRACTION:
+            said.append(
+                f"That nobody feels {self.protocol.waveguides[1]} (less than {_percent(WEBER_FRACTION)}) "
+                f"cannot be proved by any number of people if its reduction is {_percent(idle['reduction'])}."
+            )
+        said.append(
+            f"A test over the {self.protocol.pairs * self.participants} pairs of trials finds smaller "
+            f"differences, but in these {people} only: it says nothing about others."
+        )
+        return said
+
+    @property
+    def drift_remark(self) -> str:
+        """How far a drift along the session leaks into a difference."""
+        trials = self.imbalance
+        if trials < 1e-9:
+            return "On and off have the same mean place in every session: a steady drift cancels."
+        session = self.protocol.blocks * self.protocol.trials
+        added = 10 * trials / session
+        return (
+            f"On and off lie up to {trials:.2g} trial{'s' * (trials != 1)} apart on average: a steady drift "
+            f"of 10 % over a session of {session} adds {added:.2g} % of the friction to a difference."
+        )
+
+    def to_json(self) -> dict[str, Any]:
+        """Plain values for machines."""
+        data = self.power
+        return {
+            "origin": "simulated",
+            "order": self.order,
+            "participants": self.participants,
+            "blocks": self.protocol.blocks,
+            "trials": self.protocol.trials,
+            "waveguides": list(self.protocol.waveguides),
+            "task": asdict(self.task),
+            "imbalance_trials": self.imbalance,
+            "wanted": float(data.attrs["wanted"]),
+            "shown": float(data["shown"]) if np.isfinite(data["shown"]) else None,
+            "waveguide": {
+                name: {
+                    "reduction": float(row["reduction"]),
+                    "needed": int(row["needed"]) if np.isfinite(row["needed"]) else None,
+                    "participants": row["participants"].values.tolist(),
+                    "power": row["power"].values.tolist(),
+                    "error": row["error"].values.tolist(),
+                }
+                for name, row in ((name, data.sel(waveguide=name)) for name in self.protocol.waveguides)
+            },
+            "statements": self.statements,
+            "drift": self.drift_remark,
+        }
+
+    def files(self) -> dict[str, Callable[[Path], object]]:
+        """Writers by file name: the list of trials to record into, the metronome's track, the power."""
+        track = partial(clicks, self.protocol.trials, self.task.lasting, self.task.pause)
+        return {
+            NAME: partial(write_list, self.labels, origin="measured"),
+            "metronome.wav": lambda path: write_wav(track(), path),
+            "power.nc": partial(write_netcdf, self.power),
+        }
+
+    def figures(self) -> dict[str, Figure]:
+        """Power against participants."""
+        return {"power": plots.power(self.power, self.participants)}
+
+
+def _percent(share: Any) -> str:
+    return f"{100 * float(share):.0f} %"
+
+
+def compute_plan(
+    protocol: Protocol,
+    participants: int,
+    populations: Mapping[str, Population],
+    task: Task,
+    *,
+    title: str,
+    order: str,
+    wanted: float,
+    seed: int,
+    inputs: Mapping[str, Any],
+) -> Plan:
+    """Plan trials: the chance of showing what is assumed of each waveguide, by simulated experiments.
+
+    Parameters
+    ----------
+    populations : waveguide -> what is assumed of people there
+    wanted : chance of showing it, for which participants are counted
+    """
+    pairs = protocol.pairs
+    found, needed = [], []
+    for population in populations.values():
+        needed.append(participants_needed(population, pairs, wanted=wanted, seed=seed))
+    most = max([MOST_DRAWN, *(people + 2 for people in needed if people)])
+    tried = sorted({*range(2, most + 1), max(participants, 2)})
+    for population in populations.values():
+        chance = power(population, tried, [pairs], tests=len(populations), seed=seed)
+        found.append(chance.isel(trials=0))
+    joined = xr.concat(found, dim="waveguide", combine_attrs="identical").assign_coords(
+        waveguide=list(populations)
+    )
+    least = None
+    if participants > 1:
+        least = smallest_shown(
+            next(iter(populations.values())), participants, pairs, wanted=wanted, seed=seed
+        )
+    joined["reduction"] = ("waveguide", [population.reduction for population in populations.values()])
+    joined["needed"] = ("waveguide", np.array([np.nan if n is None else n for n in needed], dtype=float))
+    joined["shown"] = np.nan if least is None else least
+    joined.attrs |= {"wanted": wanted}
+    return Plan(title, protocol, participants, order, task, stamped(joined, inputs))

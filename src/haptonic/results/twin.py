@@ -1,0 +1,148 @@
+"""A made-up experiment as a folder that the analysis reads like a measured one, with its truth beside it."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Callable
+from dataclasses import dataclass
+from functools import partial
+from importlib.metadata import version
+from itertools import groupby
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from haptonic.friction.protocol import Protocol
+from haptonic.friction.trial_list import NAME, Per, file_of, write_list
+from haptonic.friction.twin import Person, Stroke, Truth, people, recorded
+from haptonic.friction.twin.files import SIMULATED, WRITERS
+from haptonic.friction.twin.gauges import GAUGES, calibration, voltages
+from haptonic.friction.twin.strokes import AXES, RATE, samples_of
+from haptonic.store import write_atomically
+
+NOTHING = 1e-6  # a reduction that is none
+TRUTH, STUDY, CALIBRATION = "truth.json", "study.toml", "calibration.csv"
+
+
+@dataclass(frozen=True, eq=False)
+class FrictionTwin:
+    """Trials of people who do not exist.
+
+    truth, protocol : what is true of them, and the order of their trials
+    group : the people
+    seed : of all that is drawn
+    study : text of the study file
+    suffix : of the files: ".csv", ".h5", ".mat" or ".tdms"
+    per : whether a file holds a trial or a block
+    raw : whether files hold gauge voltages, with a calibration, instead of forces and torques
+    """
+
+    truth: Truth
+    protocol: Protocol
+    group: tuple[Person, ...]
+    seed: int
+    study: str
+    suffix: str
+    per: Per
+    raw: bool
+
+    @property
+    def names(self) -> list[str]:
+        """Of all files."""
+        labels = self.protocol.order(len(self.group))
+        records = dict.fromkeys(file_of(label, self.suffix, self.per) for label in labels)
+        return [*records, TRUTH, STUDY, *([CALIBRATION] if self.raw else []), NAME]
+
+    def to_json(self) -> dict[str, Any]:
+        """The truth, as plain values for machines."""
+        truth, film = self.truth, self.truth.film
+        guides = self.protocol.waveguides
+        driven, idle = (1 - truth.remaining[guide] for guide in guides)
+        return {
+            "origin": SIMULATED,
+            "haptonic_version": version("haptonic"),
+            "seed": self.seed,
+            "waveguides": {"driven": guides[0], "idle": guides[1]},
+            "amplitude_m": dict(film.amplitude) if film else None,
+            "population": {
+                "reduction": {guide: 1 - truth.remaining[guide] for guide in guides},
+                "stopped": 1 - idle / driven if driven > NOTHING else None,
+                "friction": truth.friction,
+                "between": truth.between,
+                "effect_between": truth.effect_between,
+                "within": truth.within,
+                "drift": truth.drift,
+            },
+            "participants": {
+                f"P{number}": {
+                    "friction": person.friction,
+                    "reduction": {guide: 1 - person.remaining[guide] for guide in guides},
+                }
+                for number, person in enumerate(self.group, start=1)
+            },
+            "sensor": {"noise_n": truth.noise, "bias_n": truth.bias, "rate_hz": RATE, "raw": self.raw},
+            "force_n": list(truth.force),
+            "speed_m_per_s": list(truth.speed),
+        }
+
+    def write(self, folder: Path, told: Callable[[int, int, bool], None]) -> None:
+        """Write all files, one after the other; the list of trials comes last.
+
+        Parameters
+        ----------
+        told : is called with the number of trials written, the number of all, and False
+        """
+        labels = self.protocol.order(len(self.group))
+        matrix = calibration() if self.raw else None
+        rng = np.random.default_rng(self.seed)
+        group = people(self.truth, len(self.group), rng)  # drawn again, so that the strokes follow them
+        strokes = recorded(self.truth, self.protocol, group, rng)
+        done = 0
+        for name, inside in groupby(strokes, key=lambda one: file_of(one.trial.label, self.suffix, self.per)):
+            many = list(inside)
+            write_atomically(folder / name, partial(WRITERS[self.suffix[1:]], _channels(many, matrix)))
+            done += len(many)
+            told(done, len(labels), False)
+        write_atomically(folder / STUDY, lambda path: path.write_text(self.study, encoding="utf-8"))
+        text = json.dumps(self.to_json(), indent=1) + "\n"
+        write_atomically(folder / TRUTH, lambda path: path.write_text(text, encoding="utf-8"))
+        if matrix is not None:
+            write_atomically(folder / CALIBRATION, partial(_write_calibration, matrix))
+        lasting = samples_of(self.truth) / RATE if self.per == "block" else None
+        listed = partial(
+            write_list, labels, suffix=self.suffix, per=self.per, origin="simulated", lasting=lasting
+        )
+        write_atomically(folder / NAME, listed)
+
+
+def friction_twin(
+    truth: Truth,
+    protocol: Protocol,
+    participants: int,
+    *,
+    seed: int,
+    study: str,
+    suffix: str = ".csv",
+    per: Per = "trial",
+    raw: bool = False,
+) -> FrictionTwin:
+    """Make people up; see `FrictionTwin`."""
+    group = people(truth, participants, np.random.default_rng(seed))
+    return FrictionTwin(truth, protocol, tuple(group), seed, study, suffix, per, raw)
+
+
+def _channels(strokes: list[Stroke], matrix: NDArray[np.float64] | None) -> dict[str, NDArray[np.float64]]:
+    """Channels by name, strokes one after the other."""
+    axes = np.hstack([stroke.axes for stroke in strokes])
+    names = AXES if matrix is None else GAUGES
+    values = axes if matrix is None else voltages(axes, matrix)
+    time = np.arange(axes.shape[1]) / RATE
+    position = np.concatenate([stroke.position for stroke in strokes])
+    return {"time": time, **dict(zip(names, values, strict=True)), "position": position}
+
+
+def _write_calibration(matrix: NDArray[np.float64], path: Path) -> None:
+    """Six lines, Fx Fy Fz (N) and Tx Ty Tz (N m), of six columns, for each V of a gauge."""
+    np.savetxt(path, matrix, fmt="%.9g", delimiter=",")

@@ -1,0 +1,137 @@
+"""The tables of the study file about trials with people: their order, and what is assumed of the people."""
+
+from __future__ import annotations
+
+from typing import Annotated, Literal
+
+from pydantic import Field, model_validator
+
+from haptonic.study.mounting import Name
+from haptonic.study.quantity import Quantity, problem
+from haptonic.study.sections import Section
+from haptonic.units import format_quantity
+
+SHORTEST, LONGEST = 0.4, 10.0  # s that a stroke may last: touching down and lifting take a third of one
+
+Share = Annotated[float, Quantity("", at_least=0.0, below=1.0)]
+Reduction = Annotated[float, Quantity("", above=0.0, below=1.0)]
+Force = Annotated[float, Quantity("N", at_least=0.01, at_most=20.0, typical=(0.1, 5.0))]
+Speed = Annotated[float, Quantity("m/s", at_least=1e-3, at_most=2.0, typical=(0.01, 0.5))]
+
+
+class ProtocolSection(Section):
+    """Trials with people: how many, in which order, and what they are asked to do."""
+
+    blocks: Annotated[int, Field(ge=2, le=99, strict=True)] = Field(
+        8, title="Blocks", description="Of each participant; an even number."
+    )
+    trials: Annotated[int, Field(ge=2, le=98, strict=True)] = Field(
+        30, title="Trials", description="Strokes in a block; an even number."
+    )
+    participants: Annotated[int, Field(ge=1, le=500, strict=True)] = Field(
+        3, title="Participants", description="How many people take part."
+    )
+    order: Literal["published", "balanced"] = Field(
+        "published",
+        title="Order",
+        description="As published, with on before off, or balanced and drawn at random.",
+    )
+    seed: Annotated[int, Field(ge=0, le=2**31, strict=True)] = Field(
+        0, title="Seed", description="Of the balanced order and of the plan's simulations."
+    )
+    speed: Speed = Field(78e-3, title="Target speed", description="Of a stroke.")
+    force: Force = Field(0.8, title="Target force", description="Normal, of a stroke.")
+    stroke: Annotated[float, Quantity("m", at_least=1e-3, at_most=1.0, typical=(10e-3, 200e-3))] = Field(
+        70e-3, title="Stroke length", description="From where the finger sets down to where it lifts."
+    )
+    pause: Annotated[float, Quantity("s", at_least=0.1, at_most=60.0, typical=(0.5, 30.0))] = Field(
+        4.0, title="Pause", description="Between the end of a stroke and the start of the next."
+    )
+    driven: Name | None = Field(
+        None, title="Driven waveguide", description="By its name; else the one with the first actuator."
+    )
+    idle: Name | None = Field(
+        None, title="Idle waveguide", description="By its name; else the plate's first other region."
+    )
+    power: Annotated[float, Quantity("", above=0.5, below=1.0, typical=(0.7, 0.99))] = Field(
+        0.8, title="Power", description="Chance of showing an effect, for which participants are counted."
+    )
+
+    @property
+    def lasting(self) -> float:
+        """Of a stroke at the target speed, s."""
+        return self.stroke / self.speed
+
+    @model_validator(mode="after")
+    def _is_possible(self) -> ProtocolSection:
+        for name in ("blocks", "trials"):
+            number = getattr(self, name)
+            if number % 2:
+                raise problem(
+                    str(number), "an even number", "one condition would have more trials than the other",
+                    f"write {number + 1}", at=name,
+                )  # fmt: skip
+        if not SHORTEST <= self.lasting <= LONGEST:
+            raise problem(
+                f"{format_quantity(self.stroke, 'm')} at {format_quantity(self.speed, 'm/s')}, "
+                f"{format_quantity(self.lasting, 's')}",
+                f"a stroke that lasts {SHORTEST:g} to {LONGEST:g} s",
+                "the unit of the speed or of the length slipped", "change one of them", at="stroke",
+            )  # fmt: skip
+        if self.driven is not None and self.driven == self.idle:
+            raise problem(
+                f'"{self.idle}"', "another waveguide than the driven one",
+                "one is compared with the other", "name another one", at="idle",
+            )  # fmt: skip
+        return self
+
+
+class ParticipantsSection(Section):
+    """What is assumed of people, to plan an experiment and to make one up; nobody has measured it."""
+
+    driven: Reduction = Field(
+        0.55, title="Reduction, driven", description="Of friction in the population; as published."
+    )
+    idle: Reduction = Field(
+        0.11, title="Reduction, idle", description="Of friction in the population; as published."
+    )
+    effect_between: Share = Field(
+        0.05,
+        title="Reduction between people",
+        description="Its standard deviation over people; assumed.",
+    )
+    friction: Annotated[float, Quantity("", above=0.0, at_most=5.0, typical=(0.1, 2.0))] = Field(
+        0.42, title="Friction", description="Coefficient with the vibration off, mean over people; assumed."
+    )
+    between: Share = Field(
+        0.15, title="Friction between people", description="Standard deviation over the mean; assumed."
+    )
+    within: Share = Field(
+        0.22,
+        title="Friction between trials",
+        description="Of one person and condition, standard deviation over the mean; assumed.",
+    )
+    drift: Annotated[float, Quantity("", at_least=-1.0, at_most=1.0, typical=(-0.5, 0.5))] = Field(
+        0.1, title="Drift", description="Of friction over a session, over its mean: moisture; assumed."
+    )
+    force_spread: Annotated[float, Quantity("N", at_least=0.0, at_most=5.0)] = Field(
+        0.4, title="Spread of the force", description="Standard deviation over strokes; as published."
+    )
+    speed_spread: Annotated[float, Quantity("m/s", at_least=0.0, at_most=1.0)] = Field(
+        13e-3, title="Spread of the speed", description="Standard deviation over strokes; as published."
+    )
+    noise: Annotated[float, Quantity("N", at_least=0.0, at_most=1.0, typical=(0.0, 0.2))] = Field(
+        21e-3, title="Noise of the sensor", description="Root mean square of each force; as published."
+    )
+    bias: Annotated[float, Quantity("N", at_least=-10.0, at_most=10.0)] = Field(
+        0.3, title="Bias of the sensor", description="What it shows without a finger; assumed."
+    )
+
+    @model_validator(mode="after")
+    def _driven_is_driven(self) -> ParticipantsSection:
+        if self.idle >= self.driven:
+            raise problem(
+                f"{self.idle:g}", f"less than the driven one, {self.driven:g}",
+                "the two are exchanged", "exchange them", at="idle",
+            )  # fmt: skip
+        return self

@@ -1,0 +1,138 @@
+"""From [protocol] and [participants] of a study to an order of trials, a plan, and the truth of a twin."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+from haptonic.errors import StudyError, nearest
+from haptonic.friction.protocol import Protocol
+from haptonic.friction.statistics import Population
+from haptonic.friction.twin import Truth, explaining, film_of
+from haptonic.results import Plan, Task, compute_plan
+from haptonic.study.runs import Study
+from haptonic.units import shown
+
+PUBLISHED = ("WG1", "WG2")  # names of the waveguides where the study has no plate [daunizeau-haptics]
+
+
+def protocol_of(study: Study) -> Protocol:
+    """The order of trials that a study asks for.
+
+    Raises
+    ------
+    StudyError : no two waveguides to compare
+    """
+    section = study.protocol
+    balanced = section.order == "balanced"
+    return Protocol(
+        section.blocks,
+        section.trials,
+        counterbalanced=balanced,
+        waveguides=waveguides_of(study),
+        seed=section.seed if balanced else None,
+    )
+
+
+def waveguides_of(study: Study) -> tuple[str, str]:
+    """Names of the driven and of the idle waveguide.
+
+    Raises
+    ------
+    StudyError : a name that the plate does not have, or a plate with fewer than two regions
+    """
+    section, plate = study.protocol, study.plate_section
+    known = plate.regions if plate else []
+    for key in ("driven", "idle"):
+        name = getattr(section, key)
+        if plate and name is not None and name not in known:
+            guess = nearest(name, known)
+            raise StudyError(
+                argument=f"protocol.{key}",
+                given=shown(name),
+                allowed=f"one of {', '.join(known)}" if known else "nothing: the plate has no region",
+                cause="no region of the plate has this name",
+                next_step=f'write "{guess}"' if guess else "choose one of them, or leave [plate] out",
+            )
+    actuated = [one.region for one in plate.actuator] if plate else []
+    names = known or list(PUBLISHED)
+    driven = section.driven or next((n for n in [*actuated, *names] if n != section.idle), None)
+    idle = section.idle or next((name for name in names if name != driven), None)
+    if driven is None or idle is None:
+        raise StudyError(
+            argument="protocol.idle",
+            given="nothing",
+            allowed="two waveguides, the driven one and one that should stay at rest",
+            cause="the plate of this study has a single region",
+            next_step="name another region in [plate.tiles]",
+        )
+    return driven, idle
+
+
+def planned(study: Study) -> Plan:
+    """The order of a study's trials, what people are asked to do, and how many of them are needed.
+
+    Raises
+    ------
+    StudyError : no two waveguides to compare
+    """
+    section, people = study.protocol, study.participants
+    protocol = protocol_of(study)
+    populations = {
+        name: Population(reduction, people.effect_between, people.within, people.between)
+        for name, reduction in zip(protocol.waveguides, (people.driven, people.idle), strict=True)
+    }
+    task = Task(section.speed, section.force, section.stroke, section.pause)
+    return compute_plan(
+        protocol,
+        section.participants,
+        populations,
+        task,
+        title=study.title,
+        order=section.order,
+        wanted=section.power,
+        seed=section.seed,
+        inputs=study.inputs(),
+    )
+
+
+def truth_of(study: Study, amplitudes: Mapping[str, float] | None = None) -> Truth:
+    """What is true of the people of a twin.
+
+    Parameters
+    ----------
+    amplitudes : waveguide -> m; else those that explain the reductions of [participants]
+
+    Raises
+    ------
+    StudyError : no carrier, no two waveguides, or one without an amplitude
+    FrictionError : amplitudes or reductions that load sharing does not explain
+    """
+    people, carrier, names = study.participants, study.need_carrier(), waveguides_of(study)
+    force = (study.protocol.force, people.force_spread)
+    if amplitudes is None:
+        reductions = dict(zip(names, (people.driven, people.idle), strict=True))
+        amplitudes = explaining(reductions, carrier, force)
+    for name in names:
+        if name not in amplitudes:
+            raise StudyError(
+                argument="amplitudes",
+                given=", ".join(amplitudes) or "none",
+                allowed=f"one for each of {' and '.join(names)}",
+                cause="they were computed for another plate",
+                next_step=f'add "{name}", or name the waveguides in [protocol]',
+            )
+    film = film_of({name: amplitudes[name] for name in names}, carrier, force)
+    return Truth(
+        friction=people.friction,
+        remaining=film.mean,
+        between=people.between,
+        effect_between=people.effect_between,
+        within=people.within,
+        drift=people.drift,
+        noise=people.noise,
+        force=force,
+        speed=(study.protocol.speed, people.speed_spread),
+        bias=people.bias,
+        contact=study.protocol.lasting,
+        film=film,
+    )
