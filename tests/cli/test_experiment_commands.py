@@ -21,9 +21,12 @@ SMALL = (TABLE, """
 blocks = 4
 trials = 8
 participants = 2
-speed = "100 mm/s"
 stroke = "60 mm"
 pause = "1 s"
+
+[touch]
+force = "0.8 N"
+speed = "100 mm/s"
 
 [[sweep]]""")  # fmt: skip
 PLATE = (TABLE, """
@@ -128,7 +131,7 @@ class TestProtocol:
             (("trials = 8", "trials = 8.0"), ("protocol.trials",)),
             (('"60 mm"', '"60 um"'), ("protocol.stroke",)),
             (('"100 mm/s"', '"1 mm/s"'), ("protocol.stroke", "60 s")),
-            (('"100 mm/s"', '"100 mm"'), ("protocol.speed", "not a unit of speed")),
+            (('"100 mm/s"', '"100 mm"'), ("touch.speed", "not a unit of speed")),
             (("pause", "pauze"), ("protocol.pauze", "pause")),
             (("[protocol]", '[protocol]\ndriven = "A"\nidle = "A"'), ("protocol.idle",)),
             (("[protocol]", "[participants]\nidle = 0.6\n[protocol]"), ("participants.idle", "exchange")),

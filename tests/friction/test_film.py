@@ -89,7 +89,7 @@ class TestAgainstItself:
     @given(st.floats(-2, 3).map(lambda power: 10.0**power), excursions)
     def test_the_table_is_what_the_equation_says(self, squeeze, excursion):
         found = film.solved_efficiency(squeeze, excursion, radial=24, instants=71)
-        assert film.efficiency(squeeze, excursion) == pytest.approx(found, rel=2e-4)
+        assert film.efficiency(squeeze, excursion) == pytest.approx(found, rel=1e-3)
 
     @pytest.mark.parametrize(("squeeze", "excursion"), [(3.0, 0.5), (30.0, 0.8)])
     def test_a_march_through_time_says_the_same(self, squeeze, excursion):

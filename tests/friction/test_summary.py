@@ -10,9 +10,9 @@ from test_lubrication import refused
 from test_statistics import drawn
 
 from haptonic.friction.protocol import Protocol
-from haptonic.friction.statistics import Pairs, Test, by_each, compared, corrected, paired
+from haptonic.friction.statistics import Test, by_each, compared, corrected, paired
 from haptonic.friction.statistics.sizes import effect_sizes
-from haptonic.friction.statistics.summary import EVERYBODY, own_reduction, summary
+from haptonic.friction.statistics.summary import EVERYBODY, summary
 from haptonic.friction.twin import Truth, coefficients
 
 
@@ -93,23 +93,6 @@ class TestSizes:
             assert (one.p < 0.05) == (one.d_z_low * one.d_z_high > 0)
             assert one.d_z_low < one.d_z < one.d_z_high
             assert one.d_av_low < one.d_av < one.d_av_high
-
-
-class TestOwnReduction:
-    def test_the_interval_holds_the_truth(self):
-        rng = np.random.default_rng(5)
-        inside = 0
-        for _ in range(500):
-            off, on = 0.4 + 0.09 * rng.standard_normal(40), 0.3 + 0.07 * rng.standard_normal(40)
-            found = own_reduction(Pairs("WG1", np.full(40, "P1"), on, off, 0))
-            inside += found.low < 0.25 < found.high
-        assert inside / 500 == pytest.approx(0.95, abs=0.03)
-
-    def test_one_pair_has_no_interval(self):
-        found = own_reduction(Pairs("WG1", np.array(["P1"]), np.array([0.1]), np.array([0.4]), 0))
-        assert found.value == pytest.approx(0.75)
-        assert math.isnan(found.low)
-        assert "one pair" in found.note
 
 
 class TestSummary:

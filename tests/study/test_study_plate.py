@@ -643,7 +643,7 @@ class TestInAStudy:
     def test_a_plate_that_is_not_there_leaves_no_trace(self):
         study = loads(CELL)
         assert study.plate_section is None
-        assert "plate" not in study.to_toml()
+        assert "[plate" not in study.to_toml()
         assert "plate" not in study.inputs()
 
     def test_inputs_hold_the_constants_of_patch_and_bond(self):

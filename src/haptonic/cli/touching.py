@@ -19,6 +19,7 @@ from haptonic.friction.statistics import Estimate, Test
 from haptonic.friction.statistics.summary import EVERYBODY, Condition
 from haptonic.report import paper, write_quality
 from haptonic.results import FrictionResult, compute_friction, refuse_taken, write_files
+from haptonic.results.plate.question import driven_region
 from haptonic.study import Study, TrialsSection, load_trials
 
 STUDY = "study.toml"  # beside the trials
@@ -54,7 +55,7 @@ def friction(
                 sensor,
                 section.rules(),
                 section.exclusions(),
-                driven=section.driven,
+                driven=section.driven or _driven(loaded),
                 workers=workers,
                 told=progress,
             )
@@ -71,6 +72,11 @@ def _asked(path: Path, study: Path | None) -> tuple[TrialsSection, Study | None]
     if study is None and not beside.is_file():
         return TrialsSection(), None
     return load_trials(study or beside)
+
+
+def _driven(loaded: Study | None) -> str | None:
+    """The waveguide that a whole study drives."""
+    return driven_region(loaded.plate()) if loaded is not None and loaded.plate_section else None
 
 
 def _write(result: FrictionResult, folder: Path, overwrite: bool, voice: Voice, *, published: bool) -> None:
@@ -100,6 +106,7 @@ def _tell(result: FrictionResult, voice: Voice) -> None:
         voice.tell(f"Driven: {found.driven}, {found.chosen}.")
     for guide, one in found.stopped.items():
         voice.tell(f"Share of the reduction that does not reach {guide}: {_percent(one)}.")
+        voice.tell(f"The same by bootstrap: {_percent(found.stopped_here[guide])}.")
     for same in found.equivalences:
         proof = same.note or (
             f"90 % interval {same.low:.1%} to {same.high:.1%}; one-sided test against the "

@@ -56,7 +56,7 @@ def friction(
     amplitudes: Annotated[
         Path | None,
         typer.Option(
-            "--from", metavar="FILE", help='Amplitudes in m by waveguide: {"WG1": 1e-6, ...} (JSON).'
+            "--from", metavar="FILE", help='What `feel --json` said, or {"WG1": 1e-6, ...} in m (JSON).'
         ),
     ] = None,
     overwrite: Overwrite = False,
@@ -104,6 +104,8 @@ def read_amplitudes(path: Path) -> dict[str, float]:
             cause="there is no such file" if missing else "it cannot be read, or is not JSON",
             next_step="check the name and the folder" if missing else "write it anew",
         ) from None
+    if isinstance(values, dict) and isinstance(values.get("regions"), dict):  # what `haptonic feel` says
+        values = {name: region.get("amplitude_m") for name, region in values["regions"].items()}
     numbers = isinstance(values, dict) and all(
         isinstance(one, int | float) and not isinstance(one, bool) for one in values.values()
     )

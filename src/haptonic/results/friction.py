@@ -140,6 +140,7 @@ class FrictionResult:
                     for (guide, name), one in found.own.items()
                 ],
                 "stopped": {guide: asdict(one) for guide, one in found.stopped.items()},
+                "stopped_here": {guide: asdict(one) for guide, one in found.stopped_here.items()},
                 "equivalence": [asdict(one) for one in found.equivalences],
                 "drift": asdict(found.drift) if found.drift else None,
                 "rules": json.loads(trials.attrs["rules"]) if "rules" in trials.attrs else None,

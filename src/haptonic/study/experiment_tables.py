@@ -9,14 +9,9 @@ from pydantic import Field, model_validator
 from haptonic.study.mounting import Name
 from haptonic.study.quantity import Quantity, problem
 from haptonic.study.sections import Section
-from haptonic.units import format_quantity
-
-SHORTEST, LONGEST = 0.4, 10.0  # s that a stroke may last: touching down and lifting take a third of one
 
 Share = Annotated[float, Quantity("", at_least=0.0, below=1.0)]
 Reduction = Annotated[float, Quantity("", above=0.0, below=1.0)]
-Force = Annotated[float, Quantity("N", at_least=0.01, at_most=20.0, typical=(0.1, 5.0))]
-Speed = Annotated[float, Quantity("m/s", at_least=1e-3, at_most=2.0, typical=(0.01, 0.5))]
 
 
 class ProtocolSection(Section):
@@ -39,8 +34,6 @@ class ProtocolSection(Section):
     seed: Annotated[int, Field(ge=0, le=2**31, strict=True)] = Field(
         0, title="Seed", description="Of the balanced order and of the plan's simulations."
     )
-    speed: Speed = Field(78e-3, title="Target speed", description="Of a stroke.")
-    force: Force = Field(0.8, title="Target force", description="Normal, of a stroke.")
     stroke: Annotated[float, Quantity("m", at_least=1e-3, at_most=1.0, typical=(10e-3, 200e-3))] = Field(
         70e-3, title="Stroke length", description="From where the finger sets down to where it lifts."
     )
@@ -57,11 +50,6 @@ class ProtocolSection(Section):
         0.8, title="Power", description="Chance of showing an effect, for which participants are counted."
     )
 
-    @property
-    def lasting(self) -> float:
-        """Of a stroke at the target speed, s."""
-        return self.stroke / self.speed
-
     @model_validator(mode="after")
     def _is_possible(self) -> ProtocolSection:
         for name in ("blocks", "trials"):
@@ -71,13 +59,6 @@ class ProtocolSection(Section):
                     str(number), "an even number", "one condition would have more trials than the other",
                     f"write {number + 1}", at=name,
                 )  # fmt: skip
-        if not SHORTEST <= self.lasting <= LONGEST:
-            raise problem(
-                f"{format_quantity(self.stroke, 'm')} at {format_quantity(self.speed, 'm/s')}, "
-                f"{format_quantity(self.lasting, 's')}",
-                f"a stroke that lasts {SHORTEST:g} to {LONGEST:g} s",
-                "the unit of the speed or of the length slipped", "change one of them", at="stroke",
-            )  # fmt: skip
         if self.driven is not None and self.driven == self.idle:
             raise problem(
                 f'"{self.idle}"', "another waveguide than the driven one",

@@ -10,8 +10,9 @@ from haptonic.friction.statistics import Population
 from haptonic.friction.twin import Truth, explaining, film_of
 from haptonic.results import Plan, Task, compute_plan
 from haptonic.study.runs import Study
-from haptonic.units import shown
+from haptonic.units import format_quantity, shown
 
+SHORTEST, LONGEST = 0.4, 10.0  # s that a stroke may last: touching down and lifting take a third of one
 PUBLISHED = ("WG1", "WG2")  # names of the waveguides where the study has no plate [daunizeau-haptics]
 
 
@@ -73,7 +74,7 @@ def planned(study: Study) -> Plan:
 
     Raises
     ------
-    StudyError : no two waveguides to compare
+    StudyError : no two waveguides to compare, or strokes that last too short or too long
     """
     section, people = study.protocol, study.participants
     protocol = protocol_of(study)
@@ -81,7 +82,7 @@ def planned(study: Study) -> Plan:
         name: Population(reduction, people.effect_between, people.within, people.between)
         for name, reduction in zip(protocol.waveguides, (people.driven, people.idle), strict=True)
     }
-    task = Task(section.speed, section.force, section.stroke, section.pause)
+    task = task_of(study)
     return compute_plan(
         protocol,
         section.participants,
@@ -93,6 +94,27 @@ def planned(study: Study) -> Plan:
         seed=section.seed,
         inputs=study.inputs(),
     )
+
+
+def task_of(study: Study) -> Task:
+    """What people are asked to do: force and speed of [touch], the rest of [protocol].
+
+    Raises
+    ------
+    StudyError : strokes that last too short or too long
+    """
+    section, touch = study.protocol, study.touch
+    task = Task(touch.speed, touch.force, section.stroke, section.pause)
+    if not SHORTEST <= task.lasting <= LONGEST:
+        raise StudyError(
+            argument="protocol.stroke",
+            given=f"{format_quantity(task.stroke, 'm')} at {format_quantity(task.speed, 'm/s')}, "
+            f"{format_quantity(task.lasting, 's')}",
+            allowed=f"a stroke that lasts {SHORTEST:g} to {LONGEST:g} s",
+            cause="the unit of touch.speed or of the length slipped",
+            next_step="change one of them",
+        )
+    return task
 
 
 def truth_of(study: Study, amplitudes: Mapping[str, float] | None = None) -> Truth:
@@ -108,10 +130,11 @@ def truth_of(study: Study, amplitudes: Mapping[str, float] | None = None) -> Tru
     FrictionError : amplitudes or reductions that load sharing does not explain
     """
     people, carrier, names = study.participants, study.need_carrier(), waveguides_of(study)
-    force = (study.protocol.force, people.force_spread)
+    task, skin = task_of(study), study.touch.finger()
+    force = (task.force, people.force_spread)
     if amplitudes is None:
         reductions = dict(zip(names, (people.driven, people.idle), strict=True))
-        amplitudes = explaining(reductions, carrier, force)
+        amplitudes = explaining(reductions, carrier, force, skin)
     for name in names:
         if name not in amplitudes:
             raise StudyError(
@@ -121,7 +144,7 @@ def truth_of(study: Study, amplitudes: Mapping[str, float] | None = None) -> Tru
                 cause="they were computed for another plate",
                 next_step=f'add "{name}", or name the waveguides in [protocol]',
             )
-    film = film_of({name: amplitudes[name] for name in names}, carrier, force)
+    film = film_of({name: amplitudes[name] for name in names}, carrier, force, skin)
     return Truth(
         friction=people.friction,
         remaining=film.mean,
@@ -131,8 +154,8 @@ def truth_of(study: Study, amplitudes: Mapping[str, float] | None = None) -> Tru
         drift=people.drift,
         noise=people.noise,
         force=force,
-        speed=(study.protocol.speed, people.speed_spread),
+        speed=(task.speed, people.speed_spread),
         bias=people.bias,
-        contact=study.protocol.lasting,
+        contact=task.lasting,
         film=film,
     )

@@ -164,7 +164,7 @@ class TrialsSection(Section):
         (0.01, 0.5), title="Speed", description="Lowest and highest mean speed of a trial that counts."
     )
     driven: Name | None = Field(
-        None, title="Driven waveguide", description="Else the one with the largest reduction."
+        None, title="Driven waveguide", description="Else the plate's, or the one with the largest reduction."
     )
     exclude: tuple[ExcludeSection, ...] = Field(
         (), title="Exclusions", description="Trials that do not count.", max_length=1000

@@ -9,7 +9,6 @@ from dataclasses import dataclass, replace
 import numpy as np
 import xarray as xr
 from numpy.typing import NDArray
-from scipy import stats
 
 from haptonic.errors import FrictionError
 from haptonic.friction.lubrication import WEBER_FRACTION
@@ -20,7 +19,9 @@ from haptonic.friction.statistics.effects import (
     drift,
     equivalence,
     reduction,
+    reduction_here,
     stopped,
+    stopped_here,
 )
 from haptonic.friction.statistics.pairs import Pairs, paired
 
@@ -59,6 +60,7 @@ class Summary:
     tests : of all participants together, three for each waveguide; each : of every participant
     reductions : waveguide -> reduction in the population; own : the same of each participant's own trials
     stopped : share of the driven reduction that does not reach an idle waveguide, by its name
+    stopped_here : the same with an interval for these participants, by bootstrap
     equivalences : of idle waveguides, against what nobody feels
     drift : of friction over a session, or None
     conclusions : a sentence for each waveguide
@@ -73,6 +75,7 @@ class Summary:
     reductions: dict[str, Estimate]
     own: dict[tuple[str, str], Estimate]
     stopped: dict[str, Estimate]
+    stopped_here: dict[str, Estimate]
     equivalences: tuple[Equivalence, ...]
     drift: Estimate | None
     conclusions: tuple[str, ...]
@@ -112,11 +115,12 @@ def summary(trials: xr.Dataset, driven: str | None = None) -> Summary:
     tests = compared(all_pairs)
     reductions = {guide: reduction(one) for guide, one in pairs.items()}
     idle = tuple(guide for guide in guides if guide != driven)
-    shares = {}
+    shares, shares_here = {}, {}
     for guide in idle:
         try:
             if driven in pairs and guide in pairs:
-                shares[guide] = stopped(*_same_people(pairs[driven], pairs[guide], omissions))
+                both = _same_people(pairs[driven], pairs[guide], omissions)
+                shares[guide], shares_here[guide] = stopped(*both), stopped_here(*both)
         except FrictionError as error:
             omissions.append(f"share stopped before {guide}: {error.given}; {error.cause}")
     drifted = None
@@ -132,8 +136,9 @@ def summary(trials: xr.Dataset, driven: str | None = None) -> Summary:
         tuple(tests),
         tuple(by_each(all_pairs)),
         reductions,
-        {(guide, name): own_reduction(one.of(name)) for guide, one in pairs.items() for name in one.people},
+        {(guide, name): reduction_here(one.of(name)) for guide, one in pairs.items() for name in one.people},
         shares,
+        shares_here,
         tuple(equivalence(pairs[guide], WEBER_FRACTION) for guide in idle if guide in pairs),
         drifted,
         tuple(conclusion([test for test in tests if test.waveguide == guide]) for guide in pairs),
@@ -158,21 +163,6 @@ def conditions_of(trials: xr.Dataset, guides: list[str]) -> Iterator[Condition]:
                 yield Condition(
                     person, guide, side, int(good.sum()), int(rows.sum() - good.sum()), *numbers
                 )  # fmt: skip
-
-
-def own_reduction(pairs: Pairs) -> Estimate:
-    """Reduction 1 - on / off of one participant's own trials, with an interval from their scatter.
-
-    It says how well this participant's reduction is known, nothing of others. The ratio of two means from
-    pairs, linearised about the truth: Student's t of on - ratio * off, over the mean of off.
-    """
-    n, off = len(pairs.on), float(pairs.off.mean())
-    ratio = float(pairs.on.mean()) / off
-    if n < 2:
-        return Estimate(1 - ratio, math.nan, math.nan, "one pair of trials only")
-    error = float((pairs.on - ratio * pairs.off).std(ddof=1)) / math.sqrt(n) / off
-    reach = float(stats.t.ppf(0.975, n - 1)) * error
-    return Estimate(1 - ratio, 1 - ratio - reach, 1 - ratio + reach)
 
 
 def _spread(trials: xr.Dataset, name: str, rows: NDArray[np.bool_]) -> tuple[float, float]:

@@ -19,6 +19,7 @@ LIGHTEST = 0.2  # N: what a participant who follows instructions does not fall b
 WIDEST = 4.0  # standard deviations from the mean force, beyond which the curve is level
 FORCES = 41  # of a curve
 AMPLITUDES = np.geomspace(0.01e-6, 20e-6, 120)  # m, among which one that explains a reduction is looked for
+USUAL = Finger()
 QUANTILES = (np.arange(400) + 0.5) / 400
 
 
@@ -43,7 +44,12 @@ class Film:
         return float(left / self.mean[waveguide])
 
 
-def film_of(amplitude: Mapping[str, float], frequency: float, force: tuple[float, float]) -> Film:
+def film_of(
+    amplitude: Mapping[str, float],
+    frequency: float,
+    force: tuple[float, float],
+    skin: Finger = USUAL,
+) -> Film:
     """What amplitudes leave of the friction.
 
     Parameters
@@ -51,6 +57,7 @@ def film_of(amplitude: Mapping[str, float], frequency: float, force: tuple[float
     amplitude : waveguide -> of displacement, zero to peak, m
     frequency : Hz
     force : (mean, standard deviation) over strokes, N; nobody presses less than `LIGHTEST`
+    skin : of all the people
 
     Raises
     ------
@@ -58,7 +65,7 @@ def film_of(amplitude: Mapping[str, float], frequency: float, force: tuple[float
     """
     forces = _forces(force)
     names = list(amplitude)
-    found = _shared(np.array([amplitude[name] for name in names], dtype=float), frequency, forces)
+    found = _shared(np.array([amplitude[name] for name in names], dtype=float), frequency, forces, skin)
     for name, curve in zip(names, found.T, strict=True):
         if not np.isfinite(curve).all():
             heaviest = format_quantity(float(forces[np.isnan(curve)].min()), "N")
@@ -79,7 +86,10 @@ def film_of(amplitude: Mapping[str, float], frequency: float, force: tuple[float
 
 
 def explaining(
-    reduction: Mapping[str, float], frequency: float, force: tuple[float, float]
+    reduction: Mapping[str, float],
+    frequency: float,
+    force: tuple[float, float],
+    skin: Finger = USUAL,
 ) -> dict[str, float]:
     """Amplitudes (m) that explain the mean reduction on every waveguide, over the forces of the strokes.
 
@@ -91,7 +101,7 @@ def explaining(
     FrictionError : a reduction that no amplitude explains
     """
     forces = _forces(force)
-    left = _mean(forces, _shared(AMPLITUDES, frequency, forces), force)
+    left = _mean(forces, _shared(AMPLITUDES, frequency, forces, skin), force)
     known = np.isfinite(left)
     made = {}
     for name, share in reduction.items():
@@ -113,9 +123,9 @@ def _forces(force: tuple[float, float]) -> Array:
     return np.linspace(LIGHTEST, max(mean + WIDEST * spread, 1.1 * LIGHTEST), FORCES)
 
 
-def _shared(amplitude: Array, frequency: float, forces: Array) -> Array:
+def _shared(amplitude: Array, frequency: float, forces: Array, skin: Finger) -> Array:
     """(force, amplitude) mu / mu0."""
-    values = Finger().values
+    values = skin.values
     return np.array([shared_friction(amplitude, Touch(frequency, float(one)), values) for one in forces])
 
 
