@@ -29,6 +29,8 @@ from haptonic.cli.options import (
     tell_where,
 )
 from haptonic.cli.plates import plate, plate_files, write_plate
+from haptonic.cli.scans import chirp, scan
+from haptonic.cli.twins import twin
 from haptonic.errors import StudyError
 from haptonic.report import Results, paper, write_report
 from haptonic.report.guide_shifts import guide_shifts
@@ -199,8 +201,9 @@ def _plate(loaded: Study, voice: Voice) -> tuple[PlateResult | None, xr.Dataset 
         return result, guide_shifts(loaded, Store.default())
 
 
-for command in (layers, waveguide, plate, design, tolerance, export):
+for command in (layers, waveguide, plate, design, tolerance, export, chirp, scan):
     app.command()(command)
+app.add_typer(twin, name="twin")
 
 
 @app.command()

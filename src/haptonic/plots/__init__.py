@@ -5,6 +5,14 @@ from haptonic.plots.designs import front, search
 from haptonic.plots.mirrors import decay, guide, layers
 from haptonic.plots.modes import mode_shapes
 from haptonic.plots.plates import animated, maps, plate_plan
+from haptonic.plots.scans import (
+    average_response,
+    drive_signal,
+    fading,
+    measured_contrast,
+    point_quality,
+    wave_map,
+)
 from haptonic.plots.spectra import contrast_spectrum, impedance_spectrum, velocity_spectrum
 from haptonic.plots.style import save
 from haptonic.plots.sweeps import sweep
@@ -13,21 +21,27 @@ from haptonic.plots.zone import density_of_states, iso_frequency
 
 __all__ = [
     "animated",
+    "average_response",
     "contrast_spectrum",
     "decay",
     "density_of_states",
     "dispersion",
+    "drive_signal",
+    "fading",
     "front",
     "guide",
     "impedance_spectrum",
     "iso_frequency",
     "layers",
     "maps",
+    "measured_contrast",
     "mode_shapes",
     "plate_plan",
+    "point_quality",
     "save",
     "search",
     "sweep",
     "tolerance",
     "velocity_spectrum",
+    "wave_map",
 ]

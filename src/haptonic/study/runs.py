@@ -311,6 +311,7 @@ class Study(Description):
         self,
         *,
         at: float | None = None,
+        asked: PlateQuestion | None = None,
         store: Store | None = None,
         on_progress: Callable[[int, int, bool], None] = lambda done, planned, stored: None,
     ) -> PlateResult:
@@ -319,6 +320,7 @@ class Study(Description):
         Parameters
         ----------
         at : a single frequency instead, Hz; the gap is then not looked for
+        asked : other lines and points than those of [plate.response]
 
         Raises
         ------
@@ -328,8 +330,8 @@ class Study(Description):
         section = self.plate_section
         assert section is not None
         carrier = self.need_carrier() if at is None else at
-        asked = section.response
-        question = PlateQuestion(asked.lowest, asked.highest, asked.points, asked.tolerance, asked.grid)
+        own = section.response
+        question = asked or PlateQuestion(own.lowest, own.highest, own.points, own.tolerance, own.grid)
         if at is not None:
             question = replace(question, lowest=at, highest=at, points=1)
         store = store or Store.default()

@@ -34,6 +34,7 @@ from haptonic.study.plate_tables import PlateSection
 from haptonic.study.plating import built_in, plate_of
 from haptonic.study.problems import study_error
 from haptonic.study.quantity import SI_NUMBERS, Quantity, collected, problem
+from haptonic.study.scan_tables import ScanSection
 from haptonic.study.sections import BandsSection, CellSection, MaterialSection, MeshSection, Section
 from haptonic.study.vary import Expression, check_names, parse, solve
 from haptonic.study.writing import toml_of
@@ -146,6 +147,9 @@ class Description(Section):
     )
     plate_section: PlateSection | None = Field(
         None, alias="plate", title="Plate", description="A finite one, made of cells and of plain plate."
+    )
+    scan: ScanSection = Field(
+        ScanSection(), title="Scan", description="How a laser vibrometer scans the plate."
     )
     sweep: tuple[SweepSection, ...] = Field(
         (), title="Sweeps", description="Rows of designs to compare.", max_length=MOST_SWEEPS
@@ -323,10 +327,10 @@ class Description(Section):
     def inputs(self) -> dict[str, Any]:
         """Plain values in SI units of all that decides a result, for provenance and as a key of results.
 
-        The title is left out because it decides nothing; a built-in material is given by its constants, so
-        that a correction in the library changes the key.
+        The title and the scan are left out because they decide nothing that is computed; a built-in
+        material is given by its constants, so that a correction in the library changes the key.
         """
-        data = self.model_dump(mode="json", by_alias=True, exclude={"title", "material"})
+        data = self.model_dump(mode="json", by_alias=True, exclude={"title", "material", "scan"})
         if self.plate_section is None:
             del data["plate"]
         else:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import asdict
 from typing import Any
 
@@ -19,7 +19,7 @@ from haptonic.results.common import stamped
 from haptonic.results.plate.datasets import body_dataset, lines_dataset, modes_dataset
 from haptonic.results.plate.question import (
     PlateQuestion,
-    drives_of,
+    driven_region,
     grid_points,
     reference_of,
     resonance_of,
@@ -29,7 +29,7 @@ from haptonic.results.plate.value import PlateResult
 from haptonic.store import Store, content_key
 
 Array = NDArray[np.float64]
-Complex = NDArray[np.complex128]
+AnyComplex = NDArray[np.complexfloating[Any, Any]]
 
 NEAR = 0.06  # share of the carrier around it within which modes are listed
 BELOW, ABOVE = 0.76, 1.25  # of the gap's edges, where the maps below and above it are taken
@@ -111,7 +111,7 @@ def _computed(
     points, regions = grid_points(plate, question.grid)
     surface = model.displaced(points, vibration.vectors)
     velocity = real_times(surface, vibration.amplitudes) * (1j * vibration.omega)
-    marked = _marked(plate, every, velocity, regions, carrier, gap)
+    marked = marked_lines(plate, every, velocity, regions, carrier, gap)
     main = np.searchsorted(every, question.frequencies)
 
     def response(picked: NDArray[np.int64], title: str) -> xr.Dataset:
@@ -135,16 +135,19 @@ def _computed(
     ]
 
 
-def _marked(
-    plate: Plate, every: Array, velocity: Complex, regions: list[str], carrier: float, gap: list[float] | None
+def marked_lines(
+    plate: Plate,
+    every: Array,
+    velocity: AnyComplex,
+    regions: list[str],
+    carrier: float,
+    gap: Sequence[float] | None,
 ) -> NDArray[np.int64]:
     """Lines of the maps: below, in and above the gap; in it where the driven region resonates most."""
     if gap is None:
         return np.array([int(np.abs(every - carrier).argmin())])
     inside = np.flatnonzero((every > gap[0]) & (every < gap[1]))
-    layout = plate.layout
-    first = drives_of(plate)[0]
-    driven = layout.at(layout.under((*first.centre, *first.centre))[0])
+    driven = driven_region(plate)
     there = np.array([name == driven for name in regions])
     if not there.any():
         there[:] = True

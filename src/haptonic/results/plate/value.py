@@ -16,7 +16,7 @@ from haptonic import plots
 from haptonic.bloch import Gap
 from haptonic.plate import Plate
 from haptonic.response import FrequencyResponse, contrast, disc_average, rms
-from haptonic.results.plate.question import drives_of, resonance_of
+from haptonic.results.plate.question import driven_region, resonance_of
 
 Complex = NDArray[np.complex128]
 
@@ -45,23 +45,11 @@ class PlateResult:
     @property
     def driven(self) -> str | None:
         """The region of plain plate that carries the first actuator, or else the first force."""
-        layout = self.plate.layout
-        names = [
-            layout.at(layout.under((*first.centre, *first.centre))[0]) for first in drives_of(self.plate)
-        ]
-        return next((name for name in names if name is not None and name not in layout.cells), None)
+        return driven_region(self.plate)
 
     def contrasts(self, response: FrequencyResponse) -> dict[str, xr.DataArray]:
         """How much more the driven region vibrates than others and than all the rest, dB."""
-        driven, regions = self.driven, response.regions
-        if driven not in regions:
-            return {}
-        assert driven is not None
-        others = [name for name in regions if name not in ("", driven)]
-        pairs = {f"{driven} over {other}": contrast(response, driven, other) for other in others}
-        if response.inside(driven).all():
-            return pairs
-        return pairs | {f"{driven} over the rest": contrast(response, driven, "rest")}
+        return contrasts(response, self.driven)
 
     @cached_property
     def levels(self) -> dict[str, xr.DataArray]:
@@ -163,6 +151,17 @@ class PlateResult:
             "inputs": json.loads(self.lines.attrs["inputs"]),
             "version": self.lines.attrs["haptonic_version"],
         }  # fmt: skip
+
+
+def contrasts(response: FrequencyResponse, driven: str | None) -> dict[str, xr.DataArray]:
+    """How much more a region vibrates than others and than all the rest, dB."""
+    if driven is None or driven not in response.regions:
+        return {}
+    others = [name for name in response.regions if name not in ("", driven)]
+    pairs = {f"{driven} over {other}": contrast(response, driven, other) for other in others}
+    if response.inside(driven).all():
+        return pairs
+    return pairs | {f"{driven} over the rest": contrast(response, driven, "rest")}
 
 
 def below_finger(line: FrequencyResponse) -> dict[str, float]:
