@@ -95,7 +95,8 @@ def scan(
         typer.Option(
             "--corners",
             metavar="PLACES",
-            help='The plate\'s corners in the scan, from the lower left anticlockwise: "0 0 127 0 127 140 0 140 mm".',
+            help="The plate's corners as the scan has them, from the lower left anticlockwise: "
+            '"0 0 127 0 127 140 0 140 mm".',
         ),
     ] = None,
     mirrored: Annotated[
@@ -235,9 +236,10 @@ def _speak(result: ScanResult, voice: Voice) -> None:
     )
     if result.registration is not None:
         found = result.registration
+        x, y = 1e3 * found.shift
         voice.tell(
             f"Registered: scale {found.scale:.5f}, turned by {np.degrees(found.angle):.3f}°, shifted by "
-            f"{found.shift[0] * 1e3:.3f} and {found.shift[1] * 1e3:.3f} mm; misfit {found.misfit * 1e3:.3f} mm."
+            f"{x:.3f} and {y:.3f} mm; misfit {found.misfit * 1e3:.3f} mm."
         )
     if result.measured is not None:
         gap = result.measured
@@ -256,28 +258,28 @@ def _speak(result: ScanResult, voice: Voice) -> None:
 def shapes_table(result: ScanResult) -> Table:
     """Velocities, contrasts and decay at the frequencies of the operating shapes."""
     lines = [result.told_at(frequency) for frequency in result.shapes]
-    regions, pairs = list(lines[0]["rms"]), list(lines[0]["contrast_db"])
     table = Table(
-        "frequency / kHz", f"all / ({result.response.units})",
-        *(f"{name} / ({result.response.units})" for name in regions), *(f"{name} / dB" for name in pairs),
-        "decay / (dB/cell)", "computed", title=f"operating shapes, {result.origin}",
-    )  # fmt: skip
-    for line in lines:
-        decay = line.get("decay_db_per_cell", {})
-        computed = ""
-        if "computed_least" in decay:
-            computed = f"{decay['computed_least']:.1f} to {decay['computed_largest']:.1f}"
-        table.add_row(
-            f"{line['frequency_hz'] / 1e3:.3f}",
-            f"{line['rms_of_all']:.3g}",
-            *(f"{line['rms'][name]:.3g}" for name in regions),
-            *(
-                "-" if line["contrast_db"][name] is None else f"{line['contrast_db'][name]:.1f}"
-                for name in pairs
-            ),
-            f"{decay['decay']:.1f} ({decay['low']:.1f} to {decay['high']:.1f})" if decay else "",
-            computed,
-        )
+        "operating shape", *(f"{line['frequency_hz'] / 1e3:.3f} kHz" for line in lines), title=result.origin
+    )
+    rows: dict[str, list[str]] = {
+        f"rms / ({result.response.units})": [f"{line['rms_of_all']:.3g}" for line in lines]
+    }
+    for name in lines[0]["rms"]:
+        rows[f"rms of {name}"] = [f"{line['rms'][name]:.3g}" for line in lines]
+    for name in lines[0]["contrast_db"]:
+        levels = [line["contrast_db"][name] for line in lines]
+        rows[f"{name} / dB"] = ["-" if level is None else f"{level:.1f}" for level in levels]
+    decays = [line.get("decay_db_per_cell", {}) for line in lines]
+    if any(decays):
+        rows["decay / (dB/cell)"] = [
+            f"{d['decay']:.1f} ({d['low']:.1f} to {d['high']:.1f})" if d else "" for d in decays
+        ]
+        rows["computed"] = [
+            f"{d['computed_least']:.1f} to {d['computed_largest']:.1f}" if "computed_least" in d else ""
+            for d in decays
+        ]
+    for name, cells in rows.items():
+        table.add_row(name, *cells)
     return table
 
 

@@ -49,9 +49,10 @@ def twin_scan(
             files = made.files(form, kind)
             write_files(out, files, overwrite=overwrite)
         records = made.records
+        what = "records" if kind == "time" else "responses"
         voice.tell(
             f"{len(records.names)} points, {records.repeats} periods of {records.samples} samples at "
-            f"{records.sample_rate / 1e3:g} kHz, as {'records' if kind == 'time' else 'responses'}. Simulated."
+            f"{records.sample_rate / 1e3:g} kHz, written as {what}. Simulated."
         )
         tell_where(voice, out)
         truth = made.truth()

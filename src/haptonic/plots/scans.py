@@ -21,8 +21,9 @@ if TYPE_CHECKING:
 Array = NDArray[np.float64]
 
 FLOOR = -80.0  # dB below the largest line, the lowest that a spectrum of a drive shows
+LEAST_COHERENCE = 0.8  # the lowest that colours show, unless there are lower ones
+ROWS = 600  # of a map of waves at most: more than its picture has
 RANGE = 1e-3  # of the largest amplitude, the smallest that a map of waves tells apart
-SCATTER = 3.0  # standard errors that are shaded
 BAD = {
     "saturated": (style.RED, "s"), "dropout": (style.ORANGE, "^"), "low coherence": (style.PURPLE, "v"),
     "repaired": (style.GREEN, "+"),
@@ -79,17 +80,17 @@ def measured_contrast(
         handles += axes.plot(frequency / 1e3, level, color=colour, ls=dashes, lw=0.9, label=name)
     axes.axhline(0, color=style.INK, lw=0.7, zorder=1)
     if computed is not None:
-        shade = axes.axvspan(computed[0] / 1e3, computed[1] / 1e3, facecolor=style.GAP, lw=0, zorder=0,
-                             label=f"computed gap, {computed[0] / 1e3:.1f} to {computed[1] / 1e3:.1f} kHz")  # fmt: skip
+        low, high = computed[0] / 1e3, computed[1] / 1e3
+        shade = axes.axvspan(low, high, facecolor=style.GAP, lw=0, zorder=0)
+        shade.set_label(f"computed gap, {low:.1f} to {high:.1f} kHz")
         handles.append(shade)
     if gap is not None:
         for edge, error in ((gap.lower, gap.lower_error), (gap.upper, gap.upper_error)):
-            axes.axvspan((edge - SCATTER * error) / 1e3, (edge + SCATTER * error) / 1e3, lw=0,
+            axes.axvspan((edge - error) / 1e3, (edge + error) / 1e3, lw=0,
                          facecolor=style.SKY, alpha=0.45, zorder=0.5)  # fmt: skip
             line = axes.axvline(edge / 1e3, color=style.PURPLE, lw=1.1, zorder=3)
         line.set_label(
-            f"gap in this scan, {gap.lower / 1e3:.2f} to {gap.upper / 1e3:.2f} kHz; "
-            f"{SCATTER:.0f} standard errors shaded"
+            f"gap in this scan, {gap.lower / 1e3:.1f} to {gap.upper / 1e3:.1f} kHz; standard error shaded"
         )
         handles.append(line)
     axes.set(xlabel="frequency (kHz)", ylabel="contrast (dB)", title=origin,
@@ -117,20 +118,23 @@ def wave_map(
     """
     figure = style.blank(10.5)
     axes = figure.add_subplot()
-    amplitude = waves.values / waves.values.max()
-    frequency, wavenumber = waves["frequency"].values / 1e3, waves["wavenumber"].values / 1e3
+    starts = np.unique(np.linspace(0, waves.sizes["frequency"], ROWS, endpoint=False).astype(int))
+    amplitude = np.maximum.reduceat(waves.values / waves.values.max(), starts, axis=0)
+    frequency, wavenumber = waves["frequency"].values[starts] / 1e3, waves["wavenumber"].values / 1e3
     image = axes.pcolormesh(
         wavenumber, frequency, np.maximum(amplitude, RANGE), norm=LogNorm(RANGE, 1), cmap=style.perceptual(),
         shading="nearest", rasterized=True,
     )  # fmt: skip
     drawn: list[Artist] = []
-    for curve, look in ((plain, {"color": "white", "ls": style.DASHED, "label": "A0 of the plain plate, computed"}),
-                        (guided, {"color": style.ORANGE, "ls": style.SOLID, "lw": 2.0,
-                                  "label": "mode of the guide between its mirrors, computed"})):  # fmt: skip
+    looks: tuple[dict[str, Any], ...] = (
+        {"color": "white", "ls": style.DASHED, "label": "A0 of the plain plate, computed"},
+        {"color": style.ORANGE, "lw": 2.0, "label": "mode of the guide between its mirrors, computed"},
+    )
+    for curve, look in zip((plain, guided), looks, strict=True):
         if curve is None or not len(curve[0]):
             continue
         for sign in (1, -1):
-            drawn += axes.plot(sign * curve[1] / 1e3, curve[0] / 1e3, **look)[: 1 if sign > 0 else 0]  # type: ignore[arg-type]
+            drawn += axes.plot(sign * curve[1] / 1e3, curve[0] / 1e3, **look)[: 1 if sign > 0 else 0]
     axes.set(xlabel=f"wavenumber along {region} (rad/mm)", ylabel="frequency (kHz)",
              xlim=(wavenumber[0], wavenumber[-1]), ylim=(frequency[0], frequency[-1]),
              title=f"{region}, {origin}")  # fmt: skip
@@ -181,19 +185,24 @@ def point_quality(points: Array, quality: Quality, *, origin: str) -> Figure:
     figure = style.blank(min(max(9.0 * height / width, 4.0), 16.0) + 3.5, 13.0)
     axes = figure.add_subplot()
     known = np.isfinite(quality.coherence)
-    size = max(0.5, 0.6 * 72 * 9.0 / 2.54 * np.sqrt(width * height / len(points)) / width) ** 2
+    x, y = 1e3 * points.T
+    # squares that touch, in points of type squared
+    area = max(0.5, 72 * 9.0 / 2.54 * np.sqrt(width * height / len(points)) / width) ** 2
     if known.any():
-        image = axes.scatter(*(1e3 * points[known]).T, c=quality.coherence[known], s=size, marker="s", lw=0,
-                             cmap=style.perceptual(), vmin=min(0.8, quality.coherence[known].min()), vmax=1)  # fmt: skip
+        least = min(LEAST_COHERENCE, float(quality.coherence[known].min()))
+        image = axes.scatter(
+            x[known], y[known], area, quality.coherence[known], marker="s", linewidths=0,
+            cmap=style.perceptual(), vmin=least, vmax=1, rasterized=True,
+        )  # fmt: skip
         figure.colorbar(image, ax=axes, label="median coherence (dimensionless)")
     else:
-        axes.scatter(*(1e3 * points).T, color=style.PALE_INK, s=size, marker="s", lw=0)
+        axes.scatter(x, y, area, marker="s", linewidths=0, color=style.PALE_INK, rasterized=True)
     for flag, (colour, marker) in BAD.items():
         here = quality.flagged(flag)
         if here.any():
-            look: dict[str, Any] = {"color": colour} if marker == "+" else {"fc": "none", "ec": colour}
-            axes.scatter(*(1e3 * points[here]).T, marker=marker, s=34, lw=1.1, label=f"{flag} ({here.sum()})",
-                         zorder=3, **look)  # fmt: skip
+            edge = {"color": colour} if marker == "+" else {"facecolors": "none", "edgecolors": colour}
+            axes.scatter(x[here], y[here], 34, marker=marker, linewidths=1.1, zorder=3,
+                         label=f"{flag} ({here.sum()})", **edge)  # type: ignore[arg-type]  # fmt: skip
     axes.set(aspect="equal", xlabel="x (mm)", ylabel="y (mm)", title=f"quality of the points, {origin}")
     if quality.flagged().any():
         figure.legend(loc="outside lower center", ncols=4)

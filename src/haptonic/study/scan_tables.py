@@ -39,7 +39,7 @@ class ScanSection(Section):
     skip: Annotated[str, Field(max_length=400, strict=True)] = Field(
         "clamps",
         title="Skip",
-        description="Regions or lattices without points, by name with commas between; clamps are held corners.",
+        description="Regions or lattices without points, with commas between; clamps: held corners.",
     )
     bits: Annotated[int, Field(ge=4, le=32, strict=True)] = Field(
         16, title="Bits", description="Of the converter that records the vibrometer."
@@ -53,7 +53,7 @@ class ScanSection(Section):
     dropouts: Annotated[float, Quantity("", at_least=0.0, below=1.0, typical=(0.0, 0.1))] = Field(
         0.005,
         title="Dropouts",
-        description="Share of points at which the laser loses the surface for a while.",
+        description="Share of points at which the laser loses the surface.",
     )
     delay: Annotated[float, Quantity("s", at_least=0.0, at_most=1.0, typical=(0.0, 1e-3))] = Field(
         0.0, title="Delay", description="Of the vibrometer behind the drive; the analysis takes it out."

@@ -59,7 +59,8 @@ def twin_scan(
     plate, question = study.plate(), study.scan.frozen()
     signal = question.drive(plate)
     if response is not None:
-        return Twin.of(plate, question, signal, response, seed=seed)
+        gap = scanned(study, store=store).gap
+        return Twin.of(plate, question, signal, response, gap=gap, seed=seed)
     section = study.plate_section
     assert section is not None
     asked = question.of_plate(section.response.tolerance, signal)

@@ -6,6 +6,7 @@ import json
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import xarray as xr
@@ -29,6 +30,7 @@ from haptonic.store import Store
 from haptonic.vibrometry import (
     Estimate,
     MeasuredGap,
+    ReadReport,
     Registration,
     Scan,
     TimeScan,
@@ -114,20 +116,13 @@ def compute_scan(
         found = found.repaired(*how.repair)
     response = found.response
     if at is not None:
-        response.at(at)  # before the work, not after it
-    remarks = [
-        *scan.report.remarks,
-        *(text for text in found.report.remarks if text not in scan.report.remarks),
-    ]
-    report = replace(
-        scan.report, points=found.report.points, remarks=tuple(remarks),
-        dropped=(*scan.report.dropped, *(one for one in found.report.dropped if one not in scan.report.dropped)),
-    )  # fmt: skip
-    common = {"quality": found.quality, "report": report, "averages": found.averages}
+        at = float(response.at(at).frequency[0])
+    report = _joined(scan.report, found.report)
     data = xr.Dataset({"average": average_spectrum(response)})
+    plain = ScanResult(response, found.quality, report, found.averages, data, ())
     if on is None:
         loudest = float(response.frequency[int(data["average"].values.argmax())])
-        return ScanResult(response, dataset=data, shapes=(loudest if at is None else at,), **common)  # type: ignore[arg-type]
+        return replace(plain, shapes=(loudest if at is None else at,))
     registration = _registration(response, on)
     layout = on.plate.layout
     response = _without_path(
@@ -138,7 +133,8 @@ def compute_scan(
     names = [str(name) for name in response.dataset["region"].values]
     marked = marked_lines(on.plate, response.frequency, response.values[..., 0].T, names, on.carrier, edges)
     shapes = tuple(response.frequency[marked].tolist()) if at is None else (at,)
-    mirror = mirror_beside(layout, driven_region(on.plate) or "")
+    driven = driven_region(on.plate)
+    mirror = mirror_beside(layout, driven) if driven else None
     waves = None
     if layout.cells:
         span = float(response.frequency[0]), float(response.frequency[-1])
@@ -147,16 +143,28 @@ def compute_scan(
         warn_if_aliased(_step(response), shortest, f"the flexural wave at {span[1] / 1e3:.4g} kHz")
     if registration.misfit > FAR * _step(response):
         told.append(
-            f"the points lie {registration.misfit * 1e3:.2g} mm off the planned places: check the registration"
+            f"points lie {registration.misfit * 1e3:.2g} mm off the planned places: check the registration"
         )
     if abs(registration.scale - 1) > SAME_SCALE:
         told.append(f"lengths were scaled by {registration.scale:.4g} to fit the plate: check their unit")
     outside = sum(name is None for name in tile_names(layout, response.points))
     if outside:
         told.append(f"{outside} points lie beside the plate of the study")
-    return ScanResult(
-        response, dataset=data, shapes=shapes, plate=on.plate, carrier=on.carrier, gap=on.gap,
-        measured=found_gap, registration=registration, waves=waves, mirror=mirror, told=tuple(told), **common,  # type: ignore[arg-type]
+    return replace(
+        plain, response=response, shapes=shapes, plate=on.plate, carrier=on.carrier, gap=on.gap,
+        measured=found_gap, registration=registration, waves=waves, mirror=mirror, told=tuple(told),
+    )  # fmt: skip
+
+
+def _joined(read: ReadReport, estimated: ReadReport) -> ReadReport:
+    """The report of a file with what was left out of it later."""
+
+    def both(first: tuple[Any, ...], second: tuple[Any, ...]) -> tuple[Any, ...]:
+        return tuple(dict.fromkeys((*first, *second)))
+
+    return replace(
+        read, points=estimated.points, dropped=both(read.dropped, estimated.dropped),
+        remarks=both(read.remarks, estimated.remarks),
     )  # fmt: skip
 
 

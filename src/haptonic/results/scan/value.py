@@ -31,8 +31,8 @@ class ScanResult:
 
     response : per unit of its reference; quality : of its points; report : of how it was read
     averages : 0 where the instrument estimated the response itself
-    dataset : ``average``, and on a plate ``rms REGION``, ``contrast A over B``, ``waves REGION``, ``decay ...``
-        against frequency
+    dataset : ``average``, and on a plate ``rms REGION``, ``contrast A over B``, ``waves REGION``, ``decay
+        ...`` against frequency
     shapes : frequencies of the operating shapes, Hz
     measured : the gap in the scan; gap : of the lattice, computed; waves : see `computed_waves`
     told : what could not be told, and why
