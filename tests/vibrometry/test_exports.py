@@ -166,7 +166,7 @@ def hiding(error):
     def fail(*_, **__):
         try:
             raise error
-        except (Exception, KeyboardInterrupt):
+        except (Exception, KeyboardInterrupt):  # noqa: BLE001  as pyuff does it
             raise Exception("Error reading data-set") from None
 
     return fail

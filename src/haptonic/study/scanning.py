@@ -34,6 +34,8 @@ def scanned(
     cells = list(plate.layout.cells.values())
     runner = Runner(store or Store.default())
     gap = gap_around(cells[0], study.asked(), carrier, runner) if cells else None
+    if gap is not None and not gap.lower < carrier < gap.upper:
+        gap = None
     return OnPlate(plate, study.scan.frozen(), carrier, gap, study.asked(), corners, mirrored)
 
 

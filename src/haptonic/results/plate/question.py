@@ -10,9 +10,12 @@ from numpy.typing import NDArray
 
 from haptonic.errors import StudyError
 from haptonic.plate import Plate
+from haptonic.plate.layout import Layout
 from haptonic.plate.parts import Actuator, Force
 
 Array = NDArray[np.float64]
+
+ON_LINE = 1e-6  # of the smallest tile, within which a point lies on a line between tiles
 
 
 @dataclass(frozen=True)
@@ -78,12 +81,24 @@ def grid_points(plate: Plate, spacing: float) -> tuple[Array, list[str]]:
         count = max(1, round((lines[-1] - lines[0]) / spacing))
         axes.append(lines[0] + (lines[-1] - lines[0]) / count * (np.arange(count) + 0.5))
     x, y = (axis.ravel() for axis in np.meshgrid(*axes))
-    column = np.searchsorted(layout.x, x, side="right") - 1
-    row = np.searchsorted(layout.y, y, side="right") - 1
-    names = [layout.at((int(i), int(j))) for i, j in zip(row, column, strict=True)]
+    points = np.stack([x, y], axis=-1)
+    names = tile_names(layout, points)
     there = [k for k, name in enumerate(names) if name is not None]
     regions = [names[k] or "" for k in there]
-    return np.stack([x, y], axis=-1)[there], ["" if name in layout.cells else name for name in regions]
+    return points[there], ["" if name in layout.cells else name for name in regions]
+
+
+def tile_names(layout: Layout, points: Array) -> list[str | None]:
+    """Name of the tile below each point (n, 2); None beside the plate.
+
+    A point on a line between tiles belongs to the one on the right or above, whatever rounding did to it.
+    """
+    slack = ON_LINE * min(*np.diff(layout.x), *np.diff(layout.y))
+    found = []
+    for lines, place in ((layout.y, points[:, 1]), (layout.x, points[:, 0])):
+        number = np.searchsorted(lines[1:-1], place + slack, side="right")
+        found.append(np.where((place < lines[0] - slack) | (place > lines[-1] + slack), -1, number))
+    return [layout.at((int(i), int(j))) for i, j in zip(*found, strict=True)]
 
 
 def resonance_of(marked: Array, carrier: float, gap: Sequence[float] | None) -> float:

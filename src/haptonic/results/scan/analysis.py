@@ -20,11 +20,11 @@ from haptonic.plate.layout import Layout
 from haptonic.response import FrequencyResponse, average_spectrum, rms
 from haptonic.results.common import Asked
 from haptonic.results.plate.compute import marked_lines
-from haptonic.results.plate.question import driven_region
+from haptonic.results.plate.question import driven_region, tile_names
 from haptonic.results.plate.value import contrasts
 from haptonic.results.scan.computed import computed_waves
 from haptonic.results.scan.places import MIRROR, Mirror, guides_of, mirror_beside
-from haptonic.results.scan.question import ScanQuestion, Tiles, tile_names
+from haptonic.results.scan.question import ScanQuestion, Tiles
 from haptonic.results.scan.value import ScanResult
 from haptonic.store import Store
 from haptonic.vibrometry import (

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from haptonic.errors import ScanError, nearest
 from haptonic.plate import Plate
 from haptonic.plate.layout import Layout
-from haptonic.results.plate.question import PlateQuestion, grid_points, reference_of
+from haptonic.results.plate.question import PlateQuestion, grid_points, reference_of, tile_names
 from haptonic.vibrometry.chirp import Drive, Kind, drive
 from haptonic.vibrometry.instrument import Instrument, lines_of
 from haptonic.vibrometry.scan_plan import Rectangle, Region, ScanPlan, visited
@@ -94,13 +94,6 @@ class Tiles:
     def holds(self, points: Array) -> NDArray[np.bool_]:
         """(point,) which points of (point, 2) lie in it."""
         return np.array([name == self.name for name in tile_names(self.layout, points)])
-
-
-def tile_names(layout: Layout, points: Array) -> list[str | None]:
-    """Name of the tile below each point (n, 2); None beside the plate."""
-    column = np.searchsorted(layout.x, points[:, 0], side="right") - 1
-    row = np.searchsorted(layout.y, points[:, 1], side="right") - 1
-    return [layout.at((int(i), int(j))) for i, j in zip(row, column, strict=True)]
 
 
 def held_corners(plate: Plate) -> list[Region]:
