@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import csv
 import json
+from dataclasses import replace
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -11,36 +13,23 @@ import scipy.io.wavfile
 import xarray as xr
 
 from five_parts import assert_five_parts
+from haptonic.bloch.guide import strip_mode
+from haptonic.bloch.model import bloch_model
 from haptonic.errors import HaptonicWarning
 from haptonic.response import read, write
+from haptonic.results import write_files
+from haptonic.results.carrier import condensed_cell
 from haptonic.results.scan import Estimation, OnPlate, Twin, compute_scan
+from haptonic.results.scan.computed import computed_waves, guided
 from haptonic.results.scan.places import guides_of, mirror_beside
 from haptonic.store import Store
 from haptonic.study import loads, scanning
 from haptonic.vibrometry import ReadReport, Scan, estimation, read_scan
+from quick import QUICK_CELL
 
-TINY = """
-title = "Tiny"
-carrier = "60 kHz"
-material = "aluminium-paper"
-
-[cell]
-pitch = "7 mm"
-thickness = "1.5 mm"
-
-[cell.pillar]
-diameter = "3.5 mm"
-height = "14.7 mm"
-
-[bands]
-count = 8
-points = 13
-accuracy = 2e-2
-
-[mesh]
-order = 2
-foot_rings = 0
-
+TINY = (
+    QUICK_CELL
+    + """
 [plate]
 map = "o11oo22o"
 rows = 3
@@ -71,6 +60,7 @@ averages = 2
 delay = "3 us"
 bandwidth = "150 kHz"
 """
+)
 PLACES = {
     "h5": "scan.h5",
     "nc": "scan.nc",
@@ -126,28 +116,13 @@ def on(study, store) -> OnPlate:
 
 
 @pytest.fixture(scope="module")
-def recorded(inside_module, tiny, answer, tmp_path_factory):
+def recorded(study, truth, store, tmp_path_factory):
     """A folder with a twin in HDF5."""
     out = tmp_path_factory.mktemp("twin")
-    ran = inside_module("twin", "scan", tiny, "--from", answer, "--out", out, "--seed", 3)
-    assert ran.code == 0, ran.err
+    with pytest.warns(HaptonicWarning, match="ring-down"):
+        made = scanning.twin_scan(study, seed=3, response=truth, store=store)
+    write_files(out, made.files("h5", "time"), overwrite=False)
     return out
-
-
-@pytest.fixture(scope="module")
-def inside_module(store_folder):
-    """Like `inside`, for fixtures of a module."""
-    from typer.testing import CliRunner
-
-    from conftest import Ran
-    from haptonic.cli.app import app
-
-    def run(*arguments):
-        environment = {"HAPTONIC_STORE": str(store_folder), "COLUMNS": "200", "NO_COLOR": "1"}
-        done = CliRunner().invoke(app, list(map(str, arguments)), env=environment, catch_exceptions=False)
-        return Ran(done.exit_code, done.stdout, done.stderr)
-
-    return run
 
 
 def deviation(result, truth: dict) -> float:
@@ -400,7 +375,7 @@ class TestScan:
             (("SCAN", "STUDY", "--corners", "0 0 1 1 mm"), ["--corners", "eight numbers"]),
             (("SCAN", "STUDY", "--corners", "0 0 1 0 1 1 0 1 kg"), ["--corners"]),
             (("SCAN", "--mirrored"), ["--mirrored"]),
-            (("SCAN", "--repair", "dropuot"), ["--repair", "dropuot"]),
+            (("SCAN", "--repair", "dropuot"), ["flags", "dropuot"]),
             (("SCAN", "--at", "3 mm"), ["--at"]),
             (("SCAN", "--at", "3 MHz"), ["3e+06 Hz"]),
             (("SCAN", "--segment", "3 s"), ["segment"]),
@@ -459,6 +434,34 @@ class TestPlaces:
         # above WG1 there is a whole row of the lattice, below there is not
         mirror = mirror_beside(turned.plate().layout, "WG1")
         assert (mirror.depth, mirror.inwards, mirror.rows) == ("y", 1, 1)
+
+
+class TestWaves:
+    def test_the_guide_s_mode_is_that_of_a_strip_as_long_as_it_needs(self, study, store):
+        """The mode at a wavenumber is that of a strip with free ends whose length fits it."""
+        layout, gap = study.plate().layout, SimpleNamespace(lower=54e3, upper=60e3)
+        wide = replace(
+            layout, x=(0.0, 7e-3, 23e-3, 39e-3, 46e-3, 53e-3, 69e-3, 85e-3, 92e-3)[: len(layout.x)]
+        )
+        guides, mirror = guides_of(wide), mirror_beside(wide, "WG1")
+        guides = [replace(one, along="y", width=32e-3) for one in guides]
+        waves = computed_waves(wide, study.asked(), (40e3, 70e3), gap, guides, mirror, store)
+        at, wavenumber = guided(waves, guides[0])
+        assert len(at) >= 2
+        assert (np.diff(at) > 0).all()
+        cell = next(iter(layout.cells.values()))
+        resolution = bloch_model(cell, 8, 2e-2, study.asked().resolution).resolution
+        superelement = condensed_cell(cell, resolution)
+        mode = strip_mode(
+            superelement, width=32e-3, length=17.5 * np.pi / wavenumber[0], intervals=17, nodal_lines=0,
+            between=(2 * np.pi * gap.lower, 2 * np.pi * gap.upper),
+        )  # fmt: skip
+        assert mode.omega / (2 * np.pi) == pytest.approx(at[0], rel=1e-9)
+        # thin-plate theory is a few per cent off: k^2 = omega sqrt(12 rho (1 - nu^2) / (E h^2))
+        thin = np.sqrt(2 * np.pi * waves["frequency"] * np.sqrt(12 * 2700 * (1 - 0.33**2) / 70e9) / 1.5e-3)
+        ratio = waves["wavenumber"].values / thin.values
+        assert ((ratio > 1.0) & (ratio < 1.1)).all()
+        assert float(waves["attenuation"].max()) > 5
 
 
 def _as_scan(made: Twin):

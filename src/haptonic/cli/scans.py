@@ -22,7 +22,7 @@ from haptonic.store import Store
 from haptonic.study import load, scanning
 from haptonic.units import to_si
 from haptonic.vibrometry import read_scan
-from haptonic.vibrometry.estimation.quality import FLAGS
+from haptonic.vibrometry.estimation.quality import check_flags
 
 Array = NDArray[np.float64]
 
@@ -203,15 +203,7 @@ def _time(text: str | None, argument: str) -> float | None:
 
 def _flags(text: str) -> tuple[str, ...]:
     names = tuple(name for part in text.split(",") if (name := part.strip()))
-    for name in names:
-        if name not in FLAGS[:-1]:
-            raise ScanError(
-                argument="--repair",
-                given=f'"{name}"',
-                allowed=" or ".join(f'"{flag}"' for flag in FLAGS[:-1]),
-                cause="the flag is misspelt",
-                next_step="choose among these, with commas between",
-            )
+    check_flags(names)
     return names
 
 

@@ -14,6 +14,7 @@ from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
 from haptonic.plots import style
+from haptonic.plots.words import in_pi
 
 if TYPE_CHECKING:
     from haptonic.vibrometry import Drive, MeasuredGap, Quality
@@ -162,13 +163,13 @@ def fading(
         *axes.plot(lines, decay["decay"], color=style.BLUE, lw=1.0, label="decay in the scan, fitted"),
     ]  # fmt: skip
     if computed is not None:
-        for phase, look in zip(
-            computed["phase"].values, (style.SOLID, style.DASHED, style.DOTTED), strict=False
-        ):
+        dashes = (style.SOLID, style.DASHED, style.DOTTED)
+        for phase, look in zip(computed["phase"].values, dashes, strict=False):
             level = computed["attenuation"].sel(phase=phase)
-            share = round(float(phase) / np.pi, 2)
-            handles += axes.plot(computed["frequency"] / 1e3, level, color=style.RED, ls=look, lw=1.2,
-                                 label=f"computed, phase {share:g} π per row")  # fmt: skip
+            handles += axes.plot(
+                computed["frequency"] / 1e3, level, color=style.RED, ls=look, lw=1.2,
+                label=f"evanescent wave, phase {in_pi(float(phase))} from row to row",
+            )  # fmt: skip
     if gap is not None:
         handles.append(axes.axvspan(gap[0] / 1e3, gap[1] / 1e3, facecolor=style.GAP, lw=0, zorder=0,
                                     label="computed gap"))  # fmt: skip

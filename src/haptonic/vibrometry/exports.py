@@ -14,11 +14,11 @@ import h5py
 import numpy as np
 import scipy.io
 
-from haptonic.errors import ScanError
 from haptonic.response import FrequencyResponse
 from haptonic.vibrometry.labels import UNITS
 from haptonic.vibrometry.readers.folder import GEOMETRY
 from haptonic.vibrometry.readers.tables import ORIGIN
+from haptonic.vibrometry.readers.tdms import nptdms_for
 from haptonic.vibrometry.records import TimeScan, portions
 
 HEADER = b"MATLAB 7.3 MAT-file, written by haptonic"
@@ -64,30 +64,23 @@ def write_mat_records(scan: TimeScan, path: Path) -> None:
 def write_tdms(scan: TimeScan, path: Path) -> None:
     """Records as TDMS: a group for each point with its place, a channel of the response and one of the
     reference, the repeats behind each other. It needs the package npTDMS."""
-    try:
-        from nptdms import ChannelObject, GroupObject, RootObject, TdmsWriter
-    except ImportError as error:
-        raise ScanError(
-            argument="TDMS file",
-            given=str(path),
-            allowed="TDMS files where the package npTDMS is installed",
-            cause="npTDMS is an optional part of haptonic and is not installed",
-            next_step='pip install "haptonic[tdms]"',
-        ) from error
+    nptdms = nptdms_for(path)
     unit = UNITS[scan.motion]
     timing = {"wf_increment": 1 / scan.sample_rate, "wf_start_offset": scan.start}
     driving = scan.reference.rpartition(",")[2].strip() or "V"
-    with TdmsWriter(path) as file:
-        file.write_segment([RootObject({ORIGIN: scan.origin, "title": scan.title})])
+    with nptdms.TdmsWriter(path) as file:
+        file.write_segment([nptdms.RootObject({ORIGIN: scan.origin, "title": scan.title})])
         for first, reference, response in portions(scan):
             parts = []
             for row, moved in enumerate(response):
                 name, i = scan.names[first + row], first + row
                 driven = reference[min(row, len(reference) - 1)]
                 parts += [
-                    GroupObject(name, {"x": float(scan.x[i]), "y": float(scan.y[i])}),
-                    ChannelObject(name, "response", moved.ravel(), {"unit_string": unit, **timing}),
-                    ChannelObject(name, "reference", driven.ravel(), {"unit_string": driving, **timing}),
+                    nptdms.GroupObject(name, {"x": float(scan.x[i]), "y": float(scan.y[i])}),
+                    nptdms.ChannelObject(name, "response", moved.ravel(), {"unit_string": unit, **timing}),
+                    nptdms.ChannelObject(
+                        name, "reference", driven.ravel(), {"unit_string": driving, **timing}
+                    ),
                 ]
             file.write_segment(parts)
 

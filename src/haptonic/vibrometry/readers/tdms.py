@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import importlib
 import struct
 import weakref
 from contextlib import ExitStack
 from dataclasses import dataclass
 from pathlib import Path
+from types import ModuleType
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -62,8 +64,28 @@ def read_tdms(path: Path, how: Mapped, notes: Notebook, origin: Origin, title: s
     ------
     ScanError : npTDMS is not installed, or the file is damaged or holds no usable point
     """
+    nptdms = nptdms_for(path)
+    with ExitStack() as stack:
+        # opened here, for npTDMS does not close what it cannot read
+        handle = stack.enter_context(path.open("rb"))
+        try:
+            file = nptdms.TdmsFile.open(handle)
+        except DAMAGED as error:
+            raise _damaged(path, error) from error
+        scan = _scan_of(file, path, how, notes, origin, title)
+        weakref.finalize(scan.source, stack.pop_all().close)
+        return scan
+
+
+def nptdms_for(path: Path) -> ModuleType:
+    """The package npTDMS, which is needed to read or write a file.
+
+    Raises
+    ------
+    ScanError : it is not installed
+    """
     try:
-        from nptdms import TdmsFile
+        return importlib.import_module("nptdms")
     except ImportError as error:
         raise ScanError(
             argument="TDMS file",
@@ -72,16 +94,6 @@ def read_tdms(path: Path, how: Mapped, notes: Notebook, origin: Origin, title: s
             cause="npTDMS is an optional part of haptonic and is not installed",
             next_step='pip install "haptonic[tdms]"',
         ) from error
-    with ExitStack() as stack:
-        # opened here, for npTDMS does not close what it cannot read
-        handle = stack.enter_context(path.open("rb"))
-        try:
-            file = TdmsFile.open(handle)
-        except DAMAGED as error:
-            raise _damaged(path, error) from error
-        scan = _scan_of(file, path, how, notes, origin, title)
-        weakref.finalize(scan.source, stack.pop_all().close)
-        return scan
 
 
 def _scan_of(
