@@ -298,8 +298,8 @@ of the lattice alone {computed[0] / 1e3:.2f} to {computed[1] / 1e3:.2f} kHz.
 {table(["seed", "contrast", "below it too", "lower edge", "upper edge"], rows)}
 
 A file of {record["bytes"] / 1e9:.2f} GB of time records, written in {record["writing_s"]:.0f} s, is analysed by
-`haptonic scan`, pictures included, in {record["analysing_s"]:.0f} s with a peak memory of {record["peak_bytes"] / 1e9:.2f} GB;
-budget 30 s and 1 GB on two cores.
+`haptonic scan`, pictures included, in {record["analysing_s"]:.0f} s ({record["processor_s"]:.0f} s of processor time)
+with a peak memory of {record["peak_bytes"] / 1e9:.2f} GB; budget 30 s and 1 GB on two cores.
 
 {measured_on(record)}
 """

@@ -25,8 +25,13 @@ from haptonic.vibrometry import ReadReport, Scan
 SEEDS = range(5)
 QUIET = 5e3  # Hz, below which the plate hardly moves
 LONG = '[scan]\nrate = "200 kHz"\nhighest = "80 kHz"\naverages = 56\n\n# Wider and narrower pillars'
-RUN = "import resource, sys\nfrom haptonic.cli.app import app\napp(sys.argv[1:], standalone_mode=False)\n" \
-      "print(resource.getrusage(resource.RUSAGE_SELF).ru_maxrss)"  # fmt: skip
+# the peak is read where it begins anew: ru_maxrss of a child begins with that of its parent
+RUN = r"""
+import re, sys, time
+from haptonic.cli.app import app
+app(sys.argv[1:], standalone_mode=False)
+print(time.process_time(), re.search(r"VmHWM:\s+(\d+)", open("/proc/self/status").read())[1])
+"""
 
 
 def main() -> None:
@@ -91,6 +96,7 @@ def stream(response: FrequencyResponse) -> dict[str, float]:
             "bytes": (place / "scan.h5").stat().st_size,
             "writing_s": writing,
             "analysing_s": time.perf_counter() - start,
+            "processor_s": float(done.stdout.split()[-2]),
             "peak_bytes": 1024.0 * float(done.stdout.split()[-1]),
         }
 

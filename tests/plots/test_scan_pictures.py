@@ -69,7 +69,7 @@ def test_decay_beside_the_computed_one():
         coords={"frequency": LINES, "phase": phases},
     )
     figure = plots.fading(decay, fades, (52e3, 60e3), origin="simulated")
-    for words in ("phase 0 from", "phase 0.5 π from", "phase π from", "95 % interval", "simulated"):
+    for words in ("phase 0 per", "phase 0.5 π per", "phase π per", "95 % interval", "simulated"):
         assert words in texts(figure)
 
 

@@ -168,7 +168,7 @@ def fading(
             level = computed["attenuation"].sel(phase=phase)
             handles += axes.plot(
                 computed["frequency"] / 1e3, level, color=style.RED, ls=look, lw=1.2,
-                label=f"evanescent wave, phase {in_pi(float(phase))} from row to row",
+                label=f"evanescent, phase {in_pi(float(phase))} per row",
             )  # fmt: skip
     if gap is not None:
         handles.append(axes.axvspan(gap[0] / 1e3, gap[1] / 1e3, facecolor=style.GAP, lw=0, zorder=0,

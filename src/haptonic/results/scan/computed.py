@@ -28,7 +28,7 @@ PLAIN = 41  # frequencies of the plain plate's wave
 FADING = 33  # of evanescent waves
 PHASES = (0.0, 0.5 * np.pi, np.pi)  # along the rows of the mirror
 STEPS = 9  # wavenumbers of a guide's mode
-REACH = (0.8, 1.0)  # of the flexural wave's wavenumber in the gap, within which these lie
+REACH = (0.9, 1.04)  # of the flexural wave's wavenumber in the gap, within which these lie
 INSET = 1e-3  # of the gap's width, kept away from its edges
 
 
