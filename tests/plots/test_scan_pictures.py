@@ -57,6 +57,19 @@ def test_waves_and_dispersion():
     assert "WG1, simulated" in texts(figure)
 
 
+def test_a_loud_line_among_very_many_is_drawn():
+    lines, wavenumber = 10.0 * np.arange(1, 2501), np.linspace(-500, 500, 9)
+    amplitude = np.full((2500, 9), 0.1)
+    amplitude[1234, 4] = 1.0
+    waves = xr.DataArray(
+        amplitude, dims=("frequency", "wavenumber"), coords={"frequency": lines, "wavenumber": wavenumber}
+    )
+    figure = plots.wave_map(waves, None, None, region="WG1", origin="measured")
+    drawn = figure.axes[0].collections[0].get_array()
+    assert len(drawn) <= 600
+    assert (drawn == 1).sum() == 1
+
+
 def test_decay_beside_the_computed_one():
     rows = {"decay": 0 * LINES + 6, "low": 0 * LINES + 4, "high": 0 * LINES + 8}
     decay = xr.Dataset(
