@@ -3,9 +3,7 @@
 from __future__ import annotations
 
 import hashlib
-from collections import deque
 from collections.abc import Callable
-from concurrent.futures import Future, ThreadPoolExecutor
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
@@ -79,6 +77,7 @@ class _Plan:
     window: Real | None = field(compare=False)
     like: Real | None = field(compare=False)
     single: bool
+    workers: int
     factor: NDArray[Any] = field(compare=False)
 
 
@@ -112,7 +111,7 @@ def estimate(
     align : turn each record so that its reference starts as that of the very first one
     state : folder in which a stopped estimation is continued
     progress : called with the points done and their number
-    workers : portions that are transformed at the same time
+    workers : threads of the transforms
 
     Returns
     -------
@@ -123,7 +122,7 @@ def estimate(
     ------
     ScanError : settings that do not fit the records, or nothing left
     """
-    plan = _planned(scan, estimator, window, decay, segment, overlap, band, align)
+    plan = _planned(scan, estimator, window, decay, segment, overlap, band, align, workers)
     points, frequency = len(scan.names), _frequencies(scan, plan)[plan.kept]
     settings = {
         "estimator": estimator, "window": window, "decay": decay, "segment": plan.length, "overlap": overlap,
@@ -133,26 +132,13 @@ def estimate(
     store = growing((len(frequency), points), plan.single, key, state)
     averages = scan.repeats * _pieces(scan.samples, plan)
     size = max(1, int(WORKING_MEMORY / (48.0 * plan.length * averages)))
-    under_way: deque[tuple[int, Future[None]]] = deque()
-
-    def settle() -> None:
-        """Wait for the oldest portion: what counts as done is done from the first point on."""
-        last, portion = under_way.popleft()
-        portion.result()
-        store.done = last
-        store.keep()
-        if progress is not None:
-            progress(store.done, points)
-
     try:
-        with ThreadPoolExecutor(workers) as pool:
-            for first, reference, response in scan.chunks(size, start=store.done):
-                portion = pool.submit(_add, store, first, reference, response, scan, plan)
-                under_way.append((first + len(response), portion))
-                if len(under_way) > workers:
-                    settle()
-            while under_way:
-                settle()
+        for first, reference, response in scan.chunks(size, start=store.done):
+            _add(store, first, reference, response, scan, plan)
+            store.done = first + len(response)
+            store.keep()
+            if progress is not None:
+                progress(store.done, points)
     finally:
         store.keep(now=True)
     return _finished(scan, store, plan, frequency, averages, settings)
@@ -167,6 +153,7 @@ def _planned(
     overlap: float,
     band: tuple[float, float] | None,
     align: bool,
+    workers: int,
 ) -> _Plan:
     if estimator not in ESTIMATORS:
         guess = nearest(str(estimator), ESTIMATORS) or "H1"
@@ -204,7 +191,7 @@ def _planned(
     scale = scan.response_scale / scan.reference_scale
     factor = scale * (2j * np.pi * frequency[first:last][kept]) ** power_of_i
     like = reference[0, 0].astype(np.float64) if align else None
-    return _Plan(estimator, length, step, slice(first, last), kept, weights, like, single, factor)
+    return _Plan(estimator, length, step, slice(first, last), kept, weights, like, single, workers, factor)
 
 
 def _add(
@@ -221,7 +208,7 @@ def _add(
         lags = shifts(x.astype(np.float64), plan.like)
         x, y = rolled(x, lags), rolled(y, np.broadcast_to(lags, y.shape[:2]))
     x, y = (segmented(one, plan.length, plan.step) for one in (x, y))
-    spectra = spectra_of(x, y, plan.window, plan.lines)
+    spectra = spectra_of(x, y, plan.window, plan.lines, plan.workers)
     values = spectra.response(plan.estimator)[:, plan.kept] * plan.factor.astype(spectra.xy.dtype)
     coherence = spectra.coherence()[:, plan.kept]
     store.response[:, first:last] = values.T

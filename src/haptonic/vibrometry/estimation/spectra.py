@@ -94,7 +94,9 @@ def segmented(records: Real, length: int, step: int) -> Real:
     return np.asarray(views).reshape(len(records), -1, length)
 
 
-def spectra_of(reference: Real, response: Real, window: Real | None, lines: slice) -> Spectra:
+def spectra_of(
+    reference: Real, response: Real, window: Real | None, lines: slice, workers: int = 1
+) -> Spectra:
     """Averaged spectra of segments.
 
     Parameters
@@ -106,7 +108,7 @@ def spectra_of(reference: Real, response: Real, window: Real | None, lines: slic
     transforms = []
     for segments in (reference, response):
         weighted = segments if window is None else segments * window.astype(segments.dtype)
-        transforms.append(scipy.fft.rfft(weighted, axis=2)[..., lines])
+        transforms.append(scipy.fft.rfft(weighted, axis=2, workers=workers)[..., lines])
     x, y = transforms
     xx, yy = ((one.real**2 + one.imag**2).mean(axis=1) for one in (x, y))
     xy = np.einsum("psl,psl->pl", np.broadcast_to(x, y.shape).conj(), y) / y.shape[1]
