@@ -18,6 +18,7 @@ NAMES = (
     "mirror_in_thirty_seconds", "plate_in_half_a_minute", "plate_growth", "rows_keep_it_there",
     "hundred_thousand_trials",
     "trials_tell_the_truth",
+    "scan_twin",
 )  # fmt: skip
 
 
@@ -360,6 +361,33 @@ With no effect in the population, alarms at a level of {100 * record["level"]:.0
 """
 
 
+def scan(record: dict[str, Any]) -> str:
+    rows = [
+        [seed, f"{inside:.2f} dB", f"{anywhere:.2f} dB", f"{lower:.3f}", f"{upper:.3f}"]
+        for seed, inside, anywhere, lower, upper in zip(
+            range(record["seeds"]), record["contrast_db"], record["contrast_anywhere_db"],
+            record["lower_errors"], record["upper_errors"], strict=True,
+        )
+    ]  # fmt: skip
+    gap, computed = record["true_gap"], record["computed_gap_hz"]
+    return f"""## The scan
+
+Simulated scans of the prototype at {record["points"]} points with the default instrument, and what their analysis
+makes of them: the largest error of the contrast of WG1 over WG2 at any line from {record["quiet_hz"] / 1e3:g} kHz on and
+at any line at all, and the distance of the gap's edges from those in the exact response, in standard errors. There
+the gap is {gap["lower"] / 1e3:.2f} ± {gap["lower_error"] / 1e3:.2f} to {gap["upper"] / 1e3:.2f} ± {gap["upper_error"] / 1e3:.2f} kHz; computed
+of the lattice alone {computed[0] / 1e3:.2f} to {computed[1] / 1e3:.2f} kHz.
+
+{table(["seed", "contrast", "below it too", "lower edge", "upper edge"], rows)}
+
+A file of {record["bytes"] / 1e9:.2f} GB of time records, written in {record["writing_s"]:.0f} s, is analysed by
+`haptonic scan`, pictures included, in {record["analysing_s"]:.0f} s ({record["processor_s"]:.0f} s of processor time)
+with a peak memory of {record["peak_bytes"] / 1e9:.2f} GB; budget 30 s and 1 GB on two cores.
+
+{measured_on(record)}
+"""
+
+
 def main() -> None:
     records = {name: json.loads((RESULTS / f"{name}.json").read_text("utf-8")) for name in NAMES}
     writers = (
@@ -374,6 +402,7 @@ def main() -> None:
         rows_between,
         many_trials,
         true_trials,
+        scan,
     )
     chapters = [writer(records[name]) for name, writer in zip(NAMES, writers, strict=True)]
     head = (

@@ -15,29 +15,11 @@ import pytest
 from typer.testing import CliRunner
 
 from haptonic.cli.app import app
+from quick import QUICK_CELL
 
-QUICK = """
-title = "Quick"
-carrier = "60 kHz"
-material = "aluminium-paper"
-
-[cell]
-pitch = "7 mm"
-thickness = "1.5 mm"
-
-[cell.pillar]
-diameter = "3.5 mm"
-height = "14.7 mm"
-
-[bands]
-count = 8
-points = 13
-accuracy = 2e-2
-
-[mesh]
-order = 2
-foot_rings = 0
-
+QUICK = (
+    QUICK_CELL
+    + """
 [layers]
 points = 3
 count = 3
@@ -48,6 +30,7 @@ from = 0.4
 to = 0.6
 steps = 3
 """
+)
 
 PLATE = (
     "[[sweep]]",

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 import warnings
 
 import h5py
@@ -14,7 +13,7 @@ from hypothesis import strategies as st
 from scans import assert_five_parts
 
 from haptonic.errors import HaptonicWarning, ScanError
-from haptonic.vibrometry import Disc, Rectangle, drive, scan_plan, write_drive
+from haptonic.vibrometry import Disc, Rectangle, drive, drive_notes, scan_plan, write_drive
 
 USUAL = {"low": 20e3, "high": 70e3, "sample_rate": 250e3, "duration": 8e-3}
 
@@ -108,7 +107,7 @@ class TestFiles:
     def test_wav(self, tmp_path):
         write_drive(self.signal, tmp_path / "a.wav", periods=3)
         rate, samples = scipy.io.wavfile.read(tmp_path / "a.wav")
-        notes = json.loads((tmp_path / "a.json").read_text())
+        notes = drive_notes(self.signal, 3)
         assert (rate, samples.dtype, len(samples)) == (250000, np.int16, 6000)
         volts = samples[2000:4000] / 32767 * notes["full_scale"]
         assert volts == pytest.approx(self.signal.samples, abs=60 / 32767)

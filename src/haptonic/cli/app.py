@@ -31,6 +31,7 @@ from haptonic.cli.options import (
     tell_where,
 )
 from haptonic.cli.plates import plate, plate_files, write_plate
+from haptonic.cli.scans import chirp, scan
 from haptonic.cli.touching import friction
 from haptonic.cli.twins import twin
 from haptonic.errors import StudyError
@@ -218,7 +219,8 @@ def _felt(loaded: Study, voice: Voice) -> Feel | None:
         return loaded.felt(on_progress=progress)
 
 
-for command in (layers, waveguide, plate, feel, protocol, friction, design, tolerance, export):
+COMMANDS = (layers, waveguide, plate, feel, chirp, scan, protocol, friction, design, tolerance, export)
+for command in COMMANDS:
     app.command()(command)
 app.add_typer(twin, name="twin")
 

@@ -8,6 +8,14 @@ from haptonic.plots.mirrors import decay, guide, layers
 from haptonic.plots.modes import mode_shapes
 from haptonic.plots.planning import power
 from haptonic.plots.plates import animated, maps, plate_plan
+from haptonic.plots.scans import (
+    average_response,
+    drive_signal,
+    fading,
+    measured_contrast,
+    point_quality,
+    wave_map,
+)
 from haptonic.plots.spectra import contrast_spectrum, impedance_spectrum, velocity_spectrum
 from haptonic.plots.style import save
 from haptonic.plots.sweeps import sweep
@@ -16,11 +24,14 @@ from haptonic.plots.zone import density_of_states, iso_frequency
 
 __all__ = [
     "animated",
+    "average_response",
     "conditions",
     "contrast_spectrum",
     "decay",
     "density_of_states",
     "dispersion",
+    "drive_signal",
+    "fading",
     "friction_map",
     "front",
     "guide",
@@ -28,8 +39,10 @@ __all__ = [
     "iso_frequency",
     "layers",
     "maps",
+    "measured_contrast",
     "mode_shapes",
     "plate_plan",
+    "point_quality",
     "power",
     "reduction_curve",
     "reductions",
@@ -39,4 +52,5 @@ __all__ = [
     "tolerance",
     "trial_sheet",
     "velocity_spectrum",
+    "wave_map",
 ]

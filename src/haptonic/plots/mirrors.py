@@ -12,6 +12,7 @@ from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
 from haptonic.plots import style
+from haptonic.plots.words import in_pi
 
 Array = NDArray[np.float64]
 
@@ -54,7 +55,7 @@ def decay(dataset: xr.Dataset) -> Figure:
         strict=True,
     )
     for (colour, dashes), column in zip(looks, range(dataset.sizes["phase"]), strict=False):
-        label = f"decay, phase {_in_pi(float(dataset['phase'][column]))} along the rows"
+        label = f"decay, phase {in_pi(float(dataset['phase'][column]))} along the rows"
         depth.plot(dataset["attenuation"].values[:, column], frequency, color=colour, ls=dashes, label=label)
     depth.set_xlabel("decay (dB per cell)")
     deepest = max(float(np.nanmax(dataset["attenuation"].values)), 1.0)
@@ -129,12 +130,6 @@ def guide(position: Array, amplitude: Array, width: float, fixed_line: float) ->
     axes.set_ylabel("amplitude (dimensionless)")
     figure.legend(loc="outside lower center", ncols=3)
     return figure
-
-
-def _in_pi(phase: float) -> str:
-    """A phase (rad) as a person writes it."""
-    share = round(phase / np.pi, 2)
-    return {0.0: "0", 1.0: "π"}.get(share, f"{share:g} π")
 
 
 def _mark(axes: Axes, dataset: xr.Dataset, along: Literal["x", "y"]) -> list[Artist]:

@@ -49,7 +49,7 @@ HOLDS: dict[Hold, tuple[str, str, style.Dashes]] = {
 def maps(
     response: FrequencyResponse,
     frequencies: Sequence[float],
-    layout: Layout,
+    layout: Layout | None,
     gap: tuple[float, float] | None,
 ) -> Figure:
     """Normal vibration of the flat face at some frequencies, side by side, as in Fig. 5C of the paper.
@@ -60,10 +60,11 @@ def maps(
     ----------
     response : with the direction z, on a regular grid
     frequencies : one for each map, Hz; the nearest lines are drawn
+    layout : its outlines are drawn; without one, the points alone
     gap : edges of the band gap, Hz, or None
     """
     column = (style.WIDTH - 2.0) / max(len(frequencies), 2)
-    tall = column * (layout.y[-1] - layout.y[0]) / (layout.x[-1] - layout.x[0])
+    tall = column * _slenderness(response, layout)
     figure = style.blank(min(tall, 16.0) + 3.8)
     panels = figure.subplots(1, len(frequencies), sharey=True, squeeze=False)[0]
     for axes, asked in zip(panels, frequencies, strict=True):
@@ -77,7 +78,12 @@ def maps(
 
 
 def animated(
-    path: Path, response: FrequencyResponse, frequency: float, layout: Layout, *, overwrite: bool = False
+    path: Path,
+    response: FrequencyResponse,
+    frequency: float,
+    layout: Layout | None,
+    *,
+    overwrite: bool = False,
 ) -> Path:
     """Write one cycle of the vibration at a frequency (Hz) as a moving picture, WebP, that repeats for ever.
 
@@ -89,7 +95,7 @@ def animated(
     """
     refuse_overwrite(path, overwrite)
     with style.styled():
-        tall = 6.5 * (layout.y[-1] - layout.y[0]) / (layout.x[-1] - layout.x[0])
+        tall = 6.5 * _slenderness(response, layout)
         figure = style.blank(min(tall, 16.0) + 4.0, 9.0)
         axes = figure.add_subplot()
         line = response.at(frequency)
@@ -118,13 +124,18 @@ def animated(
 
 
 @style.drawn
-def plate_plan(plate: Plate) -> Figure:
-    """The plate seen from above: lattices with their pillars, regions, supports, drives, a finger."""
+def plate_plan(plate: Plate, visited: Array | None = None) -> Figure:
+    """The plate seen from above: lattices with their pillars, regions, supports, drives, a finger.
+
+    visited : (point, 2) of a scan in the order of its stage, m; its way is drawn too
+    """
     layout = plate.layout
     ratio = (layout.y[-1] - layout.y[0]) / (layout.x[-1] - layout.x[0])
     figure = style.blank(min(max(11.5 * ratio, 3.0), 18.0) + 3.5)
     axes = figure.add_subplot()
     handles = [*_draw_tiles(axes, layout), *_draw_supports(axes, plate), *_draw_parts(axes, plate)]
+    if visited is not None:
+        handles += _draw_way(axes, 1e3 * visited)
     busy = [actuator.centre for actuator in plate.actuators] + [force.centre for force in plate.forces]
     busy += [plate.finger.centre] if plate.finger else []
     for name in layout.regions:
@@ -151,7 +162,15 @@ def _normal_shape(line: FrequencyResponse) -> Complex:
     return np.asarray(shape / largest if largest else shape)
 
 
-def _draw_map(axes: Axes, line: FrequencyResponse, layout: Layout) -> AxesImage:
+def _slenderness(response: FrequencyResponse, layout: Layout | None) -> float:
+    """Height over width of what a map shows."""
+    if layout is not None:
+        return (layout.y[-1] - layout.y[0]) / (layout.x[-1] - layout.x[0])
+    width, height = np.ptp(response.points, axis=0)
+    return float(height / width) if width else 1.0
+
+
+def _draw_map(axes: Axes, line: FrequencyResponse, layout: Layout | None) -> AxesImage:
     """The vibration at one frequency when its largest point is farthest out, and the regions around it."""
     grid = line.grid()
     sides = [ends(1e3 * grid[name].values) for name in ("x", "y")]
@@ -163,13 +182,15 @@ def _draw_map(axes: Axes, line: FrequencyResponse, layout: Layout) -> AxesImage:
     return image
 
 
-def outlined(axes: Axes, layout: Layout) -> None:
-    """Set axes to a plate's size, in mm, and outline its regions with their names."""
+def outlined(axes: Axes, layout: Layout | None) -> None:
+    """Set axes to a plate's size, in mm, and outline its regions with their names, if the plate is known."""
     axes.set_facecolor(style.BEYOND)
-    axes.set(xlim=(1e3 * layout.x[0], 1e3 * layout.x[-1]), ylim=(1e3 * layout.y[0], 1e3 * layout.y[-1]))
     axes.set_xlabel("x (mm)")
     for axis in (axes.xaxis, axes.yaxis):
         axis.set_major_locator(MaxNLocator(4))
+    if layout is None:
+        return
+    axes.set(xlim=(1e3 * layout.x[0], 1e3 * layout.x[-1]), ylim=(1e3 * layout.y[0], 1e3 * layout.y[-1]))
     for name in layout.regions:
         border = [segment for _, segment in _border(layout, set(layout.of(name)))]
         axes.add_collection(LineCollection(border, colors=style.INK, linewidths=0.9, gid=f"outline {name}"))
@@ -321,6 +342,16 @@ def _draw_parts(axes: Axes, plate: Plate) -> list[Artist]:
         axes.add_patch(Circle(centre, 0.5e3 * plate.finger.diameter, gid="finger", **look))
         handles["finger"] = Line2D([], [], color=style.PURPLE, lw=1.8, ls=style.DASHED, label="finger")
     return list(handles.values())
+
+
+def _draw_way(axes: Axes, points: Array) -> list[Artist]:
+    """The way of a scan over points (point, 2), mm, and where it begins; what the legend needs."""
+    (way,) = axes.plot(*points.T, color=style.BLUE, lw=0.5, alpha=0.8, zorder=3, gid="way",
+                       label=f"way over {len(points)} points")  # fmt: skip
+    (start,) = axes.plot(
+        *points[0], marker="o", ms=5, ls="", color=style.GREEN, zorder=8, label="first point"
+    )
+    return [way, start]
 
 
 def _rectangle(centre: tuple[float, float], size: tuple[float, float], **look: Any) -> Rectangle:

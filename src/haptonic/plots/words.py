@@ -44,6 +44,12 @@ def scaled_unit(unit: str) -> tuple[str, float]:
     return _SCALED.get(unit, (unit, 1.0))
 
 
+def in_pi(phase: float) -> str:
+    """A phase (rad) as a person writes it."""
+    share = round(phase / math.pi, 2)
+    return {0.0: "0", 1.0: "π"}.get(share, f"{share:g} π")
+
+
 def minus(text: str) -> str:
     """The text of a number with the sign that is as wide as a plus."""
     return text.replace("-", "\N{MINUS SIGN}")

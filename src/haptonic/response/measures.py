@@ -23,6 +23,7 @@ Array = NDArray[np.float64]
 Complex = NDArray[np.complexfloating[Any, Any]]
 
 ROUNDING = 1e-9  # of a disc's radius, within which a point on its rim counts
+AT_ONCE = 2_000_000  # numbers that are converted to double precision at a time
 
 
 def mac(a: Complex, b: Complex) -> Array:
@@ -233,7 +234,10 @@ def _squares(values: Complex) -> Array:
 
 
 def _mean_square(response: FrequencyResponse, mask: NDArray[np.bool_]) -> Array:
-    return np.asarray(_squares(response.values[:, mask]).mean(axis=1))
+    values = response.values
+    lines = max(1, AT_ONCE // values[0].size)
+    parts = (_squares(values[i : i + lines, mask]).mean(axis=1) for i in range(0, len(values), lines))
+    return np.concatenate(list(parts))
 
 
 def _spectrum(response: FrequencyResponse, values: Array, units: str) -> xr.DataArray:

@@ -4,6 +4,7 @@ from haptonic.study.keys import Key, table
 from haptonic.study.loading import load, load_trials, loads
 from haptonic.study.plate_tables import PlateSection
 from haptonic.study.runs import Study
+from haptonic.study.scan_tables import ScanSection
 from haptonic.study.schema import SweepSection
 from haptonic.study.sections import BandsSection, CellSection, MaterialSection, MeshSection, PillarSection
 from haptonic.study.trial_tables import TrialsSection
@@ -17,6 +18,7 @@ __all__ = [
     "MeshSection",
     "PillarSection",
     "PlateSection",
+    "ScanSection",
     "Study",
     "SweepSection",
     "TrialsSection",

@@ -41,6 +41,7 @@ class PlateStudy(Description):
         self,
         *,
         at: float | None = None,
+        asked: PlateQuestion | None = None,
         store: Store | None = None,
         on_progress: Told = _silent,
     ) -> PlateResult:
@@ -49,14 +50,15 @@ class PlateStudy(Description):
         Parameters
         ----------
         at : a single frequency instead, Hz; the gap is then not looked for
+        asked : other lines and points than those of [plate.response]
 
         Raises
         ------
         StudyError : no [plate], no carrier, or nothing that drives the plate
         """
-        plate, asked = self.plate(), self._response
+        plate, own = self.plate(), self._response
         carrier = self.need_carrier() if at is None else at
-        question = PlateQuestion(asked.lowest, asked.highest, asked.points, asked.tolerance, asked.grid)
+        question = asked or PlateQuestion(own.lowest, own.highest, own.points, own.tolerance, own.grid)
         if at is not None:
             question = replace(question, lowest=at, highest=at, points=1)
         store = store or Store.default()

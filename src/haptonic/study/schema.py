@@ -35,6 +35,7 @@ from haptonic.study.plate_tables import PlateSection
 from haptonic.study.plating import built_in, plate_of
 from haptonic.study.problems import study_error
 from haptonic.study.quantity import SI_NUMBERS, Quantity, collected, problem
+from haptonic.study.scan_tables import ScanSection
 from haptonic.study.sections import BandsSection, CellSection, MaterialSection, MeshSection, Section
 from haptonic.study.touch_tables import TouchSection
 from haptonic.study.trial_tables import TrialsSection
@@ -43,7 +44,7 @@ from haptonic.study.writing import toml_of
 from haptonic.units import format_quantity, to_si
 
 MOST_SWEEPS = 50
-AFTERWARDS = {"touch", "trials", "protocol", "participants"}  # sections that decide neither bands nor plates
+AFTERWARDS = {"touch", "trials", "protocol", "participants", "scan"}  # they decide no bands and no plate
 OF_A_CELL = {"carrier", "material", "cell", "bands"}  # sections whose numbers an expression can name
 
 
@@ -160,6 +161,9 @@ class Description(Section):
     )
     participants: ParticipantsSection = Field(
         ParticipantsSection(), title="Participants", description="What is assumed of people."
+    )
+    scan: ScanSection = Field(
+        ScanSection(), title="Scan", description="How a laser vibrometer scans the plate."
     )
     sweep: tuple[SweepSection, ...] = Field(
         (), title="Sweeps", description="Rows of designs to compare.", max_length=MOST_SWEEPS

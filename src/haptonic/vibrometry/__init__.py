@@ -1,6 +1,6 @@
 """From the files of a laser vibrometer to frequency responses, maps and a measured gap."""
 
-from haptonic.vibrometry.chirp import Drive, drive, write_drive
+from haptonic.vibrometry.chirp import Drive, drive, drive_notes, write_drive
 from haptonic.vibrometry.estimation import Estimate, Quality, estimate
 from haptonic.vibrometry.findings import Dropped, ReadReport
 from haptonic.vibrometry.maps import (
@@ -18,8 +18,8 @@ from haptonic.vibrometry.readers import Scan, read_scan
 from haptonic.vibrometry.readers.hdf5 import write_records
 from haptonic.vibrometry.readers.uff import UffContents, uff_contents
 from haptonic.vibrometry.records import InMemory, TimeScan
-from haptonic.vibrometry.scan_plan import Disc, Rectangle, ScanPlan, scan_plan
-from haptonic.vibrometry.writers import write_uff
+from haptonic.vibrometry.scan_plan import Disc, Rectangle, ScanPlan, scan_plan, visited
+from haptonic.vibrometry.writers import write_uff, write_uff_records
 
 __all__ = [
     "Disc",
@@ -37,6 +37,7 @@ __all__ = [
     "TimeScan",
     "UffContents",
     "drive",
+    "drive_notes",
     "estimate",
     "lattice_decay",
     "measured_gap",
@@ -46,9 +47,11 @@ __all__ = [
     "register_by_fit",
     "scan_plan",
     "uff_contents",
+    "visited",
     "warn_if_aliased",
     "wavenumber_map",
     "write_drive",
     "write_records",
     "write_uff",
+    "write_uff_records",
 ]

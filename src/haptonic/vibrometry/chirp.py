@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-import json
 import warnings
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Literal
+from typing import Any, Literal
 
 import h5py
 import numpy as np
@@ -110,11 +109,20 @@ def drive(
     return Drive(scaled, float(sample_rate), band, kind, tuple(notes))
 
 
+def drive_notes(signal: Drive, periods: int = 1) -> dict[str, Any]:
+    """What a file of samples does not say: rate and band (Hz), unit, full scale (V), crest factor."""
+    return {
+        "sample_rate": signal.sample_rate, "low": signal.band[0], "high": signal.band[1],
+        "kind": signal.kind, "period_samples": len(signal.samples), "periods": periods, "unit": "V",
+        "full_scale": float(np.abs(signal.samples).max()), "crest_factor": signal.crest_factor,
+    }  # fmt: skip
+
+
 def write_drive(signal: Drive, path: Path, *, periods: int = 1) -> None:
     """Write a drive as WAV, CSV or HDF5, by the suffix of the path.
 
-    A WAV file has 16 bits and no unit: its full scale is the largest value, which a JSON file beside it gives
-    in V. The others are in V. `haptonic.store.write_atomically` makes a file whole.
+    A WAV file has 16 bits and no unit: its full scale is the largest value, which `drive_notes` gives in V.
+    The others are in V. `haptonic.store.write_atomically` makes a file whole.
 
     Raises
     ------
@@ -123,24 +131,18 @@ def write_drive(signal: Drive, path: Path, *, periods: int = 1) -> None:
     if periods < 1:
         raise _wrong("periods", str(periods), "1 or more", "give how often the period is repeated")
     samples = np.tile(signal.samples, periods)
-    notes = {
-        "sample_rate": signal.sample_rate, "low": signal.band[0], "high": signal.band[1],
-        "kind": signal.kind, "period_samples": len(signal.samples), "periods": periods, "unit": "V",
-        "full_scale": float(np.abs(signal.samples).max()), "crest_factor": signal.crest_factor,
-    }  # fmt: skip
     if path.suffix == ".wav":
         if signal.sample_rate != round(signal.sample_rate):
             raise _wrong("sample_rate", f"{signal.sample_rate:g} Hz", "whole Hz in WAV", "use CSV or HDF5")
         whole = np.rint(samples / np.abs(samples).max() * SIXTEEN_BITS).astype(np.int16)
         scipy.io.wavfile.write(path, int(signal.sample_rate), whole)
-        path.with_suffix(".json").write_text(json.dumps(notes, indent=1) + "\n", encoding="utf-8")
     elif path.suffix == ".csv":
         time = np.arange(len(samples)) / signal.sample_rate
         rows = "\n".join(f"{t!r},{v!r}" for t, v in zip(time.tolist(), samples.tolist(), strict=True))
         path.write_text(f"time (s),voltage (V)\n{rows}\n", encoding="utf-8")
     elif path.suffix in (".h5", ".hdf5"):
         with h5py.File(path, "w") as file:
-            file.attrs.update(kind_of_file="haptonic drive", **notes)
+            file.attrs.update(kind_of_file="haptonic drive", **drive_notes(signal, periods))
             file["voltage"] = samples
     else:
         given = path.suffix or "no suffix"

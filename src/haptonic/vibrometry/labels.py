@@ -10,6 +10,7 @@ Motion = Literal["displacement", "velocity", "acceleration"]
 
 GRAVITY = 9.80665  # m/s^2, the standard value: sensors give accelerations in g
 SI: dict[str, Motion] = {"m": "displacement", "m/s": "velocity", "m/s^2": "acceleration"}
+UNITS: dict[Motion, str] = {motion: unit for unit, motion in SI.items()}
 ORDER: tuple[Motion, ...] = ("displacement", "velocity", "acceleration")
 PREFIX = {"p": 1e-12, "n": 1e-9, "u": 1e-6, "µ": 1e-6, "m": 1e-3, "c": 1e-2, "k": 1e3, "M": 1e6, "": 1.0}
 OTHER = {"in": 0.0254, "inch": 0.0254, "ft": 0.3048}

@@ -15,6 +15,8 @@ from haptonic.vibrometry.labels import Motion
 Array = NDArray[np.float64]
 Samples = NDArray[Any]
 
+WRITTEN = 16  # points that are written to a file at a time
+
 
 class Source(Protocol):
     """Where records come from: a file, or arrays in memory."""
@@ -108,3 +110,14 @@ class TimeScan:
         for first in range(start, len(self.names), size):
             reference, response = self.source.load(first, min(first + size, len(self.names)))
             yield first, reference, response
+
+
+def portions(scan: TimeScan) -> Iterator[tuple[int, NDArray[np.float32], NDArray[np.float32]]]:
+    """Number of the first point, reference and response in SI units and single precision, a few points at a
+    time."""
+    for first, reference, response in scan.chunks(WRITTEN):
+        yield (
+            first,
+            np.asarray(reference * scan.reference_scale, dtype=np.float32),
+            np.asarray(response * scan.response_scale, dtype=np.float32),
+        )

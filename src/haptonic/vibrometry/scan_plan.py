@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import Protocol
 
 import numpy as np
 from numpy.typing import NDArray
@@ -47,7 +48,12 @@ class Disc:
         return np.asarray(distance <= 0.5 * self.diameter * (1 + RIM))
 
 
-Region = Rectangle | Disc
+class Region(Protocol):
+    """Anything that some points lie in."""
+
+    def holds(self, points: Array) -> Bools:
+        """(point,) which points of (point, 2) lie in it."""
+        ...
 
 
 @dataclass(frozen=True, eq=False)
@@ -83,28 +89,41 @@ def scan_plan(area: Rectangle, step: float, excluded: Sequence[Region] = ()) -> 
     for start, size in ((area.x, area.width), (area.y, area.height)):
         count = int(np.floor(size / step * (1 + RIM))) + 1
         axes.append(start + 0.5 * (size - (count - 1) * step) + step * np.arange(count))
-    along = 0 if area.width >= area.height else 1
-    rows = np.stack(np.meshgrid(axes[along], axes[1 - along]), axis=-1)  # (row, place along, 2)
-    if along == 1:
-        rows = rows[..., ::-1]
-    out = np.zeros(rows.shape[:2], dtype=bool)
+    return visited(np.stack(np.meshgrid(*axes), axis=-1).reshape(-1, 2), excluded)
+
+
+def visited(points: Array, excluded: Sequence[Region] = ()) -> ScanPlan:
+    """Points (n, 2) that lie in rows and columns, to and fro along their longer side.
+
+    Raises
+    ------
+    ScanError : no point left
+    """
+    out = np.zeros(len(points), dtype=bool)
     for region in excluded:
-        out |= region.holds(rows.reshape(-1, 2)).reshape(out.shape)
-    visited: list[Array] = []
-    for row, skipped in zip(rows, out, strict=True):
-        left = row[~skipped]
-        if len(left):
-            # from the end that is nearer to where the stage is, which need not alternate where rows are cut
-            here = visited[-1] if visited else left[0]
-            turn = np.linalg.norm(left[-1] - here) < np.linalg.norm(left[0] - here)
-            visited.extend(left[::-1] if turn else left)
-    if not visited:
+        out |= region.holds(points)
+    kept = points[~out]
+    if not len(kept):
         raise _wrong(
             "excluded", f"{len(excluded)} regions", "a point outside of them", "leave one of them out"
         )
-    points = np.array(visited)
-    travel = float(np.linalg.norm(np.diff(points, axis=0), axis=1).sum())
-    return ScanPlan(points, rows[out], travel)
+    sides = np.ptp(points, axis=0)
+    along = 0 if sides[0] >= sides[1] else 1
+    across = np.sort(kept[:, 1 - along])
+    # a new row begins where the next point lies off by more than rounding
+    starts = across[np.diff(across, prepend=-np.inf) > RIM * max(sides.max(), 1.0)]
+    number = np.searchsorted(starts, kept[:, 1 - along] + 0.5 * RIM * max(sides.max(), 1.0), side="right")
+    way: list[Array] = []
+    for row in range(1, len(starts) + 1):
+        left = kept[number == row]
+        left = left[np.argsort(left[:, along], kind="stable")]
+        # from the end that is nearer to where the stage is, which need not alternate where rows are cut
+        here = way[-1] if way else left[0]
+        turn = np.linalg.norm(left[-1] - here) < np.linalg.norm(left[0] - here)
+        way.extend(left[::-1] if turn else left)
+    order = np.array(way)
+    travel = float(np.linalg.norm(np.diff(order, axis=0), axis=1).sum())
+    return ScanPlan(order, points[out], travel)
 
 
 def _wrong(argument: str, given: str, allowed: str, next_step: str) -> ScanError:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 import tempfile
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from itertools import chain
 from pathlib import Path
 
@@ -14,9 +14,13 @@ from numpy.typing import NDArray
 
 from haptonic.errors import ScanError
 from haptonic.response import FrequencyResponse
+from haptonic.vibrometry.labels import UNITS
 from haptonic.vibrometry.readers import SIMULATED
+from haptonic.vibrometry.records import TimeScan, portions
 
-KIND = {"displacement": 8, "velocity": 11}
+Array = NDArray[np.float64]
+
+KIND = {"displacement": 8, "velocity": 11, "acceleration": 12}
 UNIT_TYPES = {"N": 13, "Pa": 15}
 AXES = {"x": 1, "y": 2, "z": 3}
 EVEN = 1e-6  # of the spacing: how even lines must be to be written by their first and their spacing
@@ -33,23 +37,44 @@ def write_uff(response: FrequencyResponse, path: Path) -> None:
     ------
     ScanError : the file cannot be written
     """
-    points = response.points
     names = _numbers(response)
-    zeros = np.zeros(len(names), dtype=int)
-    units = {
-        "type": 164, "units_code": 1, "units_description": "SI: Meter (newton)", "temp_mode": 2,
-        "length": 1.0, "force": 1.0, "temp": 1.0, "temp_offset": 273.15,
-    }  # fmt: skip
-    nodes = {
-        "type": 2411, "node_nums": names, "def_cs": zeros, "disp_cs": zeros, "color": zeros,
-        "x": points[:, 0], "y": points[:, 1], "z": np.zeros(len(names)),
-    }  # fmt: skip
+    _write(path, chain(_geometry(names, *response.points.T), _functions(response, names)))
+
+
+def write_uff_records(scan: TimeScan, path: Path) -> None:
+    """Write time records as UFF: units (164), nodes (2411), one record (58) for each point and repeat of the
+    response and of the reference, a few points at a time; six digits.
+
+    Raises
+    ------
+    ScanError : the file cannot be written
+    """
+    numbers = np.arange(1, len(scan.names) + 1)
+    _write(path, chain(_geometry(numbers, scan.x, scan.y), _records(scan)))
+
+
+def _geometry(numbers: NDArray[np.int64], x: Array, y: Array) -> tuple[dict[str, object], dict[str, object]]:
+    """Units and nodes."""
+    zeros = np.zeros(len(numbers), dtype=int)
+    return (
+        {
+            "type": 164, "units_code": 1, "units_description": "SI: Meter (newton)", "temp_mode": 2,
+            "length": 1.0, "force": 1.0, "temp": 1.0, "temp_offset": 273.15,
+        },
+        {
+            "type": 2411, "node_nums": numbers, "def_cs": zeros, "disp_cs": zeros, "color": zeros,
+            "x": x, "y": y, "z": np.zeros(len(numbers)),
+        },
+    )  # fmt: skip
+
+
+def _write(path: Path, parts: Iterable[dict[str, object]]) -> None:
     try:
         # After each set pyuff reads the whole file again: so each goes to a small file of its own first.
         with tempfile.TemporaryDirectory() as folder, path.open("wb") as out:
             one = Path(folder) / "one.uff"
             file = pyuff.UFF(str(one))
-            for part in chain((units, nodes), _functions(response, names)):
+            for part in parts:
                 file.write_sets(part, "overwrite")
                 out.write(one.read_bytes())
     except OSError as error:
@@ -94,6 +119,33 @@ def _functions(response: FrequencyResponse, names: NDArray[np.int64]) -> Iterato
                 "func_type": 6, "rsp_node": int(number), "rsp_dir": 3, "ordinate_spec_data_type": 0,
                 "orddenom_spec_data_type": 0, "data": coherence[:, row].astype(float),
             }  # fmt: skip
+
+
+def _records(scan: TimeScan) -> Iterator[dict[str, object]]:
+    name, _, unit = (part.strip() for part in scan.reference.rpartition(","))
+    common: dict[str, object] = {
+        "type": 58, "binary": 0, "func_type": 1, "load_case_id": 0, "rsp_ent_name": "NONE",
+        "ref_ent_name": "NONE", "ref_node": 0, "ref_dir": 0, "id1": (scan.title or "NONE")[:80],
+        "id5": f"origin: {scan.origin}", "abscissa_spacing": 1, "abscissa_spec_data_type": 17,
+        "x": scan.start + np.arange(scan.samples) / scan.sample_rate,
+        "abscissa_axis_lab": "Time", "abscissa_axis_units_lab": "s", "orddenom_spec_data_type": 0,
+    }  # fmt: skip
+    moved: dict[str, object] = {
+        "rsp_dir": AXES[scan.direction], "ordinate_spec_data_type": KIND[scan.motion],
+        "ordinate_axis_lab": scan.motion.capitalize(), "ordinate_axis_units_lab": UNITS[scan.motion],
+    }  # fmt: skip
+    driven: dict[str, object] = {
+        "rsp_dir": 0, "rsp_ent_name": name[:10], "ordinate_spec_data_type": UNIT_TYPES.get(unit, 1),
+        "ordinate_axis_lab": name[:20], "ordinate_axis_units_lab": unit or "V",
+    }  # fmt: skip
+    for first, reference, response in portions(scan):
+        for rows, kind in ((reference, driven), (response, moved)):
+            if first and len(rows) < len(response):
+                continue  # all points share one reference, written with the first
+            for row, records in enumerate(rows):
+                for record in records:
+                    data = record.astype(np.float64)
+                    yield common | kind | {"rsp_node": first + row + 1, "data": data}
 
 
 def _numbers(response: FrequencyResponse) -> NDArray[np.int64]:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import asdict
 from typing import Any
 
@@ -32,7 +32,7 @@ from haptonic.results.plate.value import PlateResult
 from haptonic.store import Store, content_key
 
 Array = NDArray[np.float64]
-Complex = NDArray[np.complex128]
+AnyComplex = NDArray[np.complexfloating[Any, Any]]
 
 BELOW, ABOVE = 0.76, 1.25  # of the gap's edges, where the maps below and above it are taken
 
@@ -113,7 +113,7 @@ def _computed(
     points, regions = grid_points(plate, question.grid)
     surface = model.displaced(points, vibration.vectors)
     velocity = real_times(surface, vibration.amplitudes) * (1j * vibration.omega)
-    marked = _marked(plate, every, velocity, regions, carrier, gap)
+    marked = marked_lines(plate, every, velocity, regions, carrier, gap)
     main = np.searchsorted(every, question.frequencies)
 
     def response(picked: NDArray[np.int64], title: str) -> xr.Dataset:
@@ -137,8 +137,13 @@ def _computed(
     ]
 
 
-def _marked(
-    plate: Plate, every: Array, velocity: Complex, regions: list[str], carrier: float, gap: list[float] | None
+def marked_lines(
+    plate: Plate,
+    every: Array,
+    velocity: AnyComplex,
+    regions: list[str],
+    carrier: float,
+    gap: Sequence[float] | None,
 ) -> NDArray[np.int64]:
     """Lines of the maps: below, in and above the gap; in it where the driven region resonates most."""
     if gap is None:

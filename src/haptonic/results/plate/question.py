@@ -4,19 +4,23 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from haptonic.errors import StudyError
 from haptonic.plate import Plate
+from haptonic.plate.layout import Layout
 from haptonic.plate.parts import Actuator, Force
 
 Array = NDArray[np.float64]
-Complex = NDArray[np.complex128]
+Complex = NDArray[np.complexfloating[Any, Any]]
 Mask = NDArray[np.bool_]
 
 NEAR = 0.06  # share of the carrier around it within which modes are listed and a resonance is looked for
+
+ON_LINE = 1e-6  # of the smallest tile, within which a point lies on a line between tiles
 
 
 @dataclass(frozen=True)
@@ -37,6 +41,13 @@ class PlateQuestion:
 
 def drives_of(plate: Plate) -> list[Actuator | Force]:
     return [*plate.actuators, *plate.forces]
+
+
+def driven_region(plate: Plate) -> str | None:
+    """The region of plain plate that carries the first actuator, or else the first force."""
+    layout = plate.layout
+    names = [layout.at(layout.under((*first.centre, *first.centre))[0]) for first in drives_of(plate)]
+    return next((name for name in names if name is not None and name not in layout.cells), None)
 
 
 def amplitude_of(drive: Actuator | Force) -> complex:
@@ -64,13 +75,6 @@ def unit_drives(plate: Plate) -> dict[str, complex]:
     return {drive.name: amplitude_of(drive) / unit for drive in drives_of(plate)}
 
 
-def driven_region(plate: Plate) -> str | None:
-    """The region of plain plate that carries the first drive that lies on one: actuators, then forces."""
-    layout = plate.layout
-    names = [layout.at(layout.under((*drive.centre, *drive.centre))[0]) for drive in drives_of(plate)]
-    return next((name for name in names if name is not None and name not in layout.cells), None)
-
-
 def grid_points(plate: Plate, spacing: float) -> tuple[Array, list[str]]:
     """Points (k, 2) of the flat face on a grid of squares, at the middle of each, m, and their regions.
 
@@ -82,12 +86,24 @@ def grid_points(plate: Plate, spacing: float) -> tuple[Array, list[str]]:
         count = max(1, round((lines[-1] - lines[0]) / spacing))
         axes.append(lines[0] + (lines[-1] - lines[0]) / count * (np.arange(count) + 0.5))
     x, y = (axis.ravel() for axis in np.meshgrid(*axes))
-    column = np.searchsorted(layout.x, x, side="right") - 1
-    row = np.searchsorted(layout.y, y, side="right") - 1
-    names = [layout.at((int(i), int(j))) for i, j in zip(row, column, strict=True)]
+    points = np.stack([x, y], axis=-1)
+    names = tile_names(layout, points)
     there = [k for k, name in enumerate(names) if name is not None]
     regions = [names[k] or "" for k in there]
-    return np.stack([x, y], axis=-1)[there], ["" if name in layout.cells else name for name in regions]
+    return points[there], ["" if name in layout.cells else name for name in regions]
+
+
+def tile_names(layout: Layout, points: Array) -> list[str | None]:
+    """Name of the tile below each point (n, 2); None beside the plate.
+
+    A point on a line between tiles belongs to the one on the right or above, whatever rounding did to it.
+    """
+    slack = ON_LINE * min(*np.diff(layout.x), *np.diff(layout.y))
+    found = []
+    for lines, place in ((layout.y, points[:, 1]), (layout.x, points[:, 0])):
+        number = np.searchsorted(lines[1:-1], place + slack, side="right")
+        found.append(np.where((place < lines[0] - slack) | (place > lines[-1] + slack), -1, number))
+    return [layout.at((int(i), int(j))) for i, j in zip(*found, strict=True)]
 
 
 def points_of(regions: Sequence[str], name: str | None) -> Mask:

@@ -49,15 +49,7 @@ class PlateResult:
 
     def contrasts(self, response: FrequencyResponse) -> dict[str, xr.DataArray]:
         """How much more the driven region vibrates than others and than all the rest, dB."""
-        driven, regions = self.driven, response.regions
-        if driven not in regions:
-            return {}
-        assert driven is not None
-        others = [name for name in regions if name not in ("", driven)]
-        pairs = {f"{driven} over {other}": contrast(response, driven, other) for other in others}
-        if response.inside(driven).all():
-            return pairs
-        return pairs | {f"{driven} over the rest": contrast(response, driven, "rest")}
+        return contrasts(response, self.driven)
 
     @cached_property
     def levels(self) -> dict[str, xr.DataArray]:
@@ -159,6 +151,17 @@ class PlateResult:
             "inputs": json.loads(self.lines.attrs["inputs"]),
             "version": self.lines.attrs["haptonic_version"],
         }  # fmt: skip
+
+
+def contrasts(response: FrequencyResponse, driven: str | None) -> dict[str, xr.DataArray]:
+    """How much more a region vibrates than others and than all the rest, dB."""
+    if driven is None or driven not in response.regions:
+        return {}
+    others = [name for name in response.regions if name not in ("", driven)]
+    pairs = {f"{driven} over {other}": contrast(response, driven, other) for other in others}
+    if response.inside(driven).all():
+        return pairs
+    return pairs | {f"{driven} over the rest": contrast(response, driven, "rest")}
 
 
 def below_finger(line: FrequencyResponse) -> dict[str, float]:

@@ -95,6 +95,19 @@ def frozen_share(response: Samples) -> Array:
     return longest
 
 
+def check_flags(flags: Collection[str]) -> None:
+    """Refuse names that are not those of flags."""
+    for flag in flags:
+        if flag not in FLAGS:
+            raise ScanError(
+                argument="flags",
+                given=f'"{flag}"',
+                allowed=" or ".join(f'"{name}"' for name in FLAGS[:-1]),
+                cause="the flag is misspelt",
+                next_step="choose among these",
+            )
+
+
 def repaired(
     response: FrequencyResponse, quality: Quality, flags: Collection[str]
 ) -> tuple[FrequencyResponse, Quality]:
@@ -107,15 +120,7 @@ def repaired(
     ------
     ScanError : an unknown flag, or fewer than four points without flags
     """
-    for flag in flags:
-        if flag not in FLAGS:
-            raise ScanError(
-                argument="flags",
-                given=f'"{flag}"',
-                allowed=" or ".join(f'"{name}"' for name in FLAGS[:-1]),
-                cause="the flag is misspelt",
-                next_step="choose among these",
-            )
+    check_flags(flags)
     bad = quality.flagged(*flags)
     good = np.flatnonzero(~quality.flagged())
     if not bad.any():

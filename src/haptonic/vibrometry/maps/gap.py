@@ -14,6 +14,7 @@ from haptonic.response import FrequencyResponse
 Array = NDArray[np.float64]
 
 LEAST_STEP = 6.0  # dB by which the contrast has to rise, or there is no gap to speak of
+LINES = 256  # that are converted to double precision at a time
 QUARTERS = (0.25, 0.75)  # of the step, between which the edge's transition lies
 
 
@@ -76,8 +77,7 @@ def measured_gap(
         )
     energies = []
     for name in (over, lattice):
-        values = response.values[:, response.inside(name)].astype(np.complex128)
-        energies.append(_smooth(lines, (np.abs(values) ** 2).sum(axis=2), smoothing))
+        energies.append(_smooth(lines, _energy(response, response.inside(name)), smoothing))
     above, below = energies
     level = _contrast(above.mean(axis=1), below.mean(axis=1))
     outside, inside = (float(np.percentile(level, share)) for share in (25, 90))
@@ -93,10 +93,10 @@ def measured_gap(
     wide, narrow = (_edges(lines, level, outside, inside, share) for share in QUARTERS)
     transition = [max(0.0, narrow[0] - wide[0]), max(0.0, wide[1] - narrow[1])]
     chance = np.random.default_rng(seed)
-    drawn = []
-    for _ in range(resamples):
-        parts = [e[:, chance.integers(0, e.shape[1], e.shape[1])].mean(axis=1) for e in energies]
-        drawn.append(_edges(lines, _contrast(parts[0], parts[1]), outside, inside, 0.5))
+    above, below = (energy @ _drawn(energy.shape[1], resamples, chance) for energy in energies)
+    drawn = [
+        _edges(lines, _contrast(above[:, i], below[:, i]), outside, inside, 0.5) for i in range(resamples)
+    ]
     scatter = np.std(np.array(drawn), axis=0)
     spacing = float(np.median(np.diff(lines)))
     error = [
@@ -142,6 +142,21 @@ def region_statistics(response: FrequencyResponse, low: float, high: float) -> x
 def _contrast(above: Array, below: Array) -> Array:
     tiny = np.finfo(float).tiny
     return np.asarray(10 * np.log10(np.maximum(above, tiny) / np.maximum(below, tiny)))
+
+
+def _energy(response: FrequencyResponse, mask: NDArray[np.bool_]) -> Array:
+    """(line, point) squared amplitude at some points, a few lines at a time."""
+    values, found = response.values, np.empty((len(response.frequency), int(mask.sum())))
+    for start in range(0, len(values), LINES):
+        part = values[start : start + LINES, mask].astype(np.complex128)
+        found[start : start + LINES] = (part.real**2 + part.imag**2).sum(axis=2)
+    return found
+
+
+def _drawn(points: int, resamples: int, chance: np.random.Generator) -> Array:
+    """(point, resample) weights of points that are drawn as many as there are, with replacement."""
+    counts = [np.bincount(chance.integers(0, points, points), minlength=points) for _ in range(resamples)]
+    return np.array(counts, dtype=float).T / points
 
 
 def _smooth(lines: Array, energy: Array, width: float) -> Array:

@@ -17,6 +17,7 @@ Array = NDArray[np.float64]
 Axis = Literal["x", "y"]
 
 PADDED = 4  # times the length of the guide: the map is drawn finer, not resolved better
+LINES = 256  # that are transformed at a time
 HIGH = 0.85  # of the largest wavenumber, beyond which waves are suspected to be folded back
 SUSPECT = 0.1  # share of the energy there that makes a warning
 SAME_COLUMN = 1e-6  # of the extent, within which points lie at the same depth
@@ -83,8 +84,11 @@ def wavenumber_map(response: FrequencyResponse, region: str, along: Axis) -> xr.
     step = float(place[1] - place[0])
     weight = np.hanning(len(place) + 2)[1:-1]
     count = PADDED * len(place)
-    spectrum = np.fft.fft(rows[:, whole] * (weight / weight.sum()), n=count, axis=2)
-    amplitude = np.sqrt((np.abs(spectrum) ** 2).mean(axis=1))
+    amplitude = np.empty((len(rows), count))
+    for start in range(0, len(rows), LINES):
+        weighted = rows[start : start + LINES, whole] * (weight / weight.sum())
+        spectrum = np.fft.fft(weighted, n=count, axis=2)
+        amplitude[start : start + LINES] = np.sqrt((np.abs(spectrum) ** 2).mean(axis=1))
     wavenumber = np.fft.fftshift(2 * np.pi * np.fft.fftfreq(count, step))
     notes = {"step": step, "rows": int(whole.sum()), "rows_left_out": int((~whole).sum())}
     made = xr.DataArray(

@@ -10,14 +10,14 @@ from typing import Any
 import h5py
 
 from haptonic import response
-from haptonic.errors import ScanError
+from haptonic.errors import ResourceError, ScanError
 from haptonic.response import FrequencyResponse
 from haptonic.vibrometry.curves import assemble
 from haptonic.vibrometry.findings import Notebook, ReadReport
 from haptonic.vibrometry.readers import hdf5, uff, uff_time
 from haptonic.vibrometry.readers.folder import read_folder
 from haptonic.vibrometry.readers.matlab import matlab_arrays
-from haptonic.vibrometry.readers.tables import Mapped, Origin, scan_of, table_of
+from haptonic.vibrometry.readers.tables import ORIGIN, Mapped, Origin, scan_of, table_of
 from haptonic.vibrometry.readers.tdms import read_tdms
 from haptonic.vibrometry.records import TimeScan
 
@@ -101,10 +101,29 @@ def read_scan(
     ------
     ScanError : an unknown format, or a file of which nothing can be used
     ResponseError : a NetCDF file that haptonic did not write
+    ResourceError : the file may not be read, or does not fit into memory
     """
     path = Path(path)
     if not path.exists():
         raise _refused(path, "there is no such file", "the name is misspelt", "check the name and the folder")
+    try:
+        return _read(path, variables, unit, length_unit, reference, origin, title)
+    except PermissionError as error:
+        raise _unreadable(path, "you may not read it", "ask for the right to read it, or copy it") from error
+    except MemoryError as error:
+        cause = "its form is read as a whole and does not fit into memory, or it is damaged"
+        raise _unreadable(path, cause, "export it in HDF5 or TDMS, which are read in parts") from error
+
+
+def _read(
+    path: Path,
+    variables: Mapping[str, str] | None,
+    unit: str,
+    length_unit: float | None,
+    reference: str | None,
+    origin: Origin,
+    title: str,
+) -> Scan:
     how = Mapped(variables or {}, unit, 1.0 if length_unit is None else length_unit, reference or "")
     kind = _kind(path)
     notes = Notebook(path, kind)
@@ -116,7 +135,9 @@ def read_scan(
     elif kind == "HDF5":
         content = hdf5.read_records(path, notes)
     elif kind == "MATLAB":
-        content = scan_of(table_of(matlab_arrays(path, notes), how, notes), how, notes, origin, title)
+        arrays = matlab_arrays(path, notes)
+        origin = "simulated" if arrays.get(ORIGIN) == "simulated" else origin
+        content = scan_of(table_of(arrays, how, notes), how, notes, origin, title)
     elif kind == "TDMS":
         content = read_tdms(path, how, notes, origin, title)
     else:
@@ -175,6 +196,12 @@ def _kind(path: Path) -> str:
         raise _refused(path, "not an HDF5 file", "the copy was interrupted", "copy the file again")
     next_step = "choose one of these; a CSV scan is a folder with geometry.csv and one file for each point"
     raise _refused(path, "a file of an unknown format", "another program wrote it", next_step)
+
+
+def _unreadable(path: Path, cause: str, next_step: str) -> ResourceError:
+    return ResourceError(
+        argument="path", given=path, allowed="a file that can be read", cause=cause, next_step=next_step
+    )
 
 
 def _refused(path: Path, found: str, cause: str, next_step: str) -> ScanError:

@@ -2,7 +2,7 @@
 
 ``geometry.csv`` has the columns ``file, x, y`` (in m, or as asked). A file of a point has a header line with
 its columns: ``frequency, real, imaginary`` and perhaps ``coherence``, or ``frequency, amplitude, phase_deg``.
-Units may follow in brackets: ``real (mm/s/V)``.
+Units may follow in brackets: ``real (mm/s/V)``. A column ``origin`` in ``geometry.csv`` may say "simulated".
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ from haptonic.response import FrequencyResponse
 from haptonic.vibrometry.curves import Curve, Place, assemble
 from haptonic.vibrometry.findings import Notebook
 from haptonic.vibrometry.labels import ratio_of
-from haptonic.vibrometry.readers.tables import Mapped, Origin
+from haptonic.vibrometry.readers.tables import ORIGIN, Mapped, Origin
 
 Array = NDArray[np.float64]
 
@@ -41,7 +41,7 @@ def read_folder(path: Path, how: Mapped, notes: Notebook, origin: Origin, title:
     ------
     ScanError : there is no table of the points, or no point can be used
     """
-    places, files = _geometry(path, how.length_unit, notes)
+    places, files, simulated = _geometry(path, how.length_unit, notes)
     curves: list[Curve] = []
     for name, file in files.items():
         try:
@@ -54,6 +54,7 @@ def read_folder(path: Path, how: Mapped, notes: Notebook, origin: Origin, title:
     for file in sorted(path.glob("*.csv")):
         if file.name not in known:
             notes.drop(f"file {file.name}", f"it is not in {GEOMETRY}")
+    origin = "simulated" if simulated else origin
     return assemble(curves, places, notes, origin=origin, title=title, inputs={"folder": path.name})
 
 
@@ -61,7 +62,10 @@ class _UnfitError(Exception):
     """A file of a point cannot be used; the text says why."""
 
 
-def _geometry(path: Path, length_unit: float, notes: Notebook) -> tuple[dict[str, Place], dict[str, Path]]:
+def _geometry(
+    path: Path, length_unit: float, notes: Notebook
+) -> tuple[dict[str, Place], dict[str, Path], bool]:
+    """Places and files of the points by name, and whether they are simulated."""
     table = path / GEOMETRY
     if not table.is_file():
         raise ScanError(
@@ -73,10 +77,12 @@ def _geometry(path: Path, length_unit: float, notes: Notebook) -> tuple[dict[str
         )
     places: dict[str, Place] = {}
     files: dict[str, Path] = {}
+    simulated = False
     with table.open(newline="", encoding="utf-8-sig") as text:
         rows = csv.DictReader(text, skipinitialspace=True)
         for number, row in enumerate(rows, start=2):
             name = (row.get("file") or "").strip()
+            simulated |= row.get(ORIGIN) == "simulated"
             try:
                 place = Place(*(length_unit * float(row.get(axis) or "nan") for axis in "xy"))
             except ValueError:
@@ -90,7 +96,7 @@ def _geometry(path: Path, length_unit: float, notes: Notebook) -> tuple[dict[str
                 files[name] = path / name
             else:
                 places[name], files[name] = place, path / name
-    return places, {name: file for name, file in files.items() if name in places}
+    return places, {name: file for name, file in files.items() if name in places}, simulated
 
 
 def _curves(name: str, file: Path, how: Mapped, notes: Notebook) -> list[Curve]:

@@ -14,9 +14,11 @@ from haptonic.response import FrequencyResponse
 from haptonic.vibrometry.curves import Curve, Place, assemble
 from haptonic.vibrometry.findings import Notebook
 from haptonic.vibrometry.labels import ratio_of
-from haptonic.vibrometry.records import InMemory, TimeScan
+from haptonic.vibrometry.readers.stored import Stored
+from haptonic.vibrometry.records import InMemory, Source, TimeScan
 
 Origin = Literal["measured", "simulated"]
+ORIGIN = "origin"  # name of a text in a file that says "simulated"
 # What a variable may be called when nothing else is said; the first that is there is taken.
 GUESSES: dict[str, tuple[str, ...]] = {
     "frequency": ("frequency", "freq", "frequencies", "f", "freqs", "fvec", "f_hz"),
@@ -48,7 +50,7 @@ class Mapped:
     reference: str
 
 
-def table_of(arrays: Mapping[str, NDArray[Any]], how: Mapped, notes: Notebook) -> dict[str, NDArray[Any]]:
+def table_of(arrays: Mapping[str, Any], how: Mapped, notes: Notebook) -> dict[str, Any]:
     """The arrays by what they mean.
 
     Raises
@@ -76,13 +78,13 @@ def table_of(arrays: Mapping[str, NDArray[Any]], how: Mapped, notes: Notebook) -
             taken.add(guess)
             notes.remark(f'the variable "{guess}" was taken as {meaning}')
     for name in arrays:
-        if name not in taken:
+        if name not in taken and name != ORIGIN:
             notes.remark(f'the variable "{name}" was not used')
     return found
 
 
 def scan_of(
-    table: Mapping[str, NDArray[Any]], how: Mapped, notes: Notebook, origin: Origin, title: str
+    table: Mapping[str, Any], how: Mapped, notes: Notebook, origin: Origin, title: str
 ) -> FrequencyResponse | TimeScan:
     """The arrays of a table as responses, or as time records when they come with a sample rate.
 
@@ -126,7 +128,7 @@ def scan_of(
     return assemble(curves, known, notes, origin=origin, title=title, inputs={"file": notes.path.name})
 
 
-def _places(table: Mapping[str, NDArray[Any]], how: Mapped, notes: Notebook) -> list[Place | None]:
+def _places(table: Mapping[str, Any], how: Mapped, notes: Notebook) -> list[Place | None]:
     if "x" in table and "y" in table:
         columns = [np.asarray(table[name], dtype=float).ravel() for name in ("x", "y")]
     elif "points" in table and np.ndim(table["points"]) == 2:
@@ -158,7 +160,7 @@ def _points_first(values: NDArray[Any], points: int, lines: int, notes: Notebook
 
 
 def _records(
-    table: Mapping[str, NDArray[Any]],
+    table: Mapping[str, Any],
     places: list[Place | None],
     how: Mapped,
     notes: Notebook,
@@ -168,30 +170,65 @@ def _records(
     if "reference" not in table:
         raise _unfit("reference", "time records without the record of the drive", notes)
     response, reference = (_records_first(table[name], len(places)) for name in ("response", "reference"))
-    fits = response.shape[1:] == reference.shape[1:] and len(reference) in (1, len(response))
-    if len(response) != len(places) or not fits:
+    (count, repeats, samples), driven = _shape(response), _shape(reference)
+    if count != len(places) or driven[1:] != (repeats, samples) or driven[0] not in (1, count):
         raise _unfit(
             "response", f"{response.shape}, reference {reference.shape}, {len(places)} points", notes
         )
     keep = [i for i, place in enumerate(places) if place is not None]
+    source: Source
+    if len(keep) == count and isinstance(response, Stored):
+        source = _Streamed(reference, response)
+    else:
+        rows = np.asarray(reference).reshape(driven)
+        moved = np.asarray(response).reshape(count, repeats, samples)
+        source = InMemory(rows if driven[0] == 1 else rows[keep], moved[keep])
     for i, place in enumerate(places):
         if place is None:
             notes.drop(f"point {i + 1}", "no coordinates")
     found = [place for place in places if place is not None]
     unit = ratio_of(how.unit).over
     return TimeScan(
-        InMemory(reference if len(reference) == 1 else reference[keep], response[keep]),
+        source,
         tuple(str(i + 1) for i in keep),
         np.array([place.x for place in found]), np.array([place.y for place in found]),
-        response.shape[1], response.shape[2],
+        repeats, samples,
         float(np.asarray(table["sample_rate"], dtype=float).ravel()[0]),
         how.reference or "reference, V",
         motion=unit.motion or "velocity", response_scale=unit.factor, origin=origin, title=title,
     )  # fmt: skip
 
 
-def _records_first(values: NDArray[Any], points: int) -> NDArray[Any]:
-    """(point, repeat, sample) of records that came as (point, sample), (sample, point) or (sample,)."""
+@dataclass(frozen=True, eq=False)
+class _Streamed:
+    """Records of which the response, and perhaps the reference, stays in the file."""
+
+    reference: Stored | NDArray[Any]
+    response: Stored
+
+    def load(self, start: int, stop: int) -> tuple[NDArray[Any], NDArray[Any]]:
+        return self._portion(self.reference, start, stop), self._portion(self.response, start, stop)
+
+    def _portion(self, of: Stored | NDArray[Any], start: int, stop: int) -> NDArray[Any]:
+        count, repeats, samples = _shape(of)
+        if count == 1:
+            start, stop = 0, 1
+        rows = of.rows(start, stop) if isinstance(of, Stored) else of[start:stop]
+        return rows.reshape(-1, repeats, samples)
+
+
+def _shape(of: Stored | NDArray[Any]) -> tuple[int, int, int]:
+    """Points, repeats and samples of records that may lack the middle one."""
+    return (of.shape[0], of.shape[1], of.shape[2]) if len(of.shape) == 3 else (of.shape[0], 1, of.shape[1])
+
+
+def _records_first(values: Stored | NDArray[Any], points: int) -> Stored | NDArray[Any]:
+    """(point, repeat, sample) of records that came as (point, sample), (sample, point) or (sample,).
+
+    What is stored with the points first stays in its file.
+    """
+    if isinstance(values, Stored) and values.shape[0] == points and len(values.shape) in (2, 3):
+        return values
     if np.ndim(values) == 3:
         return np.asarray(values)
     table = np.atleast_2d(np.squeeze(values))

@@ -258,7 +258,8 @@ def _by_pyuff(block: Block, data: Buffer) -> dict[str, Any]:
         path.write_bytes(b"    -1\n%6d\n" % block.kind + content.rstrip() + b"\n    -1\n")
         try:
             made = pyuff.UFF(str(path)).read_sets(0)
-        except Exception as error:
+        except Exception as error:  # pyuff turns whatever happens to it into a plain Exception
+            _raise_what_no_file_is_to_blame_for(error)
             if block.kind in (15, 2411):
                 return _nodes_line_by_line(block, content)
             raise UnreadableError(
@@ -268,6 +269,15 @@ def _by_pyuff(block: Block, data: Buffer) -> dict[str, Any]:
     if block.kind in (15, 2411) and len(lengths) > 1:
         return _nodes_line_by_line(block, content)
     return dict(made)
+
+
+def _raise_what_no_file_is_to_blame_for(error: BaseException) -> None:
+    """Raise what pyuff's exception hides, if it is no fault of the text that it read."""
+    cause: BaseException | None = error
+    while cause is not None:
+        if isinstance(cause, MemoryError | OSError | KeyboardInterrupt):
+            raise cause
+        cause = cause.__context__
 
 
 def _nodes_line_by_line(block: Block, content: bytes) -> dict[str, Any]:

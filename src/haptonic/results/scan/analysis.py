@@ -1,0 +1,302 @@
+"""From the content of scan files to all that a scan tells, with the plate of a study or without one."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import xarray as xr
+from numpy.typing import NDArray
+from scipy.spatial import cKDTree
+
+from haptonic.bloch import Gap
+from haptonic.errors import HaptonicError, ResponseError, ScanError
+from haptonic.plate import Plate
+from haptonic.plate.layout import Layout
+from haptonic.response import FrequencyResponse, average_spectrum, rms
+from haptonic.results.common import Asked
+from haptonic.results.plate.compute import marked_lines
+from haptonic.results.plate.question import driven_region, tile_names
+from haptonic.results.plate.value import contrasts
+from haptonic.results.scan.computed import computed_waves
+from haptonic.results.scan.places import MIRROR, Mirror, guides_of, mirror_beside
+from haptonic.results.scan.question import ScanQuestion, Tiles
+from haptonic.results.scan.value import ScanResult
+from haptonic.store import Store
+from haptonic.vibrometry import (
+    Estimate,
+    MeasuredGap,
+    ReadReport,
+    Registration,
+    Scan,
+    TimeScan,
+    estimate,
+    lattice_decay,
+    measured_gap,
+    register_by_corners,
+    register_by_fit,
+    warn_if_aliased,
+    wavenumber_map,
+)
+from haptonic.vibrometry.estimation.quality import judged
+from haptonic.vibrometry.estimation.spectra import Estimator, WindowName
+
+Array = NDArray[np.float64]
+Progress = Callable[[int, int], object]
+
+LATTICE = "lattice of the plate"  # name of all points on lattices while the gap is looked for
+FAR = 0.5  # of a step of the grid: a worse misfit of a registration is told
+SAME_SCALE = 0.05  # by which a registration may scale before it is told
+
+
+@dataclass(frozen=True)
+class Estimation:
+    """How records become responses; see `haptonic.vibrometry.estimate`.
+
+    segment : length of one transform, s; None takes the period of the study's drive, or a whole record
+    state : folder from which a stopped estimation goes on; repair : flags of points that are replaced
+    """
+
+    estimator: Estimator = "H1"
+    window: WindowName = "none"
+    decay: float | None = None
+    segment: float | None = None
+    overlap: float = 0.0
+    align: bool = False
+    state: Path | None = None
+    repair: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True)
+class OnPlate:
+    """What a study says about a scanned plate.
+
+    carrier : Hz; gap : of its lattice; asked : of the bands
+    corners : (4, 2) of the plate as the scan sees them, from the lower left one anticlockwise, m; else the
+        points are fitted to the planned ones
+    mirrored : the scan sees the plate from behind
+    """
+
+    plate: Plate
+    question: ScanQuestion
+    carrier: float
+    gap: Gap | None
+    asked: Asked
+    corners: Array | None = None
+    mirrored: bool = False
+
+
+def compute_scan(
+    scan: Scan,
+    how: Estimation,
+    on: OnPlate | None,
+    *,
+    at: float | None = None,
+    store: Store,
+    progress: Progress | None = None,
+) -> ScanResult:
+    """All that a scan tells.
+
+    Parameters
+    ----------
+    at : frequency of the operating shape and its animation, Hz; else the loudest
+    progress : called with the points done and their number
+
+    Raises
+    ------
+    ScanError : settings that do not fit the scan, or nothing left of it
+    ResponseError : ``at`` is not covered
+    """
+    found = _estimated(scan, how, on, progress)
+    if how.repair:
+        found = found.repaired(*how.repair)
+    response = found.response
+    if at is not None:
+        at = float(response.at(at).frequency[0])
+    report = _joined(scan.report, found.report)
+    data = xr.Dataset({"average": average_spectrum(response)})
+    plain = ScanResult(response, found.quality, report, found.averages, data, ())
+    if on is None:
+        loudest = float(response.frequency[int(data["average"].values.argmax())])
+        return replace(plain, shapes=(loudest if at is None else at,))
+    registration = _registration(response, on)
+    layout = on.plate.layout
+    response = _without_path(
+        registration.registered(response, {n: Tiles(layout, n) for n in layout.regions}), on
+    )
+    found_gap, told = _told_on_plate(response, on, data)
+    edges = None if on.gap is None else (on.gap.lower, on.gap.upper)
+    names = [str(name) for name in response.dataset["region"].values]
+    marked = marked_lines(on.plate, response.frequency, response.values[..., 0].T, names, on.carrier, edges)
+    shapes = tuple(response.frequency[marked].tolist()) if at is None else (at,)
+    driven = driven_region(on.plate)
+    mirror = mirror_beside(layout, driven) if driven else None
+    waves = None
+    if layout.cells:
+        span = float(response.frequency[0]), float(response.frequency[-1])
+        waves = computed_waves(layout, on.asked, span, on.gap, guides_of(layout), mirror, store)
+        shortest = 2 * np.pi / float(waves["wavenumber"].max())
+        warn_if_aliased(_step(response), shortest, f"the flexural wave at {span[1] / 1e3:.4g} kHz")
+    if registration.misfit > FAR * _step(response):
+        told.append(
+            f"points lie {registration.misfit * 1e3:.2g} mm off the planned places: check the registration"
+        )
+    if abs(registration.scale - 1) > SAME_SCALE:
+        told.append(f"lengths were scaled by {registration.scale:.4g} to fit the plate: check their unit")
+    outside = sum(name is None for name in tile_names(layout, response.points))
+    if outside:
+        told.append(f"{outside} points lie beside the plate of the study")
+    return replace(
+        plain, response=response, shapes=shapes, plate=on.plate, carrier=on.carrier, gap=on.gap,
+        measured=found_gap, registration=registration, waves=waves, mirror=mirror, told=tuple(told),
+    )  # fmt: skip
+
+
+def _joined(read: ReadReport, estimated: ReadReport) -> ReadReport:
+    """The report of a file with what was left out of it later."""
+
+    def both(first: tuple[Any, ...], second: tuple[Any, ...]) -> tuple[Any, ...]:
+        return tuple(dict.fromkeys((*first, *second)))
+
+    return replace(
+        read, points=estimated.points, dropped=both(read.dropped, estimated.dropped),
+        remarks=both(read.remarks, estimated.remarks),
+    )  # fmt: skip
+
+
+def _estimated(scan: Scan, how: Estimation, on: OnPlate | None, progress: Progress | None) -> Estimate:
+    """The response of a scan and the quality of its points, estimated where the scan has time records."""
+    if isinstance(scan.content, FrequencyResponse):
+        response = scan.content
+        coherence = response.dataset["coherence"].values if "coherence" in response.dataset else None
+        points = response.dataset.sizes["point"]
+        median = np.full(points, np.nan) if coherence is None else np.median(coherence, axis=0).astype(float)
+        known = json.loads(response.dataset.attrs["inputs"]).get("points")
+        names = known if isinstance(known, list) and len(known) == points else range(1, points + 1)
+        quality = judged(tuple(map(str, names)), np.zeros(points), np.zeros(points), median)
+        return Estimate(response, quality, scan.report, 0)
+    records = scan.records
+    segment, band = how.segment, None
+    if on is not None:
+        fits = on.question.record * records.sample_rate <= records.samples * (1 + 1e-9)
+        segment = on.question.record if segment is None and fits else segment
+        low, high = on.question.lowest, min(on.question.highest, 0.5 * records.sample_rate)
+        band = (low, high) if low < high else None
+    return estimate(
+        records,
+        estimator=how.estimator, window=how.window, decay=how.decay, overlap=how.overlap, align=how.align,
+        segment=None if segment is None else _samples(segment, records), band=band, state=how.state,
+        progress=progress, workers=2,
+    )  # fmt: skip
+
+
+def _samples(segment: float, records: TimeScan) -> int:
+    return round(segment * records.sample_rate)
+
+
+def _registration(response: FrequencyResponse, on: OnPlate) -> Registration:
+    layout = on.plate.layout
+    if on.corners is not None:
+        right, top = layout.x[-1], layout.y[-1]
+        corners = np.array([[0.0, 0.0], [right, 0.0], [right, top], [0.0, top]])
+        return register_by_corners(on.corners, corners, mirrored=on.mirrored)
+    return register_by_fit(response.points, on.question.plan(on.plate).points, mirrored=on.mirrored)
+
+
+def _without_path(response: FrequencyResponse, on: OnPlate) -> FrequencyResponse:
+    """The response without delay and low-pass of the instrument that the study gives."""
+    instrument = on.question.instrument
+    if not instrument.delay and instrument.bandwidth is None:
+        return response
+    path = instrument.path(response.frequency).astype(response.values.dtype)
+    old, notes = response.dataset["response"], response.dataset.attrs
+    inputs = json.loads(notes["inputs"]) | {
+        "path": {"delay": instrument.delay, "bandwidth": instrument.bandwidth}
+    }
+    values = response.values / path[:, None, None]
+    values.setflags(write=False)
+    made = response.dataset.assign(response=(old.dims, values, old.attrs))
+    return FrequencyResponse(made.assign_attrs(inputs=json.dumps(inputs)))
+
+
+def _told_on_plate(
+    response: FrequencyResponse, on: OnPlate, data: xr.Dataset
+) -> tuple[MeasuredGap | None, list[str]]:
+    """Fill a dataset with what the regions tell; the gap, and why something could not be told."""
+    layout, told, driven = on.plate.layout, [], driven_region(on.plate)
+    for name in response.regions:
+        data[f"rms {name}"] = rms(response, name)
+    for name, level in contrasts(response, driven).items():
+        data[f"contrast {name}"] = level
+    for guide in guides_of(layout):
+        try:
+            waves = wavenumber_map(response, guide.region, guide.along)
+        except HaptonicError as error:
+            told.append(f"no waves along {guide.region}: {error.given}")
+        else:
+            data[f"waves {guide.region}"] = waves.rename(wavenumber=f"wavenumber {guide.region}")
+    if driven is None:
+        return None, [*told, "no gap: the study does not say which region is driven"]
+    found = None
+    try:
+        found = measured_gap(_on_lattices(response, layout), driven, LATTICE)
+    except (ScanError, ResponseError) as error:
+        told.append(f"no gap: {error.given}")
+    mirror = mirror_beside(layout, driven)
+    if mirror is not None:
+        try:
+            decay = decay_in(response, mirror)
+        except (ScanError, ResponseError) as error:
+            told.append(f"no decay: {error.given}")
+        else:
+            data.update({f"decay {name}": values for name, values in decay.items() if name != "frequency"})
+            data.attrs["decay"] = json.dumps(decay.attrs)
+    return found, told
+
+
+def gap_in(response: FrequencyResponse, plate: Plate) -> MeasuredGap:
+    """The gap that a response on a plate shows: its driven region over all its lattices.
+
+    Raises
+    ------
+    ScanError : no driven region, or no gap
+    ResponseError : no point in one of them
+    """
+    driven = driven_region(plate)
+    if driven is None:
+        raise ScanError(
+            argument="plate.actuator", given="no driven region", allowed="a drive on a region of plain plate",
+            cause="the drive lies on the lattice", next_step="add a drive to a region",
+        )  # fmt: skip
+    return measured_gap(_on_lattices(response, plate.layout), driven, LATTICE)
+
+
+def decay_in(response: FrequencyResponse, mirror: Mirror) -> xr.Dataset:
+    """Decay of a response through a mirror; see `haptonic.vibrometry.lattice_decay`."""
+    inside = mirror.area.holds(response.points)
+    named = _named(response, [MIRROR if one else "" for one in inside])
+    return lattice_decay(
+        named, MIRROR, depth=mirror.depth, start=mirror.start, pitch=mirror.pitch, inwards=mirror.inwards
+    )
+
+
+def _on_lattices(response: FrequencyResponse, layout: Layout) -> FrequencyResponse:
+    """The same with the points on lattices named as well."""
+    return _named(
+        response,
+        [LATTICE if name in layout.cells else name or "" for name in tile_names(layout, response.points)],
+    )
+
+
+def _named(response: FrequencyResponse, names: Sequence[str]) -> FrequencyResponse:
+    return FrequencyResponse(response.dataset.assign_coords(region=("point", np.array(names, dtype=str))))
+
+
+def _step(response: FrequencyResponse) -> float:
+    """Distance of a point to its nearest neighbour, as most points have it, m."""
+    distance, _ = cKDTree(response.points).query(response.points, k=2)
+    return float(np.median(distance[:, 1]))

@@ -1,0 +1,114 @@
+"""What the lattice's theory says beside a scan: waves of plain plate and guides, and evanescent waves."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
+
+import numpy as np
+import xarray as xr
+from numpy.typing import NDArray
+from threadpoolctl import threadpool_limits
+
+from haptonic.bloch import Gap
+from haptonic.bloch.evanescent import attenuation
+from haptonic.bloch.guide import Guide
+from haptonic.bloch.model import bloch_model
+from haptonic.bloch.plate_waves import PlainPlate
+from haptonic.errors import StudyError
+from haptonic.plate.layout import Layout
+from haptonic.results.carrier import condensed_cell
+from haptonic.results.common import Asked, key_of
+from haptonic.results.scan.places import Guiding, Mirror
+from haptonic.store import Store, content_key
+
+Array = NDArray[np.float64]
+
+PLAIN = 41  # frequencies of the plain plate's wave
+FADING = 33  # of evanescent waves
+PHASES = (0.0, 0.5 * np.pi, np.pi)  # along the rows of the mirror
+STEPS = 9  # wavenumbers of a guide's mode
+REACH = (0.9, 1.04)  # of the flexural wave's wavenumber in the gap, within which these lie
+INSET = 1e-3  # of the gap's width, kept away from its edges
+
+
+@threadpool_limits.wrap(limits=1)  # these matrices are too small for threads inside the linear algebra
+def computed_waves(
+    layout: Layout,
+    asked: Asked,
+    span: tuple[float, float],
+    gap: Gap | None,
+    guides: list[Guiding],
+    mirror: Mirror | None,
+    store: Store,
+) -> xr.Dataset:
+    """Waves of a plate's parts, from the store if they were computed before.
+
+    Parameters
+    ----------
+    span : lowest and highest frequency, Hz
+
+    Returns
+    -------
+    ``wavenumber`` (frequency) of A0 in plain plate, rad/m; ``attenuation`` (mirror_frequency, phase), dB per
+    cell; ``guided_frequency`` and ``guided_wavenumber`` (guide, step), NaN where a guide has no mode
+    """
+    cell = layout.cells[mirror.name] if mirror else next(iter(layout.cells.values()))
+    widths = sorted({(one.width, one.along) for one in guides if one.lattice == (mirror and mirror.name)})
+    edges = None if gap is None else [gap.lower, gap.upper]
+    inputs: Mapping[str, Any] = {
+        "kind": "waves beside a scan", "span": list(span), "gap": edges, "widths": [list(w) for w in widths],
+        "depth": mirror and mirror.depth, **key_of(cell, asked),
+    }  # fmt: skip
+    key = content_key(inputs)
+    if (kept := store.get(key)) is not None:
+        return kept
+    resolution = bloch_model(cell, asked.count, asked.accuracy, asked.resolution).resolution
+    superelement = condensed_cell(cell, resolution)
+    plain = PlainPlate.of(cell, superelement.levels)
+    low = max(span[0], 1e-3 * span[1])
+    frequency = np.linspace(low, span[1], PLAIN)
+    wavenumber = [plain.wavenumber(2 * np.pi * f, 0.0, "A0") or np.nan for f in frequency]
+    made = xr.Dataset(
+        {"wavenumber": ("frequency", np.array(wavenumber), {"units": "rad/m"})},
+        coords={"frequency": ("frequency", frequency, {"units": "Hz"})},
+    )
+    if mirror is not None:
+        around = (
+            (low, span[1]) if gap is None else (max(low, 0.85 * gap.lower), min(span[1], 1.15 * gap.upper))
+        )
+        at = np.linspace(*around, FADING)
+        fades = attenuation(superelement, 2 * np.pi * at, np.array(PHASES), 0 if mirror.depth == "x" else 1)
+        made["attenuation"] = ("mirror_frequency", "phase"), fades, {"units": "dB/cell"}
+        made = made.assign_coords(
+            mirror_frequency=("mirror_frequency", at, {"units": "Hz"}), phase=("phase", list(PHASES))
+        )
+    found = np.full((2, len(widths), STEPS), np.nan)
+    if gap is not None:
+        inside = INSET * (gap.upper - gap.lower)
+        between = 2 * np.pi * (gap.lower + inside), 2 * np.pi * (gap.upper - inside)
+        middle = plain.wavenumber(0.5 * sum(between), 0.0, "A0") or 0.0
+        for row, (width, along) in enumerate(widths):
+            for step, k in enumerate(middle * np.linspace(*REACH, STEPS)):
+                try:
+                    mode = Guide.of(superelement, float(k), 0 if along == "y" else 1).mode(width, 0, between)
+                except StudyError:
+                    continue  # at this wavenumber the guide has no mode in the gap
+                found[:, row, step] = mode.omega / (2 * np.pi), k
+    made["guided_frequency"] = ("guide", "step"), found[0], {"units": "Hz"}
+    made["guided_wavenumber"] = ("guide", "step"), found[1], {"units": "rad/m"}
+    made = made.assign_coords(
+        width=("guide", [w for w, _ in widths]), along=("guide", [a for _, a in widths])
+    )
+    store.put(key, made)
+    return made
+
+
+def guided(waves: xr.Dataset, one: Guiding) -> tuple[Array, Array]:
+    """Frequencies (Hz) and wavenumbers (rad/m) of a guide's mode without nodal lines along it."""
+    for row in range(waves.sizes["guide"]):
+        if (float(waves["width"][row]), str(waves["along"].values[row])) == (one.width, one.along):
+            at = waves["guided_frequency"].values[row]
+            there = np.isfinite(at)
+            return at[there], waves["guided_wavenumber"].values[row][there]
+    return np.zeros(0), np.zeros(0)

@@ -1,0 +1,110 @@
+"""What is asked of a scan: its drive and its points on the plate."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from haptonic.errors import ScanError, nearest
+from haptonic.plate import Plate
+from haptonic.plate.layout import Layout
+from haptonic.results.plate.question import PlateQuestion, grid_points, reference_of, tile_names
+from haptonic.vibrometry.chirp import Drive, Kind, drive
+from haptonic.vibrometry.instrument import Instrument, lines_of
+from haptonic.vibrometry.scan_plan import Rectangle, Region, ScanPlan, visited
+
+Array = NDArray[np.float64]
+
+CLAMPS = "clamps"  # stands for all held corners
+
+
+@dataclass(frozen=True)
+class ScanQuestion:
+    """How a plate is scanned; see the table ``[scan]`` of the study file.
+
+    lowest, highest : of the drive, Hz; rate : Hz; record : period of the drive, s
+    averages : periods at each point; signal : kind of drive
+    grid : distance of neighbouring points, m; skip : names of regions, lattices or "clamps" without points
+    """
+
+    lowest: float
+    highest: float
+    rate: float
+    record: float
+    averages: int
+    signal: Kind
+    grid: float
+    skip: tuple[str, ...]
+    instrument: Instrument
+
+    def drive(self, plate: Plate | None) -> Drive:
+        """One period, as large as the plate's first drive; of 1 V without a plate.
+
+        Raises
+        ------
+        ScanError : band, rate and record do not fit together
+        StudyError : nothing drives the plate
+        """
+        amplitude = 1.0 if plate is None else reference_of(plate)[1]
+        quality = 1 / plate.loss_factor if plate is not None and plate.loss_factor else None
+        return drive(
+            low=self.lowest, high=self.highest, sample_rate=self.rate, duration=self.record,
+            amplitude=amplitude, kind=self.signal, quality_factor=quality,
+        )  # fmt: skip
+
+    def plan(self, plate: Plate) -> ScanPlan:
+        """The points, in the order of the stage: those at which the plate is computed, less the skipped.
+
+        Raises
+        ------
+        ScanError : an unknown name among the skipped, or no point left
+        """
+        points, _ = grid_points(plate, self.grid)
+        layout = plate.layout
+        known = (*layout.regions, *layout.cells, CLAMPS)
+        excluded: list[Region] = []
+        for name in self.skip:
+            if name not in known:
+                guess = nearest(name, known)
+                raise ScanError(
+                    argument="scan.skip",
+                    given=f'"{name}"',
+                    allowed=f"names of {', '.join(known)}",
+                    cause="the plate has no such region or lattice",
+                    next_step=f'write "{guess}"' if guess else "choose one of these",
+                )
+            excluded += held_corners(plate) if name == CLAMPS else [Tiles(layout, name)]
+        return visited(points, excluded)
+
+    def of_plate(self, tolerance: float, signal: Drive) -> PlateQuestion:
+        """What to ask of the plate: its response at the lines of a drive."""
+        lines = lines_of(signal)
+        return PlateQuestion(float(lines[0]), float(lines[-1]), len(lines), tolerance, self.grid)
+
+
+@dataclass(frozen=True)
+class Tiles:
+    """All tiles of one name as a region."""
+
+    layout: Layout
+    name: str
+
+    def holds(self, points: Array) -> NDArray[np.bool_]:
+        """(point,) which points of (point, 2) lie in it."""
+        return np.array([name == self.name for name in tile_names(self.layout, points)])
+
+
+def held_corners(plate: Plate) -> list[Region]:
+    """Squares that clamps at the corners cover."""
+    layout, found = plate.layout, []
+    for support in plate.supports:
+        if support.where == "corners" and support.length is not None:
+            size = support.length
+            found += [
+                Rectangle(x, y, size, size)
+                for x in (0.0, layout.x[-1] - size)
+                for y in (0.0, layout.y[-1] - size)
+            ]
+    return list(found)

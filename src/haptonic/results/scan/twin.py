@@ -1,0 +1,177 @@
+"""A scan in software, whose truth is known: what a vibrometer would record of a computed plate."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Callable
+from dataclasses import asdict, dataclass, replace
+from functools import cached_property, partial
+from pathlib import Path
+from typing import Any, Literal
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.spatial import cKDTree
+
+from haptonic.bloch import Gap
+from haptonic.errors import HaptonicError, ScanError
+from haptonic.plate import Plate
+from haptonic.response import FrequencyResponse, write
+from haptonic.results.plate.question import driven_region
+from haptonic.results.plate.value import contrasts
+from haptonic.results.scan.analysis import gap_in
+from haptonic.results.scan.question import ScanQuestion
+from haptonic.vibrometry import TimeScan, estimate, write_records, write_uff, write_uff_records
+from haptonic.vibrometry.chirp import Drive
+from haptonic.vibrometry.exports import csv_files, write_mat, write_mat_records, write_tdms
+from haptonic.vibrometry.instrument import recorded
+from haptonic.vibrometry.readers.folder import GEOMETRY
+
+Array = NDArray[np.float64]
+Kind = Literal["time", "frf"]
+
+STAGE = (12e-3, 7e-3)  # m, where the corner of the plate lies in the coordinates of the stage
+NEAR = 0.01  # of the grid, within which a point of the plan is one of the response
+TIME: dict[str, Callable[[TimeScan, Path], None]] = {
+    "h5": write_records, "uff": write_uff_records, "mat": write_mat_records, "tdms": write_tdms,
+}  # fmt: skip
+FRF: dict[str, Callable[[FrequencyResponse, Path], None]] = {
+    "nc": write, "uff": write_uff, "mat": write_mat,
+}  # fmt: skip
+RESPONSES = (*FRF, "csv")
+FORMATS = ("h5", "nc", "uff", "mat", "csv", "tdms")
+
+
+@dataclass(frozen=True, eq=False)
+class Twin:
+    """A simulated scan.
+
+    true : the plate's response at the points of the plan, in the order of the stage, on the plate
+    records : what the instrument gives of it, in the coordinates of the stage
+    """
+
+    plate: Plate
+    question: ScanQuestion
+    signal: Drive
+    gap: Gap | None
+    true: FrequencyResponse
+    records: TimeScan
+    seed: int
+
+    @classmethod
+    def of(
+        cls,
+        plate: Plate,
+        question: ScanQuestion,
+        signal: Drive,
+        response: FrequencyResponse,
+        *,
+        gap: Gap | None = None,
+        seed: int,
+    ) -> Twin:
+        """The scan of a plate whose response is known at the points of the plan and the lines of the drive.
+
+        Raises
+        ------
+        ScanError : a response at other points or lines
+        """
+        plan = question.plan(plate).points
+        distance, order = cKDTree(response.points).query(plan)
+        if distance.max() > NEAR * question.grid:
+            raise ScanError(
+                argument="response",
+                given=f"no point within {distance.max() * 1e3:.3g} mm of a planned one",
+                allowed="a response at the points of the scan plan",
+                cause="it was computed on another grid, or for another plate",
+                next_step="compute it with the grid of [scan], or leave --from out",
+            )
+        true = FrequencyResponse(response.dataset.isel(point=order))
+        if true.dataset.attrs["quantity"] != "velocity":
+            true = true.velocity()
+        points = true.points + np.array(STAGE)
+        moved = FrequencyResponse(
+            true.dataset.assign_coords(x=("point", points[:, 0]), y=("point", points[:, 1]))
+        )
+        records = recorded(moved, signal, question.instrument, averages=question.averages, seed=seed)
+        return cls(plate, question, signal, gap, true, records, seed)
+
+    @cached_property
+    def estimated(self) -> FrequencyResponse:
+        """What an instrument that estimates responses itself would store."""
+        found = estimate(self.records, band=self.signal.band, workers=2)
+        return found.response
+
+    def files(self, form: str, kind: Kind | None) -> dict[str, Callable[[Path], object]]:
+        """Writers of the files by name.
+
+        Parameters
+        ----------
+        form : one of `FORMATS`; kind : time records or responses; None takes what the form has
+
+        Raises
+        ------
+        ScanError : a form without this kind
+        """
+        truth: dict[str, Callable[[Path], object]] = {"truth.json": self._write_truth}
+        if kind_of(form, kind) == "time":
+            return {f"scan.{form}": partial(TIME[form], self.records)} | truth
+        if form == "csv":
+            return {f"scan/{name}": writer for name, writer in csv_files(self.estimated).items()} | truth
+        return {f"scan.{form}": partial(FRF[form], self.estimated)} | truth
+
+    def _write_truth(self, path: Path) -> None:
+        path.write_text(json.dumps(self.truth(), indent=1) + "\n", "utf-8")
+
+    def truth(self) -> dict[str, Any]:
+        """What an analysis of the files has to find."""
+        try:
+            gap = asdict(gap_in(self.true, self.plate))
+        except HaptonicError as error:
+            gap = {"none": error.given}
+        levels = contrasts(self.true, driven_region(self.plate))
+        instrument = asdict(
+            replace(
+                self.question.instrument,
+                full_scale=self.records.response_scale * (self.records.full_scale or 1),
+            )
+        )
+        return {
+            "origin": "simulated",
+            "seed": self.seed,
+            "gap": gap,
+            "computed_gap_hz": None if self.gap is None else [self.gap.lower, self.gap.upper],
+            "frequency_hz": self.true.frequency.tolist(),
+            "contrast_db": {name: level.values.tolist() for name, level in levels.items()},
+            "points": len(self.true.points),
+            "stage_m": list(STAGE),
+            "instrument": instrument,
+            "loss_factor": self.plate.loss_factor,
+            "inputs": json.loads(self.true.dataset.attrs["inputs"]),
+        }
+
+
+def kind_of(form: str, kind: Kind | None) -> Kind:
+    """What a form holds when nothing is asked for: time records where it can.
+
+    Raises
+    ------
+    ScanError : a form without this kind
+    """
+    have: list[Kind] = [name for name, forms in (("time", TIME), ("frf", RESPONSES)) if form in forms]  # type: ignore[misc]
+    if kind is None:
+        return have[0]
+    if kind not in have:
+        other = [one for one in FORMATS if one in (TIME if kind == "time" else RESPONSES)]
+        raise ScanError(
+            argument="--format",
+            given=f"{form} with --{kind}",
+            allowed=f"with --{kind} one of {', '.join(other)}",
+            cause="this form does not hold both time records and responses",
+            next_step=f"leave --{kind} out, or choose another form",
+        )
+    return kind
+
+
+def scan_name(form: str) -> str:
+    """Of the file of a twin, or of one that a folder of it has."""
+    return f"scan/{GEOMETRY}" if form == "csv" else f"scan.{form}"

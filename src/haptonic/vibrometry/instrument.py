@@ -1,0 +1,154 @@
+"""A vibrometer in software: the records that a real one would give of a known response; all simulated."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+import scipy.fft
+from numpy.typing import NDArray
+
+from haptonic.errors import ScanError
+from haptonic.response import FrequencyResponse
+from haptonic.vibrometry.chirp import Drive
+from haptonic.vibrometry.records import Samples, TimeScan
+
+Array = NDArray[np.float64]
+Complex = NDArray[np.complexfloating[Any, Any]]
+
+SAME = 1e-6  # of the line spacing, by which lines of drive and response may differ
+HEADROOM = 1.25  # of the range over the largest velocity, where none is given
+LOST = (0.03, 0.12)  # of a record, shortest and longest dropout
+PORTION = 32e6  # bytes that are made at a time while the range is looked for
+
+
+@dataclass(frozen=True)
+class Instrument:
+    """What a vibrometer and its converter do to a velocity.
+
+    bits : of the converter
+    noise : root mean square of the samples, m/s; white
+    full_scale : largest velocity, m/s; None takes 1.25 of the largest one
+    dropouts : share of points at which the laser loses the surface for a part of one period
+    delay : behind the drive, s
+    bandwidth : -3 dB of a first-order low-pass, Hz; None without one
+    """
+
+    bits: int = 16
+    noise: float = 0.0
+    full_scale: float | None = None
+    dropouts: float = 0.0
+    delay: float = 0.0
+    bandwidth: float | None = None
+
+    def path(self, frequency: Array) -> NDArray[np.complex128]:
+        """(frequency,) by what delay and low-pass multiply a velocity."""
+        through: NDArray[np.complex128] = np.exp(-2j * np.pi * frequency * self.delay)
+        return (
+            through if self.bandwidth is None else np.asarray(through / (1 + 1j * frequency / self.bandwidth))
+        )
+
+
+def lines_of(signal: Drive) -> Array:
+    """Driven lines within the band of a drive, both edges included, Hz."""
+    first, last = (round(edge * signal.duration) for edge in signal.band)
+    return np.asarray(np.arange(first, last + 1) * signal.line_spacing)
+
+
+def recorded(
+    response: FrequencyResponse, signal: Drive, instrument: Instrument, *, averages: int, seed: int
+) -> TimeScan:
+    """Time records of a steady state: after some periods of a periodic drive a plate repeats itself.
+
+    Nothing is in memory but the response: records are made when they are asked for, and are the same each
+    time. The drive's record is that of an ideal channel, the same for all points.
+
+    Parameters
+    ----------
+    response : velocity along z at the driven lines, per V (or N) of the drive
+    averages : periods at each point
+    seed : of noise and dropouts
+
+    Raises
+    ------
+    ScanError : the response is not at the lines of the drive
+    """
+    lines = lines_of(signal)
+    same = len(lines) == len(response.frequency)
+    if not same or np.abs(response.frequency - lines).max() > SAME * signal.line_spacing:
+        found = response.frequency
+        raise ScanError(
+            argument="response",
+            given=f"{len(found)} lines from {found[0]:g} to {found[-1]:g} Hz",
+            allowed=f"{len(lines)} lines from {lines[0]:g} to {lines[-1]:g} Hz, those that the drive excites",
+            cause="the response was computed for another drive",
+            next_step="compute it at these lines, or change record, lowest and highest of the scan",
+        )
+    notes, points = response.dataset.attrs, response.points
+    spectrum = scipy.fft.rfft(signal.samples)[_members(signal)] * instrument.path(lines)
+    values = response.values[:, :, list(response.dataset["direction"].values).index("z")]
+    largest = 2.0 ** (instrument.bits - 1) - 1
+    kind = np.int16 if instrument.bits <= 16 else np.int32
+    size = max(1, int(PORTION / (8.0 * len(signal.samples))))
+    full = instrument.full_scale or HEADROOM * max(
+        float(np.abs(_moved(values[:, i : i + size], spectrum, signal)).max())
+        for i in range(0, len(points), size)
+    )
+    drive_scale = float(np.abs(signal.samples).max()) / largest
+    reference = np.rint(signal.samples / drive_scale).astype(kind)
+    source = _Simulated(
+        values, spectrum, signal, instrument, averages, seed, full / largest, largest,
+        np.tile(reference, (1, averages, 1)),
+    )  # fmt: skip
+    return TimeScan(
+        source, tuple(str(i + 1) for i in range(len(points))), points[:, 0].copy(), points[:, 1].copy(),
+        averages, len(signal.samples), signal.sample_rate, str(notes["reference"]),
+        motion="displacement" if notes["quantity"] == "displacement" else "velocity",
+        reference_scale=drive_scale, response_scale=full / largest, full_scale=largest,
+        origin="simulated", title=f"simulated scan, seed {seed}",
+    )  # fmt: skip
+
+
+@dataclass(frozen=True, eq=False)
+class _Simulated:
+    """Makes the records of some points. values : (line, point); spectrum : (line,) of drive and path."""
+
+    values: Complex
+    spectrum: Complex
+    signal: Drive
+    instrument: Instrument
+    averages: int
+    seed: int
+    scale: float
+    largest: float
+    reference: Samples
+
+    def load(self, start: int, stop: int) -> tuple[Samples, Samples]:
+        moved = _moved(self.values[:, start:stop], self.spectrum, self.signal) / np.float32(self.scale)
+        count, samples = moved.shape
+        made = np.empty((count, self.averages, samples), self.reference.dtype)
+        for row, point in enumerate(range(start, start + count)):
+            chance = np.random.default_rng([self.seed, point])  # of its own: the order of reading is free
+            noise = chance.standard_normal((self.averages, samples), dtype=np.float32)
+            seen = moved[row] + np.float32(self.instrument.noise / self.scale) * noise
+            if chance.random() < self.instrument.dropouts:
+                length = int(chance.uniform(*LOST) * samples)
+                begin = int(chance.integers(0, samples - length))
+                where = int(chance.integers(self.averages))
+                seen[where, begin : begin + length] = seen[where, begin]
+            made[row] = np.rint(np.clip(seen, -self.largest, self.largest))
+        return self.reference, made
+
+
+def _members(signal: Drive) -> slice:
+    first, last = (round(edge * signal.duration) for edge in signal.band)
+    return slice(first, last + 1)
+
+
+def _moved(values: Complex, spectrum: Complex, signal: Drive) -> NDArray[np.float32]:
+    """(point, sample) one period of the velocity, m/s."""
+    samples = len(signal.samples)
+    whole = np.zeros((values.shape[1], samples // 2 + 1), dtype=np.complex64)
+    whole[:, _members(signal)] = (values * spectrum[:, None]).T
+    return np.asarray(scipy.fft.irfft(whole, n=samples, axis=1), dtype=np.float32)

@@ -1,0 +1,362 @@
+"""Scans from the outside: the drive, a twin in every form, and its analysis, which has to find the truth."""
+
+from __future__ import annotations
+
+import csv
+import json
+
+import numpy as np
+import pytest
+import scipy.io.wavfile
+import xarray as xr
+
+from five_parts import assert_five_parts
+from haptonic.errors import HaptonicWarning
+from haptonic.response import read, write
+from haptonic.results import write_files
+from haptonic.results.scan import Estimation, OnPlate, Twin, compute_scan
+from haptonic.store import Store
+from haptonic.study import loads, scanning
+from haptonic.vibrometry import ReadReport, Scan, estimation, read_scan
+from tiny_scan import TINY
+
+PLACES = {
+    "h5": "scan.h5",
+    "nc": "scan.nc",
+    "uff": "scan.uff",
+    "mat": "scan.mat",
+    "csv": "scan",
+    "tdms": "scan.tdms",
+}
+CHIRP = {"drive.wav", "drive.csv", "drive.h5", "drive.json", "scan_plan.csv",
+         *(f"{name}.{kind}" for name in ("signal", "scan-plan") for kind in ("svg", "png"))}  # fmt: skip
+PICTURES = ("average", "maps", "quality", "contrast", "velocity", "decay", "waves-WG1", "waves-WG2")
+SCAN = {"response.nc", "scan.nc", "points.csv", "shape.webp",
+        *(f"{name}.{kind}" for name in PICTURES for kind in ("svg", "png"))}  # fmt: skip
+
+pytestmark = pytest.mark.filterwarnings("ignore:the period of:haptonic.errors.HaptonicWarning")
+
+
+@pytest.fixture(scope="module")
+def tiny(tmp_path_factory):
+    path = tmp_path_factory.mktemp("tiny") / "tiny.toml"
+    path.write_text(TINY, "utf-8")
+    return path
+
+
+@pytest.fixture(scope="module")
+def study():
+    return loads(TINY)
+
+
+@pytest.fixture(scope="module")
+def store(store_folder):
+    return Store(store_folder)
+
+
+@pytest.fixture(scope="module")
+def truth(study, store):
+    """The plate's response at the points and lines of the scan."""
+    with pytest.warns(HaptonicWarning, match="ring-down"):
+        asked = study.scan.frozen().of_plate(1e-3, study.scan.frozen().drive(study.plate()))
+    return study.vibrating(asked=asked, store=store).response
+
+
+@pytest.fixture(scope="module")
+def answer(truth, tmp_path_factory):
+    path = tmp_path_factory.mktemp("answer") / "response.nc"
+    write(truth, path)
+    return path
+
+
+@pytest.fixture(scope="module")
+def on(study, store) -> OnPlate:
+    return scanning.scanned(study, store=store)
+
+
+@pytest.fixture(scope="module")
+def recorded(study, truth, store, tmp_path_factory):
+    """A folder with a twin in HDF5."""
+    out = tmp_path_factory.mktemp("twin")
+    with pytest.warns(HaptonicWarning, match="ring-down"):
+        made = scanning.twin_scan(study, seed=3, response=truth, store=store)
+    write_files(out, made.files("h5", "time"), overwrite=False)
+    return out
+
+
+def deviation(result, truth: dict) -> float:
+    """Largest error of a contrast at any line, dB."""
+    assert result.response.frequency == pytest.approx(truth["frequency_hz"], rel=1e-5)
+    return max(
+        float(np.abs(result.contrasts[name].values - np.array(level)).max())
+        for name, level in truth["contrast_db"].items()
+    )
+
+
+def assert_same_gap(found, truth: dict) -> None:
+    for edge in ("lower", "upper"):
+        assert abs(getattr(found, edge) - truth["gap"][edge]) <= getattr(found, f"{edge}_error")
+
+
+class TestChirp:
+    def test_it_writes_the_drive_and_the_plan(self, inside, tiny, tmp_path):
+        ran = inside("chirp", tiny, "--out", tmp_path / "out", "--json")
+        assert ran.code == 0, ran.err
+        assert {path.name for path in (tmp_path / "out").iterdir()} == CHIRP
+        rate, samples = scipy.io.wavfile.read(tmp_path / "out" / "drive.wav")
+        notes = json.loads((tmp_path / "out" / "drive.json").read_text())
+        assert (rate, len(samples), notes["full_scale"]) == (200_000, 600, 60.0)
+        with (tmp_path / "out" / "scan_plan.csv").open() as text:
+            rows = list(csv.reader(text))
+        assert rows[0] == ["point", "x (m)", "y (m)"]
+        places = np.array(rows[1:], dtype=float)[:, 1:]
+        assert ran.json["plan"]["points"] == len(places)
+        # 28 x 10 squares of 56 x 21 mm; a clamp hides the points at 1, 3, 5 and at 1.05, 3.15 mm
+        near = np.minimum(places, np.array([56e-3, 21e-3]) - places)
+        assert not (near <= 5e-3).all(axis=1).any()
+        assert ran.json["plan"]["left_out"] == 280 - len(places) == 4 * 3 * 2
+        assert "ring-down" in ran.json["warnings"][0]
+
+    def test_the_band_of_the_paper_reaches_half_the_rate(self, inside, tiny, tmp_path):
+        path = tmp_path / "paper.toml"
+        path.write_text(TINY.replace('highest = "80 kHz"', 'highest = "100 kHz"'), "utf-8")
+        ran = inside("chirp", path, "--json")
+        assert any("half the sample rate" in text for text in ran.json["warnings"])
+
+    def test_without_a_plate_there_is_no_plan(self, inside, tmp_path):
+        path = tmp_path / "cell.toml"
+        path.write_text(TINY[: TINY.index("[plate]")], "utf-8")
+        ran = inside("chirp", path, "--out", tmp_path / "out")
+        assert ran.code == 0, ran.err
+        assert not (tmp_path / "out" / "scan_plan.csv").exists()
+
+    @pytest.mark.parametrize(
+        ("old", "new", "argument"),
+        [
+            ('lowest = "30 kHz"', 'lowest = "90 kHz"', "scan.highest"),
+            ('rate = "200 kHz"', 'rate = "100 kHz"', "scan.highest"),
+            ('record = "3 ms"', 'record = "3 us"', "scan.record"),
+            ("averages = 2", 'skip = "WG3"', "scan.skip"),
+            ("averages = 2", 'skip = "WG1, WG2, lattice"', "excluded"),
+            ("averages = 2", "averages = 0", "scan.averages"),
+            ("averages = 2", "avrages = 2", "scan.avrages"),
+        ],
+    )
+    def test_it_refuses(self, inside, tmp_path, old, new, argument):
+        path = tmp_path / "bad.toml"
+        path.write_text(TINY.replace(old, new), "utf-8")
+        assert_five_parts(inside("chirp", path, "--json"), argument)
+
+    def test_a_region_is_skipped(self, study):
+        both = study.scan.frozen()
+        half = study.scan.model_copy(update={"skip": "WG2"}).frozen()
+        layout = study.plate().layout
+        everywhere, some = (question.plan(study.plate()).points for question in (both, half))
+        inside = (some[:, 0] > layout.x[5]) & (some[:, 0] < layout.x[7])
+        assert not inside.any()
+        assert (
+            len(some) == len(everywhere) + 24 - 7 * 10
+        )  # the clamps' points are back, seven columns are not
+
+
+class TestTwin:
+    @pytest.mark.parametrize(
+        ("form", "kind"),
+        [("h5", "time"), ("uff", "time"), ("uff", "frf"), ("mat", "time"), ("mat", "frf"), ("csv", "frf"),
+         ("nc", "frf"), ("tdms", "time")],
+    )  # fmt: skip
+    def test_the_analysis_of_every_form_finds_the_truth(
+        self, inside, tiny, answer, on, store, tmp_path, form, kind
+    ):
+        ran = inside(
+            "twin", "scan", tiny, "--from", answer, "--out", tmp_path, "--format", form, f"--{kind}", "--json"
+        )
+        assert ran.code == 0, ran.err
+        truth = json.loads((tmp_path / "truth.json").read_text())
+        scan = read_scan(
+            tmp_path / PLACES[form], unit="m/s" if kind == "time" else "m/s/V", reference="A1, V"
+        )
+        assert scan.report.complete
+        result = compute_scan(scan, Estimation(), on, store=store)
+        assert result.origin == truth["origin"] == "simulated"
+        assert result.response.dataset.sizes["point"] == truth["points"]
+        assert deviation(result, truth) < 0.5
+        assert_same_gap(result.measured, truth)
+
+    def test_the_truth_is_found_with_any_seed(self, study, truth, on, store):
+        for seed in range(8):
+            with pytest.warns(HaptonicWarning, match="ring-down"):
+                made = scanning.twin_scan(study, seed=seed, response=truth, store=store)
+            known = made.truth()
+            result = compute_scan(_as_scan(made), Estimation(), on, store=store)
+            assert 0 < deviation(result, known) < 0.5, seed
+            assert_same_gap(result.measured, known)
+
+    def test_a_vibrometer_that_is_forty_times_as_noisy_hides_it(self, study, truth, on, store):
+        loud = study.model_copy(update={"scan": study.scan.model_copy(update={"noise": 2e-3})})
+        with pytest.warns(HaptonicWarning, match="ring-down"):
+            made = scanning.twin_scan(loud, response=truth, store=store)
+        assert deviation(compute_scan(_as_scan(made), Estimation(), on, store=store), made.truth()) > 1
+
+    def test_the_path_is_taken_out(self, study, truth, on, store):
+        """Delay and low-pass of the study leave no trace in the response."""
+        with pytest.warns(HaptonicWarning, match="ring-down"):
+            made = scanning.twin_scan(study, response=truth, store=store)
+        result = compute_scan(_as_scan(made), Estimation(), on, store=store)
+        true = made.true.values
+        error = np.abs(result.response.values - true).max() / np.abs(true).max()
+        seen = np.abs(made.estimated.values - true).max() / np.abs(true).max()
+        assert error < 0.02 < 0.3 < seen
+
+    def test_its_truth_is_that_of_the_plate(self, study, truth, recorded):
+        known = json.loads((recorded / "truth.json").read_text())
+        points = np.arange(known["points"])
+        assert known["origin"] == "simulated"
+        assert known["seed"] == 3
+        # contrast by hand, of the points that are scanned
+        plan = study.scan.frozen().plan(study.plate()).points
+        name = {
+            tuple(np.round(p, 6)): str(r)
+            for p, r in zip(truth.points, truth.dataset["region"].values, strict=True)
+        }
+        values = {tuple(np.round(p, 6)): truth.values[:, i, 0] for i, p in enumerate(truth.points)}
+        energy = {
+            region: np.mean([np.abs(values[tuple(np.round(p, 6))].astype(complex)) ** 2
+                             for p in plan if name[tuple(np.round(p, 6))] == region], axis=0)
+            for region in ("WG1", "WG2")
+        }  # fmt: skip
+        expected = 10 * np.log10(energy["WG1"] / energy["WG2"])
+        assert known["contrast_db"]["WG1 over WG2"] == pytest.approx(expected, abs=1e-4)
+        assert len(points) == len(plan)
+
+    @pytest.mark.parametrize(
+        ("options", "words"),
+        [
+            (("--format", "nc", "--time"), ["--format", "h5, uff, mat, tdms"]),
+            (("--format", "tdms", "--frf"), ["--format", "nc, uff, mat, csv"]),
+            (("--from", "nothing.nc"), ["no such file"]),
+        ],
+    )
+    def test_it_refuses(self, inside, tiny, tmp_path, options, words):
+        assert_five_parts(inside("twin", "scan", tiny, "--out", tmp_path, *options), *words)
+
+    def test_it_refuses_a_response_of_another_scan(self, inside, tmp_path, answer):
+        other = tmp_path / "other.toml"
+        for old, new, word in (
+            ('record = "3 ms"', 'record = "4 ms"', "lines"),
+            ("averages", 'grid = "3 mm"\naverages', "grid"),
+        ):
+            other.write_text(TINY.replace(old, new), "utf-8")
+            assert_five_parts(
+                inside("twin", "scan", other, "--from", answer, "--out", tmp_path / "out"), word
+            )
+
+    def test_it_does_not_replace_a_scan(self, inside, tiny, answer, recorded):
+        assert_five_parts(inside("twin", "scan", tiny, "--from", answer, "--out", recorded), "scan.h5")
+
+
+class TestScan:
+    def test_it_writes_its_files_and_says_what_it_found(self, inside, tiny, recorded, tmp_path):
+        out = tmp_path / "out"
+        ran = inside("scan", recorded / "scan.h5", tiny, "--out", out)
+        assert ran.code == 0, ran.err
+        assert {path.name for path in out.iterdir()} == SCAN
+        for words in ("256 points", "simulated", "Registered", "Gap in the scan", "WG1 over WG2", "decay"):
+            assert words in ran.out, words
+        assert read(out / "response.nc").dataset.attrs["origin"] == "simulated"
+        data = xr.load_dataset(out / "scan.nc", engine="h5netcdf")
+        assert data.attrs["origin"] == "simulated"
+        assert {"average", "rms WG1", "contrast WG1 over WG2", "waves WG1", "decay decay"} <= set(data)
+        with (out / "points.csv").open() as text:
+            rows = list(csv.DictReader(text))
+        assert {row["origin"] for row in rows} == {"simulated"}
+        assert_five_parts(inside("scan", recorded / "scan.h5", tiny, "--out", out), "response.nc")
+
+    def test_without_a_study_it_does_what_needs_no_plate(self, inside, recorded, tmp_path):
+        ran = inside("scan", recorded / "scan.h5", "--segment", "3 ms", "--out", tmp_path / "out", "--json",
+                     "--at", "60 kHz")  # fmt: skip
+        assert ran.code == 0, ran.err
+        assert ran.json["registration"] is None
+        assert ran.json["shapes"][0]["frequency_hz"] == pytest.approx(60e3)
+        assert (tmp_path / "out" / "maps.png").exists()
+        assert not (tmp_path / "out" / "contrast.png").exists()
+
+    def test_corners_register_as_well(self, inside, tiny, recorded):
+        # the stage has the plate's corner at 12 and 7 mm
+        corners = "12 7 68 7 68 28 12 28 mm"
+        ran = inside("scan", recorded / "scan.h5", tiny, "--json", "--corners", corners)
+        assert ran.code == 0, ran.err
+        found = ran.json["registration"]
+        assert found["shift_m"] == pytest.approx([-12e-3, -7e-3])
+        assert found["misfit_m"] < 1e-9
+        fitted = inside("scan", recorded / "scan.h5", tiny, "--json").json
+        assert fitted["registration"]["shift_m"] == pytest.approx([-12e-3, -7e-3], abs=1e-6)
+        assert fitted["gap"] == pytest.approx(ran.json["gap"])
+
+    def test_an_estimation_goes_on(self, inside, tiny, recorded, on, store, tmp_path, monkeypatch):
+        out = tmp_path / "out"
+        monkeypatch.setattr(estimation, "WORKING_MEMORY", 48.0 * 600 * 2 * 50)  # fifty points at a time
+        calls = []
+        whole = estimation._add
+
+        def stops(store, first, *rest):
+            calls.append(first)
+            if len(calls) == 4:
+                raise KeyboardInterrupt
+            whole(store, first, *rest)
+
+        monkeypatch.setattr(estimation, "_add", stops)
+        ran = inside("scan", recorded / "scan.h5", tiny, "--out", out)
+        assert (ran.code, calls) == (130, [0, 50, 100, 150])
+        assert "goes on from there" in ran.err
+        assert [path.name for path in out.iterdir()] == ["estimating"]
+        scan = read_scan(recorded / "scan.h5")
+        again = compute_scan(scan, Estimation(state=out / "estimating"), on, store=store)
+        assert calls[4:] == [150, 200, 250]
+        at_once = compute_scan(scan, Estimation(), on, store=store)
+        assert np.array_equal(again.response.values, at_once.response.values)
+
+    def test_bad_points_are_replaced_and_marked(self, study, truth, on, store):
+        lost = study.model_copy(update={"scan": study.scan.model_copy(update={"dropouts": 0.1})})
+        with pytest.warns(HaptonicWarning, match="ring-down"):
+            made = scanning.twin_scan(lost, seed=1, response=truth, store=store)
+        plain = compute_scan(_as_scan(made), Estimation(), on, store=store)
+        mended = compute_scan(_as_scan(made), Estimation(repair=("dropout",)), on, store=store)
+        assert plain.to_json()["flags"]["repaired"] == 0
+        assert mended.to_json()["flags"]["repaired"] == plain.to_json()["flags"]["dropout"] > 10
+        assert "repaired" in mended.response.dataset.attrs["title"]
+
+    @pytest.mark.parametrize(
+        ("arguments", "words"),
+        [
+            (("nothing.h5",), ["no such file"]),
+            (("SCAN", "--corners", "0 0 1 1 mm"), ["--corners"]),
+            (("SCAN", "STUDY", "--corners", "0 0 1 1 mm"), ["--corners", "eight numbers"]),
+            (("SCAN", "STUDY", "--corners", "0 0 1 0 1 1 0 1 kg"), ["--corners"]),
+            (("SCAN", "--mirrored"), ["--mirrored"]),
+            (("SCAN", "--repair", "dropuot"), ["flags", "dropuot"]),
+            (("SCAN", "--at", "3 mm"), ["--at"]),
+            (("SCAN", "--at", "3 MHz"), ["3e+06 Hz"]),
+            (("SCAN", "--segment", "3 s"), ["segment"]),
+            (("SCAN", "--window", "exponential"), ["decay"]),
+            (("SCAN", "--overlap", "1.5"), ["overlap"]),
+            (("SCAN", "CELL"), ["plate"]),
+        ],
+    )
+    def test_it_refuses(self, inside, tiny, recorded, tmp_path, arguments, words):
+        cell = tmp_path / "cell.toml"
+        cell.write_text(TINY[: TINY.index("[plate]")], "utf-8")
+        known = {"SCAN": recorded / "scan.h5", "STUDY": tiny, "CELL": cell}
+        assert_five_parts(inside("scan", *(known.get(one, one) for one in arguments), "--json"), *words)
+
+    def test_a_scan_of_another_plate_is_told(self, inside, tiny, tmp_path, recorded):
+        other = tmp_path / "other.toml"
+        other.write_text(TINY.replace("rows = 3", "rows = 9"), "utf-8")
+        ran = inside("scan", recorded / "scan.h5", other, "--json")
+        told = [*ran.json.get("remarks", []), str(ran.json.get("error", ""))]
+        assert any("registration" in text or "scaled" in text for text in told)
+
+
+def _as_scan(made: Twin):
+    """The records of a twin as a file would give them."""
+    return Scan(made.records, ReadReport("twin", "memory", len(made.records.names)))

@@ -1,0 +1,100 @@
+"""Pictures of scans: what is drawn stands for what was given."""
+
+from __future__ import annotations
+
+import numpy as np
+import xarray as xr
+from matplotlib.colors import to_hex
+
+from haptonic import plots
+from haptonic.plots import style
+from haptonic.vibrometry import MeasuredGap, Quality, drive
+
+LINES = 1e3 * np.arange(40.0, 71.0)
+
+
+def texts(figure) -> str:
+    legends = [text.get_text() for legend in figure.legends for text in legend.get_texts()]
+    return " | ".join([*legends, *(axes.get_title() for axes in figure.axes)])
+
+
+def test_the_drive_and_its_band():
+    signal = drive(low=20e3, high=60e3, sample_rate=200e3, duration=5e-3, amplitude=60.0)
+    above, below = plots.drive_signal(signal).axes
+    assert above.lines[0].get_ydata().max() <= 60
+    assert above.get_xlim() == (0, 5)
+    spectrum, *edges = below.lines
+    assert [line.get_xdata()[0] for line in edges] == [20, 60]
+    level = np.interp([10, 40, 90], spectrum.get_xdata(), spectrum.get_ydata())
+    assert level[1] > -6 > -15 > max(level[0], level[2])
+
+
+def test_the_contrast_and_the_gap_s_uncertainty():
+    gap = MeasuredGap(52e3, 60e3, 500.0, 1500.0, 0, 0, 0, 20)
+    figure = plots.measured_contrast(LINES, {"A over B": LINES / 1e3}, gap, (53e3, 59e3), origin="simulated")
+    (axes,) = figure.axes
+    sky = [p for p in axes.patches if to_hex(p.get_facecolor()) == style.SKY.lower()]
+    assert sorted((p.get_x(), p.get_x() + p.get_width()) for p in sky) == [(51.5, 52.5), (58.5, 61.5)]
+    assert "simulated" in texts(figure)
+    assert "gap in this scan, 52.0 to 60.0 kHz" in texts(figure)
+    assert "computed gap, 53.0 to 59.0 kHz" in texts(figure)
+
+
+def test_waves_and_dispersion():
+    wavenumber = np.linspace(-500, 500, 41)
+    amplitude = np.ones((len(LINES), 41))
+    amplitude[10, 30] = 50.0
+    waves = xr.DataArray(
+        amplitude, dims=("frequency", "wavenumber"), coords={"frequency": LINES, "wavenumber": wavenumber}
+    )
+    curve = (np.array([40e3, 70e3]), np.array([200.0, 300.0]))
+    figure = plots.wave_map(waves, curve, (np.zeros(0), np.zeros(0)), region="WG1", origin="simulated")
+    axes = figure.axes[0]
+    drawn = axes.collections[0].get_array()
+    assert np.unravel_index(np.argmax(drawn), drawn.shape) == (10, 30)
+    # there and back: a standing wave is both
+    assert [line.get_xdata().tolist() for line in axes.lines] == [[0.2, 0.3], [-0.2, -0.3]]
+    assert "WG1, simulated" in texts(figure)
+
+
+def test_a_loud_line_among_very_many_is_drawn():
+    lines, wavenumber = 10.0 * np.arange(1, 2501), np.linspace(-500, 500, 9)
+    amplitude = np.full((2500, 9), 0.1)
+    amplitude[1234, 4] = 1.0
+    waves = xr.DataArray(
+        amplitude, dims=("frequency", "wavenumber"), coords={"frequency": lines, "wavenumber": wavenumber}
+    )
+    figure = plots.wave_map(waves, None, None, region="WG1", origin="measured")
+    drawn = figure.axes[0].collections[0].get_array()
+    assert len(drawn) <= 600
+    assert (drawn == 1).sum() == 1
+
+
+def test_decay_beside_the_computed_one():
+    rows = {"decay": 0 * LINES + 6, "low": 0 * LINES + 4, "high": 0 * LINES + 8}
+    decay = xr.Dataset(
+        {name: ("frequency", values) for name, values in rows.items()}, coords={"frequency": LINES},
+        attrs={"confidence": 0.95},
+    )  # fmt: skip
+    phases = [0.0, 0.5 * np.pi, np.pi]
+    fades = xr.Dataset(
+        {"attenuation": (("frequency", "phase"), np.outer(LINES, [1, 2, 3]))},
+        coords={"frequency": LINES, "phase": phases},
+    )
+    figure = plots.fading(decay, fades, (52e3, 60e3), origin="simulated")
+    for words in ("phase 0 per", "phase 0.5 π per", "phase π per", "95 % interval", "simulated"):
+        assert words in texts(figure)
+
+
+def test_bad_points_are_marked():
+    places = np.stack(np.meshgrid(np.arange(4.0), np.arange(3.0)), axis=-1).reshape(-1, 2) * 1e-3
+    flags = [()] * 10 + [("dropout",), ("dropout", "repaired")]
+    coherence = np.full(12, 0.97)
+    coherence[3] = np.nan
+    quality = Quality(tuple(map(str, range(12))), np.zeros(12), np.zeros(12), coherence, tuple(flags))
+    figure = plots.point_quality(places, quality, origin="simulated")
+    assert "dropout (2)" in texts(figure)
+    assert "repaired (1)" in texts(figure)
+    assert len(figure.axes[0].collections[0].get_offsets()) == 11
+    unknown = Quality(quality.names, quality.clipped, quality.frozen, np.full(12, np.nan), ((),) * 12)
+    assert len(plots.point_quality(places, unknown, origin="measured").axes) == 1

@@ -1,0 +1,175 @@
+"""Scans in other forms, read back; and readers that pass on what is no fault of a file."""
+
+from __future__ import annotations
+
+import sys
+from pathlib import Path
+
+import h5py
+import numpy as np
+import pytest
+import pyuff
+import scipy.io
+from scans import VALUES, X, Y, assert_five_parts, nodes, response, uff, units
+
+import haptonic
+from haptonic.errors import ResourceError
+from haptonic.vibrometry import InMemory, TimeScan, estimate, read_scan, write_uff_records
+from haptonic.vibrometry import records as module
+from haptonic.vibrometry.exports import csv_files, write_mat, write_mat_records, write_tdms
+from haptonic.vibrometry.readers import matlab
+from haptonic.vibrometry.readers.stored import Stored
+
+CHANCE = np.random.default_rng(8)
+MOVED = CHANCE.normal(size=(12, 3, 40))
+DRIVEN = CHANCE.normal(size=(12, 3, 40))
+
+
+def records(shared: bool, origin: str = "simulated") -> TimeScan:
+    reference = DRIVEN[:1] if shared else DRIVEN
+    return TimeScan(
+        InMemory(reference, MOVED), tuple(f"{i + 1}" for i in range(12)), X, Y, 3, 40, 200e3, "A1, V",
+        reference_scale=2.0, response_scale=1e-3, origin=origin, title="made up",
+    )  # fmt: skip
+
+
+@pytest.mark.parametrize("shared", [True, False])
+@pytest.mark.parametrize(("suffix", "writer"), [("mat", write_mat_records), ("uff", write_uff_records)])
+def test_records_come_back(tmp_path, monkeypatch, shared, suffix, writer):
+    monkeypatch.setattr(module, "WRITTEN", 5)
+    path = tmp_path / f"a.{suffix}"
+    writer(records(shared), path)
+    found = read_scan(path, unit="m/s", reference="A1, V").records
+    assert (found.origin, found.motion, found.sample_rate) == ("simulated", "velocity", pytest.approx(200e3))
+    assert np.column_stack([found.x, found.y]) == pytest.approx(np.column_stack([X, Y]))
+    for start, stop in ((0, 12), (3, 7)):
+        reference, moved = found.source.load(start, stop)
+        assert moved * found.response_scale == pytest.approx(1e-3 * MOVED[start:stop], rel=2e-5, abs=1e-9)
+        expected = 2.0 * (DRIVEN[:1] if shared else DRIVEN[start:stop])
+        assert reference * found.reference_scale == pytest.approx(expected, rel=2e-5, abs=1e-6)
+
+
+@pytest.mark.parametrize("shared", [True, False])
+def test_records_come_back_from_tdms(tmp_path, monkeypatch, shared):
+    monkeypatch.setattr(module, "WRITTEN", 2)
+    write_tdms(records(shared), tmp_path / "a.tdms")
+    scan = read_scan(tmp_path / "a.tdms")
+    found = scan.records
+    assert (found.origin, found.samples, found.reference) == ("simulated", 120, "reference, V")
+    reference, moved = found.source.load(2, 5)
+    assert moved.reshape(3, 3, 40) == pytest.approx(1e-3 * MOVED[2:5], rel=1e-6)
+    expected = np.broadcast_to(DRIVEN[:1], (3, 3, 40)) if shared else DRIVEN[2:5]
+    assert reference.reshape(3, 3, 40) == pytest.approx(2.0 * expected, rel=1e-6)
+    # cut into the periods again, the estimate is that of the records themselves
+    same = estimate(found, segment=40).response
+    assert same.values == pytest.approx(estimate(records(shared)).response.values, rel=1e-4)
+
+
+def test_large_records_of_matlab_stay_in_the_file(tmp_path, monkeypatch):
+    write_mat_records(records(False), tmp_path / "a.mat")
+    monkeypatch.setattr(matlab, "LARGE", 1000)
+    found = read_scan(tmp_path / "a.mat", unit="m/s").records
+    parts = [found.source.response, found.source.reference]
+    assert all(isinstance(part, Stored) for part in parts)
+    streamed = [piece for _, _, piece in found.chunks(5)]
+    assert np.concatenate(streamed) == pytest.approx(1e-3 * MOVED, rel=1e-6)
+    # the other way round, with the samples first, it is read whole
+    with h5py.File(tmp_path / "a.mat", "r+") as file:
+        turned = {name: np.ascontiguousarray(file[name][:, 0].T) for name in ("response", "reference")}
+        for name, values in turned.items():
+            del file[name]
+            file[name] = values
+    again = read_scan(tmp_path / "a.mat", unit="m/s").records
+    assert again.source.load(4, 6)[1][:, 0] == pytest.approx(1e-3 * MOVED[4:6, 0], rel=1e-6)
+
+
+def test_our_uff_records_are_read_by_pyuff(tmp_path):
+    write_uff_records(records(True), tmp_path / "a.uff")
+    sets = pyuff.UFF(str(tmp_path / "a.uff")).read_sets()
+    times = [one for one in sets if one["type"] == 58 and one["ordinate_axis_units_lab"].strip() == "m/s"]
+    assert len(times) == 36
+    assert times[4]["rsp_node"] == 2
+    assert times[4]["data"] == pytest.approx(1e-3 * MOVED[1, 1], rel=2e-5)
+    assert times[4]["id5"].strip() == "origin: simulated"
+    assert times[4]["abscissa_inc"] == pytest.approx(5e-6)
+
+
+@pytest.mark.parametrize("coherent", [True, False])
+@pytest.mark.parametrize("form", ["mat", "csv"])
+def test_responses_come_back(tmp_path, form, coherent):
+    coherence = np.linspace(0, 1, 96).reshape(8, 12) if coherent else None
+    before = response(origin="simulated", coherence=coherence)
+    if form == "mat":
+        path = tmp_path / "a.mat"
+        write_mat(before, path)
+    else:
+        path = tmp_path
+        for name, writer in csv_files(before).items():
+            writer(tmp_path / name)
+    after = read_scan(path, reference="A1, V").response
+    assert after.dataset.attrs["origin"] == "simulated"
+    assert after.values[..., 0] == pytest.approx(VALUES, rel=1e-7)
+    assert after.points == pytest.approx(np.column_stack([X, Y]))
+    assert after.units == "m/s/V"
+    if coherent:
+        assert after.dataset["coherence"].values == pytest.approx(coherence, abs=1e-8)
+
+
+def test_a_measured_scan_does_not_say_simulated(tmp_path):
+    write_mat(response(origin="measured"), tmp_path / "a.mat")
+    assert read_scan(tmp_path / "a.mat").response.dataset.attrs["origin"] == "measured"
+    write_tdms(records(True, "measured"), tmp_path / "a.tdms")
+    assert read_scan(tmp_path / "a.tdms").records.origin == "measured"
+
+
+def test_read_scan_is_at_the_top():
+    assert haptonic.read_scan is read_scan
+
+
+class TestNoFaultOfTheFile:
+    """Too little memory and a missing right are told as such, and not as a damaged file."""
+
+    @pytest.mark.parametrize(("error", "words"), [(MemoryError, "does not fit into memory"),
+                                                  (PermissionError, "you may not read it")])  # fmt: skip
+    @pytest.mark.parametrize("form", ["mat", "tdms", "uff"])
+    def test_it_is_told(self, tmp_path, monkeypatch, form, error, words):
+        path = tmp_path / f"a.{form}"
+        if form == "mat":
+            write_mat(response(), path)
+            monkeypatch.setattr(scipy.io, "loadmat", raising(error))
+        elif form == "tdms":
+            write_tdms(records(True), path)
+            # the right to read is asked for by haptonic itself
+            where = (Path, "open") if error is PermissionError else (sys.modules["nptdms"].TdmsFile, "open")
+            monkeypatch.setattr(*where, raising(error))
+        else:
+            uff(path, units(), nodes())
+            monkeypatch.setattr(pyuff.UFF, "read_sets", hiding(error))
+        with pytest.raises(ResourceError) as caught:
+            read_scan(path)
+        assert_five_parts(caught.value, words)
+
+    def test_an_interrupt_is_not_swallowed_by_pyuff(self, tmp_path, monkeypatch):
+        uff(tmp_path / "a.uff", units(), nodes())
+        monkeypatch.setattr(pyuff.UFF, "read_sets", hiding(KeyboardInterrupt))
+        with pytest.raises(KeyboardInterrupt):
+            read_scan(tmp_path / "a.uff")
+
+
+def raising(error):
+    def fail(*_, **__):
+        raise error
+
+    return fail
+
+
+def hiding(error):
+    """As pyuff does it: a bare except and a plain Exception."""
+
+    def fail(*_, **__):
+        try:
+            raise error
+        except (Exception, KeyboardInterrupt):  # noqa: BLE001  as pyuff does it
+            raise Exception("Error reading data-set") from None
+
+    return fail
