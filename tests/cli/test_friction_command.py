@@ -11,6 +11,7 @@ import pytest
 import xarray as xr
 
 from five_parts import assert_five_parts
+from haptonic.report import paper
 from haptonic.results import FrictionResult
 from trial_folders import edited, made_up, written
 
@@ -123,7 +124,7 @@ def test_a_study_elsewhere_and_the_driven_waveguide(inside, study, tmp_path):
 def test_the_papers_numbers_stand_beside_those_of_its_twin(inside, tmp_path, monkeypatch):
     asked = []
 
-    def figures(self: FrictionResult, *, published: bool) -> dict[str, object]:
+    def figures(self: FrictionResult, *, published: object) -> dict[str, object]:
         asked.append(published)
         return {}
 
@@ -132,7 +133,7 @@ def test_the_papers_numbers_stand_beside_those_of_its_twin(inside, tmp_path, mon
     folder = written(tmp_path / "trials", MADE)
     inside("friction", folder, "--study", ROOT / "studies" / "touchpad.toml", "--out", tmp_path / "a")
     inside("friction", folder, "--out", tmp_path / "b")
-    assert asked == [True, False]
+    assert asked == [paper.FRICTION, None]
 
 
 @pytest.mark.parametrize(

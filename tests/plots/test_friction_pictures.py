@@ -8,6 +8,7 @@ import xarray as xr
 
 from haptonic.friction.recordings import Sensor
 from haptonic.friction.signals import Rules
+from haptonic.report.paper import FRICTION
 from haptonic.results import compute_friction
 from haptonic.results.friction import MOST_SHEETS
 from trial_folders import made_up, written
@@ -39,7 +40,7 @@ def test_a_bar_for_every_condition(result):
 def test_the_published_numbers_only_where_they_belong(result):
     plain = " ".join(texts(result.figures()["conditions"]))
     assert "published" not in plain
-    beside = " ".join(texts(result.figures(published=True)["conditions"]))
+    beside = " ".join(texts(result.figures(published=FRICTION)["conditions"]))
     for words in ("published: 55%", "published: 11%", "published: about 80%", "WG1 (driven)"):
         assert words in beside
 

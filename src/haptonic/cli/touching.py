@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Annotated, TypeVar
 
@@ -60,8 +60,8 @@ def friction(
                 told=progress,
             )
         if folder:
-            published = loaded is not None and paper.is_its_cell(loaded)
-            _write(result, folder, overwrite, voice, published=published)
+            known = loaded is not None and paper.is_its_cell(loaded)
+            _write(result, folder, overwrite, voice, paper.FRICTION if known else None)
         _tell(result, voice)
         tell_where(voice, folder)
         voice.answer(result.to_json())
@@ -79,7 +79,9 @@ def _driven(loaded: Study | None) -> str | None:
     return driven_region(loaded.plate()) if loaded is not None and loaded.plate_section else None
 
 
-def _write(result: FrictionResult, folder: Path, overwrite: bool, voice: Voice, *, published: bool) -> None:
+def _write(
+    result: FrictionResult, folder: Path, overwrite: bool, voice: Voice, published: Mapping[str, float] | None
+) -> None:
     write_files(folder, result.files(), overwrite=overwrite)
     for name, figure in result.figures(published=published).items():
         plots.save(figure, folder, name, overwrite=overwrite)

@@ -20,7 +20,6 @@ from haptonic.plots import style
 
 Array = NDArray[np.float64]
 
-PUBLISHED = {"driven": 0.55, "idle": 0.11, "stopped": 0.80}  # [daunizeau-haptics]
 LOOKS = ((style.BLUE, "o"), (style.ORANGE, "s"), (style.GREEN, "^"), (style.PURPLE, "D"), (style.SKY, "v"))
 MOST_PEOPLE = 12  # whose bars stand beside those of all
 MOST_NAMED = 30  # who have a name beside their reductions
@@ -35,7 +34,7 @@ def conditions(
     stopped: Mapping[str, Estimate],
     *,
     driven: str | None,
-    published: bool,
+    published: Mapping[str, float] | None,
     origin: str,
 ) -> Figure:
     """Mean friction of every condition with one standard deviation, by participant and of all.
@@ -44,7 +43,7 @@ def conditions(
     ----------
     reductions, stopped : in the population, by waveguide; written above the bars of all participants
     driven : the waveguide with the vibration
-    published : whether the paper's numbers stand beside
+    published : reductions, "driven" and "idle", and the share "stopped", to stand beside
     """
     guides = list(dict.fromkeys(one.waveguide for one in found))
     people = list(dict.fromkeys(one.participant for one in found))
@@ -93,15 +92,18 @@ def conditions(
 
 
 def _said(
-    reductions: Mapping[str, Estimate], stopped: Mapping[str, Estimate], driven: str | None, published: bool
+    reductions: Mapping[str, Estimate],
+    stopped: Mapping[str, Estimate],
+    driven: str | None,
+    published: Mapping[str, float] | None,
 ) -> list[str]:
     lines = []
     for guide, one in reductions.items():
         role = "driven" if guide == driven else "idle"
-        beside = f"; published: {PUBLISHED[role]:.0%}" if published else ""
+        beside = f"; published: {published[role]:.0%}" if published else ""
         lines.append(f"{guide} ({role}): friction reduced by {_percent(one)}{beside}")
     for guide, one in stopped.items():
-        beside = f"; published: about {PUBLISHED['stopped']:.0%}" if published else ""
+        beside = f"; published: about {published['stopped']:.0%}" if published else ""
         lines.append(f"share of the reduction that does not reach {guide}: {_percent(one)}{beside}")
     return lines
 

@@ -10,7 +10,7 @@ import xarray as xr
 from matplotlib.figure import Figure
 
 from haptonic.bloch import Gap
-from haptonic.results import Feel, Guides, Layers, PlateResult
+from haptonic.results import Feel, FrictionResult, Guides, Layers, PlateResult
 from haptonic.study import Study
 
 
@@ -24,6 +24,7 @@ class Results:
     layers, guides : what was asked of the lattice as a mirror, if it was computed
     plate : how the finite plate vibrates, if it was computed
     feel : what a finger feels of the plate, if it was computed
+    trials : of made-up people on that plate, if they were made up
     guide_shifts : from `haptonic.report.guide_shifts`, if the plate is the paper's
     filleted : the gap of the same cell with a fillet of the radius that `paper` names, if it was computed
     timings : seconds that each part of the run took, by name
@@ -37,6 +38,7 @@ class Results:
     guides: Guides | None = None
     plate: PlateResult | None = None
     feel: Feel | None = None
+    trials: FrictionResult | None = None
     guide_shifts: xr.Dataset | None = None
     filleted: Gap | None = None
     timings: Mapping[str, float] = field(default_factory=dict)

@@ -25,8 +25,9 @@ RESONANCE = 58.8e3  # Hz, of the mode that its waveguides were sized for; Fig. 5
 GUIDE_MODE = "0x17"  # that mode's name
 GUIDE_WIDTH, GUIDE_LENGTH, NODAL_SPACING = 32e-3, 140e-3, 8e-3  # m
 
-DRIVEN_REDUCTION, IDLE_REDUCTION = 0.55, 0.11  # of friction, measured on three people; Fig. 6
-STOPPED = 0.8  # "about", of the reduction that the three rows of cells stop
+# Reductions of friction on either guide, measured on three people, and "about" the share of it that the three
+# rows of cells stop; Fig. 6
+FRICTION = {"driven": 0.55, "idle": 0.11, "stopped": 0.80}
 
 # Not the paper's: what quadratic tetrahedra of a size that is common in practice give for its cell, computed
 # with an independent finite-element library while haptonic was developed.

@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 import math
 from collections import Counter
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import asdict, dataclass
 from functools import partial
 from pathlib import Path
@@ -69,12 +69,12 @@ class FrictionResult:
         }
         return {**{name: partial(write_trials, self.trials) for name in self.FILES[:2]}, **tables}
 
-    def figures(self, *, published: bool = False) -> dict[str, Figure]:
+    def figures(self, *, published: Mapping[str, float] | None = None) -> dict[str, Figure]:
         """All pictures by name.
 
         Parameters
         ----------
-        published : whether the paper's three numbers stand beside ours, for its prototype or a twin of it
+        published : reductions, "driven" and "idle", and the share "stopped", that stand beside ours
         """
         found = self.found
         return {

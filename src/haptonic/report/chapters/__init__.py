@@ -1,6 +1,6 @@
 """The chapters in their order. Each is a module with ``chapter(results)``."""
 
-from haptonic.report.chapters import comparison, dispersion, feel, mirror, modes, plate, sweeps
+from haptonic.report.chapters import comparison, dispersion, feel, mirror, modes, plate, sweeps, trials
 
 IN_ORDER = (
     dispersion.chapter,
@@ -9,6 +9,7 @@ IN_ORDER = (
     mirror.chapter,
     plate.chapter,
     feel.chapter,
+    trials.chapter,
     comparison.chapter,
 )
 

@@ -78,18 +78,20 @@ def _inversion(results: Results, result: Feel) -> list[str]:
     """What ratio of amplitudes the paper's reductions need, and what the simulated plate has."""
     if not (paper.is_its_cell(results.study) and result.ratio):
         return []
-    found = explained(paper.DRIVEN_REDUCTION, paper.IDLE_REDUCTION, result.touch, result.skin)["ratio"]
+    driven, left = paper.FRICTION["driven"], paper.FRICTION["idle"]
+    found = explained(driven, left, result.touch, result.skin)["ratio"]
     value, low, high = (float(found.sel(quantity=end)) for end in ("value", "low", "high"))
     idle, ratio = next(iter(result.ratio.items()))
     margin = result.margins[idle]
     return [
-        f"The paper's reductions, {_percent(paper.DRIVEN_REDUCTION)} and {_percent(paper.IDLE_REDUCTION)}, "
+        f"The paper's reductions, {_percent(driven)} and {_percent(left)}, "
         f"need an amplitude {value:.1f} times as large on the driven guide as on the idle one ({low:.1f} to "
         f"{high:.1f} over the plausible parameters), that is {_decibels(value)}. Below a finger the "
         f"simulated plate has {ratio:.1f} times, {_decibels(ratio)}.",
         f"In the simulation the lattice stops {_percent(margin.stopped)} of the reduction; the paper finds "
-        f"about {_percent(paper.STOPPED)}. So its prototype lets more through than the model of it. Its maps "
-        "are normalised each by itself and do not say how much; a scan of both guides on one scale would.",
+        f"about {_percent(paper.FRICTION['stopped'])}. So its prototype lets more through than the model of "
+        "it. Its maps are normalised each by itself and do not say how much; a scan of both guides on one "
+        "scale would.",
     ]
 
 
@@ -97,8 +99,8 @@ def _table(results: Results, result: Feel) -> Table:
     head = ["region", "amplitude below a finger", "without finger", "reduction", "noticed from"]
     published = {}
     if paper.is_its_cell(results.study) and result.driven:
-        published = dict.fromkeys(result.regions, _percent(paper.IDLE_REDUCTION))
-        published[result.driven] = _percent(paper.DRIVEN_REDUCTION)
+        published = dict.fromkeys(result.regions, _percent(paper.FRICTION["idle"]))
+        published[result.driven] = _percent(paper.FRICTION["driven"])
         head.append("paper, measured")
     reductions = result.reductions()
     rows = []

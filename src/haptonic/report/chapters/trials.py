@@ -1,0 +1,91 @@
+"""Friction trials with made-up people on the computed plate, analysed like the paper's, and what they say."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+
+from haptonic.friction.statistics import Estimate, Test
+from haptonic.report import paper
+from haptonic.report.chapter import Absent, Chapter, Picture, Results, Table
+from haptonic.results import FrictionResult
+
+TITLE = "Friction trials"
+
+
+def chapter(results: Results) -> Chapter | Absent:
+    """Bars of the conditions as in Fig. 6D, all tests in one table, what may be concluded."""
+    result = results.trials
+    if result is None:
+        return Absent(TITLE, "no trials were made up or analysed in this run")
+    published = paper.FRICTION if paper.is_its_cell(results.study) else None
+    made_up = result.origin == "simulated"
+    figures = result.figures(published=published)
+    found = result.found
+    origin = result.origin.capitalize()
+    trials, left_out = result.trials.sizes["stroke"], sum(result.excluded.values())
+    people = len(set(result.trials["participant"].values.tolist()))
+    return Chapter(
+        title=TITLE,
+        identifier="trials",
+        paragraphs=(
+            *(["Nobody was measured: people, strokes and sensor are simulated, and friction follows from the "
+               "computed amplitudes. What is tested here is the analysis, and what such trials could prove."]
+              if made_up else []),
+            f"{trials} trials of {people} participants, {left_out} of them left out by declared rules.",
+        ),
+        findings=(*_reductions(result, published), *found.conclusions),
+        pictures=(
+            Picture(
+                figures["conditions"],
+                f"{origin} friction of the four conditions, mean and one standard deviation over trials, as "
+                "in the paper's Fig. 6D.",
+                "Bars of mean friction with the vibration on and off, by waveguide and participant.",
+            ),
+            Picture(
+                figures["reductions"],
+                f"{origin} reductions with 95 % intervals: of people in general, and of each participant.",
+                "Reduction of friction on each waveguide with intervals.",
+            ),
+        ),
+        tables=(_tests(found.tests, origin),),
+    )  # fmt: skip
+
+
+def _reductions(result: FrictionResult, published: Mapping[str, float] | None) -> list[str]:
+    found = result.found
+    known = published or {}
+    said = []
+    for guide, one in found.reductions.items():
+        told = _beside(known.get("driven" if guide == found.driven else "idle"))
+        said.append(f"{guide}: friction falls by {_percent(one)}{told}.")
+    for guide, one in found.stopped.items():
+        told = _beside(known.get("stopped"))
+        said.append(f"Of the driven reduction, {_percent(one)} does not reach {guide}{told}.")
+    return said
+
+
+def _beside(published: float | None) -> str:
+    return "" if published is None else f"; the paper measured {100 * published:.0f} %"
+
+
+def _tests(tests: tuple[Test, ...], origin: str) -> Table:
+    rows = tuple(
+        (
+            test.waveguide,
+            test.name,
+            str(test.n),
+            f"{test.difference:.3f}",
+            f"{test.low:.3f} to {test.high:.3f}" if math.isfinite(test.low) else "-",
+            *(f"{p:.2g}" if math.isfinite(p) else "-" for p in (test.p, test.corrected, test.holm)),
+            f"{test.d_z:.2f}" if math.isfinite(test.d_z) else "-",
+        )
+        for test in tests
+    )
+    head = ("waveguide", "test", "n", "on less off", "95 % interval", "p", "Bonferroni", "Holm", "d_z")
+    return Table(f"{origin} difference of friction: the test as published, and as it should be.", head, rows)
+
+
+def _percent(one: Estimate) -> str:
+    interval = f" ({100 * one.low:.0f} to {100 * one.high:.0f} %)" if math.isfinite(one.low) else ""
+    return f"{100 * one.value:.0f} %{interval}"
