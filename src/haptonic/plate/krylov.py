@@ -164,6 +164,11 @@ class Basis:
             return cls.spanned(assembly, pieces, below)
         return cls.spanned(assembly, [known.raw, *pieces], {**known.below, **below})
 
+    @classmethod
+    def empty(cls, size: int) -> Basis:
+        """No vector at all, of ``size`` unknowns."""
+        return cls(np.zeros((size, 0)), np.zeros((0, 0)), np.zeros(0), {})
+
     @property
     def dimension(self) -> int:
         return len(self.values)

@@ -52,10 +52,14 @@ class Band:
     ) -> Band:
         """Span a basis for a band; ``told`` is called with the shifts done and all that are planned.
 
+        A band of a single frequency has none: its line is answered directly.
+
         Raises
         ------
         ResourceError : the basis would need more memory than is free
         """
+        if low == high:
+            return cls(low, high, ReducedPlate(model, Basis.empty(model.assembly.size), ()))
         top = high * (1 + BEYOND)
         bottom = max(low * (1 - BEYOND), NEAR_ZERO * top)
         count = int(np.ceil((top - bottom) / SPACING)) + 1
@@ -122,6 +126,8 @@ class Band:
         HaptonicError : lines that stay above the tolerance
         """
         band, omega = self, 2 * np.pi * frequencies
+        if not self.reduced.basis.dimension:
+            return self, self._directly(drives, omega)
         vibration = band.reduced.answer(drives, omega)
         poor = np.flatnonzero(vibration.error > tolerance)
         if len(poor) > MOST_DIRECT:

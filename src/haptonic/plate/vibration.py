@@ -237,7 +237,7 @@ class _Checker:
         residual[:, count:] -= self.total[:, 1:]
         norm += 4 * out["moving"].sum(1)
         # any sigma above omega^2 gives a bound; few of them, so that few factorisations are needed
-        sigma = float(max(omega.max(), LOWEST_SIGMA * np.sqrt(reduced.basis.values[-1])) ** 2)
+        sigma = float(max(omega.max(), LOWEST_SIGMA * np.sqrt(reduced.basis.values.max(initial=0.0))) ** 2)
         sigma = 4.0 ** np.ceil(np.log(sigma) / np.log(4.0))
         beyond = self._beyond(residual, sigma)
         dual = np.maximum(np.einsum("nk,nk->k", residual, beyond), 0.0).reshape(2, count).sum(0)

@@ -137,12 +137,13 @@ def body_dataset(band: Band, vibration: Vibration, line: int) -> xr.Dataset:
     for group, shares in assembly.shares(field):
         inside = group.tile.inside
         used, own = np.unique(inside.subcells, return_inverse=True)
-        for block, share in zip(group.blocks, shares.swapaxes(0, 1), strict=True):
+        lifted = inside.lifted(shares.reshape(len(shares), -1))[used].reshape(len(used), 3, -1, 2)
+        for number, block in enumerate(group.blocks):
             rows, columns = assembly.skeleton.blocks[block].rows, assembly.skeleton.blocks[block].columns
             corner = [layout.x[columns[0]], layout.y[rows[0]], 0.0]
             points.append(inside.points[used] + corner)
             cells.append(own.reshape(-1, 8) + count)
-            moved.append(inside.lifted(share)[used])
+            moved.append(lifted[:, :, number])
             count += len(used)
     displacement = np.concatenate(moved)
     return xr.Dataset(

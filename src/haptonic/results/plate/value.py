@@ -63,14 +63,16 @@ class PlateResult:
         found = {
             "plan": plots.plate_plan(self.plate),
             "maps": plots.maps(self.marked, self.marked.frequency.tolist(), layout, gap),
-            "velocity": plots.velocity_spectrum(
-                frequency,
-                {k: v.values for k, v in self.levels.items()},
-                gap,
-                units=self.response.units,
-                origin=origin,
-            ),
         }
+        if len(frequency) < 2:  # there is no spectrum of a single line
+            return found
+        found["velocity"] = plots.velocity_spectrum(
+            frequency,
+            {k: v.values for k, v in self.levels.items()},
+            gap,
+            units=self.response.units,
+            origin=origin,
+        )
         if contrasts := self.contrasts(self.response):
             curves = {name: level.values for name, level in contrasts.items()}
             found["contrast"] = plots.contrast_spectrum(frequency, curves, gap, origin=origin)
