@@ -119,7 +119,7 @@ def block_tile(
     bonded : by actuator, the same with other bonds, which the tile has to serve as well
     """
     drives = {**body.drive, **loads}
-    onto = np.kron(_rim_of_body(body, x, y, thickness, orders), np.eye(3))
+    onto = np.asarray(np.kron(_rim_of_body(body, x, y, thickness, orders), np.eye(3)), np.float64)
     size, trace = len(body.mass), onto.shape[1]
     held = (3 * body.rim[:, None] + np.arange(3)).ravel()
     inside = np.setdiff1d(np.arange(size), held)

@@ -1,7 +1,7 @@
 """Unknown numbers of a plate from its measured response, by least squares on a small model.
 
-The small model, a `haptonic.plate.family.Family`, learns the plate's answer wherever the fit ends, until it is
-right there.
+The small model, a `haptonic.plate.family.Family`, learns the plate's answer wherever the fit ends, until it
+is right there.
 """
 
 from __future__ import annotations
@@ -25,9 +25,7 @@ Complex = NDArray[np.complex128]
 
 ANCHORS = 3  # sets of numbers whose answers the first small model knows
 ROUNDS = 6  # of fit and improvement at most
-STRANGE = (
-    4.0  # root mean square of a point's residuals, in those of the median point, above which it is left out
-)
+STRANGE = 4.0  # root mean square of a point's residuals, in those of the median point, of one left out
 AT_BOUND = 1e-3  # share of the range, from a bound, within which a number has stopped there
 UNEXPLAINED = 0.5  # share of the measured energy that a fit may leave
 
@@ -168,7 +166,7 @@ def _strange(match: Match, x: Array) -> Ints:
     """Numbers of points whose residuals are far above those of the others."""
     used = np.flatnonzero(match.data.used)
     size = np.sqrt((np.abs(match.misfit(x)) ** 2).mean(axis=0))
-    return used[size > STRANGE * np.median(size)]
+    return np.asarray(used[size > STRANGE * np.median(size)])
 
 
 def _numbers(space: Space, x: Array, tells: Told) -> tuple[Fitted, ...]:
@@ -195,7 +193,7 @@ def _unlike(unexplained: float) -> ScanError:
         argument="fit",
         given=f"a best fit that leaves {100 * unexplained:.0f} % of the measured energy unexplained",
         allowed=f"at most {100 * UNEXPLAINED:.0f} %",
-        cause="another plate, points that are turned or mirrored, a reference other than the drive, or bounds "
+        cause="another plate, points that are turned or mirrored, another reference than the drive, or bounds "
         "that are too narrow",
         next_step="look at the maps of model and measurement; register the scan; widen the bounds of [fit]",
     )

@@ -1,8 +1,8 @@
 """Residuals of a plate against its measured response, and how they are made small.
 
-The logarithm of every unknown number is varied between two bounds. The search begins with the average spectrum,
-whose peaks may lie elsewhere, goes on with the logarithm of the magnitude at every point, and ends with the
-complex response.
+The logarithm of every unknown number is varied between two bounds. The search begins with the average
+spectrum, whose peaks may lie elsewhere, goes on with the logarithm of the magnitude at every point, and ends
+with the complex response.
 """
 
 from __future__ import annotations
@@ -145,7 +145,7 @@ class Match:
 
     def jacobian(self, x: Array) -> Complex:
         """(lines, points used, p) slopes of these."""
-        return _slopes(self.misfit)(x)
+        return np.asarray(_slopes(self.misfit)(x), np.complex128)
 
     def of_complex(self, x: Array) -> Array:
         found = self.misfit(x).ravel()
