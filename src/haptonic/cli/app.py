@@ -29,6 +29,7 @@ from haptonic.cli.options import (
     tell_where,
 )
 from haptonic.cli.plates import plate, plate_files, write_plate
+from haptonic.cli.verdicts import verdict
 from haptonic.errors import StudyError
 from haptonic.report import Results, paper, write_report
 from haptonic.report.guide_shifts import guide_shifts
@@ -199,7 +200,7 @@ def _plate(loaded: Study, voice: Voice) -> tuple[PlateResult | None, xr.Dataset 
         return result, guide_shifts(loaded, Store.default())
 
 
-for command in (layers, waveguide, plate, design, tolerance, export):
+for command in (layers, waveguide, plate, verdict, design, tolerance, export):
     app.command()(command)
 
 

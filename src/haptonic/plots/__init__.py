@@ -9,19 +9,23 @@ from haptonic.plots.spectra import contrast_spectrum, impedance_spectrum, veloci
 from haptonic.plots.style import save
 from haptonic.plots.sweeps import sweep
 from haptonic.plots.tolerances import tolerance
+from haptonic.plots.verdicts import before_after, frac_maps, mac_matrix
 from haptonic.plots.zone import density_of_states, iso_frequency
 
 __all__ = [
     "animated",
+    "before_after",
     "contrast_spectrum",
     "decay",
     "density_of_states",
     "dispersion",
+    "frac_maps",
     "front",
     "guide",
     "impedance_spectrum",
     "iso_frequency",
     "layers",
+    "mac_matrix",
     "maps",
     "mode_shapes",
     "plate_plan",

@@ -172,7 +172,8 @@ def _strange(match: Match, x: Array) -> Ints:
 def _numbers(space: Space, x: Array, tells: Told) -> tuple[Fitted, ...]:
     found, names = [], [one.name for one in space.unknowns]
     for k, (one, start) in enumerate(zip(space.unknowns, space.start.tolist(), strict=True)):
-        value, half = start * float(np.exp(x[k])), float(tells.half[k])
+        value = min(max(start * float(np.exp(x[k])), one.low), one.high)
+        half = float(tells.half[k])
         low, high = float(space.low[k]), float(space.high[k])
         remark = ""
         if min(x[k] - low, high - x[k]) < AT_BOUND * (high - low):
@@ -193,7 +194,7 @@ def _unlike(unexplained: float) -> ScanError:
         argument="fit",
         given=f"a best fit that leaves {100 * unexplained:.0f} % of the measured energy unexplained",
         allowed=f"at most {100 * UNEXPLAINED:.0f} %",
-        cause="another plate, points that are turned or mirrored, another reference than the drive, or bounds "
-        "that are too narrow",
+        cause="another plate, points that are turned or mirrored, another reference than the drive, bounds "
+        "too narrow",
         next_step="look at the maps of model and measurement; register the scan; widen the bounds of [fit]",
     )

@@ -3,9 +3,9 @@
 With residuals e and a Jacobian J, independent errors give the covariance ``s^2 (J^T J)^-1``. Whether errors
 are independent shows in the singular values of the residuals as a matrix of lines and points: those of
 independent ones end at a known edge (Marchenko and Pastur). Errors of a model, or of a reference channel, are
-alike at many points and lines. Then scores, the products of Jacobian and residuals summed over the points of a
-line, tell by how much they add up (the sandwich estimate of regression), and only as many count as there are
-lines that matter.
+alike at many points and lines. Then scores, the products of Jacobian and residuals summed over the points of
+a line, tell by how much they add up (the sandwich estimate of regression), and only as many count as there
+are lines that matter.
 """
 
 from __future__ import annotations

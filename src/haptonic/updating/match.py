@@ -30,6 +30,7 @@ IMPROVED = 3
 SMOOTHED = 0.01  # share of the highest frequency over which average spectra are smoothed
 FLOOR = 0.03  # share of the median amplitude below which magnitudes hardly count
 STEP = 1e-5  # of a logarithm, for slopes
+SURE = 1e-6  # of a coherence, by which it stays away from 0 and 1
 INWARD = 1e-9  # of a logarithm, by which a start lies within the bounds
 
 
@@ -59,6 +60,29 @@ class Measured:
     velocity: bool
     weight: Array
     drives: Mapping[str, complex]
+
+    @classmethod
+    def of(
+        cls,
+        frequency: Array,
+        points: Array,
+        response: Complex,
+        velocity: bool,
+        drives: Mapping[str, complex],
+        coherence: Array | None = None,
+    ) -> Measured:
+        """With weights from the coherence (lines, points), if it was measured; else all alike.
+
+        The noise of single values is known too badly to weigh them: that of a line times that of a point is
+        taken.
+        """
+        power = np.abs(response) ** 2
+        noise = np.full(power.shape, float(power.mean()))
+        if coherence is not None:
+            square = np.clip(coherence, SURE, 1 - SURE)
+            every = power * (1 - square) / square
+            noise = np.outer(every.mean(axis=1), every.mean(axis=0)) / every.mean()
+        return cls(frequency, points, response, velocity, 1 / np.sqrt(noise), drives)
 
     @property
     def omega(self) -> Array:

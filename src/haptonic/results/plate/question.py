@@ -35,6 +35,13 @@ def drives_of(plate: Plate) -> list[Actuator | Force]:
     return [*plate.actuators, *plate.forces]
 
 
+def driven_region(plate: Plate) -> str | None:
+    """The region of plain plate that carries the first actuator, or else the first force."""
+    layout = plate.layout
+    names = [layout.at(layout.under((*one.centre, *one.centre))[0]) for one in drives_of(plate)]
+    return next((name for name in names if name is not None and name not in layout.cells), None)
+
+
 def amplitude_of(drive: Actuator | Force) -> complex:
     return drive.voltage if isinstance(drive, Actuator) else drive.amplitude
 

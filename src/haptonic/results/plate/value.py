@@ -16,7 +16,7 @@ from haptonic import plots
 from haptonic.bloch import Gap
 from haptonic.plate import Plate
 from haptonic.response import FrequencyResponse, contrast, disc_average, rms
-from haptonic.results.plate.question import drives_of, resonance_of
+from haptonic.results.plate.question import driven_region, resonance_of
 
 Complex = NDArray[np.complex128]
 
@@ -45,11 +45,7 @@ class PlateResult:
     @property
     def driven(self) -> str | None:
         """The region of plain plate that carries the first actuator, or else the first force."""
-        layout = self.plate.layout
-        names = [
-            layout.at(layout.under((*first.centre, *first.centre))[0]) for first in drives_of(self.plate)
-        ]
-        return next((name for name in names if name is not None and name not in layout.cells), None)
+        return driven_region(self.plate)
 
     def contrasts(self, response: FrequencyResponse) -> dict[str, xr.DataArray]:
         """How much more the driven region vibrates than others and than all the rest, dB."""
