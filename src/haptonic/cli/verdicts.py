@@ -85,12 +85,8 @@ def fit_table(fit: Fit) -> Table:
     """Each number before and after."""
     table = Table("parameter", "start", "fitted", "95 % interval", title="numbers fitted to the response")
     for one in fit.numbers:
-        told = one.remark
-        if one.interval is not None:
-            told = " to ".join(format_quantity(end, one.unit) for end in one.interval)
-        table.add_row(
-            one.name, format_quantity(one.start, one.unit), format_quantity(one.value, one.unit), told
-        )
+        start, value = (format_quantity(number, one.unit) for number in (one.start, one.value))
+        table.add_row(one.name, start, value, one.told)
     return table
 
 
@@ -135,9 +131,9 @@ def summary(found: Verdict) -> str:
     if (fit := found.fit) is not None:
         kind = "look independent" if fit.told.independent else "are alike at neighbouring points or lines"
         lines.append(
-            f"Residuals {kind}: {fit.told.data} numbers count as {fit.told.effective:.0f}. The small model of "
-            f"the fit is {found.recomputed:.1e} off the plate computed anew; {len(fit.left_out)} strange points "
-            "were left out of it."
+            f"Residuals {kind}: {fit.told.data} numbers count as {fit.told.effective:.0f}. The response "
+            f"of the fit is {found.recomputed:.1e} off the plate computed anew; {len(fit.left_out)} points with "
+            "strange residuals were left out of it."
         )
     if found.left_out:
         lines.append(f"{found.left_out} points do not lie on the plate and were left out.")

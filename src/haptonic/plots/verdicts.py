@@ -99,12 +99,13 @@ def mac_matrix(of: Agreement, *, measured: str, computed: str) -> Figure:
 
 
 @style.drawn
-def frac_maps(points: Array, frac: Mapping[str, Array], layout: Layout) -> Figure:
+def frac_maps(points: Array, frac: Mapping[str, Array], layout: Layout, *, measured: str) -> Figure:
     """Criterion (FRAC) at every point of the plate, a map for each model.
 
     Parameters
     ----------
     points : (points, 2) m; frac : by model, (points,); NaN is not drawn
+    measured : what the measurement is called
     """
     ratio = (layout.y[-1] - layout.y[0]) / (layout.x[-1] - layout.x[0])
     wide = (style.WIDTH - 2.0) / max(len(frac), 2)
@@ -128,6 +129,6 @@ def frac_maps(points: Array, frac: Mapping[str, Array], layout: Layout) -> Figur
     panels[0].set_ylabel("y (mm)")
     figure.colorbar(
         marks, ax=list(panels), location="bottom", shrink=0.6, aspect=30, pad=0.02,
-        label="FRAC of measurement and model (dimensionless)",
+        label=f"FRAC of {measured} and model (dimensionless)",
     )  # fmt: skip
     return figure

@@ -35,7 +35,7 @@ class Verdict:
     agreements : of the computed responses with the measured one, by the same names
     gaps : measured in each response in the same way; None where contrast shows none
     fit : if there was one
-    recomputed : relative error of its small model's response, against the fitted plate computed anew
+    recomputed : relative error of the fit's response, against that of the fitted plate computed anew
     left_out : points of the scan that do not lie on the plate
     study : the file with the fitted numbers, if there was a fit
     inputs : all that made it, in JSON types
@@ -98,7 +98,7 @@ class Verdict:
             "before-after": plots.before_after(
                 self.measured.frequency, spectra, contrasts, units=self.measured.units
             ),
-            "frac": plots.frac_maps(self.measured.points, frac, layout),
+            "frac": plots.frac_maps(self.measured.points, frac, layout, measured=labels[MEASURED]),
         }
         last = self.agreements[self.last]
         if last.mac.size:
@@ -168,7 +168,8 @@ class Verdict:
             "data": fit.told.data,
             "effective_data": fit.told.effective,
             "correlation": fit.told.correlation.tolist(),
-            "small_model_error": self.recomputed,
+            "small_model_error": fit.error,
+            "error": self.recomputed,
             "answers_in_small_model": fit.anchors,
         }  # fmt: skip
 

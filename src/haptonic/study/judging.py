@@ -47,11 +47,7 @@ def _text(study: Study, fit: Fit, scan: FrequencyResponse) -> str:
     title, origin = scan.dataset.attrs["title"], scan.dataset.attrs["origin"]
     lines = [f"Numbers fitted to a {origin} response" + (f', "{title}":' if title else ":")]
     for one in fit.numbers:
-        told = one.remark
-        if one.interval is not None:
-            low, high = (format_quantity(end, one.unit) for end in one.interval)
-            told = f"95 % between {low} and {high}"
-        lines.append(f"{one.name} = {format_quantity(one.value, one.unit)}, {told}")
+        lines.append(f"{one.name}: {format_quantity(one.value, one.unit)}, 95 % interval: {one.told}")
     made = study.with_fitted({one.name: one.value for one in fit.numbers})
     head = [f"# {' '.join(line.splitlines())}" for line in lines]
     return "\n".join([*head, "", made.to_toml()])

@@ -15,6 +15,7 @@ from numpy.typing import NDArray
 from haptonic.errors import ScanError
 from haptonic.plate import Fineness, Plate, PlateModel
 from haptonic.plate.family import Anchor, Family, anchored
+from haptonic.units import format_quantity
 from haptonic.updating.intervals import Told, told
 from haptonic.updating.match import Match, Measured, Space, Unknown
 from haptonic.updating.parameters import bonds_of, unit_of
@@ -26,6 +27,7 @@ Complex = NDArray[np.complex128]
 ANCHORS = 3  # sets of numbers whose answers the first small model knows
 ROUNDS = 6  # of fit and improvement at most
 STRANGE = 4.0  # root mean square of a point's residuals, in those of the median point, of one left out
+NARROW = 0.2  # half of an interval over its value, below which it is said in per cent
 AT_BOUND = 1e-3  # share of the range, from a bound, within which a number has stopped there
 UNEXPLAINED = 0.5  # share of the measured energy that a fit may leave
 
@@ -46,6 +48,16 @@ class Fitted:
     interval: tuple[float, float] | None
     remark: str
 
+    @property
+    def told(self) -> str:
+        """The interval in words, or why there is none."""
+        if self.interval is None:
+            return self.remark
+        low, high = self.interval
+        if high < (1 + NARROW) * self.value:
+            return f"± {100 * (high / self.value - 1):.2g} %"
+        return f"{format_quantity(low, self.unit)} to {format_quantity(high, self.unit)}"
+
 
 @dataclass(frozen=True, eq=False)
 class Fit:
@@ -56,7 +68,9 @@ class Fit:
     unexplained_before, unexplained : shares of the measured energy that these do not have
     left_out : numbers of points whose residuals are far above those of the others
     told : what the data tell, in logarithms of the numbers
-    error : relative, of the small model's response at the fitted numbers; anchors : answers it is made of
+    error : relative, of the small model's response near the fitted numbers, against that from new tiles; it
+        is made up for: the difference was added to the small model, and the numbers fitted again
+    anchors : answers that the small model is made of
     """
 
     plate: Plate
@@ -122,6 +136,12 @@ class SmallModel:
         more = anchored(self.model, plate, self.drives, self.frequency, self.tolerance, self.points)
         return replace(self, anchors=(*self.anchors, more))
 
+    def anew(self, x: Array) -> Complex:
+        """(lines, points) displacement with further numbers, from tiles made for these alone, m."""
+        plate, lines = self.space.plate_at(x), self.frequency
+        model = PlateModel.of(plate, float(lines[-1]), self.model.fineness)
+        return anchored(model, plate, self.drives, lines, self.tolerance, self.points).displacement
+
     def match(self, data: Measured) -> Match:
         """Against a measurement at the same lines and points."""
         return Match(self.space, Family.spanned(self.model, self.anchors, self.drives, self.points), data)
@@ -147,19 +167,26 @@ def fitted(small: SmallModel, data: Measured, said: Callable[[str], None] = lamb
         x = match.improved(match.of_complex, x)
         said(f"check {number}")
         small = small.knowing(x)
-        exact = data.seen(small.anchors[-1].displacement)
-        found = match.response(x)
-        error = float(np.linalg.norm(found - exact) / np.linalg.norm(exact))
+        error = _apart(match.response(x), data.seen(small.anchors[-1].displacement))
         if error < small.tolerance:
             break
-    unexplained = data.unexplained(found)
-    if unexplained > UNEXPLAINED:
+    if (unexplained := match.unexplained(x)) > UNEXPLAINED:
         raise _unlike(unexplained)
+    said("the same with new tiles")
+    exact = data.seen(small.anew(x))
+    match = replace(match, defect=exact - match.response(x))
+    x = match.improved(match.of_complex, x)
+    found = match.response(x)
     tells = told(match.jacobian(x), match.misfit(x))
     return Fit(
         small.space.plate_at(x), _numbers(small.space, x, tells), before, found, data.unexplained(before),
-        unexplained, strange, tells, error, len(small.anchors),
+        data.unexplained(found), strange, tells, _apart(found - match.defect, found), len(small.anchors),
     )  # fmt: skip
+
+
+def _apart(one: Complex, exact: Complex) -> float:
+    """Relative distance of two responses."""
+    return float(np.linalg.norm(one - exact) / np.linalg.norm(exact))
 
 
 def _strange(match: Match, x: Array) -> Ints:

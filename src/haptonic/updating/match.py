@@ -27,6 +27,7 @@ Residual = Callable[[Array], Array]
 
 TRIED = 48  # sets of numbers of which the best few are improved
 IMPROVED = 3
+GOOD = 0.1  # share of the measured energy left unexplained, below which no other start is improved
 SMOOTHED = 0.01  # share of the highest frequency over which average spectra are smoothed
 FLOOR = 0.03  # share of the median amplitude below which magnitudes hardly count
 STEP = 1e-5  # of a logarithm, for slopes
@@ -147,16 +148,20 @@ class Space:
 
 @dataclass(frozen=True, eq=False)
 class Match:
-    """A family of plates against a measurement, as functions of the logarithms (p,) of a space."""
+    """A family of plates against a measurement, as functions of the logarithms (p,) of a space.
+
+    defect : (lines, points) what the family's response lacks, as measured
+    """
 
     space: Space
     family: Family
     data: Measured
+    defect: Complex | float = 0.0
 
     def response(self, x: Array) -> Complex:
         """(lines, points) as measured."""
         poles = self.family.poles(self.space.plate_at(x))
-        return self.data.seen(poles.displacement(self.data.omega))
+        return np.asarray(self.data.seen(poles.displacement(self.data.omega)) + self.defect)
 
     def unexplained(self, x: Array) -> float:
         """Share of the measured energy."""
@@ -203,10 +208,12 @@ class Match:
         """(p,) from the best of many starts."""
         tried = [np.zeros(len(self.space.unknowns)), *self.space.spread(TRIED)]
         tried.sort(key=lambda x: float((self.of_spectra(x) ** 2).sum()))
-        ends = [
-            self.improved(self.of_complex, self.improved(self.of_magnitudes, x, "soft_l1"))
-            for x in tried[:IMPROVED]
-        ]
+        ends: list[Array] = []
+        for x in tried[:IMPROVED]:
+            near = self.improved(self.of_magnitudes, x, "soft_l1")
+            ends.append(self.improved(self.of_complex, near))
+            if self.unexplained(ends[-1]) < GOOD:
+                break
         return min(ends, key=self.unexplained)
 
 
