@@ -168,9 +168,10 @@ def fitted(small: SmallModel, data: Measured, said: Callable[[str], None] = lamb
         said(f"check {number}")
         small = small.knowing(x)
         error = _apart(match.response(x), data.seen(small.anchors[-1].displacement))
-        if error < small.tolerance:
+        unexplained = match.unexplained(x)
+        if error < small.tolerance or (number > 1 and unexplained > UNEXPLAINED):
             break
-    if (unexplained := match.unexplained(x)) > UNEXPLAINED:
+    if unexplained > UNEXPLAINED:
         raise _unlike(unexplained)
     said("the same with new tiles")
     exact = data.seen(small.anew(x))
@@ -198,6 +199,7 @@ def _strange(match: Match, x: Array) -> Ints:
 
 def _numbers(space: Space, x: Array, tells: Told) -> tuple[Fitted, ...]:
     found, names = [], [one.name for one in space.unknowns]
+    lost = tells.half > 0.5 * (space.high - space.low)
     for k, (one, start) in enumerate(zip(space.unknowns, space.start.tolist(), strict=True)):
         value = min(max(start * float(np.exp(x[k])), one.low), one.high)
         half = float(tells.half[k])
@@ -205,9 +207,9 @@ def _numbers(space: Space, x: Array, tells: Told) -> tuple[Fitted, ...]:
         remark = ""
         if min(x[k] - low, high - x[k]) < AT_BOUND * (high - low):
             remark = "stopped at its bound"
-        elif half > 0.5 * (high - low):
+        elif lost[k]:
             remark = "the data do not tell it"
-            if tied := [names[other] for other in tells.tied(k)]:
+            if tied := [names[other] for other in tells.tied(k) if lost[other]]:
                 remark = f"told only together with {' and '.join(tied)}"
         interval = None if remark else (value * float(np.exp(-half)), value * float(np.exp(half)))
         unit = unit_of(one.name)
