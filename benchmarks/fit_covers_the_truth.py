@@ -1,6 +1,6 @@
 """Claim: a number fitted to a scan lies within its 95 % interval of the truth in 95 % of scans.
 
-Scans of a small plate are simulated: numbers drawn between the bounds of the fit, a periodic chirp, noise of a
+Scans of a small plate are simulated: numbers between the bounds of the fit, a periodic chirp, noise of a
 sensor, 16 bits, points that were not reached, and one whose signal was lost for half of the record. The plate
 that is scanned has tiles of its own, so that errors of the fit's small model count too.
 """

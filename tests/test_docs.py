@@ -25,6 +25,8 @@ PRINTED = {
     "README.md": "52.5 to 60.2 kHz, complete: True\n",
     "docs/mirror-and-design.md": "56.9 kHz, 15 dB per row\n",
     "docs/plate.md": "180 pillars on 127 x 140 mm\n",
+    "docs/verdict.md": "material.youngs_modulus = 7e+10\nplate.loss_factor = 0.002\n"
+    "plate.actuator[1].bond.thickness = 5e-05\n",
 }
 
 

@@ -132,7 +132,7 @@ def summary(found: Verdict) -> str:
         kind = "look independent" if fit.told.independent else "are alike at neighbouring points or lines"
         lines.append(
             f"Residuals {kind}: {fit.told.data} numbers count as {fit.told.effective:.0f}. The response "
-            f"of the fit is {found.recomputed:.1e} off the plate computed anew; {len(fit.left_out)} points with "
+            f"of the fit is {found.recomputed:.1e} off the plate computed anew. {len(fit.left_out)} points with "
             "strange residuals were left out of it."
         )
     if found.left_out:

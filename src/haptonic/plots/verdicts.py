@@ -10,6 +10,7 @@ from matplotlib.collections import LineCollection
 from matplotlib.colors import Normalize
 from matplotlib.figure import Figure
 from matplotlib.patches import Rectangle
+from matplotlib.ticker import MaxNLocator
 from numpy.typing import NDArray
 
 from haptonic.plate.layout import Layout
@@ -22,7 +23,7 @@ Array = NDArray[np.float64]
 MOST_NUMBERS = 16  # shapes along either side, beyond which the numbers of a matrix are not written
 DARK = 0.6  # criterion above which numbers are written in ink, on the bright end of the colours
 LOOKS = ((style.INK, style.SOLID), (style.SKY, style.DASHED), (style.RED, style.DASH_DOTTED))
-MARKER = 26.0  # cm over the root of the number of points: size of one point's mark
+MARKER = 33.0  # cm over the root of the number of points: size of one point's mark
 
 
 @style.drawn
@@ -125,6 +126,7 @@ def frac_maps(points: Array, frac: Mapping[str, Array], layout: Layout, *, measu
             aspect="equal", xlim=(1e3 * layout.x[0], 1e3 * layout.x[-1]),
             ylim=(1e3 * layout.y[0], 1e3 * layout.y[-1]), xlabel="x (mm)",
         )  # fmt: skip
+        axes.xaxis.set_major_locator(MaxNLocator(4))
         axes.set_title(f"{name}\nmedian {np.nanmedian(values):.3f}", fontsize=9)
     panels[0].set_ylabel("y (mm)")
     figure.colorbar(
