@@ -132,8 +132,8 @@ def summary(found: Verdict) -> str:
         kind = "look independent" if fit.told.independent else "are alike at neighbouring points or lines"
         lines.append(
             f"Residuals {kind}: {fit.told.data} numbers count as {fit.told.effective:.0f}. The response "
-            f"of the fit is {found.recomputed:.1e} off the plate computed anew. {len(fit.left_out)} points of "
-            "strange residuals were left out."
+            f"of the fit is {found.recomputed:.1e} off the plate computed anew. {len(fit.left_out)} points "
+            "of strange residuals were left out."
         )
     if found.left_out:
         lines.append(f"{found.left_out} points do not lie on the plate and were left out.")

@@ -9,7 +9,7 @@ from pydantic import Field, ValidationInfo, field_validator, model_validator
 
 from haptonic.errors import nearest
 from haptonic.plate import Plate
-from haptonic.study.plate_tables import Frequency
+from haptonic.study.asking import Frequency, ascending, once
 from haptonic.study.quantity import collected, problem
 from haptonic.study.sections import Section
 from haptonic.units import format_quantity, shown, to_si
@@ -85,18 +85,8 @@ class FitSection(Section):
 
     @model_validator(mode="after")
     def _ascends(self) -> FitSection:
-        if self.lowest is not None and self.highest is not None and self.lowest >= self.highest:
-            raise problem(
-                format_quantity(self.highest, "Hz"),
-                f"more than the lowest frequency, {format_quantity(self.lowest, 'Hz')}",
-                "the two ends of the range are exchanged or equal", "exchange them", at="highest",
-            )  # fmt: skip
-        names = [one.parameter for one in self.vary]
-        if twice := sorted({name for name in names if names.count(name) > 1}):
-            raise problem(
-                f"{twice[0]}, twice", "every parameter once", "a table was copied", "remove one of them",
-                at="vary",
-            )  # fmt: skip
+        ascending(self.lowest, self.highest, "range")
+        once([one.parameter for one in self.vary], "vary")
         return self
 
     @property
