@@ -288,7 +288,7 @@ def fit(record: dict[str, Any]) -> str:
     ]  # fmt: skip
     return f"""## A fit covers the truth
 
-{record["seeds"]} simulated scans of a small plate with a glued patch, a column of pillars and sprung corners: numbers drawn
+{record["seeds"]} simulated scans of a small plate with a glued patch, a pillar and sprung corners: numbers drawn
 between the bounds of the fit, a periodic chirp, {100 * record["noise"]:g} % noise, 16 bits, {record["points"]} points of which two were not reached and
 one lost its signal, {record["lines"]} lines. How often the truth lies within the 95 % interval; with 95 % for each scan fewer than
 {record["least_allowed"]} would come by chance once in a hundred. The last column is the root mean square of the distance over the half
@@ -296,7 +296,7 @@ width, 0.51 for intervals that are exactly as wide as they should be.
 
 {table(["number", "truth within", "interval, median", "distance"], rows)}
 
-The spoiled point was found in {record["spoiled_points_found"]} scans; at most {record["left_out_largest"]} points were left out. The small model takes
+The spoiled point was found in {record["spoiled_points_found"]} scans; the most left out of one is {record["left_out_largest"]}. The small model takes
 {record["small_model_s"]:.0f} s, a fit {record["fit_s"]:.0f} s.
 
 {measured_on(record)}
