@@ -129,6 +129,7 @@ def test_verdict_finds_the_numbers_and_writes_its_files(haptonic, plated, scan, 
     before, after = data["agreement"]["model as given"], data["agreement"]["model fitted"]
     assert after["unexplained"] < 1e-3 < 0.1 < before["unexplained"]
     assert after["frac_median"] > 0.999
+    assert after["shapes"] == "modes"
     assert len(after["pairs"]) == len(after["measured_hz"]) >= 3
     assert all(pair["mac"] > 0.98 and abs(pair["frequency_difference"]) < 2e-3 for pair in after["pairs"])
     assert (data["measurement"], data["model"], data["points_left_out"]) == ("simulated", "simulated", 2)
@@ -146,8 +147,9 @@ def test_verdict_finds_the_numbers_and_writes_its_files(haptonic, plated, scan, 
     assert read(out / "model.nc").dataset.attrs["origin"] == "simulated"
 
 
-def test_a_response_that_is_there_is_not_computed_again(inside, plated, scan, tmp_path):
-    """The made-up scan against itself, without anything to fit."""
+def test_a_response_that_is_there_is_not_computed_again(inside, plated, scan, monkeypatch):
+    """The made-up scan against itself, without anything to fit and without the extra for modes."""
+    monkeypatch.setattr("haptonic.results.judging.can_identify", lambda: False)
     path = scan()
     without = PLATE[1][PLATE[1].index("[[fit.vary]]") : PLATE[1].index("[[sweep]]")]
     ran = inside("verdict", path, plated((without, "")), "--computed", path, "--json")
@@ -155,6 +157,7 @@ def test_a_response_that_is_there_is_not_computed_again(inside, plated, scan, tm
     assert ran.json["fit"] is None
     assert ran.json["agreement"]["model as given"]["unexplained"] == 0
     assert list(ran.json["agreement"]) == ["model as given"]
+    assert ran.json["agreement"]["model as given"]["shapes"] == "operating shapes"
 
 
 @pytest.mark.parametrize(
