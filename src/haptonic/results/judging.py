@@ -124,8 +124,10 @@ def _check(plate: Plate, scan: FrequencyResponse) -> None:
 def _on_plate(plate: Plate, scan: FrequencyResponse) -> tuple[FrequencyResponse, int]:
     """The points that lie on the plate, with the names of their tiles as regions; how many do not."""
     layout, points = plate.layout, scan.points
-    column = np.searchsorted(layout.x, points[:, 0], side="right") - 1
-    row = np.searchsorted(layout.y, points[:, 1], side="right") - 1
+    column, row = (
+        np.searchsorted(lines, place, side="right") - 1 - (place == lines[-1])
+        for lines, place in ((layout.x, points[:, 0]), (layout.y, points[:, 1]))
+    )
     names = [layout.at((int(i), int(j))) for i, j in zip(row, column, strict=True)]
     kept = np.array([k for k, name in enumerate(names) if name], dtype=np.int64)
     if len(kept) < 3 or len(kept) < (1 - MOST_BESIDE) * len(points):
