@@ -154,7 +154,7 @@ def anchored(
     HaptonicError : lines that stay above the tolerance
     """
     other = retuned(model, plate)
-    band = Band.of(other.model, float(frequencies[0]), float(frequencies[-1]))
+    band = Band.of(other.model, 0.0, float(frequencies[-1]))  # one that begins higher may have to begin anew
     _, vibration = band.answer(drives, frequencies, tolerance)
     found = vibration.amplitudes
     seen = real_times(other.model.displaced(points, vibration.vectors), found).T

@@ -23,7 +23,6 @@ def responded(
     regions: Sequence[str],
     tolerance: float,
     *,
-    low: float | None = None,
     fineness: Fineness | None = None,
     title: str = "",
     inputs: Mapping[str, Any] | None = None,
@@ -34,7 +33,6 @@ def responded(
     ----------
     frequency : (lines,) ascending, Hz; tolerance : field error of every line
     points : (points, 2) m; regions : of them
-    low : where the basis begins, Hz, if not at the first line
 
     Raises
     ------
@@ -43,7 +41,7 @@ def responded(
     """
     reference, _ = reference_of(plate)
     model = PlateModel.of(plate, float(frequency[-1]), fineness)
-    band = Band.of(model, float(frequency[0]) if low is None else low, float(frequency[-1]))
+    band = Band.of(model, 0.0, float(frequency[-1]))  # one that begins higher may have to begin anew
     _, vibration = band.answer(unit_drives(plate), frequency, tolerance)
     seen = real_times(model.displaced(points, vibration.vectors), vibration.amplitudes)
     return FrequencyResponse.of(

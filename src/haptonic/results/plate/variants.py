@@ -80,7 +80,7 @@ def guide_mode(plate: Plate, region: str, look: Look, fineness: Fineness | None 
 def resonance(plate: Plate, look: Look, over: str, under: str) -> tuple[float, float]:
     """Frequency, Hz, at which a region moves most, and its contrast over another one there, dB."""
     lines = np.arange(look.low, look.high + LINE / 2, LINE)
-    response = responded(plate, lines, *grid_points(plate, look.grid), look.tolerance, low=0.0)
+    response = responded(plate, lines, *grid_points(plate, look.grid), look.tolerance)
     loudest = int(rms(response, over).values.argmax())
     return float(lines[loudest]), float(contrast(response, over, under).values[loudest])
 
