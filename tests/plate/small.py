@@ -6,8 +6,8 @@ from haptonic.cell import Pillar, UnitCell
 from haptonic.lattice import Lattice
 from haptonic.materials import IsotropicMaterial, material
 from haptonic.plate.layout import Layout
-from haptonic.plate.model import Fineness
 from haptonic.plate.parts import Actuator, Bond, Finger, Force, Plate, Support
+from haptonic.plate.recipes import Fineness
 
 ALUMINIUM = IsotropicMaterial("aluminium", youngs_modulus=70e9, poisson_ratio=0.33, density=2700.0)
 PITCH, THICKNESS = 7e-3, 1.5e-3

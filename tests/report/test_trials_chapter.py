@@ -5,13 +5,13 @@ from types import SimpleNamespace
 
 import pytest
 import xarray as xr
-from trial_folders import made_up, written
 
 from haptonic.friction.recordings import Sensor
 from haptonic.friction.signals import Rules
 from haptonic.report import Absent, Chapter, Results, paper
 from haptonic.report.chapters.trials import chapter
 from haptonic.results import compute_friction
+from trial_folders import made_up, written
 
 
 @pytest.fixture(scope="module")

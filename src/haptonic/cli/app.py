@@ -21,6 +21,7 @@ from haptonic.cli.reproducing import reproduce
 from haptonic.cli.scans import chirp, scan
 from haptonic.cli.touching import friction
 from haptonic.cli.twins import twin
+from haptonic.cli.verdicts import verdict
 from haptonic.study import Study, table
 
 app = typer.Typer(
@@ -49,7 +50,7 @@ def root(
 
 COMMANDS = (
     bands, sweep, reproduce, layers, waveguide, design, tolerance, export, plate, feel, chirp, scan, protocol,
-    friction,
+    friction, verdict,
 )  # fmt: skip
 for command in COMMANDS:
     app.command()(command)

@@ -2,59 +2,29 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
-from concurrent.futures import ThreadPoolExecutor
-from dataclasses import dataclass, replace
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
 from functools import cached_property
+from types import MappingProxyType
 
 import numpy as np
 import scipy.sparse as sp
-from numpy.polynomial.legendre import leggauss
 from numpy.typing import NDArray
-from threadpoolctl import threadpool_limits
 
-from haptonic.cell import MeshPlan, UnitCell
-from haptonic.lattice import Lattice
 from haptonic.plate.assembly import Assembly
-from haptonic.plate.blocks import Attached, blocks_of
-from haptonic.plate.body import Body, BodyOrders, body, body_of_cell, loss_factors
+from haptonic.plate.blocks import blocks_of
+from haptonic.plate.body import loss_factors
 from haptonic.plate.damping import Extra
-from haptonic.plate.joined import joined_tile
-from haptonic.plate.layout import Layout
-from haptonic.plate.parts import Actuator, Finger, Force, Plate
-from haptonic.plate.reduction import block_tile, cell_tile
-from haptonic.plate.skeleton import Block, Skeleton, TraceOrders
+from haptonic.plate.parts import Finger, Plate
+from haptonic.plate.recipes import Fineness, recipe_of, tiles_of
+from haptonic.plate.skeleton import Skeleton
 from haptonic.plate.supports import Bed, supported
-from haptonic.plate.surface import surface_weights
-from haptonic.plate.tile import Tile
-from haptonic.superelement.parallel import threads
 
 Array = NDArray[np.float64]
 Ints = NDArray[np.int64]
 Complex = NDArray[np.complex128]
 
-FORCE_POINTS = 12  # along either side of a force's rectangle
 FINGER_POINTS = 37  # of equal area on the disc below a finger
-
-
-@dataclass(frozen=True)
-class Fineness:
-    """Polynomial orders of everything.
-
-    along, through : of what tiles share, along an edge and through the thickness
-    cell, rings : of a lattice's cells, as in `haptonic.cell.MeshPlan.suited`
-    plain : of tiles of plain plate and of blocks with something glued to them
-    """
-
-    along: int = 4
-    through: int = 2
-    cell: int = 4
-    rings: int = 1
-    plain: int = 4
-
-    @property
-    def trace(self) -> TraceOrders:
-        return TraceOrders(self.along, self.through)
 
 
 @dataclass(frozen=True, eq=False)
@@ -78,8 +48,17 @@ class PlateModel:
     capacitance: Mapping[str, float]
 
     @classmethod
-    def of(cls, plate: Plate, highest: float, fineness: Fineness | None = None) -> PlateModel:
+    def of(
+        cls,
+        plate: Plate,
+        highest: float,
+        fineness: Fineness | None = None,
+        bonds: Mapping[str, tuple[float, float]] = MappingProxyType({}),
+    ) -> PlateModel:
         """Reduce the tiles of a plate for frequencies up to ``highest`` (Hz) and put them together.
+
+        ``bonds`` gives, by actuator, the least and the largest thickness (m) that the tile below it has to
+        serve; see `haptonic.plate.retuned`.
 
         Raises
         ------
@@ -88,26 +67,21 @@ class PlateModel:
         fineness = fineness or Fineness()
         layout = plate.layout
         blocks = blocks_of(plate)
-        recipes = [_recipe(plate, block, attached) for block, attached in blocks.items()]
+        recipes = [recipe_of(plate, block, attached) for block, attached in blocks.items()]
         unique = list(dict.fromkeys(recipes))
-        tiles = _tiles(plate, unique, highest, fineness)
+        tiles = tiles_of(plate, unique, highest, fineness, bonds)
         which = [unique.index(recipe) for recipe in recipes]
         skeleton = Skeleton.of(layout, list(blocks), fineness.trace)
         held, beds = supported(skeleton, plate.supports)
         total = sp.csr_array(sum((bed.stiffness for bed in beds), start=sp.csr_array((skeleton.size,) * 2)))
         assembly = Assembly.of(skeleton, tiles, which, held, total)
-        drives: dict[str, Array] = {}
-        for group in assembly.groups:
-            for name, drive in group.tile.drive.items():
-                (unknowns,) = group.unknowns  # a block with a drive is one of its kind
-                drives.setdefault(name, np.zeros(assembly.size + 1))[unknowns] += drive
         return cls(
             plate=plate,
             fineness=fineness,
             highest=highest,
             assembly=assembly,
             beds=tuple(bed.on(assembly.is_free) for bed in beds),
-            drives={name: drive[:-1] for name, drive in drives.items()},
+            drives=drives_on(assembly),
             capacitance={name: c for tile in tiles for name, c in tile.capacitance.items()},
         )
 
@@ -201,6 +175,16 @@ class PlateModel:
         return tuple(found)
 
 
+def drives_on(assembly: Assembly) -> dict[str, Array]:
+    """(size,) force per unit of every drive of the tiles, by name."""
+    drives: dict[str, Array] = {}
+    for group in assembly.groups:
+        for name, drive in group.tile.drive.items():
+            (unknowns,) = group.unknowns  # a block with a drive is one of its kind
+            drives.setdefault(name, np.zeros(assembly.size + 1))[unknowns] += drive
+    return {name: drive[:-1] for name, drive in drives.items()}
+
+
 def impedance(finger: Finger, omega: Array) -> Complex:
     """Dynamic stiffness of a whole finger: force over displacement, N/m."""
     spring = finger.stiffness + 1j * omega * finger.damping
@@ -215,125 +199,3 @@ def sunflower(count: int) -> Array:
     number = np.arange(count) + 0.5
     angle, radius = np.pi * (3 - np.sqrt(5)) * number, np.sqrt(number / count)
     return np.asarray(radius[:, None] * np.stack([np.cos(angle), np.sin(angle)], axis=-1))
-
-
-def _spread(force: Force, bounds: tuple[float, float, float, float]) -> tuple[Array, Array]:
-    """Points (k, 2) of the flat face that a force acts on within bounds, m, and the share (k,) of each."""
-    if force.size is None:
-        return np.array([force.centre]), np.ones(1)
-    nodes, share = leggauss(FORCE_POINTS)
-    places, shares = [], []
-    for axis in (0, 1):
-        whole, middle = force.size[axis], force.centre[axis]
-        low, high = max(middle - whole / 2, bounds[axis]), min(middle + whole / 2, bounds[axis + 2])
-        places.append(0.5 * (low + high) + 0.5 * (high - low) * nodes)
-        shares.append(0.5 * share * (high - low) / whole)
-    grid = np.meshgrid(*places, indexing="ij")
-    return np.stack(grid, axis=-1).reshape(-1, 2), np.outer(*shares).ravel()
-
-
-@dataclass(frozen=True)
-class _Recipe:
-    """How a block's tile is made; the same for blocks that are alike.
-
-    cell : name of a lattice's cell, or None for plain plate; size : of one tile, m
-    shape : rows and columns that are joined
-    attached : what a block of its own carries, else nothing; block : only then
-    """
-
-    cell: str | None
-    size: tuple[float, float]
-    shape: tuple[int, int]
-    attached: tuple[Attached, ...] = ()
-    block: Block | None = None
-
-    def of_shape(self, shape: tuple[int, int]) -> _Recipe:
-        return replace(self, shape=shape)
-
-
-def _recipe(plate: Plate, block: Block, attached: tuple[Attached, ...]) -> _Recipe:
-    layout = plate.layout
-    name = layout.at(block.tiles[0])
-    left, bottom, right, top = layout.bounds(block.tiles[0])
-    size = tuple(
-        layout.thickness * round(length / layout.thickness, 9) for length in (right - left, top - bottom)
-    )
-    shape = (block.rows[1] - block.rows[0], block.columns[1] - block.columns[0])
-    cell = name if name in layout.cells else None
-    return _Recipe(cell, (size[0], size[1]), shape, attached, block if attached else None)
-
-
-def _tiles(plate: Plate, recipes: list[_Recipe], highest: float, fineness: Fineness) -> list[Tile]:
-    """The tiles of recipes: single ones first, rows of them, then rectangles; like steps side by side."""
-    made: dict[_Recipe, Tile] = {}
-
-    def make(recipe: _Recipe) -> Tile:
-        rows, columns = recipe.shape
-        if recipe.shape == (1, 1):
-            return _single_tile(plate, recipe, highest, fineness)
-        row, width = recipe.of_shape((1, columns)), recipe.size[0] * columns
-        if rows == 1:
-            one = made[recipe.of_shape((1, 1))]
-            return joined_tile(one, recipe.size, recipe.shape, fineness.trace, highest)
-        size = (width, recipe.size[1])
-        return joined_tile(made[row], size, (rows, 1), fineness.trace, highest, (1, columns))
-
-    plain = [recipe for recipe in recipes if not recipe.attached]
-    steps = [
-        [recipe.of_shape((1, 1)) for recipe in plain],
-        [recipe.of_shape((1, recipe.shape[1])) for recipe in plain],
-        plain,
-    ]
-    with threadpool_limits(1), ThreadPoolExecutor(threads()) as pool:
-        attached = {
-            recipe: pool.submit(_attached_tile, plate, recipe, highest, fineness)
-            for recipe in recipes if recipe.attached
-        }  # fmt: skip
-        for step in steps:
-            missing = [recipe for recipe in dict.fromkeys(step) if recipe not in made]
-            made |= dict(zip(missing, pool.map(make, missing), strict=True))
-        made |= {recipe: future.result() for recipe, future in attached.items()}
-    return [made[recipe] for recipe in recipes]
-
-
-def _single_tile(plate: Plate, recipe: _Recipe, highest: float, fineness: Fineness) -> Tile:
-    layout = plate.layout
-    if recipe.cell is not None:
-        cell = layout.cells[recipe.cell]
-        plan = MeshPlan.suited(cell, fineness.cell, fineness.rings)
-    else:
-        cell = UnitCell(Lattice.rectangular(*recipe.size), layout.thickness, layout.material)
-        plan = MeshPlan.suited(cell, max(fineness.plain, fineness.along - 1), 0)
-    return cell_tile(cell, plan, fineness.trace, highest)
-
-
-def _attached_tile(plate: Plate, recipe: _Recipe, highest: float, fineness: Fineness) -> Tile:
-    layout, block, attached = plate.layout, recipe.block, recipe.attached
-    assert block is not None
-    x = layout.x[block.columns[0] : block.columns[1] + 1]
-    y = layout.y[block.rows[0] : block.rows[1] + 1]
-    actuators = [one for one in attached if isinstance(one, Actuator)]
-    if recipe.cell is not None:
-        cell = layout.cells[recipe.cell]
-        plan = MeshPlan.suited(cell, fineness.cell, fineness.rings)
-        piece = body_of_cell(cell, plan, (x[0], x[-1]), (y[0], y[-1]))
-    else:
-        piece = _plain_body(layout, x, y, actuators, fineness)
-    loads = {}
-    for force in attached:
-        if isinstance(force, Force):
-            points, weights = _spread(force, (x[0], y[0], x[-1], y[-1]))
-            loads[force.name] = np.zeros(len(piece.mass))
-            loads[force.name][2::3] = surface_weights(piece.points, piece.faces, points).T @ weights
-    return block_tile(piece, x, y, layout.thickness, loads, fineness.trace, highest)
-
-
-def _plain_body(
-    layout: Layout, x: Sequence[float], y: Sequence[float], actuators: list[Actuator], fineness: Fineness
-) -> Body:
-    # in the plane as fine as a tile without anything on it: a force must not soften or stiffen the plate;
-    # the edges of a patch divide a tile into smaller elements, which need less
-    finer = 1 if actuators else 2
-    orders = BodyOrders(max(fineness.plain, fineness.along - 1) + finer, fineness.plain, 2, 3)
-    longest = 1.01 * max(np.diff(x).max(), np.diff(y).max())
-    return body(x, y, layout.thickness, layout.material, actuators, orders, float(longest))

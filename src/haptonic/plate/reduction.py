@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
+from types import MappingProxyType
 
 import numpy as np
 import scipy.linalg as la
@@ -12,6 +13,7 @@ from numpy.typing import NDArray
 from haptonic.cell import MeshPlan, UnitCell
 from haptonic.cell.quadrature import lobatto
 from haptonic.plate.body import Body
+from haptonic.plate.bonds import Bonded
 from haptonic.plate.skeleton import TraceOrders, rim_values
 from haptonic.plate.surface import flat_faces
 from haptonic.plate.tile import OnMesh, Tile
@@ -106,6 +108,7 @@ def block_tile(
     loads: Mapping[str, Array],
     orders: TraceOrders,
     highest: float,
+    bonded: Mapping[str, Bonded] = MappingProxyType({}),
 ) -> Tile:
     """A body, plain plate or a cell with what is on it, as a tile for frequencies up to ``highest`` (Hz).
 
@@ -113,35 +116,32 @@ def block_tile(
     ----------
     body : unreduced; x, y : lines between the tiles in it, m; thickness : of the plate, m
     loads : further drives by name, (3 nodes,) force per unit of drive
+    bonded : by actuator, the same with other bonds, which the tile has to serve as well
     """
     drives = {**body.drive, **loads}
-    onto = np.kron(_rim_of_body(body, x, y, thickness, orders), np.eye(3))
+    onto = np.asarray(np.kron(_rim_of_body(body, x, y, thickness, orders), np.eye(3)), np.float64)
     size, trace = len(body.mass), onto.shape[1]
     held = (3 * body.rim[:, None] + np.arange(3)).ravel()
     inside = np.setdiff1d(np.arange(size), held)
-    total = sp.csr_array(sum(body.stiffness.values()))
-    pattern, numbers = _upper(sp.csr_array(total[inside][:, inside]))
-    solver = chosen()(pattern)
-    solver.factorise(numbers)
-    coupling = total[inside][:, held] @ onto
     force = (
         np.array([drive[inside] for drive in drives.values() if drive[inside].any()])
         .reshape(-1, len(inside))
         .T
     )
-    answers = solver.solve(np.hstack([-coupling, force]))
-    static = np.zeros((size, trace))
-    static[held], static[inside] = onto, answers[:, :trace]
-    inertia = body.mass[inside, None] * static[inside]
-    diagonal = pattern.indptr[:-1]
-    seen = [answers[:, trace:], solver.solve(inertia)]
-    for share in SNAPSHOTS:
-        shifted = numbers.copy()
-        shifted[diagonal] -= share * (2 * np.pi * highest) ** 2 * body.mass[inside]
-        solver.factorise(shifted, definite=False)
-        seen.append(solver.solve(np.hstack([inertia, force])))
-    fields = _main_directions(np.hstack(seen), sp.csr_array(total[inside][:, inside]), body.mass[inside])
-    basis = np.hstack([static, np.zeros((size, fields.shape[1]))])
+    static, seen = _snapshots(body, onto, force, (held, inside), highest, SNAPSHOTS)
+    total = sp.csr_array(sum(body.stiffness.values()))
+    basis = np.zeros((size, trace))
+    basis[held], basis[inside] = onto, static
+    energy = np.einsum("nk,nk->k", basis, total @ basis)
+    least = [np.zeros(seen.shape[1])]
+    for other in (end for one in bonded.values() for end in (one.bodies[0], one.bodies[-1])):
+        own, more = _snapshots(other, onto, force, (held, inside), highest, ())
+        seen = np.hstack([seen, more, own - static])
+        least += [np.zeros(more.shape[1]), np.sqrt(energy)]  # a small difference need not be known well
+    fields = _main_directions(
+        seen, sp.csr_array(total[inside][:, inside]), body.mass[inside], np.concatenate(least)
+    )
+    basis = np.hstack([basis, np.zeros((size, fields.shape[1]))])
     basis[inside, trace:] = fields
     parts = {name: basis.T @ (part @ basis) for name, part in body.stiffness.items()}
     values = np.diag(sum(parts.values()))[trace:].copy()
@@ -159,7 +159,40 @@ def block_tile(
             faces=body.faces,
             lift=lambda unknowns: np.asarray(basis @ unknowns).reshape(len(body.points), 3, -1),
         ),
+        bonds={name: one.projected(name, basis) for name, one in bonded.items()},
     )
+
+
+def _snapshots(
+    body: Body,
+    onto: Array,
+    force: Array,
+    split: tuple[Ints, Ints],
+    highest: float,
+    shares: Sequence[float],
+) -> tuple[Array, Array]:
+    """Static answers (inside, trace) to a trace, and other fields (inside, k) that a tile should know.
+
+    onto : (held, trace) displacement of the rim; force : (inside, k) of the drives
+    split : unknowns of the rim, and all others; shares : of the square of the highest frequency, beside 0
+    """
+    held, inside = split
+    total = sp.csr_array(sum(body.stiffness.values()))
+    pattern, numbers = _upper(sp.csr_array(total[inside][:, inside]))
+    solver = chosen()(pattern)
+    solver.factorise(numbers)
+    answers = solver.solve(np.hstack([-(total[inside][:, held] @ onto), force]))
+    trace = onto.shape[1]
+    static = answers[:, :trace]
+    inertia = body.mass[inside, None] * static
+    diagonal = pattern.indptr[:-1]
+    seen = [answers[:, trace:], solver.solve(inertia)]
+    for share in shares:
+        shifted = numbers.copy()
+        shifted[diagonal] -= share * (2 * np.pi * highest) ** 2 * body.mass[inside]
+        solver.factorise(shifted, definite=False)
+        seen.append(solver.solve(np.hstack([inertia, force])))
+    return static, np.hstack(seen)
 
 
 def _rim_of_body(
@@ -180,13 +213,14 @@ def _rim_of_body(
     return rim_values(edges, orders, where % edges, points[:, 2] / thickness)
 
 
-def _main_directions(fields: Array, stiffness: sp.csr_array, mass: Array) -> Array:
+def _main_directions(fields: Array, stiffness: sp.csr_array, mass: Array, least: Array) -> Array:
     """Few fields that nearly span given ones (proper orthogonal decomposition in the energy norm).
 
-    They are orthonormal in mass and orthogonal in stiffness.
+    They are orthonormal in mass and orthogonal in stiffness. All fields (size, k) count alike, but those
+    smaller than ``least`` (k,).
     """
     gram = fields.T @ (stiffness @ fields)
-    size = np.sqrt(np.diag(gram))
+    size = np.maximum(np.sqrt(np.diag(gram)), least)
     weights, turn = la.eigh(gram / size / size[:, None])
     kept = weights > MISSED_BY_BLOCK**2 * weights[-1]
     fields = fields @ (turn[:, kept] / np.sqrt(weights[kept]) / size[:, None])  # unit energy each

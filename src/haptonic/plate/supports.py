@@ -11,6 +11,7 @@ from numpy.polynomial.legendre import leggauss
 from numpy.typing import NDArray
 
 from haptonic.cell.quadrature import interpolation, lobatto
+from haptonic.plate.layout import Layout
 from haptonic.plate.parts import Support
 from haptonic.plate.skeleton import OuterEdge, Skeleton
 
@@ -23,15 +24,16 @@ CLAMPED = 100.0  # stiffness of a clamp on a part of an edge, in those of a laye
 
 @dataclass(frozen=True, eq=False)
 class Bed:
-    """Springs. stiffness : sparse, N/m; loss_factor : of theirs"""
+    """Springs. stiffness : sparse, N/m; loss_factor : of theirs; number : of the support that they are"""
 
     stiffness: sp.csr_array
     loss_factor: float
+    number: int
 
     def on(self, kept: NDArray[np.bool_]) -> Bed:
         """The bed on some of the unknowns only."""
         inside = np.flatnonzero(kept)
-        return Bed(sp.csr_array(self.stiffness[inside][:, inside]), self.loss_factor)
+        return Bed(sp.csr_array(self.stiffness[inside][:, inside]), self.loss_factor, self.number)
 
 
 def supported(skeleton: Skeleton, supports: Sequence[Support]) -> tuple[Ints, list[Bed]]:
@@ -42,7 +44,7 @@ def supported(skeleton: Skeleton, supports: Sequence[Support]) -> tuple[Ints, li
     """
     held: list[Ints] = []
     beds = []
-    for support in supports:
+    for number, support in enumerate(supports):
         spans = _corner_spans(skeleton, support) if support.where == "corners" else [
             (edge, (0.0, 1.0)) for edge in skeleton.outer_edges if edge.side == support.where
         ]  # fmt: skip
@@ -53,15 +55,15 @@ def supported(skeleton: Skeleton, supports: Sequence[Support]) -> tuple[Ints, li
             else:
                 held.append(_held(skeleton, edge, support))
         if springs:
-            beds.append(Bed(_bed(skeleton, springs, _stiffness(skeleton, support)), support.loss_factor))
+            stiffness = bed_stiffness(skeleton.layout, support)
+            beds.append(Bed(_bed(skeleton, springs, stiffness), support.loss_factor, number))
     return np.unique(np.concatenate([np.zeros(0, dtype=np.int64), *held])), beds
 
 
-def _stiffness(skeleton: Skeleton, support: Support) -> float:
-    """Of the bed, N/m^3."""
+def bed_stiffness(layout: Layout, support: Support) -> float:
+    """Of the springs of a support, N/m^3."""
     if support.stiffness is not None:
         return support.stiffness
-    layout = skeleton.layout
     return CLAMPED * float(layout.material.stiffness[0, 0]) / layout.thickness
 
 

@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cached_property
 from typing import Any, Protocol
 
 import numpy as np
 from numpy.typing import NDArray
 
+from haptonic.plate.bonds import Bond3
 from haptonic.plate.surface import surface_weights
 
 Array = NDArray[np.float64]
@@ -68,6 +69,7 @@ class Tile:
     drive : by name (n,) force per unit of drive
     capacitance : by actuator, F
     inside : what the unknowns mean on a mesh
+    bonds : by actuator, bonds whose thickness may change
     """
 
     stiffness: Mapping[str, Array]
@@ -76,6 +78,7 @@ class Tile:
     drive: Mapping[str, Array]
     capacitance: Mapping[str, float]
     inside: Inside
+    bonds: Mapping[str, Bond3] = field(default_factory=dict)
 
     @property
     def size(self) -> int:

@@ -20,11 +20,13 @@ from haptonic.plots.spectra import contrast_spectrum, impedance_spectrum, veloci
 from haptonic.plots.style import save
 from haptonic.plots.sweeps import sweep
 from haptonic.plots.tolerances import tolerance
+from haptonic.plots.verdicts import before_after, frac_maps, mac_matrix
 from haptonic.plots.zone import density_of_states, iso_frequency
 
 __all__ = [
     "animated",
     "average_response",
+    "before_after",
     "conditions",
     "contrast_spectrum",
     "decay",
@@ -32,12 +34,14 @@ __all__ = [
     "dispersion",
     "drive_signal",
     "fading",
+    "frac_maps",
     "friction_map",
     "front",
     "guide",
     "impedance_spectrum",
     "iso_frequency",
     "layers",
+    "mac_matrix",
     "maps",
     "measured_contrast",
     "mode_shapes",

@@ -192,7 +192,7 @@ def outlined(axes: Axes, layout: Layout | None) -> None:
         return
     axes.set(xlim=(1e3 * layout.x[0], 1e3 * layout.x[-1]), ylim=(1e3 * layout.y[0], 1e3 * layout.y[-1]))
     for name in layout.regions:
-        border = [segment for _, segment in _border(layout, set(layout.of(name)))]
+        border = region_borders(layout, name)
         axes.add_collection(LineCollection(border, colors=style.INK, linewidths=0.9, gid=f"outline {name}"))
         x, _, top = max(_rows_of(layout, name), key=lambda row: row[2])
         axes.annotate(
@@ -244,6 +244,11 @@ def _border(layout: Layout, tiles: set[Tile]) -> Iterator[tuple[Side, Segment]]:
             ("top", (i + 1, j), ((left, top), (right, top))),
         )
         yield from ((side, segment) for side, beyond, segment in sides if beyond not in tiles)
+
+
+def region_borders(layout: Layout, name: str) -> list[Segment]:
+    """The sides of a region, mm."""
+    return [segment for _, segment in _border(layout, set(layout.of(name)))]
 
 
 def _plate_tiles(layout: Layout) -> set[Tile]:

@@ -6,6 +6,7 @@ from haptonic.results.design import Design, compute_design, compute_front, plann
 from haptonic.results.feel import Feel, Pad, compute_loaded
 from haptonic.results.friction import FrictionResult, compute_friction
 from haptonic.results.guides import Guides, compute_guides
+from haptonic.results.judging import VerdictQuestion, compute_verdict
 from haptonic.results.layers import Layers, compute_layers, layer_tasks
 from haptonic.results.plate import PlateQuestion, PlateResult, compute_plate
 from haptonic.results.protocol import Plan, Task, compute_plan
@@ -13,6 +14,7 @@ from haptonic.results.runner import Runner
 from haptonic.results.sweeps import Row, Sweep, compute_sweeps, design_gaps
 from haptonic.results.tolerance import Tolerance, compute_tolerance
 from haptonic.results.twin import FrictionTwin, friction_twin
+from haptonic.results.verdict import Verdict
 
 __all__ = [
     "Asked",
@@ -32,6 +34,8 @@ __all__ = [
     "Sweep",
     "Task",
     "Tolerance",
+    "Verdict",
+    "VerdictQuestion",
     "compute_bands",
     "compute_design",
     "compute_friction",
@@ -43,6 +47,7 @@ __all__ = [
     "compute_plate",
     "compute_sweeps",
     "compute_tolerance",
+    "compute_verdict",
     "design_gaps",
     "friction_twin",
     "gap_json",

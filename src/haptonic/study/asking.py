@@ -20,6 +20,18 @@ Frequency = Annotated[float, Quantity("Hz", at_least=1.0, at_most=1e9, typical=(
 Length = Annotated[float, Quantity("m", at_least=SMALLEST, at_most=LARGEST)]
 
 
+def ascending(lowest: float | None, highest: float | None, what: str) -> None:
+    """Refuse two ends of a range of frequencies, Hz, in the wrong order."""
+    if lowest is not None and highest is not None and lowest >= highest:
+        raise problem(
+            format_quantity(highest, "Hz"),
+            f"more than the lowest frequency, {format_quantity(lowest, 'Hz')}",
+            f"the two ends of the {what} are exchanged or equal",
+            "exchange them",
+            at="highest",
+        )
+
+
 class LayersSection(Section):
     """What is asked of a mirror of several rows of cells between two plates."""
 
@@ -41,14 +53,7 @@ class LayersSection(Section):
 
     @model_validator(mode="after")
     def _ascends(self) -> LayersSection:
-        if self.lowest is not None and self.highest is not None and self.lowest >= self.highest:
-            raise problem(
-                format_quantity(self.highest, "Hz"),
-                f"more than the lowest frequency, {format_quantity(self.lowest, 'Hz')}",
-                "the two ends of the spectrum are exchanged or equal",
-                "exchange them",
-                at="highest",
-            )
+        ascending(self.lowest, self.highest, "spectrum")
         return self
 
 
@@ -90,7 +95,7 @@ def _known(path: str) -> str:
     return path
 
 
-def _once(names: Sequence[str], at: str) -> None:
+def once(names: Sequence[str], at: str) -> None:
     """Refuse a parameter that two tables are about."""
     twice = sorted({name for name in names if names.count(name) > 1})
     if twice:
@@ -175,7 +180,7 @@ class DesignSection(Section):
 
     @model_validator(mode="after")
     def _is_whole(self) -> DesignSection:
-        _once([one.parameter for one in self.vary], "vary")
+        once([one.parameter for one in self.vary], "vary")
         given = (self.finger_force, self.finger_span, self.finger_deflection)
         if None in given and given != (None, None, None):
             raise problem(
@@ -257,5 +262,5 @@ class ToleranceSection(Section):
 
     @model_validator(mode="after")
     def _differs_once(self) -> ToleranceSection:
-        _once([one.parameter for one in self.of], "of")
+        once([one.parameter for one in self.of], "of")
         return self

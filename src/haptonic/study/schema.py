@@ -30,6 +30,7 @@ from haptonic.plate.parts import Plate
 from haptonic.results import Asked
 from haptonic.study.asking import DesignSection, LayersSection, ToleranceSection, WaveguideSection
 from haptonic.study.experiment_tables import ParticipantsSection, ProtocolSection
+from haptonic.study.fitting import FitSection
 from haptonic.study.keys import leaves, table
 from haptonic.study.plate_tables import PlateSection
 from haptonic.study.plating import built_in, plate_of
@@ -44,7 +45,7 @@ from haptonic.study.writing import toml_of
 from haptonic.units import format_quantity, to_si
 
 MOST_SWEEPS = 50
-AFTERWARDS = {"touch", "trials", "protocol", "participants", "scan"}  # they decide no bands and no plate
+AFTERWARDS = {"touch", "trials", "protocol", "participants", "scan", "fit"}  # they decide no bands, no plate
 OF_A_CELL = {"carrier", "material", "cell", "bands"}  # sections whose numbers an expression can name
 
 
@@ -165,6 +166,7 @@ class Description(Section):
     scan: ScanSection = Field(
         ScanSection(), title="Scan", description="How a laser vibrometer scans the plate."
     )
+    fit: FitSection = Field(FitSection(), title="Fit", description="What a measurement of the plate tells.")
     sweep: tuple[SweepSection, ...] = Field(
         (), title="Sweeps", description="Rows of designs to compare.", max_length=MOST_SWEEPS
     )
@@ -173,13 +175,13 @@ class Description(Section):
     def _every_design_is_possible(self) -> Self:
         try:
             self.unit_cell()
-            if self.plate_section is not None:
-                self.plate()
+            plate = None if self.plate_section is None else self.plate()
         except HaptonicError as error:
             raise problem(
                 error.given, error.allowed, error.cause, error.next_step, at=error.argument
             ) from None
         self._names_what_the_cell_has()
+        self.fit.check(plate, self.absent_parameters())
         for row, sweep in enumerate(self.sweep, start=1):
             self._gives_what_is_named(sweep.expression, f"sweep[{row}].vary")
             for step, value in enumerate(sweep.values, start=1):
@@ -297,13 +299,26 @@ class Description(Section):
         ------
         StudyError : a value is out of bounds, or the design is not possible
         """
-        data = self.model_dump(by_alias=True, exclude_none=True, exclude={"sweep"})
+        assert values.keys() <= self.parameters().keys(), values.keys()
+        return self._with_numbers(values, {"sweep", "fit"})
+
+    def with_fitted(self, values: Mapping[str, float]) -> Self:
+        """The same study with numbers of [[fit.vary]] (SI, by their names there) changed.
+
+        Raises
+        ------
+        StudyError : a value is out of bounds
+        """
+        return self._with_numbers(values, set())
+
+    def _with_numbers(self, values: Mapping[str, float], without: set[str]) -> Self:
+        data = self.model_dump(by_alias=True, exclude_none=True, exclude=without)
         for path, value in values.items():
-            assert path in self.parameters(), path
             *sections, name = path.split(".")
             target: dict[str, Any] = data
             for section in sections:
-                target = target[section]
+                key, _, number = section.removesuffix("]").partition("[")
+                target = target[key][int(number) - 1] if number else target[key]
             target[name] = float(value)
         try:
             return type(self).model_validate(data, context=SI_NUMBERS)

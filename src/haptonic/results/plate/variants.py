@@ -11,10 +11,10 @@ from numpy.typing import NDArray
 
 from haptonic.materials import Material
 from haptonic.plate import Band, Fineness, Layout, Plate, PlateModel, modes_between
-from haptonic.plate.damping import real_times
-from haptonic.response import FrequencyResponse, contrast, rms
+from haptonic.response import contrast, rms
+from haptonic.results.plate.answer import responded
 from haptonic.results.plate.datasets import mode_names
-from haptonic.results.plate.question import grid_points, reference_of, unit_drives
+from haptonic.results.plate.question import grid_points
 from haptonic.store import Store, content_key
 
 Array = NDArray[np.float64]
@@ -79,16 +79,8 @@ def guide_mode(plate: Plate, region: str, look: Look, fineness: Fineness | None 
 
 def resonance(plate: Plate, look: Look, over: str, under: str) -> tuple[float, float]:
     """Frequency, Hz, at which a region moves most, and its contrast over another one there, dB."""
-    model = PlateModel.of(plate, look.high)
     lines = np.arange(look.low, look.high + LINE / 2, LINE)
-    reference, _ = reference_of(plate)
-    _, vibration = Band.of(model, 0.0, look.high).answer(unit_drives(plate), lines, look.tolerance)
-    points, regions = grid_points(plate, look.grid)
-    seen = real_times(model.displaced(points, vibration.vectors), vibration.amplitudes)
-    response = FrequencyResponse.of(
-        (seen * (1j * vibration.omega)).T[..., None], frequency=lines, x=points[:, 0], y=points[:, 1],
-        reference=reference, origin="simulated", region=regions,
-    )  # fmt: skip
+    response = responded(plate, lines, *grid_points(plate, look.grid), look.tolerance)
     loudest = int(rms(response, over).values.argmax())
     return float(lines[loudest]), float(contrast(response, over, under).values[loudest])
 

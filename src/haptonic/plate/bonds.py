@@ -1,0 +1,54 @@
+"""A bond of any thickness between two, without another mesh.
+
+Elements of a bond are boxes: with its thickness t their stiffness is ``A / t + B + C t``, from products of
+two derivatives across, of one, and of none; three thicknesses give it at any. Their mass is proportional
+to t. What lies above is shifted only, and its stiffness does not depend on where it is.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from haptonic.plate.body import Body
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True, eq=False)
+class Bond3:
+    """The bond of one actuator on the unknowns of a tile.
+
+    thickness : (3,) m; stiffness : (3, n, n) of the bond at these, N/m
+    nominal : that of the tile, m; slope : (n, n) of the tile's mass with the thickness, kg/m
+    """
+
+    thickness: Array
+    stiffness: Array
+    nominal: float
+    slope: Array
+
+    def shares(self, thickness: float) -> Array:
+        """(3,) shares of the three stiffnesses in that of another thickness, m."""
+        ratio = self.thickness / thickness
+        powers = np.stack([1 / ratio, np.ones(3), ratio])
+        return np.asarray(np.linalg.solve(powers, np.ones(3)), dtype=np.float64)
+
+
+@dataclass(frozen=True, eq=False)
+class Bonded:
+    """A body with the bond of one actuator in three thicknesses. thickness : (3,) m; nominal : of its tile"""
+
+    thickness: Array
+    bodies: tuple[Body, ...]
+    nominal: float
+
+    def projected(self, actuator: str, basis: Array) -> Bond3:
+        """On fields (size, n) of the bodies."""
+        part = f"{actuator} bond"
+        forms = np.stack([basis.T @ (body.stiffness[part] @ basis) for body in self.bodies])
+        first, *_, last = self.bodies
+        slope = (last.mass - first.mass) / (self.thickness[-1] - self.thickness[0])
+        return Bond3(self.thickness, forms, self.nominal, basis.T @ (slope[:, None] * basis))

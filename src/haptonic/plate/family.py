@@ -1,0 +1,176 @@
+"""A plate on a small basis for a whole range of its numbers: each answer costs milliseconds.
+
+The dynamic stiffness is a sum of forms that do not change, each with a weight that follows from the numbers:
+Young's modulus, loss factors, springs, and three forms for each bond. A basis that holds the plate's answers
+for some sets of numbers nearly holds those in between (reduced basis method).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+import scipy.linalg as la
+from numpy.typing import NDArray
+
+from haptonic.plate.body import loss_factors
+from haptonic.plate.bonds import Bond3
+from haptonic.plate.damping import real_times
+from haptonic.plate.model import PlateModel
+from haptonic.plate.parts import Plate
+from haptonic.plate.retuned import bond_thickness, retuned, stiffness_ratio, support_ratio
+from haptonic.plate.sweep import Band
+from haptonic.plate.tile import applied
+
+Array = NDArray[np.float64]
+Complex = NDArray[np.complex128]
+
+MISSED = 1e-4  # share of the energy norm of an answer that a basis may miss
+
+
+@dataclass(frozen=True, eq=False)
+class Poles:
+    """The modes of a damped plate on a basis; those beyond the band stand for all that is stiff.
+
+    square : (r,) complex squares of angular frequencies, (rad/s)^2
+    force : (r,) of the drives; shapes : (points, r) normal displacement
+    """
+
+    square: Complex
+    force: Complex
+    shapes: Complex
+
+    def displacement(self, omega: Array) -> Complex:
+        """(lines, points) answers to the drives at angular frequencies, rad/s, m."""
+        return np.asarray((self.force / (self.square - omega[:, None] ** 2)) @ self.shapes.T)
+
+
+@dataclass(frozen=True, eq=False)
+class Anchor:
+    """Answers for one set of numbers, exact but for the tolerance asked for.
+
+    parts : (size, k) what they consist of, in the unknowns of the family's model
+    displacement : (lines, points) normal, m
+    """
+
+    parts: Array
+    displacement: Complex
+
+
+@dataclass(frozen=True, eq=False)
+class Family:
+    """Forms on a basis.
+
+    plate : whose numbers they have
+    forms : stiffness by part and support, (r, r), but that of the bonds; bonds : by actuator; mass : (r, r)
+    loads : (r,) of the drives; seen : (points, r) normal displacement
+    """
+
+    plate: Plate
+    forms: Mapping[str, Array]
+    bonds: Mapping[str, Bond3]
+    mass: Array
+    loads: Complex
+    seen: Array
+
+    @classmethod
+    def spanned(
+        cls, model: PlateModel, anchors: Sequence[Anchor], drives: Mapping[str, complex], points: Array
+    ) -> Family:
+        """The family of a model on the span of its answers for some sets of numbers.
+
+        Parameters
+        ----------
+        model : without a finger, whose forces depend on frequency
+        drives : complex amplitudes by name, V or N; points : (points, 2) of the flat face, m
+        """
+        assert model.plate.finger is None
+        basis = _main_parts(model, np.hstack([anchor.parts for anchor in anchors]))
+        values, turn = la.eigh(basis.T @ model.assembly.mass_times(basis))
+        basis = basis @ (turn / np.sqrt(values))
+        count = basis.shape[1]
+        forms: dict[str, Array] = {}
+        bonds, mass = {}, np.zeros((count, count))
+        for group, share in model.assembly.shares(basis):
+            tile, flat = group.tile, share.reshape(-1, count)
+
+            def on_basis(form: Array, share: Array = share, flat: Array = flat) -> Array:
+                return np.asarray(flat.T @ applied(form, share).reshape(flat.shape))
+
+            mass += on_basis(tile.mass)
+            for name, part in tile.stiffness.items():
+                forms[name] = forms.get(name, np.zeros_like(mass)) + on_basis(part)
+            for name, bond in tile.bonds.items():
+                thirds = np.stack([on_basis(form) for form in bond.stiffness])
+                bonds[name] = Bond3(bond.thickness, thirds, bond.nominal, on_basis(bond.slope))
+        on_skeleton = basis[: model.assembly.free]
+        for bed in model.beds:
+            forms[f"support {bed.number}"] = on_skeleton.T @ (bed.stiffness @ on_skeleton)
+        for name in bonds:
+            del forms[f"{name} bond"]
+        return cls(
+            model.plate, forms, bonds, mass, basis.T @ model.load(drives), model.displaced(points, basis),
+        )  # fmt: skip
+
+    def poles(self, plate: Plate) -> Poles:
+        """The modes of the plate with other numbers; see `haptonic.plate.retuned`."""
+        thickness, factors = bond_thickness(plate), loss_factors(plate)
+        factors["plate"] *= stiffness_ratio(self.plate, plate)
+        for number, support in enumerate(plate.supports):
+            ratio = support_ratio(self.plate, plate, number)
+            factors[f"support {number}"] = ratio * (1 + 1j * support.loss_factor)
+        stiffness = np.asarray(sum(factors[name] * form for name, form in self.forms.items()))
+        mass = self.mass.copy()
+        for name, bond in self.bonds.items():
+            shares = bond.shares(thickness[name])
+            stiffness = stiffness + factors[f"{name} bond"] * np.tensordot(shares, bond.stiffness, 1)
+            mass += (thickness[name] - bond.nominal) * bond.slope
+        lower = la.cholesky(mass, lower=True)
+        half = la.solve_triangular(lower, stiffness, lower=True)
+        square, modes = la.eig(la.solve_triangular(lower, half.T, lower=True))
+        force = la.solve(modes, la.solve_triangular(lower, self.loads, lower=True))
+        shapes = la.solve_triangular(lower, modes, lower=True, trans=1)
+        return Poles(square, force, self.seen @ shapes)
+
+
+def anchored(
+    model: PlateModel,
+    plate: Plate,
+    drives: Mapping[str, complex],
+    frequencies: Array,
+    tolerance: float,
+    points: Array,
+) -> Anchor:
+    """The answers of a plate with other numbers on the tiles of a model.
+
+    Parameters
+    ----------
+    frequencies : (lines,) Hz; tolerance : field error of every line
+    points : (points, 2) of the flat face, m
+
+    Raises
+    ------
+    HaptonicError : lines that stay above the tolerance
+    """
+    other = retuned(model, plate)
+    band = Band.of(other.model, 0.0, float(frequencies[-1]))  # one that begins higher may have to begin anew
+    _, vibration = band.answer(drives, frequencies, tolerance)
+    found = vibration.amplitudes
+    seen = real_times(other.model.displaced(points, vibration.vectors), found).T
+    fields = other.back(vibration.vectors @ np.hstack([found.real, found.imag]))
+    size = np.sqrt(np.diag(_products(model, fields)))
+    return Anchor(_main_parts(model, fields / size), seen)
+
+
+def _products(model: PlateModel, fields: Array) -> Array:
+    """(k, k) of fields (size, k) in the energy norm."""
+    assembly, omega = model.assembly, 2 * np.pi * model.highest
+    heavy = assembly.stiffness_times(fields) + omega**2 * assembly.mass_times(fields)
+    return np.asarray(fields.T @ heavy)
+
+
+def _main_parts(model: PlateModel, fields: Array) -> Array:
+    """(size, r) as few fields as nearly span given ones, the largest first (orthogonal decomposition)."""
+    weights, turn = la.eigh(_products(model, fields))
+    return np.asarray(fields @ turn[:, weights > MISSED**2][:, ::-1])

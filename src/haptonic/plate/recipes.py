@@ -1,0 +1,201 @@
+"""The tiles that a plate needs: which blocks are alike, and how the tile of each kind is made."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.polynomial.legendre import leggauss
+from numpy.typing import NDArray
+from threadpoolctl import threadpool_limits
+
+from haptonic.cell import MeshPlan, UnitCell
+from haptonic.lattice import Lattice
+from haptonic.plate.blocks import Attached
+from haptonic.plate.body import Body, BodyOrders, body, body_of_cell
+from haptonic.plate.bonds import Bonded
+from haptonic.plate.joined import joined_tile
+from haptonic.plate.layout import Layout
+from haptonic.plate.parts import Actuator, Force, Plate
+from haptonic.plate.reduction import block_tile, cell_tile
+from haptonic.plate.skeleton import Block, TraceOrders
+from haptonic.plate.surface import surface_weights
+from haptonic.plate.tile import Tile
+from haptonic.superelement.parallel import threads
+
+Array = NDArray[np.float64]
+
+FORCE_POINTS = 12  # along either side of a force's rectangle
+
+
+@dataclass(frozen=True)
+class Fineness:
+    """Polynomial orders of everything.
+
+    along, through : of what tiles share, along an edge and through the thickness
+    cell, rings : of a lattice's cells, as in `haptonic.cell.MeshPlan.suited`
+    plain : of tiles of plain plate and of blocks with something glued to them
+    """
+
+    along: int = 4
+    through: int = 2
+    cell: int = 4
+    rings: int = 1
+    plain: int = 4
+
+    @property
+    def trace(self) -> TraceOrders:
+        return TraceOrders(self.along, self.through)
+
+
+def _spread(force: Force, bounds: tuple[float, float, float, float]) -> tuple[Array, Array]:
+    """Points (k, 2) of the flat face that a force acts on within bounds, m, and the share (k,) of each."""
+    if force.size is None:
+        return np.array([force.centre]), np.ones(1)
+    nodes, share = leggauss(FORCE_POINTS)
+    places, shares = [], []
+    for axis in (0, 1):
+        whole, middle = force.size[axis], force.centre[axis]
+        low, high = max(middle - whole / 2, bounds[axis]), min(middle + whole / 2, bounds[axis + 2])
+        places.append(0.5 * (low + high) + 0.5 * (high - low) * nodes)
+        shares.append(0.5 * share * (high - low) / whole)
+    grid = np.meshgrid(*places, indexing="ij")
+    return np.stack(grid, axis=-1).reshape(-1, 2), np.outer(*shares).ravel()
+
+
+@dataclass(frozen=True)
+class Recipe:
+    """How a block's tile is made; the same for blocks that are alike.
+
+    cell : name of a lattice's cell, or None for plain plate; size : of one tile, m
+    shape : rows and columns that are joined
+    attached : what a block of its own carries, else nothing; block : only then
+    """
+
+    cell: str | None
+    size: tuple[float, float]
+    shape: tuple[int, int]
+    attached: tuple[Attached, ...] = ()
+    block: Block | None = None
+
+    def of_shape(self, shape: tuple[int, int]) -> Recipe:
+        return replace(self, shape=shape)
+
+
+def recipe_of(plate: Plate, block: Block, attached: tuple[Attached, ...]) -> Recipe:
+    layout = plate.layout
+    name = layout.at(block.tiles[0])
+    left, bottom, right, top = layout.bounds(block.tiles[0])
+    size = tuple(
+        layout.thickness * round(length / layout.thickness, 9) for length in (right - left, top - bottom)
+    )
+    shape = (block.rows[1] - block.rows[0], block.columns[1] - block.columns[0])
+    cell = name if name in layout.cells else None
+    return Recipe(cell, (size[0], size[1]), shape, attached, block if attached else None)
+
+
+def tiles_of(
+    plate: Plate,
+    recipes: list[Recipe],
+    highest: float,
+    fineness: Fineness,
+    bonds: Mapping[str, tuple[float, float]],
+) -> list[Tile]:
+    """The tiles of recipes: single ones first, rows of them, then rectangles; like steps side by side."""
+    made: dict[Recipe, Tile] = {}
+
+    def make(recipe: Recipe) -> Tile:
+        rows, columns = recipe.shape
+        if recipe.shape == (1, 1):
+            return _single_tile(plate, recipe, highest, fineness)
+        row, width = recipe.of_shape((1, columns)), recipe.size[0] * columns
+        if rows == 1:
+            one = made[recipe.of_shape((1, 1))]
+            return joined_tile(one, recipe.size, recipe.shape, fineness.trace, highest)
+        size = (width, recipe.size[1])
+        return joined_tile(made[row], size, (rows, 1), fineness.trace, highest, (1, columns))
+
+    plain = [recipe for recipe in recipes if not recipe.attached]
+    steps = [
+        [recipe.of_shape((1, 1)) for recipe in plain],
+        [recipe.of_shape((1, recipe.shape[1])) for recipe in plain],
+        plain,
+    ]
+    with threadpool_limits(1), ThreadPoolExecutor(threads()) as pool:
+        attached = {
+            recipe: pool.submit(_attached_tile, plate, recipe, highest, fineness, bonds)
+            for recipe in recipes if recipe.attached
+        }  # fmt: skip
+        for step in steps:
+            missing = [recipe for recipe in dict.fromkeys(step) if recipe not in made]
+            made |= dict(zip(missing, pool.map(make, missing), strict=True))
+        made |= {recipe: future.result() for recipe, future in attached.items()}
+    return [made[recipe] for recipe in recipes]
+
+
+def _single_tile(plate: Plate, recipe: Recipe, highest: float, fineness: Fineness) -> Tile:
+    layout = plate.layout
+    if recipe.cell is not None:
+        cell = layout.cells[recipe.cell]
+        plan = MeshPlan.suited(cell, fineness.cell, fineness.rings)
+    else:
+        cell = UnitCell(Lattice.rectangular(*recipe.size), layout.thickness, layout.material)
+        plan = MeshPlan.suited(cell, max(fineness.plain, fineness.along - 1), 0)
+    return cell_tile(cell, plan, fineness.trace, highest)
+
+
+def _attached_tile(
+    plate: Plate,
+    recipe: Recipe,
+    highest: float,
+    fineness: Fineness,
+    bonds: Mapping[str, tuple[float, float]],
+) -> Tile:
+    layout, block, attached = plate.layout, recipe.block, recipe.attached
+    assert block is not None
+    x = layout.x[block.columns[0] : block.columns[1] + 1]
+    y = layout.y[block.rows[0] : block.rows[1] + 1]
+    actuators = [one for one in attached if isinstance(one, Actuator)]
+    if recipe.cell is not None:
+        cell = layout.cells[recipe.cell]
+        plan = MeshPlan.suited(cell, fineness.cell, fineness.rings)
+        piece = body_of_cell(cell, plan, (x[0], x[-1]), (y[0], y[-1]))
+    else:
+        piece = _plain_body(layout, x, y, actuators, fineness)
+    loads = {}
+    for force in attached:
+        if isinstance(force, Force):
+            points, weights = _spread(force, (x[0], y[0], x[-1], y[-1]))
+            loads[force.name] = np.zeros(len(piece.mass))
+            loads[force.name][2::3] = surface_weights(piece.points, piece.faces, points).T @ weights
+    bonded = {}
+    for one in actuators:
+        if one.name in bonds and one.bond is not None:
+            ends = np.geomspace(*bonds[one.name], 3)
+            others = tuple(
+                _plain_body(
+                    layout, x, y, [_thicker(each, t) if each is one else each for each in actuators], fineness
+                )
+                for t in ends
+            )
+            bonded[one.name] = Bonded(ends, others, one.bond.thickness)
+    return block_tile(piece, x, y, layout.thickness, loads, fineness.trace, highest, bonded)
+
+
+def _thicker(actuator: Actuator, bond: float) -> Actuator:
+    """With a bond of another thickness, m."""
+    assert actuator.bond is not None
+    return replace(actuator, bond=replace(actuator.bond, thickness=bond))
+
+
+def _plain_body(
+    layout: Layout, x: Sequence[float], y: Sequence[float], actuators: list[Actuator], fineness: Fineness
+) -> Body:
+    # in the plane as fine as a tile without anything on it: a force must not soften or stiffen the plate;
+    # the edges of a patch divide a tile into smaller elements, which need less
+    finer = 1 if actuators else 2
+    orders = BodyOrders(max(fineness.plain, fineness.along - 1) + finer, fineness.plain, 2, 3)
+    longest = 1.01 * max(np.diff(x).max(), np.diff(y).max())
+    return body(x, y, layout.thickness, layout.material, actuators, orders, float(longest))

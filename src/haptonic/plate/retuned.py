@@ -1,0 +1,133 @@
+"""The same plate with other numbers: material, losses, springs, bonds; no tile is made anew."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from typing import Any
+
+import numpy as np
+import scipy.linalg as la
+import scipy.sparse as sp
+from numpy.typing import NDArray
+
+from haptonic.plate.bonds import Bond3
+from haptonic.plate.model import PlateModel, drives_on
+from haptonic.plate.parts import Plate
+from haptonic.plate.supports import Bed, bed_stiffness
+from haptonic.plate.tile import Tile
+
+Array = NDArray[np.float64]
+Fields = NDArray[Any]
+
+
+@dataclass(frozen=True, eq=False)
+class Retuned:
+    """A model with other numbers.
+
+    turns : for each group of the assembly, modes of its tile in terms of those that it had
+    """
+
+    model: PlateModel
+    turns: tuple[Array, ...]
+
+    def back(self, vectors: Fields) -> Fields:
+        """Vectors (size, k) of this model in the unknowns of the one that it was made from."""
+        found = vectors.copy()
+        for group, turn in zip(self.model.assembly.groups, self.turns, strict=True):
+            modes = group.unknowns[:, group.tile.trace_size :]
+            found[modes] = np.einsum("ij,bjk->bik", turn, vectors[modes])
+        return found
+
+
+def retuned(model: PlateModel, plate: Plate) -> Retuned:
+    """The model of a plate that differs in numbers only.
+
+    Parameters
+    ----------
+    plate : as that of the model, but for factors of the stiffness of plate and pillars, loss factors,
+        stiffness of springs, and thickness of those bonds for which the model was made
+    """
+    scale, thickness = stiffness_ratio(model.plate, plate), bond_thickness(plate)
+    groups, turns = [], []
+    for group in model.assembly.groups:
+        tile, turn = _retuned(group.tile, scale, thickness)
+        groups.append(replace(group, tile=tile))
+        turns.append(turn)
+    beds = tuple(
+        Bed(support_ratio(model.plate, plate, bed.number) * bed.stiffness,
+            plate.supports[bed.number].loss_factor, bed.number)
+        for bed in model.beds
+    )  # fmt: skip
+    total = sp.csr_array(sum((bed.stiffness for bed in beds), start=sp.csr_array(model.assembly.beds.shape)))
+    assembly = replace(model.assembly, groups=tuple(groups), beds=total)
+    made = replace(model, plate=plate, assembly=assembly, beds=beds, drives=drives_on(assembly))
+    return Retuned(made, tuple(turns))
+
+
+def stiffness_ratio(old: Plate, new: Plate) -> float:
+    """Of the material of plate and pillars."""
+    return float(new.layout.material.stiffness[0, 0] / old.layout.material.stiffness[0, 0])
+
+
+def support_ratio(old: Plate, new: Plate, number: int) -> float:
+    """Of the stiffness of the springs of a support."""
+    first, second = (bed_stiffness(plate.layout, plate.supports[number]) for plate in (old, new))
+    return second / first
+
+
+def bond_thickness(plate: Plate) -> dict[str, float]:
+    """By actuator, m."""
+    return {one.name: one.bond.thickness for one in plate.actuators if one.bond is not None}
+
+
+def _retuned(tile: Tile, scale: float, thickness: dict[str, float]) -> tuple[Tile, Array]:
+    stiffness = {name: scale * part if name == "plate" else part for name, part in tile.stiffness.items()}
+    modes = len(tile.values)
+    if list(stiffness) == ["plate"]:
+        return replace(tile, stiffness=stiffness, values=scale * tile.values), np.eye(modes)
+    mass, bonds = tile.mass, dict(tile.bonds)
+    for name, bond in tile.bonds.items():
+        stiffness[f"{name} bond"] = np.tensordot(bond.shares(thickness[name]), bond.stiffness, 1)
+        mass = mass + (thickness[name] - bond.nominal) * bond.slope
+    inner = slice(tile.trace_size, None)
+    values, turn = la.eigh(sum(part[inner, inner] for part in stiffness.values()), mass[inner, inner])
+    whole = la.block_diag(np.eye(tile.trace_size), turn)
+    for name, bond in tile.bonds.items():
+        forms = whole.T @ bond.stiffness @ whole
+        bonds[name] = Bond3(bond.thickness, forms, thickness[name], whole.T @ bond.slope @ whole)
+    made = replace(
+        tile,
+        stiffness={name: whole.T @ part @ whole for name, part in stiffness.items()},
+        mass=whole.T @ mass @ whole,
+        values=values,
+        drive={name: whole.T @ drive for name, drive in tile.drive.items()},
+        inside=Turned(tile.inside, whole),
+        bonds=bonds,
+    )
+    return made, turn
+
+
+@dataclass(frozen=True, eq=False)
+class Turned:
+    """Inside a tile whose unknowns are others. whole : (n, n) old unknowns from new ones"""
+
+    inside: Any
+    whole: Array
+
+    @property
+    def points(self) -> Array:
+        """(nodes, 3) of its mesh."""
+        return np.asarray(self.inside.points)
+
+    @property
+    def subcells(self) -> NDArray[np.int64]:
+        """(cells, 8) corners of the elements, in VTK's order."""
+        return np.asarray(self.inside.subcells)
+
+    def lifted(self, unknowns: Fields) -> Fields:
+        """(nodes, 3, k) displacement from unknowns (n, k)."""
+        return np.asarray(self.inside.lifted(self.whole @ unknowns))
+
+    def normal_at(self, where: Array) -> Array:
+        """(k, n) what gives the normal displacement of points (k, 2) of the flat face."""
+        return np.asarray(self.inside.normal_at(where) @ self.whole)

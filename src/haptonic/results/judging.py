@@ -1,0 +1,190 @@
+"""From a plate and its measurement to a verdict."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from haptonic.errors import ScanError
+from haptonic.plate import Fineness, Plate
+from haptonic.response import FrequencyResponse
+from haptonic.results.plate.answer import responded
+from haptonic.results.plate.question import driven_region, reference_of, unit_drives
+from haptonic.results.verdict import AFTER, BEFORE, MEASURED, Verdict
+from haptonic.updating.agreement import agreement, normal_of, together
+from haptonic.updating.fit import Fit, SmallModel, fitted
+from haptonic.updating.match import Measured, Unknown
+from haptonic.updating.shapes import How, can_identify, even
+from haptonic.vibrometry.maps.gap import MeasuredGap, measured_gap
+
+Array = NDArray[np.float64]
+Ints = NDArray[np.int64]
+
+MOST_BESIDE = 0.5  # share of the points that may lie beside the plate
+
+
+@dataclass(frozen=True)
+class VerdictQuestion:
+    """What is compared and fitted.
+
+    lowest, highest : Hz; of the measurement if None; tolerance : field error of computed lines
+    unknowns : what is fitted; points : to how many points of the measurement
+    """
+
+    lowest: float | None
+    highest: float | None
+    tolerance: float
+    unknowns: tuple[Unknown, ...]
+    points: int
+
+
+def compute_verdict(
+    plate: Plate,
+    scan: FrequencyResponse,
+    question: VerdictQuestion,
+    *,
+    computed: FrequencyResponse | None,
+    written: Callable[[Fit], str],
+    inputs: Mapping[str, Any],
+    fineness: Fineness | None = None,
+    said: Callable[[str], None] = lambda words: None,
+) -> Verdict:
+    """Compare a measurement with the model of a plate, and fit the unknowns.
+
+    Parameters
+    ----------
+    scan : response registered to the plate
+    computed : of this plate, at lines and points of the measurement; else it is computed there
+    written : the study file with the numbers of a fit
+    inputs : plain values of what was asked; said : called with words on what is done
+
+    Raises
+    ------
+    ScanError : a measurement that cannot be of this plate, or no fit
+    StudyError : nothing drives the plate
+    HaptonicError : lines that cannot be computed as exactly as asked for
+    """
+    lines = scan.frequency[scan.frequency > 0]
+    scan = scan.between(question.lowest or float(lines[0]), question.highest or float(lines[-1]))
+    _check(plate, scan)
+    scan, left_out = _on_plate(plate, scan)
+
+    def whole(of: Plate, title: str) -> FrequencyResponse:
+        said(f"response of the {title}")
+        return responded(
+            of, scan.frequency, scan.points, [str(name) for name in scan.dataset["region"].values],
+            question.tolerance, fineness=fineness, title=title, inputs=inputs,
+        )  # fmt: skip
+
+    if computed is not None:
+        scan, computed = together(scan, computed)
+    responses = {MEASURED: scan, BEFORE: computed or whole(plate, BEFORE)}
+    fit, recomputed = None, None
+    if question.unknowns:
+        picked = _picked(len(scan.points), question.points)
+        fit = _fit(plate, scan, picked, question, fineness, said)
+        responses[AFTER] = whole(fit.plate, AFTER)
+        exact = normal_of(_alike(responses[AFTER], scan))[:, picked]
+        recomputed = float(np.linalg.norm(fit.after - exact) / np.linalg.norm(exact))
+    said("comparison")
+    how: How = "modes" if can_identify() and even(scan.frequency) else "operating shapes"
+    return Verdict(
+        plate, {name: _alike(one, scan) for name, one in responses.items()},
+        {name: agreement(scan, one, how) for name, one in responses.items() if name != MEASURED},
+        {name: _gap(plate, one) for name, one in responses.items()},
+        fit, recomputed, left_out, written(fit) if fit else None, inputs,
+    )  # fmt: skip
+
+
+def _check(plate: Plate, scan: FrequencyResponse) -> None:
+    reference, _ = reference_of(plate)
+    unit, own = (str(name).partition(",")[2].strip() for name in (reference, scan.dataset.attrs["reference"]))
+    if unit != own:
+        raise ScanError(
+            argument="reference",
+            given=f"a response per {own}" if own else "a response that is not divided by the drive",
+            allowed=f"a response per {unit}, the unit of the first drive of the study, {reference}",
+            cause="the scan refers to another channel than the drive",
+            next_step="estimate the response against the drive's voltage or force",
+        )
+    if plate.finger is not None:
+        raise ScanError(
+            argument="plate.finger",
+            given="a finger on the plate",
+            allowed="a plate without a finger",
+            cause="the study is that of a touched plate; a laser scans a free one",
+            next_step="remove [plate.finger] for the comparison",
+        )
+
+
+def _on_plate(plate: Plate, scan: FrequencyResponse) -> tuple[FrequencyResponse, int]:
+    """The points that lie on the plate, with the names of their tiles as regions; how many do not."""
+    layout, points = plate.layout, scan.points
+    column, row = (
+        np.searchsorted(lines, place, side="right") - 1 - (place == lines[-1])
+        for lines, place in ((layout.x, points[:, 0]), (layout.y, points[:, 1]))
+    )
+    names = [layout.at((int(i), int(j))) for i, j in zip(row, column, strict=True)]
+    kept = np.array([k for k, name in enumerate(names) if name], dtype=np.int64)
+    if len(kept) < 3 or len(kept) < (1 - MOST_BESIDE) * len(points):
+        low, high = points.min(axis=0) * 1e3, points.max(axis=0) * 1e3
+        raise ScanError(
+            argument="points",
+            given=f"{len(points) - len(kept)} of {len(points)} beside the plate; x from {low[0]:.4g} to "
+            f"{high[0]:.4g} mm, y from {low[1]:.4g} to {high[1]:.4g} mm",
+            allowed=f"points on the plate, {layout.x[-1] * 1e3:.4g} x {layout.y[-1] * 1e3:.4g} mm from its "
+            "lower left corner",
+            cause="the scan is not registered to the plate, or is in another unit of length",
+            next_step="register the scan to the plate first",
+        )
+    region = np.array([names[k] for k in kept], dtype=str)
+    return FrequencyResponse(scan.dataset.isel(point=kept).assign_coords(region=("point", region))), len(
+        points
+    ) - len(kept)
+
+
+def _picked(count: int, wanted: int) -> Ints:
+    """Numbers of some points, drawn evenly by chance: every n-th of a grid may lie on one line."""
+    return np.sort(np.random.default_rng(0).permutation(count)[:wanted])
+
+
+def _fit(
+    plate: Plate,
+    scan: FrequencyResponse,
+    picked: Ints,
+    question: VerdictQuestion,
+    fineness: Fineness | None,
+    said: Callable[[str], None],
+) -> Fit:
+    coherence = scan.dataset["coherence"].values[:, picked] if "coherence" in scan.dataset else None
+    data = Measured.of(
+        scan.frequency, scan.points[picked], normal_of(scan)[:, picked],
+        scan.dataset.attrs["quantity"] == "velocity", unit_drives(plate), coherence,
+    )  # fmt: skip
+    small = SmallModel.of(
+        plate, question.unknowns, data.frequency, data.points, data.drives, question.tolerance, fineness, said
+    )
+    return fitted(small, data, said)
+
+
+def _alike(response: FrequencyResponse, scan: FrequencyResponse) -> FrequencyResponse:
+    """Velocity or displacement, as the scan has it."""
+    velocity = scan.dataset.attrs["quantity"] == "velocity"
+    return response.velocity() if velocity else response.displacement()
+
+
+def _gap(plate: Plate, response: FrequencyResponse) -> MeasuredGap | None:
+    """Where a lattice falls silent; None if no contrast shows it."""
+    driven = driven_region(plate)
+    lattices: Sequence[str] = [name for name in plate.layout.cells if name in response.regions]
+    if driven not in response.regions or not lattices or len(response.frequency) < 8:
+        return None
+    assert driven is not None
+    try:
+        return measured_gap(response, driven, lattices[0])
+    except ScanError:
+        return None

@@ -1,0 +1,201 @@
+"""How well a plate's model fits its measurement, and with which numbers it fits best."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from functools import partial
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import xarray as xr
+from matplotlib.figure import Figure
+from numpy.typing import NDArray
+
+from haptonic import plots
+from haptonic.plate import Plate
+from haptonic.response import FrequencyResponse, average_spectrum, contrast, write
+from haptonic.results.common import no_nan, stamped, write_netcdf
+from haptonic.results.plate.question import driven_region
+from haptonic.updating.agreement import Agreement
+from haptonic.updating.fit import Fit
+from haptonic.vibrometry.maps.gap import MeasuredGap
+
+Array = NDArray[np.float64]
+MEASURED, BEFORE, AFTER = "measurement", "model as given", "model fitted"
+
+
+@dataclass(frozen=True, eq=False)
+class Verdict:
+    """A measurement beside its model, at the same points and lines.
+
+    plate : as given; responses : by `MEASURED`, `BEFORE` and, after a fit, `AFTER`
+    agreements : of the computed responses with the measured one, by the same names
+    gaps : measured in each response in the same way; None where contrast shows none
+    fit : if there was one
+    recomputed : relative error of the fit's response, against that of the fitted plate computed anew
+    left_out : points of the scan that do not lie on the plate
+    study : the file with the fitted numbers, if there was a fit
+    inputs : all that made it, in JSON types
+    """
+
+    plate: Plate
+    responses: Mapping[str, FrequencyResponse]
+    agreements: Mapping[str, Agreement]
+    gaps: Mapping[str, MeasuredGap | None]
+    fit: Fit | None
+    recomputed: float | None
+    left_out: int
+    study: str | None
+    inputs: Mapping[str, Any]
+
+    @property
+    def measured(self) -> FrequencyResponse:
+        return self.responses[MEASURED]
+
+    @property
+    def origin(self) -> str:
+        """Of the measurement, "measured" or "simulated"."""
+        return str(self.measured.dataset.attrs["origin"])
+
+    @property
+    def last(self) -> str:
+        """The better of the models, by name."""
+        return AFTER if AFTER in self.responses else BEFORE
+
+    @property
+    def labels(self) -> dict[str, str]:
+        """What pictures call each response."""
+        own = "simulated measurement" if self.origin == "simulated" else "measurement"
+        return {name: own if name == MEASURED else f"{name} (simulated)" for name in self.responses}
+
+    def contrasts(self) -> dict[str, dict[str, Array]]:
+        """By pair of regions and response, dB: the driven region over others and over the rest."""
+        driven, names = driven_region(self.plate), self.measured.regions
+        if driven not in names:
+            return {}
+        assert driven is not None
+        others = [name for name in names if name != driven]
+        return {
+            f"{driven} over {other}": {
+                name: contrast(response, driven, other).values for name, response in self.responses.items()
+            }
+            for other in others
+        }
+
+    def figures(self) -> dict[str, Figure]:
+        """All pictures, by name."""
+        labels, layout = self.labels, self.plate.layout
+        frac = {labels[name]: one.frac for name, one in self.agreements.items()}
+        spectra = {labels[name]: average_spectrum(one).values for name, one in self.responses.items()}
+        contrasts = {
+            pair: {labels[name]: level for name, level in levels.items()}
+            for pair, levels in self.contrasts().items()
+        }
+        found = {
+            "before-after": plots.before_after(
+                self.measured.frequency, spectra, contrasts, units=self.measured.units
+            ),
+            "frac": plots.frac_maps(self.measured.points, frac, layout, measured=labels[MEASURED]),
+        }
+        last = self.agreements[self.last]
+        if last.mac.size:
+            found["mac"] = plots.mac_matrix(last, measured=labels[MEASURED], computed=labels[self.last])
+        return found
+
+    def files(self) -> dict[str, Callable[[Path], object]]:
+        """What writes each file, by its name."""
+        said = json.dumps(self.to_json(), indent=1) + "\n"
+        found: dict[str, Callable[[Path], object]] = {
+            "verdict.nc": partial(write_netcdf, self.dataset()),
+            "verdict.json": lambda path: path.write_text(said, "utf-8"),
+            "model.nc": partial(write, self.responses[self.last]),
+        }
+        if self.study is not None:
+            text = self.study
+            found["fitted.toml"] = lambda path: path.write_text(text, "utf-8")
+        return found
+
+    def dataset(self) -> xr.Dataset:
+        """FRAC of each model against the points, and the MAC matrix of the last one."""
+        last = self.agreements[self.last]
+        data = xr.Dataset(
+            {
+                "frac": (("model", "point"), np.stack([one.frac for one in self.agreements.values()])),
+                "mac": (("measured_shape", "computed_shape"), last.mac),
+                "measured_frequency": ("measured_shape", last.measured.frequency, {"units": "Hz"}),
+                "computed_frequency": ("computed_shape", last.computed.frequency, {"units": "Hz"}),
+                "measured_damping": ("measured_shape", last.measured.damping),
+                "computed_damping": ("computed_shape", last.computed.damping),
+            },
+            coords={
+                "model": list(self.agreements),
+                "x": ("point", self.measured.points[:, 0], {"units": "m"}),
+                "y": ("point", self.measured.points[:, 1], {"units": "m"}),
+            },
+        )
+        made = stamped(data, dict(self.inputs))
+        return made.assign_attrs(origin=f"{self.origin} response against a simulated one")
+
+    def to_json(self) -> dict[str, Any]:
+        """Plain values for machines."""
+        return {
+            "measurement": self.origin,
+            "model": "simulated",
+            "lines": len(self.measured.frequency),
+            "points": len(self.measured.points),
+            "points_left_out": self.left_out,
+            "agreement": {name: _agreement_json(one) for name, one in self.agreements.items()},
+            "gaps_hz": {name: gap and _gap_json(gap) for name, gap in self.gaps.items()},
+            "fit": self.fit and self._fit_json(self.fit),
+            "inputs": dict(self.inputs),
+        }
+
+    def _fit_json(self, fit: Fit) -> dict[str, Any]:
+        return {
+            "parameters": [
+                {
+                    "name": one.name, "unit": one.unit, "start": one.start, "bounds": [one.low, one.high],
+                    "value": one.value, "interval_95": one.interval, "remark": one.remark,
+                } for one in fit.numbers
+            ],
+            "unexplained_before": fit.unexplained_before,
+            "unexplained": fit.unexplained,
+            "points_left_out": len(fit.left_out),
+            "residuals_independent": fit.told.independent,
+            "data": fit.told.data,
+            "effective_data": fit.told.effective,
+            "correlation": fit.told.correlation.tolist(),
+            "small_model_error": fit.error,
+            "error": self.recomputed,
+            "answers_in_small_model": fit.anchors,
+        }  # fmt: skip
+
+
+def _agreement_json(one: Agreement) -> dict[str, Any]:
+    first, second = one.measured, one.computed
+    ratio = [second.frequency[pair.second] / first.frequency[pair.first] for pair in one.pairs]
+    return {
+        "shapes": first.how,
+        "unexplained": one.unexplained,
+        "frac_median": float(np.nanmedian(one.frac)),
+        "measured_hz": first.frequency.tolist(),
+        "computed_hz": second.frequency.tolist(),
+        "mac": one.mac.tolist(),
+        "pairs": [
+            {
+                "measured_hz": float(first.frequency[pair.first]),
+                "computed_hz": float(second.frequency[pair.second]),
+                "mac": pair.mac,
+                "frequency_difference": float(quotient - 1),
+                "measured_damping": no_nan(first.damping[[pair.first]])[0],
+                "computed_damping": no_nan(second.damping[[pair.second]])[0],
+            } for pair, quotient in zip(one.pairs, ratio, strict=True)
+        ],
+    }  # fmt: skip
+
+
+def _gap_json(gap: MeasuredGap) -> dict[str, float]:
+    return {name: getattr(gap, name) for name in ("lower", "upper", "lower_error", "upper_error")}

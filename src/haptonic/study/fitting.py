@@ -1,0 +1,120 @@
+"""The table of the study file that says what is not known of a plate."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Annotated
+
+from pydantic import Field, ValidationInfo, field_validator, model_validator
+
+from haptonic.errors import nearest
+from haptonic.plate import Plate
+from haptonic.study.asking import Frequency, ascending, once
+from haptonic.study.quantity import collected, problem
+from haptonic.study.sections import Section
+from haptonic.units import format_quantity, shown, to_si
+from haptonic.updating.match import Unknown
+from haptonic.updating.parameters import UNITS, unit_of, values_of
+
+KNOWN = (*UNITS, "plate.actuator[1].bond.thickness")
+
+
+class UnknownSection(Section):
+    """A number that is fitted to a measurement, beginning with the value in this file."""
+
+    parameter: str = Field(
+        title="Parameter",
+        description="By its name in this file; tables of one name count from 1.",
+        strict=True,
+    )
+    start: float = Field(alias="from", title="Lowest value", description="With its unit, if it has one.")
+    stop: float = Field(alias="to", title="Highest value", description="With its unit, if it has one.")
+
+    @field_validator("parameter")
+    @classmethod
+    def _can_be_fitted(cls, name: str) -> str:
+        if unit_of(name) is None:
+            guess = nearest(name, KNOWN)
+            raise problem(
+                shown(name), f"one of {', '.join(KNOWN)}", "no number of this name can be fitted",
+                f'write "{guess}"' if guess else "choose one of the list",
+            )  # fmt: skip
+        return name
+
+    @field_validator("start", "stop", mode="plain")
+    @classmethod
+    def _in_its_unit(cls, value: object, info: ValidationInfo) -> float:
+        if "parameter" not in info.data:  # refused already; without it the unit is not known
+            return 0.0
+        if isinstance(value, float) and info.context is not None:  # read before
+            return value
+        with collected():
+            return to_si(value, unit_of(info.data["parameter"]) or "", "")
+
+    @property
+    def unit(self) -> str:
+        """SI unit of both bounds; empty when they are dimensionless."""
+        return unit_of(self.parameter) or ""
+
+    @model_validator(mode="after")
+    def _leaves_room(self) -> UnknownSection:
+        if not 0 < self.start < self.stop:
+            raise problem(
+                f"{format_quantity(self.start, self.unit)} to {format_quantity(self.stop, self.unit)}",
+                "two positive values, the lower one first", "the bounds contradict each other",
+                "exchange them, or leave the parameter out to keep its value", at="to",
+            )  # fmt: skip
+        return self
+
+
+class FitSection(Section):
+    """What a measurement is compared with, and what is fitted to it."""
+
+    lowest: Frequency | None = Field(
+        None, title="Lowest frequency", description="That is compared; else that of the measurement."
+    )
+    highest: Frequency | None = Field(
+        None, title="Highest frequency", description="That is compared; else that of the measurement."
+    )
+    points: Annotated[int, Field(ge=3, le=10_000, strict=True)] = Field(
+        60, title="Points", description="Whose response is fitted, drawn evenly from all."
+    )
+    vary: tuple[UnknownSection, ...] = Field(
+        (), title="Unknowns", description="What is fitted.", max_length=12
+    )
+
+    @model_validator(mode="after")
+    def _ascends(self) -> FitSection:
+        ascending(self.lowest, self.highest, "range")
+        once([one.parameter for one in self.vary], "vary")
+        return self
+
+    @property
+    def unknowns(self) -> tuple[Unknown, ...]:
+        """As the library computes with them."""
+        return tuple(Unknown(one.parameter, one.start, one.stop) for one in self.vary)
+
+    def check(self, plate: Plate | None, absent: Mapping[str, str]) -> None:
+        """Refuse unknowns that the study does not give, or whose value lies outside of their bounds.
+
+        ``absent`` says, by name, why the study does not give a number.
+        """
+        there = {} if plate is None else values_of(plate)
+        there = {name: value for name, value in there.items() if name not in absent}
+        for number, one in enumerate(self.vary, start=1):
+            at = f"fit.vary[{number}]"
+            if one.parameter not in there:
+                raise problem(
+                    one.parameter, f"one of {', '.join(there) or 'none, without a [plate]'}",
+                    absent.get(one.parameter, "this study does not give it"),
+                    "give it in this study, as the value to begin with, or leave this table out",
+                    at=f"{at}.parameter",
+                )  # fmt: skip
+            value = there[one.parameter]
+            low, high = (format_quantity(end, one.unit) for end in (one.start, one.stop))
+            if not one.start <= value <= one.stop:
+                raise problem(
+                    format_quantity(value, one.unit), f"between {low} and {high}",
+                    f"the fit begins with {one.parameter} of this study, which its bounds leave out",
+                    "widen the bounds, or change the value", at=at,
+                )  # fmt: skip

@@ -1,0 +1,117 @@
+"""How alike a measured and a computed response are."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.spatial import cKDTree
+
+from haptonic.errors import ScanError
+from haptonic.response import FrequencyResponse, frac, mac
+from haptonic.updating.shapes import How, Pair, Shapes, pairs, shapes_of
+
+Array = NDArray[np.float64]
+Complex = NDArray[np.complex128]
+
+NEAR = 0.25  # of the distance of neighbouring points, within which two points are one
+SAME = 1e-6  # of a frequency, within which two lines are one
+
+
+@dataclass(frozen=True, eq=False)
+class Agreement:
+    """Two responses at the same points and lines.
+
+    frac : (points,) frequency response assurance criterion; NaN at points that do not move
+    unexplained : share of the measured energy that the computed response does not have
+    measured, computed : shapes; mac : of each with each; pairs : which of them belong together
+    """
+
+    frac: Array
+    unexplained: float
+    measured: Shapes
+    computed: Shapes
+    mac: Array
+    pairs: tuple[Pair, ...]
+
+
+def agreement(measured: FrequencyResponse, computed: FrequencyResponse, how: How) -> Agreement:
+    """Of the normal motion; see `together`."""
+    velocity = measured.dataset.attrs["quantity"] == "velocity"
+    one = normal_of(measured)
+    other = normal_of(computed.velocity() if velocity else computed.displacement())
+    moving = (one != 0).any(axis=0) & (other != 0).any(axis=0)
+    alike = np.full(len(moving), np.nan)
+    alike[moving] = frac(one[:, moving], other[:, moving])
+    first, second = (shapes_of(measured.frequency, values, velocity, how) for values in (one, other))
+    both = len(first.frequency) and len(second.frequency)
+    return Agreement(
+        frac=alike,
+        unexplained=float((np.abs(one - other) ** 2).sum() / (np.abs(one) ** 2).sum()),
+        measured=first,
+        computed=second,
+        mac=mac(first.shape, second.shape) if both else np.zeros((len(first.shape), len(second.shape))),
+        pairs=tuple(pairs(first, second)),
+    )
+
+
+def normal_of(response: FrequencyResponse) -> Complex:
+    """(lines, points) motion along z, in double precision.
+
+    Raises
+    ------
+    ScanError : no motion along z
+    """
+    directions = [str(name) for name in response.dataset["direction"].values]
+    if "z" not in directions:
+        raise ScanError(
+            argument="direction",
+            given=", ".join(directions),
+            allowed="a response with motion along z, normal to the plate",
+            cause="the scan holds motion in the plate only, or its directions are named otherwise",
+            next_step="export the direction normal to the plate as z",
+        )
+    return np.asarray(response.values[..., directions.index("z")], np.complex128)
+
+
+def together(
+    measured: FrequencyResponse, computed: FrequencyResponse
+) -> tuple[FrequencyResponse, FrequencyResponse]:
+    """Two responses at the lines and points that both have.
+
+    Raises
+    ------
+    ScanError : fewer than three common lines or points, or responses per something else
+    """
+    per = [str(one.dataset.attrs["reference"]).partition(",")[2].strip() for one in (measured, computed)]
+    if per[0] != per[1]:
+        one, other = (f"per {unit}" if unit else "not divided by the drive" for unit in per)
+        raise _apart("reference", f"{one}, {other}", "one unit for both")
+    lines = np.searchsorted(computed.frequency, measured.frequency * (1 - SAME))
+    lines = np.minimum(lines, len(computed.frequency) - 1)
+    common = np.abs(computed.frequency[lines] / np.maximum(measured.frequency, SAME) - 1) < SAME
+    spacing, _ = cKDTree(computed.points).query(computed.points, k=min(2, len(computed.points)))
+    distance, partner = cKDTree(computed.points).query(measured.points)
+    near = distance <= NEAR * float(np.median(spacing[..., -1]))
+    if common.sum() < 3 or near.sum() < 3:
+        raise _apart(
+            "computed",
+            f"{common.sum()} of {len(common)} measured lines, {near.sum()} of {len(near)} measured points",
+            "a computed response at lines and points of the measurement, three of each or more",
+        )
+    kept = np.flatnonzero(common)
+    first = measured.dataset.isel(frequency=kept, point=np.flatnonzero(near))
+    second = computed.dataset.isel(frequency=lines[kept], point=partner[near])
+    second = second.assign_coords({name: first[name] for name in ("frequency", "x", "y")})
+    return FrequencyResponse(first), FrequencyResponse(second)
+
+
+def _apart(argument: str, given: str, allowed: str) -> ScanError:
+    return ScanError(
+        argument=argument,
+        given=given,
+        allowed=allowed,
+        cause="it was computed on another grid, or the scan is not registered to the plate",
+        next_step="give the study alone: its plate is then computed at the measured lines and points",
+    )

@@ -1,0 +1,232 @@
+"""Unknown numbers of a plate from its measured response, by least squares on a small model.
+
+The small model, a `haptonic.plate.family.Family`, learns the plate's answer wherever the fit ends, until it
+is right there.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from haptonic.errors import ScanError
+from haptonic.plate import Fineness, Plate, PlateModel
+from haptonic.plate.family import Anchor, Family, anchored
+from haptonic.units import format_quantity
+from haptonic.updating.intervals import Told, told
+from haptonic.updating.match import Match, Measured, Space, Unknown
+from haptonic.updating.parameters import LOSS, bonds_of, unit_of
+
+Array = NDArray[np.float64]
+Ints = NDArray[np.int64]
+Complex = NDArray[np.complex128]
+
+ANCHORS = 3  # sets of numbers whose answers the first small model knows
+ROUNDS = 6  # of fit and improvement at most
+STRANGE = 4.0  # root mean square of a point's residuals, in those of the median point, of one left out
+NARROW = 0.2  # half of an interval over its value, below which it is said in per cent
+AT_BOUND = 1e-3  # share of the range, from a bound, within which a number has stopped there
+UNEXPLAINED = 0.5  # share of the measured energy that a fit may leave
+
+
+@dataclass(frozen=True)
+class Fitted:
+    """A number after the fit, SI.
+
+    interval : of 95 %; None if the data do not tell it; remark : why
+    """
+
+    name: str
+    unit: str
+    start: float
+    low: float
+    high: float
+    value: float
+    interval: tuple[float, float] | None
+    remark: str
+
+    @property
+    def told(self) -> str:
+        """The interval in words, or why there is none."""
+        if self.interval is None:
+            return self.remark
+        low, high = self.interval
+        if high < (1 + NARROW) * self.value:
+            return f"± {100 * (high / self.value - 1):.2g} %"
+        return f"{format_quantity(low, self.unit)} to {format_quantity(high, self.unit)}"
+
+
+@dataclass(frozen=True, eq=False)
+class Fit:
+    """Numbers that were fitted, and how well.
+
+    plate : with these numbers; numbers : each of them
+    before, after : (lines, points) computed response with the starting and with the fitted numbers
+    unexplained_before, unexplained : shares of the measured energy that these do not have
+    left_out : numbers of points whose residuals are far above those of the others
+    told : what the data tell, in logarithms of the numbers
+    error : relative, of the small model's response near the fitted numbers, against that from new tiles; it
+        is made up for: the difference was added to the small model, and the numbers fitted again
+    anchors : answers that the small model is made of
+    """
+
+    plate: Plate
+    numbers: tuple[Fitted, ...]
+    before: Complex
+    after: Complex
+    unexplained_before: float
+    unexplained: float
+    left_out: Ints
+    told: Told
+    error: float
+    anchors: int
+
+
+@dataclass(frozen=True, eq=False)
+class SmallModel:
+    """A plate for all values of its unknowns, on the answers for some of them, at some lines and points.
+
+    model : whose tiles serve all values; anchors : the answers
+    frequency : (lines,) Hz; points : (points, 2) of the flat face, m
+    drives : complex amplitudes by name, V or N; tolerance : relative error of the answers
+    """
+
+    space: Space
+    model: PlateModel
+    anchors: tuple[Anchor, ...]
+    frequency: Array
+    points: Array
+    drives: Mapping[str, complex]
+    tolerance: float
+
+    @classmethod
+    def of(
+        cls,
+        plate: Plate,
+        unknowns: Sequence[Unknown],
+        frequency: Array,
+        points: Array,
+        drives: Mapping[str, complex],
+        tolerance: float,
+        fineness: Fineness | None = None,
+        said: Callable[[str], None] = lambda words: None,
+    ) -> SmallModel:
+        """Of a plate that has the starting values; ``said`` is called with words on what is done.
+
+        Raises
+        ------
+        HaptonicError : lines that cannot be computed with that tolerance
+        """
+        said("tiles")
+        bonds = bonds_of(plate, {one.name: (one.low, one.high) for one in unknowns})
+        model = PlateModel.of(plate, float(frequency[-1]), fineness, bonds)
+        space = Space(plate, unknowns)
+        small = cls(space, model, (), frequency, points, drives, tolerance)
+        # fields of a plate that hardly loses anything are hard to compute, and no others for that
+        moved = np.array([one.name != LOSS for one in unknowns])
+        tried = np.unique(np.vstack([np.zeros(len(unknowns)), moved * space.spread(ANCHORS - 1)]), axis=0)
+        for number, x in enumerate(tried, start=1):
+            said(f"answers for {number} of {len(tried)} sets of numbers")
+            small = small.knowing(x)
+        return small
+
+    def knowing(self, x: Array) -> SmallModel:
+        """With the answers for further numbers, given as logarithms over the start."""
+        plate = self.space.plate_at(x)
+        more = anchored(self.model, plate, self.drives, self.frequency, self.tolerance, self.points)
+        return replace(self, anchors=(*self.anchors, more))
+
+    def anew(self, x: Array) -> Complex:
+        """(lines, points) displacement with further numbers, from tiles made for these alone, m."""
+        plate, lines = self.space.plate_at(x), self.frequency
+        model = PlateModel.of(plate, float(lines[-1]), self.model.fineness)
+        return anchored(model, plate, self.drives, lines, self.tolerance, self.points).displacement
+
+    def match(self, data: Measured) -> Match:
+        """Against a measurement at the same lines and points."""
+        return Match(self.space, Family.spanned(self.model, self.anchors, self.drives, self.points), data)
+
+
+def fitted(small: SmallModel, data: Measured, said: Callable[[str], None] = lambda words: None) -> Fit:
+    """Fit the unknown numbers of a plate to a measurement at the lines and points of its small model.
+
+    Raises
+    ------
+    ScanError : no set of numbers explains the measurement
+    HaptonicError : lines that cannot be computed as exactly as the small model wants
+    """
+    said("search")
+    match = small.match(data)
+    start = np.zeros(len(small.space.unknowns))
+    before = match.response(start)
+    x = match.searched()
+    strange = _strange(match, x)
+    data = data.without(strange)
+    for number in range(1, ROUNDS + 1):
+        match = small.match(data)
+        x = match.improved(match.of_complex, x)
+        said(f"check {number}")
+        small = small.knowing(x)
+        error = _apart(match.response(x), data.seen(small.anchors[-1].displacement))
+        unexplained = match.unexplained(x)
+        if error < small.tolerance or (number > 1 and unexplained > UNEXPLAINED):
+            break
+    if unexplained > UNEXPLAINED:
+        raise _unlike(unexplained)
+    said("the same with new tiles")
+    exact = data.seen(small.anew(x))
+    match = replace(match, defect=exact - match.response(x))
+    x = match.improved(match.of_complex, x)
+    found = match.response(x)
+    tells = told(match.jacobian(x), match.misfit(x))
+    return Fit(
+        small.space.plate_at(x), _numbers(small.space, x, tells), before, found, data.unexplained(before),
+        data.unexplained(found), strange, tells, _apart(found - match.defect, found), len(small.anchors),
+    )  # fmt: skip
+
+
+def _apart(one: Complex, exact: Complex) -> float:
+    """Relative distance of two responses."""
+    return float(np.linalg.norm(one - exact) / np.linalg.norm(exact))
+
+
+def _strange(match: Match, x: Array) -> Ints:
+    """Numbers of points whose residuals are far above those of the others."""
+    used = np.flatnonzero(match.data.used)
+    size = np.sqrt((np.abs(match.misfit(x)) ** 2).mean(axis=0))
+    return np.asarray(used[size > STRANGE * np.median(size)])
+
+
+def _numbers(space: Space, x: Array, tells: Told) -> tuple[Fitted, ...]:
+    found, names = [], [one.name for one in space.unknowns]
+    lost = tells.half > 0.5 * (space.high - space.low)
+    for k, (one, start) in enumerate(zip(space.unknowns, space.start.tolist(), strict=True)):
+        value = min(max(start * float(np.exp(x[k])), one.low), one.high)
+        half = float(tells.half[k])
+        low, high = float(space.low[k]), float(space.high[k])
+        remark = ""
+        if min(x[k] - low, high - x[k]) < AT_BOUND * (high - low):
+            remark = "stopped at its bound"
+        elif lost[k]:
+            remark = "the data do not tell it"
+            if tied := [names[other] for other in tells.tied(k) if lost[other]]:
+                remark = f"told only together with {' and '.join(tied)}"
+        interval = None if remark else (value * float(np.exp(-half)), value * float(np.exp(half)))
+        unit = unit_of(one.name)
+        assert unit is not None
+        found.append(Fitted(one.name, unit, start, one.low, one.high, value, interval, remark))
+    return tuple(found)
+
+
+def _unlike(unexplained: float) -> ScanError:
+    return ScanError(
+        argument="fit",
+        given=f"a best fit that leaves {100 * unexplained:.0f} % of the measured energy unexplained",
+        allowed=f"at most {100 * UNEXPLAINED:.0f} %",
+        cause="another plate, points that are turned or mirrored, another reference than the drive, bounds "
+        "too narrow",
+        next_step="look at the maps of model and measurement; register the scan; widen the bounds of [fit]",
+    )

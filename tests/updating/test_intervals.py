@@ -1,0 +1,113 @@
+"""Intervals against the scatter of many fits of a linear model with errors of several kinds."""
+
+from functools import cache
+
+import numpy as np
+import pytest
+from scipy.stats import binom
+
+from haptonic.updating.intervals import told
+
+LINES, POINTS, COUNT, SEEDS = 150, 20, 2, 150
+
+
+@cache
+def slopes():
+    """(lines, points, 2) like those of resonances, each with a shape of its own."""
+    chance = np.random.default_rng(3)
+    lines = np.arange(LINES)
+    total = np.zeros((LINES, POINTS, COUNT), complex)
+    for k in range(COUNT):
+        for place in chance.uniform(10, LINES - 10, 5):
+            total[..., k] += chance.standard_normal(POINTS) / (((lines - place) / 2)[:, None] + 1j) ** 2
+    return total
+
+
+def correlated(chance, count, share):
+    """(count, count) what makes independent numbers alike at neighbouring places."""
+    apart = np.abs(np.subtract.outer(np.arange(count), np.arange(count)))
+    return np.linalg.cholesky(share**apart)
+
+
+def errors(kind, seed):
+    chance = np.random.default_rng(seed)
+
+    def drawn(*shape):
+        return chance.standard_normal(shape) + 1j * chance.standard_normal(shape)
+
+    found = drawn(LINES, POINTS)
+    if kind == "alike along lines":
+        return correlated(chance, LINES, 0.8) @ found
+    if kind == "alike among points":
+        return found @ correlated(chance, POINTS, 0.9).T
+    if kind == "of the reference":
+        response = slopes()[..., 0]
+        return 0.3 * found + 10 * response / np.abs(response).max() * drawn(LINES, 1)
+    return found
+
+
+def solved(error):
+    """Estimates whose truth is zero, and what is told of them."""
+    J = slopes().reshape(-1, COUNT)
+    both = np.vstack([J.real, J.imag])
+    x = np.linalg.lstsq(both, np.concatenate([error.real.ravel(), error.imag.ravel()]), rcond=None)[0]
+    return x, told(slopes(), (J @ x).reshape(error.shape) - error)
+
+
+@pytest.mark.parametrize(
+    ("kind", "widest"),
+    [
+        ("independent", 1.1),
+        ("alike along lines", 2.5),
+        ("alike among points", 1.4),
+        ("of the reference", 4.5),
+    ],
+)
+def test_intervals_hold_the_truth_and_follow_the_scatter(kind, widest):
+    """Of 150 intervals 95 % should hold zero; fewer than the bound come by chance once in a thousand.
+
+    Where errors are alike, intervals may be wider than they need to be.
+    """
+    estimates, halves = [], []
+    for seed in range(SEEDS):
+        x, said = solved(errors(kind, seed))
+        assert said.independent == (kind == "independent")
+        estimates.append(x)
+        halves.append(said.half)
+    hits = (np.abs(estimates) <= halves).sum(axis=0)
+    assert (hits >= binom.ppf(1e-3, SEEDS, 0.95)).all(), hits
+    scatter = 1.96 * np.std(estimates, axis=0)
+    ratio = np.median(halves, axis=0) / scatter
+    assert (ratio > 0.8).all(), ratio
+    assert (ratio < widest).all(), ratio
+
+
+def test_errors_that_are_alike_count_less():
+    effective = {kind: solved(errors(kind, 0))[1].effective for kind in ("independent", "of the reference")}
+    assert effective["independent"] == 2 * LINES * POINTS
+    assert effective["of the reference"] < 0.1 * effective["independent"]
+
+
+def test_what_changes_nothing_is_not_told():
+    error = errors("independent", 0)
+    unmoved = np.concatenate([slopes(), np.zeros((LINES, POINTS, 1))], axis=-1)
+    said = told(unmoved, error)
+    assert np.isinf(said.half).tolist() == [False, False, True]
+    assert said.half[:2] == pytest.approx(told(slopes(), error).half, rel=1e-3)
+
+
+def test_of_two_that_do_the_same_neither_is_told():
+    twice = np.concatenate([slopes(), 2 * slopes()[..., :1]], axis=-1)
+    said = told(twice, errors("independent", 0))
+    assert np.isinf(said.half).tolist() == [True, False, True]
+    near = twice + 1e-4 * errors("independent", 1)[..., None] * np.array([0, 0, 1.0])
+    said = told(near, errors("independent", 0))
+    assert said.tied(0) == [2]
+    assert said.tied(2) == [0]
+    assert said.tied(1) == []
+
+
+def test_units_of_a_parameter_do_not_matter():
+    error = errors("of the reference", 5)
+    scale = np.array([1e-9, 1e6])
+    assert told(slopes() * scale, error).half * scale == pytest.approx(told(slopes(), error).half, rel=1e-9)

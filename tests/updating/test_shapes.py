@@ -1,0 +1,101 @@
+"""Shapes out of responses that are known in closed form."""
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+from hypothesis.extra.numpy import arrays
+
+from haptonic.response import mac
+from haptonic.updating.shapes import Shapes, can_identify, pairs, shapes_of
+
+LINES = np.arange(1e3, 20e3, 10.0)
+FREQUENCY = np.array([3e3, 7.4e3, 8.1e3, 14e3])
+DAMPING = np.array([0.004, 0.003, 0.004, 0.005])
+SHAPE = np.random.default_rng(0).standard_normal((4, 25))
+
+
+def receptance(frequency=FREQUENCY, damping=DAMPING):
+    """(lines, points) of viscously damped modes, driven alike."""
+    omega, own = 2 * np.pi * LINES[:, None], 2 * np.pi * frequency
+    return (1 / (own**2 - omega**2 + 2j * damping * own * omega)) @ SHAPE[: len(frequency)]
+
+
+@pytest.mark.parametrize("velocity", [False, True])
+def test_modes_are_identified(velocity):
+    assert can_identify()
+    response = receptance() * (2j * np.pi * LINES[:, None] if velocity else 1)
+    found = shapes_of(LINES, response, velocity, "modes")
+    assert found.how == "modes"
+    assert found.frequency == pytest.approx(FREQUENCY, rel=1e-4)
+    assert found.damping == pytest.approx(DAMPING, rel=0.02)
+    assert np.diag(mac(found.shape, SHAPE)) == pytest.approx(np.ones(4), abs=1e-3)
+
+
+def test_operating_shapes_are_the_response_at_its_peaks():
+    found = shapes_of(LINES, receptance(), False, "operating shapes")
+    assert found.how == "operating shapes"
+    assert found.frequency == pytest.approx(FREQUENCY, rel=1e-3)
+    assert (np.diag(mac(found.shape, SHAPE)) > 0.95).all()
+
+
+def test_width_of_a_lone_peak_is_its_damping():
+    """The energy of one mode near its resonance: half of it at f (1 +- damping)."""
+    found = shapes_of(LINES, receptance(FREQUENCY[:1], DAMPING[:1]), False, "operating shapes")
+    assert found.frequency == pytest.approx([3e3], rel=1e-4)
+    assert found.damping == pytest.approx([0.004], rel=0.02)
+
+
+def test_a_peak_narrower_than_the_lines_has_no_width():
+    found = shapes_of(LINES, receptance(FREQUENCY[:1], np.array([2e-4])), False, "operating shapes")
+    assert np.isnan(found.damping).all()
+
+
+def test_a_flat_response_has_no_shapes():
+    found = shapes_of(LINES, np.ones((len(LINES), 3), complex), False, "modes")
+    assert not len(found.frequency)
+    assert pairs(found, found) == []
+
+
+complex_numbers = st.complex_numbers(min_magnitude=0.1, max_magnitude=10, allow_nan=False)
+
+
+@given(
+    arrays(complex, (3, 6), elements=complex_numbers),
+    arrays(complex, 3, elements=complex_numbers),
+    st.permutations(range(6)),
+)
+def test_the_criterion_is_blind_to_factors_and_to_the_order_of_points(shapes, factors, order):
+    own = mac(shapes, shapes)
+    assert np.diag(own) == pytest.approx(np.ones(3))
+    assert own == pytest.approx(own.T)
+    assert mac(shapes * factors[:, None], shapes) == pytest.approx(own)
+    assert mac(shapes[:, order], shapes[:, order]) == pytest.approx(own)
+
+
+def made(frequency, shape):
+    return Shapes(np.array(frequency), np.full(len(frequency), 0.01), np.array(shape, complex), "modes")
+
+
+@given(st.permutations(range(4)), st.floats(-0.05, 0.05))
+def test_pairs_are_found_in_any_order(order, shift):
+    """Also where the frequencies are all off alike, and two of them have crossed."""
+    one = made(FREQUENCY, SHAPE)
+    other = made((1 + shift) * FREQUENCY[list(order)], -2j * SHAPE[list(order)])
+    found = pairs(one, other)
+    assert [(pair.first, pair.second) for pair in found] == [(k, order.index(k)) for k in range(4)]
+    assert [pair.mac for pair in found] == pytest.approx([1.0] * 4)
+
+
+def test_what_has_no_partner_stays_alone():
+    far = made([3e3, 9e3], SHAPE[[0, 3]])  # the last one lies much too low
+    assert [(pair.first, pair.second) for pair in pairs(made(FREQUENCY, SHAPE), far)] == [(0, 0)]
+    unlike = made(FREQUENCY, np.random.default_rng(9).standard_normal((4, 25)))
+    assert pairs(made(FREQUENCY, SHAPE), unlike) == []
+
+
+def test_each_shape_has_one_partner():
+    """Two shapes that are both like one: the nearer one gets it."""
+    twice = made([2.9e3, 3.01e3], SHAPE[[0, 0]])
+    found = pairs(made(FREQUENCY, SHAPE), twice)
+    assert [(pair.first, pair.second) for pair in found] == [(0, 1)]
