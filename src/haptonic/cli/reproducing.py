@@ -29,6 +29,7 @@ from haptonic.cli.options import (
 from haptonic.cli.plates import plate_files, write_plate
 from haptonic.errors import FrictionError, StudyError
 from haptonic.friction.recordings import Sensor
+from haptonic.friction.statistics import Alarms, Population, false_alarms
 from haptonic.report import Results, paper, write_report
 from haptonic.report.guide_shifts import guide_shifts
 from haptonic.results import (
@@ -47,6 +48,8 @@ from haptonic.results import (
 from haptonic.store import Store
 from haptonic.study import Study, load
 from haptonic.study.experimenting import protocol_of, truth_of
+
+ALARMS = 400  # simulated experiments without an effect
 
 
 def reproduce(
@@ -77,6 +80,7 @@ def reproduce(
             felt = _felt(loaded, voice)
         with _timed(timings, "made-up trials", felt):
             trials = _tried(loaded, felt, voice) if felt else None
+            alarms = _alarms(loaded, voice) if trials else {}
         filleted = None
         if paper.is_its_cell(loaded):
             with voice.busy("the paper's cell with a fillet"):
@@ -100,6 +104,7 @@ def reproduce(
                 plate=plate,
                 feel=felt,
                 trials=trials,
+                alarms=alarms,
                 guide_shifts=shifts,
                 filleted=filleted,
                 timings=timings,
@@ -172,6 +177,17 @@ def _tried(loaded: Study, felt: Feel, voice: Voice) -> FrictionResult | None:
             return compute_friction(
                 folder, Sensor(), section.rules(), driven=protocol.waveguides[0], told=progress
             )
+
+
+def _alarms(loaded: Study, voice: Voice) -> dict[str, Alarms]:
+    """How often each test cries wolf in trials like those of the study."""
+    section, people = loaded.protocol, loaded.participants
+    if section.participants < 2:
+        return {}
+    population = Population(0.0, people.effect_between, people.within, people.between)
+    each = section.blocks * section.trials // 4
+    with voice.busy("false alarms of the tests"):
+        return false_alarms(population, section.participants, each, simulations=ALARMS)
 
 
 def _has_plate(loaded: Study) -> bool:

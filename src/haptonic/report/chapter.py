@@ -10,6 +10,7 @@ import xarray as xr
 from matplotlib.figure import Figure
 
 from haptonic.bloch import Gap
+from haptonic.friction.statistics import Alarms
 from haptonic.results import Feel, FrictionResult, Guides, Layers, PlateResult
 from haptonic.study import Study
 
@@ -25,6 +26,7 @@ class Results:
     plate : how the finite plate vibrates, if it was computed
     feel : what a finger feels of the plate, if it was computed
     trials : of made-up people on that plate, if they were made up
+    alarms : how often each test finds a difference in such trials where the population has none, by its name
     guide_shifts : from `haptonic.report.guide_shifts`, if the plate is the paper's
     filleted : the gap of the same cell with a fillet of the radius that `paper` names, if it was computed
     timings : seconds that each part of the run took, by name
@@ -39,6 +41,7 @@ class Results:
     plate: PlateResult | None = None
     feel: Feel | None = None
     trials: FrictionResult | None = None
+    alarms: Mapping[str, Alarms] = field(default_factory=dict)
     guide_shifts: xr.Dataset | None = None
     filleted: Gap | None = None
     timings: Mapping[str, float] = field(default_factory=dict)

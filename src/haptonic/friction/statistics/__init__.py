@@ -22,6 +22,7 @@ from haptonic.friction.statistics.effects import (
 )
 from haptonic.friction.statistics.pairs import Pairs, paired
 from haptonic.friction.statistics.planning import (
+    Alarms,
     Population,
     false_alarms,
     participants_needed,
@@ -30,6 +31,7 @@ from haptonic.friction.statistics.planning import (
 )
 
 __all__ = [
+    "Alarms",
     "Equivalence",
     "Estimate",
     "Pairs",

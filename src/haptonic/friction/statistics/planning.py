@@ -155,6 +155,10 @@ def smallest_shown(
     return high
 
 
+Alarms = tuple[float, float, int]
+"""A rate, its standard error, and of how many experiments."""
+
+
 def false_alarms(
     population: Population,
     participants: int,
@@ -163,7 +167,7 @@ def false_alarms(
     level: float = 0.05,
     simulations: int = 400,
     seed: int = 0,
-) -> dict[str, tuple[float, float, int]]:
+) -> dict[str, Alarms]:
     """How often each test finds a difference where the population has none.
 
     The population's own reduction is set to zero; people differ all the same.

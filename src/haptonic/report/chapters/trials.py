@@ -34,7 +34,7 @@ def chapter(results: Results) -> Chapter | Absent:
               if made_up else []),
             f"{trials} trials of {people} participants, {left_out} of them left out by declared rules.",
         ),
-        findings=(*_reductions(result, published), *found.conclusions),
+        findings=(*_reductions(result, published), *found.conclusions, *_alarms(results, people)),
         pictures=(
             Picture(
                 figures["conditions"],
@@ -63,6 +63,19 @@ def _reductions(result: FrictionResult, published: Mapping[str, float] | None) -
         told = _beside(known.get("stopped"))
         said.append(f"Of the driven reduction, {_percent(one)} does not reach {guide}{told}.")
     return said
+
+
+def _alarms(results: Results, people: int) -> list[str]:
+    """How often the tests would find an effect that is not there."""
+    if not results.alarms:
+        return []
+    rates = "; ".join(
+        f"{name}: {100 * rate:.1f} ± {100 * error:.1f} %" for name, (rate, error, _) in results.alarms.items()
+    )
+    return [
+        f"Without any effect in the population, {people} such participants give an alarm at 5 % in this share of "
+        f"simulated experiments: {rates}. The test over trials takes strokes of one person for independent."
+    ]
 
 
 def _beside(published: float | None) -> str:
