@@ -52,7 +52,7 @@ INSIDE_FUNCTIONS = {
     "jobs": {"dask", "distributed"},
     "workshop": {"netgen"},
     "vibrometry": {"nptdms", "sdypy"},
-    "friction": {"nptdms"},
+    "friction": {"nptdms", "statsmodels"},
     "updating": {"sdypy"},
 }
 

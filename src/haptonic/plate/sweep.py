@@ -22,7 +22,7 @@ Array = NDArray[np.float64]
 
 SPACING = 8e3  # Hz between neighbouring shifts, at most
 MODES = 85  # between neighbouring shifts, about, at most
-CROWDED = 2.5  # times as many, from which on they are parted again: modes crowd where a band begins
+CROWDED = 2.7  # times as many, from which on they are parted again: modes crowd where a band begins
 ROUNDS = 3  # of parting them, and of adding shifts where modes are still missing
 BEYOND = 0.06  # share of the highest frequency by which shifts go beyond the band
 BLOCK, LENGTH = 12, 8  # forces at each shift, and blocks of vectors that they give

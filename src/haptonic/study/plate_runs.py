@@ -94,6 +94,7 @@ class PlateStudy(Description):
         """
         plate, carrier, store = self.plate(), self.need_carrier(), store or Store.default()
         drive = _drive(plate, self.touch.voltage if voltage is None else voltage)
+        touch = Touch(carrier if at is None else at, self.touch.force, self.touch.speed)
         gap = self._gap(plate, carrier, store)
         loaded = compute_loaded(
             plate,
@@ -108,7 +109,7 @@ class PlateStudy(Description):
             fineness=self.fineness(),
             told=on_progress,
         )
-        touch = Touch(loaded.attrs["frequency_hz"], self.touch.force, self.touch.speed)
+        touch = replace(touch, frequency=loaded.attrs["frequency_hz"])
         edges = (gap.lower, gap.upper) if gap else None
         return Feel(plate, edges, loaded, self.touch.diameter, touch, self.touch.finger(), drive)
 

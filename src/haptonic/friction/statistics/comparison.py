@@ -15,8 +15,6 @@ from typing import Literal
 import numpy as np
 from numpy.typing import NDArray
 from scipy import stats
-from statsmodels.regression.mixed_linear_model import MixedLM, MixedLMParams
-from statsmodels.tools.sm_exceptions import ConvergenceWarning
 
 from haptonic.friction.statistics.pairs import Pairs
 from haptonic.friction.statistics.sizes import effect_sizes
@@ -92,6 +90,9 @@ def by_mixed_model(pairs: Pairs) -> Test:
     less than there are participants, as in a balanced design, not with a normal distribution, which would
     reject far too often with few participants.
     """
+    # half a second of every start of the program otherwise
+    from statsmodels.regression.mixed_linear_model import MixedLM, MixedLMParams
+
     people = len(pairs.people)
     difference = float(np.mean(np.subtract(*pairs.means)))
     made = Test("mixed model", pairs.waveguide, people, difference)
@@ -106,9 +107,8 @@ def by_mixed_model(pairs: Pairs) -> Test:
     independent = MixedLMParams.from_components(fe_params=np.ones(2), cov_re=np.eye(2))
     with warnings.catch_warnings():
         # a random part that comes out as zero lies on the edge of what is allowed: no reason for a warning
-        warnings.simplefilter("ignore", ConvergenceWarning)
         warnings.simplefilter("ignore", RuntimeWarning)
-        warnings.simplefilter("ignore", UserWarning)
+        warnings.simplefilter("ignore", UserWarning)  # statsmodels' own on convergence among them
         try:
             model = MixedLM(friction / scale, design, np.tile(pairs.participant, 2), exog_re=design)
             fit = model.fit(reml=True, free=independent, method=OPTIMISERS)

@@ -73,8 +73,9 @@ def _alarms(results: Results, people: int) -> list[str]:
         f"{name}: {100 * rate:.1f} ± {100 * error:.1f} %" for name, (rate, error, _) in results.alarms.items()
     )
     return [
-        f"Without any effect in the population, {people} such participants give an alarm at 5 % in this share of "
-        f"simulated experiments: {rates}. The test over trials takes strokes of one person for independent."
+        f"Without any effect in the population, {people} such participants give an alarm at 5 % in this "
+        f"share of simulated experiments: {rates}. The test over trials takes strokes of one person for "
+        "independent."
     ]
 
 
