@@ -83,6 +83,24 @@ def test_a_study_without_a_plate_says_so(inside, study):
     assert_five_parts(inside("plate", study(), "--json"), "plate")
 
 
+def test_a_single_line_has_maps_and_no_spectra_and_its_body_moves_like_its_face(plated, tmp_path):
+    study = load(plated())
+    result = study.vibrating(at=9e3, store=Store(tmp_path / "store"))
+    assert set(result.figures()) == {"plan", "maps"}
+    place, moved = result.body["node_position"].values, result.body["real"] + 1j * result.body["imag"]
+    face = moved.values[np.isclose(place[:, 2], 0.0), 2]
+    where = place[np.isclose(place[:, 2], 0.0), :2]
+    # the velocity of the flat face on its own grid, from the response
+    points = result.response.points
+    velocity = result.response.values[0, :, 0] / (2j * np.pi * 9e3)
+    near = np.linalg.norm(where[:, None] - points[None], axis=2)
+    close = near.min(axis=1) < 0.8e-3
+    assert close.sum() > 5
+    ours, theirs = face[close], velocity[near.argmin(axis=1)[close]]
+    assert abs(np.vdot(ours, theirs)) > 0.99 * np.linalg.norm(ours) * np.linalg.norm(theirs)
+    assert np.linalg.norm(ours) == pytest.approx(np.linalg.norm(theirs), rel=0.1)
+
+
 def test_the_chapter_of_the_report(plated, monkeypatch, tmp_path):
     monkeypatch.setenv("HAPTONIC_STORE", str(tmp_path / "store"))
     study = load(plated())

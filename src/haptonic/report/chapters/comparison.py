@@ -32,7 +32,7 @@ def chapter(results: Results) -> Chapter | Absent:
         identifier="comparison",
         paragraphs=(
             f"The paper is {paper.CITATION}. Its numbers for the lattice are simulated, as ours are; what it "
-            "measured on the plate is not compared here.",
+            "measured on its plate and with people stands in the chapters on these.",
         ),
         tables=(
             Table(

@@ -70,12 +70,12 @@ def _alarms(results: Results, people: int) -> list[str]:
     if not results.alarms:
         return []
     rates = "; ".join(
-        f"{name}: {100 * rate:.1f} ± {100 * error:.1f} %" for name, (rate, error, _) in results.alarms.items()
+        f"{name}, {round(rate * count)} of {count}" for name, (rate, _, count) in results.alarms.items()
     )
     return [
-        f"Without any effect in the population, {people} such participants give an alarm at 5 % in this "
-        f"share of simulated experiments: {rates}. The test over trials takes strokes of one person for "
-        "independent."
+        f"Without any effect in the population, tests at 5 % find one all the same in so many simulated "
+        f"experiments with {people} such participants: {rates}. The test over trials takes strokes of one "
+        "person for independent."
     ]
 
 
