@@ -99,7 +99,10 @@ def _tell(result: FrictionResult, voice: Voice) -> None:
     else:
         voice.tell(f"{result.trials.sizes['stroke']} trials, none of them left out")
     voice.tell(conditions_table(result))
-    voice.tell(tests_table(result))
+    for table in tests_tables(result):
+        voice.tell(table)
+    for text in notes_of((*found.tests, *found.each)):
+        voice.tell(text)
     for text in found.conclusions:
         voice.tell(text)
     for guide, one in found.reductions.items():
@@ -139,8 +142,8 @@ def excluded_table(result: FrictionResult) -> Table:
 def conditions_table(result: FrictionResult) -> Table:
     """Every condition of every participant: mean and standard deviation over trials."""
     table = Table(
-        "participant", "waveguide", "vibration", "trials", "left out", "friction (mean of ratios)",
-        "ratio of means", "force / N", "speed / (mm/s)", title="conditions: mean ± standard deviation",
+        "who", "where", "", "trials", "left out", "mean of ratios", "ratio of means", "force / N", "mm/s",
+        title="friction of each condition: mean ± standard deviation over trials",
     )  # fmt: skip
     for one in _few(result, result.found.conditions):
         fast = one.speed[0] * 1e3, one.speed[1] * 1e3
@@ -151,35 +154,43 @@ def conditions_table(result: FrictionResult) -> Table:
     return table
 
 
-def tests_table(result: FrictionResult) -> Table:
-    """All tests of the difference on less off."""
-    table = Table(
-        "waveguide", "test", "n", "on - off", "95 % interval", "t", "p", "Bonferroni", "Holm", "d_z", "d_av",
-        "note", title="tests of the difference of friction",
+def tests_tables(result: FrictionResult) -> list[Table]:
+    """All tests of the difference on less off: the difference and p; corrections and sizes of the effect."""
+    found = Table(
+        "waveguide", "test", "n", "on - off", "95 % interval", "t", "p",
+        title="tests of the difference of friction",
+    )  # fmt: skip
+    sizes = Table(
+        "waveguide", "test", "Bonferroni", "Holm", "d_z", "d_av",
+        title="p-values corrected for several tests, and sizes of the effect with 95 % intervals",
     )  # fmt: skip
     for test in (*result.found.tests, *_few(result, result.found.each)):
-        table.add_row(test.waveguide, *_cells(test))
-    return table
+        name = f"{test.participant}, {test.name}" if test.participant else test.name
+        found.add_row(
+            test.waveguide, name, str(test.n), f"{test.difference:.3f}", _interval(test.low, test.high, 3),
+            _number(test.statistic, ".2f"), _number(test.p, ".2g"),
+        )  # fmt: skip
+        sizes.add_row(
+            test.waveguide, name, _number(test.corrected, ".2g"), _number(test.holm, ".2g"),
+            f"{_number(test.d_z, '.2f')} {_interval(test.d_z_low, test.d_z_high, 2)}",
+            f"{_number(test.d_av, '.2f')} {_interval(test.d_av_low, test.d_av_high, 2)}",
+        )  # fmt: skip
+    return [found, sizes]
+
+
+def notes_of(tests: Sequence[Test]) -> list[str]:
+    """What has to be said of tests, each note once, with the tests that it belongs to."""
+    by_note: dict[str, list[str]] = {}
+    for test in tests:
+        if test.note:
+            by_note.setdefault(test.note, []).append(f"{test.waveguide} {test.name}")
+    return [f"{'; '.join(dict.fromkeys(names))}: {note}." for note, names in by_note.items()]
 
 
 def _few(result: FrictionResult, rows: Sequence[Row]) -> list[Row]:
     """Rows of single participants only where there are few of them; the files have all."""
     few = len(set(result.trials["participant"].values.tolist())) <= MOST_SHOWN
     return [row for row in rows if few or row.participant == EVERYBODY]
-
-
-def _cells(test: Test) -> list[str]:
-    return [
-        f"{test.name}{f', {test.participant}' if test.participant else ''}",
-        str(test.n),
-        f"{test.difference:.3f}",
-        _interval(test.low, test.high, 3),
-        _number(test.statistic, ".2f"),
-        *(_number(p, ".2g") for p in (test.p, test.corrected, test.holm)),
-        f"{_number(test.d_z, '.2f')} {_interval(test.d_z_low, test.d_z_high, 2)}",
-        f"{_number(test.d_av, '.2f')} {_interval(test.d_av_low, test.d_av_high, 2)}",
-        test.note,
-    ]
 
 
 def _number(value: float, form: str) -> str:
