@@ -30,9 +30,10 @@ def test_friction_writes_its_files_and_tables(haptonic, inside, tmp_path):
     assert {path.name for path in out.iterdir()} == FILES
     for words in (
         "24 trials, none of them left out",
-        "conditions: mean",
+        "friction of each condition",
         "tests of the difference",
         "Holm",
+        "WG1 trials, as published; WG2 trials, as published: trials of one participant are taken",
         "mixed model",
         "Share of the reduction that does not reach WG2",
         "one-sided test against the 11%",
