@@ -57,6 +57,9 @@ class Feel:
     drive : amplitude of the first drive, V or N
     """
 
+    FILES = ("feel.nc",)
+    FIGURES = ("friction", "reduction")
+
     plate: Plate
     gap: tuple[float, float] | None
     loaded: xr.Dataset
@@ -236,9 +239,6 @@ class Feel:
     def files(self) -> dict[str, Callable[[Path], None]]:
         """What to write, by file name."""
         return {"feel.nc": partial(write_netcdf, self.dataset)}
-
-    FILES = ("feel.nc",)
-    FIGURES = ("friction", "reduction")
 
     def figures(self) -> dict[str, Figure]:
         """All pictures, by name."""
