@@ -85,7 +85,7 @@ def test_the_map_is_that_of_the_response(inside, plated, tmp_path):
     ],
 )
 def test_bad_options_are_refused(inside, plated, options, words):
-    assert_five_parts(inside("feel", plated(), *options), *words)
+    assert_five_parts(inside("feel", plated(), *options, "--json"), *words)
 
 
 def test_a_voltage_for_a_plate_that_a_force_drives_is_refused(inside, plated):
@@ -96,7 +96,7 @@ def test_a_voltage_for_a_plate_that_a_force_drives_is_refused(inside, plated):
     study = plated(force)
     text = study.read_text("utf-8")
     study.write_text(text[: text.index('name = "A1"')] + text[text.index("[plate.response]") :], "utf-8")
-    assert_five_parts(inside("feel", study, "--voltage", "200 V"), "force drives the plate")
+    assert_five_parts(inside("feel", study, "--voltage", "200 V", "--json"), "force drives the plate")
 
 
 @pytest.mark.parametrize(
@@ -115,7 +115,7 @@ def test_bad_keys_of_the_touch_are_refused(inside, plated, change, words):
 
 
 def test_a_study_without_a_plate_is_refused(inside, study):
-    assert_five_parts(inside("feel", study()), "plate")
+    assert_five_parts(inside("feel", study(), "--json"), "plate")
 
 
 def test_the_report_tells_what_a_finger_feels(plated, monkeypatch, store_folder):
