@@ -70,12 +70,12 @@ class Voice:
         self.err.print(f"[yellow]warning[/] {escape(text)}", soft_wrap=True, highlight=False)
 
     @contextmanager
-    def busy(self, what: str) -> Iterator[None]:
-        """A spinner with the time gone by, on standard error."""
+    def busy(self, what: str) -> Iterator[Callable[[str], None]]:
+        """A spinner with the time gone by, on standard error; yields what to call with other words."""
         columns = (SpinnerColumn(), TextColumn("{task.description}"), TimeElapsedColumn())
         with Progress(*columns, console=self.err, transient=True) as progress:
-            progress.add_task(what, total=None)
-            yield
+            task = progress.add_task(what, total=None)
+            yield lambda words: progress.update(task, description=words)
 
     @contextmanager
     def counted(self, what: str, total: int) -> Iterator[Callable[[int, int, bool], None]]:

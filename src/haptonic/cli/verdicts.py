@@ -7,7 +7,6 @@ from typing import Annotated
 
 import numpy as np
 import typer
-from rich.progress import Progress, SpinnerColumn, TextColumn, TimeElapsedColumn
 from rich.table import Table
 
 from haptonic import plots
@@ -43,13 +42,8 @@ def verdict(
         refuse_taken(folder, verdict_files(bool(loaded.fit.vary)), overwrite=overwrite)
         measured = read(response)
         model = None if computed is None else read(computed)
-        columns = (SpinnerColumn(), TextColumn("{task.description}"), TimeElapsedColumn())
-        with Progress(*columns, console=voice.err, transient=True) as progress:
-            task = progress.add_task("reading", total=None)
-            found = judged(
-                loaded, measured, computed=model,
-                said=lambda words: progress.update(task, description=words),
-            )  # fmt: skip
+        with voice.busy("reading") as said:
+            found = judged(loaded, measured, computed=model, said=said)
         if folder:
             write_verdict(found, folder, overwrite)
         for table in verdict_tables(found):

@@ -16,18 +16,17 @@ from dataclasses import dataclass
 import numpy as np
 import scipy.linalg as la
 from numpy.typing import NDArray
-from scipy.spatial import cKDTree
 from threadpoolctl import threadpool_limits
 
 from haptonic.plate.damping import real_times
 from haptonic.plate.vibration import ReducedPlate
+from haptonic.response.measures import discs
 from haptonic.superelement.parallel import threads
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 Ints = NDArray[np.int64]
 
-ROUNDING = 1e-9  # of a disc's radius, within which a point on its rim counts
 TOGETHER = 32  # places that are answered at once
 
 
@@ -44,12 +43,7 @@ class Places:
     @property
     def discs(self) -> list[list[int]]:
         """For each point, the points below a finger there: those within its radius."""
-        near: list[list[int]] = (
-            cKDTree(self.points)
-            .query_ball_point(self.points, 0.5 * self.diameter * (1 + ROUNDING), return_sorted=True)
-            .tolist()
-        )
-        return near
+        return discs(self.points, self.diameter)
 
 
 def below_finger(

@@ -148,7 +148,7 @@ def disc_average(response: FrequencyResponse, diameter: float) -> xr.DataArray:
             next_step="give the width of the contact, such as 0.01 m",
         )
     points = response.points
-    near = cKDTree(points).query_ball_point(points, 0.5 * diameter * (1 + ROUNDING))
+    near = discs(points, diameter)
     counts = np.array([len(members) for members in near])
     ends = np.concatenate([[0], np.cumsum(counts)])
     share = np.repeat(1.0 / counts, counts)
@@ -162,6 +162,14 @@ def disc_average(response: FrequencyResponse, diameter: float) -> xr.DataArray:
         attrs={"units": response.units},
         name="amplitude",
     )
+
+
+def discs(points: Array, diameter: float) -> list[list[int]]:
+    """For each of points (k, 2), m, the numbers of those on a disc around it; its rim belongs to it."""
+    near: list[list[int]] = (
+        cKDTree(points).query_ball_point(points, 0.5 * diameter * (1 + ROUNDING), return_sorted=True).tolist()
+    )
+    return near
 
 
 def cmif(responses: Sequence[FrequencyResponse]) -> xr.DataArray:

@@ -90,6 +90,13 @@ class Feel:
 
     def below(self, region: str) -> NDArray[np.bool_]:
         """(point,) places at which the whole finger lies on a region, or its middle if it is too small."""
+        return self._places[region]
+
+    @cached_property
+    def _places(self) -> dict[str, NDArray[np.bool_]]:
+        return {name: self._places_on(name) for name in self.regions}
+
+    def _places_on(self, region: str) -> NDArray[np.bool_]:
         inside = self.loaded["region"].values == region
         points = np.stack([self.loaded["x"].values, self.loaded["y"].values], axis=1)
         if inside.all():
