@@ -79,6 +79,8 @@ def test_the_map_is_that_of_the_response(inside, plated, tmp_path):
     [
         (["--voltage", "200"], ["unit"]),
         (["--voltage", "3 kHz"], ["V"]),
+        (["--voltage", "0 V"], ["voltage", "above 0 V"]),
+        (["--voltage", "-5 V"], ["-5 V"]),
         (["--at", "58 mm"], ["Hz"]),
         (["--at", "5 Hz"], ["touch.frequency", "kHz"]),
         (["--reduction", "55"], ["percentage"]),

@@ -16,6 +16,7 @@ from haptonic.results.plate.question import amplitude_of, drives_of, reference_o
 from haptonic.store import Store
 from haptonic.study.plate_tables import ResponseSection
 from haptonic.study.schema import Description
+from haptonic.study.touch_tables import VOLTAGE
 from haptonic.units import format_quantity
 
 Told = Callable[[int, int, bool], None]
@@ -142,6 +143,14 @@ def _drive(plate: Plate, voltage: float | None) -> float:
     _, own = reference_of(plate)
     if voltage is None:
         return own
+    if not VOLTAGE.holds(voltage):
+        raise StudyError(
+            argument="voltage",
+            given=format_quantity(voltage, "V"),
+            allowed=VOLTAGE.allowed,
+            cause="it is zero or negative, or its unit slipped",
+            next_step='give the amplitude, such as "200 V"',
+        )
     first = next(drive for drive in drives_of(plate) if amplitude_of(drive))
     if not isinstance(first, Actuator):
         raise StudyError(

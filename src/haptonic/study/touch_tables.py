@@ -15,6 +15,7 @@ from haptonic.units import format_quantity
 Force = Annotated[float, Quantity("N", at_least=FORCES[0], at_most=FORCES[1], typical=(0.1, 5.0))]
 Speed = Annotated[float, Quantity("m/s", at_least=SPEEDS[0], at_most=SPEEDS[1], typical=(0.01, 0.5))]
 Damping = Annotated[float, Quantity("N s/m", above=0.0, at_most=1e4, typical=(1.0, 100.0))]
+VOLTAGE = Quantity("V", above=0.0, at_most=1e4, typical=(1.0, 500.0))
 USUAL_DAMPING = (5.0, 10.0, 30.0)  # N s/m, assumed: what a fingertip does to a vibrating plate
 
 
@@ -75,7 +76,7 @@ class TouchSection(_Ordered):
         title="Damping of the finger",
         description="Of the whole disc: lowest plausible, value, highest plausible; assumed.",
     )
-    voltage: Annotated[float, Quantity("V", above=0.0, at_most=1e4, typical=(1.0, 500.0))] | None = Field(
+    voltage: Annotated[float, VOLTAGE] | None = Field(
         None, title="Voltage", description="Of the first actuator while the finger feels; else the plate's."
     )
     skin: SkinSection = Field(
