@@ -9,6 +9,7 @@ import socket
 import subprocess
 import sys
 import textwrap
+import threading
 import time
 from collections.abc import Iterator
 from contextlib import contextmanager
@@ -266,15 +267,28 @@ class TestScheduler:
         assert 1 <= kept(store) < 20
         assert capfd.readouterr() == ("", "")
 
-    @pytest.mark.parametrize("address", ["tcp://127.0.0.1:{port}", "nonsense", "pigeon://127.0.0.1:1", ""])
+    @pytest.mark.parametrize(
+        "address",
+        [
+            "tcp://127.0.0.1:{port}",
+            "tls://127.0.0.1:{port}",
+            "nonsense",
+            "pigeon://127.0.0.1:1",
+            "http://h:80",
+            "",
+        ],
+    )
     def test_it_cannot_be_reached(self, store: Store, monkeypatch: pytest.MonkeyPatch, address: str) -> None:
         with socket.socket() as taken:
             taken.bind(("127.0.0.1", 0))
             port = taken.getsockname()[1]
         monkeypatch.setattr(jobs, "CONNECT_SECONDS", 0.5)
+        before = set(threading.enumerate())
         with pytest.raises(ResourceError, match="it is not running") as caught:
             run_all(square, tasks_for([1]), store=store, scheduler=address.format(port=port))
         assert caught.value.argument == "scheduler"
+        # Whatever is left would be ended by the collector, at a moment when the next client may be starting.
+        assert not [thread for thread in set(threading.enumerate()) - before if thread.name == "IO loop"]
 
 
 class TestInterrupted:

@@ -312,12 +312,14 @@ def _interrupts_held() -> Iterator[None]:
 @contextmanager
 def _remote_workers(address: str) -> Iterator[Client]:
     from distributed import Client  # here for the reason given in _local_workers
+    from distributed.utils import LoopRunner
 
     try:
+        LoopRunner().run_sync(_reach, address)
         with warnings.catch_warnings():
             warnings.simplefilter("ignore")  # about other versions there; the ones that matter are compared
             client = Client(address, timeout=CONNECT_SECONDS, set_as_default=False)
-    except (OSError, ValueError) as error:
+    except (OSError, ValueError, TypeError) as error:
         raise _no_scheduler(address, "it is not running, or the address is misspelt") from error
     with client:
         try:
@@ -325,6 +327,19 @@ def _remote_workers(address: str) -> Iterator[Client]:
         except TimeoutError as error:
             raise _no_scheduler(address, "it has no workers") from error
         yield client
+
+
+async def _reach(address: str) -> None:
+    """Fail as a client would that cannot connect to the address, but leave no half-made client behind.
+
+    Dask's client does not close itself after every failure. The collector then closes it at any later moment,
+    and if another client is being started at that moment, the two wait for each other's lock.
+    """
+    from distributed import Security
+    from distributed.comm.core import connect
+
+    comm = await connect(address, timeout=CONNECT_SECONDS, **Security().get_connection_args("client"))
+    await comm.close()
 
 
 def _no_scheduler(address: str, cause: str) -> ResourceError:
