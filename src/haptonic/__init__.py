@@ -5,10 +5,10 @@
 >>> scan = haptonic.read_scan("measured.uff")
 """
 
-from haptonic.errors import HaptonicError, HaptonicWarning
-from haptonic.study import Study, load
-from haptonic.vibrometry import read_scan
+import lazy_loader as lazy
 
 __version__ = "0.1.0"
 
-__all__ = ["HaptonicError", "HaptonicWarning", "Study", "__version__", "load", "read_scan"]
+# What a name needs is loaded when it is first asked for: half of the field's libraries would be, otherwise.
+__getattr__, __dir__, __all__ = lazy.attach_stub(__name__, __file__)
+__all__.append("__version__")

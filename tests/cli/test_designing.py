@@ -18,6 +18,7 @@ from scipy.stats import truncnorm
 
 import haptonic as package
 from five_parts import assert_five_parts
+from haptonic import workshop
 from haptonic.bloch import gaps_of
 from haptonic.cli import designing
 from haptonic.cli.app import app
@@ -239,13 +240,13 @@ class TestTolerance:
         assert (tmp_path / "again" / "tolerance.svg").read_bytes() == (out / "tolerance.svg").read_bytes()
 
         shown = []
-        write = designing.write_drawing
+        write = workshop.write_drawing
 
         def noted(*args, **options):
             shown.append(options["tolerances"])
             return write(*args, **options)
 
-        monkeypatch.setattr(designing, "write_drawing", noted)
+        monkeypatch.setattr(workshop, "write_drawing", noted)
         exported = here("export", path, "--out", tmp_path / "files", "--drawing")
         assert exported.code == 0, exported.err
         assert [p.name for p in (tmp_path / "files").iterdir()] == ["asking.pdf"]

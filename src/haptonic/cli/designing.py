@@ -11,7 +11,7 @@ import typer
 import xarray as xr
 from rich.table import Table
 
-from haptonic import plots
+from haptonic import plots, workshop
 from haptonic.cli.console import speaking
 from haptonic.cli.options import (
     KEPT,
@@ -32,7 +32,6 @@ from haptonic.results.common import no_nan
 from haptonic.store import Store
 from haptonic.study import Study, load
 from haptonic.units import format_quantity
-from haptonic.workshop import write_drawing, write_dxf, write_step, write_stl
 from haptonic.workshop.dimensions import dimensions_of
 from haptonic.workshop.shape import in_mm
 
@@ -136,14 +135,18 @@ def export(
         written = []
         with voice.busy("files for the workshop"):
             tolerances = drawn_tolerances(loaded) if "pdf" in kinds else {}
-            for kind, writer in {"step": write_step, "dxf": write_dxf, "stl": write_stl}.items():
+            for kind, writer in {
+                "step": workshop.write_step,
+                "dxf": workshop.write_dxf,
+                "stl": workshop.write_stl,
+            }.items():
                 if kind in kinds:
                     written.append(
                         writer(folder / f"{stem}.{kind}", cell, columns, rows, overwrite=overwrite)
                     )
             if "pdf" in kinds:
                 written.append(
-                    write_drawing(
+                    workshop.write_drawing(
                         folder / f"{stem}.pdf", cell, loaded.title, columns, rows,
                         tolerances=tolerances, overwrite=overwrite,
                     )

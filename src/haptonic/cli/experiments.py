@@ -7,10 +7,9 @@ from pathlib import Path
 
 from rich.table import Table
 
-from haptonic import plots
+from haptonic import plots, report
 from haptonic.cli.console import speaking
 from haptonic.cli.options import Json, Out, Overwrite, StudyFile, folder_for, pictures, tell_where
-from haptonic.report import write_sheet
 from haptonic.results import Plan, refuse_taken, write_files
 from haptonic.study import load
 from haptonic.study.experimenting import planned
@@ -55,6 +54,6 @@ def order_table(plan: Plan) -> Table:
 
 
 def _write(plan: Plan, folder: Path, overwrite: bool) -> None:
-    write_files(folder, plan.files() | {SHEET: partial(write_sheet, plan)}, overwrite=overwrite)
+    write_files(folder, plan.files() | {SHEET: partial(report.write_sheet, plan)}, overwrite=overwrite)
     for name, figure in plan.figures().items():
         plots.save(figure, folder, name, overwrite=overwrite)

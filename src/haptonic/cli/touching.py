@@ -10,14 +10,14 @@ from typing import Annotated, TypeVar
 import typer
 from rich.table import Table
 
-from haptonic import plots
+from haptonic import plots, report
 from haptonic.cli.console import Voice, speaking
 from haptonic.cli.options import Json, Out, Overwrite, Workers, folder_for, pictures, tell_where
 from haptonic.friction.lubrication import WEBER_FRACTION
 from haptonic.friction.recordings import Sensor
 from haptonic.friction.statistics import Estimate, Test
 from haptonic.friction.statistics.summary import EVERYBODY, Condition
-from haptonic.report import paper, write_quality
+from haptonic.report import paper
 from haptonic.results import FrictionResult, compute_friction, refuse_taken, write_files
 from haptonic.results.plate.question import driven_region
 from haptonic.study import Study, TrialsSection, load_trials
@@ -86,7 +86,7 @@ def _write(
     for name, figure in result.figures(published=published).items():
         plots.save(figure, folder, name, overwrite=overwrite)
     with voice.counted("sheets", 0) as progress:
-        writers = {QUALITY: lambda file: write_quality(result, file, progress)}
+        writers = {QUALITY: lambda file: report.write_quality(result, file, progress)}
         write_files(folder, writers, overwrite=overwrite)
 
 

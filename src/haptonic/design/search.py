@@ -12,9 +12,8 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 import numpy as np
+import scipy
 from numpy.typing import NDArray
-from scipy.optimize import linprog
-from scipy.stats import qmc
 
 from haptonic.design.brief import Brief
 from haptonic.design.quick import CRITICAL, QuickDesign, Side
@@ -45,7 +44,7 @@ class Visited:
 
 def starting_points(brief: Brief, count: int) -> list[Array]:
     """The brief's own cell and further designs spread evenly over the box (a Sobol sequence), all allowed."""
-    rough = qmc.Sobol(len(brief.bounds), scramble=False).random_base2(
+    rough = scipy.stats.qmc.Sobol(len(brief.bounds), scramble=False).random_base2(
         max(1, int(np.ceil(np.log2(count + 1))))
     )
     return [brief.feasible(point) for point in (brief.share(brief.cell), *rough[1:count])]
@@ -121,7 +120,9 @@ def _best_within(brief: Brief, here: Array, sides: tuple[Array, Array], step: fl
     ])  # fmt: skip
     ceiling = np.concatenate([room, np.maximum(limits, 0.0)])
     bounds = [(max(-step, -x), min(step, 1 - x)) for x in here]
-    result = linprog(np.append(np.zeros(len(here)), -1.0), rows, ceiling, bounds=[*bounds, (None, None)])
+    result = scipy.optimize.linprog(
+        np.append(np.zeros(len(here)), -1.0), rows, ceiling, bounds=[*bounds, (None, None)]
+    )
     if result.x is None:
         return here, float(room.min())
     return here + result.x[:-1], float(result.x[-1])

@@ -17,7 +17,7 @@ from functools import cached_property
 from typing import Literal
 
 import numpy as np
-import scipy.stats as st
+import scipy
 from numpy.typing import NDArray
 
 from haptonic.cell import UnitCell
@@ -60,9 +60,13 @@ class Spread:
         return float(self.frozen.var()) * self.width**2
 
     @property
-    def frozen(self) -> st.rv_continuous:
+    def frozen(self) -> scipy.stats.rv_continuous:
         """Distribution of the deviation in units of ``width``."""
-        return st.truncnorm(-CUT, CUT) if self.distribution == "normal" else st.uniform(-1.0, 2.0)
+        return (
+            scipy.stats.truncnorm(-CUT, CUT)
+            if self.distribution == "normal"
+            else scipy.stats.uniform(-1.0, 2.0)
+        )
 
 
 def samples(cell: UnitCell, spreads: Sequence[Spread], count: int) -> list[UnitCell]:
@@ -191,7 +195,7 @@ class Chances:
 
     def importance(self) -> Array:
         """(parameters, 2) total Sobol indices of the lower and the upper edge (SciPy)."""
-        indices = st.sobol_indices(
+        indices = scipy.stats.sobol_indices(
             func=lambda x: self.surface.at(x.T).T, n=2**11, dists=[s.frozen for s in self.spreads], rng=1
         )
         return np.asarray(indices.total_order).reshape(2, -1).T  # SciPy drops the axis of a single parameter
@@ -205,4 +209,4 @@ def first_order(slopes: Array, spreads: Sequence[Spread]) -> Array:
 def _sobol(parameters: int, count: int, seed: int = 0) -> Array:
     """(count, parameters) points of the unit cube."""
     power = int(np.ceil(np.log2(count)))
-    return np.asarray(st.qmc.Sobol(parameters, rng=seed).random_base2(power)[:count])
+    return np.asarray(scipy.stats.qmc.Sobol(parameters, rng=seed).random_base2(power)[:count])

@@ -1,17 +1,5 @@
 """One page that shows what a study gave: self-contained, printable, with the paper beside it."""
 
-from haptonic.report.chapter import Absent, Chapter, Picture, Results, Table
-from haptonic.report.page import write_report
-from haptonic.report.quality import write_quality
-from haptonic.report.sheet import write_sheet
+import lazy_loader as lazy
 
-__all__ = [
-    "Absent",
-    "Chapter",
-    "Picture",
-    "Results",
-    "Table",
-    "write_quality",
-    "write_report",
-    "write_sheet",
-]
+__getattr__, __dir__, __all__ = lazy.attach_stub(__name__, __file__)

@@ -8,10 +8,10 @@ import platform
 from importlib.metadata import version
 from importlib.resources import files
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import numpy as np
 from jinja2 import Environment, StrictUndefined
-from matplotlib.figure import Figure
 
 from haptonic.bloch import gaps_of
 from haptonic.plots.style import rendered
@@ -23,6 +23,9 @@ from haptonic.store import refuse_overwrite, write_atomically
 from haptonic.study import Study, table
 from haptonic.study.keys import key_of, leaves
 from haptonic.units import format_quantity
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
 
 TEMPLATE = "page.html"
 LIBRARIES = ("haptonic", "numpy", "scipy", "xarray", "matplotlib", "meshio")

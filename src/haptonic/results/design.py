@@ -5,11 +5,10 @@ from __future__ import annotations
 import json
 from collections.abc import Mapping, Sequence
 from dataclasses import asdict, dataclass
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 import xarray as xr
-from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
 from haptonic import plots
@@ -24,6 +23,9 @@ from haptonic.jobs import Task
 from haptonic.results.common import Asked, key_of, stamped
 from haptonic.results.runner import Runner
 from haptonic.units import format_quantity
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
 
 Array = NDArray[np.float64]
 

@@ -9,17 +9,19 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import asdict, dataclass
 from functools import partial
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import pandas as pd
 import xarray as xr
-from matplotlib.figure import Figure
 
 from haptonic import plots
 from haptonic.friction.recordings import Exclusion, Sensor, analysed, traces
 from haptonic.friction.signals import Rules, exclusions, write_trials
 from haptonic.friction.statistics import Test
 from haptonic.friction.statistics.summary import Condition, Summary, summary
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
 
 Told = Callable[[int, int, bool], None]
 

@@ -3,10 +3,9 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from matplotlib.figure import Figure
 from threadpoolctl import threadpool_limits
 
 from haptonic import plots
@@ -22,6 +21,9 @@ from haptonic.results.carrier import gap_holding
 from haptonic.results.common import Asked
 from haptonic.results.runner import Runner
 from haptonic.superelement import Superelement
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
 
 INSET = 1e-3  # of the gap's width, kept away from its edges
 MOST_LENGTHS = 6  # of waveguides that are compared

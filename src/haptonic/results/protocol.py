@@ -6,11 +6,10 @@ from collections.abc import Callable, Mapping
 from dataclasses import asdict, dataclass
 from functools import cached_property, partial
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 import xarray as xr
-from matplotlib.figure import Figure
 
 from haptonic import plots
 from haptonic.friction.lubrication import WEBER_FRACTION
@@ -20,6 +19,9 @@ from haptonic.friction.signals import Label
 from haptonic.friction.statistics import Population, participants_needed, power, smallest_shown
 from haptonic.friction.trial_list import NAME, write_list
 from haptonic.results.common import stamped, write_netcdf
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
 
 MOST_DRAWN = 20  # participants up to which the power is always computed
 

@@ -4,11 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 import xarray as xr
-from matplotlib.figure import Figure
 
 from haptonic import plots
 from haptonic.bloch import gaps_dataset
@@ -18,6 +17,9 @@ from haptonic.jobs import Outcome, Task, run_all
 from haptonic.materials import IsotropicMaterial
 from haptonic.results.common import Asked, key_of, stamped
 from haptonic.store import Store
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
 
 RESONANCES = 3
 

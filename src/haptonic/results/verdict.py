@@ -7,11 +7,10 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 import xarray as xr
-from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
 from haptonic import plots
@@ -22,6 +21,9 @@ from haptonic.results.plate.question import driven_region
 from haptonic.updating.agreement import Agreement
 from haptonic.updating.fit import Fit
 from haptonic.vibrometry.maps.gap import MeasuredGap
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
 
 Array = NDArray[np.float64]
 MEASURED, BEFORE, AFTER = "measurement", "model as given", "model fitted"

@@ -6,12 +6,13 @@ from typing import Annotated, Literal
 
 from pydantic import Field, model_validator
 
-from haptonic.results.scan import Instrument, ScanQuestion
+from haptonic.results.scan import ScanQuestion
 from haptonic.study.asking import Frequency
 from haptonic.study.mounting import size
 from haptonic.study.quantity import Quantity, problem
 from haptonic.study.sections import Section
 from haptonic.units import format_quantity
+from haptonic.vibrometry.instrument import Instrument
 
 Velocity = Annotated[float, Quantity("m/s", above=0.0, at_most=1e3, typical=(1e-7, 10.0))]
 

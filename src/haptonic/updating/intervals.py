@@ -13,9 +13,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
+import scipy
 from numpy.typing import NDArray
-from scipy.stats import norm
-from scipy.stats import t as student
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
@@ -69,7 +68,7 @@ def told(jacobian: Complex, residual: Complex) -> Told:
     inverse = (turn[:, ~lost] / values[~lost]) @ turn[:, ~lost].T
     data = 2 * residual.size
     spread = float((np.abs(residual) ** 2).sum()) / max(data - count, 1)  # of a real or imaginary part
-    plain = norm.ppf(QUANTILE) * np.sqrt(spread * np.diag(inverse))
+    plain = scipy.stats.norm.ppf(QUANTILE) * np.sqrt(spread * np.diag(inverse))
     half, independent = plain, _independent(residual)
     if not independent:
         scores = np.einsum("lpk,lp->lk", unit.conj(), residual).real
@@ -78,7 +77,7 @@ def told(jacobian: Complex, residual: Complex) -> Told:
         reach = _reach(scores)
         freedom = np.maximum(lines / (reach + 1) - count, FEWEST)
         variance = np.diag(inverse @ _summed(scores, reach) @ inverse) * (1 + count / freedom)
-        half = np.maximum(plain, student.ppf(QUANTILE, freedom) * np.sqrt(variance))
+        half = np.maximum(plain, scipy.stats.t.ppf(QUANTILE, freedom) * np.sqrt(variance))
     size = np.sqrt(np.maximum(np.diag(inverse), TINY))
     effective = data * float(((plain / np.maximum(half, TINY)) ** 2)[plain > 0].min(initial=1.0))
     half = half / scale

@@ -11,10 +11,10 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
+import scipy
 from numpy.typing import NDArray
 from scipy.ndimage import gaussian_filter1d
 from scipy.optimize import least_squares
-from scipy.stats import qmc
 
 from haptonic.plate import Plate
 from haptonic.plate.family import Family
@@ -142,7 +142,9 @@ class Space:
 
     def spread(self, count: int) -> Array:
         """(count, p) logarithms spread evenly between the bounds."""
-        drawn = qmc.Sobol(len(self.unknowns), seed=1).random(1 << (count - 1).bit_length())[:count]
+        drawn = scipy.stats.qmc.Sobol(len(self.unknowns), seed=1).random(1 << (count - 1).bit_length())[
+            :count
+        ]
         return np.asarray(self.low + drawn * (self.high - self.low))
 
 

@@ -9,9 +9,9 @@ from importlib.util import find_spec
 from typing import Literal
 
 import numpy as np
+import scipy
 from numpy.typing import NDArray
 from scipy.optimize import linear_sum_assignment
-from scipy.signal import find_peaks
 
 from haptonic.response import mac
 
@@ -62,7 +62,7 @@ def shapes_of(frequency: Array, response: Complex, velocity: bool, how: How) -> 
     """
     energy = (np.abs(response) ** 2).mean(axis=1)
     level = 10 * np.log10(np.maximum(energy, np.finfo(float).tiny))
-    lines = np.asarray(find_peaks(level, prominence=PROMINENT)[0], np.int64)
+    lines = np.asarray(scipy.signal.find_peaks(level, prominence=PROMINENT)[0], np.int64)
     if how == "operating shapes" or not len(lines):
         tops = [_top(frequency, energy, int(line)) for line in lines]
         found = np.array(tops).reshape(-1, 2)

@@ -1,57 +1,5 @@
 """From the files of a laser vibrometer to frequency responses, maps and a measured gap."""
 
-from haptonic.vibrometry.chirp import Drive, drive, drive_notes, write_drive
-from haptonic.vibrometry.estimation import Estimate, Quality, estimate
-from haptonic.vibrometry.findings import Dropped, ReadReport
-from haptonic.vibrometry.maps import (
-    MeasuredGap,
-    Registration,
-    lattice_decay,
-    measured_gap,
-    region_statistics,
-    register_by_corners,
-    register_by_fit,
-    warn_if_aliased,
-    wavenumber_map,
-)
-from haptonic.vibrometry.readers import Scan, read_scan
-from haptonic.vibrometry.readers.hdf5 import write_records
-from haptonic.vibrometry.readers.uff import UffContents, uff_contents
-from haptonic.vibrometry.records import InMemory, TimeScan
-from haptonic.vibrometry.scan_plan import Disc, Rectangle, ScanPlan, scan_plan, visited
-from haptonic.vibrometry.writers import write_uff, write_uff_records
+import lazy_loader as lazy
 
-__all__ = [
-    "Disc",
-    "Drive",
-    "Dropped",
-    "Estimate",
-    "InMemory",
-    "MeasuredGap",
-    "Quality",
-    "ReadReport",
-    "Rectangle",
-    "Registration",
-    "Scan",
-    "ScanPlan",
-    "TimeScan",
-    "UffContents",
-    "drive",
-    "drive_notes",
-    "estimate",
-    "lattice_decay",
-    "measured_gap",
-    "read_scan",
-    "region_statistics",
-    "register_by_corners",
-    "register_by_fit",
-    "scan_plan",
-    "uff_contents",
-    "visited",
-    "warn_if_aliased",
-    "wavenumber_map",
-    "write_drive",
-    "write_records",
-    "write_uff",
-    "write_uff_records",
-]
+__getattr__, __dir__, __all__ = lazy.attach_stub(__name__, __file__)

@@ -1,18 +1,5 @@
 """Files for a workshop: the solid (STEP, STL), its outlines (DXF) and a dimensioned drawing (PDF)."""
 
-from haptonic.workshop.drawing import cell_drawing, write_drawing
-from haptonic.workshop.dxf import write_dxf
-from haptonic.workshop.step import solid, volume_of_step, write_step
-from haptonic.workshop.stl import Surface, surface, write_stl
+import lazy_loader as lazy
 
-__all__ = [
-    "Surface",
-    "cell_drawing",
-    "solid",
-    "surface",
-    "volume_of_step",
-    "write_drawing",
-    "write_dxf",
-    "write_step",
-    "write_stl",
-]
+__getattr__, __dir__, __all__ = lazy.attach_stub(__name__, __file__)

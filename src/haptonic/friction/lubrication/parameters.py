@@ -12,8 +12,8 @@ from dataclasses import dataclass, fields, replace
 from typing import Literal
 
 import numpy as np
+import scipy
 from numpy.typing import NDArray
-from scipy.stats import qmc
 
 from haptonic.errors import FrictionError, nearest
 from haptonic.units import format_quantity, shown
@@ -165,7 +165,9 @@ class Finger:
         -------
         name -> (samples,)
         """
-        shares = qmc.LatinHypercube(len(dict(self)), rng=np.random.default_rng(seed)).random(samples)
+        shares = scipy.stats.qmc.LatinHypercube(len(dict(self)), rng=np.random.default_rng(seed)).random(
+            samples
+        )
         return {name: parameter.at(shares[:, i]) for i, (name, parameter) in enumerate(self)}
 
     def assumptions(self) -> dict[str, dict[str, object]]:

@@ -7,8 +7,8 @@ from functools import lru_cache
 from types import MappingProxyType
 
 import numpy as np
+import scipy
 from numpy.typing import NDArray
-from scipy.signal import butter, filtfilt
 
 from haptonic.errors import FrictionError, nearest
 from haptonic.units import shown
@@ -85,10 +85,10 @@ def smoothed(signals: Array, rate: float, name: str = "literal") -> Array:
             cause="an empty or a cut record",
             next_step="leave the record out, or look at its file",
         )
-    return np.asarray(filtfilt(*_coefficients(frequency, rate), signals))
+    return np.asarray(scipy.signal.filtfilt(*_coefficients(frequency, rate), signals))
 
 
 @lru_cache(maxsize=16)
 def _coefficients(frequency: float, rate: float) -> tuple[Array, Array]:
-    numerator, denominator = butter(ORDER, frequency, fs=rate)
+    numerator, denominator = scipy.signal.butter(ORDER, frequency, fs=rate)
     return np.asarray(numerator), np.asarray(denominator)

@@ -13,8 +13,8 @@ from dataclasses import dataclass, replace
 from typing import Literal
 
 import numpy as np
+import scipy
 from numpy.typing import NDArray
-from scipy import stats
 
 from haptonic.friction.statistics.pairs import Pairs
 from haptonic.friction.statistics.sizes import effect_sizes
@@ -119,7 +119,7 @@ def by_mixed_model(pairs: Pairs) -> Test:
     if not converged or not (math.isfinite(error) and error > 0):
         return replace(made, note="the fit did not converge: too few participants for its random parts")
     dof = people - 1
-    reach = float(stats.t.ppf(0.5 + CONFIDENCE / 2, dof)) * error
+    reach = float(scipy.stats.t.ppf(0.5 + CONFIDENCE / 2, dof)) * error
     statistic = effect / error
     return replace(
         made,
@@ -128,7 +128,7 @@ def by_mixed_model(pairs: Pairs) -> Test:
         high=effect + reach,
         statistic=statistic,
         dof=float(dof),
-        p=float(2 * stats.t.sf(abs(statistic), dof)),
+        p=float(2 * scipy.stats.t.sf(abs(statistic), dof)),
         note=_few(people),
     )
 
@@ -191,7 +191,7 @@ def _paired(name: Name, waveguide: str, on: Array, off: Array, unit: str) -> Tes
     spread = float(apart.std(ddof=1))
     if spread <= ALIKE * float(np.abs(np.concatenate([on, off])).max()):
         return replace(made, note="all differences are equal: no variation to compare with")
-    result = stats.ttest_rel(on, off)
+    result = scipy.stats.ttest_rel(on, off)
     interval = result.confidence_interval(CONFIDENCE)
     mean_spread = 0.5 * float(on.std(ddof=1) + off.std(ddof=1))
     return replace(

@@ -13,9 +13,9 @@ from dataclasses import dataclass
 from typing import Literal
 
 import numpy as np
+import scipy
 import xarray as xr
 from numpy.typing import NDArray
-from scipy import stats
 
 from haptonic.errors import FrictionError
 from haptonic.friction.statistics.pairs import Pairs
@@ -144,9 +144,9 @@ def equivalence(pairs: Pairs, bound: float) -> Equivalence:
         return Equivalence(pairs.waveguide, bound, len(each), made.mean, note=note)
     error = float(each.std(ddof=1)) / math.sqrt(len(each))
     dof = len(each) - 1
-    above = float(stats.t.cdf((made.mean - bound) / error, dof))
-    below = float(stats.t.sf((made.mean + bound) / error, dof))
-    reach = float(stats.t.ppf(0.95, dof)) * error
+    above = float(scipy.stats.t.cdf((made.mean - bound) / error, dof))
+    below = float(scipy.stats.t.sf((made.mean + bound) / error, dof))
+    reach = float(scipy.stats.t.ppf(0.95, dof)) * error
     return Equivalence(
         pairs.waveguide,
         bound,
@@ -192,7 +192,7 @@ def drift(trials: xr.Dataset) -> Estimate:
     if len(each) < 2:
         return Estimate(float(each.mean()), math.nan, math.nan, "one participant only")
     error = float(each.std(ddof=1)) / math.sqrt(len(each))
-    reach = float(stats.t.ppf(QUANTILES[1], len(each) - 1)) * error
+    reach = float(scipy.stats.t.ppf(QUANTILES[1], len(each) - 1)) * error
     return Estimate(float(each.mean()), float(each.mean()) - reach, float(each.mean()) + reach)
 
 
@@ -224,7 +224,7 @@ def _among_people(value: float, each: Array) -> Estimate:
     if people < 2:
         return Estimate(value, math.nan, math.nan, "one participant only: no interval for others")
     error = float(each.std(ddof=1)) / math.sqrt(people)
-    reach = float(stats.t.ppf(QUANTILES[1], people - 1)) * error
+    reach = float(scipy.stats.t.ppf(QUANTILES[1], people - 1)) * error
     note = "" if people >= 6 else f"{people} participants: the interval is wide, and rests on normality"
     return Estimate(value, value - reach, value + reach, note)
 

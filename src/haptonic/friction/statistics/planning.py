@@ -6,9 +6,9 @@ import math
 from dataclasses import dataclass, replace
 
 import numpy as np
+import scipy
 import xarray as xr
 from numpy.typing import NDArray
-from scipy import stats
 
 from haptonic.errors import FrictionError
 from haptonic.friction.statistics.comparison import by_mixed_model, by_participants, by_trials
@@ -90,7 +90,7 @@ def power(
             effect = population.reduction + population.effect_between * rng.standard_normal(
                 (simulations, people)
             )
-            p = stats.ttest_1samp(noise - level_of_each * effect, 0.0, axis=1).pvalue
+            p = scipy.stats.ttest_1samp(noise - level_of_each * effect, 0.0, axis=1).pvalue
             chance[row, column] = (p * tests < level).mean()
     dims = ("participants", "trials")
     error = np.sqrt(chance * (1 - chance) / simulations)

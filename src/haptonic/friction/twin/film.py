@@ -6,8 +6,8 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 
 import numpy as np
+import scipy
 from numpy.typing import NDArray
-from scipy.stats import norm
 
 from haptonic.errors import FrictionError
 from haptonic.friction.lubrication import Finger, Touch, shared_friction
@@ -131,5 +131,5 @@ def _shared(amplitude: Array, frequency: float, forces: Array, skin: Finger) -> 
 
 def _mean(forces: Array, curves: Array, force: tuple[float, float]) -> Array:
     """Of curves (force, ...) over the forces with which people press."""
-    drawn = np.maximum(LIGHTEST, force[0] + force[1] * norm.ppf(QUANTILES))
+    drawn = np.maximum(LIGHTEST, force[0] + force[1] * scipy.stats.norm.ppf(QUANTILES))
     return np.asarray([np.interp(drawn, forces, curve).mean() for curve in curves.T])

@@ -7,9 +7,9 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 import numpy as np
+import scipy
 from numpy.random import Generator
 from numpy.typing import NDArray
-from scipy.signal import lfilter
 
 from haptonic.friction.protocol import Protocol
 from haptonic.friction.signals import Label, Record
@@ -110,4 +110,4 @@ def _stroke(truth: Truth, trial: Trial, across: float, rng: Generator) -> Stroke
 def _wandering(samples: int, rng: Generator) -> Array:
     """A slow random change, by `UNEVEN` on average."""
     white = rng.standard_normal(samples) * UNEVEN * math.sqrt(1 - WANDERING**2)
-    return np.asarray(lfilter([1.0], [1.0, -WANDERING], white))
+    return np.asarray(scipy.signal.lfilter([1.0], [1.0, -WANDERING], white))

@@ -5,11 +5,10 @@ from __future__ import annotations
 import json
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 import xarray as xr
-from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
 from haptonic import plots
@@ -17,6 +16,9 @@ from haptonic.bloch import Gap
 from haptonic.plate import Plate
 from haptonic.response import FrequencyResponse, contrast, disc_average, rms
 from haptonic.results.plate.question import driven_region, resonance_of
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
 
 Complex = NDArray[np.complex128]
 

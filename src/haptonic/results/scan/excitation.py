@@ -7,16 +7,18 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from matplotlib.figure import Figure
 
 from haptonic import plots
 from haptonic.plate import Plate
 from haptonic.results.scan.question import ScanQuestion
 from haptonic.vibrometry.chirp import Drive, drive_notes, write_drive
 from haptonic.vibrometry.scan_plan import ScanPlan
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
 
 
 @dataclass(frozen=True, eq=False)

@@ -7,11 +7,10 @@ from collections.abc import Callable
 from dataclasses import asdict, dataclass
 from functools import partial
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 import xarray as xr
-from matplotlib.figure import Figure
 
 from haptonic import plots
 from haptonic.bloch import Gap
@@ -23,6 +22,9 @@ from haptonic.results.common import write_netcdf
 from haptonic.results.scan.computed import guided
 from haptonic.results.scan.places import Mirror, guides_of
 from haptonic.vibrometry import MeasuredGap, Quality, ReadReport, Registration
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
 
 
 @dataclass(frozen=True, eq=False)

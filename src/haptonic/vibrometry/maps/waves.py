@@ -6,9 +6,9 @@ import warnings
 from typing import Literal
 
 import numpy as np
+import scipy
 import xarray as xr
 from numpy.typing import NDArray
-from scipy.stats import t as student
 
 from haptonic.errors import HaptonicWarning, ScanError
 from haptonic.response import FrequencyResponse
@@ -170,7 +170,7 @@ def lattice_decay(
     slope = level @ x / (x @ x)
     residual = level - level.mean(axis=1, keepdims=True) - slope[:, None] * x
     error = np.sqrt((residual**2).sum(axis=1) / (count - 2) / (x @ x))
-    reach = float(student.ppf(0.5 + confidence / 2, count - 2)) * error
+    reach = float(scipy.stats.t.ppf(0.5 + confidence / 2, count - 2)) * error
     lines = {"frequency": response.dataset["frequency"]}
     rows = {"decay": -slope, "error": error, "low": -slope - reach, "high": -slope + reach}
     return xr.Dataset(

@@ -1,0 +1,58 @@
+from .bands import dispersion
+from .designs import front, search
+from .feel import friction_map, reduction_curve
+from .friction import conditions, reductions, trial_sheet
+from .mirrors import decay, guide, layers
+from .modes import mode_shapes
+from .planning import power
+from .plates import animated, maps, plate_plan
+from .scans import (
+    average_response,
+    drive_signal,
+    fading,
+    measured_contrast,
+    point_quality,
+    wave_map,
+)
+from .spectra import contrast_spectrum, impedance_spectrum, velocity_spectrum
+from .style import save
+from .sweeps import sweep
+from .tolerances import tolerance
+from .verdicts import before_after, frac_maps, mac_matrix
+from .zone import density_of_states, iso_frequency
+
+__all__ = [
+    "animated",
+    "average_response",
+    "before_after",
+    "conditions",
+    "contrast_spectrum",
+    "decay",
+    "density_of_states",
+    "dispersion",
+    "drive_signal",
+    "fading",
+    "frac_maps",
+    "friction_map",
+    "front",
+    "guide",
+    "impedance_spectrum",
+    "iso_frequency",
+    "layers",
+    "mac_matrix",
+    "maps",
+    "measured_contrast",
+    "mode_shapes",
+    "plate_plan",
+    "point_quality",
+    "power",
+    "reduction_curve",
+    "reductions",
+    "save",
+    "search",
+    "sweep",
+    "tolerance",
+    "trial_sheet",
+    "velocity_spectrum",
+    "wave_map",
+]

@@ -1,0 +1,57 @@
+from .bands import Bands, compute_bands, gap_json
+from .common import Asked, refuse_taken, write_files, write_netcdf
+from .design import Design, compute_design, compute_front, planned
+from .feel import Feel, Pad, compute_loaded
+from .friction import FrictionResult, compute_friction
+from .guides import Guides, compute_guides
+from .judging import VerdictQuestion, compute_verdict
+from .layers import Layers, compute_layers, layer_tasks
+from .plate import PlateQuestion, PlateResult, compute_plate
+from .protocol import Plan, Task, compute_plan
+from .runner import Runner
+from .sweeps import Row, Sweep, compute_sweeps, design_gaps
+from .tolerance import Tolerance, compute_tolerance
+from .twin import FrictionTwin, friction_twin
+from .verdict import Verdict
+
+__all__ = [
+    "Asked",
+    "Bands",
+    "Design",
+    "Feel",
+    "FrictionResult",
+    "FrictionTwin",
+    "Guides",
+    "Layers",
+    "Pad",
+    "Plan",
+    "PlateQuestion",
+    "PlateResult",
+    "Row",
+    "Runner",
+    "Sweep",
+    "Task",
+    "Tolerance",
+    "Verdict",
+    "VerdictQuestion",
+    "compute_bands",
+    "compute_design",
+    "compute_friction",
+    "compute_front",
+    "compute_guides",
+    "compute_layers",
+    "compute_loaded",
+    "compute_plan",
+    "compute_plate",
+    "compute_sweeps",
+    "compute_tolerance",
+    "compute_verdict",
+    "design_gaps",
+    "friction_twin",
+    "gap_json",
+    "layer_tasks",
+    "planned",
+    "refuse_taken",
+    "write_files",
+    "write_netcdf",
+]

@@ -1,0 +1,28 @@
+from .keys import Key, table
+from .loading import load, load_trials, loads
+from .plate_tables import PlateSection
+from .runs import Study
+from .scan_tables import ScanSection
+from .schema import SweepSection
+from .sections import BandsSection, CellSection, MaterialSection, MeshSection, PillarSection
+from .trial_tables import TrialsSection
+from .vary import solve
+
+__all__ = [
+    "BandsSection",
+    "CellSection",
+    "Key",
+    "MaterialSection",
+    "MeshSection",
+    "PillarSection",
+    "PlateSection",
+    "ScanSection",
+    "Study",
+    "SweepSection",
+    "TrialsSection",
+    "load",
+    "load_trials",
+    "loads",
+    "solve",
+    "table",
+]

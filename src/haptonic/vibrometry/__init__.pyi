@@ -1,0 +1,55 @@
+from .chirp import Drive, drive, drive_notes, write_drive
+from .estimation import Estimate, Quality, estimate
+from .findings import Dropped, ReadReport
+from .maps import (
+    MeasuredGap,
+    Registration,
+    lattice_decay,
+    measured_gap,
+    region_statistics,
+    register_by_corners,
+    register_by_fit,
+    warn_if_aliased,
+    wavenumber_map,
+)
+from .readers import Scan, read_scan
+from .readers.hdf5 import write_records
+from .readers.uff import UffContents, uff_contents
+from .records import InMemory, TimeScan
+from .scan_plan import Disc, Rectangle, ScanPlan, scan_plan, visited
+from .writers import write_uff, write_uff_records
+
+__all__ = [
+    "Disc",
+    "Drive",
+    "Dropped",
+    "Estimate",
+    "InMemory",
+    "MeasuredGap",
+    "Quality",
+    "ReadReport",
+    "Rectangle",
+    "Registration",
+    "Scan",
+    "ScanPlan",
+    "TimeScan",
+    "UffContents",
+    "drive",
+    "drive_notes",
+    "estimate",
+    "lattice_decay",
+    "measured_gap",
+    "read_scan",
+    "region_statistics",
+    "register_by_corners",
+    "register_by_fit",
+    "scan_plan",
+    "uff_contents",
+    "visited",
+    "warn_if_aliased",
+    "wavenumber_map",
+    "write_drive",
+    "write_records",
+    "write_uff",
+    "write_uff_records",
+]
