@@ -42,11 +42,15 @@ class MeshPlan:
     def suited(cls, cell: UnitCell, order: int, foot_rings: int) -> MeshPlan:
         """Plan of similar errors in all directions, its elements not much longer than the pillar is wide.
 
-        Around the pillar an element spans a quarter turn and gets two orders more.
+        Around the pillar an element spans a quarter turn and gets two orders more. Cubic elements are too
+        stiff along a pillar that bends and across the plate beside it, by more than all the rest together:
+        there order 3 has quartic ones.
         """
         orders = {"outward": order, "upward": order, "thin": order}
         if cell.pillar is None:
             return cls(order + 2, 0, 0, **orders)
+        if order == 3:
+            orders |= {"outward": 4, "upward": 4}
         layers = [
             max(1, round((high - low) / (LAYER_LENGTH * 2 * width)))
             for low, high, width in cell.pillar.stages
@@ -55,16 +59,16 @@ class MeshPlan:
         return cls(order + 2, rings, *(1 + count for count in layers), **orders)
 
     def lowered(self) -> MeshPlan:
-        """The same blocks with orders one lower, around the pillar two.
+        """The same blocks with orders one lower, to tell the error by.
 
-        Fields that are even along a quarter of a turn gain nothing from an odd order more: two orders show
-        what one would hide.
+        With a single thin ring the order along z stays: what the edge leaves is most of the error then, the
+        thin layer sees it, and thicker elements of lower order would err by far more.
         """
         return replace(
             self,
-            order=max(self.order - 2, 1),
+            order=max(self.order - 1, 1),
             outward=max(self.outward - 1, 1),
-            upward=max(self.upward - 1, 1),
+            upward=self.upward if self.foot_rings == 1 else max(self.upward - 1, 1),
             thin=max(self.thin - 1, 1),
         )
 
