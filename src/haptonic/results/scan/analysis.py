@@ -208,15 +208,13 @@ def _registration(response: FrequencyResponse, on: OnPlate) -> Registration:
 
 
 def _without_path(response: FrequencyResponse, on: OnPlate) -> FrequencyResponse:
-    """The response without delay and low-pass of the instrument that the study gives."""
-    instrument = on.question.instrument
-    if not instrument.delay and instrument.bandwidth is None:
+    """The response without delay and low-pass of the instrument that the study gives, taken out once."""
+    instrument, old, notes = on.question.instrument, response.dataset["response"], response.dataset.attrs
+    inputs = json.loads(notes["inputs"])
+    if "path" in inputs or (not instrument.delay and instrument.bandwidth is None):
         return response
     path = instrument.path(response.frequency).astype(response.values.dtype)
-    old, notes = response.dataset["response"], response.dataset.attrs
-    inputs = json.loads(notes["inputs"]) | {
-        "path": {"delay": instrument.delay, "bandwidth": instrument.bandwidth}
-    }
+    inputs["path"] = {"delay": instrument.delay, "bandwidth": instrument.bandwidth}
     values = response.values / path[:, None, None]
     values.setflags(write=False)
     made = response.dataset.assign(response=(old.dims, values, old.attrs))
