@@ -169,7 +169,7 @@ def write_scan(result: ScanResult, folder: Path, overwrite: bool) -> None:
     write_files(folder, result.files(), overwrite=overwrite)
     for name, figure in result.figures().items():
         plots.save(figure, folder, name, overwrite=overwrite)
-    if result.on_grid:
+    if result.mapped:
         plots.animated(
             folder / ANIMATION, result.response, result.loudest, result.layout, overwrite=overwrite
         )

@@ -4,10 +4,11 @@ from haptonic.plots.bands import dispersion
 from haptonic.plots.designs import front, search
 from haptonic.plots.feel import friction_map, reduction_curve
 from haptonic.plots.friction import conditions, reductions, trial_sheet
+from haptonic.plots.maps import animated, maps, maps_compared
 from haptonic.plots.mirrors import decay, guide, layers
 from haptonic.plots.modes import mode_shapes
 from haptonic.plots.planning import power
-from haptonic.plots.plates import animated, maps, plate_plan
+from haptonic.plots.plates import plate_plan
 from haptonic.plots.scans import (
     average_response,
     drive_signal,
@@ -43,6 +44,7 @@ __all__ = [
     "layers",
     "mac_matrix",
     "maps",
+    "maps_compared",
     "measured_contrast",
     "mode_shapes",
     "plate_plan",

@@ -119,7 +119,9 @@ def compute_scan(
         at = float(response.at(at).frequency[0])
     report = _joined(scan.report, found.report)
     data = xr.Dataset({"average": average_spectrum(response)})
-    plain = ScanResult(response, found.quality, report, found.averages, data, ())
+    axes = [str(name) for name in response.dataset["direction"].values]
+    unseen = [] if "z" in axes else [f"no maps: motions along {', '.join(axes)}, none normal to the plate"]
+    plain = ScanResult(response, found.quality, report, found.averages, data, (), told=tuple(unseen))
     if on is None:
         loudest = float(response.frequency[int(data["average"].values.argmax())])
         return replace(plain, shapes=(loudest if at is None else at,))
@@ -129,6 +131,7 @@ def compute_scan(
         registration.registered(response, {n: Tiles(layout, n) for n in layout.regions}), on
     )
     found_gap, told = _told_on_plate(response, on, data)
+    told += unseen
     edges = None if on.gap is None else (on.gap.lower, on.gap.upper)
     names = [str(name) for name in response.dataset["region"].values]
     marked = marked_lines(on.plate, response.frequency, response.values[..., 0].T, names, on.carrier, edges)
