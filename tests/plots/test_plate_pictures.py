@@ -39,7 +39,7 @@ PICTURES = {
     "maps, one, measured": lambda: plots.maps(vibration("measured"), [58.8e3], prototype(), None),
     "maps, two": lambda: plots.maps(vibration(), [45e3, 58.8e3], prototype(), GAP),
     "maps, compared": lambda: plots.maps_compared(
-        {"computed": vibration(), "measured by a twin": vibration("measured")},
+        {"computed": vibration(), "scan": vibration("measured")},
         LINES.tolist(),
         prototype(),
         GAP,
@@ -151,13 +151,13 @@ class TestMaps:
             assert there[(y > 2) & (y < 138)][:, (x > 2) & (x < 125)].all()
             assert not there[:, (x < -1.5) | (x > 128.5)].any()
         frames = plots.maps(turned(0.0), [1e3], prototype(), None)
-        assert artists(frames, "map")[0].get_array().shape == (70, 64)
+        assert artists(frames, "map")[0].get_array().shape == (69, 63)
 
     def test_rows_are_the_maps_of_each_response(self, drawn):
         panels = drawn["maps, compared"].axes[:6]
         assert [axes.get_ylabel().split("\n")[0] for axes in panels[::3]] == [
             "computed",
-            "measured by a twin",
+            "scan",
         ]
         assert [axes.get_title().partition(", ")[2] for axes in panels] == ["simulated"] * 3 + [
             "measured"

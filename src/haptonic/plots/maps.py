@@ -138,7 +138,7 @@ def animated(
 
 
 def _seen(line: FrequencyResponse) -> tuple[Complex, tuple[float, float], tuple[float, float]]:
-    """(y, x) normal vibration at one frequency over that of its largest point, and its ends along x and y, mm.
+    """(y, x) normal vibration at one frequency over that of its largest point; its ends along x and y, mm.
 
     Points that lie on no regular grid, as when a stage was turned, are drawn finer than they lie: every place
     shows its nearest point, and nothing where that is too far.
