@@ -128,8 +128,8 @@ def wave_map(
     )  # fmt: skip
     drawn: list[Artist] = []
     looks: tuple[dict[str, Any], ...] = (
-        {"color": "white", "ls": style.DASHED, "label": "A0 of the plain plate, computed"},
-        {"color": style.ORANGE, "lw": 2.0, "label": "mode of the guide between its mirrors, computed"},
+        {"color": "white", "ls": style.DASHED, "label": "A0 of the plain plate"},
+        {"color": style.ORANGE, "lw": 2.0, "label": "mode of the guide"},
     )
     for curve, look in zip((plain, guided), looks, strict=True):
         if curve is None or not len(curve[0]):
@@ -141,9 +141,9 @@ def wave_map(
              title=f"{region}, {origin}")  # fmt: skip
     figure.colorbar(image, ax=axes, label="amplitude / its maximum (dimensionless)")
     if drawn:
-        legend = figure.legend(handles=drawn, loc="outside lower center", ncols=2)
+        legend = figure.legend(handles=drawn, loc="outside lower center", ncols=2, title="computed")
         legend.get_frame().set(facecolor="#5a5a5a", alpha=1.0, visible=True)
-        for text in legend.get_texts():
+        for text in (legend.get_title(), *legend.get_texts()):
             text.set_color("white")
     return figure
 
