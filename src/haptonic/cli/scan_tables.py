@@ -81,7 +81,8 @@ def drive_table(answer: dict[str, object]) -> Table:
     )
     table.add_row("sample rate", f"{numbers['sample_rate'] / 1e3:.5g} kHz")
     table.add_row(
-        "largest voltage", f"{numbers['full_scale']:.4g} V, crest factor {numbers['crest_factor']:.3f}"
+        "largest value",
+        f"{numbers['full_scale']:.4g} {answer['unit']}, crest factor {numbers['crest_factor']:.3f}",
     )
     plan = answer["plan"]
     if isinstance(plan, dict):

@@ -38,7 +38,9 @@ def drive_signal(signal: Drive) -> Figure:
     above, below = figure.subplots(2, 1)
     time = np.arange(len(signal.samples)) / signal.sample_rate
     above.plot(1e3 * time, signal.samples, color=style.BLUE, lw=0.4)
-    above.set(xlabel="time (ms)", ylabel="voltage (V)", xlim=(0, 1e3 * signal.duration))
+    above.set(
+        xlabel="time (ms)", ylabel=f"{signal.quantity} ({signal.unit})", xlim=(0, 1e3 * signal.duration)
+    )
     above.set_title(f"{signal.kind}, one period; crest factor {signal.crest_factor:.2f}")
     level = np.abs(np.fft.rfft(signal.samples))
     lines = np.fft.rfftfreq(len(signal.samples), 1 / signal.sample_rate)

@@ -237,7 +237,7 @@ def _told_on_plate(
         try:
             waves = wavenumber_map(response, guide.region, guide.along)
         except HaptonicError as error:
-            told.append(f"no waves along {guide.region}: {error.given}")
+            told.append(f"no waves along {guide.region}: {error.given}; {error.cause}")
         else:
             data[f"waves {guide.region}"] = waves.rename(wavenumber=f"wavenumber {guide.region}")
     if driven is None:
