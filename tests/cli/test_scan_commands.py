@@ -309,7 +309,7 @@ class TestScan:
         assert fitted["registration"]["shift_m"] == pytest.approx([-12e-3, -7e-3], abs=1e-6)
         assert fitted["gap"] == pytest.approx(ran.json["gap"])
 
-    def test_a_turned_stage_has_maps_on_the_plate(self, inside, tiny, tmp_path):
+    def test_a_turned_stage_has_maps_on_the_plate(self, study, store):
         """Rows of the stage run askew over the plate; its maps show the points where they were."""
         turn, corner = np.exp(1j * np.radians(5.0)), 12e-3 + 7e-3j
         stage = np.add.outer(1j * np.arange(0, 40e-3, 1e-3), np.arange(0, 75e-3, 1e-3)).ravel()
@@ -317,24 +317,23 @@ class TestScan:
         on = (place.real > 0) & (place.real < 56e-3) & (place.imag > 0) & (place.imag < 21e-3)
         lines = np.arange(50e3, 70e3, 500.0)
         louder = np.where((place.real > 7e-3) & (place.real < 21e-3), 1.0, 0.1)[on]
-        write(
-            FrequencyResponse.of(
-                (louder * np.ones((len(lines), 1)))[..., None] + 0j, frequency=lines, x=stage.real[on],
-                y=stage.imag[on], reference="A1, V", origin="simulated",
-            ),
-            tmp_path / "askew.nc",
+        seen = FrequencyResponse.of(
+            (louder * np.ones((len(lines), 1)))[..., None] + 0j, frequency=lines, x=stage.real[on],
+            y=stage.imag[on], reference="A1, V", origin="simulated",
         )  # fmt: skip
         corners = corner + turn * np.array([0, 56e-3, 56e-3 + 21e-3j, 21e-3j])
-        text = " ".join(f"{1e3 * c.real:.9f} {1e3 * c.imag:.9f}" for c in corners)
-        out = tmp_path / "out"
-        ran = inside("scan", tmp_path / "askew.nc", tiny, "--corners", f"{text} mm", "--out", out, "--json")
-        assert ran.code == 0, ran.err
-        assert ran.json["registration"]["angle_rad"] == pytest.approx(np.radians(-5.0))
-        assert {"maps.png", "shape.webp"} <= {file.name for file in out.iterdir()}
-        assert any("no waves along WG1" in one and "is turned against" in one for one in ran.json["remarks"])
-        found = read(out / "response.nc")
-        assert np.abs(found.points[:, 0] - place.real[on]).max() < 1e-9
-        assert (np.abs(found.values[0, found.inside("WG1"), 0]) == 1).all()
+        of = scanning.scanned(study, np.stack([corners.real, corners.imag], axis=1), store=store)
+        report = ReadReport("made up", "memory", len(seen.points))
+        result = compute_scan(Scan(seen, report), Estimation(), of, store=store)
+        assert result.registration.angle == pytest.approx(np.radians(-5.0))
+        assert any("no waves along WG1" in one and "is turned against" in one for one in result.told)
+        assert result.mapped
+        image = result.figures()["maps"].axes[0].images[0]
+        left, right, _, _ = image.get_extent()
+        columns = image.get_array().shape[1]
+        x = left + (right - left) * (np.arange(columns) + 0.5) / columns
+        assert image.get_array()[:, (x > 8) & (x < 20)].min() == pytest.approx(1.0)
+        assert image.get_array()[:, (x < 6) | (x > 22)].max() == pytest.approx(0.1)
 
     def test_an_estimation_goes_on(self, inside, tiny, recorded, on, store, tmp_path, monkeypatch):
         out = tmp_path / "out"
