@@ -152,6 +152,7 @@ def scan(
                 write_scan(result, folder, overwrite)
             _forget(folder / PROGRESS)
         tell_scan(result, voice)
+        tell_where(voice, folder)
         answer = result.to_json()
         if loaded and against:
             with voice.busy("model") as said:
@@ -160,7 +161,6 @@ def scan(
                 write_verdict(found, folder, overwrite)
             tell_verdict(found, voice)
             answer["verdict"] = found.to_json()
-        tell_where(voice, folder)
         voice.answer(answer)
 
 

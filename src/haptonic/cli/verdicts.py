@@ -35,7 +35,7 @@ def verdict(
     json: Json = False,
     overwrite: Overwrite = False,
 ) -> None:
-    """A response that a scan has given, against its plate's model once more: after changes to [fit], say."""
+    """A response that a scan has given, once more against its plate's model: new unknowns, no records."""
     with speaking(json) as voice:
         loaded = load(study)
         folder = folder_for(study, out, json, "verdict")
