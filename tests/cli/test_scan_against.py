@@ -19,8 +19,8 @@ from tiny_scan import TINY
 
 FIT = """
 [fit]
-lowest = "58 kHz"
-highest = "62 kHz"
+lowest = "60 kHz"
+highest = "67 kHz"
 points = 20
 
 [[fit.vary]]
