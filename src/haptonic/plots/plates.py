@@ -20,7 +20,6 @@ from haptonic.plate.parts import Hold, Plate, Side, Support
 from haptonic.plots import style
 
 Array = NDArray[np.float64]
-Complex = NDArray[np.complexfloating[Any, Any]]
 Tile = tuple[int, int]
 Segment = tuple[tuple[float, float], tuple[float, float]]  # mm
 
