@@ -5,6 +5,7 @@ from __future__ import annotations
 import csv
 import json
 
+import h5py
 import numpy as np
 import pytest
 import scipy.io.wavfile
@@ -12,7 +13,7 @@ import xarray as xr
 
 from five_parts import assert_five_parts
 from haptonic.errors import HaptonicWarning
-from haptonic.response import read, write
+from haptonic.response import FrequencyResponse, read, write
 from haptonic.results import write_files
 from haptonic.results.scan import Estimation, OnPlate, Twin, compute_scan
 from haptonic.store import Store
@@ -122,6 +123,21 @@ class TestChirp:
         path.write_text(TINY.replace('highest = "80 kHz"', 'highest = "100 kHz"'), "utf-8")
         ran = inside("chirp", path, "--json")
         assert any("half the sample rate" in text for text in ran.json["warnings"])
+
+    def test_a_plate_that_a_force_drives_has_a_drive_in_newtons(self, inside, tmp_path):
+        start, end = TINY.index("[[plate.actuator]]"), TINY.index("[scan]")
+        force = '[[plate.force]]\nname = "F1"\nregion = "WG1"\ncentre = ["7 mm", "9 mm"]\nforce = "2 N"\n\n'
+        path, out = tmp_path / "forced.toml", tmp_path / "out"
+        path.write_text(TINY[:start] + force + TINY[end:], "utf-8")
+        ran = inside("chirp", path, "--out", out)
+        assert ran.code == 0, ran.err
+        assert "2 N" in ran.out
+        assert (out / "drive.csv").read_text().startswith("time (s),force (N)\n")
+        notes = json.loads((out / "drive.json").read_text())
+        assert (notes["unit"], notes["full_scale"]) == ("N", 2.0)
+        with h5py.File(out / "drive.h5") as file:
+            assert np.abs(file["force"][:]).max() == 2.0
+        assert "force (N)" in (out / "signal.svg").read_text("utf-8")
 
     def test_without_a_plate_there_is_no_plan(self, inside, tmp_path):
         path = tmp_path / "cell.toml"
@@ -292,6 +308,32 @@ class TestScan:
         fitted = inside("scan", recorded / "scan.h5", tiny, "--json").json
         assert fitted["registration"]["shift_m"] == pytest.approx([-12e-3, -7e-3], abs=1e-6)
         assert fitted["gap"] == pytest.approx(ran.json["gap"])
+
+    def test_a_turned_stage_has_maps_on_the_plate(self, study, store):
+        """Rows of the stage run askew over the plate; its maps show the points where they were."""
+        turn, corner = np.exp(1j * np.radians(5.0)), 12e-3 + 7e-3j
+        stage = np.add.outer(1j * np.arange(0, 40e-3, 1e-3), np.arange(0, 75e-3, 1e-3)).ravel()
+        place = (stage - corner) * turn.conjugate()  # on the plate
+        on = (place.real > 0) & (place.real < 56e-3) & (place.imag > 0) & (place.imag < 21e-3)
+        lines = np.arange(50e3, 70e3, 500.0)
+        louder = np.where((place.real > 7e-3) & (place.real < 21e-3), 1.0, 0.1)[on]
+        seen = FrequencyResponse.of(
+            (louder * np.ones((len(lines), 1)))[..., None] + 0j, frequency=lines, x=stage.real[on],
+            y=stage.imag[on], reference="A1, V", origin="simulated",
+        )  # fmt: skip
+        corners = corner + turn * np.array([0, 56e-3, 56e-3 + 21e-3j, 21e-3j])
+        of = scanning.scanned(study, np.stack([corners.real, corners.imag], axis=1), store=store)
+        report = ReadReport("made up", "memory", len(seen.points))
+        result = compute_scan(Scan(seen, report), Estimation(), of, store=store)
+        assert result.registration.angle == pytest.approx(np.radians(-5.0))
+        assert any("no waves along WG1" in one and "is turned against" in one for one in result.told)
+        assert result.mapped
+        image = result.figures()["maps"].axes[0].images[0]
+        left, right, _, _ = image.get_extent()
+        columns = image.get_array().shape[1]
+        x = left + (right - left) * (np.arange(columns) + 0.5) / columns
+        assert image.get_array()[:, (x > 8) & (x < 20)].min() == pytest.approx(1.0)
+        assert image.get_array()[:, (x < 6) | (x > 22)].max() == pytest.approx(0.1)
 
     def test_an_estimation_goes_on(self, inside, tiny, recorded, on, store, tmp_path, monkeypatch):
         out = tmp_path / "out"

@@ -73,3 +73,16 @@ def vibration(origin: str = "simulated") -> FrequencyResponse:
         values[..., None], frequency=LINES, x=x, y=y, reference="A1, V", origin=origin,
         region=region.tolist(),
     )  # fmt: skip
+
+
+def turned(degrees: float = 4.0) -> FrequencyResponse:
+    """A slope along x and one along y, seen on a grid of 2 mm that is turned against the plate."""
+    turn = np.exp(1j * np.radians(degrees))
+    grid = turn * np.add.outer(1j * np.arange(-20, 160, 2) * 1e-3, np.arange(-20, 150, 2) * 1e-3).ravel()
+    x, y = grid.real, grid.imag
+    on = (x > 0) & (x < 127e-3) & (y > 0) & (y < 140e-3)
+    values = np.stack([x[on] + 0j, 1j * y[on]])
+    return FrequencyResponse.of(
+        values[..., None], frequency=np.array([1e3, 2e3]), x=x[on].copy(), y=y[on].copy(),
+        reference="A1, V", origin="simulated",
+    )  # fmt: skip

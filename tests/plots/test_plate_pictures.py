@@ -10,14 +10,14 @@ import pytest
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 from PIL import Image
-from plates_made_up import ALUMINIUM, GAP, LINES, busy_plate, notched, plate, prototype, vibration
+from plates_made_up import ALUMINIUM, GAP, LINES, busy_plate, notched, plate, prototype, turned, vibration
 from seeing import artists, assert_readable, shown_texts
 
 from haptonic import plots
 from haptonic.errors import ResourceError
 from haptonic.plate.layout import Layout
 from haptonic.plate.parts import Plate, Support
-from haptonic.plots.plates import FRAMES
+from haptonic.plots.mapped import FRAMES
 from haptonic.response import FrequencyResponse
 
 FREQUENCY = np.linspace(0.0, 100e3, 401)
@@ -38,6 +38,13 @@ PICTURES = {
     "maps": lambda: plots.maps(vibration(), LINES.tolist(), prototype(), GAP),
     "maps, one, measured": lambda: plots.maps(vibration("measured"), [58.8e3], prototype(), None),
     "maps, two": lambda: plots.maps(vibration(), [45e3, 58.8e3], prototype(), GAP),
+    "maps, compared": lambda: plots.maps_compared(
+        {"computed": vibration(), "scan": vibration("measured")},
+        LINES.tolist(),
+        prototype(),
+        GAP,
+    ),
+    "maps, turned": lambda: plots.maps(turned(), [1e3, 2e3], prototype(), None),
     "contrast": lambda: plots.contrast_spectrum(FREQUENCY, CONTRAST, GAP),
     "contrast, no gap": lambda: plots.contrast_spectrum(FREQUENCY, CONTRAST, None),
     "velocity": lambda: plots.velocity_spectrum(FREQUENCY, VELOCITY, GAP),
@@ -129,6 +136,34 @@ class TestMaps:
         assert image.axes.get_xlim() == pytest.approx((0, 127))
         assert image.axes.get_ylim() == pytest.approx((0, 140))
         assert image.axes.get_aspect() == 1.0
+
+    def test_off_a_grid_every_place_shows_its_nearest_point(self, drawn):
+        """The slopes are seen to half a diagonal of a square around a point; nothing is drawn beside."""
+        for image, along in zip(artists(drawn["maps, turned"], "map"), (0, 1), strict=True):
+            shown, (left, right, low, top) = np.asarray(image.get_array().filled(np.nan)), image.get_extent()
+            rows, columns = shown.shape
+            x = left + (right - left) * (np.arange(columns) + 0.5) / columns
+            y = low + (top - low) * (np.arange(rows) + 0.5) / rows
+            place = np.stack(np.meshgrid(x, y))[along]
+            largest = 1e3 * turned().points[:, along].max()
+            there = np.isfinite(shown)
+            assert np.abs(shown * largest - place)[there].max() < 1.5
+            assert there[(y > 2) & (y < 138)][:, (x > 2) & (x < 125)].all()
+            assert not there[:, (x < -1.5) | (x > 128.5)].any()
+        frames = plots.maps(turned(0.0), [1e3], prototype(), None)
+        assert artists(frames, "map")[0].get_array().shape == (69, 63)
+
+    def test_rows_are_the_maps_of_each_response(self, drawn):
+        panels = drawn["maps, compared"].axes[:6]
+        assert [axes.get_ylabel().split("\n")[0] for axes in panels[::3]] == [
+            "computed",
+            "scan",
+        ]
+        assert [axes.get_title().partition(", ")[2] for axes in panels] == ["simulated"] * 3 + [
+            "measured"
+        ] * 3
+        rows = np.array([np.asarray(image.get_array()) for image in artists(drawn["maps, compared"], "map")])
+        assert rows[:3] == pytest.approx(rows[3:])
 
     def test_regions_are_outlined_and_named_at_their_place(self, drawn):
         for name, (left, right) in {"WG1": (21, 53), "WG2": (74, 106)}.items():

@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 
 import numpy as np
+import pyFRF
 import pytest
 import scipy.signal
 from hypothesis import given
@@ -118,6 +119,42 @@ class TestExact:
             assert pytest.approx(theirs[:, lines], rel=1e-10) == ours.values[..., 0].T
             _, coherence = scipy.signal.coherence(drive[:, 0], moved[:, 0], **settings)
             assert pytest.approx(coherence[:, lines], rel=1e-10) == ours.dataset["coherence"].values.T
+
+    def noisy_pair(self):
+        """Whole periods with noise on both channels."""
+        drive, moved = periodic(repeats=12, points=1, seed=7)
+        chance = np.random.default_rng(8)
+        return [one + 0.2 * one.std() * chance.normal(size=one.shape) for one in (drive, moved)]
+
+    def of_pyfrf(self, drive, moved, estimator):
+        return pyFRF.FRF(
+            int(RATE), exc=drive.reshape(1, -1), resp=moved.reshape(1, -1), exc_type="f", resp_type="d",
+            window="none", fft_len=SAMPLES, nperseg=SAMPLES, noverlap=0, frf_estimator=estimator,
+        )  # fmt: skip
+
+    @pytest.mark.parametrize("estimator", ["H1", "H2"])
+    def test_the_response_of_pyfrf(self, estimator):
+        drive, moved = self.noisy_pair()
+        theirs, band = self.of_pyfrf(drive, moved, estimator), slice(1, SAMPLES // 2)
+        found = estimate(recorded(drive, moved), estimator=estimator, band=(LINES[1], LINES[-2])).response
+        assert found.frequency == pytest.approx(theirs.get_f_axis()[band])
+        assert np.abs(found.values[:, 0, 0] / theirs.get_FRF()[0, 0, band] - 1).max() < 1e-10
+        coherence = found.dataset["coherence"].values[:, 0]
+        assert np.abs(coherence / theirs.get_coherence()[0, band] - 1).max() < 1e-10
+        assert coherence.mean() < 0.95
+
+    def test_the_hv_of_pyfrf(self):
+        """Theirs takes both channels for equally noisy in their units, ours in units of equal strength.
+
+        So a line is the same where the units give the channels the same power at that line.
+        """
+        drive, moved = self.noisy_pair()
+        found = estimate(recorded(drive, moved), estimator="Hv", band=(LINES[1], LINES[-2])).response
+        h1, h2 = (self.of_pyfrf(drive, moved, name).get_FRF()[0, 0] for name in ("H1", "H2"))
+        for line in (3, 30, 99, 100, 101, 170):
+            gain = 1 / np.sqrt(np.abs(h1[line] * h2[line]))
+            theirs = self.of_pyfrf(drive, gain * moved, "Hv").get_FRF()[0, 0, line] / gain
+            assert abs(found.values[line - 1, 0, 0] / theirs - 1) < 1e-10
 
 
 class TestNoise:

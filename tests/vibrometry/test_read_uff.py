@@ -24,6 +24,7 @@ from scans import (
     units,
     whole,
 )
+from sdypy import EMA
 
 from haptonic.errors import ScanError
 from haptonic.response import read, write
@@ -115,6 +116,34 @@ class TestAWholeScan:
         assert scan.response.units == "m/s/V"
         assert scan.response.dataset.attrs["reference"] == "A1, V"
         assert scan.response.dataset.attrs["origin"] == "measured"
+
+    @pytest.mark.parametrize("kind", [15, 2411])
+    @pytest.mark.parametrize("binary", [0, 1])
+    def test_all_data_sets_of_pyuff_in_one_file(self, tmp_path, kind, binary):
+        """151, 164, nodes of 15 or 2411, lines of 82, curves of 58 or 58b; a mode shape of 55 is named."""
+        head = pyuff.prepare_151(
+            model_name="touchpad", description="made up", db_app="haptonic", date_db_created="01-Jan-26",
+            time_db_created="00:00:00", version_db1=0, version_db2=0, file_type=0,
+            date_db_saved="01-Jan-26", time_db_saved="00:00:00", program="haptonic",
+            date_db_written="01-Jan-26", time_db_written="00:00:00",
+        )  # fmt: skip
+        outline = pyuff.prepare_82(
+            trace_num=1, n_nodes=4, color=0, id="outline", nodes=np.array([1, 4, 12, 9])
+        )
+        shape = pyuff.prepare_55(
+            model_type=1, analysis_type=2, data_ch=2, spec_data_type=11, data_type=2, n_data_per_node=3,
+            load_case=1, mode_n=1, freq=100.0, modal_m=1.0, modal_damp_vis=0.0, modal_damp_his=0.0,
+            node_nums=np.arange(1, 13), r1=np.zeros(12), r2=np.zeros(12), r3=np.ones(12),
+        )  # fmt: skip
+        curves = [curve(i + 1, VALUES[:, i], binary=binary) for i in range(12)]
+        path = uff(tmp_path / "all.uff", head, units(), nodes(kind=kind), outline, *curves, shape)
+        scan = read_scan(path)
+        assert scan.response.values[..., 0] == pytest.approx(VALUES, rel=1e-6)
+        assert scan.response.points == pytest.approx(np.stack([X, Y], axis=1))
+        notes = scan.response.dataset.attrs
+        assert notes["title"] == "touchpad"
+        assert json.loads(notes["inputs"])["lines"] == [[1, 4, 12, 9]]
+        assert [str(one) for one in scan.report.dropped if "mode shape" in str(one)]
 
     def test_the_binary_values_may_hold_the_mark_of_an_end(self, tmp_path):
         trap = np.frombuffer(b"\n    -1\n" * 16, dtype="<f8").view(complex)
@@ -436,6 +465,17 @@ class TestWriter:
             assert one["x"].tolist() == LINES.tolist()
             assert (one["ordinate_axis_units_lab"], one["orddenom_axis_units_lab"]) == ("m/s", "V")
         assert sets[14]["data"] == pytest.approx(coherence[:, 0], rel=1e-11)
+
+    def test_sdypy_reads_what_was_written(self, tmp_path):
+        """Curves of responses alone, and not those of coherence; it cuts at a line of ours."""
+        write_uff(response(coherence=np.ones((8, 12))), tmp_path / "a.uff")
+        model = EMA.Model(lower=LINES[0], upper=LINES[-2])
+        model.read_uff(str(tmp_path / "a.uff"))
+        assert model.frf_form == "mobility"
+        assert model.frf.shape[0] == len(X)
+        assert len(model.freq) >= len(LINES) - 2
+        assert np.array_equal(model.freq, LINES[: len(model.freq)])
+        assert np.abs(model.frf.T - VALUES[: len(model.freq)]).max() < 1e-11 * np.abs(VALUES).max()
 
     @pytest.mark.parametrize("quantity", ["velocity", "displacement"])
     @pytest.mark.parametrize("reference", ["A1, V", "F1, N", ""])

@@ -11,6 +11,7 @@ from tempfile import TemporaryDirectory
 
 import xarray as xr
 
+from haptonic import report
 from haptonic.cli.console import Voice, speaking
 from haptonic.cli.feeling import FEEL_FILES, write_feel
 from haptonic.cli.lattices import gap_table, swept, tell_failures, write_bands, write_sweep
@@ -27,10 +28,10 @@ from haptonic.cli.options import (
     pictures,
 )
 from haptonic.cli.plates import plate_files, write_plate
-from haptonic.errors import FrictionError, StudyError
+from haptonic.errors import FrictionError, ScanError, StudyError
 from haptonic.friction.recordings import Sensor
 from haptonic.friction.statistics import Alarms, Population, false_alarms
-from haptonic.report import Results, paper, write_report
+from haptonic.report import Results, paper
 from haptonic.report.guide_shifts import guide_shifts
 from haptonic.results import (
     Bands,
@@ -45,8 +46,9 @@ from haptonic.results import (
     layer_tasks,
     refuse_taken,
 )
+from haptonic.results.scan import ScanResult
 from haptonic.store import Store
-from haptonic.study import Study, load
+from haptonic.study import Study, load, scanning
 from haptonic.study.experimenting import protocol_of, truth_of
 
 ALARMS = 400  # simulated experiments without an effect
@@ -76,6 +78,8 @@ def reproduce(
             mirror, guides = _mirror(loaded, voice, workers, scheduler)
         with _timed(timings, "plate", _has_plate(loaded)):
             plate, shifts = _plate(loaded, voice)
+        with _timed(timings, "twin of a scan", plate):
+            scan = _scanned(loaded, plate, voice) if plate else None
         with _timed(timings, "what a finger feels", _has_plate(loaded)):
             felt = _felt(loaded, voice)
         with _timed(timings, "made-up trials", felt):
@@ -102,6 +106,7 @@ def reproduce(
                 layers=mirror,
                 guides=guides,
                 plate=plate,
+                scan=scan,
                 feel=felt,
                 trials=trials,
                 alarms=alarms,
@@ -110,12 +115,12 @@ def reproduce(
                 timings=timings,
                 started=started,
             )
-            report = write_report(results, folder / "report.html", overwrite=overwrite)
+            page = report.write_report(results, folder / "report.html", overwrite=overwrite)
         voice.tell(gap_table(bands))
         for one in rows:
             tell_failures(voice, one)
-        voice.tell(f"report: {report}")
-        answer = {"report": str(report), "seconds": timings, "sweeps": [one.to_json() for one in rows]}
+        voice.tell(f"report: {page}")
+        answer = {"report": str(page), "seconds": timings, "sweeps": [one.to_json() for one in rows]}
         voice.answer({**bands.to_json(), **answer})
 
 
@@ -149,6 +154,16 @@ def _plate(loaded: Study, voice: Voice) -> tuple[PlateResult | None, xr.Dataset 
         return result, None
     with voice.busy("what moves the mode of the guides"):
         return result, guide_shifts(loaded, Store.default())
+
+
+def _scanned(loaded: Study, plate: PlateResult, voice: Voice) -> ScanResult | None:
+    """What a scan of the computed plate by a twin of the instrument tells."""
+    try:
+        with voice.counted("twin of a scan", 0) as progress:
+            return scanning.rescanned(loaded, plate, progress=lambda done, all_: progress(done, all_, False))
+    except (ScanError, StudyError) as error:
+        voice.warn(f"no scan was made up: {error.cause}")
+        return None
 
 
 def _felt(loaded: Study, voice: Voice) -> Feel | None:

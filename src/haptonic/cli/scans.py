@@ -9,17 +9,19 @@ from typing import Annotated, Literal
 import numpy as np
 import typer
 from numpy.typing import NDArray
-from rich.table import Table
 
 from haptonic import plots
 from haptonic.cli.console import Voice, speaking
 from haptonic.cli.options import Json, Out, Overwrite, StudyFile, folder_for, pictures, tell_where
+from haptonic.cli.scan_tables import drive_table, tell_scan
+from haptonic.cli.verdicts import tell_verdict, verdict_files, write_verdict
 from haptonic.errors import ScanError, StudyError
-from haptonic.plate import Plate
+from haptonic.response import FrequencyResponse, read
 from haptonic.results import refuse_taken, write_files
 from haptonic.results.scan import Estimation, Excitation, OnPlate, ScanResult, compute_scan
 from haptonic.store import Store
-from haptonic.study import load, scanning
+from haptonic.study import Study, load, scanning
+from haptonic.study.judging import judged
 from haptonic.units import to_si
 from haptonic.vibrometry import read_scan
 from haptonic.vibrometry.estimation.quality import check_flags
@@ -55,6 +57,14 @@ def scan(
     ],
     study: Annotated[
         Path | None, typer.Argument(metavar="[STUDY]", help="Study of the plate that was scanned.")
+    ] = None,
+    against: Annotated[
+        Path | None,
+        typer.Option(
+            "--against",
+            metavar="MODEL",
+            help="Judge the model as well: a study; or, after STUDY, the response (.nc) that it has given.",
+        ),
     ] = None,
     out: Annotated[
         Path | None,
@@ -115,13 +125,13 @@ def scan(
     simulated: Annotated[bool, typer.Option("--simulated", help="The file is of a simulation.")] = False,
     overwrite: Overwrite = False,
 ) -> None:
-    """What a scan tells: responses, maps, contrast, the gap in it, waves, decay, bad points."""
+    """What a scan tells: responses, maps, contrast, the gap in it, waves; and how well a model fits."""
     kept = "the points that were estimated are kept; the same command goes on from there"
     with speaking(json, kept) as voice:
-        plate, on = _on_plate(study, corners, mirrored, voice)
+        loaded, computed = _model(study, against)
         folder = folder_for(path, out, json, "scan")
-        names = ["response.nc", "scan.nc", "points.csv", ANIMATION, *pictures(ScanResult.figure_names(plate))]
-        refuse_taken(folder, names, overwrite=overwrite)
+        refuse_taken(folder, _names(loaded, judging=against is not None), overwrite=overwrite)
+        on = _on_plate(loaded, corners, mirrored, voice)
         how = Estimation(
             estimator, window, _time(decay, "--decay"), _time(segment, "--segment"), overlap, align,
             folder / PROGRESS if folder else None, _flags(repair),
@@ -141,9 +151,17 @@ def scan(
             with voice.busy("files and pictures"):
                 write_scan(result, folder, overwrite)
             _forget(folder / PROGRESS)
-        _speak(result, voice)
+        tell_scan(result, voice)
         tell_where(voice, folder)
-        voice.answer(result.to_json())
+        answer = result.to_json()
+        if loaded and against:
+            with voice.busy("model") as said:
+                found = judged(loaded, result.response, computed=computed, said=said)
+            if folder:
+                write_verdict(found, folder, overwrite)
+            tell_verdict(found, voice)
+            answer["verdict"] = found.to_json()
+        voice.answer(answer)
 
 
 def write_scan(result: ScanResult, folder: Path, overwrite: bool) -> None:
@@ -151,15 +169,41 @@ def write_scan(result: ScanResult, folder: Path, overwrite: bool) -> None:
     write_files(folder, result.files(), overwrite=overwrite)
     for name, figure in result.figures().items():
         plots.save(figure, folder, name, overwrite=overwrite)
-    if result.on_grid:
+    if result.mapped:
         plots.animated(
             folder / ANIMATION, result.response, result.loudest, result.layout, overwrite=overwrite
         )
 
 
-def _on_plate(
-    study: Path | None, corners: str | None, mirrored: bool, voice: Voice
-) -> tuple[Plate | None, OnPlate | None]:
+def _model(study: Path | None, against: Path | None) -> tuple[Study | None, FrequencyResponse | None]:
+    """The study of the plate that was scanned, and what it has computed if that is compared with."""
+    response = against is not None and against.suffix == ".nc"
+    if response and study is None:
+        raise ScanError(
+            argument="--against", given=f"{against}, a response without its study",
+            allowed="a study; or the study behind the scan, and here the response that it has given",
+            cause="a response says neither where regions lie nor what may be fitted",
+            next_step=f"haptonic scan PATH STUDY --against {against}",
+        )  # fmt: skip
+    if against and not response and study not in (None, against):
+        raise ScanError(
+            argument="--against", given=f"{against}, beside the study {study}",
+            allowed="one study, or after a study the response (.nc) that it has given",
+            cause="the study that is judged also says where on the plate the points lie",
+            next_step="leave the study behind the scan out",
+        )  # fmt: skip
+    own = study if response else study or against
+    return None if own is None else load(own), read(against) if response and against else None
+
+
+def _names(study: Study | None, *, judging: bool) -> list[str]:
+    """Of all files that a scan may give."""
+    plate = study.plate() if study and study.plate_section else None
+    names = ["response.nc", "scan.nc", "points.csv", ANIMATION, *pictures(ScanResult.figure_names(plate))]
+    return [*names, *verdict_files(bool(study.fit.vary))] if study and judging else names
+
+
+def _on_plate(study: Study | None, corners: str | None, mirrored: bool, voice: Voice) -> OnPlate | None:
     if study is None:
         if corners is not None or mirrored:
             raise ScanError(
@@ -168,17 +212,15 @@ def _on_plate(
                 cause="a scan is registered to the plate of a study",
                 next_step="name the study behind the scan",
             )  # fmt: skip
-        return None, None
-    loaded = load(study)
-    if loaded.plate_section is None:
+        return None
+    if study.plate_section is None:
         raise StudyError(
             argument="plate", given="nothing", allowed="a study with a [plate]",
             cause="the study describes a lattice, and no plate that was scanned",
             next_step="add [plate], or leave the study out",
         )  # fmt: skip
     with voice.busy("the lattice's gap"):
-        on = scanning.scanned(loaded, _places(corners), mirrored=mirrored)
-    return on.plate, on
+        return scanning.scanned(study, _places(corners), mirrored=mirrored)
 
 
 def _places(text: str | None) -> Array | None:
@@ -213,83 +255,3 @@ def _forget(folder: Path) -> None:
         file.unlink()
     if folder.is_dir():
         folder.rmdir()
-
-
-def _speak(result: ScanResult, voice: Voice) -> None:
-    if not result.report.complete or result.report.remarks:
-        voice.tell(str(result.report))
-    for text in result.told:
-        voice.warn(text)
-    told = result.to_json()
-    flags = ", ".join(f"{count} {flag}" for flag, count in told["flags"].items() if count) or "none flagged"
-    voice.tell(
-        f"{told['points']} points ({flags}), {told['lines']} lines from {told['band_hz'][0] / 1e3:.4g} to "
-        f"{told['band_hz'][1] / 1e3:.4g} kHz, {result.origin}."
-    )
-    if result.registration is not None:
-        found = result.registration
-        x, y = 1e3 * found.shift
-        voice.tell(
-            f"Registered: scale {found.scale:.5f}, turned by {np.degrees(found.angle):.3f}°, shifted by "
-            f"{x:.3f} and {y:.3f} mm; misfit {found.misfit * 1e3:.3f} mm."
-        )
-    if result.measured is not None:
-        gap = result.measured
-        computed = (
-            f"; computed {result.gap.lower / 1e3:.2f} to {result.gap.upper / 1e3:.2f} kHz"
-            if result.gap
-            else ""
-        )
-        voice.tell(
-            f"Gap in the scan: {gap.lower / 1e3:.2f} ± {gap.lower_error / 1e3:.2f} to "
-            f"{gap.upper / 1e3:.2f} ± {gap.upper_error / 1e3:.2f} kHz{computed}."
-        )
-    voice.tell(shapes_table(result))
-
-
-def shapes_table(result: ScanResult) -> Table:
-    """Velocities, contrasts and decay at the frequencies of the operating shapes."""
-    lines = [result.told_at(frequency) for frequency in result.shapes]
-    table = Table(
-        "operating shape", *(f"{line['frequency_hz'] / 1e3:.3f} kHz" for line in lines), title=result.origin
-    )
-    rows: dict[str, list[str]] = {
-        f"rms / ({result.response.units})": [f"{line['rms_of_all']:.3g}" for line in lines]
-    }
-    for name in lines[0]["rms"]:
-        rows[f"rms of {name}"] = [f"{line['rms'][name]:.3g}" for line in lines]
-    for name in lines[0]["contrast_db"]:
-        levels = [line["contrast_db"][name] for line in lines]
-        rows[f"{name} / dB"] = ["-" if level is None else f"{level:.1f}" for level in levels]
-    decays = [line.get("decay_db_per_cell", {}) for line in lines]
-    if any(decays):
-        rows["decay / (dB/cell)"] = [
-            f"{d['decay']:.1f} ({d['low']:.1f} to {d['high']:.1f})" if d else "" for d in decays
-        ]
-        rows["computed"] = [
-            f"{d['computed_least']:.1f} to {d['computed_largest']:.1f}" if "computed_least" in d else ""
-            for d in decays
-        ]
-    for name, cells in rows.items():
-        table.add_row(name, *cells)
-    return table
-
-
-def drive_table(answer: dict[str, object]) -> Table:
-    """A drive and a plan as a person reads them."""
-    table = Table("", "", title="excitation", show_header=False)
-    numbers = {name: float(str(value)) for name, value in answer.items() if isinstance(value, int | float)}
-    table.add_row("band", f"{numbers['low'] / 1e3:.5g} to {numbers['high'] / 1e3:.5g} kHz")
-    table.add_row("lines", f"{numbers['lines']:.0f}, {numbers['line_spacing_hz']:.4g} Hz apart")
-    table.add_row(
-        "period", f"{numbers['duration_s'] * 1e3:.4g} ms, {numbers['averages']:.0f} recorded at each point"
-    )
-    table.add_row("sample rate", f"{numbers['sample_rate'] / 1e3:.5g} kHz")
-    table.add_row(
-        "largest voltage", f"{numbers['full_scale']:.4g} V, crest factor {numbers['crest_factor']:.3f}"
-    )
-    plan = answer["plan"]
-    if isinstance(plan, dict):
-        table.add_row("points", f"{plan['points']}, {plan['left_out']} left out")
-        table.add_row("way", f"{plan['travel_m']:.3g} m, {plan['measuring_s']:.0f} s of recording")
-    return table

@@ -10,7 +10,7 @@ import typer
 from rich.table import Table
 
 from haptonic import plots
-from haptonic.cli.console import speaking
+from haptonic.cli.console import Voice, speaking
 from haptonic.cli.options import Json, Out, Overwrite, StudyFile, folder_for, pictures, tell_where
 from haptonic.response import read
 from haptonic.results import Verdict, refuse_taken, write_files
@@ -25,7 +25,7 @@ MOST_ROWS = 40  # pairs that a table shows
 
 
 def verdict(
-    response: Annotated[Path, typer.Argument(metavar="RESPONSE", help="Measured response, NetCDF.")],
+    response: Annotated[Path, typer.Argument(metavar="RESPONSE", help="response.nc that a scan has given.")],
     study: StudyFile,
     computed: Annotated[
         Path | None,
@@ -35,20 +35,18 @@ def verdict(
     json: Json = False,
     overwrite: Overwrite = False,
 ) -> None:
-    """A measured response against a plate's model, whose unknowns are fitted to it."""
+    """A response that a scan has given, once more against its plate's model: new unknowns, no records."""
     with speaking(json) as voice:
         loaded = load(study)
         folder = folder_for(study, out, json, "verdict")
         refuse_taken(folder, verdict_files(bool(loaded.fit.vary)), overwrite=overwrite)
         measured = read(response)
         model = None if computed is None else read(computed)
-        with voice.busy("reading") as said:
+        with voice.busy("model") as said:
             found = judged(loaded, measured, computed=model, said=said)
         if folder:
             write_verdict(found, folder, overwrite)
-        for table in verdict_tables(found):
-            voice.tell(table)
-        voice.tell(summary(found))
+        tell_verdict(found, voice)
         tell_where(voice, folder)
         voice.answer(found.to_json())
 
@@ -66,13 +64,14 @@ def write_verdict(found: Verdict, folder: Path, overwrite: bool) -> None:
         plots.save(figure, folder, name, overwrite=overwrite)
 
 
-def verdict_tables(found: Verdict) -> list[Table]:
-    """Fitted numbers, pairs of shapes, and the gap."""
-    tables = [fit_table(found.fit)] if found.fit else []
-    tables.append(pairs_table(found.agreements[found.last], found.last))
+def tell_verdict(found: Verdict, voice: Voice) -> None:
+    """Fitted numbers, pairs of shapes, the gap, and how much of the measurement is explained."""
+    if found.fit:
+        voice.tell(fit_table(found.fit))
+    voice.tell(pairs_table(found.agreements[found.last], found.last))
     if any(found.gaps.values()):
-        tables.append(gaps_table(found))
-    return tables
+        voice.tell(gaps_table(found))
+    voice.tell(summary(found))
 
 
 def fit_table(fit: Fit) -> Table:

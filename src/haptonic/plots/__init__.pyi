@@ -2,10 +2,11 @@ from .bands import dispersion
 from .designs import front, search
 from .feel import friction_map, reduction_curve
 from .friction import conditions, reductions, trial_sheet
+from .mapped import animated, maps, maps_compared
 from .mirrors import decay, guide, layers
 from .modes import mode_shapes
 from .planning import power
-from .plates import animated, maps, plate_plan
+from .plates import plate_plan
 from .scans import (
     average_response,
     drive_signal,
@@ -41,6 +42,7 @@ __all__ = [
     "layers",
     "mac_matrix",
     "maps",
+    "maps_compared",
     "measured_contrast",
     "mode_shapes",
     "plate_plan",

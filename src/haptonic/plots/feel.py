@@ -16,7 +16,7 @@ from matplotlib.patches import Patch
 
 from haptonic.plate.layout import Layout
 from haptonic.plots import style
-from haptonic.plots.plates import ends, outlined
+from haptonic.plots.mapped import ends, outlined
 from haptonic.plots.spectra import LOOKS
 
 PANELS = {"low": "least, within the band", "value": "prediction", "high": "most, within the band"}

@@ -2,39 +2,27 @@
 
 from __future__ import annotations
 
-import io
-from collections.abc import Iterator, Sequence
-from pathlib import Path
+from collections.abc import Iterator
 from typing import Any
 
 import numpy as np
 from matplotlib.artist import Artist
 from matplotlib.axes import Axes
 from matplotlib.collections import LineCollection, PatchCollection
-from matplotlib.colors import Normalize
 from matplotlib.figure import Figure
-from matplotlib.image import AxesImage
 from matplotlib.lines import Line2D
 from matplotlib.patches import Circle, Patch, Rectangle
 from matplotlib.patheffects import withStroke
-from matplotlib.ticker import MaxNLocator
 from numpy.typing import NDArray
-from PIL import Image
 
 from haptonic.plate.layout import Layout
 from haptonic.plate.parts import Hold, Plate, Side, Support
 from haptonic.plots import style
-from haptonic.response import FrequencyResponse
-from haptonic.store import refuse_overwrite, write_atomically
 
 Array = NDArray[np.float64]
-Complex = NDArray[np.complexfloating[Any, Any]]
 Tile = tuple[int, int]
 Segment = tuple[tuple[float, float], tuple[float, float]]  # mm
 
-FRAMES = 24  # of a cycle
-FRAME_SECONDS = 0.05
-FRAME_DOTS = 110  # per inch
 HALO = [withStroke(linewidth=2.2, foreground="white")]  # keeps text readable on any colour
 REGION = "#d6e8f5"
 LATTICE = "#f3f3f3"
@@ -43,84 +31,6 @@ HOLDS: dict[Hold, tuple[str, str, style.Dashes]] = {
     "simple": ("simple support", style.GREEN, style.DASHED),
     "spring": ("bed of springs", style.PURPLE, style.DOTTED),
 }
-
-
-@style.drawn
-def maps(
-    response: FrequencyResponse,
-    frequencies: Sequence[float],
-    layout: Layout | None,
-    gap: tuple[float, float] | None,
-) -> Figure:
-    """Normal vibration of the flat face at some frequencies, side by side, as in Fig. 5C of the paper.
-
-    Each map shows the moment at which its largest point is farthest out, and is scaled to that point.
-
-    Parameters
-    ----------
-    response : with the direction z, on a regular grid
-    frequencies : one for each map, Hz; the nearest lines are drawn
-    layout : its outlines are drawn; without one, the points alone
-    gap : edges of the band gap, Hz, or None
-    """
-    column = (style.WIDTH - 2.0) / max(len(frequencies), 2)
-    tall = column * _slenderness(response, layout)
-    figure = style.blank(min(tall, 16.0) + 3.8)
-    panels = figure.subplots(1, len(frequencies), sharey=True, squeeze=False)[0]
-    for axes, asked in zip(panels, frequencies, strict=True):
-        line = response.at(asked)
-        image = _draw_map(axes, line, layout)
-        title = f"{line.frequency[0] / 1e3:.1f} kHz, {response.dataset.attrs['origin']}"
-        axes.set_title("\n".join(filter(None, [_beside(line.frequency[0], gap), title])), fontsize=9)
-    panels[0].set_ylabel("y (mm)")
-    _colour_bar(figure, list(panels), image, response)
-    return figure
-
-
-def animated(
-    path: Path,
-    response: FrequencyResponse,
-    frequency: float,
-    layout: Layout | None,
-    *,
-    overwrite: bool = False,
-) -> Path:
-    """Write one cycle of the vibration at a frequency (Hz) as a moving picture, WebP, that repeats for ever.
-
-    It shows the real part of response times exp(i omega t), in `FRAMES` pictures, over its largest value.
-
-    Raises
-    ------
-    ResourceError : the name is taken and ``overwrite`` is False, or the folder cannot be written
-    """
-    refuse_overwrite(path, overwrite)
-    with style.styled():
-        tall = 6.5 * _slenderness(response, layout)
-        figure = style.blank(min(tall, 16.0) + 4.0, 9.0)
-        axes = figure.add_subplot()
-        line = response.at(frequency)
-        image = _draw_map(axes, line, layout)
-        shown = line.frequency[0]
-        cycle = f"; one cycle of {1e6 / shown:.3g} µs" if shown else ""
-        axes.set_title(f"{shown / 1e3:.1f} kHz, {response.dataset.attrs['origin']}{cycle}", fontsize=9)
-        axes.set_ylabel("y (mm)")
-        _colour_bar(figure, [axes], image, response)
-        figure.draw_without_rendering()
-        figure.set_layout_engine("none")  # every frame has the same arrangement
-        shape, frames = _normal_shape(line), []
-        for number in range(FRAMES):
-            image.set_data((shape * np.exp(2j * np.pi * number / FRAMES)).real)
-            stream = io.BytesIO()
-            figure.savefig(stream, format="png", dpi=FRAME_DOTS)
-            frames.append(Image.open(stream).convert("RGB"))
-    write_atomically(
-        path,
-        lambda temporary: frames[0].save(
-            temporary, format="WEBP", save_all=True, append_images=frames[1:],
-            duration=round(1e3 * FRAME_SECONDS), loop=0, quality=80,
-        ),
-    )  # fmt: skip
-    return path
 
 
 @style.drawn
@@ -139,7 +49,7 @@ def plate_plan(plate: Plate, visited: Array | None = None) -> Figure:
     busy = [actuator.centre for actuator in plate.actuators] + [force.centre for force in plate.forces]
     busy += [plate.finger.centre] if plate.finger else []
     for name in layout.regions:
-        places = list(_rows_of(layout, name))
+        places = list(rows_of(layout, name))
         free = [min((np.hypot(x - a, y - b) for a, b in busy), default=1.0) for x, y, _ in places]
         x, y, _ = places[int(np.argmax(free))]
         axes.text(1e3 * x, 1e3 * y, name, ha="center", va="center", fontsize=9, gid="region name")
@@ -155,71 +65,7 @@ def plate_plan(plate: Plate, visited: Array | None = None) -> Figure:
     return figure
 
 
-def _normal_shape(line: FrequencyResponse) -> Complex:
-    """(y, x) normal vibration at one frequency, divided by its largest value, that of the largest point."""
-    shape = np.asarray(line.grid().sel(direction="z").values[0])
-    largest = shape.flat[np.nanargmax(np.abs(shape))]
-    return np.asarray(shape / largest if largest else shape)
-
-
-def _slenderness(response: FrequencyResponse, layout: Layout | None) -> float:
-    """Height over width of what a map shows."""
-    if layout is not None:
-        return (layout.y[-1] - layout.y[0]) / (layout.x[-1] - layout.x[0])
-    width, height = np.ptp(response.points, axis=0)
-    return float(height / width) if width else 1.0
-
-
-def _draw_map(axes: Axes, line: FrequencyResponse, layout: Layout | None) -> AxesImage:
-    """The vibration at one frequency when its largest point is farthest out, and the regions around it."""
-    grid = line.grid()
-    sides = [ends(1e3 * grid[name].values) for name in ("x", "y")]
-    image = axes.imshow(
-        _normal_shape(line).real, cmap=style.diverging(), norm=Normalize(-1, 1), origin="lower",
-        extent=(*sides[0], *sides[1]), interpolation="nearest", gid="map",
-    )  # fmt: skip
-    outlined(axes, layout)
-    return image
-
-
-def outlined(axes: Axes, layout: Layout | None) -> None:
-    """Set axes to a plate's size, in mm, and outline its regions with their names, if the plate is known."""
-    axes.set_facecolor(style.BEYOND)
-    axes.set_xlabel("x (mm)")
-    for axis in (axes.xaxis, axes.yaxis):
-        axis.set_major_locator(MaxNLocator(4))
-    if layout is None:
-        return
-    axes.set(xlim=(1e3 * layout.x[0], 1e3 * layout.x[-1]), ylim=(1e3 * layout.y[0], 1e3 * layout.y[-1]))
-    for name in layout.regions:
-        border = region_borders(layout, name)
-        axes.add_collection(LineCollection(border, colors=style.INK, linewidths=0.9, gid=f"outline {name}"))
-        x, _, top = max(_rows_of(layout, name), key=lambda row: row[2])
-        axes.annotate(
-            name, (1e3 * x, 1e3 * top), xytext=(0, -4), textcoords="offset points",
-            ha="center", va="top", fontsize=8.5, gid="region name", path_effects=HALO,
-        )  # fmt: skip
-
-
-def ends(middles: Array) -> tuple[float, float]:
-    """Where a row of pictured points begins and ends: half a step beyond the outer ones."""
-    step = middles[1] - middles[0] if len(middles) > 1 else 1.0
-    return float(middles[0] - 0.5 * step), float(middles[-1] + 0.5 * step)
-
-
-def _colour_bar(figure: Figure, panels: list[Axes], image: AxesImage, response: FrequencyResponse) -> None:
-    bar = figure.colorbar(image, ax=panels, location="bottom", shrink=0.6, aspect=30, pad=0.02)
-    bar.set_label(f"normal {response.dataset.attrs['quantity']} / its maximum (dimensionless)")
-    bar.set_ticks([-1, -0.5, 0, 0.5, 1])
-
-
-def _beside(frequency: float, gap: tuple[float, float] | None) -> str:
-    if gap is None:
-        return ""
-    return "below the gap" if frequency < gap[0] else "above the gap" if frequency > gap[1] else "in the gap"
-
-
-def _rows_of(layout: Layout, name: str) -> Iterator[tuple[float, float, float]]:
+def rows_of(layout: Layout, name: str) -> Iterator[tuple[float, float, float]]:
     """Middle (x, y) and top of the widest run of a region's tiles in each of its rows, m."""
     tiles = layout.of(name)
     for row in sorted({i for i, _ in tiles}):

@@ -38,7 +38,9 @@ def drive_signal(signal: Drive) -> Figure:
     above, below = figure.subplots(2, 1)
     time = np.arange(len(signal.samples)) / signal.sample_rate
     above.plot(1e3 * time, signal.samples, color=style.BLUE, lw=0.4)
-    above.set(xlabel="time (ms)", ylabel="voltage (V)", xlim=(0, 1e3 * signal.duration))
+    above.set(
+        xlabel="time (ms)", ylabel=f"{signal.quantity} ({signal.unit})", xlim=(0, 1e3 * signal.duration)
+    )
     above.set_title(f"{signal.kind}, one period; crest factor {signal.crest_factor:.2f}")
     level = np.abs(np.fft.rfft(signal.samples))
     lines = np.fft.rfftfreq(len(signal.samples), 1 / signal.sample_rate)
@@ -128,8 +130,8 @@ def wave_map(
     )  # fmt: skip
     drawn: list[Artist] = []
     looks: tuple[dict[str, Any], ...] = (
-        {"color": "white", "ls": style.DASHED, "label": "A0 of the plain plate, computed"},
-        {"color": style.ORANGE, "lw": 2.0, "label": "mode of the guide between its mirrors, computed"},
+        {"color": "white", "ls": style.DASHED, "label": "A0 of the plain plate"},
+        {"color": style.ORANGE, "lw": 2.0, "label": "mode of the guide"},
     )
     for curve, look in zip((plain, guided), looks, strict=True):
         if curve is None or not len(curve[0]):
@@ -141,9 +143,9 @@ def wave_map(
              title=f"{region}, {origin}")  # fmt: skip
     figure.colorbar(image, ax=axes, label="amplitude / its maximum (dimensionless)")
     if drawn:
-        legend = figure.legend(handles=drawn, loc="outside lower center", ncols=2)
+        legend = figure.legend(handles=drawn, loc="outside lower center", ncols=2, title="computed")
         legend.get_frame().set(facecolor="#5a5a5a", alpha=1.0, visible=True)
-        for text in legend.get_texts():
+        for text in (legend.get_title(), *legend.get_texts()):
             text.set_color("white")
     return figure
 

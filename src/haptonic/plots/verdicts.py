@@ -23,7 +23,7 @@ Array = NDArray[np.float64]
 MOST_NUMBERS = 16  # shapes along either side, beyond which the numbers of a matrix are not written
 DARK = 0.6  # criterion above which numbers are written in ink, on the bright end of the colours
 LOOKS = ((style.INK, style.SOLID), (style.SKY, style.DASHED), (style.RED, style.DASH_DOTTED))
-MARKER = 33.0  # cm over the root of the number of points: size of one point's mark
+MARKER = 35.0  # cm over the root of the number of points: size of a mark, so that neighbours leave no seam
 
 
 @style.drawn

@@ -12,6 +12,7 @@ import xarray as xr
 from haptonic.bloch import Gap
 from haptonic.friction.statistics import Alarms
 from haptonic.results import Feel, FrictionResult, Guides, Layers, PlateResult
+from haptonic.results.scan import ScanResult
 from haptonic.study import Study
 
 if TYPE_CHECKING:
@@ -27,6 +28,7 @@ class Results:
     sweeps : one dataset for each of the study's sweeps that was computed; may be empty
     layers, guides : what was asked of the lattice as a mirror, if it was computed
     plate : how the finite plate vibrates, if it was computed
+    scan : of a twin of the instrument on that plate, if it was made up
     feel : what a finger feels of the plate, if it was computed
     trials : of made-up people on that plate, if they were made up
     alarms : how often each test finds a difference in such trials where the population has none, by its name
@@ -42,6 +44,7 @@ class Results:
     layers: Layers | None = None
     guides: Guides | None = None
     plate: PlateResult | None = None
+    scan: ScanResult | None = None
     feel: Feel | None = None
     trials: FrictionResult | None = None
     alarms: Mapping[str, Alarms] = field(default_factory=dict)

@@ -2,24 +2,25 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from haptonic.errors import ScanError
+from haptonic.errors import ResponseError, ScanError
 from haptonic.plate import Fineness, Plate
 from haptonic.response import FrequencyResponse
 from haptonic.results.plate.answer import responded
-from haptonic.results.plate.question import driven_region, reference_of, unit_drives
+from haptonic.results.plate.question import reference_of, tile_names, unit_drives
+from haptonic.results.scan.analysis import gap_in
 from haptonic.results.verdict import AFTER, BEFORE, MEASURED, Verdict
 from haptonic.updating.agreement import agreement, normal_of, together
 from haptonic.updating.fit import Fit, SmallModel, fitted
 from haptonic.updating.match import Measured, Unknown
 from haptonic.updating.shapes import How, can_identify, even
-from haptonic.vibrometry.maps.gap import MeasuredGap, measured_gap
+from haptonic.vibrometry.maps.gap import MeasuredGap
 
 Array = NDArray[np.float64]
 Ints = NDArray[np.int64]
@@ -81,6 +82,7 @@ def compute_verdict(
         )  # fmt: skip
 
     if computed is not None:
+        _check_computed(computed)
         scan, computed = together(scan, computed)
     responses = {MEASURED: scan, BEFORE: computed or whole(plate, BEFORE)}
     fit, recomputed = None, None
@@ -121,14 +123,21 @@ def _check(plate: Plate, scan: FrequencyResponse) -> None:
         )
 
 
+def _check_computed(response: FrequencyResponse) -> None:
+    if response.dataset.attrs["origin"] != "simulated":
+        raise ScanError(
+            argument="computed",
+            given="a measured response",
+            allowed="one that a plate's model has given, and which says that it is simulated",
+            cause="it is another scan, or measurement and model are exchanged",
+            next_step="give the response.nc of haptonic plate, or the study alone",
+        )
+
+
 def _on_plate(plate: Plate, scan: FrequencyResponse) -> tuple[FrequencyResponse, int]:
     """The points that lie on the plate, with the names of their tiles as regions; how many do not."""
     layout, points = plate.layout, scan.points
-    column, row = (
-        np.searchsorted(lines, place, side="right") - 1 - (place == lines[-1])
-        for lines, place in ((layout.x, points[:, 0]), (layout.y, points[:, 1]))
-    )
-    names = [layout.at((int(i), int(j))) for i, j in zip(row, column, strict=True)]
+    names = tile_names(layout, points)
     kept = np.array([k for k, name in enumerate(names) if name], dtype=np.int64)
     if len(kept) < 3 or len(kept) < (1 - MOST_BESIDE) * len(points):
         low, high = points.min(axis=0) * 1e3, points.max(axis=0) * 1e3
@@ -178,13 +187,8 @@ def _alike(response: FrequencyResponse, scan: FrequencyResponse) -> FrequencyRes
 
 
 def _gap(plate: Plate, response: FrequencyResponse) -> MeasuredGap | None:
-    """Where a lattice falls silent; None if no contrast shows it."""
-    driven = driven_region(plate)
-    lattices: Sequence[str] = [name for name in plate.layout.cells if name in response.regions]
-    if driven not in response.regions or not lattices or len(response.frequency) < 8:
-        return None
-    assert driven is not None
+    """Where the lattices fall silent; None if no contrast shows it."""
     try:
-        return measured_gap(response, driven, lattices[0])
-    except ScanError:
+        return gap_in(response, plate)
+    except (ScanError, ResponseError):
         return None

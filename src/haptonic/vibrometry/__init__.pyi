@@ -12,11 +12,11 @@ from .maps import (
     warn_if_aliased,
     wavenumber_map,
 )
+from .planning import Disc, Rectangle, ScanPlan, scan_plan, visited
 from .readers import Scan, read_scan
 from .readers.hdf5 import write_records
 from .readers.uff import UffContents, uff_contents
 from .records import InMemory, TimeScan
-from .scan_plan import Disc, Rectangle, ScanPlan, scan_plan, visited
 from .writers import write_uff, write_uff_records
 
 __all__ = [

@@ -16,6 +16,7 @@ from haptonic.errors import HaptonicWarning, ScanError, nearest
 
 Array = NDArray[np.float64]
 Kind = Literal["chirp", "multisine"]
+DriveUnit = Literal["V", "N"]
 
 KINDS: tuple[Kind, ...] = ("chirp", "multisine")
 RING_DOWNS = 3.0  # a record of 3 Q / f lets a resonance fall by exp(-3 pi), 82 dB
@@ -27,11 +28,12 @@ SIXTEEN_BITS = 32767
 class Drive:
     """One period of a drive signal.
 
-    samples : (sample,) V, its largest value is the amplitude
+    samples : (sample,) in ``unit``, its largest value is the amplitude
     sample_rate : Hz
     band : lowest and highest driven frequency, Hz; both are lines
     kind : "chirp" or "multisine"
     warnings : what may spoil the measurement
+    unit : of the samples; N where a force drives the plate
     """
 
     samples: Array
@@ -39,6 +41,12 @@ class Drive:
     band: tuple[float, float]
     kind: Kind
     warnings: tuple[str, ...]
+    unit: DriveUnit = "V"
+
+    @property
+    def quantity(self) -> str:
+        """What the samples are."""
+        return "voltage" if self.unit == "V" else "force"
 
     @property
     def duration(self) -> float:
@@ -65,6 +73,7 @@ def drive(
     amplitude: float = 1.0,
     kind: Kind = "chirp",
     quality_factor: float | None = None,
+    unit: DriveUnit = "V",
 ) -> Drive:
     """One period of a periodic drive.
 
@@ -73,7 +82,7 @@ def drive(
     low, high : edges of the band, Hz; taken to the lines that are not outside of it
     sample_rate : Hz; the period is rounded to whole samples
     duration : of one period, s
-    amplitude : largest voltage
+    amplitude : largest value, in ``unit``
     kind : "chirp" sweeps linearly through the band; "multisine" has lines of equal size in the band and none
         outside, with phases that keep the crest factor low [schroeder1970]
     quality_factor : of the plate, to check that a ring-down fits into the period
@@ -106,14 +115,14 @@ def drive(
         warnings.warn(note, HaptonicWarning, stacklevel=2)
     scaled = made * (amplitude / np.abs(made).max())
     scaled.setflags(write=False)
-    return Drive(scaled, float(sample_rate), band, kind, tuple(notes))
+    return Drive(scaled, float(sample_rate), band, kind, tuple(notes), unit)
 
 
 def drive_notes(signal: Drive, periods: int = 1) -> dict[str, Any]:
-    """What a file of samples does not say: rate and band (Hz), unit, full scale (V), crest factor."""
+    """What a file of samples does not say: rate and band (Hz), unit, full scale, crest factor."""
     return {
         "sample_rate": signal.sample_rate, "low": signal.band[0], "high": signal.band[1],
-        "kind": signal.kind, "period_samples": len(signal.samples), "periods": periods, "unit": "V",
+        "kind": signal.kind, "period_samples": len(signal.samples), "periods": periods, "unit": signal.unit,
         "full_scale": float(np.abs(signal.samples).max()), "crest_factor": signal.crest_factor,
     }  # fmt: skip
 
@@ -121,8 +130,8 @@ def drive_notes(signal: Drive, periods: int = 1) -> dict[str, Any]:
 def write_drive(signal: Drive, path: Path, *, periods: int = 1) -> None:
     """Write a drive as WAV, CSV or HDF5, by the suffix of the path.
 
-    A WAV file has 16 bits and no unit: its full scale is the largest value, which `drive_notes` gives in V.
-    The others are in V. `haptonic.store.write_atomically` makes a file whole.
+    A WAV file has 16 bits and no unit: its full scale is the largest value, which `drive_notes` gives.
+    The others are in the drive's unit. `haptonic.store.write_atomically` makes a file whole.
 
     Raises
     ------
@@ -139,11 +148,11 @@ def write_drive(signal: Drive, path: Path, *, periods: int = 1) -> None:
     elif path.suffix == ".csv":
         time = np.arange(len(samples)) / signal.sample_rate
         rows = "\n".join(f"{t!r},{v!r}" for t, v in zip(time.tolist(), samples.tolist(), strict=True))
-        path.write_text(f"time (s),voltage (V)\n{rows}\n", encoding="utf-8")
+        path.write_text(f"time (s),{signal.quantity} ({signal.unit})\n{rows}\n", encoding="utf-8")
     elif path.suffix in (".h5", ".hdf5"):
         with h5py.File(path, "w") as file:
             file.attrs.update(kind_of_file="haptonic drive", **drive_notes(signal, periods))
-            file["voltage"] = samples
+            file[signal.quantity] = samples
     else:
         given = path.suffix or "no suffix"
         raise _wrong("path", given, ".wav, .csv, .h5 or .hdf5", "choose one of these suffixes")

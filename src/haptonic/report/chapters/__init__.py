@@ -1,6 +1,6 @@
 """The chapters in their order. Each is a module with ``chapter(results)``."""
 
-from haptonic.report.chapters import comparison, dispersion, feel, mirror, modes, plate, sweeps, trials
+from haptonic.report.chapters import comparison, dispersion, feel, mirror, modes, plate, scan, sweeps, trials
 
 IN_ORDER = (
     dispersion.chapter,
@@ -8,6 +8,7 @@ IN_ORDER = (
     sweeps.chapter,
     mirror.chapter,
     plate.chapter,
+    scan.chapter,
     feel.chapter,
     trials.chapter,
     comparison.chapter,

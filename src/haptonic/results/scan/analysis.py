@@ -119,7 +119,9 @@ def compute_scan(
         at = float(response.at(at).frequency[0])
     report = _joined(scan.report, found.report)
     data = xr.Dataset({"average": average_spectrum(response)})
-    plain = ScanResult(response, found.quality, report, found.averages, data, ())
+    axes = [str(name) for name in response.dataset["direction"].values]
+    unseen = [] if "z" in axes else [f"no maps: motions along {', '.join(axes)}, none normal to the plate"]
+    plain = ScanResult(response, found.quality, report, found.averages, data, (), told=tuple(unseen))
     if on is None:
         loudest = float(response.frequency[int(data["average"].values.argmax())])
         return replace(plain, shapes=(loudest if at is None else at,))
@@ -129,6 +131,7 @@ def compute_scan(
         registration.registered(response, {n: Tiles(layout, n) for n in layout.regions}), on
     )
     found_gap, told = _told_on_plate(response, on, data)
+    told += unseen
     edges = None if on.gap is None else (on.gap.lower, on.gap.upper)
     names = [str(name) for name in response.dataset["region"].values]
     marked = marked_lines(on.plate, response.frequency, response.values[..., 0].T, names, on.carrier, edges)
@@ -208,15 +211,13 @@ def _registration(response: FrequencyResponse, on: OnPlate) -> Registration:
 
 
 def _without_path(response: FrequencyResponse, on: OnPlate) -> FrequencyResponse:
-    """The response without delay and low-pass of the instrument that the study gives."""
-    instrument = on.question.instrument
-    if not instrument.delay and instrument.bandwidth is None:
+    """The response without delay and low-pass of the instrument that the study gives, taken out once."""
+    instrument, old, notes = on.question.instrument, response.dataset["response"], response.dataset.attrs
+    inputs = json.loads(notes["inputs"])
+    if "path" in inputs or (not instrument.delay and instrument.bandwidth is None):
         return response
     path = instrument.path(response.frequency).astype(response.values.dtype)
-    old, notes = response.dataset["response"], response.dataset.attrs
-    inputs = json.loads(notes["inputs"]) | {
-        "path": {"delay": instrument.delay, "bandwidth": instrument.bandwidth}
-    }
+    inputs["path"] = {"delay": instrument.delay, "bandwidth": instrument.bandwidth}
     values = response.values / path[:, None, None]
     values.setflags(write=False)
     made = response.dataset.assign(response=(old.dims, values, old.attrs))
@@ -236,7 +237,7 @@ def _told_on_plate(
         try:
             waves = wavenumber_map(response, guide.region, guide.along)
         except HaptonicError as error:
-            told.append(f"no waves along {guide.region}: {error.given}")
+            told.append(f"no waves along {guide.region}: {error.given}; {error.cause}")
         else:
             data[f"waves {guide.region}"] = waves.rename(wavenumber=f"wavenumber {guide.region}")
     if driven is None:

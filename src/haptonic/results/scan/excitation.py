@@ -15,7 +15,7 @@ from haptonic import plots
 from haptonic.plate import Plate
 from haptonic.results.scan.question import ScanQuestion
 from haptonic.vibrometry.chirp import Drive, drive_notes, write_drive
-from haptonic.vibrometry.scan_plan import ScanPlan
+from haptonic.vibrometry.planning import ScanPlan
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from haptonic.plate.layout import Layout
 from haptonic.vibrometry.maps.waves import Axis
-from haptonic.vibrometry.scan_plan import Rectangle
+from haptonic.vibrometry.planning import Rectangle
 
 MIRROR = "mirror"  # name of the points in it while its decay is fitted
 

@@ -13,7 +13,7 @@ from haptonic.plate.layout import Layout
 from haptonic.results.plate.question import PlateQuestion, grid_points, reference_of, tile_names
 from haptonic.vibrometry.chirp import Drive, Kind, drive
 from haptonic.vibrometry.instrument import Instrument, lines_of
-from haptonic.vibrometry.scan_plan import Rectangle, Region, ScanPlan, visited
+from haptonic.vibrometry.planning import Rectangle, Region, ScanPlan, visited
 
 Array = NDArray[np.float64]
 
@@ -40,18 +40,19 @@ class ScanQuestion:
     instrument: Instrument
 
     def drive(self, plate: Plate | None) -> Drive:
-        """One period, as large as the plate's first drive; of 1 V without a plate.
+        """One period, as large as the plate's first drive and in its unit; of 1 V without a plate.
 
         Raises
         ------
         ScanError : band, rate and record do not fit together
         StudyError : nothing drives the plate
         """
-        amplitude = 1.0 if plate is None else reference_of(plate)[1]
+        reference, amplitude = ("V", 1.0) if plate is None else reference_of(plate)
         quality = 1 / plate.loss_factor if plate is not None and plate.loss_factor else None
         return drive(
             low=self.lowest, high=self.highest, sample_rate=self.rate, duration=self.record,
             amplitude=amplitude, kind=self.signal, quality_factor=quality,
+            unit="N" if reference.endswith("N") else "V",
         )  # fmt: skip
 
     def plan(self, plate: Plate) -> ScanPlan:

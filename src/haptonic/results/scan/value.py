@@ -14,7 +14,6 @@ import xarray as xr
 
 from haptonic import plots
 from haptonic.bloch import Gap
-from haptonic.errors import ResponseError
 from haptonic.plate import Plate
 from haptonic.plate.layout import Layout
 from haptonic.response import FrequencyResponse, write
@@ -88,13 +87,9 @@ class ScanResult:
         return self.plate.layout if self.plate else None
 
     @property
-    def on_grid(self) -> bool:
-        """Whether the points lie on a regular grid, as maps and animations need it."""
-        try:
-            self.response.at(self.loudest).grid()
-        except ResponseError:
-            return False
-        return True
+    def mapped(self) -> bool:
+        """Whether there are maps and an animation: they need the motion normal to the plate."""
+        return "z" in self.response.dataset["direction"].values
 
     @staticmethod
     def figure_names(plate: Plate | None) -> list[str]:
@@ -112,7 +107,7 @@ class ScanResult:
             "average": plots.average_response(lines, average, units=units, origin=origin),
             "quality": plots.point_quality(self.response.points, self.quality, origin=origin),
         }
-        if self.on_grid:
+        if self.mapped:
             found["maps"] = plots.maps(self.response, self.shapes, self.layout, self._edges)
         if self.plate is None:
             return found

@@ -12,7 +12,7 @@ from scipy.spatial import ConvexHull, QhullError, cKDTree
 
 from haptonic.errors import ScanError
 from haptonic.response import FrequencyResponse
-from haptonic.vibrometry.scan_plan import Region
+from haptonic.vibrometry.planning import Region
 
 Array = NDArray[np.float64]
 

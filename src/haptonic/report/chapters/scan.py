@@ -1,0 +1,126 @@
+"""The scan of the plate by a twin of the instrument: Fig. 5D beside Fig. 5C, contrast, and the gap in it."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from haptonic import plots
+from haptonic.errors import HaptonicError
+from haptonic.report import paper
+from haptonic.report.chapter import Absent, Chapter, Picture, Results, Table
+from haptonic.results import PlateResult
+from haptonic.results.scan import ScanResult, gap_in
+from haptonic.vibrometry import MeasuredGap
+
+TITLE = "The scan, from a twin"
+CLOSE = 0.5  # dB, within which the contrast of a scan counts as that of the plate
+
+
+def chapter(results: Results) -> Chapter | Absent:
+    """Maps of the twin's scan below the computed ones, contrast, and the gaps beside one another."""
+    plate, scan = results.plate, results.scan
+    if plate is None or scan is None:
+        return Absent(TITLE, "no scan was made up in this run")
+    of_the_paper = paper.is_its_cell(results.study)
+    edges = None if plate.gap is None else (plate.gap.lower, plate.gap.upper)
+    below = ", as in its Fig. 5D" if of_the_paper else ""
+    above = "as in the paper's Fig. 5C" if of_the_paper else "computed"
+    rows = {"computed": plate.response, "scan by the twin": scan.response}
+    pictures = [
+        Picture(
+            plots.maps_compared(rows, scan.shapes, plate.plate.layout, edges),
+            f"Simulated normal velocity of the flat face, {above}; below it the twin's scan{below}. Each "
+            "map is scaled to its largest point; grey: not scanned.",
+            "Maps below, in and above the gap, computed ones above those of the twin's scan.",
+        )
+    ]
+    if curves := {name: level.values for name, level in scan.contrasts.items()}:
+        pictures.append(
+            Picture(
+                plots.measured_contrast(
+                    scan.response.frequency, curves, scan.measured, edges, origin=scan.origin
+                ),
+                "Simulated contrast of the driven region in the twin's scan, and the gap in it.",
+                "Contrast against frequency with the edges of the gap.",
+            )
+        )
+    return Chapter(
+        title=f"{TITLE} of the prototype" if of_the_paper else TITLE,
+        identifier="scan",
+        paragraphs=(_what(results, scan), _meaning(of_the_paper)),
+        findings=(*_everywhere(plate, scan), *(f"{one}." for one in scan.told)),
+        pictures=tuple(pictures),
+        tables=(_levels(plate, scan), _gaps(plate, scan, of_the_paper)),
+    )
+
+
+def _what(results: Results, scan: ScanResult) -> str:
+    asked, lines = results.study.scan, scan.response.frequency
+    flags = scan.to_json()["flags"]
+    return (
+        "Nobody measured this: the records are simulated. A twin of the instrument takes the velocity of the "
+        f"computed plate at {scan.response.dataset.sizes['point']} points and {len(lines)} lines "
+        f"{lines[1] - lines[0]:.4g} Hz apart, as a periodic drive has them, records {asked.averages} periods "
+        f"with noise of {1e6 * asked.noise:.3g} um/s and {asked.bits} bits, and loses the surface at "
+        f"{flags['dropout']} points. They are analysed as measured ones are. So this tells what instrument "
+        "and analysis do to the answer of the plate, not whether its model is right."
+    )
+
+
+def _meaning(of_the_paper: bool) -> str:
+    said = (
+        "The gap in a scan is where the driven region vibrates much more than the lattices. It belongs to "
+        "this plate and drive: waves that pass the lattice but do not run in the driven guide leave it open."
+    )
+    return f"{said} The paper gives maps of its scan, and no edges." if of_the_paper else said
+
+
+def _levels(plate: PlateResult, scan: ScanResult) -> Table:
+    rows = []
+    for frequency in scan.shapes:
+        line, seen = plate.response.at(frequency), scan.told_at(frequency)["contrast_db"]
+        for name, level in plate.contrasts(line).items():
+            told = seen.get(name)
+            rows.append(
+                (f"{name}, {frequency / 1e3:.2f} kHz", f"{float(level[0]):.1f} dB",
+                 "-" if told is None else f"{told:.1f} dB")
+            )  # fmt: skip
+    return Table("Simulated contrast at the maps.", ("", "computed", "scan by the twin"), tuple(rows))
+
+
+def _everywhere(plate: PlateResult, scan: ScanResult) -> list[str]:
+    """How far the first contrast of the scan is off that of the plate, over all lines."""
+    for name, level in plate.contrasts(plate.response).items():
+        if name not in scan.contrasts:
+            continue
+        off = np.abs(scan.contrasts[name].values - level.values)
+        worst = int(np.nanargmax(off))
+        return [
+            f"{name} comes back within {CLOSE:g} dB at {(off < CLOSE).sum()} of {len(off)} lines; it is "
+            f"worst at {plate.response.frequency[worst] / 1e3:.3g} kHz, by {off[worst]:.1f} dB."
+        ]
+    return []
+
+
+def _gaps(plate: PlateResult, scan: ScanResult, of_the_paper: bool) -> Table:
+    rows = []
+    if of_the_paper:
+        rows.append(("lattice, paper (simulated there)", *(f"{edge / 1e3:.1f} kHz" for edge in paper.GAP)))
+    if plate.gap:
+        rows.append(
+            ("lattice, computed", *(f"{e / 1e3:.2f} kHz" for e in (plate.gap.lower, plate.gap.upper)))
+        )
+    try:
+        rows.append(("contrast in the computed plate", *_edges(gap_in(plate.response, plate.plate))))
+    except HaptonicError as error:
+        rows.append(("contrast in the computed plate", "none", error.given))
+    if scan.measured:
+        rows.append(("contrast in the twin's scan", *_edges(scan.measured)))
+    return Table("Simulated gaps, with standard errors.", ("where", "from", "to"), tuple(rows))
+
+
+def _edges(gap: MeasuredGap) -> tuple[str, str]:
+    return (
+        f"{gap.lower / 1e3:.1f} ± {gap.lower_error / 1e3:.1f} kHz",
+        f"{gap.upper / 1e3:.1f} ± {gap.upper_error / 1e3:.1f} kHz",
+    )

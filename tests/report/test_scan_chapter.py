@@ -1,0 +1,90 @@
+"""The twin's scan of a plate that was computed, and the report's chapter on it."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+import xarray as xr
+
+from haptonic.errors import HaptonicWarning, ScanError
+from haptonic.report import Absent, Chapter, Results, paper
+from haptonic.report.chapters.scan import chapter
+from haptonic.response import FrequencyResponse
+from haptonic.results.scan import gap_in
+from haptonic.store import Store
+from haptonic.study import loads, scanning
+from tiny_scan import TINY
+
+
+@pytest.fixture(scope="module")
+def store(tmp_path_factory):
+    return Store(tmp_path_factory.mktemp("store"))
+
+
+@pytest.fixture(scope="module")
+def study():
+    return loads(TINY)
+
+
+@pytest.fixture(scope="module")
+def plate(study, store):
+    """Computed at 126 lines 400 Hz apart: others than those of the study's own scan."""
+    question = study.scan.frozen()
+    with pytest.warns(HaptonicWarning, match="ring-down"):
+        drive = question.drive(study.plate())
+    asked = replace(question.of_plate(1e-3, drive), points=126)
+    return study.vibrating(asked=asked, store=store)
+
+
+@pytest.fixture(scope="module")
+def scan(study, plate, store):
+    return scanning.rescanned(study, plate, seed=2, store=store)
+
+
+def test_the_scan_returns_the_plate_that_it_was_made_of(plate, scan):
+    assert scan.origin == "simulated"
+    assert scan.averages == 2
+    assert scan.response.frequency == pytest.approx(plate.response.frequency, rel=1e-9)
+    off = scan.contrasts["WG1 over WG2"].values - plate.contrasts(plate.response)["WG1 over WG2"].values
+    assert 0 < np.abs(off).max() < 0.5
+    known = gap_in(plate.response, plate.plate)
+    for edge in ("lower", "upper"):
+        assert abs(getattr(scan.measured, edge) - getattr(known, edge)) < getattr(known, f"{edge}_error")
+
+
+@pytest.mark.parametrize("of_the_paper", [True, False])
+def test_the_chapter_sets_scan_plate_and_paper_side_by_side(study, plate, scan, monkeypatch, of_the_paper):
+    monkeypatch.setattr(paper, "is_its_cell", lambda study: of_the_paper)
+    made = chapter(Results(study, xr.Dataset(), plate=plate, scan=scan))
+    assert isinstance(made, Chapter)
+    assert made.title.endswith("prototype") == of_the_paper
+    assert "Nobody measured this" in made.paragraphs[0]
+    assert "126 lines 400 Hz apart" in made.paragraphs[0]
+    assert all(picture.caption.startswith("Simulated") for picture in made.pictures)
+    assert ("Fig. 5D" in made.pictures[0].caption) == of_the_paper
+    assert len([axes for axes in made.pictures[0].figure.axes if axes.images]) == 2 * len(scan.shapes)
+    levels, gaps = made.tables
+    frequency = scan.shapes[0]
+    ours = plate.contrasts(plate.response.at(frequency))["WG1 over WG2"]
+    assert levels.rows[0] == (
+        f"WG1 over WG2, {frequency / 1e3:.2f} kHz", f"{float(ours[0]):.1f} dB",
+        f"{float(scan.contrasts['WG1 over WG2'].sel(frequency=frequency)):.1f} dB",
+    )  # fmt: skip
+    named = {row[0]: row[1:] for row in gaps.rows}
+    assert (named.get("lattice, paper (simulated there)") == ("52.9 kHz", "61.4 kHz")) == of_the_paper
+    assert named["contrast in the twin's scan"][0].startswith(f"{scan.measured.lower / 1e3:.1f} ± ")
+    assert f"at {126} of 126 lines" in made.findings[0]
+
+
+def test_without_a_scan_there_is_no_chapter(study, plate):
+    assert isinstance(chapter(Results(study, xr.Dataset(), plate=plate)), Absent)
+    assert isinstance(chapter(Results(study, xr.Dataset())), Absent)
+
+
+def test_lines_that_no_periodic_drive_has_are_refused(study, plate):
+    for shift in (30.0, -30.0):
+        moved = plate.response.dataset.assign_coords(frequency=plate.response.frequency + shift)
+        with pytest.raises(ScanError, match=r"multiples of their distance"):
+            scanning.rescanned(study, replace(plate, response=FrequencyResponse(moved)))
