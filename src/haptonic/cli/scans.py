@@ -233,16 +233,21 @@ def _speak(result: ScanResult, voice: Voice) -> None:
             f"Registered: scale {found.scale:.5f}, turned by {np.degrees(found.angle):.3f}°, shifted by "
             f"{x:.3f} and {y:.3f} mm; misfit {found.misfit * 1e3:.3f} mm."
         )
-    if result.measured is not None:
-        gap = result.measured
-        computed = (
-            f"; computed {result.gap.lower / 1e3:.2f} to {result.gap.upper / 1e3:.2f} kHz"
-            if result.gap
-            else ""
+    if result.lattice is not None:
+        edges = (
+            f"{name} edge {f'{edge.frequency / 1e3:.2f} ± {edge.error / 1e3:.2f} kHz' if edge else 'not told'}"
+            for name, edge in (("lower", result.lattice.lower), ("upper", result.lattice.upper))
         )
+        low, high = (result.gap.lower / 1e3, result.gap.upper / 1e3) if result.gap else (None, None)
+        computed = f"; computed {low:.2f} to {high:.2f} kHz" if result.gap else ""
+        voice.tell(f"Gap in the scan: {', '.join(edges)}{computed}.")
+        for text in result.lattice.reasons:
+            voice.tell(f"  {text}")
+    if result.measured is not None:
+        seen = result.measured
         voice.tell(
-            f"Gap in the scan: {gap.lower / 1e3:.2f} ± {gap.lower_error / 1e3:.2f} to "
-            f"{gap.upper / 1e3:.2f} ± {gap.upper_error / 1e3:.2f} kHz{computed}."
+            f"The driven region stands out from the lattice from {seen.lower / 1e3:.2f} ± "
+            f"{seen.lower_error / 1e3:.2f} to {seen.upper / 1e3:.2f} ± {seen.upper_error / 1e3:.2f} kHz."
         )
     voice.tell(shapes_table(result))
 
@@ -257,7 +262,9 @@ def shapes_table(result: ScanResult) -> Table:
         f"rms / ({result.response.units})": [f"{line['rms_of_all']:.3g}" for line in lines]
     }
     for name in lines[0]["rms"]:
-        rows[f"rms of {name}"] = [f"{line['rms'][name]:.3g}" for line in lines]
+        rows[f"rms of {name}"] = [
+            "-" if line["rms"][name] is None else f"{line['rms'][name]:.3g}" for line in lines
+        ]
     for name in lines[0]["contrast_db"]:
         levels = [line["contrast_db"][name] for line in lines]
         rows[f"{name} / dB"] = ["-" if level is None else f"{level:.1f}" for level in levels]

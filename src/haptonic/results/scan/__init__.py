@@ -1,6 +1,6 @@
 """Scans with a laser vibrometer: what to measure, what came out, and a twin to test with."""
 
-from haptonic.results.scan.analysis import Estimation, OnPlate, compute_scan, gap_in
+from haptonic.results.scan.analysis import Estimation, OnPlate, compute_scan, contrast_range
 from haptonic.results.scan.excitation import Excitation
 from haptonic.results.scan.question import ScanQuestion
 from haptonic.results.scan.twin import FORMATS, Twin
@@ -17,5 +17,5 @@ __all__ = [
     "ScanResult",
     "Twin",
     "compute_scan",
-    "gap_in",
+    "contrast_range",
 ]
