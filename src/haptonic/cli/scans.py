@@ -21,7 +21,7 @@ from haptonic.results.scan import Estimation, Excitation, OnPlate, ScanResult, c
 from haptonic.store import Store
 from haptonic.study import load, scanning
 from haptonic.units import to_si
-from haptonic.vibrometry import read_scan
+from haptonic.vibrometry import Edge, read_scan
 from haptonic.vibrometry.estimation.quality import check_flags
 
 Array = NDArray[np.float64]
@@ -234,13 +234,13 @@ def _speak(result: ScanResult, voice: Voice) -> None:
             f"{x:.3f} and {y:.3f} mm; misfit {found.misfit * 1e3:.3f} mm."
         )
     if result.lattice is not None:
-        edges = (
-            f"{name} edge {f'{edge.frequency / 1e3:.2f} ± {edge.error / 1e3:.2f} kHz' if edge else 'not told'}"
-            for name, edge in (("lower", result.lattice.lower), ("upper", result.lattice.upper))
+        computed = (
+            f"; computed {result.gap.lower / 1e3:.2f} to {result.gap.upper / 1e3:.2f} kHz"
+            if result.gap
+            else ""
         )
-        low, high = (result.gap.lower / 1e3, result.gap.upper / 1e3) if result.gap else (None, None)
-        computed = f"; computed {low:.2f} to {high:.2f} kHz" if result.gap else ""
-        voice.tell(f"Gap in the scan: {', '.join(edges)}{computed}.")
+        lower, upper = _edge(result.lattice.lower), _edge(result.lattice.upper)
+        voice.tell(f"Gap in the scan: lower edge {lower}, upper edge {upper}{computed}.")
         for text in result.lattice.reasons:
             voice.tell(f"  {text}")
     if result.measured is not None:
@@ -250,6 +250,10 @@ def _speak(result: ScanResult, voice: Voice) -> None:
             f"{seen.lower_error / 1e3:.2f} to {seen.upper / 1e3:.2f} ± {seen.upper_error / 1e3:.2f} kHz."
         )
     voice.tell(shapes_table(result))
+
+
+def _edge(edge: Edge | None) -> str:
+    return f"{edge.frequency / 1e3:.2f} ± {edge.error / 1e3:.2f} kHz" if edge else "not told"
 
 
 def shapes_table(result: ScanResult) -> Table:
@@ -262,12 +266,9 @@ def shapes_table(result: ScanResult) -> Table:
         f"rms / ({result.response.units})": [f"{line['rms_of_all']:.3g}" for line in lines]
     }
     for name in lines[0]["rms"]:
-        rows[f"rms of {name}"] = [
-            "-" if line["rms"][name] is None else f"{line['rms'][name]:.3g}" for line in lines
-        ]
+        rows[f"rms of {name}"] = [_number(line["rms"][name], ".3g") for line in lines]
     for name in lines[0]["contrast_db"]:
-        levels = [line["contrast_db"][name] for line in lines]
-        rows[f"{name} / dB"] = ["-" if level is None else f"{level:.1f}" for level in levels]
+        rows[f"{name} / dB"] = [_number(line["contrast_db"][name], ".1f") for line in lines]
     decays = [line.get("decay_db_per_cell", {}) for line in lines]
     if any(decays):
         rows["decay / (dB/cell)"] = [
@@ -280,6 +281,10 @@ def shapes_table(result: ScanResult) -> Table:
     for name, cells in rows.items():
         table.add_row(name, *cells)
     return table
+
+
+def _number(value: float | None, form: str) -> str:
+    return "-" if value is None else format(value, form)
 
 
 def drive_table(answer: dict[str, object]) -> Table:

@@ -73,7 +73,7 @@ def measured_contrast(
     *,
     origin: str,
 ) -> Figure:
-    """Contrasts of a scan (dB) against frequency, and the range in which it is high; gaps where noise hides it."""
+    """Contrasts of a scan (dB; NaN where noise hides it) and the range in which the region stands out."""
     figure = style.blank(8.6)
     axes = figure.add_subplot()
     looks = cycle([(style.BLUE, style.SOLID), (style.RED, style.DASHED), (style.GREEN, style.DASH_DOTTED)])
@@ -119,8 +119,8 @@ def fading_map(
     )  # fmt: skip
     figure.colorbar(mesh, ax=axes, label="fading (dB/cell)", extend="max")
     handles: list[Artist] = []
-    for number, edge in enumerate(computed or ()):
-        line = axes.axhline(edge / 1e3, color=style.RED, ls=style.DASHED, lw=1.2)
+    for number, border in enumerate(computed or ()):
+        line = axes.axhline(border / 1e3, color=style.RED, ls=style.DASHED, lw=1.2)
         if number == 0:
             line.set_label("computed gap")
             handles.append(line)

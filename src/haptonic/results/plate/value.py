@@ -165,7 +165,7 @@ def contrasts(response: FrequencyResponse, driven: str | None) -> dict[str, xr.D
 
 
 def compared(response: FrequencyResponse, driven: str | None) -> list[tuple[str, str]]:
-    """What a driven region is compared with: words, and the name of a region or `haptonic.response.checks.REST`."""
+    """What a driven region is compared with: words for it, and its name in `contrast`."""
     if driven is None or driven not in response.regions:
         return []
     others = [(name, name) for name in response.regions if name not in ("", driven)]

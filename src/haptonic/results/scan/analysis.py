@@ -135,6 +135,7 @@ def compute_scan(
         registration.registered(response, {n: Tiles(layout, n) for n in layout.regions}), on
     )
     stands_out, told = _told_on_plate(response, on, data)
+    lattice = _gap(response, on.plate, data)
     edges = None if on.gap is None else (on.gap.lower, on.gap.upper)
     names = [str(name) for name in response.dataset["region"].values]
     marked = marked_lines(on.plate, response.frequency, response.values[..., 0].T, names, on.carrier, edges)
@@ -158,7 +159,7 @@ def compute_scan(
         told.append(f"{outside} points lie beside the plate of the study")
     return replace(
         plain, response=response, shapes=shapes, plate=on.plate, carrier=on.carrier, gap=on.gap,
-        measured=stands_out, lattice=_gap(response, on.plate, data), registration=registration, waves=waves, mirror=mirror, told=tuple(told),
+        measured=stands_out, lattice=lattice, registration=registration, waves=waves, mirror=mirror, told=tuple(told),
     )  # fmt: skip
 
 

@@ -77,7 +77,7 @@ def mirror_beside(layout: Layout, region: str) -> Mirror | None:
 
 
 def strips_of(layout: Layout, region: str) -> list[Strip]:
-    """The rows of the lattice beside a region, and those of the same lattice that lie along them elsewhere."""
+    """Rows of the lattice beside a region, and those of the same lattice along them elsewhere."""
     first = mirror_beside(layout, region)
     if first is None:
         return []
