@@ -159,7 +159,8 @@ def compute_scan(
         told.append(f"{outside} points lie beside the plate of the study")
     return replace(
         plain, response=response, shapes=shapes, plate=on.plate, carrier=on.carrier, gap=on.gap,
-        measured=stands_out, lattice=lattice, registration=registration, waves=waves, mirror=mirror, told=tuple(told),
+        measured=stands_out, lattice=lattice, registration=registration, waves=waves, mirror=mirror,
+        told=tuple(told),
     )  # fmt: skip
 
 
@@ -244,9 +245,7 @@ def _told_on_plate(
         data[f"contrast {driven} over {words}"] = found_level["level"]
         data[f"error of {driven} over {words}"] = found_level["error"]
         if hidden := int(np.isnan(found_level["level"].values).sum()):
-            told.append(
-                f"noise hides the contrast of {driven} over {words} at {hidden} lines: none is given there"
-            )
+            told.append(f"noise hides the contrast of {driven} over {words} at {hidden} lines")
     for guide in guides_of(layout):
         try:
             waves = wavenumber_map(response, guide.region, guide.along)

@@ -19,6 +19,7 @@ from haptonic.vibrometry.scan_plan import Rectangle
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
+Bools = NDArray[np.bool_]
 
 LEAST_ROWS = 3  # a wave and its reflection need three rows to be told apart
 DEGREE = 5  # of the splines across the rows
@@ -28,6 +29,7 @@ AVERAGED = 5e-3  # of a frequency, width over which lines are averaged
 LOUD = 4.0  # times the noise: what is weaker is not used
 LINES = 256  # that are transformed at a time
 
+HEARD = 0.5  # of the phases at a line, and of the lines beside an edge, that have to be louder than noise
 FADES = 4.0  # dB per cell, above which waves of large phase count as fading; in a band 0.5 to 3 were found
 STOPPED = 1.5  # dB per cell, above which those of small phase do, which reach farther; in a band 0.3 to 1
 BESIDE = 0.06  # of a frequency, on either side of an edge, over which what fades and what passes is averaged
@@ -131,7 +133,11 @@ def gap_edges(fades: xr.DataArray) -> LatticeGap:
     """
     lines = np.asarray(fades["frequency"].values, float)
     large = fades["phase"].values > np.pi / 2
-    most, others = fades.values[:, large].mean(axis=1), fades.values[:, ~large].mean(axis=1)
+    most, others = (_mean_of_heard(fades.values[:, one]) for one in (large, ~large))
+    if np.isnan(most).all() or np.isnan(others).all():
+        return LatticeGap(None, None, ("no edges of the gap: noise hides the waves in the lattice",))
+    heard = np.isfinite(most) & np.isfinite(others)
+    most, others = (np.interp(lines, lines[heard], one[heard]) for one in (most, others))
     stops = np.concatenate([[False], most > FADES, [False]])
     change = np.flatnonzero(np.diff(stops.astype(int)))
     starts, ends = change[::2], change[1::2] - 1
@@ -141,8 +147,8 @@ def gap_edges(fades: xr.DataArray) -> LatticeGap:
     first, last = int(starts[widest]), int(ends[widest])
     if lines[last] - lines[first] < NARROWEST * lines[first]:
         return LatticeGap(None, None, ("nowhere do waves fade in the lattice over a wide range",))
-    lower = _edge(lines, most, others, first)
-    upper = _edge(-lines[::-1], most[::-1], others[::-1], len(lines) - 1 - last)
+    lower = _edge(lines, most, others, heard, first)
+    upper = _edge(-lines[::-1], most[::-1], others[::-1], heard[::-1], len(lines) - 1 - last)
     found = [edge if isinstance(edge, Edge) else None for edge in (lower, upper)]
     reasons = [f"no {name} edge: {edge}" for name, edge in (("lower", lower), ("upper", upper))
                if isinstance(edge, str)]  # fmt: skip
@@ -151,14 +157,21 @@ def gap_edges(fades: xr.DataArray) -> LatticeGap:
     return LatticeGap(found[0], found[1], tuple(reasons))
 
 
-def _edge(lines: Array, most: Array, others: Array, first: int) -> Edge | str:
+def _mean_of_heard(fades: Array) -> Array:
+    """(frequency,) means over the phases (frequency, phase) that noise does not hide, if enough are left."""
+    there = np.isfinite(fades)
+    total, count = np.where(there, fades, 0.0).sum(axis=1), there.sum(axis=1)
+    return np.where(count >= HEARD * fades.shape[1], total / np.maximum(count, 1), np.nan)
+
+
+def _edge(lines: Array, most: Array, others: Array, heard: Bools, first: int) -> Edge | str:
     """The edge below a line from which on waves fade; or why it is none. Lines may be negative, ascending."""
     if first == 0:
         return "waves fade up to the end of the scanned range"
     beside = BESIDE * abs(lines[first])
     outside = (lines < lines[first]) & (lines > lines[first] - beside)
     inside = (lines >= lines[first]) & (lines < lines[first] + beside)
-    if not (np.isfinite(most[outside]).all() and np.isfinite(others[inside]).all()):
+    if min(heard[outside].mean(), heard[inside].mean()) < HEARD:
         return "noise hides the waves there"
     if most[outside].mean() > 0.75 * FADES:
         return "no band lies beside it"
