@@ -124,8 +124,8 @@ def fading(response: FrequencyResponse, strips: Sequence[Strip]) -> xr.DataArray
 def gap_edges(fades: xr.DataArray) -> LatticeGap:
     """Edges of the widest range in which waves with phases of more than a quarter turn fade.
 
-    An edge counts if a band lies beside it and waves of smaller phase fade inside as well: else it is that
-    of a gap for some directions only, and the complete one ends where nothing shows it.
+    An edge counts if a band lies beside it and waves of smaller phase stop there as well: else it may be
+    that of a gap for some directions only, and the complete one ends elsewhere.
 
     Parameters
     ----------
@@ -167,7 +167,10 @@ def _mean_of_heard(fades: Array) -> Array:
 def _edge(lines: Array, most: Array, others: Array, heard: Bools, first: int) -> Edge | str:
     """The edge below a line from which on waves fade; or why it is none. Lines may be negative, ascending."""
     if first == 0:
-        return "waves fade up to the end of the scanned range"
+        return (
+            "waves of large phase fade up to the end of the scanned range; where the others begin to pass, "
+            "few rows do not show"
+        )
     beside = BESIDE * abs(lines[first])
     outside = (lines < lines[first]) & (lines > lines[first] - beside)
     inside = (lines >= lines[first]) & (lines < lines[first] + beside)
@@ -175,8 +178,8 @@ def _edge(lines: Array, most: Array, others: Array, heard: Bools, first: int) ->
         return "noise hides the waves there"
     if most[outside].mean() > 0.75 * FADES:
         return "no band lies beside it"
-    if others[inside].mean() < STOPPED:
-        return "waves nearly in phase along the rows do not stop there, or three rows do not show it"
+    if others[inside].mean() < max(STOPPED, 2 * others[outside].mean()):
+        return "nothing changes there for waves nearly in phase along the rows, or too few rows hide it"
     at, early, late = (_crossing(lines, most, first, share * FADES) for share in (1.0, 0.5, 1.5))
     widths = [0.5 * (late - early), AVERAGED * at / np.sqrt(12), (lines[1] - lines[0]) / np.sqrt(12)]
     return Edge(at, float(np.hypot(METHOD * at, np.linalg.norm(widths))))
