@@ -117,7 +117,7 @@ def fading_map(
         shown["phase"].values / np.pi, shown["frequency"].values / 1e3, shown.values,
         cmap=style.perceptual(), vmin=0, vmax=STRONG, shading="nearest", rasterized=True,
     )  # fmt: skip
-    figure.colorbar(mesh, ax=axes, label="fading (dB/cell)", extend="max")
+    figure.colorbar(mesh, ax=axes, label="fading (dB/cell); white: noise hides it", extend="max")
     handles: list[Artist] = []
     for number, border in enumerate(computed or ()):
         line = axes.axhline(border / 1e3, color=style.RED, ls=style.DASHED, lw=1.2)
