@@ -73,7 +73,7 @@ def main() -> None:
 
 
 def errors(result: ScanResult, twin: Twin, on: OnPlate) -> dict[str, Any]:
-    """How far a result is from the truth: contrast in dB, edges of the gap in Hz and their standard errors."""
+    """How far a result is from the truth: contrast in dB; edges of the gap with their standard errors, Hz."""
     truth = twin.truth()
     name = "WG1 over WG2"
     off = np.abs(result.contrasts[name].values - np.array(truth["contrast_db"][name]))

@@ -21,6 +21,7 @@ from haptonic.vibrometry import (
     fading,
     gap_edges,
 )
+from haptonic.vibrometry.maps.edges import METHOD
 from haptonic.vibrometry.maps.noise import TRUSTED, noise_power, region_power
 
 PITCH, ROWS, CELLS = 7e-3, 3, 12
@@ -77,7 +78,9 @@ class TestEdges:
         found = gap_edges(fading(field(lambda phase: gap, reflected=reflected), [STRIP]))
         assert found.reasons == ()
         for edge, true in ((found.lower, gap[0]), (found.upper, gap[1])):
-            assert abs(edge.frequency - true) < edge.error < 0.02 * true
+            assert abs(edge.frequency - true) < edge.error
+            # these rise within some hundred hertz: of the error nearly all is that of rows that are few
+            assert METHOD * true < edge.error < 1.1 * METHOD * true
 
     def test_it_fades_as_prescribed_and_not_in_the_band_whatever_comes_back(self):
         seen = fading(field(whole, reflected=1.0), [STRIP])
