@@ -9,6 +9,7 @@ import xarray as xr
 from numpy.typing import NDArray
 
 from haptonic.response import FrequencyResponse
+from haptonic.response.measures import spectrum, squares
 
 Array = NDArray[np.float64]
 Bools = NDArray[np.bool_]
@@ -33,10 +34,10 @@ def noise_power(response: FrequencyResponse, points: Bools, lines: slice, averag
     The coherence c of n averages is itself an estimate; the mean of this one is right for any n. A point
     whose coherence was set to zero by a repair gets none.
     """
-    squares = _squares(response, points, lines)
+    square = squares(response.values[lines][:, points])
     coherence = response.dataset["coherence"].values[lines][:, points].astype(np.float64)
     share = np.divide(1 - coherence, coherence, out=np.zeros_like(coherence), where=coherence > 0)
-    return np.asarray(squares * share / (averages - 1))
+    return np.asarray(square * share / (averages - 1))
 
 
 def region_power(response: FrequencyResponse, points: Bools) -> tuple[Array, Array]:
@@ -49,13 +50,13 @@ def region_power(response: FrequencyResponse, points: Bools) -> tuple[Array, Arr
     power, variance = np.empty(len(response.frequency)), np.zeros(len(response.frequency))
     for start in range(0, len(power), LINES):
         lines = slice(start, start + LINES)
-        squares = _squares(response, points, lines)
-        power[lines] = squares.mean(axis=1)
+        square = squares(response.values[lines][:, points])
+        power[lines] = square.mean(axis=1)
         if averages:
             noise = noise_power(response, points, lines, averages)
             power[lines] -= noise.mean(axis=1)
             # |h + e|^2 scatters by 2 |h|^2 s^2 + s^4 about its mean, the estimate of s^2 by s^4 / (n - 1)
-            signal = np.maximum(squares - noise, 0)
+            signal = np.maximum(square - noise, 0)
             spread = 2 * signal * noise + noise**2 * averages / (averages - 1)
             variance[lines] = spread.sum(axis=1) / count**2
     return power, np.sqrt(variance)
@@ -70,7 +71,7 @@ def clean_rms(response: FrequencyResponse, region: str) -> xr.DataArray:
     """
     power, error = region_power(response, response.inside(region))
     values = np.sqrt(np.where(_decibels(power, error) <= TRUSTED, power, np.nan))
-    return _spectrum(response, values, response.units)
+    return spectrum(response, values, response.units)
 
 
 def clean_contrast(response: FrequencyResponse, over: Bools, under: Bools) -> xr.Dataset:
@@ -82,20 +83,9 @@ def clean_contrast(response: FrequencyResponse, over: Bools, under: Bools) -> xr
     error = np.hypot(_decibels(upper, upper_error), _decibels(lower, lower_error))
     with np.errstate(divide="ignore", invalid="ignore"):
         level = np.where(error <= TRUSTED, 10 * np.log10(upper / lower), np.nan)
-    return xr.Dataset({"level": _spectrum(response, level, "dB"), "error": _spectrum(response, error, "dB")})
+    return xr.Dataset({"level": spectrum(response, level, "dB"), "error": spectrum(response, error, "dB")})
 
 
 def _decibels(power: Array, error: Array) -> Array:
     """Standard error of a level; infinite where nothing but noise is left."""
     return np.asarray(DECIBELS * np.divide(error, power, out=np.full_like(power, np.inf), where=power > 0))
-
-
-def _squares(response: FrequencyResponse, points: Bools, lines: slice) -> Array:
-    """(line, point) squared length of the vector at every point, in double precision."""
-    values = response.values[lines][:, points].astype(np.complex128)
-    return np.asarray((values.real**2 + values.imag**2).sum(axis=2))
-
-
-def _spectrum(response: FrequencyResponse, values: Array, units: str) -> xr.DataArray:
-    lines = {"frequency": response.dataset["frequency"]}
-    return xr.DataArray(values, dims=("frequency",), coords=lines, attrs={"units": units})
