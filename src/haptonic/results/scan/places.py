@@ -87,7 +87,18 @@ def strips_of(layout: Layout, region: str) -> list[Strip]:
         for one in _mirrors(layout, name)
         if (one.name, one.depth) == (first.name, first.depth)
     }
-    return [Strip(one.area, one.depth, one.start, one.inwards, one.pitch, one.rows) for one in alike.values()]
+    return [
+        Strip(one.area, one.depth, one.start, one.inwards, one.pitch, _period(layout, one), one.rows)
+        for one in alike.values()
+    ]
+
+
+def _period(layout: Layout, mirror: Mirror) -> float:
+    """Of the cells along the rows of a mirror, m."""
+    area = mirror.area
+    tiles = layout.under((area.x, area.y, area.x + area.width, area.y + area.height))
+    length = area.height if mirror.depth == "x" else area.width
+    return length / len({row if mirror.depth == "x" else column for row, column in tiles})
 
 
 def _mirrors(layout: Layout, region: str) -> Iterator[Mirror]:

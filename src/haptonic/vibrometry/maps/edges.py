@@ -42,7 +42,7 @@ class Strip:
     """Rows of a lattice, one behind the other.
 
     area : of all of them; depth : axis across the rows; start : where the first one begins, m
-    inwards : -1 towards smaller coordinates; pitch : of rows and of the cells along them, m
+    inwards : -1 towards smaller coordinates; pitch : of rows; period : of the cells along them, m
     """
 
     area: Rectangle
@@ -50,6 +50,7 @@ class Strip:
     start: float
     inwards: Literal[1, -1]
     pitch: float
+    period: float
     rows: int
 
 
@@ -80,7 +81,7 @@ def fading(response: FrequencyResponse, strips: Sequence[Strip]) -> xr.DataArray
 
     Parameters
     ----------
-    strips : with three rows or more, and of one pitch
+    strips : of one lattice; those with fewer than three rows are left out
 
     Returns
     -------
@@ -99,7 +100,7 @@ def fading(response: FrequencyResponse, strips: Sequence[Strip]) -> xr.DataArray
             cause="two rows cannot tell a wave that fades from one that is reflected",
             next_step="compare contrast and decay with the computed gap, or build a plate with three rows",
         )  # fmt: skip
-    count = max(2, min(round(_length(strip) / strip.pitch) for strip in usable))
+    count = max(2, min(round(_length(strip) / strip.period) for strip in usable))
     phases = np.linspace(0, np.pi, count + 1)
     lines = response.frequency
     product: NDArray[Any] = np.zeros((len(lines), count + 1), complex)
@@ -209,7 +210,7 @@ def _compared(response: FrequencyResponse, strip: Strip, phases: Array) -> tuple
     across, place = whole[strip.depth].values, whole[along].values
     begin = strip.area.y if along == "y" else strip.area.x
     hann = np.sin(np.pi * (place - begin) / _length(strip)) ** 2
-    turns = np.outer(place, np.concatenate([phases, -phases]) / strip.pitch)
+    turns = np.outer(place, np.concatenate([phases, -phases]) / strip.period)
     waves = hann[:, None] * np.exp(1j * turns)
     row = (np.arange(PLACES) + 0.5) / PLACES + np.arange(strip.rows)[:, None]
     at = strip.start + strip.inwards * strip.pitch * row.ravel()
