@@ -95,7 +95,7 @@ def test_one_command_gives_maps_gap_and_verdict(inside, folder, tmp_path):
 
 
 def test_a_response_that_is_there_is_compared_with(inside, folder):
-    """Over the whole band: both gaps of the verdict are found as the gap of the scan is."""
+    """Over the whole band: both ranges of the verdict are found as that of the scan is."""
     ran = inside(
         "scan", folder / "scan.h5", folder / "plain.toml", "--against", folder / "model.nc", "--json"
     )
@@ -105,8 +105,12 @@ def test_a_response_that_is_there_is_compared_with(inside, folder):
     assert list(found["agreement"]) == ["model as given"]
     assert found["agreement"]["model as given"]["unexplained"] < 1e-3
     assert found["agreement"]["model as given"]["frac_median"] > 0.999
-    told = {name: value for name, value in ran.json["gap"].items() if name in found["gaps_hz"]["measurement"]}
-    assert found["gaps_hz"]["measurement"] == pytest.approx(told, rel=1e-3)
+    told = {
+        name: value
+        for name, value in ran.json["contrast_range"].items()
+        if name in found["contrast_range_hz"]["measurement"]
+    }
+    assert found["contrast_range_hz"]["measurement"] == pytest.approx(told, rel=1e-3)
 
 
 def test_the_path_is_taken_out_only_once(folder, store_folder):

@@ -12,7 +12,7 @@ from haptonic.bloch.guide import strip_mode
 from haptonic.bloch.model import bloch_model
 from haptonic.results.carrier import condensed_cell
 from haptonic.results.scan.computed import computed_waves, guided
-from haptonic.results.scan.places import guides_of, mirror_beside
+from haptonic.results.scan.places import guides_of, mirror_beside, strips_of
 from haptonic.store import Store
 from haptonic.study import loads
 from tiny_scan import TINY
@@ -39,6 +39,13 @@ class TestPlaces:
         points = np.array([[22e-3, 10e-3], [34e-3, 20e-3], [20e-3, 10e-3], [36e-3, 10e-3]])
         assert mirror.area.holds(points).tolist() == [True, True, False, False]
         assert np.array_equal(mirror.area.holds(points), back.area.holds(points))
+
+    def test_rows_of_the_same_lattice_lie_beside_every_guide(self, study):
+        strips = strips_of(study.plate().layout, "WG1")
+        assert sorted((one.start, one.inwards, one.rows) for one in strips) == [
+            (pytest.approx(7e-3), -1, 1), (pytest.approx(35e-3), -1, 2), (pytest.approx(49e-3), 1, 1),
+        ]  # fmt: skip
+        assert [one.period for one in strips] == pytest.approx([7e-3] * 3)
 
     def test_guides_run_along_their_longer_side(self, study):
         one, two = guides_of(study.plate().layout)

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import numpy as np
+import pytest
 import xarray as xr
 from matplotlib.colors import to_hex
 
 from haptonic import plots
 from haptonic.plots import style
-from haptonic.vibrometry import MeasuredGap, Quality, drive
+from haptonic.vibrometry import Edge, LatticeGap, MeasuredGap, Quality, drive
 
 LINES = 1e3 * np.arange(40.0, 71.0)
 
@@ -36,8 +37,24 @@ def test_the_contrast_and_the_gap_s_uncertainty():
     sky = [p for p in axes.patches if to_hex(p.get_facecolor()) == style.SKY.lower()]
     assert sorted((p.get_x(), p.get_x() + p.get_width()) for p in sky) == [(51.5, 52.5), (58.5, 61.5)]
     assert "simulated" in texts(figure)
-    assert "gap in this scan, 52.0 to 60.0 kHz" in texts(figure)
+    assert "high contrast, 52.0 to 60.0 kHz" in texts(figure)
     assert "computed gap, 53.0 to 59.0 kHz" in texts(figure)
+
+
+def test_fading_and_the_edge_that_is_told():
+    fades = xr.DataArray(
+        np.outer(LINES / 10e3, [1.0, 2.0, 3.0]), dims=("frequency", "phase"),
+        coords={"frequency": LINES, "phase": [0.0, np.pi / 2, np.pi]},
+    )  # fmt: skip
+    found = LatticeGap(Edge(53e3, 600.0), None, ("no upper edge: why",))
+    figure = plots.fading_map(fades, found, (52.5e3, 60e3), origin="simulated")
+    axes = figure.axes[0]
+    assert axes.collections[0].get_array().max() == fades.values.max()
+    assert [line.get_ydata()[0] for line in axes.lines] == pytest.approx([52.5, 60, 53])
+    (sky,) = [p for p in axes.patches if to_hex(p.get_facecolor()) == style.SKY.lower()]
+    assert (sky.get_y(), sky.get_y() + sky.get_height()) == pytest.approx((52.4, 53.6))
+    assert "edge in this scan, 53.00 ± 0.60 kHz" in texts(figure)
+    assert "simulated" in texts(figure)
 
 
 def test_waves_and_dispersion():

@@ -12,7 +12,7 @@ from haptonic.errors import HaptonicWarning, ScanError
 from haptonic.report import Absent, Chapter, Results, paper
 from haptonic.report.chapters.scan import chapter
 from haptonic.response import FrequencyResponse
-from haptonic.results.scan import gap_in
+from haptonic.results.scan import contrast_range
 from haptonic.store import Store
 from haptonic.study import loads, scanning
 from tiny_scan import TINY
@@ -49,7 +49,7 @@ def test_the_scan_returns_the_plate_that_it_was_made_of(plate, scan):
     assert scan.response.frequency == pytest.approx(plate.response.frequency, rel=1e-9)
     off = scan.contrasts["WG1 over WG2"].values - plate.contrasts(plate.response)["WG1 over WG2"].values
     assert 0 < np.abs(off).max() < 0.5
-    known = gap_in(plate.response, plate.plate)
+    known = contrast_range(plate.response, plate.plate)
     for edge in ("lower", "upper"):
         assert abs(getattr(scan.measured, edge) - getattr(known, edge)) < getattr(known, f"{edge}_error")
 
@@ -74,8 +74,9 @@ def test_the_chapter_sets_scan_plate_and_paper_side_by_side(study, plate, scan, 
     )  # fmt: skip
     named = {row[0]: row[1:] for row in gaps.rows}
     assert (named.get("lattice, paper (simulated there)") == ("52.9 kHz", "61.4 kHz")) == of_the_paper
-    assert named["contrast in the twin's scan"][0].startswith(f"{scan.measured.lower / 1e3:.1f} ± ")
-    assert f"at {126} of 126 lines" in made.findings[0]
+    assert named["high contrast, twin's scan"][0].startswith(f"{scan.measured.lower / 1e3:.1f} ± ")
+    assert "at 126 of 126 lines" in made.findings[0]
+    assert "at 126 of them" in made.findings[0]
 
 
 def test_without_a_scan_there_is_no_chapter(study, plate):

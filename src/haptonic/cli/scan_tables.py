@@ -28,18 +28,27 @@ def tell_scan(result: ScanResult, voice: Voice) -> None:
             f"Registered: scale {found.scale:.5f}, turned by {np.degrees(found.angle):.3f}°, shifted by "
             f"{x:.3f} and {y:.3f} mm; misfit {found.misfit * 1e3:.3f} mm."
         )
-    if result.measured is not None:
-        gap = result.measured
+    if result.lattice is not None:
         computed = (
             f"; computed {result.gap.lower / 1e3:.2f} to {result.gap.upper / 1e3:.2f} kHz"
             if result.gap
             else ""
         )
+        lower, upper = (edge or "not told" for edge in (result.lattice.lower, result.lattice.upper))
+        voice.tell(f"Gap in the scan: lower edge {lower}, upper edge {upper}{computed}.")
+        for text in result.lattice.reasons:
+            voice.tell(f"  {text}")
+    if result.measured is not None:
+        seen = result.measured
         voice.tell(
-            f"Gap in the scan: {gap.lower / 1e3:.2f} ± {gap.lower_error / 1e3:.2f} to "
-            f"{gap.upper / 1e3:.2f} ± {gap.upper_error / 1e3:.2f} kHz{computed}."
+            f"The driven region stands out from the lattice from {seen.lower / 1e3:.2f} ± "
+            f"{seen.lower_error / 1e3:.2f} to {seen.upper / 1e3:.2f} ± {seen.upper_error / 1e3:.2f} kHz."
         )
     voice.tell(shapes_table(result))
+
+
+def _number(value: float | None, form: str) -> str:
+    return "-" if value is None else format(value, form)
 
 
 def shapes_table(result: ScanResult) -> Table:
@@ -52,10 +61,9 @@ def shapes_table(result: ScanResult) -> Table:
         f"rms / ({result.response.units})": [f"{line['rms_of_all']:.3g}" for line in lines]
     }
     for name in lines[0]["rms"]:
-        rows[f"rms of {name}"] = [f"{line['rms'][name]:.3g}" for line in lines]
+        rows[f"rms of {name}"] = [_number(line["rms"][name], ".3g") for line in lines]
     for name in lines[0]["contrast_db"]:
-        levels = [line["contrast_db"][name] for line in lines]
-        rows[f"{name} / dB"] = ["-" if level is None else f"{level:.1f}" for level in levels]
+        rows[f"{name} / dB"] = [_number(line["contrast_db"][name], ".1f") for line in lines]
     decays = [line.get("decay_db_per_cell", {}) for line in lines]
     if any(decays):
         rows["decay / (dB/cell)"] = [

@@ -176,5 +176,6 @@ def twin_scan(
         truth = made.truth()
         voice.answer(
             {"origin": "simulated", "files": [str(out / name) for name in (scan_name(form), "truth.json")],
-             "kind": kind, "points": truth["points"], "gap": truth["gap"], "seed": seed}
+             "kind": kind, "points": truth["points"],
+             **{name: truth[name] for name in ("contrast_range", "computed_gap_hz")}, "seed": seed}
         )  # fmt: skip

@@ -65,12 +65,12 @@ def write_verdict(found: Verdict, folder: Path, overwrite: bool) -> None:
 
 
 def tell_verdict(found: Verdict, voice: Voice) -> None:
-    """Fitted numbers, pairs of shapes, the gap, and how much of the measurement is explained."""
+    """Fitted numbers, pairs of shapes, ranges of high contrast, and how much is explained."""
     if found.fit:
         voice.tell(fit_table(found.fit))
     voice.tell(pairs_table(found.agreements[found.last], found.last))
-    if any(found.gaps.values()):
-        voice.tell(gaps_table(found))
+    if any(found.ranges.values()):
+        voice.tell(ranges_table(found))
     voice.tell(summary(found))
 
 
@@ -100,16 +100,16 @@ def pairs_table(one: Agreement, model: str) -> Table:
     return table
 
 
-def gaps_table(found: Verdict) -> Table:
-    """Edges of the gap in each response, found in the same way."""
-    table = Table("response", "from / kHz", "to / kHz", title="gap, from the contrast over the lattice")
-    for name, gap in found.gaps.items():
-        if gap is None:
+def ranges_table(found: Verdict) -> Table:
+    """Where the driven region stands out from the lattice in each response, found in the same way."""
+    table = Table("response", "from / kHz", "to / kHz", title="high contrast over the lattice")
+    for name, one in found.ranges.items():
+        if one is None:
             table.add_row(name, "none found", "")
         else:
             table.add_row(
-                name, f"{gap.lower / 1e3:.2f} ± {gap.lower_error / 1e3:.2f}",
-                f"{gap.upper / 1e3:.2f} ± {gap.upper_error / 1e3:.2f}",
+                name, f"{one.lower / 1e3:.2f} ± {one.lower_error / 1e3:.2f}",
+                f"{one.upper / 1e3:.2f} ± {one.upper_error / 1e3:.2f}",
             )  # fmt: skip
     return table
 

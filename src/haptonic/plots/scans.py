@@ -17,12 +17,13 @@ from haptonic.plots import style
 from haptonic.plots.words import in_pi
 
 if TYPE_CHECKING:
-    from haptonic.vibrometry import Drive, MeasuredGap, Quality
+    from haptonic.vibrometry import Drive, LatticeGap, MeasuredGap, Quality
 
 Array = NDArray[np.float64]
 
 FLOOR = -80.0  # dB below the largest line, the lowest that a spectrum of a drive shows
 LEAST_COHERENCE = 0.8  # the lowest that colours show, unless there are lower ones
+STRONG = 20.0  # dB per cell, beyond which colours do not change
 ROWS = 600  # of a map of waves at most: more than its picture has
 RANGE = 1e-3  # of the largest amplitude, the smallest that a map of waves tells apart
 BAD = {
@@ -74,7 +75,7 @@ def measured_contrast(
     *,
     origin: str,
 ) -> Figure:
-    """Contrasts of a scan (dB) against frequency, edges of the measured gap with three standard errors."""
+    """Contrasts of a scan (dB; NaN where noise hides it) and the range in which the region stands out."""
     figure = style.blank(8.6)
     axes = figure.add_subplot()
     looks = cycle([(style.BLUE, style.SOLID), (style.RED, style.DASHED), (style.GREEN, style.DASH_DOTTED)])
@@ -93,12 +94,48 @@ def measured_contrast(
                          facecolor=style.SKY, alpha=0.45, zorder=0.5)  # fmt: skip
             line = axes.axvline(edge / 1e3, color=style.PURPLE, lw=1.1, zorder=3)
         line.set_label(
-            f"gap in this scan, {gap.lower / 1e3:.1f} to {gap.upper / 1e3:.1f} kHz; standard error shaded"
+            f"high contrast, {gap.lower / 1e3:.1f} to {gap.upper / 1e3:.1f} kHz; standard error shaded"
         )
         handles.append(line)
     axes.set(xlabel="frequency (kHz)", ylabel="contrast (dB)", title=origin,
              xlim=(frequency[0] / 1e3, frequency[-1] / 1e3))  # fmt: skip
     figure.legend(handles=handles, loc="outside lower center", ncols=2)
+    return figure
+
+
+@style.drawn
+def fading_map(
+    fades: xr.DataArray,
+    found: LatticeGap | None,
+    computed: tuple[float, float] | None,
+    *,
+    origin: str,
+) -> Figure:
+    """How waves of a phase fade from row to row of a lattice (dB per cell), and the edges told by it."""
+    figure = style.blank(9.5)
+    axes = figure.add_subplot()
+    shown = fades[:: max(1, fades.sizes["frequency"] // ROWS)]
+    mesh = axes.pcolormesh(
+        shown["phase"].values / np.pi, shown["frequency"].values / 1e3, shown.values,
+        cmap=style.perceptual(), vmin=0, vmax=STRONG, shading="nearest", rasterized=True,
+    )  # fmt: skip
+    figure.colorbar(mesh, ax=axes, label="fading (dB/cell); white: noise hides it", extend="max")
+    handles: list[Artist] = []
+    for number, border in enumerate(computed or ()):
+        line = axes.axhline(border / 1e3, color=style.RED, ls=style.DASHED, lw=1.2)
+        if number == 0:
+            line.set_label("computed gap")
+            handles.append(line)
+    for edge in (found.lower, found.upper) if found else ():
+        if edge is not None:
+            low, high = (edge.frequency - edge.error) / 1e3, (edge.frequency + edge.error) / 1e3
+            axes.axhspan(low, high, facecolor=style.SKY, alpha=0.45, lw=0)
+            line = axes.axhline(edge.frequency / 1e3, color=style.PURPLE, lw=1.2)
+            line.set_label(f"edge in this scan, {edge.frequency / 1e3:.2f} ± {edge.error / 1e3:.2f} kHz")
+            handles.append(line)
+    axes.set(xlabel="phase from cell to cell along the rows (π)", ylabel="frequency (kHz)", title=origin)
+    if handles:
+        figure.legend(handles=handles, loc="outside lower center", ncols=2)
     return figure
 
 

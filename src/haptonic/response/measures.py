@@ -78,13 +78,13 @@ def rms(response: FrequencyResponse, region: str) -> xr.DataArray:
     ------
     ResponseError : no point lies in that region
     """
-    return _spectrum(response, _mean_square(response, response.inside(region)) ** 0.5, response.units)
+    return spectrum(response, _mean_square(response, response.inside(region)) ** 0.5, response.units)
 
 
 def average_spectrum(response: FrequencyResponse) -> xr.DataArray:
     """Root mean square over all points, against frequency, in the units of the response."""
     everywhere = np.ones(response.dataset.sizes["point"], dtype=bool)
-    return _spectrum(response, _mean_square(response, everywhere) ** 0.5, response.units)
+    return spectrum(response, _mean_square(response, everywhere) ** 0.5, response.units)
 
 
 def contrast(response: FrequencyResponse, over: str, under: str) -> xr.DataArray:
@@ -117,7 +117,7 @@ def contrast(response: FrequencyResponse, over: str, under: str) -> xr.DataArray
             )
     with np.errstate(divide="ignore"):
         level = [10 * np.log10(_mean_square(response, mask)) for mask in (upper, lower)]
-    return _spectrum(response, level[0] - level[1], "dB")
+    return spectrum(response, level[0] - level[1], "dB")
 
 
 def disc_average(response: FrequencyResponse, diameter: float) -> xr.DataArray:
@@ -153,7 +153,7 @@ def disc_average(response: FrequencyResponse, diameter: float) -> xr.DataArray:
     ends = np.concatenate([[0], np.cumsum(counts)])
     share = np.repeat(1.0 / counts, counts)
     averaging = csr_array((share, np.concatenate(near), ends), shape=(len(points), len(points)))
-    amplitude = np.sqrt(averaging @ _squares(response.values).T).T
+    amplitude = np.sqrt(averaging @ squares(response.values).T).T
     old = response.dataset["response"]
     return xr.DataArray(
         amplitude,
@@ -235,7 +235,7 @@ def _unlike(a: Complex, b: Complex, allowed: str) -> ResponseError:
     )
 
 
-def _squares(values: Complex) -> Array:
+def squares(values: Complex) -> Array:
     """(frequency, point) squared length of the vector at every point, in double precision."""
     real, imaginary = values.real.astype(np.float64), values.imag.astype(np.float64)
     return np.asarray((real**2 + imaginary**2).sum(axis=2))
@@ -244,10 +244,11 @@ def _squares(values: Complex) -> Array:
 def _mean_square(response: FrequencyResponse, mask: NDArray[np.bool_]) -> Array:
     values = response.values
     lines = max(1, AT_ONCE // values[0].size)
-    parts = (_squares(values[i : i + lines, mask]).mean(axis=1) for i in range(0, len(values), lines))
+    parts = (squares(values[i : i + lines, mask]).mean(axis=1) for i in range(0, len(values), lines))
     return np.concatenate(list(parts))
 
 
-def _spectrum(response: FrequencyResponse, values: Array, units: str) -> xr.DataArray:
+def spectrum(response: FrequencyResponse, values: Array, units: str) -> xr.DataArray:
+    """(frequency,) values with the lines of a response."""
     lines = {"frequency": response.dataset["frequency"]}
     return xr.DataArray(values, dims=("frequency",), coords=lines, attrs={"units": units})

@@ -14,7 +14,7 @@ from haptonic.plate import Fineness, Plate
 from haptonic.response import FrequencyResponse
 from haptonic.results.plate.answer import responded
 from haptonic.results.plate.question import reference_of, tile_names, unit_drives
-from haptonic.results.scan.analysis import gap_in
+from haptonic.results.scan.analysis import contrast_range
 from haptonic.results.verdict import AFTER, BEFORE, MEASURED, Verdict
 from haptonic.updating.agreement import agreement, normal_of, together
 from haptonic.updating.fit import Fit, SmallModel, fitted
@@ -97,7 +97,7 @@ def compute_verdict(
     return Verdict(
         plate, {name: _alike(one, scan) for name, one in responses.items()},
         {name: agreement(scan, one, how) for name, one in responses.items() if name != MEASURED},
-        {name: _gap(plate, one) for name, one in responses.items()},
+        {name: _range(plate, one) for name, one in responses.items()},
         fit, recomputed, left_out, written(fit) if fit else None, inputs,
     )  # fmt: skip
 
@@ -186,9 +186,9 @@ def _alike(response: FrequencyResponse, scan: FrequencyResponse) -> FrequencyRes
     return response.velocity() if velocity else response.displacement()
 
 
-def _gap(plate: Plate, response: FrequencyResponse) -> MeasuredGap | None:
-    """Where the lattices fall silent; None if no contrast shows it."""
+def _range(plate: Plate, response: FrequencyResponse) -> MeasuredGap | None:
+    """Where the driven region stands out from the lattices; None if it does not."""
     try:
-        return gap_in(response, plate)
+        return contrast_range(response, plate)
     except (ScanError, ResponseError):
         return None

@@ -35,7 +35,7 @@ class Verdict:
 
     plate : as given; responses : by `MEASURED`, `BEFORE` and, after a fit, `AFTER`
     agreements : of the computed responses with the measured one, by the same names
-    gaps : measured in each response in the same way; None where contrast shows none
+    ranges : of high contrast over the lattice in each response, found in the same way; None without one
     fit : if there was one
     recomputed : relative error of the fit's response, against that of the fitted plate computed anew
     left_out : points of the scan that do not lie on the plate
@@ -46,7 +46,7 @@ class Verdict:
     plate: Plate
     responses: Mapping[str, FrequencyResponse]
     agreements: Mapping[str, Agreement]
-    gaps: Mapping[str, MeasuredGap | None]
+    ranges: Mapping[str, MeasuredGap | None]
     fit: Fit | None
     recomputed: float | None
     left_out: int
@@ -150,7 +150,7 @@ class Verdict:
             "points": len(self.measured.points),
             "points_left_out": self.left_out,
             "agreement": {name: _agreement_json(one) for name, one in self.agreements.items()},
-            "gaps_hz": {name: gap and _gap_json(gap) for name, gap in self.gaps.items()},
+            "contrast_range_hz": {name: one and _range_json(one) for name, one in self.ranges.items()},
             "fit": self.fit and self._fit_json(self.fit),
             "inputs": dict(self.inputs),
         }
@@ -199,5 +199,5 @@ def _agreement_json(one: Agreement) -> dict[str, Any]:
     }  # fmt: skip
 
 
-def _gap_json(gap: MeasuredGap) -> dict[str, float]:
-    return {name: getattr(gap, name) for name in ("lower", "upper", "lower_error", "upper_error")}
+def _range_json(one: MeasuredGap) -> dict[str, float]:
+    return {name: getattr(one, name) for name in ("lower", "upper", "lower_error", "upper_error")}

@@ -9,7 +9,7 @@ from haptonic.errors import HaptonicError
 from haptonic.report import paper
 from haptonic.report.chapter import Absent, Chapter, Picture, Results, Table
 from haptonic.results import PlateResult
-from haptonic.results.scan import ScanResult, gap_in
+from haptonic.results.scan import ScanResult, contrast_range
 from haptonic.vibrometry import MeasuredGap
 
 TITLE = "The scan, from a twin"
@@ -69,8 +69,10 @@ def _what(results: Results, scan: ScanResult) -> str:
 
 def _meaning(of_the_paper: bool) -> str:
     said = (
-        "The gap in a scan is where the driven region vibrates much more than the lattices. It belongs to "
-        "this plate and drive: waves that pass the lattice but do not run in the driven guide leave it open."
+        "An edge of the lattice's gap is told where waves in the rows of pillars begin to fade; one that so "
+        "few rows do not show is not. High contrast, where the driven region vibrates much more than the "
+        "lattices, belongs to this plate and drive: waves that pass the lattice but do not run in the driven "
+        "guide do not end it."
     )
     return f"{said} The paper gives maps of its scan, and no edges." if of_the_paper else said
 
@@ -94,10 +96,14 @@ def _everywhere(plate: PlateResult, scan: ScanResult) -> list[str]:
         if name not in scan.contrasts:
             continue
         off = np.abs(scan.contrasts[name].values - level.values)
+        given = np.isfinite(off)
+        if not given.any():
+            return [f"{name} is given at no line: noise leaves too little of it."]
         worst = int(np.nanargmax(off))
         return [
-            f"{name} comes back within {CLOSE:g} dB at {(off < CLOSE).sum()} of {len(off)} lines; it is "
-            f"worst at {plate.response.frequency[worst] / 1e3:.3g} kHz, by {off[worst]:.1f} dB."
+            f"{name} is given at {given.sum()} of {len(off)} lines, where noise leaves enough of it, and is "
+            f"within {CLOSE:g} dB of the plate's at {(off < CLOSE).sum()} of them; it is worst at "
+            f"{plate.response.frequency[worst] / 1e3:.3g} kHz, by {off[worst]:.2f} dB."
         ]
     return []
 
@@ -110,12 +116,15 @@ def _gaps(plate: PlateResult, scan: ScanResult, of_the_paper: bool) -> Table:
         rows.append(
             ("lattice, computed", *(f"{e / 1e3:.2f} kHz" for e in (plate.gap.lower, plate.gap.upper)))
         )
+    if scan.lattice:
+        edges = (scan.lattice.lower, scan.lattice.upper)
+        rows.append(("lattice, twin's scan", *(str(edge or "not told") for edge in edges)))
     try:
-        rows.append(("contrast in the computed plate", *_edges(gap_in(plate.response, plate.plate))))
+        rows.append(("high contrast, computed plate", *_edges(contrast_range(plate.response, plate.plate))))
     except HaptonicError as error:
-        rows.append(("contrast in the computed plate", "none", error.given))
+        rows.append(("high contrast, computed plate", "none", error.given))
     if scan.measured:
-        rows.append(("contrast in the twin's scan", *_edges(scan.measured)))
+        rows.append(("high contrast, twin's scan", *_edges(scan.measured)))
     return Table("Simulated gaps, with standard errors.", ("where", "from", "to"), tuple(rows))
 
 

@@ -15,6 +15,7 @@ from haptonic import plots
 from haptonic.bloch import Gap
 from haptonic.plate import Plate
 from haptonic.response import FrequencyResponse, contrast, disc_average, rms
+from haptonic.response.checks import REST
 from haptonic.results.plate.question import driven_region, resonance_of
 
 if TYPE_CHECKING:
@@ -159,13 +160,18 @@ class PlateResult:
 
 def contrasts(response: FrequencyResponse, driven: str | None) -> dict[str, xr.DataArray]:
     """How much more a region vibrates than others and than all the rest, dB."""
+    return {
+        f"{driven} over {words}": contrast(response, driven or "", other)
+        for words, other in compared(response, driven)
+    }
+
+
+def compared(response: FrequencyResponse, driven: str | None) -> list[tuple[str, str]]:
+    """What a driven region is compared with: words for it, and its name in `contrast`."""
     if driven is None or driven not in response.regions:
-        return {}
-    others = [name for name in response.regions if name not in ("", driven)]
-    pairs = {f"{driven} over {other}": contrast(response, driven, other) for other in others}
-    if response.inside(driven).all():
-        return pairs
-    return pairs | {f"{driven} over the rest": contrast(response, driven, "rest")}
+        return []
+    others = [(name, name) for name in response.regions if name not in ("", driven)]
+    return others if response.inside(driven).all() else [*others, ("the rest", REST)]
 
 
 def below_finger(line: FrequencyResponse) -> dict[str, float]:

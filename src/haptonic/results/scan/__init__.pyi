@@ -1,4 +1,4 @@
-from .analysis import Estimation, OnPlate, compute_scan, gap_in
+from .analysis import Estimation, OnPlate, compute_scan, contrast_range
 from .excitation import Excitation
 from .question import ScanQuestion
 from .twin import FORMATS, Twin
@@ -13,5 +13,5 @@ __all__ = [
     "ScanResult",
     "Twin",
     "compute_scan",
-    "gap_in",
+    "contrast_range",
 ]

@@ -17,24 +17,30 @@ from haptonic.bloch import Gap
 from haptonic.errors import HaptonicError, ResponseError, ScanError
 from haptonic.plate import Plate
 from haptonic.plate.layout import Layout
-from haptonic.response import FrequencyResponse, average_spectrum, rms
+from haptonic.response import FrequencyResponse, average_spectrum
+from haptonic.response.checks import REST
 from haptonic.results.common import Asked
 from haptonic.results.plate.compute import marked_lines
 from haptonic.results.plate.question import driven_region, tile_names
-from haptonic.results.plate.value import contrasts
+from haptonic.results.plate.value import compared
 from haptonic.results.scan.computed import computed_waves
-from haptonic.results.scan.places import MIRROR, Mirror, guides_of, mirror_beside
+from haptonic.results.scan.places import MIRROR, Mirror, guides_of, mirror_beside, strips_of
 from haptonic.results.scan.question import ScanQuestion, Tiles
 from haptonic.results.scan.value import ScanResult
 from haptonic.store import Store
 from haptonic.vibrometry import (
     Estimate,
+    LatticeGap,
     MeasuredGap,
     ReadReport,
     Registration,
     Scan,
     TimeScan,
+    clean_contrast,
+    clean_rms,
     estimate,
+    fading,
+    gap_edges,
     lattice_decay,
     measured_gap,
     register_by_corners,
@@ -130,8 +136,9 @@ def compute_scan(
     response = _without_path(
         registration.registered(response, {n: Tiles(layout, n) for n in layout.regions}), on
     )
-    found_gap, told = _told_on_plate(response, on, data)
+    stands_out, told = _told_on_plate(response, on, data)
     told += unseen
+    lattice = _gap(response, on.plate, data)
     edges = None if on.gap is None else (on.gap.lower, on.gap.upper)
     names = [str(name) for name in response.dataset["region"].values]
     marked = marked_lines(on.plate, response.frequency, response.values[..., 0].T, names, on.carrier, edges)
@@ -155,7 +162,8 @@ def compute_scan(
         told.append(f"{outside} points lie beside the plate of the study")
     return replace(
         plain, response=response, shapes=shapes, plate=on.plate, carrier=on.carrier, gap=on.gap,
-        measured=found_gap, registration=registration, waves=waves, mirror=mirror, told=tuple(told),
+        measured=stands_out, lattice=lattice, registration=registration, waves=waves, mirror=mirror,
+        told=tuple(told),
     )  # fmt: skip
 
 
@@ -227,12 +235,18 @@ def _without_path(response: FrequencyResponse, on: OnPlate) -> FrequencyResponse
 def _told_on_plate(
     response: FrequencyResponse, on: OnPlate, data: xr.Dataset
 ) -> tuple[MeasuredGap | None, list[str]]:
-    """Fill a dataset with what the regions tell; the gap, and why something could not be told."""
+    """Fill a dataset with what the regions tell; the range of high contrast, and why something could not be
+    told."""
     layout, told, driven = on.plate.layout, [], driven_region(on.plate)
     for name in response.regions:
-        data[f"rms {name}"] = rms(response, name)
-    for name, level in contrasts(response, driven).items():
-        data[f"contrast {name}"] = level
+        data[f"rms {name}"] = clean_rms(response, name)
+    for words, other in compared(response, driven):
+        under = ~response.inside(driven or "") if other == REST else response.inside(other)
+        found_level = clean_contrast(response, response.inside(driven or ""), under)
+        data[f"contrast {driven} over {words}"] = found_level["level"]
+        data[f"error of {driven} over {words}"] = found_level["error"]
+        if hidden := int(np.isnan(found_level["level"].values).sum()):
+            told.append(f"noise hides the contrast of {driven} over {words} at {hidden} lines")
     for guide in guides_of(layout):
         try:
             waves = wavenumber_map(response, guide.region, guide.along)
@@ -241,12 +255,12 @@ def _told_on_plate(
         else:
             data[f"waves {guide.region}"] = waves.rename(wavenumber=f"wavenumber {guide.region}")
     if driven is None:
-        return None, [*told, "no gap: the study does not say which region is driven"]
+        return None, [*told, "no contrast: the study does not say which region is driven"]
     found = None
     try:
         found = measured_gap(_on_lattices(response, layout), driven, LATTICE)
     except (ScanError, ResponseError) as error:
-        told.append(f"no gap: {error.given}")
+        told.append(f"no range of high contrast: {error.given}")
     mirror = mirror_beside(layout, driven)
     if mirror is not None:
         try:
@@ -259,12 +273,23 @@ def _told_on_plate(
     return found, told
 
 
-def gap_in(response: FrequencyResponse, plate: Plate) -> MeasuredGap:
-    """The gap that a response on a plate shows: its driven region over all its lattices.
+def _gap(response: FrequencyResponse, plate: Plate, data: xr.Dataset) -> LatticeGap:
+    """Edges of the lattice's gap; how waves fade in it goes into the dataset."""
+    driven = driven_region(plate)
+    try:
+        fades = fading(response, strips_of(plate.layout, driven) if driven else [])
+    except (ScanError, ResponseError) as error:
+        return LatticeGap(None, None, (f"no edges of the gap: {error.given}",))
+    data["fading"] = fades
+    return gap_edges(fades)
+
+
+def contrast_range(response: FrequencyResponse, plate: Plate) -> MeasuredGap:
+    """The range in which the driven region of a plate stands out from all its lattices.
 
     Raises
     ------
-    ScanError : no driven region, or no gap
+    ScanError : no driven region, or no such range
     ResponseError : no point in one of them
     """
     driven = driven_region(plate)

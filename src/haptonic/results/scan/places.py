@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from haptonic.plate.layout import Layout
+from haptonic.vibrometry import Strip
 from haptonic.vibrometry.maps.waves import Axis
 from haptonic.vibrometry.planning import Rectangle
 
@@ -73,6 +74,31 @@ def mirror_beside(layout: Layout, region: str) -> Mirror | None:
         return mirror.rows, any(layout.at(tile) in layout.regions for tile in behind)
 
     return max(found, key=worth, default=None)
+
+
+def strips_of(layout: Layout, region: str) -> list[Strip]:
+    """Rows of the lattice beside a region, and those of the same lattice along them elsewhere."""
+    first = mirror_beside(layout, region)
+    if first is None:
+        return []
+    alike = {
+        one.area: one
+        for name in layout.regions
+        for one in _mirrors(layout, name)
+        if (one.name, one.depth) == (first.name, first.depth)
+    }
+    return [
+        Strip(one.area, one.depth, one.start, one.inwards, one.pitch, _period(layout, one), one.rows)
+        for one in alike.values()
+    ]
+
+
+def _period(layout: Layout, mirror: Mirror) -> float:
+    """Of the cells along the rows of a mirror, m."""
+    area = mirror.area
+    tiles = layout.under((area.x, area.y, area.x + area.width, area.y + area.height))
+    length = area.height if mirror.depth == "x" else area.width
+    return length / len({row if mirror.depth == "x" else column for row, column in tiles})
 
 
 def _mirrors(layout: Layout, region: str) -> Iterator[Mirror]:

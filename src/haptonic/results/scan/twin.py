@@ -19,7 +19,7 @@ from haptonic.plate import Plate
 from haptonic.response import FrequencyResponse, write
 from haptonic.results.plate.question import driven_region
 from haptonic.results.plate.value import contrasts
-from haptonic.results.scan.analysis import gap_in
+from haptonic.results.scan.analysis import contrast_range
 from haptonic.results.scan.question import ScanQuestion
 from haptonic.vibrometry import TimeScan, estimate, write_records, write_uff, write_uff_records
 from haptonic.vibrometry.chirp import Drive
@@ -125,9 +125,9 @@ class Twin:
     def truth(self) -> dict[str, Any]:
         """What an analysis of the files has to find."""
         try:
-            gap = asdict(gap_in(self.true, self.plate))
+            stands_out = asdict(contrast_range(self.true, self.plate))
         except HaptonicError as error:
-            gap = {"none": error.given}
+            stands_out = {"none": error.given}
         levels = contrasts(self.true, driven_region(self.plate))
         instrument = asdict(
             replace(
@@ -138,7 +138,7 @@ class Twin:
         return {
             "origin": "simulated",
             "seed": self.seed,
-            "gap": gap,
+            "contrast_range": stands_out,
             "computed_gap_hz": None if self.gap is None else [self.gap.lower, self.gap.upper],
             "frequency_hz": self.true.frequency.tolist(),
             "contrast_db": {name: level.values.tolist() for name, level in levels.items()},

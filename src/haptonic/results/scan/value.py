@@ -20,7 +20,7 @@ from haptonic.response import FrequencyResponse, write
 from haptonic.results.common import write_netcdf
 from haptonic.results.scan.computed import guided
 from haptonic.results.scan.places import Mirror, guides_of
-from haptonic.vibrometry import MeasuredGap, Quality, ReadReport, Registration
+from haptonic.vibrometry import LatticeGap, MeasuredGap, Quality, ReadReport, Registration
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -35,7 +35,8 @@ class ScanResult:
     dataset : ``average``, and on a plate ``rms REGION``, ``contrast A over B``, ``waves REGION``, ``decay
         ...`` against frequency
     shapes : frequencies of the operating shapes, Hz
-    measured : the gap in the scan; gap : of the lattice, computed; waves : see `computed_waves`
+    measured : range in which the driven region stands out; lattice : edges of the gap by how waves fade
+    gap : of the lattice, computed; waves : see `computed_waves`
     told : what could not be told, and why
     """
 
@@ -49,6 +50,7 @@ class ScanResult:
     carrier: float | None = None
     gap: Gap | None = None
     measured: MeasuredGap | None = None
+    lattice: LatticeGap | None = None
     registration: Registration | None = None
     waves: xr.Dataset | None = None
     mirror: Mirror | None = None
@@ -96,7 +98,13 @@ class ScanResult:
         """Of all pictures that may be drawn."""
         names = ["average", "maps", "quality"]
         if plate is not None:
-            names += ["contrast", "velocity", "decay", *(f"waves-{n}" for n in plate.layout.regions)]
+            names += [
+                "contrast",
+                "velocity",
+                "decay",
+                "fading",
+                *(f"waves-{n}" for n in plate.layout.regions),
+            ]
         return names
 
     def figures(self) -> dict[str, Figure]:
@@ -131,6 +139,10 @@ class ScanResult:
                 found[f"waves-{guide.region}"] = plots.wave_map(
                     seen, plain, mode, region=guide.region, origin=origin
                 )
+        if "fading" in self.dataset:
+            found["fading"] = plots.fading_map(
+                self.dataset["fading"], self.lattice, self._edges, origin=origin
+            )
         if self.decay is not None:
             found["decay"] = plots.fading(self.decay, self._fading, self._edges, origin=origin)
         return found
@@ -165,7 +177,7 @@ class ScanResult:
         """Plain values at one frequency, Hz."""
         line = self.dataset.sel(frequency=frequency, method="nearest")
         found = {"frequency_hz": float(line["frequency"]), "rms_of_all": float(line["average"])}
-        found["rms"] = {name: float(line[f"rms {name}"]) for name in self._named("rms ")}  # type: ignore[assignment]
+        found["rms"] = {name: _finite(line[f"rms {name}"]) for name in self._named("rms ")}  # type: ignore[assignment]
         found["contrast_db"] = {name: _finite(line[f"contrast {name}"]) for name in self.contrasts}  # type: ignore[assignment]
         if "decay decay" in line:
             decay = {name: float(line[f"decay {name}"]) for name in ("decay", "low", "high")}
@@ -187,7 +199,7 @@ class ScanResult:
             "points": self.response.dataset.sizes["point"],
             "dropped": [str(one) for one in self.report.dropped],
             "missing": list(self.report.missing),
-            "remarks": [*self.report.remarks, *self.told],
+            "remarks": [*self.report.remarks, *self.told, *(self.lattice.reasons if self.lattice else ())],
             "lines": len(lines),
             "band_hz": [float(lines[0]), float(lines[-1])],
             "averages": self.averages,
@@ -200,7 +212,8 @@ class ScanResult:
                 "shift_m": registration.shift.tolist(), "mirrored": registration.mirrored,
                 "misfit_m": registration.misfit,
             },
-            "gap": None if self.measured is None else asdict(self.measured),
+            "gap": None if self.lattice is None else asdict(self.lattice),
+            "contrast_range": None if self.measured is None else asdict(self.measured),
             "computed_gap_hz": self._edges,
             "shapes": [self.told_at(frequency) for frequency in self.shapes],
         }  # fmt: skip

@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import hashlib
-from collections.abc import Callable
+from collections import deque
+from collections.abc import Callable, Iterator
+from concurrent.futures import Future, ThreadPoolExecutor
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
@@ -25,21 +27,21 @@ from haptonic.vibrometry.estimation.spectra import (
     ESTIMATORS,
     Estimator,
     Real,
-    Spectra,
     WindowName,
     rolled,
     segmented,
     shifts,
     spectra_of,
+    transformed,
     window_of,
 )
 from haptonic.vibrometry.findings import Notebook, ReadReport
 from haptonic.vibrometry.labels import steps
 from haptonic.vibrometry.records import Samples, TimeScan
 
-__all__ = ["Estimate", "Quality", "Spectra", "estimate", "repaired", "spectra_of", "window_of"]
+__all__ = ["Estimate", "Quality", "estimate", "repaired", "window_of"]
 
-WORKING_MEMORY = 48e6  # bytes of transforms that are held at a time
+WORKING_MEMORY = 192e6  # bytes that the transforms of a portion would take, all at once
 EXCITED = 1e-8  # of the largest power of the drive, below which a line counts as not driven
 
 Progress = Callable[[int, int], object]
@@ -77,7 +79,6 @@ class _Plan:
     window: Real | None = field(compare=False)
     like: Real | None = field(compare=False)
     single: bool
-    workers: int
     factor: NDArray[Any] = field(compare=False)
 
 
@@ -111,7 +112,7 @@ def estimate(
     align : turn each record so that its reference starts as that of the very first one
     state : folder in which a stopped estimation is continued
     progress : called with the points done and their number
-    workers : threads of the transforms
+    workers : threads that work on portions while the next ones are read
 
     Returns
     -------
@@ -122,7 +123,7 @@ def estimate(
     ------
     ScanError : settings that do not fit the records, or nothing left
     """
-    plan = _planned(scan, estimator, window, decay, segment, overlap, band, align, workers)
+    plan = _planned(scan, estimator, window, decay, segment, overlap, band, align)
     points, frequency = len(scan.names), _frequencies(scan, plan)[plan.kept]
     settings = {
         "estimator": estimator, "window": window, "decay": decay, "segment": plan.length, "overlap": overlap,
@@ -133,9 +134,12 @@ def estimate(
     averages = scan.repeats * _pieces(scan.samples, plan)
     size = max(1, int(WORKING_MEMORY / (48.0 * plan.length * averages)))
     try:
-        for first, reference, response in scan.chunks(size, start=store.done):
-            _add(store, first, reference, response, scan, plan)
-            store.done = first + len(response)
+        for portion in _computed(scan, plan, size, store.done, workers):
+            last = portion.first + len(portion.measures)
+            store.response[:, portion.first : last] = portion.response.T
+            store.coherence[:, portion.first : last] = portion.coherence.T
+            store.measures[portion.first : last] = portion.measures
+            store.done = last
             store.keep()
             if progress is not None:
                 progress(store.done, points)
@@ -153,7 +157,6 @@ def _planned(
     overlap: float,
     band: tuple[float, float] | None,
     align: bool,
-    workers: int,
 ) -> _Plan:
     if estimator not in ESTIMATORS:
         guess = nearest(str(estimator), ESTIMATORS) or "H1"
@@ -181,8 +184,9 @@ def _planned(
     single = all(a.dtype.itemsize <= 2 or a.dtype == np.float32 for a in (reference, response))
     weights = window_of(window, length, scan.sample_rate, decay)
     drive = segmented(reference.astype(np.float64), length, step)
-    probe = spectra_of(drive, drive, None, slice(first, last))
-    power = np.where(np.isfinite(probe.xx), probe.xx, 0).max(axis=0)
+    probe = transformed(drive, None, slice(first, last))
+    mean = (np.abs(probe) ** 2).mean(axis=1)
+    power = np.where(np.isfinite(mean), mean, 0).max(axis=0)
     kept = np.flatnonzero(power > EXCITED * power.max())
     if not len(kept):
         given = "no signal in the first points' records"
@@ -191,31 +195,67 @@ def _planned(
     scale = scan.response_scale / scan.reference_scale
     factor = scale * (2j * np.pi * frequency[first:last][kept]) ** power_of_i
     like = reference[0, 0].astype(np.float64) if align else None
-    return _Plan(estimator, length, step, slice(first, last), kept, weights, like, single, workers, factor)
+    return _Plan(estimator, length, step, slice(first, last), kept, weights, like, single, factor)
 
 
-def _add(
-    store: Growing, first: int, reference: Samples, response: Samples, scan: TimeScan, plan: _Plan
-) -> None:
-    """One portion: measures of its records first, then its spectra."""
-    last = first + len(response)
-    store.measures[first:last, 0] = clipped_share(response, scan.full_scale)
-    store.measures[first:last, 1] = frozen_share(response)
-    kind = np.float32 if plan.single else np.float64
-    x: Real = reference.astype(kind)
-    y: Real = response.astype(kind)
-    if plan.like is not None:
-        lags = shifts(x.astype(np.float64), plan.like)
-        x, y = rolled(x, lags), rolled(y, np.broadcast_to(lags, y.shape[:2]))
-    x, y = (segmented(one, plan.length, plan.step) for one in (x, y))
-    spectra = spectra_of(x, y, plan.window, plan.lines, plan.workers)
-    values = spectra.response(plan.estimator)[:, plan.kept] * plan.factor.astype(spectra.xy.dtype)
-    coherence = spectra.coherence()[:, plan.kept]
-    store.response[:, first:last] = values.T
-    store.coherence[:, first:last] = coherence.T
+@dataclass(frozen=True, eq=False)
+class _Portion:
+    """Of some points from ``first`` on, (point, line) and (point, 3); see `Growing`."""
+
+    first: int
+    response: NDArray[Any]
+    coherence: NDArray[Any]
+    measures: NDArray[np.float64]
+
+
+def _computed(scan: TimeScan, plan: _Plan, size: int, start: int, workers: int) -> Iterator[_Portion]:
+    """Portions in their order; one after the other is read while threads work on those before it."""
+    waiting: deque[Future[_Portion]] = deque()
+    with ThreadPoolExecutor(workers) as pool:
+        try:
+            for first, reference, response in scan.chunks(size, start=start):
+                waiting.append(pool.submit(_estimated, first, reference, response, scan.full_scale, plan))
+                if len(waiting) > workers:
+                    yield waiting.popleft().result()
+            while waiting:
+                yield waiting.popleft().result()
+        finally:
+            pool.shutdown(cancel_futures=True)
+
+
+def _estimated(
+    first: int, reference: Samples, response: Samples, full_scale: float | None, plan: _Plan
+) -> _Portion:
+    """A portion, point by point: what a point needs fits into the processor's cache, and is used again."""
+    kind, count = np.float32 if plan.single else np.float64, len(response)
+    values = np.empty((count, len(plan.kept)), np.complex64 if plan.single else np.complex128)
+    coherence = np.empty(values.shape, kind)
+    shared = len(reference) == 1
+    x = _transforms(reference.astype(kind), None, plan) if shared and plan.like is None else None
+    y: Real = np.empty((1, *response.shape[1:]), kind)
+    factor = plan.factor.astype(values.dtype)
+    for point in range(count):
+        y[0] = response[point]
+        drive, lags = x, None
+        if drive is None:
+            own: Real = reference[0 if shared else point][None].astype(kind)
+            lags = None if plan.like is None else shifts(own.astype(np.float64), plan.like)
+            drive = _transforms(own, lags, plan)
+        spectra = spectra_of(drive, _transforms(y, lags, plan))
+        values[point] = spectra.response(plan.estimator)[0, plan.kept] * factor
+        coherence[point] = spectra.coherence()[0, plan.kept]
     fine: NDArray[np.bool_] = np.asarray((np.isfinite(values) & np.isfinite(coherence)).all(axis=1))
     median = np.median(np.where(fine[:, None], coherence, 0.0), axis=1)
-    store.measures[first:last, 2] = np.where(fine, median, np.nan)
+    measures = np.stack(
+        [clipped_share(response, full_scale), frozen_share(response), np.where(fine, median, np.nan)], axis=1
+    )
+    return _Portion(first, values, coherence, measures)
+
+
+def _transforms(records: Real, lags: NDArray[np.int64] | None, plan: _Plan) -> NDArray[Any]:
+    """(point, segment, line) of records (point, repeat, sample) that are moved to the front by their lags."""
+    moved = records if lags is None else rolled(records, lags)
+    return transformed(segmented(moved, plan.length, plan.step), plan.window, plan.lines)
 
 
 def _finished(

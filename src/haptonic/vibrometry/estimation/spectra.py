@@ -94,25 +94,23 @@ def segmented(records: Real, length: int, step: int) -> Real:
     return np.asarray(views).reshape(len(records), -1, length)
 
 
-def spectra_of(
-    reference: Real, response: Real, window: Real | None, lines: slice, workers: int = 1
-) -> Spectra:
-    """Averaged spectra of segments.
+def transformed(segments: Real, window: Real | None, lines: slice) -> Complex:
+    """(point, segment, line) of segments (point, segment, sample), weighted by a window (sample,)."""
+    weighted = segments if window is None else segments * window.astype(segments.dtype)
+    return np.asarray(scipy.fft.rfft(weighted, axis=2)[..., lines])
 
-    Parameters
-    ----------
-    reference, response : (point or 1, segment, sample), (point, segment, sample)
-    window : (sample,)
-    lines : of the transform that are kept
-    """
-    transforms = []
-    for segments in (reference, response):
-        weighted = segments if window is None else segments * window.astype(segments.dtype)
-        transforms.append(scipy.fft.rfft(weighted, axis=2, workers=workers)[..., lines])
-    x, y = transforms
-    xx, yy = ((one.real**2 + one.imag**2).mean(axis=1) for one in (x, y))
-    xy = np.einsum("psl,psl->pl", np.broadcast_to(x, y.shape).conj(), y) / y.shape[1]
-    return Spectra(np.broadcast_to(xx, yy.shape), yy, xy, y.shape[1])
+
+def spectra_of(x: Complex, y: Complex) -> Spectra:
+    """Averaged spectra of transforms (point or 1, segment, line) and (point, segment, line)."""
+    xx = _power(x)
+    # sums of products: quicker than `einsum`, whose inner loop over segments jumps from line to line
+    xy = (x.conj() * y).sum(axis=1) / y.shape[1]
+    return Spectra(np.broadcast_to(xx, xy.shape), _power(y), xy, y.shape[1])
+
+
+def _power(transforms: Complex) -> Real:
+    """(point, line) mean of the squared amplitude over the segments."""
+    return np.asarray((transforms.real**2 + transforms.imag**2).mean(axis=1))
 
 
 def shifts(reference: Real, like: Real) -> NDArray[np.int64]:

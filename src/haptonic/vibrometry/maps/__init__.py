@@ -1,12 +1,21 @@
 """What a scan shows of a plate: regions, gap, waves in the guides, decay through the lattice."""
 
+from haptonic.vibrometry.maps.edges import Edge, LatticeGap, Strip, fading, gap_edges
 from haptonic.vibrometry.maps.gap import MeasuredGap, measured_gap, region_statistics
+from haptonic.vibrometry.maps.noise import clean_contrast, clean_rms
 from haptonic.vibrometry.maps.registration import Registration, register_by_corners, register_by_fit
 from haptonic.vibrometry.maps.waves import lattice_decay, warn_if_aliased, wavenumber_map
 
 __all__ = [
+    "Edge",
+    "LatticeGap",
     "MeasuredGap",
     "Registration",
+    "Strip",
+    "clean_contrast",
+    "clean_rms",
+    "fading",
+    "gap_edges",
     "lattice_decay",
     "measured_gap",
     "region_statistics",

@@ -1,0 +1,91 @@
+"""What noise adds to the power of a measured response, taken out again; and where too little is left."""
+
+from __future__ import annotations
+
+import json
+
+import numpy as np
+import xarray as xr
+from numpy.typing import NDArray
+
+from haptonic.response import FrequencyResponse
+from haptonic.response.measures import spectrum, squares
+
+Array = NDArray[np.float64]
+Bools = NDArray[np.bool_]
+
+LINES = 256  # that are converted to double precision at a time
+TRUSTED = 0.125  # dB, standard error up to which a level is told: four of them are half a decibel
+DECIBELS = 10 / np.log(10)  # of a small relative change of a power
+
+
+def averages_of(response: FrequencyResponse) -> int:
+    """How many averages a response is the H1 estimate of, as `haptonic.vibrometry.estimate` noted it; 0 if it
+    is something else, or too few to know the noise from them."""
+    inputs = json.loads(response.dataset.attrs["inputs"])
+    count = inputs.get("averages")
+    known = "coherence" in response.dataset and inputs.get("estimator") == "H1"
+    return count if known and isinstance(count, int) and count > 1 else 0
+
+
+def noise_power(response: FrequencyResponse, points: Bools, lines: slice, averages: int) -> Array:
+    """(line, point) mean square of the noise in an H1 estimate, |H|^2 (1 - c) / c / (n - 1) [bendat2010].
+
+    The coherence c of n averages is itself an estimate; the mean of this one is right for any n. A point
+    whose coherence was set to zero by a repair gets none.
+    """
+    square = squares(response.values[lines][:, points])
+    coherence = response.dataset["coherence"].values[lines][:, points].astype(np.float64)
+    share = np.divide(1 - coherence, coherence, out=np.zeros_like(coherence), where=coherence > 0)
+    return np.asarray(square * share / (averages - 1))
+
+
+def region_power(response: FrequencyResponse, points: Bools) -> tuple[Array, Array]:
+    """Mean square over points without that of the noise, and its standard error, both (line,).
+
+    The error is that of the noise alone. Both are exact, and the error zero, for a response that is not
+    estimated from several averages.
+    """
+    averages, count = averages_of(response), int(points.sum())
+    power, variance = np.empty(len(response.frequency)), np.zeros(len(response.frequency))
+    for start in range(0, len(power), LINES):
+        lines = slice(start, start + LINES)
+        square = squares(response.values[lines][:, points])
+        power[lines] = square.mean(axis=1)
+        if averages:
+            noise = noise_power(response, points, lines, averages)
+            power[lines] -= noise.mean(axis=1)
+            # |h + e|^2 scatters by 2 |h|^2 s^2 + s^4 about its mean, the estimate of s^2 by s^4 / (n - 1)
+            signal = np.maximum(square - noise, 0)
+            spread = 2 * signal * noise + noise**2 * averages / (averages - 1)
+            variance[lines] = spread.sum(axis=1) / count**2
+    return power, np.sqrt(variance)
+
+
+def clean_rms(response: FrequencyResponse, region: str) -> xr.DataArray:
+    """Root mean square of a region without noise; NaN where its standard error is above `TRUSTED`.
+
+    Raises
+    ------
+    ResponseError : no point lies in that region
+    """
+    power, error = region_power(response, response.inside(region))
+    values = np.sqrt(np.where(_decibels(power, error) <= TRUSTED, power, np.nan))
+    return spectrum(response, values, response.units)
+
+
+def clean_contrast(response: FrequencyResponse, over: Bools, under: Bools) -> xr.Dataset:
+    """``level`` of some points over others without noise, and its standard ``error``, dB against frequency.
+
+    A level is NaN where its error is above `TRUSTED`: what the coherence leaves is not enough to tell it.
+    """
+    (upper, upper_error), (lower, lower_error) = (region_power(response, one) for one in (over, under))
+    error = np.hypot(_decibels(upper, upper_error), _decibels(lower, lower_error))
+    with np.errstate(divide="ignore", invalid="ignore"):
+        level = np.where(error <= TRUSTED, 10 * np.log10(upper / lower), np.nan)
+    return xr.Dataset({"level": spectrum(response, level, "dB"), "error": spectrum(response, error, "dB")})
+
+
+def _decibels(power: Array, error: Array) -> Array:
+    """Standard error of a level; infinite where nothing but noise is left."""
+    return np.asarray(DECIBELS * np.divide(error, power, out=np.full_like(power, np.inf), where=power > 0))

@@ -1,0 +1,201 @@
+"""Edges of a gap from fields whose fading is prescribed; levels without noise against plain statistics."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from scans import assert_five_parts
+from test_estimation import LINES as HALVES
+from test_estimation import recorded
+
+from haptonic.errors import ScanError
+from haptonic.response import FrequencyResponse
+from haptonic.vibrometry import (
+    InMemory,
+    Rectangle,
+    Strip,
+    TimeScan,
+    clean_contrast,
+    clean_rms,
+    estimate,
+    fading,
+    gap_edges,
+)
+from haptonic.vibrometry.maps.edges import METHOD
+from haptonic.vibrometry.maps.noise import TRUSTED, noise_power, region_power
+
+PITCH, ROWS, CELLS = 7e-3, 3, 12
+LINES = np.arange(40e3, 75e3, 100.0)
+X, Y = (
+    axis.ravel()
+    for axis in np.meshgrid(
+        np.arange(25) * 2e-3, 1e-3 + np.arange(42) * 2e-3
+    )  # the lattice, and plate on both sides
+)
+STRIP = Strip(Rectangle(14e-3, 0.0, ROWS * PITCH, CELLS * PITCH), "x", 14e-3, 1, PITCH, PITCH, ROWS)
+WAVES = np.pi * np.arange(1, CELLS) / CELLS
+
+
+def exponent(lines, lower, upper, deep=1.6):
+    """Of a wave, per cell: i k in the bands, and in the gap a decay that rises from the edges as a root."""
+    depth = np.clip((lines - lower) * (upper - lines), 0, None) / (0.25 * (upper - lower)) ** 2
+    return np.where(depth > 0, deep * np.minimum(np.sqrt(depth), 1.0) + 0j, 1j * (0.4 + lines / 60e3))
+
+
+def field(edges, noise=0.0, averages=0, seed=1, reflected=0.4):
+    """Waves of many phases along the rows, and what comes back of them; ``edges`` of a phase, or None."""
+    chance = np.random.default_rng(seed)
+    cells = (X - STRIP.start) / PITCH
+    values = np.zeros((len(LINES), len(X)), complex)
+    for phase in WAVES:
+        gap = edges(phase)
+        gamma = exponent(LINES, *gap) if gap else 1j * (0.4 + LINES / 60e3)
+        amplitude, back = chance.normal(size=(2, len(LINES))) + 1j * chance.normal(size=(2, len(LINES)))
+        there = amplitude[:, None] * np.exp(-np.outer(gamma, cells))
+        values += (there + reflected * back[:, None] * np.exp(np.outer(gamma, cells - ROWS))) * np.cos(
+            phase * Y / PITCH
+        )
+    coherence = None
+    if averages:
+        scatter = chance.normal(size=(2, averages, *values.shape))
+        each = values + noise * (scatter[0] + 1j * scatter[1])
+        values = each.mean(axis=0)
+        coherence = np.abs(values) ** 2 / (np.abs(each) ** 2).mean(axis=0)
+    return FrequencyResponse.of(
+        values[..., None], frequency=LINES, x=X, y=Y, reference="A1, V", origin="simulated",
+        coherence=coherence, inputs={"estimator": "H1", "averages": averages},
+    )  # fmt: skip
+
+
+def whole(phase):
+    return 52e3, 62e3
+
+
+class TestEdges:
+    @pytest.mark.parametrize("gap", [(52e3, 62e3), (47.3e3, 55.9e3)])
+    @pytest.mark.parametrize("reflected", [0.0, 1.0])
+    def test_both_edges_are_told_where_all_waves_stop(self, gap, reflected):
+        found = gap_edges(fading(field(lambda phase: gap, reflected=reflected), [STRIP]))
+        assert found.reasons == ()
+        for edge, true in ((found.lower, gap[0]), (found.upper, gap[1])):
+            assert abs(edge.frequency - true) < edge.error
+            # these rise within some hundred hertz: of the error nearly all is that of rows that are few
+            assert METHOD * true < edge.error < 1.1 * METHOD * true
+
+    def test_it_fades_as_prescribed_and_not_in_the_band_whatever_comes_back(self):
+        seen = fading(field(whole, reflected=1.0), [STRIP])
+        phases = (seen["phase"] > 0.3) & (seen["phase"] < 2.9)
+        inside = seen.sel(frequency=slice(55e3, 59e3))[:, phases]
+        assert inside.median().item() == pytest.approx(20 * np.log10(np.e) * 1.6, rel=0.03)
+        assert seen.sel(frequency=slice(41e3, 50e3))[:, phases].median().item() < 0.5
+
+    def test_a_strip_along_the_other_axis_and_backwards_is_the_same(self):
+        plain = field(whole)
+        turned = FrequencyResponse.of(
+            plain.values, frequency=LINES, x=Y, y=-X, reference="A1, V", origin="simulated",
+        )  # fmt: skip
+        area = Rectangle(0.0, -STRIP.start - ROWS * PITCH, CELLS * PITCH, ROWS * PITCH)
+        strip = Strip(area, "y", -STRIP.start, -1, PITCH, PITCH, ROWS)
+        assert fading(turned, [strip]).values == pytest.approx(fading(plain, [STRIP]).values, abs=1e-6)
+
+    @pytest.mark.parametrize("small", [True, False])
+    def test_a_gap_for_some_phases_only_is_no_gap(self, small):
+        found = gap_edges(
+            fading(field(lambda q: (52e3, 62e3) if (q < np.pi / 2) == small else None), [STRIP])
+        )
+        assert found.lower is None
+        assert found.upper is None
+        assert any(("nowhere" if small else "nearly in phase") in text for text in found.reasons)
+
+    def test_an_edge_beyond_the_lines_is_not_told(self):
+        found = gap_edges(fading(field(lambda phase: (60e3, 90e3)), [STRIP]))
+        assert abs(found.lower.frequency - 60e3) < found.lower.error
+        assert found.upper is None
+        assert "end of the scanned range" in found.reasons[0]
+
+    def test_noise_is_taken_out_or_said(self):
+        true = fading(field(whole), [STRIP]).sel(frequency=slice(55e3, 59e3))
+        loud = field(whole, noise=0.4, averages=8)
+        kept = fading(loud, [STRIP]).sel(frequency=slice(55e3, 59e3))
+        silent = loud.dataset.drop_vars("coherence")
+        fooled = fading(FrequencyResponse(silent), [STRIP]).sel(frequency=slice(55e3, 59e3))
+        off = [float(np.abs(np.nanmedian(one.values - true.values))) for one in (kept, fooled)]
+        assert off[0] < 0.3 * off[1] > 0.15
+        nothing = gap_edges(fading(field(whole, noise=300.0, averages=8), [STRIP]))
+        assert (nothing.lower, nothing.upper) == (None, None)
+        assert "noise" in nothing.reasons[0]
+
+    def test_what_cannot_be_done_is_refused(self):
+        two = Strip(Rectangle(14e-3, 0.0, 2 * PITCH, CELLS * PITCH), "x", 14e-3, 1, PITCH, PITCH, 2)
+        with pytest.raises(ScanError) as caught:
+            fading(field(whole), [two])
+        assert_five_parts(caught.value, "fewer than three rows")
+        plain = field(whole)
+        holes = np.flatnonzero((np.arange(len(X)) % 7 != 3) | (X > 0.05))
+        with pytest.raises(ScanError) as caught:
+            fading(FrequencyResponse(plain.dataset.isel(point=holes)), [STRIP])
+        assert_five_parts(caught.value, "without a missing point")
+
+
+def noisy(level, repeats=6, points=400, seed=2):
+    """Half of the points move twice as much as the others; noise is ``level`` of the smaller motion."""
+    chance = np.random.default_rng(seed)
+    spectrum = np.zeros(len(HALVES), complex)
+    spectrum[100:140] = 1.0
+    drive = np.tile(np.fft.irfft(spectrum), (1, repeats, 1))
+    size = np.where(np.arange(points) % 2, 2.0, 1.0)[:, None, None]
+    moved = size * drive
+    rms = np.sqrt(
+        (drive**2).mean() * drive.shape[2] / 80
+    )  # of noise whose power at a driven line is the drive's
+    scan = TimeScan(
+        InMemory(drive, moved + level * rms * chance.normal(size=moved.shape)),
+        tuple(map(str, range(points))),
+        np.arange(points) * 1e-3, np.zeros(points), repeats, drive.shape[2], 200e3, "A1, V",
+    )  # fmt: skip
+    return estimate(scan, band=(10e3, 13.9e3)).response, size[:, 0, 0] > 1.5
+
+
+class TestNoise:
+    def test_its_power_is_the_scatter_of_the_repeats(self):
+        """Every record by itself is an estimate; the variance of their mean is what the coherence says."""
+        chance = np.random.default_rng(4)
+        drive = np.tile(chance.normal(size=(1, 1, 2000)), (1, 5, 1))
+        moved = np.repeat(drive, 8, axis=0) + 0.5 * chance.normal(size=(8, 5, 2000))
+        found = estimate(recorded(drive, moved), band=(1e3, 50e3)).response
+        each = (np.fft.rfft(moved, axis=2) / np.fft.rfft(drive, axis=2))[..., 10:501]
+        expected = each.var(axis=1, ddof=1).T / 5
+        every = np.ones(8, bool)
+        assert noise_power(found, every, slice(None), 5) == pytest.approx(expected, rel=1e-8)
+
+    def test_levels_are_right_where_the_plain_ones_are_not(self):
+        response, loud = noisy(3.0)
+        plain = [
+            10 * np.log10((np.abs(response.values[:, one, 0]) ** 2).mean(axis=1)) for one in (loud, ~loud)
+        ]
+        assert np.abs(plain[0] - plain[1] - 20 * np.log10(2)).min() > 1.0
+        for one, true in ((loud, 4.0), (~loud, 1.0)):
+            power, error = region_power(response, one)
+            assert np.abs(power / true - 1).max() < 0.6
+            assert np.sqrt((((power - true) / error) ** 2).mean()) == pytest.approx(1.0, abs=0.35)
+            assert power.mean() == pytest.approx(true, rel=0.05)
+
+    def test_what_the_noise_leaves_uncertain_is_not_told(self):
+        for level, told in ((0.1, True), (3.0, False), (300.0, False)):
+            response, loud = noisy(level)
+            found = clean_contrast(response, loud, ~loud)
+            assert np.isfinite(found["level"].values).all() == told
+            assert ((found["error"].values <= TRUSTED) == np.isfinite(found["level"].values)).all()
+            if told:
+                assert np.abs(found["level"].values - 20 * np.log10(2)).max() < 0.5
+
+    def test_without_averages_a_level_is_taken_as_it_is(self):
+        response, loud = noisy(0.1)
+        silent = FrequencyResponse(
+            response.dataset.drop_vars("coherence").assign_coords(
+                region=("point", np.where(loud, "loud", "quiet"))
+            )
+        )
+        expected = np.sqrt((np.abs(silent.values[:, loud, 0]) ** 2).mean(axis=1))
+        assert clean_rms(silent, "loud").values == pytest.approx(expected, rel=1e-12)
+        assert (clean_contrast(silent, loud, ~loud)["error"].values == 0).all()
