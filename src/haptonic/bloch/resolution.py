@@ -11,7 +11,7 @@ from haptonic.errors import ResourceError
 
 MEASURED = {
     (3, 1): 0.22,
-    (4, 1): 0.43,
+    (4, 1): 0.45,
     (5, 1): 0.62,
     (5, 2): 0.3,
     (6, 2): 0.9,
