@@ -25,7 +25,7 @@ class Assembler:
     kept : for each family, numbers of the contributions to keep among (elements, k) raveled
     ends : (2, pairs of all families) node numbers of those two in the mesh
     weight : (pairs,) how many images the pair's element stands for
-    in_pillar : (pairs,) whether it lies above the plate's top
+    in_pillar : numbers of the pairs that lie above the plate's top
     gather : (blocks, pairs) sparse matrix of ones that adds pairs into blocks
     rows, columns : (blocks,) representatives that a block couples, row <= column
     inner : blocks among interior nodes only; pattern : these, as a scalar upper triangle
@@ -38,7 +38,7 @@ class Assembler:
     kept: tuple[Ints, ...]
     ends: Ints
     weight: Array
-    in_pillar: NDArray[np.bool_]
+    in_pillar: Ints
     gather: sp.csr_array
     rows: Ints
     columns: Ints
@@ -64,8 +64,19 @@ class Assembler:
 
     def assembled(self, paired: Array, symmetry_class: int) -> FoldedStiffness:
         """Stiffness of one symmetry class from the stiffness between pairs of nodes."""
-        blocks = self.gather @ (paired * self.signs[symmetry_class])
-        return FoldedStiffness(self, np.asarray(blocks).reshape(-1, 3, 3))
+        return self._gathered(self.gather, paired * self.signs[symmetry_class])
+
+    def assembled_pillar(self, paired: Array, symmetry_class: int) -> FoldedStiffness:
+        """The share of the pillar in that."""
+        chosen = self.in_pillar
+        return self._gathered(self._gather_pillar, paired[chosen] * self.signs[symmetry_class][chosen])
+
+    @cached_property
+    def _gather_pillar(self) -> sp.csr_array:
+        return self.gather[:, self.in_pillar]
+
+    def _gathered(self, gather: sp.csr_array, numbers: Array) -> FoldedStiffness:
+        return FoldedStiffness(self, np.asarray(gather @ numbers).reshape(-1, 3, 3))
 
 
 @dataclass(frozen=True)
@@ -143,7 +154,7 @@ def assembler_of(topology: Topology, folding: Folding) -> Assembler:
         kept=tuple(kept),
         ends=np.concatenate(ends, axis=1),
         weight=np.concatenate(weights).astype(float),
-        in_pillar=np.concatenate(above),
+        in_pillar=np.flatnonzero(np.concatenate(above)),
         gather=gather,
         rows=rows,
         columns=columns,

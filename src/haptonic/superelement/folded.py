@@ -132,8 +132,7 @@ class FoldedMesh:
     def pillar_stiffness(self, q: int) -> sp.csr_array:
         """The pillar's share of the interior stiffness of one class; it reaches no lateral face."""
         assembler = self.assembler
-        in_pillar = self.paired * assembler.in_pillar[:, None]
-        return assembler.pattern.matrix(assembler.assembled(in_pillar, q).unsprung())
+        return assembler.pattern.matrix(assembler.assembled_pillar(self.paired, q).unsprung())
 
     @cached_property
     def above(self) -> Array:
