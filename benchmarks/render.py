@@ -80,7 +80,7 @@ def race(record: dict[str, Any]) -> Figure:
             [run["diagram_s"] for run in runs], [100 * run["true_error"] for run in runs],
             marker=marker, color=colour, label="NGSolve" if name == "ngsolve" else name,
         )  # fmt: skip
-    axes.axhline(100 * record["accuracy"], color="0.6", linewidth=0.8, linestyle="--")
+    axes.axhline(100 * record["compared"][0]["accuracy"], color="0.6", linewidth=0.8, linestyle="--")
     axes.set(xlabel="time of the whole diagram / s", ylabel="largest true error / %")
     axes.legend()
     return figure
@@ -104,15 +104,18 @@ def peer(record: dict[str, Any]) -> str:
         for run in record["ngsolve"]
     ]
     style.save(race(record), IMAGES, "bench_peer", overwrite=True)
-    times = record["diagram_s_at_accuracy"]
+    ratios = ", ".join(
+        f"at {100 * one['accuracy']:.2f} % haptonic takes {one['diagram_s']['haptonic']:.2f} s, NGSolve "
+        f"{one['diagram_s']['ngsolve']:.0f} s, **{one['ratio']:.0f} times** as long"
+        for one in record["compared"]
+    )
     return f"""## Against a general finite-element library
 
 The same diagram, {record["points"]} wavevectors and 10 bands, with NGSolve {record["ngsolve_version"]}:
 OpenCascade geometry, curved tetrahedra refined towards the foot, periodic phases, all cores. Its mesh is made
 once; {record["ngsolve"][0]["timed_points"]} of its wavevectors are timed and scaled to {record["points"]}. The error of both is
 the largest of bands 1 to 10 at the zone's corners, against converged values of a third code. On the lines
-between the runs, at {100 * record["accuracy"]:.1f} %, haptonic takes {times["haptonic"]:.2f} s and NGSolve
-{times["ngsolve"]:.0f} s: **{record["ratio"]:.0f} times** as long (the aim is 1000).
+between the runs, {ratios} (the aim is 1000); the second accuracy is the best of NGSolve's runs.
 
 ![Error against time of both](images/bench_peer.svg)
 

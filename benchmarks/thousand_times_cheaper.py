@@ -21,7 +21,7 @@ sys.path.insert(0, str(ROOT / "tests"))
 from peers.ngsolve_cell import PeerCell, meshed
 
 POINTS = 66
-OURS = (Resolution(3, 1), Resolution(4, 1), Resolution(5, 1), Resolution(5, 2, 3))
+OURS = (Resolution(2, 1), Resolution(3, 1), Resolution(4, 1), Resolution(5, 1), Resolution(5, 2, 3))
 THEIRS = (
     {"order": 2},
     {"order": 3},
@@ -86,12 +86,13 @@ def seconds_at(rows: list[dict[str, float]], error: float) -> float:
 if __name__ == "__main__":
     own = [ours(resolution) for resolution in OURS]
     peer = [theirs(settings) for settings in THEIRS]
-    accuracy = 2e-3
-    reached = {
-        "haptonic": min(row["true_error"] for row in own),
-        "ngsolve": min(row["true_error"] for row in peer),
-    }
-    times = {"haptonic": seconds_at(own, accuracy), "ngsolve": seconds_at(peer, accuracy)}
+    # the accuracy of the product, and the best of the peer's runs
+    compared = []
+    for accuracy in (2e-3, min(row["true_error"] for row in peer)):
+        times = {"haptonic": seconds_at(own, accuracy), "ngsolve": seconds_at(peer, accuracy)}
+        compared.append(
+            {"accuracy": accuracy, "diagram_s": times, "ratio": times["ngsolve"] / times["haptonic"]}
+        )
     write(
         "thousand_times_cheaper",
         {
@@ -99,9 +100,6 @@ if __name__ == "__main__":
             "haptonic": own,
             "ngsolve": peer,
             "ngsolve_version": ng.__version__,
-            "accuracy": accuracy,
-            "smallest_error": reached,
-            "diagram_s_at_accuracy": times,
-            "ratio": times["ngsolve"] / times["haptonic"],
+            "compared": compared,
         },
     )
