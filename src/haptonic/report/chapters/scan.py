@@ -40,15 +40,15 @@ def chapter(results: Results) -> Chapter | Absent:
                 plots.measured_contrast(
                     scan.response.frequency, curves, scan.measured, edges, origin=scan.origin
                 ),
-                "Simulated contrast of the driven region in the twin's scan, and the gap in it.",
-                "Contrast against frequency with the edges of the gap.",
+                "Simulated contrast of the driven region in the twin's scan, and where it is high.",
+                "Contrast against frequency; the range of high contrast and the computed gap are marked.",
             )
         )
     return Chapter(
         title=f"{TITLE} of the prototype" if of_the_paper else TITLE,
         identifier="scan",
         paragraphs=(_what(results, scan), _meaning(of_the_paper)),
-        findings=(*_everywhere(plate, scan), *(f"{one}." for one in scan.told)),
+        findings=(*_everywhere(plate, scan), *(f"{one[0].upper()}{one[1:]}." for one in scan.told)),
         pictures=tuple(pictures),
         tables=(_levels(plate, scan), _gaps(plate, scan, of_the_paper)),
     )
