@@ -21,6 +21,7 @@ from hypothesis import strategies as st
 
 from haptonic import store as module
 from haptonic.errors import HaptonicWarning, ResourceError
+from haptonic.results import refuse_taken
 from haptonic.store import Store, content_key, refuse_overwrite, write_atomically
 
 KEY = "ab" + "0" * 62
@@ -448,3 +449,13 @@ class TestPlaces:
         with pytest.raises(ResourceError, match="not taken") as caught:
             refuse_overwrite(path, overwrite=False)
         assert json.loads(json.dumps(caught.value.parts()))["given"] == str(path)
+
+
+def test_asking_whether_a_folder_can_be_written_leaves_nothing_behind(tmp_path):
+    (tmp_path / "there").mkdir()
+    for folder in (tmp_path / "there", tmp_path / "new" / "deeper"):
+        refuse_taken(folder, ["a.nc"], overwrite=False)
+    assert [path.name for path in tmp_path.rglob("*")] == ["there"]
+    (tmp_path / "there" / "a.nc").touch()
+    with pytest.raises(ResourceError, match=r"a\.nc"):
+        refuse_taken(tmp_path / "there", ["a.nc"], overwrite=False)

@@ -323,12 +323,12 @@ class TestExport:
         monkeypatch.setattr(package.Study, "toleranced", lambda *_: pytest.fail("computed"))
         ran = here("export", asking(TOLERANCE), "--out", tmp_path / "out", option, number)
         assert_five_parts(ran, option.strip("-"), str(number), "positive integer")
-        assert not list((tmp_path / "out").iterdir())
+        assert not (tmp_path / "out").exists()
 
     def test_nothing_is_written_if_the_tolerances_cannot_be_found(self, here, asking, tmp_path):
         path = asking(TOLERANCE, changes=(("60 kHz", "40 kHz"),))
         assert_five_parts(here("export", path, "--out", tmp_path / "out"), "carrier")
-        assert not list((tmp_path / "out").iterdir())
+        assert not (tmp_path / "out").exists()
         assert here("export", path, "--out", tmp_path / "out", "--dxf").code == 0
 
     def test_only_what_the_drawing_shows_is_toleranced(self, asking, monkeypatch):

@@ -13,6 +13,7 @@ from haptonic.cli.console import speaking
 from haptonic.cli.options import Json, Out, Overwrite, StudyFile, folder_for, pictures, tell_where
 from haptonic.friction.lubrication import WEBER_FRACTION
 from haptonic.results import Feel, refuse_taken, write_files
+from haptonic.results.feel.value import check_reduction
 from haptonic.study import load
 from haptonic.units import format_quantity, to_si
 
@@ -43,6 +44,8 @@ def feel(
         loaded = load(study)
         frequency = None if at is None else float(to_si(at, "Hz", "--at"))
         volts = None if voltage is None else float(to_si(voltage, "V", "--voltage"))
+        if reduction is not None:
+            check_reduction(reduction)
         folder = folder_for(study, out, json, "feel")
         refuse_taken(folder, FEEL_FILES, overwrite=overwrite)
         with voice.counted("shifts", 0) as progress:

@@ -40,15 +40,19 @@ def write_files(
 def refuse_taken(folder: Path | None, names: Iterable[str], *, overwrite: bool) -> None:
     """Raise ResourceError if one of the names is taken in a folder, or if nothing can be written there.
 
-    Asked before the work starts, so that no run is lost on its last step.
+    Asked before the work starts, so that no run is lost on its last step. A folder that was not there is not
+    left behind: what comes next may be refused.
     """
     if folder is None:
         return
     for name in names:
         refuse_overwrite(folder / name, overwrite)
+    missing = [one for one in (folder, *folder.parents) if not one.exists()]
     probe = folder / ".haptonic-probe"
     write_atomically(probe, Path.touch)
     probe.unlink()
+    for one in missing:
+        one.rmdir()
 
 
 def write_netcdf(dataset: xr.Dataset, path: Path) -> None:

@@ -49,6 +49,18 @@ CURVE = 41  # drives of the curve of reduction against drive
 BEYOND = 2.0  # times the drive: where that curve ends
 
 
+def check_reduction(reduction: float) -> None:
+    """Raise StudyError for what is no share of friction that can be taken away."""
+    if not 0 < reduction < 1:
+        raise StudyError(
+            argument="reduction",
+            given=f"{reduction:g}",
+            allowed="a share above 0 and below 1",
+            cause="a percentage was given, or what is left of the friction",
+            next_step="give 0.5 for half the friction",
+        )
+
+
 @dataclass(frozen=True, eq=False)
 class Feel:
     """Friction that a finger meets on a plate, over that without vibration.
@@ -147,14 +159,7 @@ class Feel:
 
     def drive_for(self, reduction: float, region: str) -> float | None:
         """Amplitude of the drive, V or N, for a mean reduction; None if none up to `STRONGEST` gives it."""
-        if not 0 < reduction < 1:
-            raise StudyError(
-                argument="reduction",
-                given=f"{reduction:g}",
-                allowed="a share above 0 and below 1",
-                cause="a percentage was given, or what is left of the friction",
-                next_step="give 0.5 for half the friction",
-            )
+        check_reduction(reduction)
 
         def missing(logarithm: float) -> float:
             left = self._left("value", "value", math.exp(logarithm))[where]
