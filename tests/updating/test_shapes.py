@@ -25,15 +25,30 @@ def receptance(frequency=FREQUENCY, damping=DAMPING):
 def test_modes_are_identified(velocity):
     assert can_identify()
     response = receptance() * (2j * np.pi * LINES[:, None] if velocity else 1)
-    found = shapes_of(LINES, response, velocity, "modes")
+    found = shapes_of(LINES, response, "modes")
     assert found.how == "modes"
     assert found.frequency == pytest.approx(FREQUENCY, rel=1e-4)
     assert found.damping == pytest.approx(DAMPING, rel=0.02)
-    assert np.diag(mac(found.shape, SHAPE)) == pytest.approx(np.ones(4), abs=1e-3)
+    assert np.diag(mac(found.shape, SHAPE)) == pytest.approx(np.ones(4), abs=2e-3)
+
+
+def test_modes_of_a_narrow_band_far_from_zero_are_identified():
+    """As a plate has them around its carrier: six within a sixth of their frequency."""
+    lines = np.arange(50e3, 60e3, 50.0)
+    own = np.array([51.4e3, 51.95e3, 53.58e3, 56.74e3, 57.75e3, 59.6e3])
+    shape = np.random.default_rng(1).standard_normal((6, 40))
+    s = 2j * np.pi * lines[:, None]
+    velocity = (s / ((2 * np.pi * own) ** 2 + s**2 + 2 * 1.3e-3 * (2 * np.pi * own) * s)) @ shape
+    noise = np.random.default_rng(2).standard_normal((2, *velocity.shape))
+    noisy = velocity + 1e-3 * np.abs(velocity).max() * (noise[0] + 1j * noise[1])
+    found = shapes_of(lines, noisy, "modes")
+    assert found.frequency == pytest.approx(own, abs=10)
+    assert found.damping == pytest.approx(np.full(6, 1.3e-3), rel=0.1)
+    assert (np.diag(mac(found.shape, shape)) > 0.98).all()
 
 
 def test_operating_shapes_are_the_response_at_its_peaks():
-    found = shapes_of(LINES, receptance(), False, "operating shapes")
+    found = shapes_of(LINES, receptance(), "operating shapes")
     assert found.how == "operating shapes"
     assert found.frequency == pytest.approx(FREQUENCY, rel=1e-3)
     assert (np.diag(mac(found.shape, SHAPE)) > 0.95).all()
@@ -41,18 +56,18 @@ def test_operating_shapes_are_the_response_at_its_peaks():
 
 def test_width_of_a_lone_peak_is_its_damping():
     """The energy of one mode near its resonance: half of it at f (1 +- damping)."""
-    found = shapes_of(LINES, receptance(FREQUENCY[:1], DAMPING[:1]), False, "operating shapes")
+    found = shapes_of(LINES, receptance(FREQUENCY[:1], DAMPING[:1]), "operating shapes")
     assert found.frequency == pytest.approx([3e3], rel=1e-4)
     assert found.damping == pytest.approx([0.004], rel=0.02)
 
 
 def test_a_peak_narrower_than_the_lines_has_no_width():
-    found = shapes_of(LINES, receptance(FREQUENCY[:1], np.array([2e-4])), False, "operating shapes")
+    found = shapes_of(LINES, receptance(FREQUENCY[:1], np.array([2e-4])), "operating shapes")
     assert np.isnan(found.damping).all()
 
 
 def test_a_flat_response_has_no_shapes():
-    found = shapes_of(LINES, np.ones((len(LINES), 3), complex), False, "modes")
+    found = shapes_of(LINES, np.ones((len(LINES), 3), complex), "modes")
     assert not len(found.frequency)
     assert pairs(found, found) == []
 

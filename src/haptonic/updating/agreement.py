@@ -44,7 +44,7 @@ def agreement(measured: FrequencyResponse, computed: FrequencyResponse, how: How
     moving = (one != 0).any(axis=0) & (other != 0).any(axis=0)
     alike = np.full(len(moving), np.nan)
     alike[moving] = frac(one[:, moving], other[:, moving])
-    first, second = (shapes_of(measured.frequency, values, velocity, how) for values in (one, other))
+    first, second = (shapes_of(measured.frequency, values, how) for values in (one, other))
     both = len(first.frequency) and len(second.frequency)
     return Agreement(
         frac=alike,

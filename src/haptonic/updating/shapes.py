@@ -51,13 +51,13 @@ class Pair:
     mac: float
 
 
-def shapes_of(frequency: Array, response: Complex, velocity: bool, how: How) -> Shapes:
+def shapes_of(frequency: Array, response: Complex, how: How) -> Shapes:
     """Shapes at the peaks of a response.
 
     Parameters
     ----------
-    frequency : (lines,) Hz, evenly spaced for modes; response : (lines, points) normal
-    velocity : whether it is one, or else a displacement
+    frequency : (lines,) Hz, evenly spaced for modes; response : (lines, points) normal,
+        velocity or displacement
     how : modes need `can_identify`
     """
     energy = (np.abs(response) ** 2).mean(axis=1)
@@ -67,7 +67,7 @@ def shapes_of(frequency: Array, response: Complex, velocity: bool, how: How) -> 
         tops = [_top(frequency, energy, int(line)) for line in lines]
         found = np.array(tops).reshape(-1, 2)
         return Shapes(found[:, 0], found[:, 1], response[lines], "operating shapes")
-    return _identified(frequency, response, velocity, lines)
+    return _identified(frequency, response, lines)
 
 
 def can_identify() -> bool:
@@ -112,19 +112,28 @@ def _top(frequency: Array, energy: Array, line: int) -> tuple[float, float]:
     return float(frequency[line] + shift), float(width / frequency[line]) if resolved else float("nan")
 
 
-def _identified(frequency: Array, response: Complex, velocity: bool, lines: Ints) -> Shapes:
-    """Modes near given lines, by `sdypy-EMA`: least squares for poles, then for shapes."""
+def _identified(frequency: Array, response: Complex, lines: Ints) -> Shapes:
+    """Modes near given lines, by `sdypy-EMA`: least squares for poles, then for shapes.
+
+    Its poles are those of a polynomial in exp(i pi f / f_highest). The band is moved down to zero for that,
+    and its poles are moved back: a band that fills a small part of the circle tells them apart badly. A pole
+    is that of velocity as well as of displacement, and the shapes differ by a factor only.
+    """
     from sdypy import EMA
 
-    form = "mobility" if velocity else "receptance"
-    low, high = float(frequency[0]), float(frequency[-1])
-    model = EMA.Model(response.T, frequency, lower=low, upper=high, pol_order_high=ORDER, frf_form=form)
+    step = float(np.diff(frequency).mean())
+    base = float(frequency[0]) - step
+    moved = frequency - base
+    model = EMA.Model(
+        response.T, moved, lower=step, upper=float(moved[-1]), pol_order_high=ORDER, frf_form="accelerance"
+    )
     with contextlib.redirect_stderr(io.StringIO()):  # it draws a progress bar that cannot be turned off
         model.get_poles(show_progress=False)
-        step = float(np.diff(frequency).mean())
-        model.select_closest_poles(frequency[lines].tolist(), f_window=8 * step)
+        model.select_closest_poles(moved[lines].tolist(), f_window=8 * step)
     _, shape = model.get_constants(f_upper=float(model.freq[-1]))
-    found, damping = np.asarray(model.nat_freq), np.asarray(model.nat_xi)
-    good = (np.abs(found / frequency[lines] - 1) < ASIDE) & (damping > 0)
+    own, ratio = np.asarray(model.nat_freq), np.asarray(model.nat_xi)
+    decay, turning = ratio * own, own * np.sqrt(np.maximum(1 - ratio**2, 0)) + base
+    found = np.hypot(decay, turning)
+    good = (np.abs(found / frequency[lines] - 1) < ASIDE) & (decay > 0)
     kept = np.flatnonzero(good)[np.argsort(found[good])]
-    return Shapes(found[kept], damping[kept], np.asarray(shape, complex).T[kept], "modes")
+    return Shapes(found[kept], (decay / found)[kept], np.asarray(shape, complex).T[kept], "modes")
