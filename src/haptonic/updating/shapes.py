@@ -22,7 +22,7 @@ How = Literal["modes", "operating shapes"]
 
 PROMINENT = 3.0  # dB by which a peak of the average spectrum rises above what separates it from a higher one
 AROUND = 0.5  # share of a peak's energy, above which lines belong to it
-ORDER = 60  # of the polynomial in which poles are looked for
+ORDER = 60  # of the polynomial in which poles are looked for, at most; it needs twice as many lines
 ASIDE = 0.01  # share of a peak's frequency by which a pole may miss it
 LEAST = 0.5  # criterion (MAC) of a pair at least
 APART = 0.1  # share by which frequencies of a pair may differ at most
@@ -122,11 +122,11 @@ def _identified(frequency: Array, response: Complex, lines: Ints) -> Shapes:
     from sdypy import EMA
 
     step = float(np.diff(frequency).mean())
-    base = float(frequency[0]) - step
+    base = float(frequency[0]) - 2 * step  # not nearer to zero, where its residuals are infinite
     moved = frequency - base
-    model = EMA.Model(
-        response.T, moved, lower=step, upper=float(moved[-1]), pol_order_high=ORDER, frf_form="accelerance"
-    )
+    low, high = float(moved[0]), float(moved[-1])
+    order = min(ORDER, len(frequency) // 2)
+    model = EMA.Model(response.T, moved, lower=low, upper=high, pol_order_high=order, frf_form="accelerance")
     with contextlib.redirect_stderr(io.StringIO()):  # it draws a progress bar that cannot be turned off
         model.get_poles(show_progress=False)
         model.select_closest_poles(moved[lines].tolist(), f_window=8 * step)
