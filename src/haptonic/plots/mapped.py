@@ -36,7 +36,6 @@ MOST_PLACES = 800  # along either side of such a map
 NEAR = 0.75  # of a step, to which a point is shown: the corner of a square around it
 
 
-@style.drawn
 def maps(
     response: FrequencyResponse,
     frequencies: Sequence[float],
@@ -54,7 +53,7 @@ def maps(
     layout : its outlines are drawn; without one, the points alone
     gap : edges of the band gap, Hz, or None
     """
-    return _in_rows({"": response}, frequencies, layout, gap)
+    return maps_compared({"": response}, frequencies, layout, gap)
 
 
 @style.drawn
@@ -65,15 +64,6 @@ def maps_compared(
     gap: tuple[float, float] | None,
 ) -> Figure:
     """Maps of several responses at the same frequencies, by name one below the other; see `maps`."""
-    return _in_rows(rows, frequencies, layout, gap)
-
-
-def _in_rows(
-    rows: Mapping[str, FrequencyResponse],
-    frequencies: Sequence[float],
-    layout: Layout | None,
-    gap: tuple[float, float] | None,
-) -> Figure:
     first = next(iter(rows.values()))
     column = (style.WIDTH - 2.0) / max(len(frequencies), 2)
     tall = min(column * _slenderness(first, layout), 16.0)

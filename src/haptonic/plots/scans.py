@@ -131,7 +131,7 @@ def fading_map(
             low, high = (edge.frequency - edge.error) / 1e3, (edge.frequency + edge.error) / 1e3
             axes.axhspan(low, high, facecolor=style.SKY, alpha=0.45, lw=0)
             line = axes.axhline(edge.frequency / 1e3, color=style.PURPLE, lw=1.2)
-            line.set_label(f"edge in this scan, {edge.frequency / 1e3:.2f} ± {edge.error / 1e3:.2f} kHz")
+            line.set_label(f"edge in this scan, {edge}")
             handles.append(line)
     axes.set(xlabel="phase from cell to cell along the rows (π)", ylabel="frequency (kHz)", title=origin)
     if handles:

@@ -20,6 +20,7 @@ from haptonic.response.checks import REST
 from haptonic.response.value import FrequencyResponse
 
 Array = NDArray[np.float64]
+Bools = NDArray[np.bool_]
 Complex = NDArray[np.complexfloating[Any, Any]]
 
 ROUNDING = 1e-9  # of a disc's radius, within which a point on its rim counts
@@ -102,6 +103,19 @@ def contrast(response: FrequencyResponse, over: str, under: str) -> xr.DataArray
     ------
     ResponseError : no point lies in one of them
     """
+    upper, lower = sides(response, over, under)
+    with np.errstate(divide="ignore"):
+        level = [10 * np.log10(_mean_square(response, mask)) for mask in (upper, lower)]
+    return spectrum(response, level[0] - level[1], "dB")
+
+
+def sides(response: FrequencyResponse, over: str, under: str) -> tuple[Bools, Bools]:
+    """(points,) each: those of two regions that are compared; one of them may be "rest", see `contrast`.
+
+    Raises
+    ------
+    ResponseError : no point lies in one of them
+    """
     upper, lower = (
         ~response.inside(other) if name == REST else response.inside(name)
         for name, other in ((over, under), (under, over))
@@ -115,9 +129,7 @@ def contrast(response: FrequencyResponse, over: str, under: str) -> xr.DataArray
                 cause="all points lie in the other region",
                 next_step="compare with a region, or measure outside of them as well",
             )
-    with np.errstate(divide="ignore"):
-        level = [10 * np.log10(_mean_square(response, mask)) for mask in (upper, lower)]
-    return spectrum(response, level[0] - level[1], "dB")
+    return upper, lower
 
 
 def disc_average(response: FrequencyResponse, diameter: float) -> xr.DataArray:
@@ -241,7 +253,7 @@ def squares(values: Complex) -> Array:
     return np.asarray((real**2 + imaginary**2).sum(axis=2))
 
 
-def _mean_square(response: FrequencyResponse, mask: NDArray[np.bool_]) -> Array:
+def _mean_square(response: FrequencyResponse, mask: Bools) -> Array:
     values = response.values
     lines = max(1, AT_ONCE // values[0].size)
     parts = (squares(values[i : i + lines, mask]).mean(axis=1) for i in range(0, len(values), lines))

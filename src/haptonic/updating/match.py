@@ -142,9 +142,8 @@ class Space:
 
     def spread(self, count: int) -> Array:
         """(count, p) logarithms spread evenly between the bounds."""
-        drawn = scipy.stats.qmc.Sobol(len(self.unknowns), seed=1).random(1 << (count - 1).bit_length())[
-            :count
-        ]
+        sequence = scipy.stats.qmc.Sobol(len(self.unknowns), seed=1)
+        drawn = sequence.random(1 << (count - 1).bit_length())[:count]
         return np.asarray(self.low + drawn * (self.high - self.low))
 
 

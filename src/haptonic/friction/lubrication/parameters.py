@@ -165,9 +165,8 @@ class Finger:
         -------
         name -> (samples,)
         """
-        shares = scipy.stats.qmc.LatinHypercube(len(dict(self)), rng=np.random.default_rng(seed)).random(
-            samples
-        )
+        cube = scipy.stats.qmc.LatinHypercube(len(dict(self)), rng=np.random.default_rng(seed))
+        shares = cube.random(samples)
         return {name: parameter.at(shares[:, i]) for i, (name, parameter) in enumerate(self)}
 
     def assumptions(self) -> dict[str, dict[str, object]]:

@@ -18,7 +18,7 @@ from haptonic.errors import HaptonicError, ResponseError, ScanError
 from haptonic.plate import Plate
 from haptonic.plate.layout import Layout
 from haptonic.response import FrequencyResponse, average_spectrum
-from haptonic.response.checks import REST
+from haptonic.response.measures import sides
 from haptonic.results.common import Asked
 from haptonic.results.plate.compute import marked_lines
 from haptonic.results.plate.question import driven_region, tile_names
@@ -241,8 +241,7 @@ def _told_on_plate(
     for name in response.regions:
         data[f"rms {name}"] = clean_rms(response, name)
     for words, other in compared(response, driven):
-        under = ~response.inside(driven or "") if other == REST else response.inside(other)
-        found_level = clean_contrast(response, response.inside(driven or ""), under)
+        found_level = clean_contrast(response, *sides(response, driven or "", other))
         data[f"contrast {driven} over {words}"] = found_level["level"]
         data[f"error of {driven} over {words}"] = found_level["error"]
         if hidden := int(np.isnan(found_level["level"].values).sum()):
