@@ -101,7 +101,7 @@ def gaps_dataset(
             break
     dataset = _gaps_dataset(gaps)
     wavevectors, _ = cell.lattice.zone_triangles(2)
-    lowest = min(float(model.solve(kappa).frequency[-1]) for kappa in wavevectors)
+    lowest = min(float(model.frequencies(kappa)[-1]) for kappa in wavevectors)
     dataset["searched_up_to"] = (), lowest
     _describe(
         dataset, {"searched_up_to": ("Hz", "lowest value seen of the last band; above it more bands exist")}

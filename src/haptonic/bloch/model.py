@@ -13,12 +13,12 @@ from numpy.typing import NDArray
 from threadpoolctl import threadpool_limits
 
 from haptonic.bloch.centred import CentredPencil, RealPencil
-from haptonic.bloch.pencil import Fields, eigenpairs
+from haptonic.bloch.pencil import Evaluated, Fields, eigenpairs
 from haptonic.bloch.resolution import LADDER, SHARED, Resolution, check_memory, starting_rung
 from haptonic.cell import UnitCell
 from haptonic.errors import ResourceError
 from haptonic.lattice import Lattice
-from haptonic.superelement import FoldedMesh, Superelement, condense, condensed, on_each
+from haptonic.superelement import Superelement, condense_by_parts, on_each
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
@@ -141,32 +141,40 @@ class BlochModel:
     """Frequencies, modes and group velocities of a cell at any wavevector.
 
     cell, resolution : what it was made from; count : how many bands it was made for
-    fine : the model that answers; coarse : one order lower, for the error estimate
+    fine : the model that answers; coarse : pencil of lower order, for the error estimate
     """
 
     cell: UnitCell
     resolution: Resolution
     count: int
     fine: ReducedCell
-    coarse: ReducedCell
+    coarse: Evaluated
 
     @classmethod
     def of(cls, cell: UnitCell, resolution: Resolution, count: int, *, measured: bool = True) -> BlochModel:
+        """Make a model for ``count`` bands.
+
+        Parameters
+        ----------
+        measured : whether the characters of modes, and errors at many wavevectors, will be asked for
+        """
         plan, goal = resolution.plan(cell), resolution.projection_goal
         steps, block = resolution.steps, resolution.block
 
-        def lowered() -> ReducedCell:
-            return ReducedCell.of(
-                condense(cell, plan.lowered(), steps, block=block, measured=False), count, np.inf
-            )
+        def lowered() -> Evaluated:
+            lower = condense_by_parts(cell, plan.lowered(), steps, block=block, measured=False)
+            return ReducedCell.of(lower, count, np.inf).pencil if measured else CentredPencil.of(lower)
 
         # these matrices are too small for threads inside the linear algebra; both models share the threads
         # that symmetry classes are given to, the larger one first
         with threadpool_limits(1), ThreadPoolExecutor(1) as aside:
-            mesh = FoldedMesh.of(cell, plan)
             coarse = aside.submit(lowered)
-            fine = ReducedCell.of(condensed(mesh, steps, block=block, measured=measured), count, goal)
-            return cls(cell, resolution, count, fine, coarse.result())
+            whole = condense_by_parts(cell, plan, steps, block=block, measured=measured)
+            return cls(cell, resolution, count, ReducedCell.of(whole, count, goal), coarse.result())
+
+    def frequencies(self, kappa: Array) -> Array:
+        """(count,) Hz at the phases (2,), without anything else."""
+        return _hertz(eigenpairs(self.fine.pencil, kappa, self.count)[0])
 
     def solve(self, kappa: Array, spare: int = 0) -> Solution:
         """Modes and error estimates at the phases (2,); ``spare`` more than the bands asked for."""
@@ -174,9 +182,8 @@ class BlochModel:
         values, modes = eigenpairs(self.fine.pencil, kappa, count)
         frequency = _hertz(values)
         fields = self.fine.expanded(modes, kappa)
-        coarse = _hertz(eigenpairs(self.coarse.pencil, kappa, count)[0])
-        trace = fields[: self.fine.superelement.trace_size]
-        omitted = 0.5 * values * on_each(self.fine.superelement.omission, trace)
+        coarse = _hertz(eigenpairs(self.coarse, kappa, count)[0])
+        omitted = 0.5 * values * on_each(self.fine.superelement.omission, fields)
         # a band may come out alike in both by chance, hence a share of the worst one's distance for all
         distance = np.abs(coarse - frequency)
         moving = frequency > REST * self.highest
@@ -190,7 +197,7 @@ class BlochModel:
     @cached_property
     def highest(self) -> float:
         """Frequency of the last band at rest phase, Hz: the yardstick for what is at rest."""
-        return float(_hertz(eigenpairs(self.fine.pencil, np.zeros(2), self.count)[0])[-1])
+        return float(self.frequencies(np.zeros(2))[-1])
 
     def gradient(self, kappa: Array, modes: Fields) -> Array:
         """(k, 2) exact derivatives of the frequencies with respect to the phases, Hz/rad.

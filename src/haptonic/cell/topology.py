@@ -66,6 +66,11 @@ class Topology:
         """Number of the first node above the plate's top."""
         return int(self.level_start[self.plan.plate_levels])
 
+    @property
+    def top(self) -> Ints:
+        """Numbers of the nodes of the highest level."""
+        return np.arange(self.level_start[-2], self.nodes)
+
     def permutation(self, operation: Operation) -> Ints:
         """(nodes,) where a symmetry operation of the cell takes each node."""
         side, around = self.plan.side, 4 * self.plan.side

@@ -53,7 +53,7 @@ class QuickDesign:
             shared = FoldedMesh.of(cell, QUICK.plan(cell))
             superelement = condensed(shared, QUICK.steps, block=QUICK.block, measured=False)
             reduced = ReducedCell.of(superelement, count, np.inf)
-            model = BlochModel(cell, QUICK, count, reduced, reduced)
+            model = BlochModel(cell, QUICK, count, reduced, reduced.pencil)
             return cls(shared, model, ZoneSampling(model))
 
     def edges(self) -> Array:

@@ -3,6 +3,7 @@
 from haptonic.superelement.condense import Superelement, condense, condensed, on_each
 from haptonic.superelement.dynamic import DynamicStiffness, dynamic_stiffness
 from haptonic.superelement.folded import FoldedMesh, through_levels
+from haptonic.superelement.shafted import condense_by_parts
 from haptonic.superelement.trace import TraceMirror
 
 __all__ = [
@@ -11,6 +12,7 @@ __all__ = [
     "Superelement",
     "TraceMirror",
     "condense",
+    "condense_by_parts",
     "condensed",
     "dynamic_stiffness",
     "on_each",

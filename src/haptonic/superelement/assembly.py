@@ -93,6 +93,10 @@ class FoldedStiffness:
         data[self.assembler.diagonal] = np.where(pivots == 0.0, pivots.max(), pivots)
         return data
 
+    def matrix(self) -> sp.csr_array:
+        """(3 interior, 3 interior), zero where a component vanishes."""
+        return self.assembler.pattern.matrix(self.unsprung())
+
     def unsprung(self) -> Array:
         """Numbers on the interior pattern, zero where a component vanishes."""
         return self.blocks[self.assembler.inner].ravel()[self.assembler.source]

@@ -81,13 +81,13 @@ def dynamic_stiffness(shared: FoldedMesh, omega: float, loads: Fields | None = N
 
     def one(q: int, solver: Solver) -> _DynamicClass:
         folded = shared.symmetry_class(q)
-        trace, unfold = folded.trace, folded.trace.unfold_form
+        body, trace, unfold = folded.body, folded.trace, folded.trace.unfold_form
         shifted = folded.interior.copy()
-        shifted[diagonal] -= omega**2 * folded.mass
+        shifted[diagonal] -= omega**2 * body.mass
         below = solver.factorise(shifted, definite=False)
-        inside = solver.solve(-folded.coupling)
-        own = folded.trace_stiffness - omega**2 * folded.trace_mass + folded.coupling.T @ inside
-        inertia = folded.trace_mass + inside.T @ (folded.mass[:, None] * inside)
+        inside = solver.solve(-body.coupling)
+        own = body.outer_stiffness - omega**2 * body.outer_mass + body.coupling.T @ inside
+        inertia = body.outer_mass + inside.T @ (body.mass[:, None] * inside)
         answers = []
         for load in (loads, images):
             share = _folded_load(shared, q, load)

@@ -6,14 +6,15 @@ from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
-import scipy.sparse as sp
+import scipy.linalg as la
 from numpy.typing import NDArray
 
 from haptonic.cell import HexMesh, MeshPlan, UnitCell, mesh_cell
 from haptonic.cell.quadrature import interpolation, lobatto
 from haptonic.elements import element_matrices
 from haptonic.lattice import DIAGONAL, Operation
-from haptonic.superelement.assembly import Assembler, assembler_of
+from haptonic.superelement.assembly import Assembler, FoldedStiffness, assembler_of
+from haptonic.superelement.interior import Bounded
 from haptonic.superelement.symmetry import COMPONENT_SIGNS, Folding, fold
 from haptonic.superelement.trace import FoldedTrace, trace_levels
 
@@ -26,17 +27,13 @@ class FoldedCell:
 
     trace : the class's share of the trace
     interior : numbers of the interior stiffness on the pattern of the classes
-    coupling : (3 interior, b) stiffness between interior and trace
-    trace_stiffness, trace_mass : (b, b)
-    mass : (3 interior,) lumped, 0 where the class forces a component to vanish
+    body : the other forms; the boundary is the trace, then an open top; the mass of a component that the
+        class forces to vanish is 0
     """
 
     trace: FoldedTrace
     interior: Array
-    coupling: Array
-    trace_stiffness: Array
-    trace_mass: Array
-    mass: Array
+    body: Bounded
 
 
 def mirrors_of(cell: UnitCell) -> tuple[Operation, ...]:
@@ -71,9 +68,14 @@ class FoldedMesh:
     @classmethod
     def of(cls, cell: UnitCell, plan: MeshPlan) -> FoldedMesh:
         """Mesh a cell and fold it along its mirrors."""
-        mesh, levels = mesh_cell(cell, plan), trace_levels(plan)
+        return cls.of_mesh(cell, mesh_cell(cell, plan))
+
+    @classmethod
+    def of_mesh(cls, cell: UnitCell, mesh: HexMesh, *, open_top: bool = False) -> FoldedMesh:
+        """Fold a mesh; with an open top, the lower part of one, to which something will be joined."""
+        levels = trace_levels(mesh.topology.plan)
         topology = mesh.topology
-        folding = fold(topology, mirrors_of(cell))
+        folding = fold(topology, mirrors_of(cell), open_top=open_top)
         elements, mass = [], np.zeros(len(folding.origin))
         for family, picked, weight in zip(topology.families, folding.chosen, folding.weight, strict=True):
             nodes = family.nodes[picked]
@@ -105,34 +107,40 @@ class FoldedMesh:
             images[parity.index((-1, 1))] = parity.index((1, -1))
         return [q for q in range(len(parity)) if q not in images], images
 
-    def symmetry_class(self, q: int) -> FoldedCell:
-        """The matrices of one class."""
+    def symmetry_class(self, q: int, on_top: Array | None = None) -> FoldedCell:
+        """The matrices of one class.
+
+        ``on_top`` (3 representatives, s) gives the motions that an open top has, besides the trace's.
+        """
         folding, through = self.folding, self.through
         trace = FoldedTrace(self.mesh.topology, folding, q, self.levels)
         stiffness = self.assembler.assembled(self.paired, q)
         shape = (len(through), trace.places, 3)
-        coupling = np.tensordot(through.T, stiffness.coupling().reshape(-1, *shape), axes=(1, 1))
-        rim = stiffness.boundary().reshape(*shape, *shape)
-        rim = np.einsum("lk,lpcmqd,mj->kpcjqd", through, rim, through, optimize=True)
-        rim_mass = self.representative_mass[folding.interior :].reshape(shape[:2])
-        weights = np.einsum("lk,lp,lj->kpj", through, rim_mass, through)
+        rim = len(through) * trace.places
+        coupling, outer = stiffness.coupling(), stiffness.boundary()
+        lateral = np.tensordot(through.T, coupling[:, : 3 * rim].reshape(-1, *shape), axes=(1, 1))
+        held = outer[: 3 * rim, : 3 * rim].reshape(*shape, *shape)
+        held = np.einsum("lk,lpcmqd,mj->kpcjqd", through, held, through, optimize=True)
+        mass = self.representative_mass[folding.interior :]
+        weights = np.einsum("lk,lp,lj->kpj", through, mass[:rim].reshape(shape[:2]), through)
         inertia = np.einsum("kpj,pq,cd->kpcjqd", weights, np.eye(trace.places), np.eye(3))
         size = self.levels * trace.places * 3
         own = np.ix_(trace.kept, trace.kept)
+        lateral = np.moveaxis(lateral, 0, 1).reshape(-1, size)[:, trace.kept]
+        outer_stiffness, outer_mass = held.reshape(size, size)[own], inertia.reshape(size, size)[own]
+        if on_top is not None:  # no element reaches from there to the sides
+            lateral = np.hstack([lateral, coupling[:, 3 * rim :] @ on_top])
+            above = on_top.T @ outer[3 * rim :, 3 * rim :] @ on_top
+            outer_stiffness = la.block_diag(outer_stiffness, above)
+            above = on_top.T @ (np.repeat(mass[rim:], 3)[:, None] * on_top)
+            outer_mass = la.block_diag(outer_mass, above)
         alive = folding.sign[q][folding.origin[: folding.interior]] != 0
-        return FoldedCell(
-            trace=trace,
-            interior=stiffness.interior(),
-            coupling=np.moveaxis(coupling, 0, 1).reshape(-1, size)[:, trace.kept],
-            trace_stiffness=rim.reshape(size, size)[own],
-            trace_mass=inertia.reshape(size, size)[own],
-            mass=(self.representative_mass[: folding.interior, None] * alive).ravel(),
-        )
+        inside = (self.representative_mass[: folding.interior, None] * alive).ravel()
+        return FoldedCell(trace, stiffness.interior(), Bounded(lateral, outer_stiffness, outer_mass, inside))
 
-    def pillar_stiffness(self, q: int) -> sp.csr_array:
-        """The pillar's share of the interior stiffness of one class; it reaches no lateral face."""
-        assembler = self.assembler
-        return assembler.pattern.matrix(assembler.assembled_pillar(self.paired, q).unsprung())
+    def pillar_stiffness(self, q: int) -> FoldedStiffness:
+        """The pillar's share of the stiffness of one class; it reaches no lateral face."""
+        return self.assembler.assembled_pillar(self.paired, q)
 
     @cached_property
     def above(self) -> Array:

@@ -1,21 +1,98 @@
-"""What the interior adds to the static answers: a Krylov space of K^-1 M with the trace held at zero."""
+"""A body seen from its boundary: static answers, and a Krylov space of K^-1 M with the boundary at rest."""
 
 from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Protocol
 
 import numpy as np
 import scipy.linalg as la
 from numpy.typing import NDArray
 
-from haptonic.solvers import Solver
-
 Array = NDArray[np.float64]
 
+SOFT_TRACES = 24  # motions of the boundary whose inertia the interior's modes have to answer
 DEPENDENT = 1e-13  # share of the largest inertia below which a direction repeats others
 EXTRA = 3  # random ones beside them, for modes that hardly touch the trace
 
 
+class Factorised(Protocol):
+    """Anything that solves with the stiffness of an interior."""
+
+    def solve(self, right: Array) -> Array:
+        """(n, m) answers to forces (n, m)."""
+        ...
+
+
+@dataclass(frozen=True)
+class Bounded:
+    """Forms of a body with n interior unknowns and b on its boundary.
+
+    coupling : (n, b) stiffness between the two; outer_stiffness, outer_mass : (b, b)
+    mass : (n,) diagonal; mass_coupling : (n, b), or None where mass is lumped
+    """
+
+    coupling: Array
+    outer_stiffness: Array
+    outer_mass: Array
+    mass: Array
+    mass_coupling: Array | None = None
+
+
+@dataclass(frozen=True)
+class Reduced:
+    """A body on static answers to its boundary and on some interior modes (Craig and Bampton).
+
+    static : (n, b), modes : (n, m) fields inside; inertia : (n, b) mass times static answers
+    stiffness, mass : (b, b), the interior following statically
+    values : (m,) eigenvalues, (rad/s)^2; to_modes : (b, m) mass between static answers and modes
+    omission : (b, b), what was left out, see `Superelement`
+    """
+
+    static: Array
+    modes: Array
+    inertia: Array
+    stiffness: Array
+    mass: Array
+    values: Array
+    to_modes: Array
+    omission: Array
+
+
+def reduced(solver: Factorised, body: Bounded, steps: int, block: int) -> Reduced:
+    """Reduce a body whose interior stiffness ``solver`` has factorised; see `interior_modes`."""
+    static = solver.solve(-body.coupling)
+    inertia = body.mass[:, None] * static
+    mass = body.outer_mass + static.T @ inertia
+    if body.mass_coupling is not None:
+        crossed = body.mass_coupling.T @ static
+        mass += crossed + crossed.T
+        inertia += body.mass_coupling
+    stiffness = body.outer_stiffness + body.coupling.T @ static
+    soft, dual = _softest(stiffness, mass)
+    values, modes, dynamic = interior_modes(solver, body.mass, inertia @ soft, steps, block)
+    to_modes = inertia.T @ modes
+    # inertia of the soft motions' static answers that the modes do not carry, answered by the inverse
+    # stiffness
+    soft_to_modes = soft.T @ to_modes
+    missing = (inertia @ soft).T @ dynamic - (soft_to_modes / values) @ soft_to_modes.T
+    omission = dual @ missing @ dual.T
+    omission = 0.5 * (omission + omission.T)
+    return Reduced(static, modes, inertia, stiffness, mass, values, to_modes, omission)
+
+
+def _softest(stiffness: Array, mass: Array) -> tuple[Array, Array]:
+    """(b, s) the motions of lowest frequency of a boundary that the interior just follows, and their dual.
+
+    With M-orthonormal motions W every one b is ``W (M W)^T b``; of these the first are kept.
+    """
+    count = min(SOFT_TRACES, len(mass))
+    _, soft = la.eigh(stiffness, mass, subset_by_index=(0, count - 1))
+    return soft, mass @ soft
+
+
 def interior_modes(
-    solver: Solver, mass: Array, inertia: Array, steps: int, block: int
+    solver: Factorised, mass: Array, inertia: Array, steps: int, block: int
 ) -> tuple[Array, Array, Array]:
     """Rayleigh-Ritz modes of the interior on a short Krylov space.
 
@@ -26,7 +103,7 @@ def interior_modes(
     Parameters
     ----------
     solver : has factorised the stiffness K
-    mass : (n,) lumped mass M
+    mass : (n,) diagonal mass M
     inertia : (n, b) M times static answers
     steps : blocks of the space; block : directions that each takes on from the static answers' inertia
 
@@ -60,4 +137,7 @@ def interior_modes(
     kept = weights > DEPENDENT * weights[-1]
     basis = turn[:, kept] / np.sqrt(weights[kept])
     values, turn = la.eigh(basis.T @ (np.hstack(blocks).T @ moving) @ basis)
-    return values, fields @ (basis @ turn), dynamic
+    modes = fields @ (basis @ turn)
+    # signs that do not depend on rounding, for the sake of random starts in what is made from these modes
+    modes *= np.where(random[:, 0] @ modes < 0, -1.0, 1.0)
+    return values, modes, dynamic

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
-from typing import Any
+from dataclasses import dataclass, replace
+from typing import Any, Protocol
 
 import numpy as np
 from numpy.typing import NDArray
@@ -46,19 +46,45 @@ class Part:
     modes: Array
     image: DiagonalImage | None = None
 
+    @property
+    def count(self) -> int:
+        """Number of modes."""
+        return int(self.modes.shape[1])
+
+    def mirrored(self, mirror: DiagonalImage) -> Part:
+        """How the class of this one's mirror images is lifted back."""
+        return replace(self, image=mirror)
+
     def lifted(self, trace: Fields, amplitudes: Fields) -> Fields:
         """(nodes, 3, k) displacement from a whole trace (t, k) and the class's modal amplitudes (m, k)."""
         own = self.trace.fold(self.image.trace.applied(trace) if self.image else trace)
         inside = self.static @ own + self.modes @ amplitudes
-        rim = self.trace.on_levels(self.through, own)
-        values = np.concatenate([inside.reshape(-1, 3, own.shape[1]), rim])
-        folding = self.trace.folding
-        field = np.asarray(folding.sign[self.trace.symmetry_class][:, :, None] * values[folding.node])
+        field = unfolded(self.trace, inside, self.trace.on_levels(self.through, own))
         return self.image.applied(field) if self.image else field
 
 
-def lifted(parts: Sequence[Part], trace: Fields, amplitudes: Fields) -> Fields:
+class Lifting(Protocol):
+    """How a symmetry class is lifted back; see `Part`."""
+
+    @property
+    def trace(self) -> FoldedTrace: ...
+
+    @property
+    def count(self) -> int: ...
+
+    def mirrored(self, mirror: DiagonalImage) -> Lifting: ...
+
+    def lifted(self, trace: Fields, amplitudes: Fields) -> Fields: ...
+
+
+def unfolded(trace: FoldedTrace, inside: Fields, *boundary: Fields) -> Fields:
+    """(nodes, 3, k) field of a class from its values (3 interior, k) inside and (n, 3, k) on the boundary."""
+    values = np.concatenate([inside.reshape(-1, 3, inside.shape[1]), *boundary])
+    return np.asarray(trace.folding.sign[trace.symmetry_class][:, :, None] * values[trace.folding.node])
+
+
+def lifted(parts: Sequence[Lifting], trace: Fields, amplitudes: Fields) -> Fields:
     """(nodes, 3, k) displacement from a whole trace (t, k) and the amplitudes (m, k) of all parts' modes."""
-    ends = np.cumsum([part.modes.shape[1] for part in parts])
+    ends = np.cumsum([part.count for part in parts])
     shares = np.split(amplitudes, ends[:-1])
     return np.asarray(sum(part.lifted(trace, share) for part, share in zip(parts, shares, strict=True)))

@@ -65,7 +65,7 @@ def section_levels(mesh: HexMesh) -> tuple[Array, NDArray[np.int64], NDArray[np.
 
 
 def momentum_forms(mesh: HexMesh, folding: Folding, symmetry_class: int, nodal_mass: Array) -> sp.csr_array:
-    """(4 sections, 3 interior representatives) sparse: the momenta of one class's own unknowns."""
+    """(4 sections, 3 representatives) sparse: the momenta of one class's own values, boundary included."""
     heights, nodes, level = section_levels(mesh)
     count = len(heights)
     x, y = mesh.points[nodes, 0], mesh.points[nodes, 1]
@@ -76,7 +76,7 @@ def momentum_forms(mesh: HexMesh, folding: Folding, symmetry_class: int, nodal_m
     rows = np.concatenate([row * count + level for row, _, _ in entries])
     columns = np.concatenate([own + c for _, c, _ in entries])
     values = np.concatenate([weight * sign[:, c] for _, c, weight in entries])
-    return sp.csr_array((values, (rows, columns)), shape=(4 * count, 3 * folding.interior))
+    return sp.csr_array((values, (rows, columns)), shape=(4 * count, 3 * len(folding.origin)))
 
 
 def mirrored_momenta(momenta: Array) -> Array:
@@ -85,14 +85,9 @@ def mirrored_momenta(momenta: Array) -> Array:
     return np.concatenate([y, x, z, -turning])
 
 
-def pillar_sections(mesh: HexMesh, nodal_mass: Array, motion: Array) -> PillarSections:
-    """Sections of a mesh; ``motion`` is (4 sections, t + m)."""
+def section_sizes(mesh: HexMesh, nodal_mass: Array) -> Array:
+    """(3, sections) height (m), mass (kg) and inertia about the axis (kg m^2) of a mesh's pillar sections."""
     heights, nodes, level = section_levels(mesh)
     m = nodal_mass[nodes]
     arm = m * (mesh.points[nodes, :2] ** 2).sum(axis=1)
-    return PillarSections(
-        height=heights,
-        mass=np.bincount(level, m, minlength=len(heights)).astype(float),
-        inertia=np.bincount(level, arm, minlength=len(heights)).astype(float),
-        motion=motion.reshape(4, len(heights), motion.shape[1]),
-    )
+    return np.stack([heights, *(np.bincount(level, weight, minlength=len(heights)) for weight in (m, arm))])

@@ -26,9 +26,10 @@ COMPONENT_SIGNS: dict[Operation, tuple[int, int, int]] = {MIRROR_X: (-1, 1, 1), 
 class Folding:
     """Representatives of nodes and elements under the mirrors, and the signs that unfold a field.
 
-    node : (nodes,) number of each node's representative; interior ones come first
+    node : (nodes,) number of each node's representative; interior ones come first, then those on lateral
+        faces, then those on an open top
     origin : (representatives,) node that each of them is in the mesh
-    interior : how many of the representatives are not on a lateral face
+    interior : how many of the representatives are not on the boundary
     chosen : for each family of elements (m,) numbers, one of each set of images; weight : sizes of the sets
     sign : (classes, nodes, 3) value at a node = sign times value at its representative, 0 where a class
         forces the component to vanish
@@ -49,8 +50,11 @@ class Folding:
 
 
 @lru_cache(maxsize=64)
-def fold(topology: Topology, mirrors: tuple[Operation, ...]) -> Folding:
-    """Fold a mesh along some of the mirrors x -> -x and y -> -y (none: one class, nothing folded)."""
+def fold(topology: Topology, mirrors: tuple[Operation, ...], *, open_top: bool = False) -> Folding:
+    """Fold a mesh along some of the mirrors x -> -x and y -> -y (none: one class, nothing folded).
+
+    With an open top the highest level of nodes belongs to the boundary, beside the lateral faces.
+    """
     nodes = np.arange(topology.nodes)
     # images of every node under all products of the mirrors; the smallest number represents them
     moves = [topology.permutation(op) for op in mirrors]
@@ -65,10 +69,11 @@ def fold(topology: Topology, mirrors: tuple[Operation, ...]) -> Folding:
     representative = table.min(axis=0)
     via = table.argmin(axis=0)  # which product leads there
 
-    on_side = np.zeros(len(nodes), dtype=bool)
-    on_side[topology.rim] = True
+    outer = np.zeros(len(nodes), dtype=bool)
+    outer[topology.rim] = True
+    outer[topology.top] |= open_top
     unique = np.unique(representative)
-    order = np.concatenate([unique[~on_side[unique]], unique[on_side[unique]]])
+    order = np.concatenate([unique[~outer[unique]], unique[outer[unique]]])
     number = np.empty(len(nodes), dtype=np.int64)
     number[order] = np.arange(len(order))
 
@@ -89,7 +94,7 @@ def fold(topology: Topology, mirrors: tuple[Operation, ...]) -> Folding:
     return Folding(
         node=number[representative],
         origin=order,
-        interior=int((~on_side[unique]).sum()),
+        interior=int((~outer[unique]).sum()),
         chosen=tuple(chosen for chosen, _ in picked),
         weight=tuple(weight for _, weight in picked),
         sign=sign,

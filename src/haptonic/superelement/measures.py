@@ -1,0 +1,71 @@
+"""What kind of motion a field is: shares of its energies, and how the pillar's sections move."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from haptonic.superelement.folded import FoldedCell, FoldedMesh
+from haptonic.superelement.interior import Reduced
+from haptonic.superelement.sections import PillarSections, momentum_forms
+
+Array = NDArray[np.float64]
+
+ENERGIES = ("pillar_stiffness", "pillar_mass", "vertical_mass")
+
+
+@dataclass(frozen=True)
+class Measures:
+    """Quadratic forms (t + m, t + m) and linear ones that say what kind of motion a field is.
+
+    pillar_stiffness, pillar_mass : the pillar's shares; vertical_mass : the share of motion along z
+    sections : how the pillar moves
+    """
+
+    pillar_stiffness: Array
+    pillar_mass: Array
+    vertical_mass: Array
+    sections: PillarSections
+
+
+@dataclass(frozen=True)
+class ClassMeasures:
+    """The same of one symmetry class, on its share of the boundary and its modes.
+
+    energies : (b + m, b + m) by name; momenta : (4 sections, b + m)
+    """
+
+    energies: dict[str, Array]
+    momenta: Array
+
+    @classmethod
+    def of(
+        cls, shared: FoldedMesh, q: int, folded: FoldedCell, own: Reduced, on_top: Array | None = None
+    ) -> ClassMeasures:
+        """Measures of a reduced class; ``on_top`` as for `FoldedMesh.symmetry_class`."""
+        trace, body = folded.trace, folded.body
+        fields = np.hstack([own.static, own.modes])
+        lateral, rim = len(trace.kept), len(shared.through) * trace.places
+        pillar = shared.pillar_stiffness(q)
+        strain = fields.T @ (pillar.matrix() @ fields)
+        whole, mass, in_pillar = fields, body.mass, shared.above
+        if on_top is not None:  # its values follow from the boundary's unknowns behind the trace
+            top = np.zeros((len(on_top), fields.shape[1]))
+            top[:, lateral : own.static.shape[1]] = on_top
+            crossed = fields.T @ (pillar.coupling()[:, 3 * rim :] @ top)
+            strain += crossed + crossed.T + top.T @ (pillar.boundary()[3 * rim :, 3 * rim :] @ top)
+            whole = np.concatenate([fields, top])
+            above = shared.representative_mass[shared.folding.interior + rim :]
+            mass = np.concatenate([mass, np.repeat(above, 3)])
+            in_pillar = np.concatenate([in_pillar, np.ones(len(top))])
+        along_z = np.tile([0.0, 0.0, 1.0], len(mass) // 3)
+        pillar_mass, vertical_mass = (
+            whole.T @ ((mass * share)[:, None] * whole) for share in (in_pillar, along_z)
+        )
+        vertical_mass[:lateral, :lateral] += body.outer_mass[:lateral, :lateral] * trace.is_vertical
+        momenta = momentum_forms(shared.mesh, shared.folding, q, shared.nodal_mass)
+        seen = np.r_[: len(fields), len(fields) + 3 * rim : momenta.shape[1]][: len(whole)]
+        energies = dict(zip(ENERGIES, (strain, pillar_mass, vertical_mass), strict=True))
+        return cls(energies, np.asarray(momenta[:, seen] @ whole))

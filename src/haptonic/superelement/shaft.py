@@ -1,0 +1,184 @@
+"""The shaft of a pillar, from a little above its foot to its top: a prism, which needs no mesh.
+
+Over its section displacement is a polynomial in x and y, along it one in z: far from the foot, where stress
+is singular, it is smooth. A motion is given by its values on Gauss-Lobatto-Legendre levels along the shaft,
+each a sum of polynomials that are orthonormal over the section. In a symmetry class the polynomials of a
+component are even or odd in x and y, and there are as many of them whichever it is.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from functools import cached_property, lru_cache
+from typing import Any
+
+import numpy as np
+import scipy.linalg as la
+from numpy.typing import NDArray
+
+from haptonic.cell.pillar import Section
+from haptonic.cell.quadrature import interpolation, lobatto
+from haptonic.materials import Material, elasticity_tensor
+
+Array = NDArray[np.float64]
+Parity = tuple[int, int]  # in x and y: 0 even, 1 odd
+
+PARITIES: tuple[Parity, ...] = ((0, 0), (0, 1), (1, 0), (1, 1))
+
+
+@dataclass(frozen=True)
+class Shaft:
+    """A prism along z.
+
+    low, length : height of its lower end, and how far it reaches from there, m
+    half_width : radius, or half the side of a square section, m
+    degree : of the polynomials in x^2 and y^2, beside the factors x and y of odd ones
+    order : of the polynomials along z
+    """
+
+    low: float
+    length: float
+    half_width: float
+    section: Section
+    material: Material
+    degree: int
+    order: int
+
+    @property
+    def shapes(self) -> int:
+        """Number of polynomials of each component over the section."""
+        return len(_exponents((0, 0), self.degree))
+
+    @property
+    def on_section(self) -> int:
+        """Unknowns of one level."""
+        return 3 * self.shapes
+
+    def stiffness(self, parities: tuple[Parity, ...]) -> Array:
+        """(u, u) on unknowns (level, polynomial, component), N/m; parities of the three components."""
+        tensor = elasticity_tensor(self.material.stiffness)
+        _, weights, slopes = lobatto(self.order)
+        half = 0.5 * self.length
+        along = {  # integrals along z of products of level polynomials and of their slopes
+            (False, False): half * np.diag(weights),
+            (True, False): slopes.T * weights,
+            (False, True): weights[:, None] * slopes,
+            (True, True): (slopes.T * weights) @ slopes / half,
+        }
+        over = _section_forms(self.section, self.degree)
+        of_component = [PARITIES.index(parity) for parity in parities]
+        over = over[np.ix_(of_component, of_component)]
+        scale = self.half_width ** (1.0 - (np.arange(3) < 2))  # a slope over the section is per half-width
+        forms = np.einsum("iajb,ijabmn,a,b->abminj", tensor, over, scale, scale, optimize=True)
+        total = np.zeros((self.order + 1, self.on_section, self.order + 1, self.on_section))
+        for (first, second), integral in along.items():
+            rows, columns = ([2] if slope else [0, 1] for slope in (first, second))
+            section = forms[np.ix_(rows, columns)].sum(axis=(0, 1)).reshape((self.on_section,) * 2)
+            total += integral[:, None, :, None] * section[:, None]
+        size = (self.order + 1) * self.on_section
+        return total.reshape(size, size)
+
+    @cached_property
+    def mass(self) -> Array:
+        """(u,) lumped on the levels, kg."""
+        weights = lobatto(self.order)[1]
+        per_level = 0.5 * self.length * self.half_width**2 * self.material.density * weights
+        return np.repeat(per_level, self.on_section)
+
+    @property
+    def sizes(self) -> Array:
+        """(3, levels) height (m), mass (kg) and inertia about the axis (kg m^2) of each level's share."""
+        points, weights, _ = lobatto(self.order)
+        per_area = 0.5 * self.length * self.half_width**2 * self.material.density * weights
+        area, arm = (_moment(self.section, *powers) for powers in ((0, 0), (2, 0)))
+        heights = self.low + 0.5 * self.length * (1 + points)
+        return np.stack([heights, per_area * area, 2 * per_area * arm * self.half_width**2])
+
+    def momenta(self, parities: tuple[Parity, ...]) -> Array:
+        """(4, levels, u) momentum along x, y and z and angular momentum of each level, per unknown."""
+        levels = self.order + 1
+        section = np.zeros((4, self.shapes, 3))
+        for c, parity in enumerate(parities):
+            section[c, :, c] = self._moments(parity, (0, 0))
+        section[3, :, 0] = -self.half_width * self._moments(parities[0], (0, 1))
+        section[3, :, 1] = self.half_width * self._moments(parities[1], (1, 0))
+        per_level = self.mass.reshape(levels, -1)[:, 0]
+        forms = np.einsum("cu,k,kl->cklu", section.reshape(4, -1), per_level, np.eye(levels))
+        return np.asarray(forms.reshape(4, levels, -1))
+
+    def _moments(self, parity: Parity, powers: tuple[int, int]) -> Array:
+        """(shapes,) integrals over the section of half-width 1 of x^p y^q times the polynomials."""
+        monomials = _exponents(parity, self.degree)
+        values = [_moment(self.section, p + powers[0], q + powers[1]) for p, q in monomials]
+        return np.asarray(np.array(values) @ _orthonormal(self.section, self.degree, parity))
+
+    def over_section(self, parity: Parity, x: Array, y: Array) -> Array:
+        """(n, shapes) values of the polynomials at points (m) of the section."""
+        coefficients = _orthonormal(self.section, self.degree, parity)
+        p, q = np.array(_exponents(parity, self.degree)).T
+        powers = (x[:, None] / self.half_width) ** p * (y[:, None] / self.half_width) ** q
+        return np.asarray(powers @ coefficients)
+
+    def displaced(self, parities: tuple[Parity, ...], points: Array, unknowns: NDArray[Any]) -> NDArray[Any]:
+        """(n, 3, k) displacement at points (n, 3), m, of the shaft from unknowns (u, k)."""
+        levels = self.low + 0.5 * self.length * (1 + lobatto(self.order)[0])
+        heights, level = np.unique(points[:, 2], return_inverse=True)
+        values = unknowns.reshape(self.order + 1, -1)
+        values = (interpolation(levels, heights) @ values).reshape(len(heights), self.shapes, 3, -1)
+        over = [self.over_section(parity, points[:, 0], points[:, 1]) for parity in parities]
+        moved = [np.einsum("nm,nmk->nk", over[c], values[level, :, c]) for c in range(3)]
+        return np.stack(moved, axis=1)
+
+
+def _exponents(parity: Parity, degree: int) -> list[tuple[int, int]]:
+    """Powers of x and y in the monomials of a parity."""
+    return [
+        (parity[0] + 2 * (total - b), parity[1] + 2 * b)
+        for total in range(degree + 1)
+        for b in range(total + 1)
+    ]
+
+
+def _moment(section: Section, p: int, q: int) -> float:
+    """Integral of x^p y^q over the section of half-width 1."""
+    if p < 0 or q < 0 or p % 2 or q % 2:
+        return 0.0
+    if section == "square":
+        return 4.0 / ((p + 1) * (q + 1))
+    angle = math.gamma(0.5 * (p + 1)) * math.gamma(0.5 * (q + 1)) / math.gamma(0.5 * (p + q) + 1)
+    return 2.0 * angle / (p + q + 2)
+
+
+@lru_cache(maxsize=64)
+def _orthonormal(section: Section, degree: int, parity: Parity) -> Array:
+    """(monomials, shapes) orthonormal polynomials over the section of half-width 1."""
+    powers = _exponents(parity, degree)
+    gram = np.array([[_moment(section, p + r, q + s) for r, s in powers] for p, q in powers])
+    return np.asarray(la.inv(la.cholesky(gram)))
+
+
+@lru_cache(maxsize=16)
+def _section_forms(section: Section, degree: int) -> Array:
+    """(parity, parity, 3, 3, shapes, shapes) integrals of products of d/dx, d/dy or the value of shapes."""
+    count = len(PARITIES)
+    shapes = len(_exponents((0, 0), degree))
+    forms = np.empty((count, count, 3, 3, shapes, shapes))
+    for first, second in np.ndindex(count, count):
+        for a, b in np.ndindex(3, 3):
+            monomials = np.array([
+                [_product(section, one, a, other, b) for other in _exponents(PARITIES[second], degree)]
+                for one in _exponents(PARITIES[first], degree)
+            ])  # fmt: skip
+            left = _orthonormal(section, degree, PARITIES[first])
+            right = _orthonormal(section, degree, PARITIES[second])
+            forms[first, second, a, b] = left.T @ monomials @ right
+    return forms
+
+
+def _product(section: Section, one: tuple[int, int], a: int, other: tuple[int, int], b: int) -> float:
+    """Integral of the product of two monomials, each differentiated along x (0), y (1) or not at all (2)."""
+    (p, q), (r, s) = one, other
+    factor = (p, q, 1)[a] * (r, s, 1)[b]
+    lowered = [int(a == axis) + int(b == axis) for axis in range(2)]
+    return factor * _moment(section, p + r - lowered[0], q + s - lowered[1])

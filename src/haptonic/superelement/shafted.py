@@ -1,0 +1,281 @@
+"""A cell condensed in two steps: its plate with the foot of the pillar, then the pillar's shaft upon it.
+
+The shaft needs no mesh, and what stands below it is condensed once for all lengths of the shaft. Only the
+foot sees the singular edge, and it alone needs the fine mesh.
+"""
+
+from __future__ import annotations
+
+import hashlib
+from collections import OrderedDict
+from dataclasses import dataclass, replace
+from threading import Lock
+
+import numpy as np
+import scipy.linalg as la
+from numpy.typing import NDArray
+
+from haptonic.cell import HexMesh, MeshPlan, UnitCell, mesh_cell
+from haptonic.cell.topology import Topology, topology_of
+from haptonic.solvers import Solver
+from haptonic.superelement.condense import CondensedClass, Form, Superelement, assembled, condense
+from haptonic.superelement.folded import FoldedMesh, mirrors_of
+from haptonic.superelement.interior import Bounded, Reduced, reduced
+from haptonic.superelement.lifting import DiagonalImage, Fields, unfolded
+from haptonic.superelement.measures import ENERGIES, ClassMeasures
+from haptonic.superelement.parallel import for_each_class
+from haptonic.superelement.sections import section_sizes
+from haptonic.superelement.shaft import Parity, Shaft
+from haptonic.superelement.symmetry import COMPONENT_SIGNS, Folding
+from haptonic.superelement.trace import FoldedTrace
+
+Array = NDArray[np.float64]
+
+STARTS = 0.3  # of the diameter, above the plate: the least height at which a shaft may start
+LEAST_ORDER, PER_LAYER = 8, 2  # of the polynomials along the shaft, and what each layer of a mesh adds
+KEPT_STUBS = 4  # condensed feet that wait for the next design with the same
+
+
+def condense_by_parts(
+    cell: UnitCell, plan: MeshPlan, steps: int = 2, *, block: int = 10, measured: bool = True
+) -> Superelement:
+    """Condense a cell onto its lateral faces, its pillar's shaft apart where it is a prism.
+
+    Parameters as for `condense`. On the same plan the two differ by the error that the mesh of the shaft has
+    there. A pillar with draft or a step, or one too short, has no shaft, and then they are the same.
+    """
+    mesh = mesh_cell(cell, plan)
+    shaft = shaft_of(cell, mesh)
+    if shaft is None:
+        return condense(cell, plan, steps, block=block, measured=measured)
+    stub = _stub(cell, mesh, shaft, steps, block, measured)
+    shared = stub.shared
+    joined = {q: _joined(foot, shaft, mesh, shared.through, steps, block) for q, foot in stub.feet.items()}
+    _, images = shared.classes_and_images()
+    if images:
+        mirror = DiagonalImage.of(mesh.topology, shared.levels)
+        joined |= {q: joined[original].mirrored(mirror) for q, original in images.items()}
+    sizes = np.hstack([section_sizes(shared.mesh, shared.nodal_mass), shaft.sizes]) if measured else None
+    return assembled(cell, mesh, shared.levels, [joined[q] for q in sorted(joined)], sizes)
+
+
+def shaft_of(cell: UnitCell, mesh: HexMesh) -> Shaft | None:
+    """The shaft of a cell's pillar, which starts where the mesh's second layer above the thin ones does."""
+    pillar, plan = cell.pillar, mesh.topology.plan
+    mirrors = mirrors_of(cell)
+    if pillar is None or pillar.draft or pillar.step or plan.pillar_layers < 2 or len(mirrors) < 2:
+        return None
+    low = float(mesh.points[_below_shaft(plan).top[0], 2])
+    if low - cell.thickness < STARTS * pillar.diameter * (1 - 1e-9):
+        return None
+    # polynomials that the nodes of the foot can follow; a square that is twisted warps more than a disc
+    degree = plan.order // 2 if pillar.section == "square" else (plan.order + 2) // 3
+    return Shaft(
+        low=low,
+        length=cell.thickness + pillar.height - low,
+        half_width=pillar.radius,
+        section=pillar.section,
+        material=cell.material,
+        degree=degree,
+        order=LEAST_ORDER + PER_LAYER * plan.pillar_layers,
+    )
+
+
+@dataclass(frozen=True)
+class _Foot:
+    """One symmetry class of what stands below a shaft: its boundary is the trace, then the shaft's section.
+
+    parities : of the displacement's components in this class
+    on_top : (3 representatives, s) the highest level's nodes from the section's unknowns
+    own : on boundary and modes; measures : the same
+    """
+
+    trace: FoldedTrace
+    parities: tuple[Parity, ...]
+    on_top: Array
+    own: Reduced
+    measures: ClassMeasures | None
+
+
+@dataclass(frozen=True)
+class _Stub:
+    """All that stands below a shaft, condensed."""
+
+    shared: FoldedMesh
+    feet: dict[int, _Foot]
+
+
+_stubs: OrderedDict[str, _Stub] = OrderedDict()
+_lock = Lock()
+
+
+def _below_shaft(plan: MeshPlan) -> Topology:
+    return topology_of(replace(plan, pillar_layers=1))
+
+
+def _stub(cell: UnitCell, mesh: HexMesh, shaft: Shaft, steps: int, block: int, measured: bool) -> _Stub:
+    """What stands below the shaft; nodes are numbered from the flat face up, so its mesh comes first."""
+    topology = _below_shaft(mesh.topology.plan)
+    points = mesh.points[: topology.nodes]
+    about = (topology.plan, cell.lattice.point_group, shaft.section, shaft.degree, steps, block, measured)
+    content = [repr(about).encode(), points.tobytes(), cell.material.stiffness.tobytes()]
+    key = hashlib.sha256(b"".join(content) + repr(cell.material.density).encode()).hexdigest()
+    with _lock:
+        if key in _stubs:
+            _stubs.move_to_end(key)
+            return _stubs[key]
+    shared = FoldedMesh.of_mesh(cell, HexMesh(topology, points), open_top=True)
+
+    def work(q: int, solver: Solver) -> tuple[int, _Foot]:
+        return q, _condense_foot(shared, q, solver, shaft, steps, block, measured)
+
+    found = dict(for_each_class(shared, work, lambda original: original))
+    stub = _Stub(shared, found)
+    with _lock:
+        _stubs[key] = stub
+        while len(_stubs) > KEPT_STUBS:
+            _stubs.popitem(last=False)
+    return stub
+
+
+def _condense_foot(
+    shared: FoldedMesh, q: int, solver: Solver, shaft: Shaft, steps: int, block: int, measured: bool
+) -> _Foot:
+    folding = shared.folding
+    parities = _parities(folding, q)
+    top = folding.origin[folding.node[shared.mesh.topology.top].min() :]
+    x, y, _ = shared.mesh.points[top].T
+    values = np.zeros((len(top), 3, shaft.shapes, 3))
+    for c, parity in enumerate(parities):
+        values[:, c, :, c] = shaft.over_section(parity, x, y)
+    on_top = values.reshape(3 * len(top), shaft.on_section)
+    folded = shared.symmetry_class(q, on_top)
+    solver.factorise(folded.interior)
+    own = reduced(solver, folded.body, steps, block)
+    measures = ClassMeasures.of(shared, q, folded, own, on_top) if measured else None
+    return _Foot(folded.trace, parities, on_top, own, measures)
+
+
+def _parities(folding: Folding, q: int) -> tuple[Parity, ...]:
+    """Of the displacement's components in a class of a cell with both mirrors."""
+    signs = folding.parity[q][:, None] * np.array(list(COMPONENT_SIGNS.values()))
+    return tuple((int(x < 0), int(y < 0)) for x, y in signs.T)
+
+
+def _joined(
+    foot: _Foot, shaft: Shaft, mesh: HexMesh, through: Array, steps: int, block: int
+) -> CondensedClass:
+    """A class of the whole cell: inside are the shaft's section, the foot's modes, the rest of the shaft."""
+    own, section, modes = foot.own, shaft.on_section, len(foot.own.values)
+    trace, below = len(own.mass) - section, section + modes
+    stiff, heavy = shaft.stiffness(foot.parities), shaft.mass
+    on_trace, on_section = slice(0, trace), slice(trace, None)
+    # unknowns in which the mass is 1: the section's and the modes' are coupled by theirs, the others are not
+    to_modes = own.to_modes[on_section]
+    mass = np.block([[own.mass[on_section, on_section], to_modes], [to_modes.T, np.eye(modes)]])
+    mass[:section, :section] += np.diag(heavy[:section])
+    turn = la.solve_triangular(la.cholesky(mass, lower=True), np.eye(below), lower=True).T
+    light = heavy[section:] ** -0.5
+    inside = np.zeros((below + len(light),) * 2)
+    at_foot = la.block_diag(own.stiffness[on_section, on_section], np.diag(own.values))
+    at_foot[:section, :section] += stiff[:section, :section]
+    inside[:below, :below] = turn.T @ at_foot @ turn
+    inside[below:, :below] = light[:, None] * (stiff[section:, :section] @ turn[:section])
+    inside[:below, below:] = inside[below:, :below].T
+    inside[below:, below:] = light[:, None] * stiff[section:, section:] * light
+    coupling, mass_coupling = np.zeros((2, len(inside), trace))
+    coupling[:below] = turn[:section].T @ own.stiffness[on_section, on_trace]
+    between = np.vstack([own.mass[on_section, on_trace], own.to_modes[on_trace].T])
+    mass_coupling[:below] = turn.T @ between
+    body = Bounded(
+        coupling=coupling,
+        outer_stiffness=own.stiffness[on_trace, on_trace],
+        outer_mass=own.mass[on_trace, on_trace],
+        mass=np.ones(len(inside)),
+        mass_coupling=mass_coupling,
+    )
+    found = reduced(_Dense(inside), body, steps, block)
+
+    def turned_back(fields: Array) -> Array:
+        return np.vstack([turn @ fields[:below], light[:, None] * fields[below:]])
+
+    static, dynamic = turned_back(found.static), turned_back(found.modes)
+    # boundary and modes of the foot, and unknowns of the shaft, from the trace and the modes of the whole
+    inner = np.hstack([static, dynamic])
+    of_foot = np.vstack([np.eye(trace, inner.shape[1]), inner[:below]])
+    of_shaft = np.delete(inner, np.s_[section:below], axis=0)
+    # what was left out of the foot follows from the motion of all of its boundary
+    boundary = of_foot[: trace + section]
+    part = ShaftedPart(foot, shaft, mesh, through, static, dynamic)
+    piece = CondensedClass.of(part, found, _measured(foot, shaft, of_foot, of_shaft))
+    omission = boundary.T @ own.omission @ boundary
+    omission[:trace, :trace] += found.omission
+    return replace(piece, forms=piece.forms | {"omission": Form.split(foot.trace, omission)})
+
+
+def _measured(foot: _Foot, shaft: Shaft, of_foot: Array, of_shaft: Array) -> ClassMeasures | None:
+    """Measures of foot and shaft together."""
+    if foot.measures is None:
+        return None
+    heavy = shaft.mass[:, None] * of_shaft
+    vertical = np.tile([0.0, 0.0, 1.0], len(heavy) // 3)[:, None]
+    of_whole_shaft = (shaft.stiffness(foot.parities) @ of_shaft, heavy, vertical * heavy)
+    energies = {
+        name: of_foot.T @ foot.measures.energies[name] @ of_foot + of_shaft.T @ moved
+        for name, moved in zip(ENERGIES, of_whole_shaft, strict=True)
+    }
+    count = of_foot.shape[1]
+    momenta = (foot.measures.momenta @ of_foot).reshape(4, -1, count)
+    momenta = np.concatenate([momenta, shaft.momenta(foot.parities) @ of_shaft], axis=1)
+    return ClassMeasures(energies, momenta.reshape(-1, count))
+
+
+class _Dense:
+    """A small stiffness, factorised."""
+
+    def __init__(self, stiffness: Array) -> None:
+        self._factor = la.cho_factor(stiffness)
+
+    def solve(self, right: Array) -> Array:
+        return np.asarray(la.cho_solve(self._factor, right))
+
+
+@dataclass(frozen=True)
+class ShaftedPart:
+    """How one symmetry class is lifted back, see `haptonic.superelement.lifting.Part`.
+
+    static : (u, b), modes : (u, m) of section, foot's modes and the rest of the shaft
+    """
+
+    foot: _Foot
+    shaft: Shaft
+    mesh: HexMesh
+    through: Array
+    static: Array
+    modes: Array
+    image: DiagonalImage | None = None
+
+    @property
+    def trace(self) -> FoldedTrace:
+        return self.foot.trace
+
+    @property
+    def count(self) -> int:
+        return int(self.modes.shape[1])
+
+    def mirrored(self, mirror: DiagonalImage) -> ShaftedPart:
+        return replace(self, image=mirror)
+
+    def lifted(self, trace: Fields, amplitudes: Fields) -> Fields:
+        own = self.trace.fold(self.image.trace.applied(trace) if self.image else trace)
+        inner = self.static @ own + self.modes @ amplitudes
+        foot, count = self.foot, inner.shape[1]
+        section, of_modes, beyond = np.split(inner, np.cumsum([self.shaft.on_section, len(foot.own.values)]))
+        inside = foot.own.static @ np.concatenate([own, section]) + foot.own.modes @ of_modes
+        rim, top = self.trace.on_levels(self.through, own), (foot.on_top @ section).reshape(-1, 3, count)
+        below = unfolded(self.trace, inside, rim, top)
+        above = self.shaft.displaced(
+            foot.parities, self.mesh.points[len(below) :], np.concatenate([section, beyond])
+        )
+        field = np.concatenate([below, above])
+        return self.image.applied(field) if self.image else field

@@ -1,0 +1,296 @@
+"""A shaft alone against closed forms, and a cell condensed in two steps against one condensed at once."""
+
+from dataclasses import replace
+from functools import cache
+from itertools import product
+
+import numpy as np
+import pytest
+import scipy.linalg as la
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from strategies import ALUMINIUM, reference_cell
+
+from haptonic.bloch.centred import CentredPencil
+from haptonic.bloch.character import characters
+from haptonic.bloch.pencil import eigenpairs
+from haptonic.bloch.resolution import Resolution
+from haptonic.cell import Pillar, Step, UnitCell, mesh_cell
+from haptonic.lattice import Lattice
+from haptonic.materials import IsotropicMaterial, OrthotropicMaterial
+from haptonic.superelement import condense, condense_by_parts, on_each, shafted
+from haptonic.superelement.shaft import PARITIES, Shaft
+
+PLY = OrthotropicMaterial("ply", 20e9, 11e9, 9e9, 3e9, 2.5e9, 4e9, 3.1e9, 4.3e9, 5.7e9, density=1500.0)
+CORK = IsotropicMaterial("no lateral contraction", 70e9, 0.0, 2700.0)
+LENGTH, RADIUS = 9e-3, 1.2e-3
+# parities of u, v, w in the four symmetry classes: a factor x or y changes sides with its component
+CLASSES = [tuple(((c == 0) ^ x, (c == 1) ^ y) for c in range(3)) for x, y in product((0, 1), repeat=2)]
+CELLS = {
+    "reference": (reference_cell(), (1.1, 2.3)),
+    "square section": (
+        UnitCell(Lattice.square(7e-3), 1.5e-3, ALUMINIUM, Pillar(3e-3, 9e-3, section="square")),
+        (2.0, 0.7),
+    ),
+    "orthotropic, fillet": (
+        UnitCell(Lattice.rectangular(8e-3, 6e-3), 2e-3, PLY, Pillar(2.8e-3, 7e-3, fillet=0.4e-3)),
+        (0.4, 3.0),
+    ),
+}
+
+
+def shaft(material=ALUMINIUM, section="round", degree=3, order=16):
+    return Shaft(2e-3, LENGTH, RADIUS, section, material, degree, order)
+
+
+def free_frequencies(body, count):
+    """The lowest of a free shaft, all symmetry classes together, Hz."""
+    mass = body.mass
+    values = [
+        la.eigh(body.stiffness(parities) / np.sqrt(np.outer(mass, mass)), eigvals_only=True)
+        for parities in CLASSES
+    ]
+    return np.sqrt(np.maximum(np.sort(np.concatenate(values)), 0.0))[:count] / (2 * np.pi)
+
+
+# --- the shaft alone --------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("material", [ALUMINIUM, PLY], ids=["isotropic", "orthotropic"])
+@pytest.mark.parametrize("section", ["round", "square"])
+def test_a_free_shaft_has_six_motions_at_rest(section, material):
+    found = free_frequencies(shaft(material, section), 8)
+    assert (found[:6] < 1e-4 * found[6]).all()
+    assert found[6] > 1e3
+
+
+def test_a_round_shaft_twists_at_the_speed_of_shear():
+    found = free_frequencies(shaft(), 30)
+    for halves in (1, 2, 3):
+        expected = halves * ALUMINIUM.shear_speed / (2 * LENGTH)
+        assert np.abs(found / expected - 1).min() < 1e-8
+
+
+@pytest.mark.parametrize("section", ["round", "square"])
+def test_without_lateral_contraction_a_shaft_stretches_like_a_string(section):
+    found = free_frequencies(shaft(CORK, section), 40)
+    for halves in (1, 2, 3):
+        expected = halves * np.sqrt(70e9 / 2700.0) / (2 * LENGTH)
+        assert np.abs(found / expected - 1).min() < 1e-8
+
+
+def test_a_square_shaft_twists_more_slowly_by_what_saint_venant_says():
+    """Torsion constant 0.140577 (2 b)^4 over polar moment (2 b)^4 / 6; the section must warp for it."""
+    slender = replace(shaft(section="square", degree=4, order=20), length=40 * RADIUS)
+    expected = np.sqrt(0.1405770 * 6) * ALUMINIUM.shear_speed / (2 * 40 * RADIUS)
+    assert np.abs(free_frequencies(slender, 40) / expected - 1).min() < 1e-3
+
+
+@given(st.sampled_from(["round", "square"]), st.integers(0, 4))
+def test_the_polynomials_are_orthonormal_over_the_section(section, degree):
+    body = shaft(section=section, degree=degree)
+    # polar Gauss points of the disc, or a grid of them on the square
+    points, weights = np.polynomial.legendre.leggauss(14)
+    if section == "square":
+        x, y = (grid.ravel() for grid in np.meshgrid(points, points))
+        weight = np.outer(weights, weights).ravel()
+    else:
+        radius, turn = 0.5 * (1 + points), 2 * np.pi * np.arange(40) / 40
+        x = np.outer(radius, np.cos(turn)).ravel()
+        y = np.outer(radius, np.sin(turn)).ravel()
+        weight = np.repeat(0.5 * weights * radius, 40) * 2 * np.pi / 40
+    for parity in PARITIES:
+        values = body.over_section(parity, RADIUS * x, RADIUS * y)
+        assert (values.T * weight) @ values == pytest.approx(np.eye(body.shapes), abs=1e-9)
+        turned = body.over_section(parity, -RADIUS * x, RADIUS * y)
+        assert turned == pytest.approx((-1) ** parity[0] * values)
+
+
+def test_momenta_are_those_of_the_displacement():
+    """Of random motions, by Gauss points over the section of one level."""
+    body, rng = shaft(order=4), np.random.default_rng(3)
+    unknowns = rng.standard_normal((len(body.mass), 2))
+    level = 2
+    height, mass, inertia = body.sizes[:, level]
+    points, weights = np.polynomial.legendre.leggauss(12)
+    radius, turn = 0.5 * RADIUS * (1 + points), 2 * np.pi * np.arange(24) / 24
+    x, y = np.outer(radius, np.cos(turn)).ravel(), np.outer(radius, np.sin(turn)).ravel()
+    weight = np.repeat(weights * radius, 24)
+    weight *= mass / weight.sum()
+    for parities in CLASSES:
+        moved = body.displaced(parities, np.column_stack([x, y, np.full(len(x), height)]), unknowns)
+        momenta = (body.momenta(parities) @ unknowns)[:, level]
+        assert momenta[:3] == pytest.approx(np.einsum("n,nck->ck", weight, moved), abs=1e-9 * mass)
+        turning = weight @ (x[:, None] * moved[:, 1] - y[:, None] * moved[:, 0])
+        assert momenta[3] == pytest.approx(turning, abs=1e-9 * mass * RADIUS)
+        kinetic = np.einsum("n,nck->k", weight, moved**2)
+        own = body.mass.reshape(5, -1)[level] @ unknowns.reshape(5, -1, 2)[level] ** 2
+        assert kinetic == pytest.approx(own)
+    assert inertia == pytest.approx(weight @ (x**2 + y**2))
+
+
+# --- a cell in two steps ----------------------------------------------------------------------------------
+
+
+@cache
+def both(name, order=4):
+    """A cell condensed at once and in two steps on the same plan, and ten modes of each."""
+    cell, kappa = CELLS[name]
+    plan = Resolution(order, 1).plan(cell)
+    found = []
+    for way in (condense, condense_by_parts):
+        superelement = way(cell, plan, 3, block=20)
+        pencil = CentredPencil.of(superelement)
+        values, modes = eigenpairs(pencil, np.array(kappa), 10)
+        fields = pencil.periodic.expanded(pencil.free(modes, np.array(kappa)), np.array(kappa))
+        found.append((superelement, values, fields))
+    return found
+
+
+@pytest.mark.parametrize("name", CELLS)
+def test_two_steps_lead_to_the_frequencies_of_one(name):
+    (_, whole, _), (_, parts, _) = both(name)
+    assert np.sqrt(parts / whole) == pytest.approx(np.ones(10), abs=1.5e-4)
+
+
+@pytest.mark.parametrize("name", CELLS)
+def test_two_steps_lead_to_the_shapes_of_one(name):
+    (whole, _, here), (parts, _, there) = both(name)
+    assert parts.mesh.topology is whole.mesh.topology
+    one, other = whole.lifted(here), parts.lifted(there)
+    one, other = one.reshape(-1, 10), other.reshape(-1, 10)
+    alike = np.abs((one.conj() * other).sum(axis=0)) ** 2
+    alike /= (np.abs(one) ** 2).sum(axis=0) * (np.abs(other) ** 2).sum(axis=0)
+    assert (alike > 1 - 1e-3).all()
+
+
+def test_a_lifted_field_has_the_energy_of_its_unknowns():
+    """The mesh's own quadrature sees the shaft's polynomials; nothing of the reduction is left in it."""
+    from brute import assembled
+
+    _, (parts, values, fields) = both("reference", 5)
+    stiffness, mass = assembled(parts.mesh, ALUMINIUM)
+    flat = parts.lifted(fields).reshape(-1, 10)
+    assert np.einsum("ik,i,ik->k", flat.conj(), mass, flat).real == pytest.approx(np.ones(10), rel=2e-4)
+    strain = np.einsum("ik,ik->k", flat.conj(), stiffness @ flat).real
+    assert strain == pytest.approx(values, rel=5e-4)
+
+
+@pytest.mark.parametrize("name", CELLS)
+def test_two_steps_lead_to_the_characters_of_one(name):
+    (whole, _, here), (parts, _, there) = both(name)
+    one, other = characters(whole, here), characters(parts, there)
+    assert (one.name == other.name).all()
+    for share in ("vertical", "pillar_strain", "pillar_kinetic"):
+        assert getattr(other, share) == pytest.approx(getattr(one, share), abs=2e-3)
+    sizes = [superelement.measures.sections for superelement in (whole, parts)]
+    assert sizes[1].mass.sum() == pytest.approx(sizes[0].mass.sum(), rel=1e-6)
+    assert sizes[1].inertia.sum() == pytest.approx(sizes[0].inertia.sum(), rel=1e-4)
+    for ours, theirs in zip(sizes[1].energies(there), sizes[0].energies(here), strict=True):
+        assert ours == pytest.approx(theirs, abs=2e-3 * sum(sizes[0].energies(here)).max())
+
+
+def test_the_omission_tells_what_two_steps_lose():
+    cell, kappa = CELLS["reference"]
+    plan, kappa = Resolution(3, 1).plan(cell), np.array(kappa)
+    rich = CentredPencil.of(condense_by_parts(cell, plan, 4, block=30, measured=False))
+    exact = eigenpairs(rich, kappa, 10)[0]
+    poor = condense_by_parts(cell, plan, 2, block=6, measured=False)
+    pencil = CentredPencil.of(poor)
+    values, modes = eigenpairs(pencil, kappa, 10)
+    fields = pencil.periodic.expanded(pencil.free(modes, kappa), kappa)
+    lost = np.sqrt(values / exact) - 1
+    told = 0.5 * values * on_each(poor.omission, fields)
+    assert lost[-1] > 1e-5, "else the test sees nothing"
+    assert lost == pytest.approx(told, rel=0.2, abs=2e-6)
+
+
+@settings(max_examples=6)
+@given(st.floats(0.3, 0.75), st.floats(0.8, 3.0))
+def test_designs_that_were_not_tried(diameter, height):
+    """Two steps against one all over the design range: a small part of what the mesh itself leaves."""
+    pitch = 7e-3
+    cell = UnitCell(Lattice.square(pitch), 1.4e-3, ALUMINIUM, Pillar(diameter * pitch, height * pitch))
+    plan, kappa = Resolution(3, 1).plan(cell), np.array([1.0, 2.2])
+    one, other = (
+        eigenpairs(CentredPencil.of(way(cell, plan, 3, block=20, measured=False)), kappa, 8)[0]
+        for way in (condense, condense_by_parts)
+    )
+    assert np.sqrt(other / one) == pytest.approx(np.ones(8), abs=5e-4)
+
+
+# --- which cells have a shaft, and which feet are the same -------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    "pillar",
+    [
+        None,
+        Pillar(2.4e-3, 9e-3, draft=0.02),
+        Pillar(2.4e-3, 9e-3, step=Step(1.6e-3, 4e-3)),
+        Pillar(4.4e-3, 1.0e-3),
+    ],
+    ids=["none", "draft", "step", "short"],
+)
+def test_what_has_no_shaft_is_condensed_at_once(pillar):
+    cell = replace(reference_cell(), pillar=pillar)
+    plan = Resolution(2, 1).plan(cell)
+    assert shafted.shaft_of(cell, mesh_cell(cell, plan)) is None
+    one, other = condense(cell, plan, measured=False), condense_by_parts(cell, plan, measured=False)
+    assert (one.stiffness == other.stiffness).all()
+
+
+@pytest.fixture
+def empty(monkeypatch):
+    """No foot condensed yet, and a count of those that are."""
+    made = []
+    of_mesh = shafted.FoldedMesh.of_mesh
+
+    def counted(*given, **named):
+        made.append(given)
+        return of_mesh(*given, **named)
+
+    monkeypatch.setattr(shafted, "_stubs", type(shafted._stubs)())
+    monkeypatch.setattr(shafted.FoldedMesh, "of_mesh", counted)
+    return made
+
+
+def test_a_foot_is_condensed_once_for_all_heights(empty):
+    cell = reference_cell()
+    plans = []
+    for height in (8e-3, 16e-3, 8e-3):
+        taller = replace(cell, pillar=replace(cell.pillar, height=height))
+        plans.append(Resolution(2, 1).plan(taller))
+        last = condense_by_parts(taller, plans[-1], measured=False)
+    assert plans[0] != plans[1], "the meshes of the two shafts differ, the feet do not"
+    assert len(empty) == 1
+    shafted._stubs.clear()
+    anew = condense_by_parts(taller, plans[-1], measured=False)
+    assert len(empty) == 2
+    assert (anew.stiffness == last.stiffness).all()
+
+
+@pytest.mark.parametrize(
+    "change",
+    [
+        {"thickness": 1.1e-3},
+        {"material": IsotropicMaterial("denser", 70e9, 0.33, 3000.0)},
+        {"material": IsotropicMaterial("stiffer", 71e9, 0.33, 2700.0)},
+        {"pillar": Pillar(2.41e-3, 9e-3)},
+        {"lattice": Lattice.square(7.2e-3)},
+    ],
+    ids=["thickness", "density", "stiffness", "diameter", "pitch"],
+)
+def test_another_foot_is_another(empty, change):
+    cell = replace(reference_cell(), thickness=1e-3, pillar=Pillar(2.4e-3, 9e-3))
+    for one in (cell, replace(cell, **change)):
+        condense_by_parts(one, Resolution(2, 1).plan(one), measured=False)
+    assert len(empty) == 2
+
+
+def test_few_feet_are_kept(empty):
+    cell = reference_cell()
+    for k in range(shafted.KEPT_STUBS + 2):
+        wider = replace(cell, pillar=replace(cell.pillar, diameter=cell.pillar.diameter * (1 + 0.01 * k)))
+        condense_by_parts(wider, Resolution(2, 1).plan(wider), measured=False)
+    assert len(shafted._stubs) == shafted.KEPT_STUBS
