@@ -1,7 +1,7 @@
 """Claim: the reference cell's diagram, 66 wavevectors and 10 bands, within 0.2 %, takes a second.
 
 Measured in processes of their own, from the study file on, imports not counted: the first diagram of a
-process, which has index work to do that a topology needs once, and a later one.
+process, which has index work to do that a topology needs once, and a later one, of a cell with another foot.
 """
 
 from __future__ import annotations
@@ -11,7 +11,7 @@ import subprocess
 import sys
 
 import numpy as np
-from record import CORNERS, STUDY, peak_memory, timed, true_error, write
+from record import CORNERS, STUDY, fresh, peak_memory, timed, true_error, write
 from threadpoolctl import threadpool_limits
 
 import haptonic
@@ -22,7 +22,7 @@ from haptonic.bloch.tracking import diagram
 
 def reference_cell():
     study = haptonic.load(STUDY)
-    return study.unit_cell(), study.asked()
+    return fresh(study.unit_cell()), study.asked()
 
 
 def frequencies_and_errors() -> BlochModel:
@@ -73,13 +73,12 @@ def whole_command() -> dict[str, float]:
     from haptonic.bloch import bands_dataset
 
     cell, asked = reference_cell()
-    first, _ = timed(
-        lambda: bands_dataset(cell, count=asked.count, points=asked.points, accuracy=asked.accuracy)
-    )
-    later, _ = timed(
-        lambda: bands_dataset(cell, count=asked.count, points=asked.points, accuracy=asked.accuracy),
-        repeats=3,
-    )
+
+    def whole() -> None:
+        bands_dataset(fresh(cell), count=asked.count, points=asked.points, accuracy=asked.accuracy)
+
+    first, _ = timed(whole)
+    later, _ = timed(whole, repeats=3)
     return {"first_s": first, "later_s": later, "peak_memory_bytes": peak_memory()}
 
 

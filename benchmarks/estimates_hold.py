@@ -57,7 +57,7 @@ def main(count: int, seed: int, thorough: bool) -> None:
     for number, cell in enumerate(cells):
         exact = converged(cell, reference)
         for resolution in tried:
-            model = BlochModel.of(cell, resolution, BANDS, measured=False)
+            model = BlochModel.of(cell, resolution, BANDS, measured=False, many=False)
             solutions = [model.solve(kappa) for kappa in KAPPA]
             true[resolution].append(
                 [np.abs(s.frequency / f - 1) for s, f in zip(solutions, exact, strict=True)]

@@ -11,7 +11,7 @@ import sys
 
 import ngsolve as ng
 import numpy as np
-from record import CORNERS, ROOT, STUDY, timed, true_error, write
+from record import CORNERS, ROOT, STUDY, fresh, timed, true_error, write
 from threadpoolctl import threadpool_limits
 
 import haptonic
@@ -35,7 +35,7 @@ def ours(resolution: Resolution) -> dict[str, float]:
     path = cell.lattice.path(POINTS).kappa
 
     def whole() -> BlochModel:
-        model = BlochModel.of(cell, resolution, 10, measured=False)
+        model = BlochModel.of(fresh(cell), resolution, 10, measured=False)
         for kappa in path:
             model.solve(kappa)
         return model

@@ -202,6 +202,13 @@ def test_writes_in_the_unit_that_is_preferred():
 
 
 @pytest.mark.parametrize("unit", sorted(units.EXAMPLES))
+@pytest.mark.parametrize(
+    ("unit", "digits", "text"), [("rad", None, "0 rad"), ("rad", 4, "0 deg"), ("m", 4, "0 m")]
+)
+def test_zero_has_no_sign(unit, digits, text):
+    assert format_quantity(-0.0, unit, digits=digits) == text
+
+
 def test_examples_are_read(unit):
     assert to_si(units.EXAMPLES[unit], unit, "x") > 0
 

@@ -154,8 +154,8 @@ def format_quantity(value: float, unit: str, *, prefer: str | None = None, digit
     if not math.isfinite(value):
         return f"{value} {unit}".rstrip()
     if unit == "rad" and prefer is None and digits is not None:
-        return f"{math.degrees(value):.{digits}g} deg"  # how people give angles
-    exact = Decimal(repr(float(value)))
+        return f"{math.degrees(value) + 0.0:.{digits}g} deg"  # how people give angles
+    exact = Decimal(repr(float(value) + 0.0))  # no sign before a zero
     rounded = exact if digits is None or value == 0 else Decimal(f"{exact:.{digits - 1}e}")
     scales = {f"{prefix}{unit}": PREFIXES[prefix] for prefix in ["", *PREFIXES_OF.get(unit, "")]}
     if prefer is None:

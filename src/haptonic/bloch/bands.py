@@ -95,7 +95,7 @@ def gaps_dataset(
 
     Parameters and errors as in `bands_dataset`; here the accuracy is asked of the gaps' edges only.
     """
-    for model in candidate_models(cell, count, accuracy, resolution, measured=False):
+    for model in candidate_models(cell, count, accuracy, resolution, gaps_only=True):
         gaps = complete_gaps(model)
         if resolution is not None or all(gap.relative_error <= accuracy for gap in gaps):
             break

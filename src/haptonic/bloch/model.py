@@ -151,19 +151,22 @@ class BlochModel:
     coarse: Evaluated
 
     @classmethod
-    def of(cls, cell: UnitCell, resolution: Resolution, count: int, *, measured: bool = True) -> BlochModel:
+    def of(
+        cls, cell: UnitCell, resolution: Resolution, count: int, *, measured: bool = True, many: bool = True
+    ) -> BlochModel:
         """Make a model for ``count`` bands.
 
         Parameters
         ----------
-        measured : whether the characters of modes, and errors at many wavevectors, will be asked for
+        measured : whether the characters of modes will be asked for
+        many : whether errors will be asked for at many wavevectors: the coarse pencil is reduced then
         """
         plan, goal = resolution.plan(cell), resolution.projection_goal
         steps, block = resolution.steps, resolution.block
 
         def lowered() -> Evaluated:
             lower = condense_by_parts(cell, plan.lowered(), steps, block=block, measured=False)
-            return ReducedCell.of(lower, count, np.inf).pencil if measured else CentredPencil.of(lower)
+            return ReducedCell.of(lower, count, np.inf).pencil if many else CentredPencil.of(lower)
 
         # these matrices are too small for threads inside the linear algebra; both models share the threads
         # that symmetry classes are given to, the larger one first
@@ -224,7 +227,7 @@ def _hertz(values: Array) -> Array:
 
 
 def candidate_models(
-    cell: UnitCell, count: int, accuracy: float, resolution: Resolution | None, *, measured: bool
+    cell: UnitCell, count: int, accuracy: float, resolution: Resolution | None, *, gaps_only: bool = False
 ) -> Iterator[BlochModel]:
     """Models of rising cost, from the first that may be accurate enough; the user takes the first that is.
 
@@ -232,19 +235,20 @@ def candidate_models(
     ----------
     count : bands; accuracy : relative error allowed for a frequency
     resolution : the only one to try, whatever the accuracy
-    measured : whether the characters of modes will be asked for
+    gaps_only : whether nothing else will be asked for
 
     Raises
     ------
     ResourceError : the memory does not suffice, or all rungs of the ladder were refused
     """
+    what = {"measured": not gaps_only, "many": not gaps_only}
     if resolution is not None:
         check_memory(cell, resolution, accuracy)
-        yield BlochModel.of(cell, resolution, count, measured=measured)
+        yield BlochModel.of(cell, resolution, count, **what)
         return
     for rung in LADDER[starting_rung(accuracy) :]:
         check_memory(cell, rung, accuracy)
-        yield BlochModel.of(cell, rung, count, measured=measured)
+        yield BlochModel.of(cell, rung, count, **what)
     raise ResourceError(
         argument="bands.accuracy",
         given=f"{accuracy:g}",
@@ -261,7 +265,7 @@ def bloch_model(
 
     Parameters and errors as in `candidate_models`.
     """
-    models = candidate_models(cell, count, accuracy, resolution, measured=True)
+    models = candidate_models(cell, count, accuracy, resolution)
     return next(m for m in models if resolution is not None or worst_error(m) <= accuracy)
 
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Mapping, Sequence
+from functools import lru_cache
 
 import numpy as np
 from numpy.typing import NDArray
@@ -59,8 +60,14 @@ def elasticity_tensor(stiffness: Array) -> Array:
 
 def is_symmetry(stiffness: Array, operation: Array) -> bool:
     """Whether an orthogonal map (3, 3) of space leaves a stiffness (6, 6) as it is."""
-    tensor = elasticity_tensor(stiffness)
-    image = np.einsum("ai,bj,ck,dl,ijkl->abcd", *[operation] * 4, tensor, optimize=True)
+    return _is_symmetry(tuple(np.ravel(stiffness)), tuple(np.ravel(operation)))
+
+
+@lru_cache(maxsize=256)
+def _is_symmetry(stiffness: tuple[float, ...], operation: tuple[float, ...]) -> bool:
+    tensor = elasticity_tensor(np.reshape(stiffness, (6, 6)))
+    turns = [np.reshape(operation, (3, 3))] * 4
+    image = np.einsum("ai,bj,ck,dl,ijkl->abcd", *turns, tensor, optimize=True)
     return bool(np.abs(image - tensor).max() <= SYMMETRY_TOLERANCE * np.abs(tensor).max())
 
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Mapping
+from collections.abc import Container, Iterator, Mapping
 from dataclasses import dataclass
 from functools import cache
 from types import NoneType, UnionType
@@ -67,14 +67,21 @@ def table(model: type[BaseModel], prefix: str = "") -> dict[str, Key]:
     return keys
 
 
-def leaves(model: BaseModel, prefix: str = "") -> Iterator[tuple[str, Any, Quantity | None]]:
-    """(path, value, declaration) of every key that has a value, tables inside tables included."""
-    for name, field in type(model).model_fields.items():
-        path, value = f"{prefix}{field.alias or name}", getattr(model, name)
+def leaves(
+    model: BaseModel, prefix: str = "", only: Container[str] | None = None
+) -> Iterator[tuple[str, Any, Quantity | None]]:
+    """(path, value, declaration) of every key that has a value, tables inside tables included.
+
+    ``only`` names the keys of the outermost table that are looked at.
+    """
+    for name, (field, each) in _declared(type(model)).items():
+        key = field.alias or name
+        if only is not None and key not in only:
+            continue
+        path, value = f"{prefix}{key}", getattr(model, name)
         if isinstance(value, BaseModel):
             yield from leaves(value, f"{path}.")
         elif isinstance(value, tuple):
-            each = quantities_of(field)
             for index, item in enumerate(value, start=1):
                 if isinstance(item, BaseModel):
                     yield from leaves(item, f"{path}[{index}].")
@@ -84,10 +91,16 @@ def leaves(model: BaseModel, prefix: str = "") -> Iterator[tuple[str, Any, Quant
             for entry, item in value.items():
                 yield f"{path}.{entry}", item, None if isinstance(item, str) else unit_of(model, field, entry)
         elif value is not None:
-            declared = None if isinstance(value, str) else quantity_of(field)
+            declared = None if isinstance(value, str) else next(iter(each), None)
             if declared is None and isinstance(value, float) and hasattr(model, "unit"):
                 declared = Quantity(model.unit)  # it depends on another key of the table
             yield path, value, declared
+
+
+@cache
+def _declared(model: type[BaseModel]) -> dict[str, tuple[FieldInfo, tuple[Quantity, ...]]]:
+    """Each field of a model with the declarations of its numbers."""
+    return {name: (field, quantities_of(field)) for name, field in model.model_fields.items()}
 
 
 def key_of(path: str, keys: Mapping[str, Key]) -> Key | None:

@@ -7,6 +7,8 @@ labels and the written file follow from it.
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
+from functools import cache
+from types import MappingProxyType
 from typing import Annotated, Any, Self
 
 from pydantic import (
@@ -278,7 +280,7 @@ class Description(Section):
     def parameters(self) -> dict[str, float]:
         """Value of every numeric parameter that this study gives, by path and in SI units."""
         known = numeric_parameters()
-        return {path: value for path, value, _ in leaves(self) if path in known}
+        return {path: value for path, value, _ in leaves(self, only=OF_A_CELL) if path in known}
 
     def absent_parameters(self) -> dict[str, str]:
         """Why a numeric parameter cannot be named in this study, by path."""
@@ -368,10 +370,13 @@ class Description(Section):
         return {"material": self.resolved_material().to_dict(), **data}
 
 
-def numeric_parameters() -> dict[str, str]:
+@cache
+def numeric_parameters() -> Mapping[str, str]:
     """SI unit of every parameter that an expression can name, by path."""
-    return {
-        path: key.unit
-        for path, key in table(Description).items()
-        if key.quantity and "[]" not in path and path.split(".")[0] in OF_A_CELL
-    }
+    return MappingProxyType(
+        {
+            path: key.unit
+            for path, key in table(Description).items()
+            if key.quantity and "[]" not in path and path.split(".")[0] in OF_A_CELL
+        }
+    )
