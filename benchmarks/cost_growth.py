@@ -1,4 +1,4 @@
-"""Claim: how time and memory grow with the unknowns of the mesh, orders 2 to 8."""
+"""Claim: how time and memory grow with the unknowns of the mesh, orders 2 to 8, and with pillars."""
 
 from __future__ import annotations
 
@@ -7,13 +7,45 @@ import subprocess
 import sys
 
 import numpy as np
-from record import STUDY, peak_memory, timed, write
+from record import STUDY, fresh, peak_memory, timed, write
+from threadpoolctl import threadpool_limits
 
 import haptonic
 from haptonic.bloch import Resolution
-from haptonic.superelement import condense
+from haptonic.bloch.supercell import Supercell
+from haptonic.superelement import Superelement, condense, condense_by_parts
 
 ORDERS = (2, 3, 4, 5, 6, 7, 8)
+PILLARS = ((1, 1), (2, 1), (2, 2), (3, 2), (3, 3), (4, 4), (6, 6))  # columns and rows of a supercell
+ORDER_OF_PILLARS, BANDS = 4, 10
+
+
+def several(columns: int, rows: int) -> dict[str, float]:
+    """A supercell each of whose pillars is condensed by itself, and its lowest bands at one wavevector."""
+    cell, resolution = haptonic.load(STUDY).unit_cell(), Resolution(ORDER_OF_PILLARS, 1)
+    plan = resolution.plan(cell)
+
+    def condensed() -> Superelement:
+        return condense_by_parts(fresh(cell), plan, resolution.steps, measured=False)
+
+    def joined(one: Superelement) -> tuple[Supercell, np.ndarray]:
+        supercell = Supercell.of([[one] * columns] * rows)
+        return supercell, supercell.eigenpairs(np.array([1.0, 2.0]), BANDS)[0]
+
+    with threadpool_limits(1):
+        joined(condensed())  # index work and libraries
+        pillars = columns * rows
+        first, cells = timed(lambda: [condensed() for _ in range(pillars)])
+        second, (supercell, _) = timed(lambda: joined(cells[-1]))
+    return {
+        "pillars": pillars,
+        "unknowns": pillars * cells[0].mesh.unknowns,
+        "condensed_unknowns": supercell.size,
+        "condense_s": first,
+        "bands_s": second,
+        "total_s": first + second,
+        "peak_memory_bytes": peak_memory(),
+    }
 
 
 def one(order: int) -> dict[str, float]:
@@ -39,16 +71,28 @@ def exponent(rows: list[dict[str, float]], name: str) -> float:
     return float(np.polyfit(unknowns, values, 1)[0])
 
 
+def apart(*given: int) -> dict[str, float]:
+    """One measurement in a process of its own, for the sake of its peak memory."""
+    done = subprocess.run(
+        [sys.executable, __file__, *map(str, given)], capture_output=True, text=True, check=True
+    )
+    return json.loads(done.stdout.splitlines()[-1])
+
+
 if __name__ == "__main__":
     if len(sys.argv) > 1:
-        print(json.dumps(one(int(sys.argv[1]))))
+        numbers = [int(text) for text in sys.argv[1:]]
+        print(json.dumps(one(*numbers) if len(numbers) == 1 else several(*numbers)))
     else:
-        rows = [
-            json.loads(
-                subprocess.run(
-                    [sys.executable, __file__, str(order)], capture_output=True, text=True, check=True
-                ).stdout.splitlines()[-1]
-            )
-            for order in ORDERS
-        ]
-        write("cost_growth", {"rows": rows, "exponent": exponent(rows[2:], "condense_s")})
+        orders, pillars = [apart(order) for order in ORDERS], [apart(*shape) for shape in PILLARS]
+        write(
+            "cost_growth",
+            {
+                "rows": orders,
+                "exponent": exponent(orders[2:], "condense_s"),
+                "order_of_pillars": ORDER_OF_PILLARS,
+                "bands": BANDS,
+                "pillars": pillars,
+                "exponent_of_pillars": exponent(pillars, "total_s"),
+            },
+        )

@@ -176,12 +176,24 @@ def growth(record: dict[str, Any]) -> str:
         for row in record["rows"]
     ]  # fmt: skip
     heads = ["order", "unknowns", "trace", "condensation", "peak memory", "foreseen for a whole model"]
+    pillars = [
+        [row["pillars"], row["unknowns"], row["condensed_unknowns"], f"{row['condense_s']:.2f} s",
+         f"{row['bands_s']:.2f} s", f"{row['peak_memory_bytes'] / 1e9:.2f} GB"]
+        for row in record["pillars"]
+    ]  # fmt: skip
+    several = ["pillars", "unknowns", "left", "condensation of each", "joining, bands", "peak memory"]
     return f"""## Growth
 
-Condensation of the reference cell with one ring at the foot. From order 4 on the time grows with the unknowns
-to the power {record["exponent"]:.2f}.
+Condensation of the reference cell's whole mesh with one ring at the foot. From order 4 on the time grows with
+the unknowns to the power {record["exponent"]:.2f}.
 
 {table(heads, rows)}
+
+Cells with several pillars, order {record["order_of_pillars"]}: every pillar is condensed as if it were another,
+then {record["bands"]} bands of the supercell are computed at one wavevector. Time grows with the unknowns to the
+power {record["exponent_of_pillars"]:.2f}.
+
+{table(several, pillars)}
 
 {measured_on(record)}
 """
