@@ -1,4 +1,7 @@
-"""Claim: the two sweeps of the reference study, 50 designs with complete gaps, take 20 s on two cores."""
+"""Claim: the two sweeps of the reference study, 50 designs with complete gaps, take 20 s on two cores.
+
+In the first sweep the pillar's diameter varies, and so its foot; in the second its height alone.
+"""
 
 from __future__ import annotations
 
@@ -6,12 +9,18 @@ import tempfile
 import time
 from pathlib import Path
 
+import numpy as np
 from record import STUDY, write
 
 import haptonic
 from haptonic.store import Store
 
 WORKERS = 2
+
+
+def per_design(finished: np.ndarray) -> float:
+    """Seconds between designs of a sweep that were finished one after the other, start-up left out."""
+    return float((finished[-1] - finished[WORKERS]) / (len(finished) - 1 - WORKERS))
 
 
 def main() -> None:
@@ -25,7 +34,8 @@ def main() -> None:
             on_progress=lambda *_: finished.append(time.perf_counter() - start),
         )
         total = time.perf_counter() - start
-    half = len(finished) // 2
+    ends = np.cumsum([sweep.dataset.sizes["step"] for sweep in sweeps])
+    first, second = np.split(finished, ends[:-1])  # the sweeps are computed one after the other
     write(
         "sweeps_in_twenty_seconds",
         {
@@ -34,7 +44,8 @@ def main() -> None:
             "failed": sum(len(sweep.failed) for sweep in sweeps),
             "total_s": total,
             "first_design_s": finished[0],
-            "per_design_s": (finished[-1] - finished[half]) / (len(finished) - 1 - half),
+            "another_foot_each_s": per_design(first),
+            "one_foot_for_all_s": per_design(second),
         },
     )
 
