@@ -195,7 +195,7 @@ def test_the_omission_tells_what_two_steps_lose():
     plan, kappa = Resolution(3, 1).plan(cell), np.array(kappa)
     rich = CentredPencil.of(condense_by_parts(cell, plan, 4, block=30, measured=False))
     exact = eigenpairs(rich, kappa, 10)[0]
-    poor = condense_by_parts(cell, plan, 2, block=6, measured=False)
+    poor = condense_by_parts(cell, plan, 2, block=4, measured=False)
     pencil = CentredPencil.of(poor)
     values, modes = eigenpairs(pencil, kappa, 10)
     fields = pencil.periodic.expanded(pencil.free(modes, kappa), kappa)

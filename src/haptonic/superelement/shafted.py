@@ -33,6 +33,7 @@ Array = NDArray[np.float64]
 
 STARTS = 0.3  # of the diameter, above the plate: the least height at which a shaft may start
 LEAST_ORDER, PER_LAYER = 8, 2  # of the polynomials along the shaft, and what each layer of a mesh adds
+FOR_SECTION = 4  # directions in each block of a foot's Krylov space beyond those that a whole cell has
 KEPT_STUBS = 4  # condensed feet that wait for the next design with the same
 
 
@@ -151,7 +152,7 @@ def _condense_foot(
     on_top = values.reshape(3 * len(top), shaft.on_section)
     folded = shared.symmetry_class(q, on_top)
     solver.factorise(folded.interior)
-    own = reduced(solver, folded.body, steps, block)
+    own = reduced(solver, folded.body, steps, block + FOR_SECTION)
     measures = ClassMeasures.of(shared, q, folded, own, on_top) if measured else None
     return _Foot(folded.trace, parities, on_top, own, measures)
 
