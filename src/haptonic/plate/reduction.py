@@ -128,19 +128,19 @@ def block_tile(
         .reshape(-1, len(inside))
         .T
     )
-    static, seen = _snapshots(body, onto, force, (held, inside), highest, SNAPSHOTS)
-    total = sp.csr_array(sum(body.stiffness.values()))
+    interior, coupling = _split(body, onto, (held, inside))
+    static, seen = _snapshots(interior, coupling, force, body.mass[inside], highest, SNAPSHOTS)
     basis = np.zeros((size, trace))
     basis[held], basis[inside] = onto, static
-    energy = np.einsum("nk,nk->k", basis, total @ basis)
     least = [np.zeros(seen.shape[1])]
+    if bonded:
+        energy = np.einsum("nk,nk->k", basis, sum(body.stiffness.values()) @ basis)
     for other in (end for one in bonded.values() for end in (one.bodies[0], one.bodies[-1])):
-        own, more = _snapshots(other, onto, force, (held, inside), highest, ())
+        split = _split(other, onto, (held, inside))
+        own, more = _snapshots(*split, force, other.mass[inside], highest, ())
         seen = np.hstack([seen, more, own - static])
         least += [np.zeros(more.shape[1]), np.sqrt(energy)]  # a small difference need not be known well
-    fields = _main_directions(
-        seen, sp.csr_array(total[inside][:, inside]), body.mass[inside], np.concatenate(least)
-    )
+    fields = _main_directions(seen, interior, body.mass[inside], np.concatenate(least))
     basis = np.hstack([basis, np.zeros((size, fields.shape[1]))])
     basis[inside, trace:] = fields
     parts = {name: basis.T @ (part @ basis) for name, part in body.stiffness.items()}
@@ -163,33 +163,41 @@ def block_tile(
     )
 
 
+def _split(body: Body, onto: Array, split: tuple[Ints, Ints]) -> tuple[sp.csr_array, Array]:
+    """Stiffness (inside, inside), and of it against a trace (inside, trace).
+
+    onto : (held, trace) displacement of the rim; split : unknowns of the rim, and all others
+    """
+    held, inside = split
+    rows = sp.csr_array(sum(body.stiffness.values()))[inside]
+    return sp.csr_array(rows[:, inside]), np.asarray(rows[:, held] @ onto)
+
+
 def _snapshots(
-    body: Body,
-    onto: Array,
+    interior: sp.csr_array,
+    coupling: Array,
     force: Array,
-    split: tuple[Ints, Ints],
+    mass: Array,
     highest: float,
     shares: Sequence[float],
 ) -> tuple[Array, Array]:
     """Static answers (inside, trace) to a trace, and other fields (inside, k) that a tile should know.
 
-    onto : (held, trace) displacement of the rim; force : (inside, k) of the drives
-    split : unknowns of the rim, and all others; shares : of the square of the highest frequency, beside 0
+    interior, coupling : see `_split`; force : (inside, k) of the drives; mass : (inside,)
+    shares : of the square of the highest frequency, beside 0
     """
-    held, inside = split
-    total = sp.csr_array(sum(body.stiffness.values()))
-    pattern, numbers = _upper(sp.csr_array(total[inside][:, inside]))
+    pattern, numbers = _upper(interior)
     solver = chosen()(pattern)
     solver.factorise(numbers)
-    answers = solver.solve(np.hstack([-(total[inside][:, held] @ onto), force]))
-    trace = onto.shape[1]
+    answers = solver.solve(np.hstack([-coupling, force]))
+    trace = coupling.shape[1]
     static = answers[:, :trace]
-    inertia = body.mass[inside, None] * static
+    inertia = mass[:, None] * static
     diagonal = pattern.indptr[:-1]
     seen = [answers[:, trace:], solver.solve(inertia)]
     for share in shares:
         shifted = numbers.copy()
-        shifted[diagonal] -= share * (2 * np.pi * highest) ** 2 * body.mass[inside]
+        shifted[diagonal] -= share * (2 * np.pi * highest) ** 2 * mass
         solver.factorise(shifted, definite=False)
         seen.append(solver.solve(np.hstack([inertia, force])))
     return static, np.hstack(seen)

@@ -30,6 +30,7 @@ LOSSES = 3  # orders to which the answer is expanded in losses other than the pl
 FEWEST_RANDOM = 4  # of the forces at each shift
 NEAR_ZERO = 1e-3  # share of the highest shift's frequency that the lowest one has at least
 COPIES = 6  # of the basis that the computation holds at its peak, about; 4.5 to 5.6 seen
+PLENTY = 4.0  # times the modes that the tiles alone have: if as many fit, they are not counted
 WORST = 6  # shifts that a refinement adds
 MOST_DIRECT = 24  # lines that are answered directly rather than by a larger basis
 
@@ -181,21 +182,29 @@ def _check_memory(model: PlateModel, low: float, high: float, shifts: int) -> No
     """Raise ResourceError if a basis between two shifts, (rad/s)^2, would not fit.
 
     The modes of the tiles with their rims at rest, which are known, are a lower bound of all modes
-    (Wittrick and Williams 1971, doi 10.1093/qjmam/24.3.263); only if they fit are the modes counted.
+    (Wittrick and Williams 1971, doi 10.1093/qjmam/24.3.263); only if they fit, but not easily, are the modes
+    counted.
     """
     assembly = model.assembly
     if _from_zero(low, high):
         at_rest = sum(len(g.blocks) * int((g.tile.values < high).sum()) for g in assembly.groups)
         _check_fit(model, high, shifts, at_rest, "at least ")
+        if _needed(model, shifts, PLENTY * at_rest) <= psutil.virtual_memory().available:
+            return
     assembly.prepare()
     top = assembly.shifted(high)
     below = assembly.shifted(low, top.solver).below if low < high else top.below
     _check_fit(model, high, shifts, top.below - below, "")
 
 
-def _check_fit(model: PlateModel, high: float, shifts: int, modes: int, how_sure: str) -> None:
+def _needed(model: PlateModel, shifts: int, modes: float) -> float:
+    """Bytes for a basis of some modes, about."""
     vectors = BLOCK * LENGTH * int(np.ceil(shifts / 2 + modes / MODES))
-    needed = 8.0 * COPIES * model.assembly.size * vectors
+    return 8.0 * COPIES * model.assembly.size * vectors
+
+
+def _check_fit(model: PlateModel, high: float, shifts: int, modes: int, how_sure: str) -> None:
+    needed = _needed(model, shifts, modes)
     free = psutil.virtual_memory().available
     if needed > free:
         raise ResourceError(

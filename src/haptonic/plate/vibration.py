@@ -132,7 +132,7 @@ class ReducedPlate:
         ``missed`` (n,) is four times the energy of an error within the basis.
         """
         model = self.model
-        checker = _Checker(self, model.load(drives), vectors)
+        checker = _Checker(self, model.load(drives), vectors, omega)
         model.assembly.prepare()
         with threadpool_limits(1), ThreadPoolExecutor(threads()) as pool:
             starts = range(0, len(omega), CHUNK)
@@ -186,8 +186,11 @@ def amplification(loss: float, omega: Array, sigma: float, complete: tuple[float
 class _Checker:
     """Puts reduced answers back into the unreduced equations."""
 
-    def __init__(self, reduced: ReducedPlate, load: Complex, vectors: Array) -> None:
+    def __init__(self, reduced: ReducedPlate, load: Complex, vectors: Array, omega: Array) -> None:
         self.reduced, self.vectors = reduced, vectors
+        low, high = reduced.basis.complete
+        inside = (low < omega**2) & (omega**2 < high)
+        self.highest = float(omega[inside].max(initial=0.0))  # of lines next to which no mode is missing
         self.total = np.stack([load.real, load.imag], axis=1)
         self._idle: list[Shifted] = []
 
@@ -236,9 +239,7 @@ class _Checker:
         residual[:, :count] -= self.total[:, :1]
         residual[:, count:] -= self.total[:, 1:]
         norm += 4 * out["moving"].sum(1)
-        # any sigma above omega^2 gives a bound; few of them, so that few factorisations are needed
-        sigma = float(max(omega.max(), LOWEST_SIGMA * np.sqrt(reduced.basis.values.max(initial=0.0))) ** 2)
-        sigma = 4.0 ** np.ceil(np.log(sigma) / np.log(4.0))
+        sigma = self._sigma(omega)
         beyond = self._beyond(residual, sigma)
         dual = np.maximum(np.einsum("nk,nk->k", residual, beyond), 0.0).reshape(2, count).sum(0)
         gain = amplification(factors["plate"].imag, omega, sigma, reduced.basis.complete)
@@ -252,6 +253,18 @@ class _Checker:
         out["missed"] = gain**2 * (dual + reduced.answered(force, omega))
         out["energy"] = norm
         return out
+
+    def _sigma(self, omega: Array) -> float:
+        """(rad/s)^2 of the norm for some lines: any gives a bound, but each costs a factorisation.
+
+        Where only modes beyond the band are missing, one serves all lines: the square of the highest loses
+        the others less than half. Elsewhere it has to be near omega^2.
+        """
+        low, _ = self.reduced.basis.complete
+        lowest = LOWEST_SIGMA * np.sqrt(self.reduced.basis.values.max(initial=0.0))
+        if low == 0.0 and omega.max() <= self.highest:
+            return float(max(self.highest, lowest) ** 2)
+        return float(4.0 ** np.ceil(np.log(max(omega.max(), lowest) ** 2) / np.log(4.0)))
 
     def _beyond(self, residual: Array, sigma: float) -> Array:
         """(size, columns) inverse of K + sigma M, supports included, times residuals."""
