@@ -13,6 +13,8 @@ from small import COARSE, LOSS, PITCH, busy_plate, drawn, glued, plain_plate
 from whole import answered, beds, dynamic, energy, finger_impedance, forms, lossless
 
 from haptonic.errors import GeometryError, HaptonicError, ResourceError
+from haptonic.plate import sweep
+from haptonic.plate.assembly import Assembly
 from haptonic.plate.blocks import blocks_of
 from haptonic.plate.direct import Direct
 from haptonic.plate.krylov import Basis, chains
@@ -284,6 +286,26 @@ def test_what_does_not_fit_is_refused_before_it_starts(monkeypatch):
     assert 0 < least <= (exact < (HZ * 200e3 * 1.06) ** 2).sum()
     free = 1e12
     assert Band.of(busy(), 2e3, 4e3).reduced.basis.dimension
+
+
+def test_modes_are_counted_only_where_memory_may_not_do(monkeypatch):
+    low, high, shifts = (HZ * 1.0) ** 2, (HZ * 200e3) ** 2, 27
+    counted = []
+    shifted = Assembly.shifted
+    monkeypatch.setattr(Assembly, "shifted", lambda *given: counted.append(given) or shifted(*given))
+    exact = int((la.eigh(*lossless(busy()), eigvals_only=True) < high).sum())
+    at_rest = sum(len(g.blocks) * int((g.tile.values < high).sum()) for g in busy().assembly.groups)
+    most = at_rest + busy().assembly.free
+    assert at_rest < exact < most
+    free = 1.01 * sweep._needed(busy(), shifts, most)
+    monkeypatch.setattr("psutil.virtual_memory", lambda: SimpleNamespace(available=free))
+    sweep._check_memory(busy(), low, high, shifts)
+    assert not counted
+    free = 0.99 * sweep._needed(busy(), shifts, exact)
+    with pytest.raises(ResourceError) as caught:
+        sweep._check_memory(busy(), low, high, shifts)
+    assert counted
+    assert caught.value.parts()["cause"].startswith(f"{exact} modes")
 
 
 @settings(max_examples=40)

@@ -30,7 +30,6 @@ LOSSES = 3  # orders to which the answer is expanded in losses other than the pl
 FEWEST_RANDOM = 4  # of the forces at each shift
 NEAR_ZERO = 1e-3  # share of the highest shift's frequency that the lowest one has at least
 COPIES = 6  # of the basis that the computation holds at its peak, about; 4.5 to 5.6 seen
-PLENTY = 4.0  # times the modes that the tiles alone have: if as many fit, they are not counted
 WORST = 6  # shifts that a refinement adds
 MOST_DIRECT = 24  # lines that are answered directly rather than by a larger basis
 
@@ -181,15 +180,15 @@ def _from_zero(low: float, high: float) -> bool:
 def _check_memory(model: PlateModel, low: float, high: float, shifts: int) -> None:
     """Raise ResourceError if a basis between two shifts, (rad/s)^2, would not fit.
 
-    The modes of the tiles with their rims at rest, which are known, are a lower bound of all modes
-    (Wittrick and Williams 1971, doi 10.1093/qjmam/24.3.263); only if they fit, but not easily, are the modes
-    counted.
+    The modes of the tiles with their rims at rest, which are known, are a lower bound of all modes; with one
+    more for each unknown of the rims they are an upper bound (Wittrick and Williams 1971, doi
+    10.1093/qjmam/24.3.263). Only if memory lies between the two are the modes counted.
     """
     assembly = model.assembly
     if _from_zero(low, high):
         at_rest = sum(len(g.blocks) * int((g.tile.values < high).sum()) for g in assembly.groups)
         _check_fit(model, high, shifts, at_rest, "at least ")
-        if _needed(model, shifts, PLENTY * at_rest) <= psutil.virtual_memory().available:
+        if _needed(model, shifts, at_rest + assembly.free) <= psutil.virtual_memory().available:
             return
     assembly.prepare()
     top = assembly.shifted(high)
