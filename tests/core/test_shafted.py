@@ -250,7 +250,7 @@ def empty(monkeypatch):
         made.append(given)
         return of_mesh(*given, **named)
 
-    monkeypatch.setattr(shafted, "_stubs", type(shafted._stubs)())
+    monkeypatch.setattr(shafted, "_feet", type(shafted._feet)())
     monkeypatch.setattr(shafted.FoldedMesh, "of_mesh", counted)
     return made
 
@@ -264,7 +264,7 @@ def test_a_foot_is_condensed_once_for_all_heights(empty):
         last = condense_by_parts(taller, plans[-1], measured=False)
     assert plans[0] != plans[1], "the meshes of the two shafts differ, the feet do not"
     assert len(empty) == 1
-    shafted._stubs.clear()
+    shafted._feet.clear()
     anew = condense_by_parts(taller, plans[-1], measured=False)
     assert len(empty) == 2
     assert (anew.stiffness == last.stiffness).all()
@@ -290,7 +290,7 @@ def test_another_foot_is_another(empty, change):
 
 def test_few_feet_are_kept(empty):
     cell = reference_cell()
-    for k in range(shafted.KEPT_STUBS + 2):
+    for k in range(shafted.KEPT_FEET + 2):
         wider = replace(cell, pillar=replace(cell.pillar, diameter=cell.pillar.diameter * (1 + 0.01 * k)))
         condense_by_parts(wider, Resolution(2, 1).plan(wider), measured=False)
-    assert len(shafted._stubs) == shafted.KEPT_STUBS
+    assert len(shafted._feet) == shafted.KEPT_FEET

@@ -43,7 +43,7 @@ class Bounded:
 class Reduced:
     """A body on static answers to its boundary and on some interior modes (Craig and Bampton).
 
-    static : (n, b), modes : (n, m) fields inside; inertia : (n, b) mass times static answers
+    static : (n, b), modes : (n, m) fields inside
     stiffness, mass : (b, b), the interior following statically
     values : (m,) eigenvalues, (rad/s)^2; to_modes : (b, m) mass between static answers and modes
     omission : (b, b), what was left out, see `Superelement`
@@ -51,7 +51,6 @@ class Reduced:
 
     static: Array
     modes: Array
-    inertia: Array
     stiffness: Array
     mass: Array
     values: Array
@@ -78,7 +77,7 @@ def reduced(solver: Factorised, body: Bounded, steps: int, block: int) -> Reduce
     missing = (inertia @ soft).T @ dynamic - (soft_to_modes / values) @ soft_to_modes.T
     omission = dual @ missing @ dual.T
     omission = 0.5 * (omission + omission.T)
-    return Reduced(static, modes, inertia, stiffness, mass, values, to_modes, omission)
+    return Reduced(static, modes, stiffness, mass, values, to_modes, omission)
 
 
 def _softest(stiffness: Array, mass: Array) -> tuple[Array, Array]:

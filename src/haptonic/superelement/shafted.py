@@ -23,7 +23,7 @@ from haptonic.superelement.folded import FoldedMesh, mirrors_of
 from haptonic.superelement.interior import Bounded, Reduced, reduced
 from haptonic.superelement.lifting import DiagonalImage, Fields, unfolded
 from haptonic.superelement.measures import ENERGIES, ClassMeasures
-from haptonic.superelement.parallel import for_each_class
+from haptonic.superelement.parallel import KEPT_ENTRIES, for_each_class
 from haptonic.superelement.sections import section_sizes
 from haptonic.superelement.shaft import Parity, Shaft
 from haptonic.superelement.symmetry import COMPONENT_SIGNS, Folding
@@ -34,7 +34,7 @@ Array = NDArray[np.float64]
 STARTS = 0.3  # of the diameter, above the plate: the least height at which a shaft may start
 LEAST_ORDER, PER_LAYER = 8, 2  # of the polynomials along the shaft, and what each layer of a mesh adds
 FOR_SECTION = 4  # directions in each block of a foot's Krylov space beyond those that a whole cell has
-KEPT_STUBS = 4  # condensed feet that wait for the next design with the same
+KEPT_FEET = 4  # that wait for the next design with the same
 
 
 def condense_by_parts(
@@ -49,15 +49,13 @@ def condense_by_parts(
     shaft = shaft_of(cell, mesh)
     if shaft is None:
         return condense(cell, plan, steps, block=block, measured=measured)
-    stub = _stub(cell, mesh, shaft, steps, block, measured)
-    shared = stub.shared
-    joined = {q: _joined(foot, shaft, mesh, shared.through, steps, block) for q, foot in stub.feet.items()}
-    _, images = shared.classes_and_images()
-    if images:
-        mirror = DiagonalImage.of(mesh.topology, shared.levels)
-        joined |= {q: joined[original].mirrored(mirror) for q, original in images.items()}
-    sizes = np.hstack([section_sizes(shared.mesh, shared.nodal_mass), shaft.sizes]) if measured else None
-    return assembled(cell, mesh, shared.levels, [joined[q] for q in sorted(joined)], sizes)
+    foot = _foot_below(cell, mesh, shaft, steps, block, measured)
+    joined = {q: _joined(one, shaft, mesh, foot.through, steps, block) for q, one in foot.classes.items()}
+    if foot.images:
+        mirror = DiagonalImage.of(mesh.topology, foot.levels)
+        joined |= {q: joined[original].mirrored(mirror) for q, original in foot.images.items()}
+    sizes = np.hstack([foot.sizes, shaft.sizes]) if measured else None
+    return assembled(cell, mesh, foot.levels, [joined[q] for q in sorted(joined)], sizes)
 
 
 def shaft_of(cell: UnitCell, mesh: HexMesh) -> Shaft | None:
@@ -83,7 +81,7 @@ def shaft_of(cell: UnitCell, mesh: HexMesh) -> Shaft | None:
 
 
 @dataclass(frozen=True)
-class _Foot:
+class _FootClass:
     """One symmetry class of what stands below a shaft: its boundary is the trace, then the shaft's section.
 
     parities : of the displacement's components in this class
@@ -99,14 +97,21 @@ class _Foot:
 
 
 @dataclass(frozen=True)
-class _Stub:
-    """All that stands below a shaft, condensed."""
+class _Foot:
+    """All that stands below a shaft, condensed.
 
-    shared: FoldedMesh
-    feet: dict[int, _Foot]
+    levels, through : as of a `FoldedMesh`; classes : by number
+    images : those that are diagonal images of another; sizes : of the pillar's sections below the shaft
+    """
+
+    levels: int
+    through: Array
+    classes: dict[int, _FootClass]
+    images: dict[int, int]
+    sizes: Array
 
 
-_stubs: OrderedDict[str, _Stub] = OrderedDict()
+_feet: OrderedDict[str, _Foot] = OrderedDict()
 _lock = Lock()
 
 
@@ -114,34 +119,40 @@ def _below_shaft(plan: MeshPlan) -> Topology:
     return topology_of(replace(plan, pillar_layers=1))
 
 
-def _stub(cell: UnitCell, mesh: HexMesh, shaft: Shaft, steps: int, block: int, measured: bool) -> _Stub:
-    """What stands below the shaft; nodes are numbered from the flat face up, so its mesh comes first."""
+def _foot_below(cell: UnitCell, mesh: HexMesh, shaft: Shaft, steps: int, block: int, measured: bool) -> _Foot:
+    """The foot of a shaft, made or found again; nodes are numbered from the flat face up, its own first."""
     topology = _below_shaft(mesh.topology.plan)
     points = mesh.points[: topology.nodes]
     about = (topology.plan, cell.lattice.point_group, shaft.section, shaft.degree, steps, block, measured)
     content = [repr(about).encode(), points.tobytes(), cell.material.stiffness.tobytes()]
     key = hashlib.sha256(b"".join(content) + repr(cell.material.density).encode()).hexdigest()
     with _lock:
-        if key in _stubs:
-            _stubs.move_to_end(key)
-            return _stubs[key]
+        if key in _feet:
+            _feet.move_to_end(key)
+            return _feet[key]
     shared = FoldedMesh.of_mesh(cell, HexMesh(topology, points), open_top=True)
 
-    def work(q: int, solver: Solver) -> tuple[int, _Foot]:
+    def work(q: int, solver: Solver) -> tuple[int, _FootClass]:
         return q, _condense_foot(shared, q, solver, shaft, steps, block, measured)
 
-    found = dict(for_each_class(shared, work, lambda original: original))
-    stub = _Stub(shared, found)
-    with _lock:
-        _stubs[key] = stub
-        while len(_stubs) > KEPT_STUBS:
-            _stubs.popitem(last=False)
-    return stub
+    foot = _Foot(
+        levels=shared.levels,
+        through=shared.through,
+        classes=dict(for_each_class(shared, work, lambda original: original)),
+        images=shared.classes_and_images()[1],
+        sizes=section_sizes(shared.mesh, shared.nodal_mass),
+    )
+    if len(shared.assembler.pattern.indices) <= KEPT_ENTRIES:
+        with _lock:
+            _feet[key] = foot
+            while len(_feet) > KEPT_FEET:
+                _feet.popitem(last=False)
+    return foot
 
 
 def _condense_foot(
     shared: FoldedMesh, q: int, solver: Solver, shaft: Shaft, steps: int, block: int, measured: bool
-) -> _Foot:
+) -> _FootClass:
     folding = shared.folding
     parities = _parities(folding, q)
     top = folding.origin[folding.node[shared.mesh.topology.top].min() :]
@@ -154,7 +165,7 @@ def _condense_foot(
     solver.factorise(folded.interior)
     own = reduced(solver, folded.body, steps, block + FOR_SECTION)
     measures = ClassMeasures.of(shared, q, folded, own, on_top) if measured else None
-    return _Foot(folded.trace, parities, on_top, own, measures)
+    return _FootClass(folded.trace, parities, on_top, own, measures)
 
 
 def _parities(folding: Folding, q: int) -> tuple[Parity, ...]:
@@ -164,7 +175,7 @@ def _parities(folding: Folding, q: int) -> tuple[Parity, ...]:
 
 
 def _joined(
-    foot: _Foot, shaft: Shaft, mesh: HexMesh, through: Array, steps: int, block: int
+    foot: _FootClass, shaft: Shaft, mesh: HexMesh, through: Array, steps: int, block: int
 ) -> CondensedClass:
     """A class of the whole cell: inside are the shaft's section, the foot's modes, the rest of the shaft."""
     own, section, modes = foot.own, shaft.on_section, len(foot.own.values)
@@ -214,7 +225,7 @@ def _joined(
     return replace(piece, forms=piece.forms | {"omission": Form.split(foot.trace, omission)})
 
 
-def _measured(foot: _Foot, shaft: Shaft, of_foot: Array, of_shaft: Array) -> ClassMeasures | None:
+def _measured(foot: _FootClass, shaft: Shaft, of_foot: Array, of_shaft: Array) -> ClassMeasures | None:
     """Measures of foot and shaft together."""
     if foot.measures is None:
         return None
@@ -248,7 +259,7 @@ class ShaftedPart:
     static : (u, b), modes : (u, m) of section, foot's modes and the rest of the shaft
     """
 
-    foot: _Foot
+    foot: _FootClass
     shaft: Shaft
     mesh: HexMesh
     through: Array
