@@ -45,14 +45,13 @@ class Supercell:
         columns, count = len(rows[0]), len(rows)
         assert all(len(row) == columns for row in rows), "rows of different lengths"
         cells = [cell for row in rows for cell in row]
-        first = cells[0]
         alike = [(cell.cell.lattice, cell.cell.thickness, cell.trace_size) for cell in cells]
         assert all(one == alike[0] for one in alike), "cells whose sides do not meet"
-        trace = first.trace_size
+        trace = cells[0].trace_size
+        periodics = [Periodic.of(cell).without_modes(cell) for cell in cells]
         numbers, shifts = [], []
-        modes = len(Periodic.of(first).without_modes(first).free) * len(cells)
-        for place, cell in enumerate(cells):
-            periodic = Periodic.of(cell).without_modes(cell)
+        modes = len(periodics[0].free) * len(cells)
+        for place, (cell, periodic) in enumerate(zip(cells, periodics, strict=True)):
             # the free unknown behind one of the trace is that of the same cell, or of its neighbour
             at = np.array([place % columns, place // columns]) + periodic.shift
             wrapped = at // [columns, count]

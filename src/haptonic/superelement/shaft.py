@@ -79,21 +79,28 @@ class Shaft:
         size = (self.order + 1) * self.on_section
         return total.reshape(size, size)
 
+    @property
+    def _levels(self) -> Array:
+        """(levels,) heights, m."""
+        return np.asarray(self.low + 0.5 * self.length * (1 + lobatto(self.order)[0]))
+
+    @property
+    def _weights(self) -> Array:
+        """(levels,) each one's share of the mass per area of the section of half-width 1, kg."""
+        per_length = self.half_width**2 * self.material.density
+        return np.asarray(0.5 * self.length * per_length * lobatto(self.order)[1])
+
     @cached_property
     def mass(self) -> Array:
         """(u,) lumped on the levels, kg."""
-        weights = lobatto(self.order)[1]
-        per_level = 0.5 * self.length * self.half_width**2 * self.material.density * weights
-        return np.repeat(per_level, self.on_section)
+        return np.repeat(self._weights, self.on_section)
 
     @property
     def sizes(self) -> Array:
         """(3, levels) height (m), mass (kg) and inertia about the axis (kg m^2) of each level's share."""
-        points, weights, _ = lobatto(self.order)
-        per_area = 0.5 * self.length * self.half_width**2 * self.material.density * weights
         area, arm = (_moment(self.section, *powers) for powers in ((0, 0), (2, 0)))
-        heights = self.low + 0.5 * self.length * (1 + points)
-        return np.stack([heights, per_area * area, 2 * per_area * arm * self.half_width**2])
+        turning = 2 * self._weights * arm * self.half_width**2
+        return np.stack([self._levels, self._weights * area, turning])
 
     def momenta(self, parities: tuple[Parity, ...]) -> Array:
         """(4, levels, u) momentum along x, y and z and angular momentum of each level, per unknown."""
@@ -103,8 +110,7 @@ class Shaft:
             section[c, :, c] = self._moments(parity, (0, 0))
         section[3, :, 0] = -self.half_width * self._moments(parities[0], (0, 1))
         section[3, :, 1] = self.half_width * self._moments(parities[1], (1, 0))
-        per_level = self.mass.reshape(levels, -1)[:, 0]
-        forms = np.einsum("cu,k,kl->cklu", section.reshape(4, -1), per_level, np.eye(levels))
+        forms = np.einsum("cu,k,kl->cklu", section.reshape(4, -1), self._weights, np.eye(levels))
         return np.asarray(forms.reshape(4, levels, -1))
 
     def _moments(self, parity: Parity, powers: tuple[int, int]) -> Array:
@@ -122,10 +128,9 @@ class Shaft:
 
     def displaced(self, parities: tuple[Parity, ...], points: Array, unknowns: NDArray[Any]) -> NDArray[Any]:
         """(n, 3, k) displacement at points (n, 3), m, of the shaft from unknowns (u, k)."""
-        levels = self.low + 0.5 * self.length * (1 + lobatto(self.order)[0])
         heights, level = np.unique(points[:, 2], return_inverse=True)
         values = unknowns.reshape(self.order + 1, -1)
-        values = (interpolation(levels, heights) @ values).reshape(len(heights), self.shapes, 3, -1)
+        values = (interpolation(self._levels, heights) @ values).reshape(len(heights), self.shapes, 3, -1)
         over = [self.over_section(parity, points[:, 0], points[:, 1]) for parity in parities]
         moved = [np.einsum("nm,nmk->nk", over[c], values[level, :, c]) for c in range(3)]
         return np.stack(moved, axis=1)

@@ -16,9 +16,10 @@ import scipy.linalg as la
 from numpy.typing import NDArray
 
 from haptonic.cell import HexMesh, MeshPlan, UnitCell, mesh_cell
+from haptonic.cell.profile import FOOT_LAYER
 from haptonic.cell.topology import Topology, topology_of
 from haptonic.solvers import Solver
-from haptonic.superelement.condense import CondensedClass, Form, Superelement, assembled, condense
+from haptonic.superelement.condense import CondensedClass, Form, Superelement, assembled, condensed
 from haptonic.superelement.folded import FoldedMesh, mirrors_of
 from haptonic.superelement.interior import Bounded, Reduced, reduced
 from haptonic.superelement.lifting import DiagonalImage, Fields, unfolded
@@ -31,7 +32,6 @@ from haptonic.superelement.trace import FoldedTrace
 
 Array = NDArray[np.float64]
 
-STARTS = 0.3  # of the diameter, above the plate: the least height at which a shaft may start
 LEAST_ORDER, PER_LAYER = 8, 2  # of the polynomials along the shaft, and what each layer of a mesh adds
 FOR_SECTION = 4  # directions in each block of a foot's Krylov space beyond those that a whole cell has
 KEPT_FEET = 4  # that wait for the next design with the same
@@ -48,7 +48,7 @@ def condense_by_parts(
     mesh = mesh_cell(cell, plan)
     shaft = shaft_of(cell, mesh)
     if shaft is None:
-        return condense(cell, plan, steps, block=block, measured=measured)
+        return condensed(FoldedMesh.of_mesh(cell, mesh), steps, block=block, measured=measured)
     foot = _foot_below(cell, mesh, shaft, steps, block, measured)
     joined = {q: _joined(one, shaft, mesh, foot.through, steps, block) for q, one in foot.classes.items()}
     if foot.images:
@@ -65,7 +65,7 @@ def shaft_of(cell: UnitCell, mesh: HexMesh) -> Shaft | None:
     if pillar is None or pillar.draft or pillar.step or plan.pillar_layers < 2 or len(mirrors) < 2:
         return None
     low = float(mesh.points[_below_shaft(plan).top[0], 2])
-    if low - cell.thickness < STARTS * pillar.diameter * (1 - 1e-9):
+    if low - cell.thickness < FOOT_LAYER * pillar.diameter * (1 - 1e-9):
         return None
     # polynomials that the nodes of the foot can follow; a square that is twisted warps more than a disc
     degree = plan.order // 2 if pillar.section == "square" else (plan.order + 2) // 3
@@ -219,19 +219,21 @@ def _joined(
     # what was left out of the foot follows from the motion of all of its boundary
     boundary = of_foot[: trace + section]
     part = ShaftedPart(foot, shaft, mesh, through, static, dynamic)
-    piece = CondensedClass.of(part, found, _measured(foot, shaft, of_foot, of_shaft))
+    piece = CondensedClass.of(part, found, _measured(foot, shaft, stiff, of_foot, of_shaft))
     omission = boundary.T @ own.omission @ boundary
     omission[:trace, :trace] += found.omission
     return replace(piece, forms=piece.forms | {"omission": Form.split(foot.trace, omission)})
 
 
-def _measured(foot: _FootClass, shaft: Shaft, of_foot: Array, of_shaft: Array) -> ClassMeasures | None:
+def _measured(
+    foot: _FootClass, shaft: Shaft, stiff: Array, of_foot: Array, of_shaft: Array
+) -> ClassMeasures | None:
     """Measures of foot and shaft together."""
     if foot.measures is None:
         return None
     heavy = shaft.mass[:, None] * of_shaft
     vertical = np.tile([0.0, 0.0, 1.0], len(heavy) // 3)[:, None]
-    of_whole_shaft = (shaft.stiffness(foot.parities) @ of_shaft, heavy, vertical * heavy)
+    of_whole_shaft = (stiff @ of_shaft, heavy, vertical * heavy)
     energies = {
         name: of_foot.T @ foot.measures.energies[name] @ of_foot + of_shaft.T @ moved
         for name, moved in zip(ENERGIES, of_whole_shaft, strict=True)
