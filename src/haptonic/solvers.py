@@ -87,7 +87,6 @@ class PardisoSolver:
         self._settings = np.zeros(64, dtype=np.int32)
         # numbers of the settings as in the MKL manual, less one
         self._settings[[0, 1, 7, 9, 20, 34]] = 1, 2, 0, 8, 1, 1
-        self._settings[23] = 1  # two-level scheduling: good on few cores
 
     def factorise(self, data: Array, *, definite: bool = True) -> int:
         self._type = 2 if definite else -2

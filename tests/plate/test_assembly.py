@@ -9,11 +9,12 @@ import scipy.linalg as la
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from small import ALUMINIUM, COARSE, PITCH, THICKNESS, busy_plate, drawn, plain_plate
-from whole import beds, forms, lossless
+from whole import answered, beds, forms, lossless
 
 from haptonic.cell.quadrature import lobatto
+from haptonic.plate import model as model_module
 from haptonic.plate.model import PlateModel
-from haptonic.plate.parts import Plate, Support
+from haptonic.plate.parts import Force, Plate, Support
 from haptonic.plate.skeleton import Block, Skeleton, TraceOrders
 from haptonic.plate.supports import CLAMPED, supported
 
@@ -72,26 +73,28 @@ def test_a_shift_between_two_modes_of_a_tile_counts_them():
 
 
 def rigid(skeleton):
-    """(size, 6) translations and rotations on all unknowns of a skeleton (place, level, component)."""
+    """(size, 6) translations and rotations on all unknowns of a skeleton; further profiles are at rest."""
     levels = 0.5 * skeleton.layout.thickness * (1 + lobatto(skeleton.orders.through)[0])
     position = np.empty((len(skeleton.points), len(levels), 3))
     position[..., :2] = skeleton.points[:, None]
     position[..., 2] = levels
     moves = [np.broadcast_to(axis, position.shape) for axis in np.eye(3)]
     moves += [np.cross(axis, position) for axis in np.eye(3)]
-    return np.reshape(moves, (6, -1)).T
+    moves = np.reshape(moves, (6, -1)).T
+    return np.vstack([moves, np.zeros((skeleton.size - len(moves), 6))])
 
 
-def skeleton(text="ppp pp."):
+def skeleton(text="ppp pp.", shear=0):
     layout = drawn(text)
     tiles = [Block((i, i + 1), (j, j + 1)) for i, j in np.ndindex(layout.rows, layout.columns)]
-    return Skeleton.of(layout, [one for one in tiles if layout.at(one.tiles[0])], TraceOrders(3, 2))
+    return Skeleton.of(layout, [one for one in tiles if layout.at(one.tiles[0])], TraceOrders(3, 2, shear))
 
 
+@pytest.mark.parametrize("shear", [0, 2])
 @pytest.mark.parametrize(("where", "edges"), [("left", 2), ("right", 2), ("top", 3), ("bottom", 3)])
-def test_springs_store_what_a_rigid_motion_takes(where, edges):
+def test_springs_store_what_a_rigid_motion_takes(where, edges, shear):
     """An edge of the L that looks to a side counts, on the rim of the map or not."""
-    places = skeleton()
+    places = skeleton(shear=shear)
     held, (bed,) = supported(places, [Support(where, "spring", stiffness=3e9, loss_factor=0.1)])
     area = edges * PITCH * THICKNESS
     assert not len(held)
@@ -151,6 +154,20 @@ def test_clamped_edges_rest_and_simple_ones_move_normal_to_their_face():
         assert np.array_equal(simple, clamped[clamped % per_node % 3 != axis])
 
 
+def test_a_clamp_holds_the_further_profile_and_a_simple_support_that_along_the_face():
+    places = skeleton("pp pp", shear=2)
+    first = 9 * len(places.points)
+    clamped, simple = (supported(places, [Support("left", hold)])[0] for hold in ("clamped", "simple"))
+    further = clamped[clamped >= first]
+    assert len(further) == 2 * (2 * 2 + 1)
+    assert np.array_equal(simple[simple >= first], further[(further - first) % 2 == 1])
+    held, (bed,) = supported(places, [Support("left", "spring", stiffness=2e9)])
+    assert not len(held)
+    along = np.zeros(places.size)
+    along[further[(further - first) % 2 == 0]] = 1.0  # the profile 3 z (1 - z^2), whose mean square is 24/35
+    assert along @ bed.stiffness @ along == pytest.approx(2e9 * 2 * PITCH * THICKNESS * 24 / 35, rel=1e-12)
+
+
 def test_a_plate_has_the_free_motions_that_its_supports_leave():
     cases = {
         (): 6,
@@ -177,6 +194,42 @@ def test_separate_beds_of_one_model_add_to_the_stiffness():
     soft = replace(busy_plate(), supports=(Support("right", "clamped"),))
     bare = lossless(PlateModel.of(soft, 40e3, COARSE))[0]
     assert np.linalg.norm(K - bare) > 1e-3 * np.linalg.norm(bare[:50])
+
+
+def test_free_edges_that_are_condensed_into_their_tiles_change_no_mode(monkeypatch):
+    """A notch, a force, springs and a clamp: what they touch stays, the rest of the outer edges goes."""
+    supports = (Support("left", "spring", stiffness=3e11), Support("corners", "clamped", length=2e-3))
+    plate = plain_plate(4, 5, supports=supports, forces=(Force("F", (30e-3, 10e-3), None),))
+    closed = PlateModel.of(plate, 40e3, COARSE)
+    monkeypatch.setattr(model_module, "OPEN_FROM", 0)
+    opened = PlateModel.of(plate, 40e3, COARSE)
+    assert opened.assembly.free < closed.assembly.free - 100
+    for one, other in zip(opened.beds, closed.beds, strict=True):
+        assert np.array_equal(np.sort(one.stiffness.data), np.sort(other.stiffness.data))
+    one, other = (
+        la.eigh(*lossless(model), eigvals_only=True, subset_by_value=(0, (HZ * 40e3) ** 2))
+        for model in (closed, opened)
+    )
+    assert len(one) == len(other) > 10
+    assert np.sqrt(other) == pytest.approx(np.sqrt(one), rel=1e-4)
+    where = np.array([[1e-3, 1e-3], [34e-3, 27e-3], [30e-3, 10e-3]])
+    omega = HZ * 17.8e3
+    seen = [model.observed(where) @ answered(model, {"F": 1.0}, [omega]) for model in (closed, opened)]
+    assert seen[1] == pytest.approx(seen[0], rel=1e-3)
+
+
+def test_a_solver_that_is_released_serves_the_next_shift():
+    assembly = busy().assembly
+    first = assembly.shifted((HZ * 9e3) ** 2)
+    right = np.random.default_rng(4).standard_normal((assembly.size, 2))
+    found = first.solve(right)
+    first.release()
+    second = assembly.shifted((HZ * 23e3) ** 2)
+    assert second.solver is first.solver
+    assert assembly.shifted((HZ * 9e3) ** 2).solver is not second.solver, "one that is in use stays so"
+    second.release()
+    again = assembly.shifted((HZ * 9e3) ** 2)
+    assert again.solve(right) == pytest.approx(found, rel=1e-9, abs=1e-9 * np.abs(found).max())
 
 
 def test_holes_and_notches_leave_gaps_in_the_numbers_of_no_one():

@@ -153,7 +153,7 @@ def test_a_force_across_cells_is_the_sum_of_its_parts():
 def test_the_products_own_orders_at_the_carrier_against_the_full_model():
     """4 x 3 cells with a waveguide and a patch, a third of a million unknowns; modes above the flat bands.
 
-    Measured: frequencies 0.08 to 0.13 % high, 1.5 % of the energy norm at a resonance.
+    Measured: frequencies 0.01 to 0.05 % high, 0.9 % of the energy norm.
     """
     whole, model = whole_of("prototype", (4, 1, 4)), model_of("prototype", 70e3, Fineness())
     exact = full.frequencies(whole, 16, 57e3, full.quickly_factorised)
@@ -169,7 +169,7 @@ def test_the_products_own_orders_at_the_carrier_against_the_full_model():
         ours = answered(model, {"A": 1.0}, [HZ * frequency])[:, 0]
         error, seen = full.energy_error(whole, model, reference, ours, HZ * frequency)
         assert seen > 0.3
-        assert error < 2e-2
+        assert error < 1e-2
 
 
 # -- the thick plate on hard simple supports --------------------------------------------------------

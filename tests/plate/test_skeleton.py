@@ -7,7 +7,7 @@ from hypothesis import strategies as st
 from numpy.polynomial.legendre import leggauss
 from small import drawn
 
-from haptonic.plate.skeleton import Block, Skeleton, TraceOrders, rim_values
+from haptonic.plate.skeleton import Block, Skeleton, TraceOrders, edge_fields, rim_fields
 from haptonic.plate.supports import _products
 
 UNEVEN_X, UNEVEN_Y = np.array([0, 5e-3, 12e-3, 21e-3]), np.array([0, 4e-3, 11e-3, 14e-3])
@@ -108,7 +108,9 @@ def test_traces_reproduce_polynomials_on_every_edge(along, through, edges, seed)
     orders = TraceOrders(along, through)
     where, height = random.uniform(0, edges, 40), random.uniform(0, 1, 40)
     where[:3], height[:2] = (0.0, edges, 2.0), (0.0, 1.0)
-    weights = rim_values(edges, orders, where, height)
+    fields = rim_fields(edges, orders, where, height).reshape(40, 3, -1, 3)
+    weights = fields[:, 0, :, 0]
+    assert np.array_equal(fields, weights[:, None, :, None] * np.eye(3)[:, None]), "each component by itself"
     assert weights.sum(axis=1) == pytest.approx(1.0)
     # an angle around the rim makes smooth data; on each edge it is replaced by its interpolating polynomial
     levels, ends = random.normal(size=through + 1), random.normal(size=(edges, along))
@@ -143,18 +145,84 @@ def test_places_lie_on_the_points_of_the_quadrature():
     assert (bottom[:, 1] == 0).all()
 
 
-@given(st.floats(0, 1), st.floats(0, 1))
-def test_products_of_polynomials_are_integrated_exactly(one, other):
+def _lagrange(order, at):
+    """(n, order + 1) values on [0, 1] from the roots of the polynomials."""
+    nodes = 0.5 * (1 + _lobatto(order))
+    shapes = [np.poly(np.delete(nodes, k)) for k in range(order + 1)]
+    return np.stack(
+        [np.polyval(one, at) / np.polyval(one, node) for one, node in zip(shapes, nodes, strict=True)],
+        axis=-1,
+    )
+
+
+def _edge(share, height, shear):
+    """(n, 3, unknowns) displacement on an edge of orders 3 and 2, with a further profile of order shear."""
+    main = np.einsum("na,nl->nal", _lagrange(3, share), _lagrange(2, height)).reshape(len(share), -1)
+    both = [np.einsum("nm,ck->ncmk", main, np.eye(3)).reshape(len(share), 3, -1)]
+    if shear:
+        z = 2 * height - 1
+        further = _lagrange(shear, share) * (3 * z * (1 - z**2))[:, None]
+        both.append(np.einsum("nm,ck->ncmk", further, np.eye(3)[:, :2]).reshape(len(share), 3, -1))
+    return np.concatenate(both, axis=-1)
+
+
+@given(st.floats(0, 1), st.floats(0, 1), st.sampled_from([0, 1, 2]))
+def test_products_of_polynomials_are_integrated_exactly(one, other, shear):
     low, high = min(one, other), max(one, other)
-    form = _products(3, low, high)
+    orders = TraceOrders(3, 2, shear)
     points, weights = leggauss(12)
-    at = low + (high - low) * 0.5 * (1 + points)
-    nodes = 0.5 * (1 + _lobatto(3))
-    shapes = [np.poly(np.delete(nodes, k)) for k in range(4)]
-    values = np.array([
-        np.polyval(shape, at) / np.polyval(shape, node) for shape, node in zip(shapes, nodes, strict=True)
-    ])  # fmt: skip
-    assert form == pytest.approx(values @ (0.5 * (high - low) * weights[:, None] * values.T), abs=1e-12)
+    points, weights = 0.5 * (1 + points), 0.5 * weights
+    share, height = (a.ravel() for a in np.meshgrid(low + (high - low) * points, points, indexing="ij"))
+    fields = _edge(share, height, shear)
+    assert edge_fields(orders, share, height) == pytest.approx(fields.reshape(3 * len(share), -1), abs=1e-10)
+    area = (high - low) * np.outer(weights, weights).ravel()
+    exact = np.einsum("ncm,n,nck->mk", fields, area, fields)
+    assert _products(orders, low, high) == pytest.approx(exact, abs=1e-10)
+
+
+@given(st.sampled_from([1, 2, 3]), st.integers(0, 10_000))
+def test_the_further_profile_is_shared_by_neighbours_and_moves_in_the_plane_only(shear, seed):
+    """Along every edge of a rim as the polynomial on that edge alone says, from whichever side it is seen."""
+    layout = drawn("pp pp")
+    orders = TraceOrders(3, 2, shear)
+    places = Skeleton.of(layout, tiles(layout), orders)
+    rims = Skeleton.of(layout, tiles(layout), TraceOrders(shear, 1)).points
+    assert places.size == 9 * len(places.points) + 2 * len(rims)
+    random = np.random.default_rng(seed)
+    values = random.normal(size=places.size)
+    share, height = random.uniform(0, 1, (2, 20))
+    seen = {}
+    for trace, block in zip(places.traces, places.blocks, strict=True):
+        assert len(set(trace)) == len(trace) == 4 * (27 + 2 * shear)
+        for k in range(4):
+            there = share if k < 2 else 1 - share  # anticlockwise: top and left run the other way
+            found = rim_fields(4, orders, k + there, height) @ values[trace]
+            key = tuple(np.round(corners(places, block)[[k, (k + 1) % 4]].mean(axis=0), 9))
+            seen.setdefault(key, []).append(found)
+    assert sorted(len(found) for found in seen.values()) == [1] * 8 + [2] * 4
+    for one, *others in seen.values():
+        assert all(other == pytest.approx(one, abs=1e-12) for other in others)
+    values[: 9 * len(places.points)] = 0.0
+    moved = (rim_fields(4, orders, 4 * share, height) @ values[places.traces[0]]).reshape(-1, 3)
+    assert np.abs(moved[:, :2]).max() > 0
+    assert (moved[:, 2] == 0).all()
+    levels = np.array([0.0, 0.5, 1.0])
+    assert rim_fields(4, orders, np.full(3, 0.3), levels) @ values[places.traces[0]] == pytest.approx(0)
+    edge = places.outer_edges[0]
+    along = edge_fields(orders, share, height) @ values[edge.unknowns]
+    assert along == pytest.approx(rim_fields(4, orders, share, height) @ values[places.traces[0]], abs=1e-12)
+
+
+def test_what_a_block_has_for_itself_no_other_touches():
+    layout = drawn("ppp ppp")
+    places = Skeleton.of(layout, [Block((0, 2), (0, 1)), Block((0, 2), (1, 3))], TraceOrders(3, 2, 2))
+    left, right = places.alone(np.array([places.traces[0][0]]), [])
+    assert not set(places.traces[0][left]) & set(places.traces[1])
+    assert set(places.traces[0]) - set(places.traces[0][left]) == {
+        *places.traces[1], places.traces[0][0]
+    } & set(places.traces[0])  # fmt: skip
+    assert len(right) == len(places.traces[1]) - len(set(places.traces[0]) & set(places.traces[1]))
+    assert [len(one) for one in places.alone(np.zeros(0, int), places.blocks[:1])] == [0, len(right)]
 
 
 def test_blocks_meet_only_where_they_share_a_tile():

@@ -14,7 +14,7 @@ from haptonic.cell.quadrature import lobatto
 from haptonic.lattice import Lattice
 from haptonic.plate import joined, reduction
 from haptonic.plate.body import BodyOrders, body
-from haptonic.plate.joined import joined_tile
+from haptonic.plate.joined import joined_tile, opened_tile
 from haptonic.plate.reduction import block_tile, cell_tile
 from haptonic.plate.skeleton import Block, TraceOrders, numbered
 from haptonic.superelement import FoldedMesh, dynamic_stiffness
@@ -174,7 +174,7 @@ def test_a_single_tile_has_the_dynamic_stiffness_of_its_mesh(name):
 def test_a_block_has_the_dynamic_stiffness_and_the_drives_of_its_body():
     whole = unreduced()
     K, M = sum(whole.stiffness.values()).toarray(), np.diag(whole.mass)
-    onto = np.kron(reduction._rim_of_body(whole, X, Y, THICKNESS, ORDERS), np.eye(3))
+    onto = reduction._rim_of_body(whole, X, Y, THICKNESS, ORDERS)
     rim = (3 * whole.rim[:, None] + np.arange(3)).ravel()
     inner = np.setdiff1d(np.arange(len(K)), rim)
     errors = []
@@ -231,6 +231,31 @@ def test_joined_tiles_have_the_dynamic_stiffness_of_the_single_ones_together():
         errors.append(worst)
     assert errors[1] < 1e-3
     assert errors[1] < errors[0]
+
+
+def test_an_opened_tile_answers_the_rest_of_its_trace_as_the_closed_one():
+    """What is condensed into it moves freely; a motion of the rest is followed, and lifted, alike."""
+    closed = joined_tiles(1e-3)
+    t = closed.trace_size
+    gone = np.arange(t // 3, t // 2)
+    kept = np.setdiff1d(np.arange(t), gone)
+    tile = _made(reduction, 1e-3, lambda: opened_tile(closed, gone, HIGHEST))
+    assert tile.trace_size == len(kept)
+    inner = np.setdiff1d(np.arange(closed.size), kept)
+    where = np.random.default_rng(7).uniform(0, 1, (9, 2)) * [3 * PITCH, 1e-2]
+    worst, motion = 0.0, np.random.default_rng(8).standard_normal((len(kept), 3))
+    for frequency in (11e3, 37e3, 60e3):
+        omega = HZ * frequency
+        Z = closed.elastic - omega**2 * closed.mass
+        follow = -np.linalg.solve(Z[np.ix_(inner, inner)], Z[np.ix_(inner, kept)])
+        exact = Z[np.ix_(kept, kept)] + Z[np.ix_(kept, inner)] @ follow
+        ours = tile.dynamic(omega**2)
+        worst = max(worst, missed_energy(exact, ours.on_trace, tile.elastic[: len(kept), : len(kept)]))
+        whole = np.zeros((closed.size, 3))
+        whole[kept], whole[inner] = motion, follow @ motion
+        seen = tile.inside.normal_at(where) @ np.vstack([motion, ours.follow @ motion])
+        assert seen == pytest.approx(closed.inside.normal_at(where) @ whole, rel=2e-2, abs=2e-2)
+    assert worst < 1e-4
 
 
 @cache

@@ -43,8 +43,9 @@ class Assembly:
     """Vectors hold the free unknowns of the skeleton, then the modes of all tiles.
 
     skeleton : what carries the unknowns between tiles
-    number : (skeleton.size,) place of each of its unknowns in a vector; held ones have number ``size``
-    free : how many of them are not held
+    number : (skeleton.size,) place of each of its unknowns in a vector; held ones, and those that are
+        condensed into a tile, have number ``size``
+    free : how many of them are left
     groups : the tiles; size : of a vector
     beds : stiffness of the supports (free, free), sparse, N/m
     """
@@ -58,14 +59,25 @@ class Assembly:
 
     @classmethod
     def of(
-        cls, skeleton: Skeleton, tiles: Sequence[Tile], which: Sequence[int], held: Ints, beds: sp.csr_array
+        cls,
+        skeleton: Skeleton,
+        tiles: Sequence[Tile],
+        which: Sequence[int],
+        held: Ints,
+        beds: sp.csr_array,
+        opened: Sequence[Ints],
     ) -> Assembly:
-        """Assemble blocks; ``which`` gives the tile of each block, ``held`` the unknowns at rest.
+        """Assemble blocks.
 
-        ``beds`` is on all unknowns of the skeleton.
+        Parameters
+        ----------
+        which : the tile of each block; held : unknowns at rest; beds : on all unknowns of the skeleton
+        opened : for each block, what of its trace is condensed into its tile
         """
         is_free = np.ones(skeleton.size, dtype=bool)
         is_free[held] = False
+        for trace, own in zip(skeleton.traces, opened, strict=True):
+            is_free[trace[own]] = False
         free = int(is_free.sum())
         kinds = np.asarray(which)
         size = free + sum(len(tiles[kind].values) for kind in kinds)
@@ -76,7 +88,7 @@ class Assembly:
             blocks = np.flatnonzero(kinds == kind)
             if not len(blocks):
                 continue
-            traces = np.stack([number[skeleton.unknowns(skeleton.rims[block])] for block in blocks])
+            traces = np.stack([number[np.delete(skeleton.traces[k], opened[k])] for k in blocks.tolist()])
             modes = start + np.arange(len(blocks) * len(tile.values)).reshape(len(blocks), -1)
             start += modes.size
             groups.append(Group(tile, blocks, np.hstack([traces, modes])))
@@ -155,30 +167,35 @@ class Assembly:
     # -- the matrix on the skeleton ---------------------------------------------------------------
 
     @cached_property
-    def _places(self) -> tuple[Pattern, list[Ints], Ints]:
-        """Pattern of the upper triangle, where each group's entries go, and (nnz,) a key of each entry."""
-        rows, columns, sizes = [], [], []
+    def _places(self) -> tuple[Pattern, list[tuple[Ints, Ints]], tuple[Ints, Array]]:
+        """Pattern of the upper triangle; for each block, in the order of the groups, which entries of its
+        matrix (trace, trace) count and where they go; where the beds' upper triangle goes, and its entries.
+        """
+        blocks = []  # their unknowns that are not held, ascending, and where these lie in the trace
         for group in self.groups:
-            trace = group.unknowns[:, : group.tile.trace_size]
-            low = np.minimum(trace[:, :, None], trace[:, None, :])
-            high = np.maximum(trace[:, :, None], trace[:, None, :])
-            upper = np.triu(np.ones((trace.shape[1],) * 2, dtype=bool))
-            rows.append(low[:, upper].ravel())
-            columns.append(high[:, upper].ravel())
-            sizes.append(len(rows[-1]))
+            for trace in group.unknowns[:, : group.tile.trace_size]:
+                order = np.argsort(trace)[: int((trace < self.size).sum())]
+                blocks.append((trace[order], order, len(trace)))
         bed = sp.coo_array(sp.triu(self.beds))
-        rows += [bed.row.astype(np.int64), np.arange(self.free)]
-        columns += [bed.col.astype(np.int64), np.arange(self.free)]
-        row, column = np.concatenate(rows), np.concatenate(columns)
-        kept = column < self.free
-        key = row * self.free + column
-        unique, place = np.unique(key[kept], return_inverse=True)
-        where = np.full(len(key), len(unique))
-        where[kept] = place
-        counts = np.bincount(unique // self.free, minlength=self.free)
-        indptr = np.concatenate([[0], np.cumsum(counts)])
-        pattern = Pattern(indptr.astype(np.int32), (unique % self.free).astype(np.int32))
-        return pattern, np.split(where, np.cumsum(sizes))[:-1], unique
+        rows, columns = [bed.row, np.arange(self.free)], [bed.col, np.arange(self.free)]
+        for unknowns, _, _ in blocks:
+            first, second = np.triu_indices(len(unknowns))
+            rows.append(unknowns[first])
+            columns.append(unknowns[second])
+        at = np.concatenate(rows).astype(np.int32), np.concatenate(columns).astype(np.int32)
+        number = sp.csr_array((np.ones(len(at[0]), dtype=np.int32), at), shape=(self.free,) * 2)
+        number.sort_indices()
+        number.data = np.arange(number.nnz, dtype=np.int64)
+        places = []
+        for unknowns, order, trace in blocks:
+            first, second = np.triu_indices(len(unknowns))
+            own = number[unknowns][:, unknowns].toarray()
+            places.append((order[first] * trace + order[second], own[first, second]))
+        entries = number[np.unique(bed.row)].tocoo()
+        keys = np.unique(bed.row)[entries.row] * self.free + entries.col  # ascending
+        of_beds = entries.data[np.searchsorted(keys, bed.row.astype(np.int64) * self.free + bed.col)]
+        pattern = Pattern(number.indptr.astype(np.int32), number.indices.astype(np.int32))
+        return pattern, places, (of_beds, bed.data)
 
     def prepare(self) -> None:
         """Do the index work before threads ask for it at once."""
@@ -191,20 +208,27 @@ class Assembly:
         return self._places[0]
 
     def numbers(self, parts: Sequence[Array]) -> Array:
-        """Numbers on the pattern from one matrix (trace, trace) for each group, and the beds."""
-        pattern, places, keys = self._places
-        data = np.zeros(len(pattern.indices) + 1)
-        for group, place, part in zip(self.groups, places, parts, strict=True):
-            upper = part[np.triu_indices(len(part))]
-            for own in place.reshape(len(group.blocks), -1):  # free entries of one block never coincide
-                data[own] += upper
-        bed = sp.coo_array(sp.triu(self.beds))
-        np.add.at(data, np.searchsorted(keys, bed.row.astype(np.int64) * self.free + bed.col), bed.data)
-        return data[:-1]
+        """Numbers on the pattern from one symmetric matrix (trace, trace) for each group, and the beds."""
+        pattern, places, (of_beds, beds) = self._places
+        data = np.zeros(len(pattern.indices))
+        data[of_beds] = beds
+        block = iter(places)
+        for group, part in zip(self.groups, parts, strict=True):
+            flat = part.ravel()
+            for _ in group.blocks:
+                entries, where = next(block)
+                data[where] += flat[entries]  # those of one block never coincide
+        return data
 
-    def shifted(self, shift: float, solver: Solver | None = None) -> Shifted:
-        """K - shift M, factorised."""
-        return Shifted.of(self, shift, solver or chosen()(self.pattern))
+    @cached_property
+    def _idle(self) -> list[Solver]:
+        """Solvers that have analysed the pattern, and that nobody uses."""
+        return []
+
+    def shifted(self, shift: float) -> Shifted:
+        """K - shift M, factorised; who has done with it should release it."""
+        solver = self._idle.pop() if self._idle else chosen()(self.pattern)
+        return Shifted.of(self, shift, solver)
 
 
 @dataclass(frozen=True, eq=False)
@@ -224,9 +248,13 @@ class Shifted:
     def of(cls, assembly: Assembly, shift: float, solver: Solver) -> Shifted:
         eliminated = tuple(group.tile.dynamic(shift) for group in assembly.groups)
         numbers = assembly.numbers([one.on_trace for one in eliminated])
-        below = solver.factorise(numbers, definite=shift <= 0)
+        below = solver.factorise(numbers, definite=False)  # also where it is: one analysis serves all shifts
         below += sum(len(g.blocks) * int((g.tile.values < shift).sum()) for g in assembly.groups)
         return cls(assembly, shift, solver, eliminated, below)
+
+    def release(self) -> None:
+        """Leave the solver to the next shift."""
+        self.assembly._idle.append(self.solver)
 
     def solve(self, right: Array) -> Array:
         """(size, k) solutions of (K - shift M) x = right, (size, k)."""

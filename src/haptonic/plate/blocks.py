@@ -12,7 +12,7 @@ from haptonic.plate.parts import Actuator, Force, Plate
 from haptonic.plate.skeleton import Block
 
 ON_LINE = 1e-6  # of a tile's size, by which the edge of a patch may miss the line that it lies on
-JOINED = (5, 4)  # rows and columns of like tiles that are joined at most
+JOINED = (4, 4)  # rows and columns of like tiles that are joined at most
 
 Attached = Actuator | Force
 

@@ -13,7 +13,6 @@ from scipy.sparse.linalg import LinearOperator, gmres
 
 from haptonic.plate.damping import real_times
 from haptonic.plate.model import PlateModel
-from haptonic.solvers import chosen
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
@@ -28,12 +27,11 @@ class Direct:
 
     def __init__(self, model: PlateModel) -> None:
         self.model = model
-        self._solver = chosen()(model.assembly.pattern)
 
     def answer(self, loads: Complex, omega: float) -> Complex:
         """(size, k) displacement under loads (size, k) at an angular frequency, rad/s."""
         assembly, line = self.model.assembly, np.array([omega])
-        shifted = assembly.shifted((1 + BESIDE) * omega**2, self._solver)
+        shifted = assembly.shifted((1 + BESIDE) * omega**2)
         extras = [(one.rows, one.axes, one.impedance(line)[0]) for one in self.model.extras]
 
         def stiff(field: Complex) -> Complex:
@@ -53,6 +51,7 @@ class Direct:
         found = [
             gmres(matrix, load, M=nearby, rtol=RESIDUAL, restart=STEPS, maxiter=1)[0] for load in loads.T
         ]
+        shifted.release()
         return np.stack(found, axis=1)
 
 

@@ -9,8 +9,8 @@ import scipy.linalg as la
 from numpy.typing import NDArray
 
 from haptonic.plate.reduction import few_modes
-from haptonic.plate.skeleton import Block, TraceOrders, numbered
-from haptonic.plate.tile import Fields, Tile
+from haptonic.plate.skeleton import Block, TraceOrders, traced
+from haptonic.plate.tile import Fields, Inside, Tile, Turned
 
 Array = NDArray[np.float64]
 Ints = NDArray[np.int64]
@@ -42,22 +42,36 @@ def joined_tile(
         for i in range(rows)
         for j in range(columns)
     ]
-    (rim, *rims), points = numbered(x, y, [whole, *singles], orders.along)
-    per_node, modes = orders.per_node, len(tile.values)
-    first_mode = len(points) * per_node
-    traces = [(places[:, None] * per_node + np.arange(per_node)).ravel() for places in rims]
+    (outer, *traces), first_mode = traced(x, y, [whole, *singles], orders)
+    modes = len(tile.values)
     unknowns = [
         np.concatenate([trace, first_mode + k * modes + np.arange(modes)]) for k, trace in enumerate(traces)
     ]
-    count = first_mode + modes * len(rims)
+    count = first_mode + modes * len(traces)
     stiffness, mass = np.zeros((2, count, count))
     for own in unknowns:
         stiffness[np.ix_(own, own)] += tile.elastic
         mass[np.ix_(own, own)] += tile.mass
-    outer = (rim[:, None] * per_node + np.arange(per_node)).ravel()
     inner = np.setdiff1d(np.arange(count), outer)
     basis = _reduced(stiffness, mass, outer, inner, highest)
-    trace = len(outer)
+    inside = Joined(tile, size, shape, np.stack([basis[own] for own in unknowns]))
+    return _on_basis(stiffness, mass, basis, inside, len(outer))
+
+
+def opened_tile(tile: Tile, open_trace: Ints, highest: float) -> Tile:
+    """A tile of plain plate or lattice whose trace keeps only what others touch, up to ``highest`` (Hz).
+
+    open_trace : unknowns of the trace beyond which there is nothing, and that nothing holds
+    """
+    assert list(tile.stiffness) == ["plate"]
+    kept = np.setdiff1d(np.arange(tile.trace_size), open_trace)
+    inner = np.concatenate([open_trace, np.arange(tile.trace_size, tile.size)])
+    basis = _reduced(tile.elastic, tile.mass, kept, inner, highest)
+    return _on_basis(tile.elastic, tile.mass, basis, Turned(tile.inside, basis), len(kept))
+
+
+def _on_basis(stiffness: Array, mass: Array, basis: Array, inside: Inside, trace: int) -> Tile:
+    """The tile of plain plate or lattice that is spanned by a basis, traces first."""
     small = basis.T @ stiffness @ basis
     return Tile(
         stiffness={"plate": small},
@@ -65,7 +79,7 @@ def joined_tile(
         values=np.diag(small)[trace:].copy(),
         drive={},
         capacitance={},
-        inside=Joined(tile, size, shape, np.stack([basis[own] for own in unknowns])),
+        inside=inside,
     )
 
 

@@ -19,7 +19,6 @@ from numpy.typing import NDArray
 from threadpoolctl import threadpool_limits
 
 from haptonic.plate.assembly import AT_ONCE, Assembly, Shifted
-from haptonic.solvers import Solver, chosen
 from haptonic.superelement.parallel import threads
 
 Array = NDArray[np.float64]
@@ -104,13 +103,11 @@ def chains(
     told: Callable[[], None] = lambda: None,
 ) -> list[Chain]:
     """Chains at several shifts, side by side in threads. ``loads`` gives those of a shift."""
-    idle: list[Solver] = []
 
     def one(shift: float) -> Chain:
-        solver = idle.pop() if idle else chosen()(assembly.pattern)
-        shifted = assembly.shifted(shift, solver)
+        shifted = assembly.shifted(shift)
         found = chain(shifted, loads(shifted), length)
-        idle.append(solver)
+        shifted.release()
         told()
         return found
 
@@ -137,11 +134,12 @@ class Basis:
     below: Mapping[float, int]
 
     @classmethod
-    def spanned(cls, assembly: Assembly, pieces: Sequence[Array], below: Mapping[float, int]) -> Basis:
-        """Rayleigh and Ritz on the span of pieces (size, k)."""
+    def spanned(cls, assembly: Assembly, pieces: list[Array], below: Mapping[float, int]) -> Basis:
+        """Rayleigh and Ritz on the span of pieces (size, k); their list is emptied, to leave their memory."""
         span = _Orthonormal(assembly, sum(piece.shape[1] for piece in pieces))
-        for start in range(0, len(pieces), TOGETHER):
-            span.add_known(np.hstack(pieces[start : start + TOGETHER]))
+        while pieces:
+            span.add_known(np.hstack(pieces[:TOGETHER]))
+            del pieces[:TOGETHER]
         raw = span.vectors
         reduced = np.zeros((span.count, span.count))  # its upper triangle, block by block
 
@@ -156,10 +154,11 @@ class Basis:
         return cls(raw, turn, values, below)
 
     @classmethod
-    def of(cls, assembly: Assembly, chains: Sequence[Chain], known: Basis | None = None) -> Basis:
-        """The span of chains, and of a basis that is there already."""
+    def of(cls, assembly: Assembly, chains: list[Chain], known: Basis | None = None) -> Basis:
+        """The span of chains, whose list is emptied, and of a basis that is there already."""
         below = {chain.shift: chain.below for chain in chains}
         pieces = [chain.vectors for chain in chains]
+        chains.clear()
         if known is None:
             return cls.spanned(assembly, pieces, below)
         return cls.spanned(assembly, [known.raw, *pieces], {**known.below, **below})

@@ -24,6 +24,7 @@ Array = NDArray[np.float64]
 Ints = NDArray[np.int64]
 Complex = NDArray[np.complex128]
 
+OPEN_FROM = 4000  # unknowns between blocks from which on those at free edges are condensed into their tiles
 FINGER_POINTS = 37  # of equal area on the disc below a finger
 
 
@@ -67,14 +68,20 @@ class PlateModel:
         fineness = fineness or Fineness()
         layout = plate.layout
         blocks = blocks_of(plate)
-        recipes = [recipe_of(plate, block, attached) for block, attached in blocks.items()]
-        unique = list(dict.fromkeys(recipes))
-        tiles = tiles_of(plate, unique, highest, fineness, bonds)
-        which = [unique.index(recipe) for recipe in recipes]
         skeleton = Skeleton.of(layout, list(blocks), fineness.trace)
         held, beds = supported(skeleton, plate.supports)
         total = sp.csr_array(sum((bed.stiffness for bed in beds), start=sp.csr_array((skeleton.size,) * 2)))
-        assembly = Assembly.of(skeleton, tiles, which, held, total)
+        pays = skeleton.size >= OPEN_FROM
+        needed = np.union1d(held, total.indices) if pays else np.arange(skeleton.size)
+        opened = skeleton.alone(needed, [block for block, attached in blocks.items() if attached])
+        recipes = [
+            recipe_of(plate, block, attached, tuple(trace.tolist()))
+            for (block, attached), trace in zip(blocks.items(), opened, strict=True)
+        ]
+        unique = list(dict.fromkeys(recipes))
+        tiles = tiles_of(plate, unique, highest, fineness, bonds)
+        which = [unique.index(recipe) for recipe in recipes]
+        assembly = Assembly.of(skeleton, tiles, which, held, total, opened)
         return cls(
             plate=plate,
             fineness=fineness,

@@ -86,4 +86,5 @@ def _residual_error(band: Band, residual: Array, values: Array) -> Array:
         return np.zeros(0)
     shifted = band.reduced.model.assembly.shifted(-float(values.mean()))
     dual = np.sqrt(np.einsum("nk,nk->k", residual, shifted.solve(residual)))
+    shifted.release()
     return np.asarray(dual / np.sqrt(2 * values))

@@ -16,7 +16,7 @@ from haptonic.lattice import Lattice
 from haptonic.plate.blocks import Attached
 from haptonic.plate.body import Body, BodyOrders, body, body_of_cell
 from haptonic.plate.bonds import Bonded
-from haptonic.plate.joined import joined_tile
+from haptonic.plate.joined import joined_tile, opened_tile
 from haptonic.plate.layout import Layout
 from haptonic.plate.parts import Actuator, Force, Plate
 from haptonic.plate.reduction import block_tile, cell_tile
@@ -34,7 +34,7 @@ FORCE_POINTS = 12  # along either side of a force's rectangle
 class Fineness:
     """Polynomial orders of everything.
 
-    along, through : of what tiles share, along an edge and through the thickness
+    along, through, shear : of what tiles share, as in `haptonic.plate.skeleton.TraceOrders`
     cell, rings : of a lattice's cells, as in `haptonic.cell.MeshPlan.suited`
     plain : of tiles of plain plate and of blocks with something glued to them
     """
@@ -44,10 +44,13 @@ class Fineness:
     cell: int = 4
     rings: int = 1
     plain: int = 4
+    shear: int = 2
 
     @property
     def trace(self) -> TraceOrders:
-        return TraceOrders(self.along, self.through)
+        """What tiles share: no profile beyond the orders of their meshes."""
+        shear = self.shear if min(self.cell, self.plain) > self.through else 0
+        return TraceOrders(self.along, self.through, shear)
 
 
 def _spread(force: Force, bounds: tuple[float, float, float, float]) -> tuple[Array, Array]:
@@ -72,6 +75,7 @@ class Recipe:
     cell : name of a lattice's cell, or None for plain plate; size : of one tile, m
     shape : rows and columns that are joined
     attached : what a block of its own carries, else nothing; block : only then
+    open_trace : unknowns of the trace that are condensed into the tile, see `haptonic.plate.joined`
     """
 
     cell: str | None
@@ -79,12 +83,20 @@ class Recipe:
     shape: tuple[int, int]
     attached: tuple[Attached, ...] = ()
     block: Block | None = None
+    open_trace: tuple[int, ...] = ()
 
     def of_shape(self, shape: tuple[int, int]) -> Recipe:
-        return replace(self, shape=shape)
+        return replace(self, shape=shape, open_trace=())
+
+    @property
+    def closed(self) -> Recipe:
+        """With the whole trace."""
+        return self.of_shape(self.shape)
 
 
-def recipe_of(plate: Plate, block: Block, attached: tuple[Attached, ...]) -> Recipe:
+def recipe_of(
+    plate: Plate, block: Block, attached: tuple[Attached, ...], open_trace: tuple[int, ...]
+) -> Recipe:
     layout = plate.layout
     name = layout.at(block.tiles[0])
     left, bottom, right, top = layout.bounds(block.tiles[0])
@@ -93,7 +105,7 @@ def recipe_of(plate: Plate, block: Block, attached: tuple[Attached, ...]) -> Rec
     )
     shape = (block.rows[1] - block.rows[0], block.columns[1] - block.columns[0])
     cell = name if name in layout.cells else None
-    return Recipe(cell, (size[0], size[1]), shape, attached, block if attached else None)
+    return Recipe(cell, (size[0], size[1]), shape, attached, block if attached else None, open_trace)
 
 
 def tiles_of(
@@ -108,6 +120,8 @@ def tiles_of(
 
     def make(recipe: Recipe) -> Tile:
         rows, columns = recipe.shape
+        if recipe.open_trace:
+            return opened_tile(made[recipe.closed], np.array(recipe.open_trace), highest)
         if recipe.shape == (1, 1):
             return _single_tile(plate, recipe, highest, fineness)
         row, width = recipe.of_shape((1, columns)), recipe.size[0] * columns
@@ -121,6 +135,7 @@ def tiles_of(
     steps = [
         [recipe.of_shape((1, 1)) for recipe in plain],
         [recipe.of_shape((1, recipe.shape[1])) for recipe in plain],
+        [recipe.closed for recipe in plain],
         plain,
     ]
     with threadpool_limits(1), ThreadPoolExecutor(threads()) as pool:

@@ -14,7 +14,7 @@ from haptonic.plate.bonds import Bond3
 from haptonic.plate.model import PlateModel, drives_on
 from haptonic.plate.parts import Plate
 from haptonic.plate.supports import Bed, bed_stiffness
-from haptonic.plate.tile import Tile
+from haptonic.plate.tile import Tile, Turned
 
 Array = NDArray[np.float64]
 Fields = NDArray[Any]
@@ -105,29 +105,3 @@ def _retuned(tile: Tile, scale: float, thickness: dict[str, float]) -> tuple[Til
         bonds=bonds,
     )
     return made, turn
-
-
-@dataclass(frozen=True, eq=False)
-class Turned:
-    """Inside a tile whose unknowns are others. whole : (n, n) old unknowns from new ones"""
-
-    inside: Any
-    whole: Array
-
-    @property
-    def points(self) -> Array:
-        """(nodes, 3) of its mesh."""
-        return np.asarray(self.inside.points)
-
-    @property
-    def subcells(self) -> NDArray[np.int64]:
-        """(cells, 8) corners of the elements, in VTK's order."""
-        return np.asarray(self.inside.subcells)
-
-    def lifted(self, unknowns: Fields) -> Fields:
-        """(nodes, 3, k) displacement from unknowns (n, k)."""
-        return np.asarray(self.inside.lifted(self.whole @ unknowns))
-
-    def normal_at(self, where: Array) -> Array:
-        """(k, n) what gives the normal displacement of points (k, 2) of the flat face."""
-        return np.asarray(self.inside.normal_at(where) @ self.whole)

@@ -9,6 +9,7 @@ from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
+from numpy.polynomial.legendre import legder, legval
 from numpy.typing import NDArray
 
 from haptonic.cell.quadrature import interpolation, lobatto
@@ -21,10 +22,15 @@ Ints = NDArray[np.int64]
 
 @dataclass(frozen=True)
 class TraceOrders:
-    """Polynomial orders of the unknowns between tiles: along an edge of a tile, and through the thickness."""
+    """Polynomial orders of the unknowns between tiles: along an edge of a tile, and through the thickness.
+
+    shear : along an edge, of a further profile of the motion in the plane, one order higher through the
+        thickness: what transverse shear does there. It varies less along the edge. 0 if there is none
+    """
 
     along: int
     through: int
+    shear: int = 0
 
     @property
     def levels(self) -> int:
@@ -34,6 +40,17 @@ class TraceOrders:
     def per_node(self) -> int:
         """Unknowns at each place seen from above, ordered (level, component)."""
         return 3 * self.levels
+
+    def profile(self, height: Array) -> Array:
+        """The further profile at shares of the thickness: 0 on all levels, of the next order between."""
+        place, slope = 2 * height - 1, legder(np.eye(self.through + 1)[-1])
+        return np.asarray((1 - place**2) * legval(place, slope))
+
+    @property
+    def components(self) -> Ints:
+        """Components of the unknowns of one edge, ordered as in `OuterEdge`."""
+        main = np.tile(np.arange(3), self.levels * (self.along + 1))
+        return np.concatenate([main, np.tile([0, 1], self.shear + 1 if self.shear else 0)])
 
 
 @dataclass(frozen=True)
@@ -70,10 +87,13 @@ class OuterEdge:
     """An edge of a tile beyond which there is no plate.
 
     nodes : (order + 1,) from its start, left or low, to its end
+    unknowns : of the skeleton, ordered (place, level, component), then those of the further profile
+        (place, component)
     start, end : m; side : where it looks
     """
 
     nodes: Ints
+    unknowns: Ints
     start: tuple[float, float]
     end: tuple[float, float]
     side: Side
@@ -90,45 +110,64 @@ class Skeleton:
 
     layout, orders : what it was made from; blocks : they cover every tile once
     rims : for each block the places on its rim, anticlockwise from its lower left corner
+    traces : for each block its unknowns, ordered (place, level, component), then those of the further
+        profile (place, component)
     points : (places, 2), m
+    size : number of unknowns, none of them held yet
     """
 
     layout: Layout
     orders: TraceOrders
     blocks: tuple[Block, ...]
     rims: tuple[Ints, ...]
+    traces: tuple[Ints, ...]
     points: Array
+    size: int
 
     @classmethod
     def of(cls, layout: Layout, blocks: Sequence[Block], orders: TraceOrders) -> Skeleton:
-        rims, points = numbered(np.array(layout.x), np.array(layout.y), blocks, orders.along)
-        return cls(layout, orders, tuple(blocks), rims, points)
-
-    @property
-    def size(self) -> int:
-        """Number of unknowns, none of them held yet."""
-        return len(self.points) * self.orders.per_node
+        x, y = np.array(layout.x), np.array(layout.y)
+        rims, points = numbered(x, y, blocks, orders.along)
+        traces, size = traced(x, y, blocks, orders)
+        return cls(layout, orders, tuple(blocks), rims, traces, points, size)
 
     def unknowns(self, places: Ints) -> Ints:
-        """Numbers of the unknowns at some places, ordered (place, level, component)."""
+        """Numbers of the unknowns at some places, ordered (place, level, component), no further profile's."""
         per_node = self.orders.per_node
         return np.asarray(places[:, None] * per_node + np.arange(per_node)).ravel()
+
+    def alone(self, needed: Ints, kept: Sequence[Block]) -> list[Ints]:
+        """For each block, unknowns of its trace that no other block has and that are not ``needed``.
+
+        ``kept`` blocks have none.
+        """
+        shared = np.bincount(np.concatenate(self.traces), minlength=self.size) > 1
+        shared[needed] = True
+        return [
+            np.zeros(0, dtype=np.int64) if block in kept else np.flatnonzero(~shared[trace])
+            for block, trace in zip(self.blocks, self.traces, strict=True)
+        ]
 
     @cached_property
     def outer_edges(self) -> tuple[OuterEdge, ...]:
         """All edges with plate on one side only."""
-        layout, order = self.layout, self.orders.along
+        layout, orders = self.layout, self.orders
+        along, shear = orders.along, orders.shear
         found = []
-        for block, rim in zip(self.blocks, self.rims, strict=True):
+        for block, rim, trace in zip(self.blocks, self.rims, self.traces, strict=True):
+            further = trace[len(rim) * orders.per_node :].reshape(-1, 2)
             for k, (i, j, side) in enumerate(_around(block)):
                 di, dj = {"bottom": (-1, 0), "right": (0, 1), "top": (1, 0), "left": (0, -1)}[side]
                 if _is_plate(layout, i + di, j + dj):
                     continue
-                nodes = rim[(k * order + np.arange(order + 1)) % len(rim)]
+                nodes = rim[(k * along + np.arange(along + 1)) % len(rim)]
+                profile = further[(k * shear + np.arange(shear + 1)) % len(further)] if shear else further
                 if side in ("top", "left"):
-                    nodes = nodes[::-1]
+                    nodes, profile = nodes[::-1], profile[::-1]
                 (x0, y0), (x1, y1) = self.points[nodes[0]], self.points[nodes[-1]]
-                found.append(OuterEdge(nodes, (float(x0), float(y0)), (float(x1), float(y1)), side))
+                unknowns = np.concatenate([self.unknowns(nodes), profile.ravel()])
+                ends = (float(x0), float(y0)), (float(x1), float(y1))
+                found.append(OuterEdge(nodes, unknowns, *ends, side))
         return tuple(found)
 
 
@@ -154,6 +193,21 @@ def numbered(x: Array, y: Array, blocks: Sequence[Block], order: int) -> tuple[t
     used, number = np.unique(np.concatenate(rims), return_inverse=True)
     ends = np.cumsum([len(rim) for rim in rims])
     return tuple(np.split(number, ends[:-1])), grid.points[used]
+
+
+def traced(x: Array, y: Array, blocks: Sequence[Block], orders: TraceOrders) -> tuple[tuple[Ints, ...], int]:
+    """For each block between lines the numbers of its trace's unknowns, ordered as in `Skeleton`, and how
+    many there are.
+    """
+    rims, points = numbered(x, y, blocks, orders.along)
+    size, per_node = len(points) * orders.per_node, np.arange(orders.per_node)
+    traces = [(rim[:, None] * orders.per_node + per_node).ravel() for rim in rims]
+    if not orders.shear:
+        return tuple(traces), size
+    rims, points = numbered(x, y, blocks, orders.shear)
+    further = [(size + 2 * rim[:, None] + np.arange(2)).ravel() for rim in rims]
+    both = tuple(np.concatenate(pair) for pair in zip(traces, further, strict=True))
+    return both, size + 2 * len(points)
 
 
 class _Grid:
@@ -190,8 +244,8 @@ class _Grid:
         return np.concatenate(pieces)
 
 
-def rim_values(edges: int, orders: TraceOrders, where: Array, height: Array) -> Array:
-    """Values of a trace at points of a rim.
+def rim_fields(edges: int, orders: TraceOrders, where: Array, height: Array) -> Array:
+    """Displacement at points of a rim.
 
     Parameters
     ----------
@@ -201,14 +255,38 @@ def rim_values(edges: int, orders: TraceOrders, where: Array, height: Array) -> 
 
     Returns
     -------
-    (n, edges * along * levels) weights of the trace's nodes, ordered (place, level)
+    (3 n, trace) from the unknowns of the rim, ordered as in `Skeleton`
     """
-    order = orders.along
-    places = edges * order
-    edge = np.minimum(np.floor(where).astype(np.int64), edges - 1)
-    along = interpolation(lobatto(order)[0], 2 * (where - edge) - 1)
+    return _fields(
+        orders, height, *(_around_rim(edges, order, where) for order in (orders.along, orders.shear))
+    )
+
+
+def edge_fields(orders: TraceOrders, share: Array, height: Array) -> Array:
+    """(3 n, unknowns of an edge) displacement at points of one, at a share of its length and thickness."""
+    return _fields(orders, height, *(_along_edge(order, share) for order in (orders.along, orders.shear)))
+
+
+def _fields(orders: TraceOrders, height: Array, main: Array, further: Array) -> Array:
+    """From values along a rim or edge of the polynomials of both orders."""
     up = interpolation(lobatto(orders.through)[0], 2 * height - 1)
-    weights = np.zeros((len(where), places, orders.levels))
-    place = (edge[:, None] * order + np.arange(order + 1)) % places
-    np.add.at(weights, (np.arange(len(where))[:, None], place), along[:, :, None] * up[:, None, :])
-    return weights.reshape(len(where), places * orders.levels)
+    levels = (main[:, :, None] * up[:, None]).reshape(len(main), -1)
+    profile = further * orders.profile(height)[:, None]
+    return np.hstack([np.kron(levels, np.eye(3)), np.kron(profile, np.eye(3)[:, :2])])
+
+
+def _along_edge(order: int, share: Array) -> Array:
+    """(n, order + 1) values of the polynomials of an order along an edge; of order 0 there are none."""
+    if not order:
+        return np.zeros((len(share), 0))
+    return interpolation(lobatto(order)[0], 2 * share - 1)
+
+
+def _around_rim(edges: int, order: int, where: Array) -> Array:
+    """(n, edges * order) values of what is a polynomial of an order on each edge of a rim."""
+    edge = np.minimum(np.floor(where).astype(np.int64), edges - 1)
+    along = _along_edge(order, where - edge)
+    weights = np.zeros((len(where), edges * order))
+    place = (edge[:, None] * order + np.arange(along.shape[1])) % max(edges * order, 1)
+    np.add.at(weights, (np.arange(len(where))[:, None], place), along)
+    return weights

@@ -10,10 +10,9 @@ import scipy.sparse as sp
 from numpy.polynomial.legendre import leggauss
 from numpy.typing import NDArray
 
-from haptonic.cell.quadrature import interpolation, lobatto
 from haptonic.plate.layout import Layout
 from haptonic.plate.parts import Support
-from haptonic.plate.skeleton import OuterEdge, Skeleton
+from haptonic.plate.skeleton import OuterEdge, Skeleton, TraceOrders, edge_fields
 
 Array = NDArray[np.float64]
 Ints = NDArray[np.int64]
@@ -68,11 +67,10 @@ def bed_stiffness(layout: Layout, support: Support) -> float:
 
 
 def _held(skeleton: Skeleton, edge: OuterEdge, support: Support) -> Ints:
-    per_node = np.arange(skeleton.orders.per_node)
     if support.hold == "simple":
         normal = 0 if edge.side in ("left", "right") else 1
-        per_node = per_node[per_node % 3 != normal]
-    return np.asarray(edge.nodes[:, None] * skeleton.orders.per_node + per_node).ravel()
+        return np.asarray(edge.unknowns[skeleton.orders.components != normal])
+    return edge.unknowns
 
 
 def _corner_spans(skeleton: Skeleton, support: Support) -> list[tuple[OuterEdge, tuple[float, float]]]:
@@ -96,22 +94,25 @@ def _bed(
     skeleton: Skeleton, spans: Sequence[tuple[OuterEdge, tuple[float, float]]], stiffness: float
 ) -> sp.csr_array:
     """Springs on parts of edges, over the whole thickness and alike in all directions."""
-    orders, thickness = skeleton.orders, skeleton.layout.thickness
-    up = _products(orders.through, 0.0, 1.0) * thickness
     rows, columns, values = [], [], []
     for edge, (low, high) in spans:
-        form = np.kron(np.kron(_products(orders.along, low, high) * edge.length, up), np.eye(3))
-        unknowns = skeleton.unknowns(edge.nodes)
-        rows.append(np.repeat(unknowns, len(unknowns)))
-        columns.append(np.tile(unknowns, len(unknowns)))
-        values.append(stiffness * form.ravel())
+        area = edge.length * skeleton.layout.thickness
+        form = stiffness * area * _products(skeleton.orders, low, high)
+        rows.append(np.repeat(edge.unknowns, len(form)))
+        columns.append(np.tile(edge.unknowns, len(form)))
+        values.append(form.ravel())
     entries = (np.concatenate(values), (np.concatenate(rows), np.concatenate(columns)))
     return sp.csr_array(entries, shape=(skeleton.size,) * 2)
 
 
-def _products(order: int, low: float, high: float) -> Array:
-    """Integrals of products of two Lagrange polynomials over a part of [0, 1]."""
-    points, weights = leggauss(order + 1)
-    at = low + (high - low) * 0.5 * (1 + points)
-    values = interpolation(lobatto(order)[0], 2 * at - 1)
-    return np.asarray(values.T @ (0.5 * (high - low) * weights[:, None] * values))
+def _products(orders: TraceOrders, low: float, high: float) -> Array:
+    """(unknowns of an edge, same) means of products of displacements over a part of an edge's length, times
+    that part.
+    """
+    points, weights = leggauss(orders.along + 1)
+    up, up_weights = leggauss(orders.through + 2)
+    share = low + (high - low) * 0.5 * (1 + points)
+    at = np.meshgrid(share, 0.5 * (1 + up), indexing="ij")
+    fields = edge_fields(orders, *(one.ravel() for one in at))
+    area = np.repeat(0.25 * (high - low) * np.outer(weights, up_weights).ravel(), 3)
+    return np.asarray(fields.T @ (area[:, None] * fields))

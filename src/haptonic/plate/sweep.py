@@ -191,9 +191,12 @@ def _check_memory(model: PlateModel, low: float, high: float, shifts: int) -> No
         if _needed(model, shifts, at_rest + assembly.free) <= psutil.virtual_memory().available:
             return
     assembly.prepare()
-    top = assembly.shifted(high)
-    below = assembly.shifted(low, top.solver).below if low < high else top.below
-    _check_fit(model, high, shifts, top.below - below, "")
+    counts = []
+    for shift in (low, high):
+        shifted = assembly.shifted(shift)
+        counts.append(shifted.below)
+        shifted.release()
+    _check_fit(model, high, shifts, counts[1] - counts[0], "")
 
 
 def _needed(model: PlateModel, shifts: int, modes: float) -> float:

@@ -17,6 +17,8 @@ Array = NDArray[np.float64]
 Ints = NDArray[np.int64]
 Fields = NDArray[Any]  # real or complex
 
+SAME_PLACE = 12  # decimals to which positions, m, are told apart
+
 
 def applied(matrix: Fields, share: Fields) -> Fields:
     """(m, blocks, k) a matrix (m, n) times the parts (n, blocks, k) of vectors on like blocks."""
@@ -125,4 +127,33 @@ class OnMesh:
     def normal_at(self, where: Array) -> Array:
         """(k, n) what gives the normal displacement of points (k, 2) of the flat face."""
         nodes, values = self._flat
-        return np.asarray(surface_weights(self.points, self.faces, where)[:, nodes] @ values)
+        # points of a grid lie alike on many tiles
+        places, back = np.unique(np.round(where, SAME_PLACE), axis=0, return_inverse=True)
+        weights = surface_weights(self.points, self.faces, places)[:, nodes]
+        return np.asarray((weights @ values)[back])
+
+
+@dataclass(frozen=True, eq=False)
+class Turned:
+    """Inside a tile whose unknowns are others. whole : (old, n) old unknowns from new ones"""
+
+    inside: Inside
+    whole: Array
+
+    @property
+    def points(self) -> Array:
+        """(nodes, 3) of its mesh."""
+        return np.asarray(self.inside.points)
+
+    @property
+    def subcells(self) -> Ints:
+        """(cells, 8) corners of the elements, in VTK's order."""
+        return np.asarray(self.inside.subcells)
+
+    def lifted(self, unknowns: Fields) -> Fields:
+        """(nodes, 3, k) displacement from unknowns (n, k)."""
+        return np.asarray(self.inside.lifted(self.whole @ unknowns))
+
+    def normal_at(self, where: Array) -> Array:
+        """(k, n) what gives the normal displacement of points (k, 2) of the flat face."""
+        return np.asarray(self.inside.normal_at(where) @ self.whole)

@@ -139,6 +139,7 @@ class ReducedPlate:
             pieces = list(
                 pool.map(lambda k: checker.lines(omega[k : k + CHUNK], found[:, k : k + CHUNK]), starts)
             )
+        checker.release()
         seen = {name: np.concatenate([piece[name] for piece in pieces]) for name in pieces[0]}
         error = ROUNDING + np.sqrt((seen["missed"] + missed) / np.maximum(seen["energy"], TINY))
         charge, dissipated = {}, {}
@@ -266,12 +267,19 @@ class _Checker:
             return float(max(self.highest, lowest) ** 2)
         return float(4.0 ** np.ceil(np.log(max(omega.max(), lowest) ** 2) / np.log(4.0)))
 
+    def release(self) -> None:
+        """Leave the solvers to others."""
+        while self._idle:
+            self._idle.pop().release()
+
     def _beyond(self, residual: Array, sigma: float) -> Array:
         """(size, columns) inverse of K + sigma M, supports included, times residuals."""
         assembly = self.reduced.model.assembly
         norm = self._idle.pop() if self._idle else None  # each thread has its own
         if norm is None or norm.shift != -sigma:
-            norm = assembly.shifted(-sigma, None if norm is None else norm.solver)
+            if norm is not None:
+                norm.release()
+            norm = assembly.shifted(-sigma)
         found = norm.solve(residual)
         self._idle.append(norm)
         return found
