@@ -7,10 +7,6 @@
 
 import lazy_loader as lazy
 
-from haptonic._openblas import name_the_kernels
-
-name_the_kernels()
-
 __version__ = "0.1.0"
 
 # What a name needs is loaded when it is first asked for: half of the field's libraries would be, otherwise.

@@ -26,7 +26,7 @@ Complex = NDArray[np.complex128]
 
 AT_ONCE = 32  # lines
 NO_STIFFNESS = 1e-13  # share of a form's largest eigenvalue that is rounding
-NEGLIGIBLE = 5e-5  # share of the dynamic stiffness that a direction may add without being kept
+NEGLIGIBLE = 2e-4  # share of the dynamic stiffness that a direction may add without being kept
 
 
 @dataclass(frozen=True, eq=False)

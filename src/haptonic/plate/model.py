@@ -119,10 +119,10 @@ class PlateModel:
 
     def displaced(self, where: Array, vectors: Array) -> Array:
         """(k, n) normal displacement of points (k, 2) of the flat face, m, for many vectors (size, n)."""
-        padded = np.vstack([vectors, np.zeros((1, vectors.shape[1]))])
         seen = np.empty((len(where), vectors.shape[1]))
         for points, unknowns, weights in self._seen_on_blocks(where):
-            seen[points] = weights @ padded[unknowns]
+            free = unknowns < self.assembly.size
+            seen[points] = weights[:, free] @ vectors[unknowns[free]]
         return seen
 
     def _seen_on_blocks(self, where: Array) -> Iterator[tuple[Ints, Ints, Array]]:
