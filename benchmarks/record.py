@@ -16,6 +16,7 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
+from threadpoolctl import threadpool_info
 
 from haptonic.cell import UnitCell
 
@@ -38,6 +39,9 @@ def machine() -> dict[str, Any]:
     return {
         "processor": model,
         "cores": os.cpu_count(),
+        "kernels": next(
+            (one["architecture"] for one in threadpool_info() if "architecture" in one), "unknown"
+        ),
         "load_before": os.getloadavg()[0],
         "python": platform.python_version(),
         "versions": {name: version(name) for name in ("haptonic", "numpy", "scipy", "pypardiso", "mkl")},

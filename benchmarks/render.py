@@ -32,9 +32,11 @@ def table(heads: list[str], rows: list[list[Any]]) -> str:
 def measured_on(record: dict[str, Any]) -> str:
     machine = record["machine"]
     versions = ", ".join(f"{name} {number}" for name, number in machine["versions"].items())
+    kernels = f", OpenBLAS for {machine['kernels']}" if "kernels" in machine else ""  # not in older records
     return (
         f"*{machine['date']}, {machine['processor']}, {machine['cores']} cores, load before "
-        f"{machine['load_before']:.1f}; Python {machine['python']}, {versions}; commit {machine['commit']}.*"
+        f"{machine['load_before']:.1f}; Python {machine['python']}, {versions}{kernels}; "
+        f"commit {machine['commit']}.*"
     )
 
 
