@@ -110,22 +110,16 @@ class Assembly:
 
     def gathered(self, pieces: Sequence[NDArray[Any]]) -> NDArray[Any]:
         """(size, k) sum of contributions (n, blocks, k) of the groups."""
-        return np.asarray(
-            sum(
-                gather @ piece.reshape(-1, piece.shape[-1])
-                for gather, piece in zip(self._gathers, pieces, strict=True)
-            )
-        )
+        flat = [piece.reshape(-1, piece.shape[-1]) for piece in pieces]
+        return np.asarray(self._gather @ np.concatenate(flat))
 
     @cached_property
-    def _gathers(self) -> list[sp.csr_array]:
-        gathers = []
-        for group in self.groups:
-            to = group.unknowns.T.ravel()
-            kept = np.flatnonzero(to < self.size)
-            entries = (np.ones(len(kept)), (to[kept], kept))
-            gathers.append(sp.csr_array(entries, shape=(self.size, len(to))))
-        return gathers
+    def _gather(self) -> sp.csr_array:
+        """What adds the contributions of all groups, one below the other."""
+        to = np.concatenate([group.unknowns.T.ravel() for group in self.groups])
+        kept = np.flatnonzero(to < self.size)
+        entries = (np.ones(len(kept)), (to[kept], kept))
+        return sp.csr_array(entries, shape=(self.size, len(to)))
 
     def mass_times(self, vectors: Array, out: Array | None = None) -> Array:
         """M times vectors (size, k)."""
@@ -199,7 +193,7 @@ class Assembly:
 
     def prepare(self) -> None:
         """Do the index work before threads ask for it at once."""
-        assert self._gathers
+        assert self._gather is not None
         assert self._places
 
     @property
