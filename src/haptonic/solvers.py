@@ -89,7 +89,8 @@ class PardisoSolver:
         self._settings[[0, 1, 7, 9, 20, 34]] = 1, 2, 0, 8, 1, 1
 
     def factorise(self, data: Array, *, definite: bool = True) -> int:
-        self._type = 2 if definite else -2
+        # an analysis for matrices of any sign serves definite ones as well
+        self._type = 2 if definite and -2 not in self._handles else -2
         self._data = np.ascontiguousarray(data, dtype=np.float64)
         if definite and not (self._data[self._rows[:-1]] > 0).all():  # pivots that it would not look at
             raise np.linalg.LinAlgError("the matrix is not definite: its diagonal is not positive")
@@ -97,9 +98,14 @@ class PardisoSolver:
             self._handles[self._type] = np.zeros(64, dtype=np.int64)
             self._call(11)
         self._call(22)
-        if not definite and self._settings[13]:
+        if self._type == 2:
+            return 0
+        if self._settings[13]:
             raise np.linalg.LinAlgError("the matrix is singular: pivots had to be perturbed")
-        return 0 if definite else int(self._settings[22])
+        negative = int(self._settings[22])
+        if definite and negative:
+            raise np.linalg.LinAlgError("the matrix is not definite")
+        return negative
 
     def solve(self, right: Array) -> Array:
         flat = np.asfortranarray(right, dtype=np.float64)

@@ -212,3 +212,15 @@ def test_a_solver_can_be_left_to_the_end_of_the_process():
     )
     assert float(done.stdout) == pytest.approx(2.0)
     assert done.stderr == ""
+
+
+@every_solver
+def test_an_analysis_for_any_sign_serves_definite_matrices_and_refuses_others(name):
+    """In this order nothing but the count of signs tells: the diagonal of the last one is positive."""
+    pattern = Pattern(np.array([0, 2, 3], np.int32), np.array([0, 1, 1], np.int32))
+    solver = SOLVERS[name][1](pattern)
+    assert solver.factorise(np.array([1.0, 0.5, -1.0]), definite=False) == 1
+    assert solver.factorise(np.array([2.0, 1.0, 2.0])) == 0
+    assert solver.solve(np.array([[3.0], [3.0]])) == pytest.approx(np.ones((2, 1)))
+    with pytest.raises(np.linalg.LinAlgError, match="definite"):
+        solver.factorise(np.array([1.0, 2.0, 1.0]))

@@ -177,7 +177,7 @@ def test_products_of_polynomials_are_integrated_exactly(one, other, shear):
     assert edge_fields(orders, share, height) == pytest.approx(fields.reshape(3 * len(share), -1), abs=1e-10)
     area = (high - low) * np.outer(weights, weights).ravel()
     exact = np.einsum("ncm,n,nck->mk", fields, area, fields)
-    assert _products(orders, low, high) == pytest.approx(exact, abs=1e-10)
+    assert _products(orders, low, high) == pytest.approx(exact, abs=1e-12)
 
 
 @given(st.sampled_from([1, 2, 3]), st.integers(0, 10_000))

@@ -242,7 +242,7 @@ class Shifted:
     def of(cls, assembly: Assembly, shift: float, solver: Solver) -> Shifted:
         eliminated = tuple(group.tile.dynamic(shift) for group in assembly.groups)
         numbers = assembly.numbers([one.on_trace for one in eliminated])
-        below = solver.factorise(numbers, definite=False)  # also where it is: one analysis serves all shifts
+        below = solver.factorise(numbers, definite=shift <= 0)
         below += sum(len(g.blocks) * int((g.tile.values < shift).sum()) for g in assembly.groups)
         return cls(assembly, shift, solver, eliminated, below)
 

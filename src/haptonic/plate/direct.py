@@ -23,7 +23,7 @@ STEPS = 300  # at most; whoever asks checks the answer
 
 
 class Direct:
-    """Answers one frequency after the other; what does not depend on it is done once."""
+    """Answers one frequency after the other."""
 
     def __init__(self, model: PlateModel) -> None:
         self.model = model

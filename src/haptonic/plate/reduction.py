@@ -188,7 +188,8 @@ def _snapshots(
     """
     pattern, numbers = _upper(interior)
     solver = chosen()(pattern)
-    solver.factorise(numbers, definite=False)  # it is; one analysis serves the shifted ones too
+    if solver.factorise(numbers, definite=False):  # one analysis serves the shifted ones too
+        raise np.linalg.LinAlgError("the stiffness of a block is not definite")
     answers = solver.solve(np.hstack([-coupling, force]))
     trace = coupling.shape[1]
     static = answers[:, :trace]

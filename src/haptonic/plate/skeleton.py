@@ -41,6 +41,10 @@ class TraceOrders:
         """Unknowns at each place seen from above, ordered (level, component)."""
         return 3 * self.levels
 
+    def unknowns(self, places: Ints) -> Ints:
+        """Numbers of the unknowns at some places, ordered (place, level, component)."""
+        return np.asarray(places[:, None] * self.per_node + np.arange(self.per_node)).ravel()
+
     def profile(self, height: Array) -> Array:
         """The further profile at shares of the thickness: 0 on all levels, of the next order between."""
         place, slope = 2 * height - 1, legder(np.eye(self.through + 1)[-1])
@@ -133,8 +137,7 @@ class Skeleton:
 
     def unknowns(self, places: Ints) -> Ints:
         """Numbers of the unknowns at some places, ordered (place, level, component), no further profile's."""
-        per_node = self.orders.per_node
-        return np.asarray(places[:, None] * per_node + np.arange(per_node)).ravel()
+        return self.orders.unknowns(places)
 
     def alone(self, needed: Ints, kept: Sequence[Block]) -> list[Ints]:
         """For each block, unknowns of its trace that no other block has and that are not ``needed``.
@@ -200,8 +203,8 @@ def traced(x: Array, y: Array, blocks: Sequence[Block], orders: TraceOrders) -> 
     many there are.
     """
     rims, points = numbered(x, y, blocks, orders.along)
-    size, per_node = len(points) * orders.per_node, np.arange(orders.per_node)
-    traces = [(rim[:, None] * orders.per_node + per_node).ravel() for rim in rims]
+    size = len(points) * orders.per_node
+    traces = [orders.unknowns(rim) for rim in rims]
     if not orders.shear:
         return tuple(traces), size
     rims, points = numbered(x, y, blocks, orders.shear)

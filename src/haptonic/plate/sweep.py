@@ -192,11 +192,11 @@ def _check_memory(model: PlateModel, low: float, high: float, shifts: int) -> No
             return
     assembly.prepare()
     counts = []
-    for shift in (low, high):
+    for shift in dict.fromkeys((low, high)):
         shifted = assembly.shifted(shift)
         counts.append(shifted.below)
         shifted.release()
-    _check_fit(model, high, shifts, counts[1] - counts[0], "")
+    _check_fit(model, high, shifts, counts[-1] - counts[0], "")
 
 
 def _needed(model: PlateModel, shifts: int, modes: float) -> float:
