@@ -31,10 +31,12 @@ class Pattern:
     """Upper triangle of a symmetric sparse matrix in compressed rows, every diagonal entry present.
 
     indptr : (n + 1,), indices : (nnz,) ascending within a row
+    order : (n,) unknowns in the order of their elimination, if that is known; else the solver seeks one
     """
 
     indptr: Indices
     indices: Indices
+    order: Indices | None = None
 
     @property
     def size(self) -> int:
@@ -83,10 +85,10 @@ class PardisoSolver:
         self._handles: dict[int, NDArray[np.int64]] = {}
         self._data: Array = np.empty(0)
         self._type = 2
-        self._unused = np.zeros(1, dtype=np.int32)  # where a fill-reducing order of our own would go
+        self._order = np.zeros(1, dtype=np.int32) if pattern.order is None else pattern.order.astype(np.int32)
         self._settings = np.zeros(64, dtype=np.int32)
         # numbers of the settings as in the MKL manual, less one
-        self._settings[[0, 1, 7, 9, 20, 34]] = 1, 2, 0, 8, 1, 1
+        self._settings[[0, 1, 4, 7, 9, 20, 34]] = 1, 2, pattern.order is not None, 0, 8, 1, 1
 
     def factorise(self, data: Array, *, definite: bool = True) -> int:
         # an analysis for matrices of any sign serves definite ones as well
@@ -130,7 +132,7 @@ class PardisoSolver:
         before = set_threads(1)
         pardiso(
             handle, number(1), number(1), number(self._type), number(phase), number(self._pattern.size),
-            reals(self._data), integers(self._rows), integers(self._columns), integers(self._unused),
+            reals(self._data), integers(self._rows), integers(self._columns), integers(self._order),
             number(count), integers(self._settings), number(0), reals(right), reals(out), ctypes.byref(error),
         )  # fmt: skip
         set_threads(before)

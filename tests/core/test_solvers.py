@@ -4,6 +4,7 @@ import importlib.util
 import os
 import subprocess
 import sys
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -65,6 +66,41 @@ def test_solution_of_a_definite_system(name, size, seed, columns):
     assert solution.shape == right.shape
     assert np.abs(matrix @ solution - right).max() < 1e-12 * max(1.0, np.abs(right).max())
     assert np.array_equal(right, given_right)
+
+
+@every_solver
+@given(sizes, seeds)
+def test_a_given_order_of_elimination_changes_no_solution_and_no_count(name, size, seed):
+    matrix = symmetric(size, seed)
+    assume(np.abs(np.linalg.eigvalsh(matrix)).min() > 1e-3)
+    pattern, data = pattern_of(matrix)
+    order = np.random.default_rng(seed).permutation(size).astype(np.int32)
+    solver = analysed(name, replace(pattern, order=order))
+    try:
+        negative = solver.factorise(data, definite=False)
+    except np.linalg.LinAlgError:
+        assume(False)
+    assert negative == (np.linalg.eigvalsh(matrix) < 0).sum()
+    right = np.random.default_rng(seed).standard_normal((size, 3))
+    assert np.abs(matrix @ solver.solve(right) - right).max() < 1e-7
+    assert np.array_equal(order, np.random.default_rng(seed).permutation(size))
+
+
+@pytest.mark.skipif(not importlib.util.find_spec("pypardiso"), reason="pypardiso is not installed")
+def test_pardiso_eliminates_in_the_order_that_is_given():
+    """An arrow fills in wholly if its head goes first, and not at all if it goes last."""
+    size = 60
+    arrow = np.diag(np.full(size, 2.0 * size))
+    arrow[0] = arrow[:, 0] = 1.0
+    arrow[0, 0] = 2.0 * size
+    pattern, data = pattern_of(arrow)
+    seen = {}
+    for name, order in {"first": np.arange(size), "last": np.arange(size)[::-1]}.items():
+        solver = SOLVERS["pardiso"][1](replace(pattern, order=order.astype(np.int32)))
+        solver._settings[17] = -1  # tell the entries of the factor
+        solver.factorise(data)
+        seen[name] = solver._settings[17]
+    assert seen["first"] > 5 * seen["last"]
 
 
 @every_solver

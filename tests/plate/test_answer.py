@@ -13,7 +13,7 @@ from small import COARSE, LOSS, PITCH, busy_plate, drawn, glued, plain_plate
 from whole import answered, beds, dynamic, energy, finger_impedance, forms, lossless
 
 from haptonic.errors import GeometryError, HaptonicError, ResourceError
-from haptonic.plate import sweep
+from haptonic.plate import krylov, sweep
 from haptonic.plate.assembly import Assembly
 from haptonic.plate.blocks import blocks_of
 from haptonic.plate.direct import Direct
@@ -217,6 +217,21 @@ def test_a_basis_is_complete_where_the_dense_modes_say_so():
     stiff = np.abs((V.T @ K @ V - np.diag(basis.values)) / scale)
     assert heavy.max() < 1e-9
     assert stiff.max() < 1e-6
+
+
+def test_a_span_stays_orthonormal_however_often_new_vectors_are_nearly_known(monkeypatch):
+    """What one pass of Gram and Schmidt leaves would grow with every piece that is added."""
+    monkeypatch.setattr(krylov, "TOGETHER", 1)
+    assembly, rng = busy().assembly, np.random.default_rng(3)
+    common = rng.standard_normal((assembly.size, 6))
+    pieces = []
+    for _ in range(14):
+        new = rng.standard_normal((assembly.size, 6)) * 10 ** rng.uniform(-5, -1, 6)
+        piece = common @ rng.standard_normal((6, 6)) + new
+        pieces.append(piece / np.sqrt(np.einsum("nk,nk->k", piece, assembly.mass_times(piece))))
+    raw = Basis.spanned(assembly, pieces, {}).raw
+    assert raw.shape[1] == 14 * 6
+    assert np.abs(raw.T @ assembly.mass_times(raw) - np.eye(14 * 6)).max() < 1e-10
 
 
 def test_what_is_missing_shows_and_can_be_added():

@@ -13,6 +13,7 @@ import scipy.sparse as sp
 from numpy.typing import NDArray
 from threadpoolctl import threadpool_limits
 
+from haptonic.plate.elimination import elimination_order
 from haptonic.plate.skeleton import Skeleton
 from haptonic.plate.tile import Eliminated, Tile, applied
 from haptonic.solvers import Pattern, Solver, chosen
@@ -126,14 +127,14 @@ class Assembly:
         return self._times(
             vectors,
             out,
-            lambda part: self.gathered([applied(g.tile.mass, share) for g, share in self.shares(part)]),
+            lambda part: self.gathered([g.tile.mass_times(share) for g, share in self.shares(part)]),
         )
 
     def stiffness_times(self, vectors: Array, out: Array | None = None) -> Array:
         """K of all parts, supports included, times vectors (size, k)."""
 
         def product(part: Array) -> Array:
-            pieces = [applied(group.tile.elastic, share) for group, share in self.shares(part)]
+            pieces = [group.tile.stiffness_times(share) for group, share in self.shares(part)]
             found = self.gathered(pieces)
             found[: self.free] += self.beds @ part[: self.free]
             return found
@@ -188,7 +189,8 @@ class Assembly:
         entries = number[np.unique(bed.row)].tocoo()
         keys = np.unique(bed.row)[entries.row] * self.free + entries.col  # ascending
         of_beds = entries.data[np.searchsorted(keys, bed.row.astype(np.int64) * self.free + bed.col)]
-        pattern = Pattern(number.indptr.astype(np.int32), number.indices.astype(np.int32))
+        order = elimination_order(self.free, [unknowns for unknowns, _, _ in blocks])
+        pattern = Pattern(*(one.astype(np.int32) for one in (number.indptr, number.indices, order)))
         return pattern, places, (of_beds, bed.data)
 
     def prepare(self) -> None:

@@ -72,15 +72,7 @@ def opened_tile(tile: Tile, open_trace: Ints, highest: float) -> Tile:
 
 def _on_basis(stiffness: Array, mass: Array, basis: Array, inside: Inside, trace: int) -> Tile:
     """The tile of plain plate or lattice that is spanned by a basis, traces first."""
-    small = basis.T @ stiffness @ basis
-    return Tile(
-        stiffness={"plate": small},
-        mass=basis.T @ mass @ basis,
-        values=np.diag(small)[trace:].copy(),
-        drive={},
-        capacitance={},
-        inside=inside,
-    )
+    return Tile.plain(basis.T @ stiffness @ basis, basis.T @ mass @ basis, trace, inside)
 
 
 def _reduced(stiffness: Array, mass: Array, outer: Ints, inner: Ints, highest: float) -> Array:

@@ -25,6 +25,7 @@ Array = NDArray[np.float64]
 
 TOGETHER = 4  # chains that are made orthogonal to the others at once
 REPEATED = 1e-13  # share of a direction's squared length that must not lie in the others
+CLEAR = 0.1  # such a share from which on one pass of Gram and Schmidt is enough: more losses would add up
 
 
 class _Orthonormal:
@@ -45,36 +46,50 @@ class _Orthonormal:
         """Add what is new in each of vectors (size, k); returns the mass times what was added."""
         for _ in range(2):  # one pass of Gram and Schmidt is not enough
             self._project(new)
-        return self._append(new, scaled=True)
+        heavy = self.assembly.mass_times(new)
+        lengths = np.sqrt(np.maximum(np.einsum("nk,nk->k", new, heavy), np.finfo(float).tiny))
+        _, turn = _turned(new, heavy, lengths)
+        return self._append(new @ turn, heavy @ turn)
 
     def add_known(self, new: Array) -> None:
         """Add what is new in vectors (size, k) of length 1 in mass, which are overwritten."""
         self._project(new)
-        turn = self._turn(new, self.assembly.mass_times(new), scaled=False)
-        new = new @ turn  # what was nearly the same is as long as the rest now, so it can be made orthogonal
+        heavy = self.assembly.mass_times(new)
+        weights, turn = _turned(new, heavy, np.ones(new.shape[1]))
+        clear = weights > CLEAR
+        self._append(new @ turn[:, clear], heavy @ turn[:, clear])
+        new = (
+            new @ turn[:, ~clear]
+        )  # as long as the rest now, though nearly known, and so worth a second pass
         self._project(new)
-        self._append(new, scaled=False)
+        heavy = self.assembly.mass_times(new)
+        _, turn = _turned(new, heavy, np.ones(new.shape[1]))
+        self._append(new @ turn, heavy @ turn)
 
     def _project(self, new: Array) -> None:
         if self.count:
             known = slice(0, self.count)
             new -= self._vectors[:, known] @ (self._heavy[:, known].T @ new)
 
-    def _turn(self, new: Array, heavy: Array, scaled: bool) -> Array:
-        """What makes vectors orthonormal among themselves, without those that nothing but rounding is in."""
-        gram = new.T @ heavy
-        lengths = np.sqrt(np.maximum(np.diag(gram), np.finfo(float).tiny)) if scaled else np.ones(len(gram))
-        weights, turn = la.eigh(gram / lengths / lengths[:, None])
-        kept = weights > REPEATED
-        return np.asarray(turn[:, kept] / np.sqrt(weights[kept]) / lengths[:, None])
-
-    def _append(self, new: Array, scaled: bool) -> Array:
-        heavy = self.assembly.mass_times(new)
-        turn = self._turn(new, heavy, scaled)
-        added = slice(self.count, self.count + turn.shape[1])
+    def _append(self, new: Array, heavy: Array) -> Array:
+        added = slice(self.count, self.count + new.shape[1])
         self.count = added.stop
-        self._vectors[:, added], self._heavy[:, added] = new @ turn, heavy @ turn
+        self._vectors[:, added], self._heavy[:, added] = new, heavy
         return self._heavy[:, added]
+
+
+def _turned(new: Array, heavy: Array, lengths: Array) -> tuple[Array, Array]:
+    """What makes vectors orthonormal among themselves, without those that nothing but rounding is in.
+
+    new, heavy : (size, k) vectors and the mass times them; lengths : (k,) which count as 1
+
+    Returns
+    -------
+    (r,) squared lengths of the directions that are kept, ascending, and (k, r) these at length 1
+    """
+    weights, turn = la.eigh(new.T @ heavy / lengths / lengths[:, None])
+    kept = weights > REPEATED
+    return weights[kept], turn[:, kept] / np.sqrt(weights[kept]) / lengths[:, None]
 
 
 @dataclass(frozen=True, eq=False)

@@ -9,7 +9,6 @@ from numpy.typing import NDArray
 
 from haptonic.plate.model import impedance
 from haptonic.plate.sweep import Band
-from haptonic.plate.tile import applied
 
 Array = NDArray[np.float64]
 
@@ -51,8 +50,8 @@ def modes_between(band: Band, low: float, high: float) -> PlateModes:
     blocks = len(assembly.skeleton.blocks)
     stored = {name: np.zeros((len(values), blocks)) for name in factors}
     for group, share in assembly.shares(vectors):
-        for name, part in group.tile.stiffness.items():
-            twice = np.einsum("nbk,nbk->kb", share, applied(part, share))
+        for name in group.tile.stiffness:
+            twice = np.einsum("nbk,nbk->kb", share, group.tile.part_times(name, share))
             stored[name][:, group.blocks] += twice / values[:, None]
     loss = {name: factors[name].imag * stored[name].sum(axis=1) for name in factors}
     loss["supports"] = np.zeros(len(values))

@@ -88,7 +88,7 @@ def cell_tile(cell: UnitCell, plan: MeshPlan, orders: TraceOrders, highest: floa
         faces=tuple(flat_faces(whole.mesh)),
         lift=lambda unknowns: whole.lifted(to_cell @ unknowns),
     )
-    return Tile({"plate": stiffness}, mass, np.diag(stiffness)[trace:].copy(), {}, {}, inside)
+    return Tile.plain(stiffness, mass, trace, inside)
 
 
 def _onto_rim(plan: MeshPlan, levels: int, orders: TraceOrders) -> Array:
@@ -128,23 +128,25 @@ def block_tile(
         .reshape(-1, len(inside))
         .T
     )
+    mass = body.mass[inside]
     interior, coupling = _split(body, onto, (held, inside))
-    static, seen = _snapshots(interior, coupling, force, body.mass[inside], highest, SNAPSHOTS)
-    basis = np.zeros((size, trace))
-    basis[held], basis[inside] = onto, static
+    static, seen, pushed = _snapshots(interior, coupling, force, mass, highest, SNAPSHOTS)
+    total = sp.csr_array(sum(body.stiffness.values()))
+    on_trace = onto.T @ (total[held][:, held] @ onto) + coupling.T @ static
     least = [np.zeros(seen.shape[1])]
-    if bonded:
-        energy = np.einsum("nk,nk->k", basis, sum(body.stiffness.values()) @ basis)
     for other in (end for one in bonded.values() for end in (one.bodies[0], one.bodies[-1])):
         split = _split(other, onto, (held, inside))
-        own, more = _snapshots(*split, force, other.mass[inside], highest, ())
+        own, more, _ = _snapshots(*split, force, other.mass[inside], highest, ())
         seen = np.hstack([seen, more, own - static])
-        least += [np.zeros(more.shape[1]), np.sqrt(energy)]  # a small difference need not be known well
-    fields = _main_directions(seen, interior, body.mass[inside], np.concatenate(least))
-    basis = np.hstack([basis, np.zeros((size, fields.shape[1]))])
-    basis[inside, trace:] = fields
-    parts = {name: basis.T @ (part @ basis) for name, part in body.stiffness.items()}
-    values = np.diag(sum(parts.values()))[trace:].copy()
+        pushed = np.hstack([pushed, interior @ more, interior @ (own - static)])
+        # a small difference need not be known well
+        least += [np.zeros(more.shape[1]), np.sqrt(np.diag(on_trace))]
+    fields, values = _main_directions(seen, pushed, mass, np.concatenate(least))
+    basis = np.zeros((size, trace + len(values)))
+    basis[held, :trace], basis[inside, :trace], basis[inside, trace:] = onto, static, fields
+    parts = {name: _projected(part, basis) for name, part in body.stiffness.items() if name != "plate"}
+    # of all together it is known without a product: the fields are orthogonal to the static answers
+    parts["plate"] = la.block_diag(on_trace, np.diag(values)) - sum(parts.values())
     corner = np.array([x[0], y[0], 0.0])
     return Tile(
         stiffness=parts,
@@ -180,11 +182,15 @@ def _snapshots(
     mass: Array,
     highest: float,
     shares: Sequence[float],
-) -> tuple[Array, Array]:
-    """Static answers (inside, trace) to a trace, and other fields (inside, k) that a tile should know.
+) -> tuple[Array, Array, Array]:
+    """Static answers to a trace, and other fields that a tile should know.
 
     interior, coupling : see `_split`; force : (inside, k) of the drives; mass : (inside,)
     shares : of the square of the highest frequency, beside 0
+
+    Returns
+    -------
+    static answers (inside, trace), other fields (inside, k), and the stiffness times these
     """
     pattern, numbers = _upper(interior)
     solver = chosen()(pattern)
@@ -195,13 +201,16 @@ def _snapshots(
     static = answers[:, :trace]
     inertia = mass[:, None] * static
     diagonal = pattern.indptr[:-1]
-    seen = [answers[:, trace:], solver.solve(inertia)]
+    seen, pushed = [answers[:, trace:], solver.solve(inertia)], [force, inertia]
+    loads = np.hstack([inertia, force])
     for share in shares:
+        heavy = share * (2 * np.pi * highest) ** 2 * mass
         shifted = numbers.copy()
-        shifted[diagonal] -= share * (2 * np.pi * highest) ** 2 * mass
+        shifted[diagonal] -= heavy
         solver.factorise(shifted, definite=False)
-        seen.append(solver.solve(np.hstack([inertia, force])))
-    return static, np.hstack(seen)
+        seen.append(solver.solve(loads))
+        pushed.append(loads + heavy[:, None] * seen[-1])
+    return static, np.hstack(seen), np.hstack(pushed)
 
 
 def _rim_of_body(
@@ -222,19 +231,30 @@ def _rim_of_body(
     return rim_fields(edges, orders, where % edges, points[:, 2] / thickness)
 
 
-def _main_directions(fields: Array, stiffness: sp.csr_array, mass: Array, least: Array) -> Array:
+def _main_directions(fields: Array, pushed: Array, mass: Array, least: Array) -> tuple[Array, Array]:
     """Few fields that nearly span given ones (proper orthogonal decomposition in the energy norm).
 
-    They are orthonormal in mass and orthogonal in stiffness. All fields (size, k) count alike, but those
-    smaller than ``least`` (k,).
+    All given fields (size, k) count alike, but those smaller than ``least`` (k,). ``pushed`` is the stiffness
+    times them.
+
+    Returns
+    -------
+    (size, r) fields, orthonormal in mass and orthogonal in stiffness, and (r,) their stiffnesses, ascending
     """
-    gram = fields.T @ (stiffness @ fields)
+    gram = fields.T @ pushed
     size = np.maximum(np.sqrt(np.diag(gram)), least)
     weights, turn = la.eigh(gram / size / size[:, None])
     kept = weights > MISSED_BY_BLOCK**2 * weights[-1]
     fields = fields @ (turn[:, kept] / np.sqrt(weights[kept]) / size[:, None])  # unit energy each
     weights, turn = la.eigh(fields.T @ (mass[:, None] * fields))
-    return np.asarray(fields @ (turn[:, ::-1] / np.sqrt(weights[::-1])))
+    return np.asarray(fields @ (turn[:, ::-1] / np.sqrt(weights[::-1]))), 1 / weights[::-1]
+
+
+def _projected(part: sp.csr_array, basis: Array) -> Array:
+    """(n, n) stiffness of a part that touches few rows of a basis (size, n)."""
+    rows = np.flatnonzero(np.diff(part.indptr))
+    own = basis[rows]
+    return np.asarray(own.T @ (part[rows][:, rows] @ own))
 
 
 def _upper(matrix: sp.csr_array) -> tuple[Pattern, Array]:

@@ -8,6 +8,7 @@ from functools import cached_property
 from typing import Any, Protocol
 
 import numpy as np
+import scipy.linalg as la
 from numpy.typing import NDArray
 
 from haptonic.plate.bonds import Bond3
@@ -25,6 +26,16 @@ def applied(matrix: Fields, share: Fields) -> Fields:
     blocks, columns = share.shape[1:]
     flat = matrix @ share.reshape(len(share), blocks * columns)
     return np.asarray(flat.reshape(len(matrix), blocks, columns))
+
+
+def _with_modes(matrix: Array, diagonal: Array, share: Fields) -> Fields:
+    """As `applied`, if the last unknowns, modes, have nothing but a diagonal (m,) among themselves."""
+    trace = len(matrix) - len(diagonal)
+    own, inner = share[:trace], share[trace:]
+    coupling, apart = matrix[trace:, :trace], diagonal[:, None, None] * inner
+    if coupling.any():
+        return np.concatenate([applied(matrix[:trace], share), apart + applied(coupling, own)])
+    return np.concatenate([applied(matrix[:trace, :trace], own), apart])
 
 
 @dataclass(frozen=True, eq=False)
@@ -66,6 +77,8 @@ class Inside(Protocol):
 class Tile:
     """Unknowns: the trace (place on the rim, level, component), then amplitudes of modes that have none.
 
+    Among the modes stiffness and mass are diagonal; products use only the diagonal.
+
     stiffness : by part (n, n), N/m; mass : (n, n), kg
     values : (m,) squares of the modes' angular frequencies with the rim at rest; modal masses are 1
     drive : by name (n,) force per unit of drive
@@ -82,6 +95,14 @@ class Tile:
     inside: Inside
     bonds: Mapping[str, Bond3] = field(default_factory=dict)
 
+    @classmethod
+    def plain(cls, stiffness: Array, mass: Array, trace: int, inside: Inside) -> Tile:
+        """With nothing glued on; ``trace`` unknowns whose static answers have no share in the modes."""
+        values = np.diag(stiffness)[trace:].copy()
+        return cls(
+            {"plate": la.block_diag(stiffness[:trace, :trace], np.diag(values))}, mass, values, {}, {}, inside
+        )
+
     @property
     def size(self) -> int:
         return len(self.mass)
@@ -94,6 +115,20 @@ class Tile:
     def elastic(self) -> Array:
         """(n, n) stiffness of all parts together."""
         return np.asarray(sum(self.stiffness.values()))
+
+    def mass_times(self, share: Fields) -> Fields:
+        """(n, blocks, k) M times the parts of vectors on blocks."""
+        return _with_modes(self.mass, np.ones(len(self.values)), share)
+
+    def stiffness_times(self, share: Fields) -> Fields:
+        """(n, blocks, k) K of all parts times the parts of vectors on blocks."""
+        return _with_modes(self.elastic, self.values, share)
+
+    def part_times(self, name: str, share: Fields) -> Fields:
+        """(n, blocks, k) K of one part times the parts of vectors on blocks."""
+        if len(self.stiffness) == 1:
+            return self.stiffness_times(share)
+        return applied(self.stiffness[name], share)
 
     def dynamic(self, shift: float) -> Eliminated:
         """K - shift M with the modes eliminated."""

@@ -16,7 +16,6 @@ from haptonic.plate.damping import Reduced, amplitudes, real_times
 from haptonic.plate.krylov import Basis
 from haptonic.plate.model import PlateModel
 from haptonic.plate.model import impedance as finger_impedance
-from haptonic.plate.tile import applied
 from haptonic.superelement.parallel import threads
 
 Array = NDArray[np.float64]
@@ -208,13 +207,13 @@ class _Checker:
         }
         pieces = []
         for group, share in assembly.shares(fields):
-            heavy = applied(group.tile.mass, share)
+            heavy = group.tile.mass_times(share)
             out["moving"][:, group.blocks] = (
                 0.25 * (square * _energy(share, heavy)).reshape(-1, 2, count).sum(1).T
             )
             total = -square * heavy
-            for name, part in group.tile.stiffness.items():
-                stiff = applied(part, share)
+            for name in group.tile.stiffness:
+                stiff = group.tile.part_times(name, share)
                 energy = 0.25 * _energy(share, stiff).reshape(-1, 2, count).sum(1).T
                 out[f"stored {name}"][:, group.blocks] += energy
                 total += _times(stiff, factors[name])
