@@ -1,5 +1,6 @@
 """Claim: time and memory of a plate grow as a power of its pillars; what no longer fits is refused before it
-starts. The prototype's map with fewer and more rows, from zero to 100 kHz, at a tenth of its lines."""
+starts. The prototype's map with fewer and more rows: one frequency, which needs no basis, and a tenth of the
+lines from zero to 100 kHz."""
 
 from __future__ import annotations
 
@@ -19,6 +20,8 @@ from haptonic.results.plate.question import unit_drives
 
 ROWS = (10, 15, 20, 30, 60, 220)
 POINTS = 101
+ONE = 56.43e3  # Hz
+TOLERANCE = 1e-3
 
 
 def plate_of(rows: int) -> Plate:
@@ -37,6 +40,14 @@ def measured(rows: int) -> dict[str, object]:
     start = time.perf_counter()
     model = PlateModel.of(plate, 1e5)
     found: dict[str, object] = {"pillars": plate.layout.pillars, "unknowns": model.assembly.size}
+    tiles = time.perf_counter() - start
+    _, line = Band.of(model, ONE, ONE).answer(unit_drives(plate), np.array([ONE]), TOLERANCE)
+    found |= {
+        "one_seconds": time.perf_counter() - start,
+        "one_peak_bytes": peak_memory(),
+        "one_bound": float(line.error[0]),
+    }
+    start = time.perf_counter() - tiles
     try:
         band = Band.of(model, 100.0, 1e5)
     except ResourceError as error:
@@ -58,19 +69,16 @@ def main() -> None:
             [sys.executable, __file__, str(rows)], capture_output=True, text=True, check=True
         )
         plates.append(json.loads(own.stdout))
-    done = [one for one in plates if "seconds" in one]
-    pillars = np.log([one["pillars"] for one in done])
-    write(
-        "plate_growth",
-        {
-            "plates": plates,
-            "lines": POINTS,
-            "exponents": {
-                name: float(np.polyfit(pillars, np.log([one[name] for one in done]), 1)[0])
-                for name in ("seconds", "peak_bytes", "basis", "unknowns")
-            },
-        },
-    )
+    write("plate_growth", {"plates": plates, "lines": POINTS, "one_hz": ONE, "exponents": exponents(plates)})
+
+
+def exponents(plates: list[dict[str, float]]) -> dict[str, float]:
+    """Of the number of pillars, for every number that is known of two plates at least."""
+    found = {}
+    for name in ("seconds", "peak_bytes", "basis", "unknowns", "one_seconds", "one_peak_bytes"):
+        known = [(one["pillars"], one[name]) for one in plates if name in one]
+        found[name] = float(np.polyfit(*np.log(known).T, 1)[0])
+    return found
 
 
 if __name__ == "__main__":

@@ -216,7 +216,8 @@ def _check_fit(model: PlateModel, high: float, shifts: int, modes: int, how_sure
             allowed=f"what fits into the {free / 1e9:.1f} GB that are free",
             cause=f"{how_sure}{modes} modes lie in the band; their basis needs {how_sure or 'about '}"
             f"{needed / 1e9:.1f} GB",
-            next_step="ask for a lower highest frequency or a smaller plate, or for a larger machine",
+            next_step="ask for a lower highest frequency or a smaller plate, or for a larger machine; a "
+            "single frequency (--at) needs no basis",
         )
 
 
