@@ -16,7 +16,7 @@ from haptonic.errors import GeometryError, HaptonicError, ResourceError
 from haptonic.plate import krylov, sweep
 from haptonic.plate.assembly import Assembly
 from haptonic.plate.blocks import blocks_of
-from haptonic.plate.direct import Direct
+from haptonic.plate.direct import direct_answer
 from haptonic.plate.krylov import Basis, chains
 from haptonic.plate.model import PlateModel, impedance, sunflower
 from haptonic.plate.modes import modes_between
@@ -127,14 +127,13 @@ def test_a_clamp_of_corners_and_a_patch_reach_the_tolerance():
 
 def test_direct_answers_are_those_of_the_whole_complex_matrix():
     loads = np.stack([busy().drives["A"], 1j * busy().drives["F"]], axis=1)
-    direct = Direct(busy())  # one analysis serves all frequencies
     for omega in HZ * LINES[[0, 7, 3]]:
         exact = np.linalg.solve(dynamic(busy(), omega), loads)
-        found = direct.answer(loads, omega)
+        found = direct_answer(busy(), loads, omega)
         assert np.linalg.norm(found - exact) < 1e-6 * np.linalg.norm(exact)
     bare = replace(busy(), plate=replace(busy_plate(), finger=None))
     exact = np.linalg.solve(dynamic(bare, HZ * 9e3), loads)
-    assert np.linalg.norm(Direct(bare).answer(loads, HZ * 9e3) - exact) < 1e-6 * np.linalg.norm(exact)
+    assert np.linalg.norm(direct_answer(bare, loads, HZ * 9e3) - exact) < 1e-6 * np.linalg.norm(exact)
 
 
 def test_modes_have_the_quality_of_the_complex_eigenvalues():
@@ -275,6 +274,30 @@ def test_a_poor_band_that_starts_high_is_begun_anew_from_zero():
     assert (true_error(busy(), band, vibration) < vibration.error).all()
 
 
+def test_many_poor_lines_are_answered_directly_if_no_larger_basis_fits(monkeypatch):
+    lines = np.linspace(20e3, 30e3, 40)
+    poor = Band._joined(busy(), 20e3, 30e3, cut_chains(2, 3, 19e3))
+    monkeypatch.setattr("psutil.virtual_memory", lambda: SimpleNamespace(available=4e6))
+    told = []
+    band, vibration = poor.answer(BOTH, lines, 1e-2, lambda done, all: told.append((done, all)))
+    assert band is poor
+    count = (poor.reduced.answer(BOTH, HZ * lines).error > 1e-2).sum()
+    assert told == [(k + 1, count) for k in range(count)]
+    assert count > MOST_DIRECT
+    assert (true_error(busy(), band, vibration) < np.maximum(vibration.error, 3e-6)).all()
+
+
+def test_a_basis_is_refined_until_few_lines_are_poor(monkeypatch):
+    """One round of a single shift with few vectors is not enough here."""
+    for name, value in {"WORST": 1, "LENGTH": 1, "MOST_DIRECT": 0}.items():
+        monkeypatch.setattr(sweep, name, value)
+    lines = np.linspace(4e3, 28e3, 30)
+    poor = Band._joined(busy(), 2e3, 30e3, cut_chains(2, 3))
+    band, vibration = poor.answer(BOTH, lines, 1e-2)
+    assert len(band.reduced.basis.below) > 3
+    assert (vibration.error < 1e-2).all()
+
+
 def test_a_band_of_one_frequency():
     drives, line = {"A": 1.0}, np.array([12.3e3])
     band, vibration = Band.of(busy(), line[0], line[0]).answer(drives, line, 1e-2)
@@ -282,8 +305,9 @@ def test_a_band_of_one_frequency():
 
 
 def test_a_tolerance_out_of_reach_is_refused():
-    with pytest.raises(HaptonicError, match=r"plate\.response\.tolerance"):
-        busy_band().answer(BOTH, LINES[:2], 1e-14)
+    for band in (busy_band(), Band.of(busy(), 12.3e3, 12.3e3)):
+        with pytest.raises(HaptonicError, match=r"plate\.response\.tolerance"):
+            band.answer(BOTH, LINES[:2], 1e-14)
 
 
 def test_what_does_not_fit_is_refused_before_it_starts(monkeypatch):

@@ -79,14 +79,17 @@ class Voice:
 
     @contextmanager
     def counted(self, what: str, total: int) -> Iterator[Callable[[int, int, bool], None]]:
-        """A bar with the time left, on standard error; yields what to call with (done, total, stored)."""
+        """A bar with the time left, on standard error; yields what to call with (done, planned, stored).
+
+        A ``total`` of 0 is not known yet: then what is planned counts.
+        """
         columns = (
             TextColumn("{task.description}"), BarColumn(), MofNCompleteColumn(), TextColumn("elapsed"),
             TimeElapsedColumn(), TextColumn("left"), TimeRemainingColumn(),
         )  # fmt: skip
         with Progress(*columns, console=self.err, transient=True) as progress:
             task = progress.add_task(what, total=total)
-            yield lambda done, _total, _stored: progress.update(task, completed=done)
+            yield lambda done, planned, _stored: progress.update(task, completed=done, total=total or planned)
 
 
 @contextmanager

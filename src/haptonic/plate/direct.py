@@ -22,37 +22,27 @@ RESIDUAL = 1e-12  # relative
 STEPS = 300  # at most; whoever asks checks the answer
 
 
-class Direct:
-    """Answers one frequency after the other."""
+def direct_answer(model: PlateModel, loads: Complex, omega: float) -> Complex:
+    """(size, k) displacement under loads (size, k) at an angular frequency, rad/s."""
+    assembly, line = model.assembly, np.array([omega])
+    shifted = assembly.shifted((1 + BESIDE) * omega**2)
+    extras = [(one.rows, one.axes, one.impedance(line)[0]) for one in model.extras]
 
-    def __init__(self, model: PlateModel) -> None:
-        self.model = model
+    def stiff(field: Complex) -> Complex:
+        halves = _halves(field)
+        out = model.factors["plate"] * _whole(assembly.stiffness_times(halves))
+        out -= omega**2 * _whole(assembly.mass_times(halves))
+        for rows, axes, impedance in extras:
+            moved = real_times(axes, real_times(axes.T, field[rows, None]))
+            out[rows] += impedance * moved[:, 0]
+        return out
 
-    def answer(self, loads: Complex, omega: float) -> Complex:
-        """(size, k) displacement under loads (size, k) at an angular frequency, rad/s."""
-        assembly, line = self.model.assembly, np.array([omega])
-        shifted = assembly.shifted((1 + BESIDE) * omega**2)
-        extras = [(one.rows, one.axes, one.impedance(line)[0]) for one in self.model.extras]
-
-        def stiff(field: Complex) -> Complex:
-            halves = _halves(field)
-            out = self.model.factors["plate"] * _whole(assembly.stiffness_times(halves))
-            out -= omega**2 * _whole(assembly.mass_times(halves))
-            for rows, axes, impedance in extras:
-                moved = real_times(axes, real_times(axes.T, field[rows, None]))
-                out[rows] += impedance * moved[:, 0]
-            return out
-
-        shape = (assembly.size, assembly.size)
-        matrix = LinearOperator(shape, lambda field: stiff(field.ravel()), dtype=complex)
-        nearby = LinearOperator(
-            shape, lambda right: _whole(shifted.solve(_halves(right.ravel()))), dtype=complex
-        )
-        found = [
-            gmres(matrix, load, M=nearby, rtol=RESIDUAL, restart=STEPS, maxiter=1)[0] for load in loads.T
-        ]
-        shifted.release()
-        return np.stack(found, axis=1)
+    shape = (assembly.size, assembly.size)
+    matrix = LinearOperator(shape, lambda field: stiff(field.ravel()), dtype=complex)
+    nearby = LinearOperator(shape, lambda right: _whole(shifted.solve(_halves(right.ravel()))), dtype=complex)
+    found = [gmres(matrix, load, M=nearby, rtol=RESIDUAL, restart=STEPS, maxiter=1)[0] for load in loads.T]
+    shifted.release()
+    return np.stack(found, axis=1)
 
 
 def _halves(field: Complex) -> Array:

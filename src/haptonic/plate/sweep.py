@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from haptonic.errors import HaptonicError, ResourceError
 from haptonic.plate.assembly import Shifted
-from haptonic.plate.direct import Direct
+from haptonic.plate.direct import direct_answer
 from haptonic.plate.krylov import Basis, Chain, chains
 from haptonic.plate.model import PlateModel
 from haptonic.plate.parts import Finger
@@ -110,12 +110,17 @@ class Band:
         return Band.of(self.reduced.model, 0.0, self.high)
 
     def answer(
-        self, drives: Mapping[str, complex], frequencies: Array, tolerance: float
+        self,
+        drives: Mapping[str, complex],
+        frequencies: Array,
+        tolerance: float,
+        told: Callable[[int, int], None] = lambda done, all: None,
     ) -> tuple[Band, Vibration]:
         """Answer to drives at frequencies, Hz, each line with an error of at most ``tolerance``.
 
-        A line of the reduced plate that is not good enough is replaced by the direct answer; if many are
-        not, the basis gets further shifts first, or all modes below the band if it lacks them.
+        If many lines of the reduced plate are not good enough, the basis gets further shifts, or all modes
+        below the band if it lacks them. Those that are left are answered directly; ``told`` is called with
+        how many of these are done, and with their number.
 
         Returns
         -------
@@ -126,20 +131,23 @@ class Band:
         HaptonicError : lines that stay above the tolerance
         """
         band, omega = self, 2 * np.pi * frequencies
-        if not self.reduced.basis.dimension:
-            return self, self._directly(drives, omega)
-        vibration = band.reduced.answer(drives, omega)
-        poor = np.flatnonzero(vibration.error > tolerance)
-        if len(poor) > MOST_DIRECT:
-            # without the modes below it a basis has Ritz values that are no modes
-            basis = band.reduced.basis
-            whole = basis.complete[0] == 0.0 or _from_zero(min(basis.below), max(basis.below))
-            band = band.refined(_worst(frequencies, vibration.error)) if whole else band.from_zero()
+        if not band.reduced.basis.dimension:
+            vibration = band._directly(drives, omega, told)
+            poor = np.flatnonzero(vibration.error > tolerance)
+        else:
             vibration = band.reduced.answer(drives, omega)
             poor = np.flatnonzero(vibration.error > tolerance)
-        if len(poor) <= MOST_DIRECT and len(poor):
-            vibration = vibration.with_lines(poor, band._directly(drives, omega[poor]))
-            poor = np.flatnonzero(vibration.error > tolerance)
+            for _ in range(ROUNDS):
+                if (
+                    len(poor) <= MOST_DIRECT
+                    or (larger := band._larger(_worst(frequencies, vibration.error))) is None
+                ):
+                    break
+                band, vibration = larger, larger.reduced.answer(drives, omega)
+                poor = np.flatnonzero(vibration.error > tolerance)
+            if len(poor):
+                vibration = vibration.with_lines(poor, band._directly(drives, omega[poor], told))
+                poor = np.flatnonzero(vibration.error > tolerance)
         if len(poor):
             worst = float(frequencies[vibration.error.argmax()])
             raise HaptonicError(
@@ -152,11 +160,27 @@ class Band:
             )
         return band, vibration
 
-    def _directly(self, drives: Mapping[str, complex], omega: Array) -> Vibration:
+    def _larger(self, worst: Array) -> Band | None:
+        """With further shifts at frequencies, Hz, or all modes below the band; None if these do not fit."""
+        # without the modes below it a basis has Ritz values that are no modes
+        basis = self.reduced.basis
+        if basis.complete[0] == 0.0 or _from_zero(min(basis.below), max(basis.below)):
+            return self.refined(worst)
+        try:
+            return self.from_zero()
+        except ResourceError:
+            return None
+
+    def _directly(
+        self, drives: Mapping[str, complex], omega: Array, told: Callable[[int, int], None]
+    ) -> Vibration:
         """The direct answer at some angular frequencies, rad/s."""
         model = self.reduced.model
-        load, direct = model.load(drives)[:, None], Direct(model)
-        fields = np.hstack([direct.answer(load, float(one)) for one in omega])
+        load = model.load(drives)[:, None]
+        fields = np.empty((model.assembly.size, len(omega)), dtype=complex)
+        for k, one in enumerate(omega.tolist()):
+            fields[:, [k]] = direct_answer(model, load, one)
+            told(k + 1, len(omega))
         both = np.hstack([np.eye(len(omega)), 1j * np.eye(len(omega))]).T
         return self.reduced.checked(drives, omega, np.hstack([fields.real, fields.imag]), both)
 

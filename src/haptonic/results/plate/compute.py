@@ -55,7 +55,7 @@ def compute_plate(
     carrier : Hz, near which modes are listed
     gap : for the maps below, in and above it; without one the only map is at the carrier
     inputs : plain values of what was asked; fineness : of the mesh, if not the usual one
-    told : called with the shifts done and planned
+    told : called with the shifts done and planned, then with the lines that are answered one by one
 
     Raises
     ------
@@ -103,13 +103,17 @@ def _computed(
 ) -> list[xr.Dataset]:
     low, high = question.lowest, question.highest
     model = PlateModel.of(plate, high, fineness)
-    band = Band.of(model, low, high, lambda done, planned: told(done, planned, False))
+
+    def tell(done: int, planned: int) -> None:
+        told(done, planned, False)
+
+    band = Band.of(model, low, high, tell)
     found = modes_between(band, max(low, (1 - NEAR) * carrier), min(high, (1 + NEAR) * carrier))
     reference, _ = reference_of(plate)
     aside = [carrier] if gap is None else [BELOW * gap[0], ABOVE * gap[1], *found.frequency]
     extra = [f for f in aside if low <= f <= high]
     every = np.union1d(question.frequencies, extra)
-    band, vibration = band.answer(unit_drives(plate), every, question.tolerance)
+    band, vibration = band.answer(unit_drives(plate), every, question.tolerance, tell)
     points, regions = grid_points(plate, question.grid)
     surface = model.displaced(points, vibration.vectors)
     velocity = real_times(surface, vibration.amplitudes) * (1j * vibration.omega)
