@@ -17,6 +17,7 @@ from haptonic.plate.body import loss_factors
 from haptonic.plate.damping import Extra
 from haptonic.plate.parts import Finger, Plate
 from haptonic.plate.recipes import Fineness, recipe_of, tiles_of
+from haptonic.plate.resolved import check_resolved
 from haptonic.plate.skeleton import Skeleton
 from haptonic.plate.supports import Bed, supported
 
@@ -63,10 +64,12 @@ class PlateModel:
 
         Raises
         ------
+        HaptonicError : a frequency whose waves are too short for the tiles
         GeometryError : things glued so close to a lattice that no block of plain tiles holds them
         """
         fineness = fineness or Fineness()
         layout = plate.layout
+        check_resolved(layout, fineness.trace, highest)
         blocks = blocks_of(plate)
         skeleton = Skeleton.of(layout, list(blocks), fineness.trace)
         held, beds = supported(skeleton, plate.supports)
