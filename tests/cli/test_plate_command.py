@@ -71,7 +71,7 @@ def test_plate_answers_one_frequency(inside, plated, monkeypatch):
         (("loss_factor = 5e-3", "loss_factor = 0.0"), (), "plate.loss_factor"),
         (('voltage = "10 V"', 'voltage = "0 V"'), (), "plate.actuator"),
         (("rows = 2", "rows = 2"), ("--at", "9 mm"), "--at"),
-        (("rows = 2", "rows = 2"), ("--at", "900 kHz"), "frequency"),
+        (("order = 2", "order = 4"), ("--at", "900 kHz"), "frequency"),
         (("o11o", "o1zo"), (), "plate.map"),
     ],
 )

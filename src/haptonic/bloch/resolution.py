@@ -52,8 +52,9 @@ class Resolution:
         distribution), six for order 5 with two rings; that of order 6 was measured on nine while the worst
         band's share was a quarter of this, and stands. With two rings or more the edge never leads up to
         order 6, which is taken to hold beyond. A plain plate has no edge. A step is another
-        re-entrant edge, at which the mesh is not graded: with one the edge is taken to lead from the start
-        (twelve members of the pillar family bear it out).
+        re-entrant edge, at which the mesh is not graded: with one the edge is taken to lead from the start,
+        and the lower orders are lower along the pillar too (`MeshPlan.lowered`). Of stepped designs drawn at
+        random the worst needed 0.35 of the distance at orders 3 to 5, against order 7 with two rings.
         """
         if cell.pillar is None:
             return 0.25 if self.order > 2 else 0.5

@@ -62,13 +62,14 @@ class MeshPlan:
         """The same blocks with orders one lower, to tell the error by.
 
         With a single thin ring the order along z stays: what the edge leaves is most of the error then, the
-        thin layer sees it, and thicker elements of lower order would err by far more.
+        thin layer sees it, and thicker elements of lower order would err by far more. Above a step there is
+        no thin layer: it goes down there.
         """
         return replace(
             self,
             order=max(self.order - 1, 1),
             outward=max(self.outward - 1, 1),
-            upward=self.upward if self.foot_rings == 1 else max(self.upward - 1, 1),
+            upward=self.upward if self.foot_rings == 1 and not self.step_layers else max(self.upward - 1, 1),
             thin=max(self.thin - 1, 1),
         )
 

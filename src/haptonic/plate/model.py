@@ -64,12 +64,14 @@ class PlateModel:
 
         Raises
         ------
-        HaptonicError : a frequency whose waves are too short for the tiles
+        HaptonicError : a frequency whose waves are too short for the tiles; coarser ones than usual, chosen
+            by hand, are taken as they are
         GeometryError : things glued so close to a lattice that no block of plain tiles holds them
         """
-        fineness = fineness or Fineness()
-        layout = plate.layout
-        check_resolved(layout, fineness.trace, highest)
+        layout, usual = plate.layout, Fineness()
+        fineness = fineness or usual
+        if fineness.along >= usual.along:  # a coarser one, chosen by hand, is taken as it is
+            check_resolved(layout, fineness.trace, highest)
         blocks = blocks_of(plate)
         skeleton = Skeleton.of(layout, list(blocks), fineness.trace)
         held, beds = supported(skeleton, plate.supports)
