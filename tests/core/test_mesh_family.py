@@ -205,3 +205,11 @@ def test_bands_converge_within_the_errors_printed(pillar, resolution, finer, mos
     away = np.abs(solution.frequency - better)
     assert (away < solution.error).all()
     assert (solution.error < most * better).all(), "an estimate, not a safe guess"
+
+
+def test_errors_tell_what_no_thin_layer_sees_above_a_step():
+    """Lower orders that are not lower along the pillar gave less than a third of the true error here."""
+    pillar = Pillar(4 * MM, 10 * MM, "round", math.radians(-1.3), 0.25 * MM, Step(2.4 * MM, 7 * MM))
+    cell = replace(reference_cell(), pillar=pillar)
+    solution = BlochModel.of(cell, Resolution(4, 1), 8, measured=False).solve(GENERIC)
+    assert (np.abs(solution.frequency - lowest(cell, Resolution(5, 2, 3), 8)) < solution.error).all()

@@ -58,9 +58,7 @@ class _Orthonormal:
         weights, turn = _turned(new, heavy, np.ones(new.shape[1]))
         clear = weights > CLEAR
         self._append(new @ turn[:, clear], heavy @ turn[:, clear])
-        new = (
-            new @ turn[:, ~clear]
-        )  # as long as the rest now, though nearly known, and so worth a second pass
+        new = new @ turn[:, ~clear]  # nearly known, but as long as the rest now: worth another pass
         self._project(new)
         heavy = self.assembly.mass_times(new)
         _, turn = _turned(new, heavy, np.ones(new.shape[1]))

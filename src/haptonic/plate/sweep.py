@@ -131,23 +131,14 @@ class Band:
         HaptonicError : lines that stay above the tolerance
         """
         band, omega = self, 2 * np.pi * frequencies
-        if not band.reduced.basis.dimension:
-            vibration = band._directly(drives, omega, told)
+        if self.reduced.basis.dimension:
+            band, vibration = self._on_basis(drives, omega, tolerance)
             poor = np.flatnonzero(vibration.error > tolerance)
-        else:
-            vibration = band.reduced.answer(drives, omega)
-            poor = np.flatnonzero(vibration.error > tolerance)
-            for _ in range(ROUNDS):
-                if (
-                    len(poor) <= MOST_DIRECT
-                    or (larger := band._larger(_worst(frequencies, vibration.error))) is None
-                ):
-                    break
-                band, vibration = larger, larger.reduced.answer(drives, omega)
-                poor = np.flatnonzero(vibration.error > tolerance)
             if len(poor):
                 vibration = vibration.with_lines(poor, band._directly(drives, omega[poor], told))
-                poor = np.flatnonzero(vibration.error > tolerance)
+        else:
+            vibration = self._directly(drives, omega, told)
+        poor = np.flatnonzero(vibration.error > tolerance)
         if len(poor):
             worst = float(frequencies[vibration.error.argmax()])
             raise HaptonicError(
@@ -158,6 +149,20 @@ class Band:
                 cause="very little loss, or a tolerance near rounding",
                 next_step="ask for a larger tolerance, or give the plate its loss",
             )
+        return band, vibration
+
+    def _on_basis(
+        self, drives: Mapping[str, complex], omega: Array, tolerance: float
+    ) -> tuple[Band, Vibration]:
+        """The answer of the reduced plate, its basis enlarged while many lines are above the tolerance."""
+        band, vibration = self, self.reduced.answer(drives, omega)
+        for _ in range(ROUNDS):
+            if (vibration.error > tolerance).sum() <= MOST_DIRECT:
+                break
+            larger = band._larger(_worst(omega / (2 * np.pi), vibration.error))
+            if larger is None:
+                break
+            band, vibration = larger, larger.reduced.answer(drives, omega)
         return band, vibration
 
     def _larger(self, worst: Array) -> Band | None:
