@@ -19,6 +19,8 @@ from haptonic.study import load
 from haptonic.units import to_si
 from haptonic.vtu import write_body
 
+ROOMY = 3  # regions that fit beside the other columns of a table with room around them
+
 
 def plate(
     study: StudyFile,
@@ -125,6 +127,7 @@ def modes_table(result: PlateResult) -> Table:
     table = Table(
         "frequency / kHz", "error", "name", "Q", "rise / ms", *(f"{name} / %" for name in regions),
         title="modes near the carrier: where their strain energy is",
+        padding=(0, 1 if len(regions) <= ROOMY else 0),
     )  # fmt: skip
     for k in range(modes.sizes["mode"]):
         mode = modes.isel(mode=k)
@@ -136,4 +139,7 @@ def modes_table(result: PlateResult) -> Table:
             f"{float(mode['rise_time']) * 1e3:.2f}",
             *(f"{100 * share:.1f}" for share in mode["stored"].values),
         )
+    for column in table.columns:  # headings may be folded in a narrow terminal, numbers may not
+        column.overflow = "fold"
+        column.min_width = max((len(str(cell)) for cell in column.cells), default=0)
     return table
