@@ -144,6 +144,7 @@ def _mesh(results: Results) -> Table:
         "thin": "Order across the thin rings and layers",
         "foot_rings": "Thin rings on either side of the pillar's foot",
         "pillar_layers": "Layers of elements in the pillar",
+        "step_layers": "Layers of elements above its step",
         "blocks": "Elements along a side of the core",
         "plate_layers": "Layers of elements in the plate",
     }

@@ -156,18 +156,25 @@ def _lines_table(result: PlateResult) -> Table:
 def _modes_table(result: PlateResult) -> Table:
     modes = result.modes
     regions = modes["region"].values.tolist()
-    nearest = abs(modes["mode_frequency"] - result.carrier).argsort().values[:MOST_MODES]
+    nearest = abs(modes["mode_frequency"] - result.resonance).argsort().values[:MOST_MODES]
     rows = []
     for k in sorted(nearest.tolist()):
         mode = modes.isel(mode=k)
         rows.append(
             (
-                f"{float(mode['mode_frequency']) / 1e3:.3f} kHz",
+                f"{float(mode['mode_frequency']) / 1e3:.3f}",
                 str(mode["name"].values) or "no product",
                 f"{float(mode['quality']):.0f}",
                 f"{float(mode['rise_time']) * 1e3:.1f} ms",
                 *(f"{100 * share:.1f} %" for share in mode["stored"].values),
             )
         )
-    head = ("frequency", "name", "Q", "10 to 90 % rise", *(f"strain energy in {name}" for name in regions))
-    return Table("Simulated modes near the carrier", head, tuple(rows))
+    head = (
+        "frequency, kHz",
+        "name",
+        "Q",
+        "10 to 90 % rise",
+        *(f"strain energy in {name}" for name in regions),
+    )
+    where = f"{result.resonance / 1e3:.2f} kHz"
+    return Table(f"Simulated modes near the frequency of the map, {where}", head, tuple(rows))
