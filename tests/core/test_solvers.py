@@ -86,8 +86,8 @@ def test_a_given_order_of_elimination_changes_no_solution_and_no_count(name, siz
     assert np.array_equal(order, np.random.default_rng(seed).permutation(size))
 
 
-@pytest.mark.skipif(not importlib.util.find_spec("pypardiso"), reason="pypardiso is not installed")
-def test_pardiso_eliminates_in_the_order_that_is_given():
+@pytest.mark.parametrize("name", [installed("pardiso")])
+def test_pardiso_eliminates_in_the_order_that_is_given(name):
     """An arrow fills in wholly if its head goes first, and not at all if it goes last."""
     size = 60
     arrow = np.diag(np.full(size, 2.0 * size))
@@ -95,11 +95,11 @@ def test_pardiso_eliminates_in_the_order_that_is_given():
     arrow[0, 0] = 2.0 * size
     pattern, data = pattern_of(arrow)
     seen = {}
-    for name, order in {"first": np.arange(size), "last": np.arange(size)[::-1]}.items():
-        solver = SOLVERS["pardiso"][1](replace(pattern, order=order.astype(np.int32)))
+    for head, order in {"first": np.arange(size), "last": np.arange(size)[::-1]}.items():
+        solver = analysed(name, replace(pattern, order=order.astype(np.int32)))
         solver._settings[17] = -1  # tell the entries of the factor
         solver.factorise(data)
-        seen[name] = solver._settings[17]
+        seen[head] = solver._settings[17]
     assert seen["first"] > 5 * seen["last"]
 
 

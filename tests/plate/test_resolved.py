@@ -35,12 +35,11 @@ def repeated(order, components, phase):
     """From unknowns of a period, left and below, to those of the rim of a tile."""
     block = Block((0, 1), (0, 1))
     (rim,), points = numbered(np.array([0, EDGE]), np.array([0, EDGE]), [block], order)
-    turns = np.array([0.0, 1.0])
     own, rows = {}, []
     for place in points[rim]:
         over = np.isclose(place, EDGE)
         number = own.setdefault(tuple(np.round(place - EDGE * over, 9)), len(own))
-        rows.append((number, phase ** turns[int(over[0])]))
+        rows.append((number, phase if over[0] else 1.0))
     found = np.zeros((len(rows), len(own)), dtype=complex)
     for k, (number, turn) in enumerate(rows):
         found[k, number] = turn
