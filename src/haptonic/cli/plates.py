@@ -124,6 +124,7 @@ def modes_table(result: PlateResult) -> Table:
     """Modes near the carrier."""
     modes = result.modes
     regions = modes["region"].values.tolist()
+    regions += [f"patch {name}" for name in modes["actuator"].values.tolist()]
     table = Table(
         "frequency / kHz", "error", "name", "Q", "rise / ms", *(f"{name} / %" for name in regions),
         title="modes near the carrier: where their strain energy is",
@@ -137,7 +138,7 @@ def modes_table(result: PlateResult) -> Table:
             str(mode["name"].values),
             f"{float(mode['quality']):.0f}",
             f"{float(mode['rise_time']) * 1e3:.2f}",
-            *(f"{100 * share:.1f}" for share in mode["stored"].values),
+            *(f"{100 * share:.1f}" for share in (*mode["stored"].values, *mode["stored_in_actuator"].values)),
         )
     for column in table.columns:  # headings may be folded in a narrow terminal, numbers may not
         column.overflow = "fold"

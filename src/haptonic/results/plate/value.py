@@ -119,6 +119,7 @@ class PlateResult:
             "given_w": float(lines["given"]),
             "dissipated_w": _by_name(lines["dissipated"], "loss"),
             "strain_energy_j": _by_name(lines["stored"], "region"),
+            "strain_energy_actuator_j": _by_name(lines["stored_in_actuator"], "actuator"),
         }  # fmt: skip
 
     @property
@@ -149,6 +150,7 @@ class PlateResult:
                     "rise_time_s": _finite(mode["rise_time"]),
                     "name": str(mode["name"].values),
                     "strain_energy": _by_name(mode["stored"], "region"),
+                    "strain_energy_actuator": _by_name(mode["stored_in_actuator"], "actuator"),
                     "loss": _by_name(mode["lost"], "loss"),
                 }
                 for mode in (modes.isel(mode=k) for k in range(modes.sizes["mode"]))
