@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Callable, Iterable, Mapping
-from dataclasses import asdict, astuple, dataclass
+from dataclasses import dataclass
 from importlib.metadata import version
 from pathlib import Path
 from typing import Any
@@ -13,7 +13,6 @@ import numpy as np
 import xarray as xr
 
 from haptonic.bloch import Resolution
-from haptonic.cell import UnitCell
 from haptonic.store import fingerprint, refuse_overwrite, write_atomically
 
 
@@ -69,20 +68,6 @@ def stamped(dataset: xr.Dataset, inputs: Mapping[str, Any]) -> xr.Dataset:
         "origin": "simulated",
     }
     return dataset
-
-
-def key_of(cell: UnitCell, asked: Asked) -> dict[str, object]:
-    """All that decides a result of a cell, for its key in the store."""
-    resolution = asked.resolution
-    return {
-        "lattice": [cell.lattice.name, *cell.lattice.a1, *cell.lattice.a2],
-        "thickness": cell.thickness,
-        "material": cell.material.to_dict(),
-        "pillar": None if cell.pillar is None else asdict(cell.pillar),
-        "count": asked.count,
-        "accuracy": asked.accuracy,
-        "mesh": None if resolution is None else list(astuple(resolution)),
-    }
 
 
 def no_nan(array: np.ndarray) -> Any:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import asdict, dataclass, replace
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
@@ -83,8 +83,8 @@ def compute_loaded(
     reference_of(alone)
     edges = None if gap is None else [gap.lower, gap.upper]
     key = content_key(
-        {"part": "below a finger", "carrier": carrier, "at": at, "gap": edges, "grid": grid,
-         "tolerance": tolerance, **asdict(pad), "inputs": dict(inputs)}
+        {"part": "below a finger", "plate": alone, "pad": pad, "carrier": carrier, "at": at, "gap": edges,
+         "grid": grid, "tolerance": tolerance, "fineness": fineness, "inputs": inputs}
     )  # fmt: skip
     found = store.get(key)
     if found is None:
