@@ -31,6 +31,7 @@ import scipy
 import xarray as xr
 
 from haptonic.errors import HaptonicWarning, ResourceError
+from haptonic.paths import target
 
 # Parts of the package that show results but do not make them.
 SHOWING = frozenset({"cli", "plots", "report", "workshop"})
@@ -140,10 +141,17 @@ class Store:
 
     @classmethod
     def default(cls) -> Store:
-        """The folder named by ``$HAPTONIC_STORE``, else this user's cache folder."""
+        """The folder named by ``$HAPTONIC_STORE``, else this user's cache folder.
+
+        Raises
+        ------
+        ResourceError : that variable names no possible folder
+        """
         chosen = os.environ.get("HAPTONIC_STORE")
         root = (
-            Path(chosen).expanduser() if chosen else platformdirs.user_cache_path("haptonic", appauthor=False)
+            target(chosen, "HAPTONIC_STORE")
+            if chosen
+            else platformdirs.user_cache_path("haptonic", appauthor=False)
         )
         return cls(root.absolute())
 

@@ -11,15 +11,17 @@ import haptonic
 SOURCE = Path(haptonic.__file__).parent
 FILES = sorted(SOURCE.rglob("*.py"))
 
-BASE = {"errors", "units"}
+BASE = {"errors", "names", "paths", "units"}
 CORE = BASE | {"materials", "lattice", "cell", "elements", "solvers", "superelement", "bloch"}
 ALLOWED: dict[str, set[str]] = {
-    "errors": set(),
+    "names": set(),
+    "errors": {"names"},
     "units": {"errors"},
     "materials": BASE,
     "lattice": BASE,
     "solvers": {"errors"},
-    "store": {"errors"},
+    "paths": {"errors", "units"},
+    "store": {"errors", "paths"},
     "jobs": BASE | {"store"},
     "cell": BASE | {"materials", "lattice"},
     "elements": {"cell", "materials"},

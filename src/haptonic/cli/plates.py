@@ -15,6 +15,7 @@ from haptonic.cli.options import Json, Out, Overwrite, StudyFile, folder_for, pi
 from haptonic.plate import Plate
 from haptonic.response import write
 from haptonic.results import PlateResult, refuse_taken, write_files, write_netcdf
+from haptonic.results.plate.value import impedance_names
 from haptonic.study import load
 from haptonic.units import to_si
 from haptonic.vtu import write_body
@@ -58,7 +59,7 @@ def plate(
 
 def plate_files(plate: Plate) -> list[str]:
     """Names of all that `write_plate` can write."""
-    names = ["plan", "maps", "velocity", "contrast", *(f"impedance-{a.name}" for a in plate.actuators)]
+    names = ["plan", "maps", "velocity", "contrast", *impedance_names(plate).values()]
     return ["response.nc", "maps.nc", "plate.nc", "modes.nc", "plate.vtu", "carrier.webp", *pictures(names)]
 
 

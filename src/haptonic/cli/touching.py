@@ -15,8 +15,10 @@ from haptonic.cli.console import Voice, speaking
 from haptonic.cli.options import Json, Out, Overwrite, Workers, folder_for, pictures, tell_where
 from haptonic.friction.lubrication import WEBER_FRACTION
 from haptonic.friction.recordings import Sensor
+from haptonic.friction.signals.record import EVERYBODY
 from haptonic.friction.statistics import Estimate, Test
-from haptonic.friction.statistics.summary import EVERYBODY, Condition
+from haptonic.friction.statistics.summary import Condition
+from haptonic.paths import source
 from haptonic.report import paper
 from haptonic.results import FrictionResult, compute_friction, refuse_taken, write_files
 from haptonic.results.plate.question import driven_region
@@ -44,6 +46,7 @@ def friction(
 ) -> None:
     """Coefficients of friction from force records, and what they prove."""
     with speaking(json) as voice:
+        path = source(path, "folder of trials")
         section, loaded = _asked(path, study)
         sensor = section.sensor.frozen(path) if path.is_dir() else Sensor()
         folder = folder_for(path.absolute(), out, json, "friction")

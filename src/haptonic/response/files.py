@@ -14,6 +14,7 @@ import numpy as np
 import xarray as xr
 
 from haptonic.errors import HaptonicError, ResourceError, ResponseError
+from haptonic.paths import source
 from haptonic.response.value import FrequencyResponse
 
 KIND = "haptonic frequency response"
@@ -39,7 +40,7 @@ def write(response: FrequencyResponse, path: Path) -> None:
     data.to_netcdf(path, engine="h5netcdf", encoding={name: {"_FillValue": None} for name in numbers})
 
 
-def read(path: Path) -> FrequencyResponse:
+def read(path: Path | str) -> FrequencyResponse:
     """A response, in memory, from a file that `write` made.
 
     Raises
@@ -47,6 +48,7 @@ def read(path: Path) -> FrequencyResponse:
     ResourceError : there is no such file, or it cannot be read
     ResponseError : the file is of another kind, or damaged
     """
+    path = source(path, "file of a frequency response")
     try:
         with xr.open_dataset(path, engine="h5netcdf", decode_timedelta=False) as data:
             if data.attrs.get("kind") != KIND:

@@ -13,6 +13,7 @@ import numpy as np
 import xarray as xr
 
 from haptonic.bloch import Resolution
+from haptonic.names import variable
 from haptonic.store import fingerprint, refuse_overwrite, write_atomically
 
 
@@ -55,8 +56,10 @@ def refuse_taken(folder: Path | None, names: Iterable[str], *, overwrite: bool) 
 
 
 def write_netcdf(dataset: xr.Dataset, path: Path) -> None:
-    """NetCDF 4 by h5netcdf."""
-    dataset.to_netcdf(path, engine="h5netcdf")
+    """NetCDF 4 by h5netcdf; names of variables may hold those of regions, see `haptonic.names.variable`."""
+    names = {name: written for name in dataset.variables if (written := variable(str(name))) != name}
+    names |= {name: written for name in dataset.dims if (written := variable(str(name))) != name}
+    dataset.rename(names).to_netcdf(path, engine="h5netcdf")
 
 
 def stamped(dataset: xr.Dataset, inputs: Mapping[str, Any]) -> xr.Dataset:

@@ -11,6 +11,7 @@ from typing import Any
 from pydantic import ValidationError
 
 from haptonic.errors import HaptonicWarning, StudyError, nearest
+from haptonic.paths import source
 from haptonic.study.problems import study_error
 from haptonic.study.runs import Study
 from haptonic.study.trial_tables import TrialsFile, TrialsSection
@@ -36,7 +37,8 @@ def load(path: str | Path) -> Study:
     -----
     HaptonicWarning : a value outside its typical range
     """
-    return loads(_read(Path(path)), str(path))
+    checked = source(path, "study", StudyError)
+    return loads(_read(checked), str(path))
 
 
 def loads(text: str, origin: str = "study") -> Study:
@@ -47,14 +49,14 @@ def loads(text: str, origin: str = "study") -> Study:
     return study
 
 
-def load_trials(path: Path) -> tuple[TrialsSection, Study | None]:
+def load_trials(path: str | Path) -> tuple[TrialsSection, Study | None]:
     """The table [trials] of a study file, and the study; of a file with nothing else there is no study.
 
     Raises
     ------
     StudyError : as `load`
     """
-    data = _parsed(_read(path), str(path))
+    data = _parsed(_read(source(path, "study", StudyError)), str(path))
     if not data.keys() <= TrialsFile.model_fields.keys():
         study = load(path)
         return study.trials, study

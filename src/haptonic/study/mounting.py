@@ -8,25 +8,14 @@ from typing import Annotated, Literal
 from pydantic import AfterValidator, Field, model_validator
 
 from haptonic.plate.layout import Side
-from haptonic.study.quantity import Quantity, problem
+from haptonic.study.quantity import Quantity, printable, problem
 from haptonic.study.sections import LARGEST, SMALLEST, Section
-from haptonic.units import format_quantity, shown
+from haptonic.units import format_quantity
 
 SIDES: tuple[Side, ...] = ("left", "right", "bottom", "top")
 
 
-def _not_blank(name: str) -> str:
-    if not name.strip():
-        raise problem(
-            shown(name),
-            "a text in quotes that is not blank",
-            "it was left blank",
-            "write a name in the quotes",
-        )
-    return name
-
-
-Name = Annotated[str, Field(max_length=40, strict=True), AfterValidator(_not_blank)]
+Name = Annotated[str, Field(max_length=40, strict=True), AfterValidator(printable)]
 Hold = Literal["free", "clamped", "simple", "spring"]
 
 

@@ -9,6 +9,7 @@ from pydantic import Field, ValidationInfo, field_validator, model_validator
 
 from haptonic.design.parameters import UNITS
 from haptonic.errors import nearest
+from haptonic.response.checks import REST, THE_REST
 from haptonic.study.entries import Entries
 from haptonic.study.mounting import (
     ActuatorSection,
@@ -159,6 +160,17 @@ class PlateSection(Section):
     @classmethod
     def _lines(cls, text: str) -> str:
         return drawn(text)
+
+    @field_validator("tiles")
+    @classmethod
+    def _no_words_of_ours(cls, tiles: Entries[str]) -> Entries[str]:
+        for name in tiles.values():
+            if name in (REST, THE_REST):
+                raise problem(
+                    shown(name), "any other name", "this word stands for all points outside of a region",
+                    "choose another name",
+                )  # fmt: skip
+        return tiles
 
     @model_validator(mode="after")
     def _is_whole(self) -> PlateSection:

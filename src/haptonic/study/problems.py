@@ -81,10 +81,11 @@ def _translated(details: Any, keys: Mapping[str, Key]) -> StudyError:
 def _path(location: tuple[int | str, ...]) -> tuple[str, str]:
     """(``sweep[1].from``, ``sweep[].from``): as shown, counted from 1, and as the table of keys has it."""
     path = pattern = ""
-    for step in location:
+    for place, step in enumerate(location):
         if isinstance(step, int):
             path, pattern = f"{path}[{step + 1}]", f"{pattern}[]"
-        elif not (path == "material" and step in TAGS):
+        # after "material" pydantic names the kind of description that it took it for
+        elif not (path == "material" and place == 1 and step in TAGS):
             name = (
                 step if step.replace("_", "").replace("-", "").isalnum() and len(step) < 60 else shown(step)
             )

@@ -17,6 +17,7 @@ from pydantic import GetCoreSchemaHandler
 from pydantic_core import PydanticCustomError, core_schema
 
 from haptonic.errors import HaptonicError
+from haptonic.names import hidden_in
 from haptonic.units import example_of, format_quantity, shown, to_si
 
 SI_NUMBERS = {"numbers are in SI units": True}  # validation context for numbers that were read before
@@ -129,6 +130,25 @@ def problem(given: str, allowed: str, cause: str, next_step: str, at: str = "") 
     """
     parts = {"given": given, "allowed": allowed, "cause": cause, "next_step": next_step, "at": at}
     return PydanticCustomError("haptonic", "{cause}", parts)
+
+
+def printable(name: str) -> str:
+    """A name that is not blank and that shows whole, whatever it is shown on."""
+    if (found := hidden_in(name)) is not None:
+        raise problem(
+            shown(name),
+            "letters, digits, signs and spaces of any script",
+            f"it holds the control character {found!a}",
+            "remove it: a name is shown in tables, pictures and files",
+        )
+    if not name.strip():
+        raise problem(
+            shown(name),
+            "a text in quotes that is not blank",
+            "it was left blank",
+            "write a name in the quotes",
+        )
+    return name
 
 
 @contextmanager

@@ -15,6 +15,7 @@ from numpy.typing import NDArray
 
 from haptonic.errors import FrictionError, ResourceError, nearest
 from haptonic.friction.signals.record import Label, Record
+from haptonic.names import cell, from_cell, visible
 
 Column = NDArray[Any]
 
@@ -89,7 +90,7 @@ def write_trials(trials: xr.Dataset, path: Path) -> None:
     FrictionError : another ending than .csv or .nc
     """
     if path.suffix == ".csv":
-        trials.to_dataframe().to_csv(path, index=False)
+        trials.to_dataframe().map(cell).to_csv(path, index=False)
     elif path.suffix == ".nc":
         trials.to_netcdf(path, engine="h5netcdf")
     else:
@@ -136,7 +137,8 @@ def read_columns(path: Path, required: Sequence[str]) -> dict[str, Column]:
 
 
 def _from_csv(path: Path) -> dict[str, Column]:
-    table = pd.read_csv(path, dtype=dict.fromkeys(("participant", "waveguide", "actuation"), str))
+    # a converter, unlike a type, takes "NA" and "None" for the names that they are
+    table = pd.read_csv(path, converters=dict.fromkeys(("participant", "waveguide", "actuation"), from_cell))
     return {str(name): table[name].to_numpy() for name in table.columns}
 
 
@@ -172,7 +174,7 @@ def label_of(columns: dict[str, Column], row: int) -> Label:
         if isinstance(value, int | float | np.integer | np.floating) and float(value).is_integer():
             cells[name] = int(value)
     for name in set(LABEL) - set(WHOLE):
-        cells[name] = "" if pd.isna(cells[name]) else str(cells[name]).strip()
+        cells[name] = "" if pd.isna(cells[name]) else visible(str(cells[name])).strip()
     cells["actuation"] = cells["actuation"].lower()
     return Label(**cells)
 

@@ -126,7 +126,7 @@ def _computed(
     reference, _ = reference_of(plate)
     return xr.Dataset(
         {
-            "amplitude": (("load", "point"), amplitude, {"units": f"m/({reference.split(', ')[1]})"}),
+            "amplitude": (("load", "point"), amplitude, {"units": f"m/({reference.unit})"}),
             "quality": (("load", "point"), quality, {"long_name": "quality factor of the mode"}),
         },
         coords={
@@ -135,7 +135,7 @@ def _computed(
             "region": ("point", np.array(regions, dtype=str)),
         },
         attrs={
-            "frequency_hz": omega / (2 * np.pi), "mode_hz": mode, "reference": reference,
+            "frequency_hz": omega / (2 * np.pi), "mode_hz": mode, "reference": str(reference),
             "error": float(vibration.error[line]), "unknowns": model.assembly.size,
             "basis": band.reduced.basis.dimension, "origin": "simulated",
         },

@@ -11,6 +11,7 @@ import h5py
 
 from haptonic import response
 from haptonic.errors import ResourceError, ScanError
+from haptonic.paths import source
 from haptonic.response import FrequencyResponse
 from haptonic.vibrometry.curves import assemble
 from haptonic.vibrometry.findings import Notebook, ReadReport
@@ -103,7 +104,7 @@ def read_scan(
     ResponseError : a NetCDF file that haptonic did not write
     ResourceError : the file may not be read, or does not fit into memory
     """
-    path = Path(path)
+    path = source(path, "path")
     if not path.exists():
         raise _refused(path, "there is no such file", "the name is misspelt", "check the name and the folder")
     try:

@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from haptonic.errors import ScanError
-from haptonic.response import FrequencyResponse
+from haptonic.response import FrequencyResponse, Reference
 from haptonic.vibrometry.curves import Curve, Place, assemble
 from haptonic.vibrometry.findings import Notebook
 from haptonic.vibrometry.labels import ratio_of
@@ -129,7 +129,7 @@ def _curves(name: str, file: Path, how: Mapped, notes: Notebook) -> list[Curve]:
         raise _UnfitError(f'"{_unit(head)}" is no displacement, velocity or acceleration')
     if _unit(heads[columns["frequency"]]) == "kHz":
         column["frequency"] = 1e3 * column["frequency"]
-    reference = how.reference or (f"reference, {ratio.under.unit}" if ratio.under.unit else "")
+    reference = how.reference or (str(Reference("reference", ratio.under.unit)) if ratio.under.unit else "")
     made = [
         Curve(f"file {file.name}", name, 3, "response", column["frequency"], ratio.factor * values,
               ratio.over.motion, reference)

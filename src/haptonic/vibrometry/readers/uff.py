@@ -14,6 +14,7 @@ import numpy as np
 import pyuff
 from numpy.typing import NDArray
 
+from haptonic.response import Reference
 from haptonic.vibrometry.curves import AXES, Curve, Place
 from haptonic.vibrometry.findings import Notebook
 from haptonic.vibrometry.labels import Label, Motion, Ratio, label_of, ratio_of
@@ -221,7 +222,7 @@ def reference_of(header: Header, under: Label) -> str:
     name = header.reference_name or header.under.label
     if header.reference_node:
         name = f"{header.reference_node}{AXES.get(abs(header.reference_axis), '')}"
-    return f"{(name or 'reference').replace(',', ' ')}, {under.unit}"
+    return str(Reference(name or "reference", under.unit))
 
 
 def _frequency_shapes(contents: UffContents) -> Iterator[list[Curve]]:
