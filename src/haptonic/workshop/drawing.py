@@ -12,6 +12,7 @@ from matplotlib.figure import Figure
 
 from haptonic.cell import UnitCell
 from haptonic.errors import GeometryError
+from haptonic.names import visible
 from haptonic.plots.style import drawn, styled
 from haptonic.store import refuse_overwrite, write_atomically
 from haptonic.workshop.dimensions import dimension_texts, number
@@ -74,14 +75,14 @@ def cell_drawing(
         for n, side in zip((columns, rows), (cell.lattice.a1[0], cell.lattice.a2[1]), strict=True)
     ]
     fields = {
-        "MATERIAL": cell.material.name,
+        "MATERIAL": visible(cell.material.name),
         "SCALE": scales[0] if scales[0] == scales[1] else f"plan {scales[0]}, A-A {scales[1]}",
         "NUMBER OF CELLS": "1" if alone else f"{columns} {TIMES} {rows} = {columns * rows}",
         "UNITS": "dimensions in mm",
         "PLATE": f" {TIMES} ".join(sides),
         **({"DATE": date.isoformat()} if date else {}),
     }
-    _title_block(sheet, title, fields)
+    _title_block(sheet, visible(title), fields)
     _notes(sheet, _advice(cell))
     return sheet.figure
 

@@ -23,6 +23,8 @@ LABEL = ("participant", "block", "trial", "waveguide", "actuation")
 RECORD = (*LABEL, "time", "normal", "tangential")
 TRIALS = (*LABEL, "friction")
 WHOLE = ("block", "trial")
+TEXTS = ("participant", "waveguide", "actuation")
+MISSING = ("", "NA", "N/A", "n/a", "NaN", "nan", "-nan", "<NA>", "NULL", "null", "None", "none")
 JITTER = 0.1  # of a sampling interval, by which times may be off
 FORMATS = {".csv": "CSV", ".nc": "NetCDF", ".h5": "HDF5", ".hdf5": "HDF5"}
 
@@ -137,8 +139,12 @@ def read_columns(path: Path, required: Sequence[str]) -> dict[str, Column]:
 
 
 def _from_csv(path: Path) -> dict[str, Column]:
-    # a converter, unlike a type, takes "NA" and "None" for the names that they are
-    table = pd.read_csv(path, converters=dict.fromkeys(("participant", "waveguide", "actuation"), from_cell))
+    heads = [str(name) for name in pd.read_csv(path, nrows=0).columns]
+    # "NA" and "None" are missing numbers, but names of people and guides
+    missing = {name: MISSING for name in heads if name not in TEXTS}
+    table = pd.read_csv(path, dtype=dict.fromkeys(TEXTS, str), keep_default_na=False, na_values=missing)
+    for name in set(TEXTS) & set(heads):
+        table[name] = table[name].map(from_cell)
     return {str(name): table[name].to_numpy() for name in table.columns}
 
 
