@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 if TYPE_CHECKING:
     from pathlib import Path
 
+ELSEWHERE = "it lies in another file, and such links are not followed"
 LISTED = 12  # lines of a text that is printed; the value itself holds them all
 
 

@@ -91,6 +91,14 @@ class TimeScan:
                     cause="the file does not give it, or gives it wrongly",
                     next_step=f"give the {name.replace('_', ' ')} in the mapping or in the file",
                 )
+        if not np.isfinite(self.start):
+            raise ScanError(
+                argument="records.start",
+                given=f"{self.start:g}",
+                allowed="a finite time, s",
+                cause="the file gives it wrongly",
+                next_step="put the start of the records right in the file",
+            )
         if not len(self.names) == len(self.x) == len(self.y) > 0:
             raise ScanError(
                 argument="records.names",
