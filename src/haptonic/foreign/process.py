@@ -30,6 +30,7 @@ SECONDS, BYTES_A_SECOND = 5.0, 4e6
 WAITING = 12  # times longer on the clock than on the processor: other work, a slow disk
 # Memory of a question, beyond what the process has. A compressed file unfolds; its text is held beside it.
 MEMORY, MEMORY_A_BYTE = 2**30, 16
+COMMAND = ["-m", "haptonic.foreign.child"]
 START_SECONDS = 60.0  # on a busy machine; 0.2 s on an idle one
 LOOK_SECONDS = 0.1  # how often the process is looked at
 PIPE = 2**20  # bytes that wait between the processes; Linux's usual 64 kB halve the speed
@@ -122,7 +123,7 @@ class _Reader:
         try:
             # a command, and not a fork or multiprocessing: no thread's lock is copied, no user's script run
             self.process = subprocess.Popen(
-                [sys.executable, "-P", "-m", "haptonic.foreign.child"],
+                [sys.executable, "-P", *COMMAND],
                 stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, bufsize=0,
                 env=_environment(),
             )  # fmt: skip
