@@ -85,7 +85,9 @@ def read_records(path: Path, notes: Notebook) -> TimeScan:
             raise _foreign(path, "an HDF5 file of another kind")
         if int(says["form"]) > FORM:
             raise _foreign(path, f"form {says['form']}, from a later haptonic")
-        elsewhere = [name for name in ("x", "y", "response", "reference") if name in content["elsewhere"]]
+        elsewhere = [
+            name for name in ("x", "y", "name", "response", "reference") if name in content["elsewhere"]
+        ]
         if elsewhere:
             raise _foreign(path, f"{elsewhere[0]}: {ELSEWHERE}")
         shape, driven = sets["response"]["shape"], sets["reference"]["shape"]

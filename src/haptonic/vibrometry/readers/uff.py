@@ -30,7 +30,7 @@ Array = NDArray[np.float64]
 
 # Data sets that pyuff reads, each by a function of its text. pyuff.UFF takes the text from a file only: one
 # file for each of thousands of data sets would take half a minute.
-SMALL = {
+READERS = {
     kind: getattr(importlib.import_module(f"pyuff.datasets.dataset_{kind}"), f"_extract{kind}")
     for kind in (15, 55, 82, 151, 164, 2411, 2412)
 }
@@ -101,14 +101,14 @@ def uff_contents(path: Path) -> UffContents:
     """Everything that a universal file holds. A data set that cannot be read is named in the notes."""
     notes = Notebook(path, "UFF")
     functions: list[Function] = []
-    small: dict[int, list[dict[str, Any]]] = {kind: [] for kind in SMALL}
+    small: dict[int, list[dict[str, Any]]] = {kind: [] for kind in READERS}
     with _mapped(path) as data:
         for block in blocks_of(data):
             try:
                 if block.kind == 58:
                     header, begin = header_of(block, data)
                     functions.append(Function(path, block, header, begin))
-                elif block.kind in SMALL:
+                elif block.kind in READERS:
                     small[block.kind].append(_by_pyuff(block, data))
                     if not block.closed:
                         notes.remark(f"{block.name}: its end is missing")
@@ -264,7 +264,7 @@ def _by_pyuff(block: Block, data: Buffer) -> dict[str, Any]:
     content = data[block.begin : block.end]
     text = content.rstrip().decode("utf-8", "replace")
     try:
-        made = SMALL[block.kind](f"    -1\n{block.kind:6d}\n{text}\n")
+        made = READERS[block.kind](f"    -1\n{block.kind:6d}\n{text}\n")
     except Exception as error:  # pyuff turns whatever happens to it into a plain Exception
         _raise_what_no_file_is_to_blame_for(error)
         if block.kind in (15, 2411):
