@@ -127,3 +127,16 @@ def test_tables_keep_their_columns(tmp_path):
     found = read_columns(tmp_path / "a.nc", ["a", "b", "c", "d"])
     for name in table:
         assert found[name].tolist() == pytest.approx(table[name].tolist(), nan_ok=True), name
+
+
+def test_a_type_that_numpy_has_not_is_no_reason_to_refuse_the_rest(tmp_path):
+    """HDF5's type of a time is in files of instruments."""
+    for name in ("a.h5", "a.mat"):
+        with h5py.File(tmp_path / name, "w") as file:
+            file["Fz"] = np.zeros(6)
+            file.attrs["rate"] = 1e3
+            kind, place = h5py.h5t.UNIX_D32LE, h5py.h5s.create_simple((6,))
+            h5py.h5d.create(file.id, b"when", kind, place)
+            h5py.h5a.create(file.id, b"since", kind, h5py.h5s.create(h5py.h5s.SCALAR))
+        with opened(tmp_path / name) as channels_in:
+            assert set(channels_in("").readers) == {"Fz"}

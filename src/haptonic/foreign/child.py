@@ -9,7 +9,7 @@ import signal
 import sys
 import time
 from collections.abc import Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from typing import Any
 
 import psutil
@@ -66,11 +66,14 @@ def _limited(seconds: float, memory: int) -> Iterator[None]:
 def _limit(kind: int, soft: int) -> Iterator[None]:
     before, hard = resource.getrlimit(kind)
     limits = [limit for limit in (soft, before, hard) if limit != resource.RLIM_INFINITY]
-    resource.setrlimit(kind, (min(limits), hard))
+    # macOS refuses some limits; the process that asks watches as well
+    with suppress(ValueError, OSError):
+        resource.setrlimit(kind, (min(limits), hard))
     try:
         yield
     finally:
-        resource.setrlimit(kind, (before, hard))
+        with suppress(ValueError, OSError):
+            resource.setrlimit(kind, (before, hard))
 
 
 if __name__ == "__main__":

@@ -57,7 +57,10 @@ def elsewhere(item: h5py.Dataset) -> bool:
 
 
 def kind_of(item: h5py.Dataset) -> str:
-    kind = item.dtype
+    try:
+        kind = item.dtype
+    except TypeError:  # a type that numpy has not, such as HDF5's times
+        return "other"
     if item.shape is None:
         return "other"
     if kind.kind in "fiub":
@@ -109,7 +112,13 @@ def _set(file: h5py.File, name: str) -> h5py.Dataset:
 
 def attributes(item: Any) -> dict[str, Any]:
     """Attributes as numbers, texts, lists of texts or arrays; None for one that is none of these."""
-    return {name: _plain(item.attrs[name]) for name in item.attrs}
+    found = {}
+    for name in item.attrs:
+        try:
+            found[name] = _plain(item.attrs[name])
+        except TypeError:  # a type that numpy has not
+            found[name] = None
+    return found
 
 
 def _plain(value: Any) -> Any:

@@ -57,7 +57,8 @@ def _flattened(found: dict[str, Any], name: str, value: Any) -> None:
 
 
 def _add(found: dict[str, Any], item: h5py.Dataset, name: str, form: dict[str, Any], large: int) -> None:
-    label, kind = name.replace("/", "."), item.dtype.kind
+    label = name.replace("/", ".")
+    kind = "-" if form["kind"] == "other" else item.dtype.kind
     if form["kind"] == "complex":
         found["arrays"][label] = hdf5.values(item).T
     elif name == ORIGIN and kind == "u":  # text, a number for each letter

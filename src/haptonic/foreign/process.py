@@ -18,8 +18,6 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-import psutil
-
 import haptonic
 from haptonic.errors import ResourceError
 from haptonic.foreign import wire
@@ -173,7 +171,11 @@ class _Reader:
             watch.join()
 
     def _watch(self, limits: Limits, done: threading.Event, reasons: list[str]) -> None:
-        waited, before = 0.0, None
+        if done.wait(LOOK_SECONDS):
+            return
+        import psutil  # here, because most questions are answered by now
+
+        waited, before = LOOK_SECONDS, None
         while not done.wait(LOOK_SECONDS):
             waited += LOOK_SECONDS
             try:
