@@ -7,13 +7,14 @@ from itertools import pairwise
 from pathlib import Path
 from typing import Any
 
-import h5py
 import numpy as np
 import pandas as pd
 import xarray as xr
 from numpy.typing import NDArray
 
 from haptonic.errors import FrictionError, ResourceError, nearest
+from haptonic.foreign.netcdf import arrays_of
+from haptonic.foreign.process import ForeignError, ask
 from haptonic.friction.signals.record import Label, Record
 from haptonic.names import cell, from_cell, visible
 
@@ -111,7 +112,7 @@ def read_columns(path: Path, required: Sequence[str]) -> dict[str, Column]:
         raise _other_format(path, list(FORMATS))
     try:
         columns = _READERS[path.suffix](path)
-    except (OSError, ValueError, UnicodeDecodeError) as error:
+    except (OSError, ValueError, MemoryError, ForeignError) as error:
         missing = isinstance(error, FileNotFoundError)
         raise ResourceError(
             argument="table of trials",
@@ -149,19 +150,23 @@ def _from_csv(path: Path) -> dict[str, Column]:
 
 
 def _from_netcdf(path: Path) -> dict[str, Column]:
-    with xr.open_dataset(path, engine="h5netcdf", decode_timedelta=False) as data:
-        return {str(name): variable.values for name, variable in data.variables.items() if variable.ndim == 1}
+    content = ask("hdf5.tree", path, deep=False)
+    return arrays_of(path, content, _columns(content))
 
 
 def _from_hdf5(path: Path) -> dict[str, Column]:
-    with h5py.File(path) as file:
-        sets = {
-            name: item for name, item in file.items() if isinstance(item, h5py.Dataset) and item.ndim == 1
-        }
-        return {
-            name: np.asarray(item.asstr()[:] if h5py.check_string_dtype(item.dtype) else item[:])
-            for name, item in sets.items()
-        }
+    names = _columns(ask("hdf5.tree", path, deep=False))
+    read = ask("hdf5.read", path, names=names)
+    return {
+        name: values if isinstance(values, np.ndarray) else np.array(values, dtype=object)
+        for name, values in zip(names, read, strict=True)
+    }
+
+
+def _columns(content: dict[str, Any]) -> list[str]:
+    """Names of what may be a column: numbers or texts along one axis."""
+    sets = content["sets"].items()
+    return [name for name, form in sets if len(form["shape"]) == 1 and form["kind"] in ("number", "text")]
 
 
 _READERS = {".csv": _from_csv, ".nc": _from_netcdf, ".h5": _from_hdf5, ".hdf5": _from_hdf5}
