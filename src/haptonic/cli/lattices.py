@@ -23,6 +23,7 @@ from haptonic.cli.options import (
     tell_where,
 )
 from haptonic.results import Bands, Sweep, refuse_taken, write_files, write_netcdf
+from haptonic.store import whole_set
 from haptonic.study import Study, load
 
 
@@ -44,7 +45,8 @@ def bands(
         with voice.busy("bands"):
             result = loaded.bands(surface=surface)
             if folder:
-                write_bands(result, folder, overwrite)
+                with whole_set(folder, overwrite=overwrite) as draft:
+                    write_bands(result, draft, overwrite)
         voice.tell(gap_table(result))
         tell_where(voice, folder)
         voice.answer(result.to_json())
@@ -67,8 +69,9 @@ def sweep(
         refuse_taken(folder, [*pictures(names), *(f"{n}.nc" for n in names)], overwrite=overwrite)
         results = swept(loaded, voice, workers, scheduler)
         if folder:
-            for name, result in zip(names, results, strict=True):
-                write_sweep(result, folder, name, overwrite)
+            with whole_set(folder, overwrite=overwrite) as draft:
+                for name, result in zip(names, results, strict=True):
+                    write_sweep(result, draft, name, overwrite)
         for result in results:
             voice.tell(sweep_table(result))
             tell_failures(voice, result)

@@ -15,6 +15,7 @@ from haptonic.cli.options import Json, Out, Overwrite, StudyFile, folder_for, pi
 from haptonic.plate import Plate
 from haptonic.response import write
 from haptonic.results import PlateResult, refuse_taken, write_files, write_netcdf
+from haptonic.store import whole_set
 from haptonic.study import load
 from haptonic.units import to_si
 from haptonic.vtu import write_body
@@ -43,7 +44,8 @@ def plate(
         with voice.counted("shifts", 0) as progress:
             result = loaded.vibrating(at=frequency, on_progress=progress)
         if folder:
-            write_plate(result, folder, overwrite)
+            with whole_set(folder, overwrite=overwrite) as draft:
+                write_plate(result, draft, overwrite)
         voice.tell(localisation_table(result))
         voice.tell(power_table(result))
         if result.modes.sizes["mode"]:

@@ -19,7 +19,7 @@ from haptonic.errors import ScanError, StudyError
 from haptonic.response import FrequencyResponse, read
 from haptonic.results import refuse_taken, write_files
 from haptonic.results.scan import Estimation, Excitation, OnPlate, ScanResult, compute_scan
-from haptonic.store import Store
+from haptonic.store import Store, whole_set
 from haptonic.study import Study, load, scanning
 from haptonic.study.judging import judged
 from haptonic.units import to_si
@@ -41,10 +41,10 @@ def chirp(study: StudyFile, out: Out = None, json: Json = False, overwrite: Over
         refuse_taken(folder, Excitation.file_names(plate), overwrite=overwrite)
         result = Excitation.of(loaded.scan.frozen(), plate)
         if folder:
-            with voice.busy("files"):
-                write_files(folder, result.files(), overwrite=overwrite)
+            with voice.busy("files"), whole_set(folder, overwrite=overwrite) as draft:
+                write_files(draft, result.files(), overwrite=overwrite)
                 for name, figure in result.figures().items():
-                    plots.save(figure, folder, name, overwrite=overwrite)
+                    plots.save(figure, draft, name)
         answer = result.to_json()
         voice.tell(drive_table(answer))
         tell_where(voice, folder)
@@ -147,18 +147,20 @@ def scan(
                 content, how, on, at=frequency, store=Store.default(),
                 progress=lambda done, total: progress(done, total, False),
             )  # fmt: skip
+        found = None
+        if loaded and against:
+            with voice.busy("model") as said:
+                found = judged(loaded, result.response, computed=computed, said=said)
         if folder:
-            with voice.busy("files and pictures"):
-                write_scan(result, folder, overwrite)
+            with voice.busy("files and pictures"), whole_set(folder, overwrite=overwrite) as draft:
+                write_scan(result, draft, overwrite)
+                if found:
+                    write_verdict(found, draft, overwrite)
             _forget(folder / PROGRESS)
         tell_scan(result, voice)
         tell_where(voice, folder)
         answer = result.to_json()
-        if loaded and against:
-            with voice.busy("model") as said:
-                found = judged(loaded, result.response, computed=computed, said=said)
-            if folder:
-                write_verdict(found, folder, overwrite)
+        if found:
             tell_verdict(found, voice)
             answer["verdict"] = found.to_json()
         voice.answer(answer)

@@ -20,6 +20,7 @@ from haptonic.friction.statistics.summary import EVERYBODY, Condition
 from haptonic.report import paper
 from haptonic.results import FrictionResult, compute_friction, refuse_taken, write_files
 from haptonic.results.plate.question import driven_region
+from haptonic.store import whole_set
 from haptonic.study import Study, TrialsSection, load_trials
 
 STUDY = "study.toml"  # beside the trials
@@ -61,7 +62,8 @@ def friction(
             )
         if folder:
             known = loaded is not None and paper.is_its_cell(loaded)
-            _write(result, folder, overwrite, voice, paper.FRICTION if known else None)
+            with whole_set(folder, overwrite=overwrite) as draft:
+                _write(result, draft, overwrite, voice, paper.FRICTION if known else None)
         _tell(result, voice)
         tell_where(voice, folder)
         voice.answer(result.to_json())

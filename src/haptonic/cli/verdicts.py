@@ -15,6 +15,7 @@ from haptonic.cli.options import Json, Out, Overwrite, StudyFile, folder_for, pi
 from haptonic.response import read
 from haptonic.results import Verdict, refuse_taken, write_files
 from haptonic.results.verdict import MEASURED
+from haptonic.store import whole_set
 from haptonic.study import load
 from haptonic.study.judging import judged
 from haptonic.units import format_quantity
@@ -45,7 +46,8 @@ def verdict(
         with voice.busy("model") as said:
             found = judged(loaded, measured, computed=model, said=said)
         if folder:
-            write_verdict(found, folder, overwrite)
+            with whole_set(folder, overwrite=overwrite) as draft:
+                write_verdict(found, draft, overwrite)
         tell_verdict(found, voice)
         tell_where(voice, folder)
         voice.answer(found.to_json())
