@@ -36,7 +36,7 @@ def test_a_forked_child_computes_as_its_parent_did(tmp_path: Path) -> None:
     (tmp_path / "quick.toml").write_text(QUICK_CELL)
     (tmp_path / "script.py").write_text(textwrap.dedent(SCRIPT))
     done = subprocess.run(
-        [sys.executable, "script.py", "quick.toml"], cwd=tmp_path, capture_output=True, text=True, timeout=120,
+        [sys.executable, "script.py", "quick.toml"], cwd=tmp_path, capture_output=True, text=True, timeout=99,
         check=False, env={**os.environ, "OMP_NUM_THREADS": "2", "PYTHONPATH": ":".join(sys.path)},
     )  # fmt: skip
     assert done.stdout == "True\n", done.stderr

@@ -48,6 +48,14 @@ def bands(
                 with whole_set(folder, overwrite=overwrite) as draft:
                     write_bands(result, draft, overwrite)
         voice.tell(gap_table(result))
+        counts = result.to_json()["counts"]
+        if counts["checked"]:
+            voice.tell(
+                f"Counted by another method in {counts['checked']} comparisons: "
+                f"{counts['missed'] or 'no'} band{'s' * (counts['missed'] != 1)} missing."
+            )
+        else:
+            voice.tell("No count by another method could be made: bands lie too near to where it would be.")
         tell_where(voice, folder)
         voice.answer(result.to_json())
 

@@ -97,7 +97,7 @@ def layers_table(result: Layers) -> Table:
     carrier = float(data.attrs["carrier_hz"]) / 1e3
     title = (
         f"transmitted energy at {carrier:g} kHz {result.incidence}, dB below the incident wave: "
-        "all waves (the same wave)"
+        "all waves (the same kind alone)"
     )
     shown = Table("rows", *(f"incident {family}" for family in result.families), title=title)
     for k, rows in enumerate(data["rows"].values):

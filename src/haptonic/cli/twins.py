@@ -21,7 +21,7 @@ from haptonic.study import load, scanning
 from haptonic.study.experimenting import protocol_of, truth_of
 from haptonic.units import shown
 
-twin = typer.Typer(no_args_is_help=True, help="Make a measurement up, with a truth to find again.")
+twin = typer.Typer(no_args_is_help=True, help="Simulate a measurement whose truth is known.")
 
 
 class Format(StrEnum):

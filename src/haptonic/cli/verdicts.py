@@ -88,7 +88,7 @@ def fit_table(fit: Fit) -> Table:
 def pairs_table(one: Agreement, model: str) -> Table:
     """Shapes that belong together."""
     table = Table(
-        "measured / kHz", "model / kHz", "difference / %", "damping / %", "of the model / %", "MAC",
+        "measured / kHz", "model / kHz", "difference / %", "damping / %", "model damping / %", "MAC",
         title=f"{one.measured.how}: {len(one.pairs)} pairs of {len(one.measured.frequency)} measured and "
         f"{len(one.computed.frequency)} of the {model}",
     )  # fmt: skip
@@ -119,7 +119,7 @@ def ranges_table(found: Verdict) -> Table:
 def summary(found: Verdict) -> str:
     """How much of the measurement the models explain, and how sure the numbers are."""
     lines = [
-        f"{name}: {100 * one.unexplained:.3g} % of the measured energy is not explained; "
+        f"{name}: the model leaves {100 * one.unexplained:.2g} % of the measured energy unexplained; "
         f"median FRAC {np.nanmedian(one.frac):.4f}."
         for name, one in found.agreements.items()
     ]

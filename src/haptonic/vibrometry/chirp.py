@@ -194,7 +194,7 @@ def _warnings(
             notes.append(
                 f"the period of {duration * 1e3:g} ms is shorter than {needed * 1e3:.4g} ms, the ring-down "
                 f"3 Q / f at {band[0] / 1e3:g} kHz: repeat it, and do not record the first period; "
-                f"a single shot is right above {safe / 1e3:.4g} kHz only"
+                f"a single shot would do only above {safe / 1e3:.4g} kHz"
             )
     return notes
 
