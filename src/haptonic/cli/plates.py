@@ -55,8 +55,9 @@ def plate(
                 "tiles that meet in polynomials, gave frequencies 0.01 to 0.05 % above those of a full mesh."
             )
         voice.tell(
-            f"Largest error of the field at any line: {float(result.lines['error'].max()):.1e} (a bound), of "
-            f"{result.lines.attrs['unknowns']} unknowns on {result.lines.attrs['basis']} vectors. Simulated."
+            f"Largest error of solving for the field at any line: {float(result.lines['error'].max()):.1e} "
+            f"(a bound), of {result.lines.attrs['unknowns']} unknowns on {result.lines.attrs['basis']} vectors. "
+            "Simulated."
         )
         tell_where(voice, folder)
         voice.answer(result.to_json())
