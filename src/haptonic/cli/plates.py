@@ -56,8 +56,8 @@ def plate(
             )
         voice.tell(
             f"Largest error of solving for the field at any line: {float(result.lines['error'].max()):.1e} "
-            f"(a bound), of {result.lines.attrs['unknowns']} unknowns on {result.lines.attrs['basis']} vectors. "
-            "Simulated."
+            f"(a bound), of {result.lines.attrs['unknowns']} unknowns on {result.lines.attrs['basis']} "
+            "vectors. Simulated."
         )
         tell_where(voice, folder)
         voice.answer(result.to_json())
