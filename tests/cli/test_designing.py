@@ -23,7 +23,7 @@ from haptonic.bloch import gaps_of
 from haptonic.cli import designing
 from haptonic.cli.app import app
 from haptonic.store import Store
-from haptonic.workshop import cell_drawing
+from haptonic.workshop import cell_drawing, drawing
 
 SWEEP = """
 [[sweep]]
@@ -338,8 +338,34 @@ class TestExport:
             SPREAD.format("material.density", "9 kg/m^3"),
         ]
         study = package.load(asking(TOLERANCE, *tables))
-        monkeypatch.setattr(package.Study, "toleranced", lambda *_: SimpleNamespace(loosest=0.5))
-        assert designing.drawn_tolerances(study) == {"cell.pillar.height": pytest.approx(0.5 * 3 * 20e-6)}
-        monkeypatch.setattr(package.Study, "toleranced", lambda *_: SimpleNamespace(loosest=0.0))
-        assert designing.drawn_tolerances(study) == {}
-        assert designing.drawn_tolerances(package.load(asking())) == {}
+        found = SimpleNamespace(loosest=0.5, plate=0.42)
+        monkeypatch.setattr(package.Study, "toleranced", lambda *_: found)
+        drawn = {"cell.pillar.height": pytest.approx(0.5 * 3 * 20e-6)}
+        assert designing.drawn_tolerances(study) == (drawn, "")
+
+    @pytest.mark.parametrize(
+        ("spreads", "said"),
+        [
+            ([TOLERANCE], "none keeps the carrier in the gap with 99.0%, as [tolerance] asks; with the "
+                          "study's own spreads the chance is 42.00%"),
+            ([], "the study gives no spreads"),
+            ([TOLERANCE.replace("cell.pillar.height", "material.density").replace("20 um", "9 kg/m^3")],
+             "the study gives spreads of the material or of what is not drawn only"),
+        ],
+    )  # fmt: skip
+    def test_a_drawing_without_tolerances_says_why(self, here, asking, tmp_path, monkeypatch, spreads, said):
+        """In the drawing, on the terminal if some were asked for, and to machines."""
+        found = SimpleNamespace(loosest=0.0, plate=0.42)
+        monkeypatch.setattr(package.Study, "toleranced", lambda *_: found)
+        figures, draw = [], drawing.cell_drawing
+        monkeypatch.setattr(
+            drawing, "cell_drawing", lambda *a, **o: figures.append(draw(*a, **o)) or figures[-1]
+        )
+        for machine in ([], ["--json"]):
+            out = tmp_path / f"files{len(machine)}"
+            ran = here("export", asking(*spreads), "--out", out, "--drawing", *machine)
+            assert ran.code == 0, ran.err
+            assert (said in ran.err.replace("\n", " ")) == bool(spreads)
+            words = " ".join(text.get_text() for text in figures[-1].findobj(Text))
+            assert f"No dimension has a tolerance: {said.split(',')[0]}" in words
+        assert said in json.loads(ran.out)["why_no_tolerances"]

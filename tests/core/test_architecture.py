@@ -11,10 +11,11 @@ import haptonic
 SOURCE = Path(haptonic.__file__).parent
 FILES = sorted(SOURCE.rglob("*.py"))
 
-BASE = {"errors", "names", "paths", "units"}
+BASE = {"errors", "hdf5", "names", "paths", "units"}
 CORE = BASE | {"materials", "lattice", "cell", "elements", "solvers", "superelement", "bloch"}
 ALLOWED: dict[str, set[str]] = {
     "names": set(),
+    "hdf5": set(),
     "errors": {"names"},
     "units": {"errors"},
     "materials": BASE,

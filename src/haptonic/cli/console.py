@@ -79,6 +79,9 @@ class Voice:
             self.err.print(row, soft_wrap=True, highlight=False)
 
     def warn(self, text: str) -> None:
+        """Say what is probably wrong, once."""
+        if text in self.warned:
+            return
         self.warned.append(text)
         row = Text.assemble(("warning", "yellow"), " ", visible(text))
         self.err.print(row, soft_wrap=True, highlight=False)

@@ -23,6 +23,7 @@ from haptonic.cli.options import (
     tell_where,
 )
 from haptonic.results import Bands, Sweep, refuse_taken, write_files, write_netcdf
+from haptonic.store import whole_set
 from haptonic.study import Study, load
 
 
@@ -44,8 +45,10 @@ def bands(
         with voice.busy("bands"):
             result = loaded.bands(surface=surface)
             if folder:
-                write_bands(result, folder, overwrite)
+                with whole_set(folder, overwrite=overwrite) as draft:
+                    write_bands(result, draft, overwrite)
         voice.tell(gap_table(result))
+        voice.tell(counted(**result.to_json()["counts"]))
         tell_where(voice, folder)
         voice.answer(result.to_json())
 
@@ -67,8 +70,9 @@ def sweep(
         refuse_taken(folder, [*pictures(names), *(f"{n}.nc" for n in names)], overwrite=overwrite)
         results = swept(loaded, voice, workers, scheduler)
         if folder:
-            for name, result in zip(names, results, strict=True):
-                write_sweep(result, folder, name, overwrite)
+            with whole_set(folder, overwrite=overwrite) as draft:
+                for name, result in zip(names, results, strict=True):
+                    write_sweep(result, draft, name, overwrite)
         for result in results:
             voice.tell(sweep_table(result))
             tell_failures(voice, result)
@@ -92,6 +96,14 @@ def gap_table(result: Bands) -> Table:
     if not result.gaps:
         shown.add_row("", "none found", "", "", "", "")
     return shown
+
+
+def counted(checked: int, missed: int) -> str:
+    """What the exact counts of modes say of the bands."""
+    if not checked:
+        return "Bands were not counted by another method: where it would be done, one lies within its error."
+    missing = f"{missed or 'no'} band{'s' * (missed != 1)} missing"
+    return f"Counted by another method, in {checked} comparison{'s' * (checked != 1)}: {missing}."
 
 
 def sweep_table(result: Sweep) -> Table:

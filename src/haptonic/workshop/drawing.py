@@ -36,6 +36,7 @@ def cell_drawing(
     rows: int = 1,
     *,
     tolerances: Mapping[str, float] | None = None,
+    why_none: str = "",
     date: datetime.date | None = None,
 ) -> Figure:
     """One cell of a plate of ``columns`` x ``rows`` as a technical drawing, to scale on A4.
@@ -44,6 +45,7 @@ def cell_drawing(
     ----------
     tolerances : half-widths by the dimension's name in a study, such as ``cell.pillar.diameter``: m, or rad
         for the draft; they are shown as ``3.500 ± 0.020``
+    why_none : said in the notes if there are no tolerances
     date : shown in the title block; without one, the same cell is the same file at any time
 
     Raises
@@ -83,7 +85,10 @@ def cell_drawing(
         **({"DATE": date.isoformat()} if date else {}),
     }
     _title_block(sheet, visible(title), fields)
-    _notes(sheet, _advice(cell))
+    notes = _advice(cell)
+    if not tolerances:
+        notes.insert(0, "No dimension has a tolerance" + (f": {why_none}." if why_none else "."))
+    _notes(sheet, notes)
     return sheet.figure
 
 
@@ -95,6 +100,7 @@ def write_drawing(
     rows: int = 1,
     *,
     tolerances: Mapping[str, float] | None = None,
+    why_none: str = "",
     date: datetime.date | None = None,
     overwrite: bool = False,
 ) -> Path:
@@ -106,7 +112,7 @@ def write_drawing(
     ResourceError : the file exists and ``overwrite`` is False, or it cannot be written
     """
     refuse_overwrite(path, overwrite)
-    figure = cell_drawing(cell, title, columns, rows, tolerances=tolerances, date=date)
+    figure = cell_drawing(cell, title, columns, rows, tolerances=tolerances, why_none=why_none, date=date)
     created = datetime.datetime.combine(date, datetime.time()) if date else None
     stream = io.BytesIO()
     with styled():

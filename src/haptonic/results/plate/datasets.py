@@ -97,7 +97,7 @@ def modes_dataset(
     return xr.Dataset(
         {
             "mode_frequency": ("mode", found.frequency, {"units": "Hz"}),
-            "mode_error": ("mode", found.error, {"long_name": "bound of the frequency's relative error"}),
+            "mode_error": ("mode", found.error, {"long_name": "bound of the relative error of solving"}),
             "quality": ("mode", found.quality, {"long_name": "quality factor"}),
             "rise_time": ("mode", found.rise_time, {"units": "s", "long_name": "10 to 90 %"}),
             "stored": (("mode", "region"), stored, {"long_name": "share of the strain energy"}),

@@ -145,7 +145,7 @@ class PlateResult:
             "modes": [
                 {
                     "frequency_hz": float(mode["mode_frequency"]),
-                    "error": float(mode["mode_error"]),
+                    "solver_error": float(mode["mode_error"]),  # of solving the plate's equations, not theirs
                     "quality_factor": _finite(mode["quality"]),
                     "rise_time_s": _finite(mode["rise_time"]),
                     "name": str(mode["name"].values),
