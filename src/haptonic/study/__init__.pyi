@@ -1,20 +1,16 @@
-from .keys import Key, table
 from .loading import load, load_trials, loads
 from .plate_tables import PlateSection
 from .runs import Study
 from .scan_tables import ScanSection
 from .schema import SweepSection
-from .sections import BandsSection, CellSection, MaterialSection, MeshSection, PillarSection
+from .sections import BandsSection, CellSection, MeshSection
 from .trial_tables import TrialsSection
 from .vary import solve
 
 __all__ = [
     "BandsSection",
     "CellSection",
-    "Key",
-    "MaterialSection",
     "MeshSection",
-    "PillarSection",
     "PlateSection",
     "ScanSection",
     "Study",
@@ -24,5 +20,4 @@ __all__ = [
     "load_trials",
     "loads",
     "solve",
-    "table",
 ]

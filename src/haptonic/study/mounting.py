@@ -7,9 +7,8 @@ from typing import Annotated, Literal
 
 from pydantic import AfterValidator, Field, model_validator
 
+from haptonic.fields import LARGEST, Quantity, Section, problem, size
 from haptonic.plate.layout import Side
-from haptonic.study.quantity import Quantity, problem
-from haptonic.study.sections import LARGEST, SMALLEST, Section
 from haptonic.units import format_quantity, shown
 
 SIDES: tuple[Side, ...] = ("left", "right", "bottom", "top")
@@ -28,11 +27,6 @@ def _not_blank(name: str) -> str:
 
 Name = Annotated[str, Field(max_length=40, strict=True), AfterValidator(_not_blank)]
 Hold = Literal["free", "clamped", "simple", "spring"]
-
-
-def size(lowest: float, highest: float) -> Quantity:
-    """A length whose typical range is given, m."""
-    return Quantity("m", at_least=SMALLEST, at_most=LARGEST, typical=(lowest, highest))
 
 
 Position = Annotated[float, Quantity("m", at_least=-LARGEST, at_most=LARGEST)]

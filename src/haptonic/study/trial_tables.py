@@ -8,11 +8,10 @@ from typing import Annotated, Literal
 from pydantic import AfterValidator, Field, model_validator
 
 from haptonic.errors import HaptonicError
+from haptonic.fields import Quantity, Section, problem
 from haptonic.friction.recordings import AXES, Exclusion, Sensor, read_calibration
 from haptonic.friction.signals import Rules
 from haptonic.study.mounting import Name
-from haptonic.study.quantity import Quantity, problem
-from haptonic.study.sections import Section
 from haptonic.units import format_quantity, shown, to_si
 
 CALIBRATION = "calibration.csv"  # taken if it lies beside the trials and nothing is said
