@@ -3,7 +3,7 @@
 from haptonic.fields.described import Section, described
 from haptonic.fields.entries import Entries
 from haptonic.fields.keys import Key, leaves, table
-from haptonic.fields.quantity import FROM_FILE, LARGEST, SMALLEST, Quantity, number_of, problem, size
+from haptonic.fields.quantity import FROM_FILE, LARGEST, SMALLEST, Name, Quantity, number_of, problem, size
 
 __all__ = [
     "FROM_FILE",
@@ -11,6 +11,7 @@ __all__ = [
     "SMALLEST",
     "Entries",
     "Key",
+    "Name",
     "Quantity",
     "Section",
     "described",

@@ -11,9 +11,9 @@ import math
 from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
-from typing import Any
+from typing import Annotated, Any
 
-from pydantic import GetCoreSchemaHandler
+from pydantic import AfterValidator, Field, GetCoreSchemaHandler
 from pydantic_core import PydanticCustomError, core_schema
 
 from haptonic.errors import HaptonicError
@@ -154,3 +154,18 @@ def collected(allowed: str = "", within: str = "") -> Iterator[None]:
     except HaptonicError as error:
         at = error.argument.removeprefix(f"{within}.") if within else ""
         raise problem(error.given, allowed or error.allowed, error.cause, error.next_step, at) from None
+
+
+def _not_blank(name: str) -> str:
+    if not name.strip():
+        raise problem(
+            shown(name),
+            "a text in quotes that is not blank",
+            "it was left blank",
+            "write a name in the quotes",
+        )
+    return name
+
+
+Name = Annotated[str, Field(max_length=40, strict=True), AfterValidator(_not_blank)]
+"""What somebody calls a part, a region or a person."""

@@ -4,7 +4,7 @@ from .runs import Study
 from .scan_tables import ScanSection
 from .schema import SweepSection
 from .sections import BandsSection, CellSection, MeshSection
-from .trial_tables import TrialsSection
+from .trial_tables import Trials
 from .vary import solve
 
 __all__ = [
@@ -15,7 +15,7 @@ __all__ = [
     "ScanSection",
     "Study",
     "SweepSection",
-    "TrialsSection",
+    "Trials",
     "load",
     "load_trials",
     "loads",

@@ -14,7 +14,7 @@ from haptonic.errors import HaptonicWarning, StudyError, nearest
 from haptonic.fields import FROM_FILE
 from haptonic.fields.problems import refusal
 from haptonic.study.runs import Study
-from haptonic.study.trial_tables import TrialsFile, TrialsSection
+from haptonic.study.trial_tables import Trials, TrialsFile
 from haptonic.units import shown
 
 LARGEST_FILE = 1_000_000  # bytes; a study needs a few thousand
@@ -48,7 +48,7 @@ def loads(text: str, origin: str = "study") -> Study:
     return study
 
 
-def load_trials(path: Path) -> tuple[TrialsSection, Study | None]:
+def load_trials(path: Path) -> tuple[Trials, Study | None]:
     """The table [trials] of a study file, and the study; of a file with nothing else there is no study.
 
     Raises

@@ -9,7 +9,7 @@ from pydantic import Field, ValidationInfo, field_validator, model_validator
 
 from haptonic.design.parameters import UNITS
 from haptonic.errors import nearest
-from haptonic.fields import Entries, Quantity, Section, number_of, problem, size
+from haptonic.fields import Entries, Name, Quantity, Section, number_of, problem, size
 from haptonic.study.mounting import (
     ActuatorSection,
     ClampSection,
@@ -17,7 +17,6 @@ from haptonic.study.mounting import (
     FingerSection,
     ForceSection,
     Loss,
-    Name,
 )
 from haptonic.study.plate_map import check_map, drawn
 from haptonic.units import format_quantity, shown

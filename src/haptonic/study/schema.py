@@ -42,7 +42,7 @@ from haptonic.study.plating import built_in, plate_of
 from haptonic.study.scan_tables import ScanSection
 from haptonic.study.sections import BandsSection, CellSection, MeshSection
 from haptonic.study.touch_tables import TouchSection
-from haptonic.study.trial_tables import TrialsSection
+from haptonic.study.trial_tables import Trials
 from haptonic.study.vary import Expression, check_names, parse, solve
 from haptonic.units import format_quantity
 
@@ -155,8 +155,8 @@ class Description(Section):
         None, alias="plate", title="Plate", description="A finite one, made of cells and of plain plate."
     )
     touch: TouchSection = Field(TouchSection(), title="Touch", description="The finger that feels the plate.")
-    trials: TrialsSection = Field(
-        TrialsSection(), title="Trials", description="How force records are processed, and which count."
+    trials: Trials = Field(
+        Trials(), title="Trials", description="How force records are processed, and which count."
     )
     protocol: ProtocolSection = Field(
         ProtocolSection(), title="Protocol", description="Trials with people: how many, in which order."
