@@ -24,7 +24,7 @@ from haptonic.report import paper
 from haptonic.results import FrictionResult, compute_friction, refuse_taken, write_files
 from haptonic.results.plate.question import driven_region
 from haptonic.store import whole_set
-from haptonic.study import Study, TrialsSection, load_trials
+from haptonic.study import Study, Trials, load_trials
 
 STUDY = "study.toml"  # beside the trials
 QUALITY = "quality.html"
@@ -58,8 +58,8 @@ def friction(
             result = compute_friction(
                 path,
                 sensor,
-                section.rules(),
-                section.exclusions(),
+                section,
+                section.exclude,
                 driven=section.driven or _driven(loaded),
                 workers=workers,
                 told=progress,
@@ -73,10 +73,10 @@ def friction(
         voice.answer(result.to_json())
 
 
-def _asked(path: Path, study: Path | None) -> tuple[TrialsSection, Study | None]:
+def _asked(path: Path, study: Path | None) -> tuple[Trials, Study | None]:
     beside = path / STUDY
     if study is None and not beside.is_file():
-        return TrialsSection(), None
+        return Trials(), None
     return load_trials(study or beside)
 
 

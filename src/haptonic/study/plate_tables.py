@@ -9,8 +9,8 @@ from pydantic import Field, ValidationInfo, field_validator, model_validator
 
 from haptonic.design.parameters import UNITS
 from haptonic.errors import nearest
+from haptonic.fields import Entries, Name, Quantity, Section, number_of, problem, size
 from haptonic.response.checks import REST, THE_REST
-from haptonic.study.entries import Entries
 from haptonic.study.mounting import (
     ActuatorSection,
     ClampSection,
@@ -18,13 +18,9 @@ from haptonic.study.mounting import (
     FingerSection,
     ForceSection,
     Loss,
-    Name,
-    size,
 )
 from haptonic.study.plate_map import check_map, drawn
-from haptonic.study.quantity import Quantity, collected, problem
-from haptonic.study.sections import Section
-from haptonic.units import format_quantity, shown, to_si
+from haptonic.units import format_quantity, shown
 
 CHANGEABLE = [path for path in UNITS if path.startswith("cell.") and path != "cell.thickness"]
 LATTICE = "lattice"  # the name of the study's own cell in [plate.tiles]
@@ -51,12 +47,7 @@ class LatticeSection(Section):
         read = {}
         for path, given in _flat(value).items():
             _changeable(path)
-            with collected():
-                read[path] = (
-                    given
-                    if isinstance(given, float) and info.context is not None
-                    else to_si(given, UNITS[path], "")
-                )
+            read[path] = number_of(given, UNITS[path], info.context)
         return read
 
     @property
