@@ -30,6 +30,7 @@ import scipy
 import xarray as xr
 
 from haptonic.errors import HaptonicWarning, ResourceError
+from haptonic.gate import passed
 
 # Parts of the package that show results but do not make them.
 SHOWING = frozenset({"cli", "plots", "report", "workshop"})
@@ -163,9 +164,11 @@ class Store:
 
         Raises
         ------
+        NumericalError : a number in it is none, see `haptonic.gate`
         ResourceError : the folder cannot be made or written, or the disk is full
         """
         path = self.path(key)
+        passed(dataset)
         # Made in memory first: HDF5 reports a full disk by errors of many kinds, a plain write by one.
         content = io.BytesIO()
         dataset.to_netcdf(content, engine="h5netcdf")

@@ -14,6 +14,7 @@ import xarray as xr
 
 from haptonic.bloch import Resolution
 from haptonic.cell import UnitCell
+from haptonic.gate import passed
 from haptonic.store import fingerprint, refuse_overwrite, write_atomically
 
 
@@ -57,18 +58,19 @@ def refuse_taken(folder: Path | None, names: Iterable[str], *, overwrite: bool) 
 
 def write_netcdf(dataset: xr.Dataset, path: Path) -> None:
     """NetCDF 4 by h5netcdf."""
+    passed(dataset)
     dataset.to_netcdf(path, engine="h5netcdf")
 
 
 def stamped(dataset: xr.Dataset, inputs: Mapping[str, Any]) -> xr.Dataset:
-    """The dataset with the inputs, the version and the code that made it."""
+    """The dataset, its numbers looked at, with the inputs, the version and the code that made it."""
     dataset.attrs |= {
         "inputs": json.dumps(inputs),
         "haptonic_version": version("haptonic"),
         "code_fingerprint": fingerprint(),
         "origin": "simulated",
     }
-    return dataset
+    return passed(dataset)
 
 
 def key_of(cell: UnitCell, asked: Asked) -> dict[str, object]:
