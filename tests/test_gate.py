@@ -24,7 +24,7 @@ def results(draw: st.DrawFn):
     """A dataset of finite numbers, text and integers, and the names of its places for floats."""
     shape = draw(st.tuples(st.integers(1, 4), st.integers(1, 4)))
     kind = draw(st.sampled_from([np.float64, np.float32, np.complex128]))
-    data = xr.Dataset(
+    return xr.Dataset(
         {
             "values": (("row", "column"), np.ones(shape, kind), {"units": "Hz", "bound": 1.0}),
             "single": 2.0,
@@ -34,7 +34,6 @@ def results(draw: st.DrawFn):
         coords={"place": ("row", np.linspace(0, 1, shape[0]))},
         attrs={"error": 0.5, "gap": [1.0, 2.0], "title": "drawn"},
     )
-    return data
 
 
 @st.composite

@@ -14,7 +14,7 @@ from threadpoolctl import threadpool_limits
 
 from haptonic.bloch.centred import CentredPencil, RealPencil
 from haptonic.bloch.pencil import Evaluated, Fields, eigenpairs
-from haptonic.bloch.resolution import LADDER, SHARED, Resolution, check_memory, starting_rung
+from haptonic.bloch.resolution import LADDER, SHARED, Resolution, check_memory, check_reach, starting_rung
 from haptonic.cell import UnitCell
 from haptonic.errors import ResourceError
 from haptonic.lattice import Lattice
@@ -248,6 +248,7 @@ def candidate_models(
         check_memory(cell, resolution, accuracy)
         yield BlochModel.of(cell, resolution, count, **what)
         return
+    check_reach(cell, accuracy)
     for rung in LADDER[starting_rung(accuracy) :]:
         check_memory(cell, rung, accuracy)
         yield BlochModel.of(cell, rung, count, **what)

@@ -12,7 +12,7 @@ from haptonic.materials import Material, is_symmetry
 
 # Rounding of a plate's stiffness grows as the fourth power of pitch over thickness, and waves in the plate
 # get shorter. At 1/60 errors of a few percent are reached, at 1/200 of a fifth, at 1/600 nothing factorises.
-LEAST_THICKNESS = 0.015  # of the longer pitch
+LEAST_THICKNESS = 0.012  # of the longer pitch
 LEAST_CLEARANCE = 0.01  # of the pitch, between a pillar and the nearest side of its cell
 
 

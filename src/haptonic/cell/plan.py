@@ -10,7 +10,7 @@ from haptonic.cell.geometry import UnitCell
 from haptonic.cell.pillar import Pillar
 
 LAYER_LENGTH = 1.4  # of an element along the pillar, in diameters
-THIN_PLATE = 0.08  # thickness, in half pitches, below which elements beside a pillar bend like a plate's
+THIN_PLATE = 0.16  # thickness, in half pitches, below which elements beside a pillar bend like a plate's
 SHORT_WAVES = 4 / 3  # of the order around the pillar there: waves between pillars are shorter
 WIDE_NECK = 0.42  # length of the neck between two pillars, in half pitches, that a quarter turn's order suits
 
@@ -58,28 +58,25 @@ class MeshPlan:
         there order 3 has quartic ones. On a thin plate these would lock in the lower order that tells the
         error: there none has less than quintic ones.
         """
-        orders: dict[str, int] = {"outward": order, "upward": order, "thin": order}
         if cell.pillar is None:
-            return cls(order + 2, 0, 0, **orders)
-        if order == 3:
-            orders |= {"outward": 4, "upward": 4}
+            return cls(order + 2, 0, 0, outward=order, upward=order, thin=order)
         thin = cell.thickness < THIN_PLATE * cell.inradius
-        if thin:
-            orders["outward"] = max(order, 5)
+        turn = (order + 2) * max(1.0, WIDE_NECK / _neck(cell, cell.pillar)) * (SHORT_WAVES if thin else 1.0)
         layers = [
-            max(1, round((high - low) / (LAYER_LENGTH * 2 * width)))
+            1 + max(1, round((high - low) / (LAYER_LENGTH * 2 * width)))
             for low, high, width in cell.pillar.stages
         ]
         rings = max(foot_rings, 1) if cell.pillar.fillet else foot_rings  # the arc is an edge of elements
         return cls(
-            round(
-                (order + 2) * max(1.0, WIDE_NECK / _neck(cell, cell.pillar)) * (SHORT_WAVES if thin else 1.0)
-            ),
+            round(turn),
             rings,
-            *(1 + count for count in layers),
+            layers[0],
+            layers[1] if cell.pillar.step else 0,
             step_rings=foot_rings if cell.pillar.step else 0,
             bridges=bridges(cell, rings),
-            **orders,
+            outward=max(order, 5) if thin else 4 if order == 3 else order,
+            upward=4 if order == 3 else order,
+            thin=order,
         )
 
     def lowered(self) -> MeshPlan:
