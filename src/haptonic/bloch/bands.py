@@ -18,6 +18,7 @@ from haptonic.bloch.resolution import Resolution
 from haptonic.bloch.tracking import Diagram, diagram
 from haptonic.bloch.zone import zone_surface
 from haptonic.cell import UnitCell
+from haptonic.gate import declared
 from haptonic.superelement import FoldedMesh, dynamic_stiffness
 
 Array = NDArray[np.float64]
@@ -237,7 +238,7 @@ def _diagram_dataset(along: Diagram) -> xr.Dataset:
         "pillar_kinetic": ("1", "share of kinetic energy in the pillar"),
         "character": ("1", "character, a position in character_names"),
     })  # fmt: skip
-    return dataset
+    return declared(dataset, group_velocity="a rigid-body motion, which has none")
 
 
 def _gaps_dataset(gaps: tuple[Gap, ...]) -> xr.Dataset:

@@ -19,6 +19,7 @@ from haptonic.design.parameters import UNITS, changed
 from haptonic.design.quick import QUICK
 from haptonic.design.search import Visited, climb, looked_at, starting_points
 from haptonic.errors import StudyError
+from haptonic.gate import declared
 from haptonic.jobs import Task
 from haptonic.results.common import Asked, stamped
 from haptonic.results.runner import Runner
@@ -161,7 +162,7 @@ def compute_front(
         for name, column in columns.items():
             column[row] = getattr(end, name)
     units = {"lower": "Hz", "upper": "Hz", "margin": "1"}
-    return xr.Dataset(
+    front = xr.Dataset(
         {
             "pitch": ("design", np.asarray(pitches), {"units": "m"}),
             **{name: ("design", column, {"units": units[name]}) for name, column in columns.items()},
@@ -170,6 +171,7 @@ def compute_front(
         coords={"parameter": names},
         attrs={"carrier_hz": brief.carrier, "mesh": json.dumps(asdict(QUICK))},
     )
+    return declared(front, **dict.fromkeys((*columns, "value"), "no design of this pitch is allowed"))
 
 
 def look_dataset(argument: tuple[Brief, Array]) -> xr.Dataset:
