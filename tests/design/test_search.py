@@ -299,7 +299,7 @@ class TestStarts:
 
 
 CHEAP = Resolution(2, 1)
-ASKED = Asked(8, 3, 0.1, CHEAP)
+ASKED = Asked(8, 3, 0.02, Resolution(3, 1))
 
 
 @pytest.fixture
@@ -345,9 +345,10 @@ def drawn(seed):
     return replace(brief, cell=brief.at(brief.feasible(rng.random(2))))
 
 
-@pytest.mark.parametrize("brief", [glass(), drawn(3), drawn(4)], ids=["refused before", "3", "4"])
-def test_a_search_is_at_least_as_good_as_a_scan(cheap, brief, kept):
+@pytest.mark.parametrize("seed", [3, 4])
+def test_a_search_is_at_least_as_good_as_a_scan(cheap, seed, kept):
     """The benchmark ``search_finds_what_is_there`` draws twenty."""
+    brief = drawn(seed)
     lines = [6 if path == HEIGHT else 3 for path in brief.paths]
     grid = np.stack(np.meshgrid(*(np.linspace(0, 1, n) for n in lines)), axis=-1).reshape(-1, len(lines))
     scan = [Column.of(brief, place[None]).best(brief.carrier)[0][1] for place in grid if brief.allows(place)]
@@ -374,8 +375,9 @@ class TestWhatCannotBeComputed:
             tried.append(argument[0])
             if refuses(tried):
                 raise ResourceError(
-                    "bands.accuracy", "0.002", "8 GB", "37 GB would be needed", "ask for less"
-                )
+                    argument="bands.accuracy", given="0.002", allowed="what fits into 8 GB",
+                    cause="37 GB would be needed", next_step="ask for less accuracy",
+                )  # fmt: skip
             return computed(argument)
 
         monkeypatch.setattr(design, "gap_dataset", too_large)
@@ -383,7 +385,7 @@ class TestWhatCannotBeComputed:
 
     def test_one_is_left_out_and_named(self, cheap, monkeypatch, kept):
         tried = self.refusing(monkeypatch, lambda tried: len(tried) == 1)
-        found = searched(glass(), kept, replace(ASKED, accuracy=0.11))  # not what another test has kept
+        found = searched(glass(), kept, replace(ASKED, accuracy=0.03))  # not what another test has kept
         assert len(tried) >= 2
         assert found.margin > 0
         (left,) = found.left_out
@@ -395,7 +397,7 @@ class TestWhatCannotBeComputed:
     def test_if_none_can_be_the_best_is_told_all_the_same(self, cheap, monkeypatch, kept):
         self.refusing(monkeypatch, lambda _: True)
         with pytest.raises(ResourceError, match="37 GB") as refusal:
-            searched(glass(), kept, replace(ASKED, accuracy=0.12))
+            searched(glass(), kept, replace(ASKED, accuracy=0.04))
         assert "cell.pillar.height = " in refusal.value.cause
         assert "kHz" in refusal.value.cause
 

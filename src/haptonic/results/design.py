@@ -32,6 +32,7 @@ if TYPE_CHECKING:
 Array = NDArray[np.float64]
 
 POLISH_STEPS = 5  # designs computed at most once the coarse model has been corrected
+LAST_STEPS = 20  # of the best climb at most, before it is said what holds it back
 MORE_CLIMBS = 3  # times as many climbs as asked for, while none has reached the carrier
 SAME = 0.02  # of the box, between two summits that count as one
 REFINED = 3  # summits computed at the accuracy asked for
@@ -132,6 +133,8 @@ def compute_design(
             raise _uncomputed(brief, *search.refused[0])
         if not summits:
             raise search.failures[0]
+        if best is None:  # a climb cut short tells nothing of what holds it back
+            summits = search.ranked(search.climbed(summits[:1], LAST_STEPS) + summits)
         raise _out_of_reach(brief, best, summits, [visit for _, visit in search.history])
     dataset = stamped(_history(brief, search.history), inputs)
     dataset.attrs["left_out"] = json.dumps(search.left_out)
