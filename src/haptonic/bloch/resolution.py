@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import psutil
 
@@ -33,6 +33,14 @@ class Resolution:
     steps: int = 2
     block: int = 10
 
+    def for_bands(self, count: int) -> Resolution:
+        """The same with an interior that has room for as many bands."""
+        return replace(self, block=max(self.block, count))
+
+    def grown(self) -> Resolution:
+        """The same with more of the interior: what is left out falls by about ten."""
+        return replace(self, steps=self.steps + 1, block=self.block * 3 // 2)
+
     def plan(self, cell: UnitCell) -> MeshPlan:
         return MeshPlan.suited(cell, self.order, self.foot_rings)
 
@@ -53,7 +61,7 @@ class Resolution:
         band's share was a quarter of this, and stands. With two rings or more the edge never leads up to
         order 6, which is taken to hold beyond. A plain plate has no edge. A step is another
         re-entrant edge, at which the mesh is not graded: with one the edge is taken to lead from the start,
-        and the lower orders are lower along the pillar too (`MeshPlan.lowered`). Of stepped designs drawn at
+        and the lower orders are lower along z too (`MeshPlan.lowered`). Of stepped designs drawn at
         random the worst needed 0.35 of the distance at orders 3 to 5, against order 7 with two rings.
         """
         if cell.pillar is None:
