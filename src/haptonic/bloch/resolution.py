@@ -10,9 +10,9 @@ from haptonic.cell import MeshPlan, UnitCell
 from haptonic.errors import ResourceError
 
 MEASURED = {
-    (3, 1): 0.23,
-    (4, 1): 0.41,
-    (5, 1): 0.6,
+    (3, 1): 0.3,
+    (4, 1): 0.45,
+    (5, 1): 0.65,
     (5, 2): 0.3,
     (6, 2): 0.9,
 }  # by order and rings, see `remaining`
@@ -56,10 +56,10 @@ class Resolution:
         degrees) stress grows as r^-0.4555, so on a given mesh the error of a frequency falls as
         order^(-4 * 0.5445) once the edge is all that is left of it; half of that is taken, since the worst
         band counts three times. Before that the smooth part still counts, the error falls faster, and the
-        factors are measured ones: bounds over forty designs (the benchmark ``estimates_hold`` has their
-        distribution), six for order 5 with two rings; that of order 6 was measured on nine while the worst
-        band's share was a quarter of this, and stands. With two rings or more the edge never leads up to
-        order 6, which is taken to hold beyond. A plain plate has no edge. A step is another
+        factors are measured ones: with one ring a tenth to a third above what forty designs needed, six for
+        order 5 with two rings; that of order 6 was measured on nine
+        while the worst band's share was a quarter of this, and stands. With two rings or more the edge never
+        leads up to order 6, which is taken to hold beyond. A plain plate has no edge. A step is another
         re-entrant edge, at which the mesh is not graded: with one the edge is taken to lead from the start,
         and the lower orders are lower along z too (`MeshPlan.lowered`). Of stepped designs drawn at
         random the worst needed 0.35 of the distance at orders 3 to 5, against order 7 with two rings.
