@@ -40,6 +40,7 @@ def test_what_the_interior_leaves_out_is_told_for_many_bands(number):
         assert (lost <= told + 1e-5 * expected).all()
 
 
+@pytest.mark.nightly
 @pytest.mark.parametrize("number", [3, 11, 19, 13])
 def test_polynomials_along_a_tapered_pillar_are_not_what_limits_a_mesh(number):
     """Three orders more along z alone change less than a third of the estimate."""
@@ -53,6 +54,7 @@ def test_polynomials_along_a_tapered_pillar_are_not_what_limits_a_mesh(number):
     assert (np.abs(here - there) < estimate / 3).all()
 
 
+@pytest.mark.nightly
 @pytest.mark.parametrize("number", [7, 15])
 @pytest.mark.parametrize(("count", "accuracy"), [(20, 5e-4), (12, 2e-3)])
 def test_a_plain_plate_is_answered_within_its_estimate(number, count, accuracy):
@@ -79,9 +81,9 @@ def assert_the_truth_is_within(seed: int, number: int) -> None:
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("number", [2, 10])
+@pytest.mark.parametrize("number", [6, 7, 8, 10])
 def test_estimates_hold_for_cheap_designs(number):
-    """The benchmark ``estimates_hold``, in small: filleted pillars at coarse accuracies."""
+    """The benchmark ``estimates_hold``, in small: designs at coarse accuracies; number 6 was below the truth once."""
     assert_the_truth_is_within(2, number)
 
 
