@@ -83,7 +83,7 @@ def assert_the_truth_is_within(seed: int, number: int) -> None:
 @pytest.mark.slow
 @pytest.mark.parametrize("number", [6, 7, 8, 10])
 def test_estimates_hold_for_cheap_designs(number):
-    """The benchmark ``estimates_hold``, in small: designs at coarse accuracies; number 6 was below the truth once."""
+    """The benchmark ``estimates_hold`` in small; number 6 was below the truth once."""
     assert_the_truth_is_within(2, number)
 
 
