@@ -70,7 +70,8 @@ def exact_modes(solver, mass, inertia, steps, block):
     inverse, vectors = np.linalg.eigh(0.5 * (flexibility + flexibility.T))
     kept = inverse > 1 / (2 * np.pi * 1e6) ** 2
     modes = np.divide(vectors[:, kept], root, out=np.zeros((len(mass), kept.sum())), where=root > 0)
-    return 1 / inverse[kept], modes, solver.solve(inertia)
+    moved = solver.solve(mass[:, None] * modes)
+    return 1 / inverse[kept], modes, solver.solve(inertia), moved
 
 
 @pytest.mark.parametrize(

@@ -186,11 +186,11 @@ class CondensedClass:
         """From forms on the class's share of the trace, and its modes."""
         trace, count = part.trace, len(own.mass)
         # static answers do no work on fields without a trace
-        apart, modes = np.zeros_like(own.to_modes), np.zeros((part.count, part.count))
+        apart = np.zeros_like(own.to_modes)
         forms = {
             "stiffness": Form.unfolded(trace, own.stiffness, apart, np.diag(own.values)),
             "mass": Form.unfolded(trace, own.mass, own.to_modes, np.eye(part.count)),
-            "omission": Form.unfolded(trace, own.omission, apart, modes),
+            "omission": Form.split(trace, own.omission),
         }
         momenta = np.zeros((0, count + part.count))
         if measured is not None:

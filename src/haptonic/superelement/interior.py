@@ -11,7 +11,9 @@ from numpy.typing import NDArray
 
 Array = NDArray[np.float64]
 
-SOFT_TRACES = 24  # motions of the boundary whose inertia the interior's modes have to answer
+# motions of the boundary whose inertia the interior's modes have to answer: some, and per direction of a
+# block; with 24 whatever the block, 25 bands lost up to ten times what the omission told
+SOFT_TRACES, SOFT_PER_DIRECTION = 4, 2
 DEPENDENT = 1e-13  # share of the largest inertia below which a direction repeats others
 EXTRA = 3  # random ones beside them, for modes that hardly touch the trace
 
@@ -46,7 +48,7 @@ class Reduced:
     static : (n, b), modes : (n, m) fields inside
     stiffness, mass : (b, b), the interior following statically
     values : (m,) eigenvalues, (rad/s)^2; to_modes : (b, m) mass between static answers and modes
-    omission : (b, b), what was left out, see `Superelement`
+    omission : (b + m, b + m), what was left out, see `Superelement`
     """
 
     static: Array
@@ -59,7 +61,12 @@ class Reduced:
 
 
 def reduced(solver: Factorised, body: Bounded, steps: int, block: int) -> Reduced:
-    """Reduce a body whose interior stiffness ``solver`` has factorised; see `interior_modes`."""
+    """Reduce a body whose interior stiffness ``solver`` has factorised; see `interior_modes`.
+
+    A field Z of boundary and modes leaves a force ``lambda M Z`` inside that the modes do not balance. To
+    first order the eigenvalue lambda is too high by the work of that force on its own answer, a quadratic
+    form.
+    """
     static = solver.solve(-body.coupling)
     inertia = body.mass[:, None] * static
     mass = body.outer_mass + static.T @ inertia
@@ -68,31 +75,33 @@ def reduced(solver: Factorised, body: Bounded, steps: int, block: int) -> Reduce
         mass += crossed + crossed.T
         inertia += body.mass_coupling
     stiffness = body.outer_stiffness + body.coupling.T @ static
-    soft, dual = _softest(stiffness, mass)
-    values, modes, dynamic = interior_modes(solver, body.mass, inertia @ soft, steps, block)
+    soft, dual = _softest(stiffness, mass, SOFT_TRACES + SOFT_PER_DIRECTION * block)
+    force = inertia @ soft
+    values, modes, dynamic, moved = interior_modes(solver, body.mass, force, steps, block)
     to_modes = inertia.T @ modes
-    # inertia of the soft motions' static answers that the modes do not carry, answered by the inverse
+    # inertia of the soft motions and of the modes, what of it the modes do not carry answered by the inverse
     # stiffness
-    soft_to_modes = soft.T @ to_modes
-    missing = (inertia @ soft).T @ dynamic - (soft_to_modes / values) @ soft_to_modes.T
-    omission = dual @ missing @ dual.T
+    to_all = np.vstack([soft.T @ to_modes, np.eye(len(values))])
+    forces = np.hstack([force, body.mass[:, None] * modes])
+    missing = forces.T @ np.hstack([dynamic, moved]) - (to_all / values) @ to_all.T
+    spread = la.block_diag(dual, np.eye(len(values)))
+    omission = spread @ missing @ spread.T
     omission = 0.5 * (omission + omission.T)
     return Reduced(static, modes, stiffness, mass, values, to_modes, omission)
 
 
-def _softest(stiffness: Array, mass: Array) -> tuple[Array, Array]:
-    """(b, s) the motions of lowest frequency of a boundary that the interior just follows, and their dual.
+def _softest(stiffness: Array, mass: Array, count: int) -> tuple[Array, Array]:
+    """(b, s) the ``count`` softest motions of a boundary that the interior just follows, and their dual.
 
     With M-orthonormal motions W every one b is ``W (M W)^T b``; of these the first are kept.
     """
-    count = min(SOFT_TRACES, len(mass))
-    _, soft = la.eigh(stiffness, mass, subset_by_index=(0, count - 1))
+    _, soft = la.eigh(stiffness, mass, subset_by_index=(0, min(count, len(mass)) - 1))
     return soft, mass @ soft
 
 
 def interior_modes(
     solver: Factorised, mass: Array, inertia: Array, steps: int, block: int
-) -> tuple[Array, Array, Array]:
+) -> tuple[Array, Array, Array, Array]:
     """Rayleigh-Ritz modes of the interior on a short Krylov space.
 
     The space starts with what the inertia of the static answers excites most. It therefore holds the
@@ -110,7 +119,7 @@ def interior_modes(
     -------
     values : (m,) eigenvalues, (rad/s)^2, ascending, never below the exact ones
     modes : (n, m) with unit modal mass
-    dynamic : (n, b) K^-1 ``inertia``
+    dynamic : (n, b) K^-1 ``inertia``; moved : (n, m) K^-1 M ``modes``
     """
     root = np.sqrt(mass)[:, None]
     random = mass[:, None] * np.random.default_rng(0).standard_normal((len(mass), EXTRA))
@@ -131,12 +140,16 @@ def interior_modes(
         new = root * answers_to[-1]
     fields = np.hstack(answers_to)
     moving = root * fields
+    known = np.hstack(blocks).T @ moving
+    # K^-1 M on the fields: those of every block but the last move within the space
+    further = fields @ known
+    further[:, -new.shape[1] :] = solver.solve(root * new)
     # a small interior has not room for all the blocks
     weights, turn = la.eigh(moving.T @ moving)
     kept = weights > DEPENDENT * weights[-1]
     basis = turn[:, kept] / np.sqrt(weights[kept])
-    values, turn = la.eigh(basis.T @ (np.hstack(blocks).T @ moving) @ basis)
-    modes = fields @ (basis @ turn)
+    values, turn = la.eigh(basis.T @ known @ basis)
+    modes, moved = (some @ (basis @ turn) for some in (fields, further))
     # signs that do not depend on rounding, for the sake of random starts in what is made from these modes
-    modes *= np.where(random[:, 0] @ modes < 0, -1.0, 1.0)
-    return values, modes, dynamic
+    sign = np.where(random[:, 0] @ modes < 0, -1.0, 1.0)
+    return values, sign * modes, dynamic, sign * moved

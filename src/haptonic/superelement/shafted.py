@@ -216,12 +216,9 @@ def _joined(
     inner = np.hstack([static, dynamic])
     of_foot = np.vstack([np.eye(trace, inner.shape[1]), inner[:below]])
     of_shaft = np.delete(inner, np.s_[section:below], axis=0)
-    # what was left out of the foot follows from the motion of all of its boundary
-    boundary = of_foot[: trace + section]
     part = ShaftedPart(foot, shaft, mesh, through, static, dynamic)
     piece = CondensedClass.of(part, found, _measured(foot, shaft, stiff, of_foot, of_shaft))
-    omission = boundary.T @ own.omission @ boundary
-    omission[:trace, :trace] += found.omission
+    omission = of_foot.T @ own.omission @ of_foot + found.omission
     return replace(piece, forms=piece.forms | {"omission": Form.split(foot.trace, omission)})
 
 

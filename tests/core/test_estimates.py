@@ -1,0 +1,93 @@
+"""Estimates of errors over designs that are drawn: what each part of them claims, and the whole."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from truth import KAPPA, drawn, plain_plate, truth
+
+from haptonic.bloch import BlochModel, Resolution
+from haptonic.bloch.centred import CentredPencil
+from haptonic.bloch.model import REST, TRUSTED_OMISSION, bloch_model
+from haptonic.bloch.pencil import eigenpairs
+from haptonic.cell import MeshPlan
+from haptonic.superelement import condense_by_parts
+
+SEED = 5
+SEEN = KAPPA[[0, 2, 5]]
+
+
+def hertz(cell, plan: MeshPlan, count: int) -> np.ndarray:
+    """Frequencies on a mesh whose interior keeps several hundred fields."""
+    pencil = CentredPencil.of(condense_by_parts(cell, plan, 5, block=40, measured=False))
+    return np.sqrt([eigenpairs(pencil, kappa, count)[0] for kappa in SEEN]) / (2 * np.pi)
+
+
+@pytest.mark.parametrize("number", [4, 9, 13, 15])
+def test_what_the_interior_leaves_out_is_told_for_many_bands(number):
+    """25 bands, among them those of a pillar that hardly moves the cell's sides."""
+    cell, resolution, count = drawn(SEED, number).cell, Resolution(2, 1, 3, 24), 25
+    exact = hertz(cell, resolution.plan(cell), count)
+    model = BlochModel.of(cell, resolution, count, measured=False, many=False)
+    while model.omission > TRUSTED_OMISSION:
+        model = BlochModel.of(cell, model.resolution.grown(), count, measured=False, many=False)
+    pencil = model.fine.centred
+    for kappa, expected in zip(SEEN, exact, strict=True):
+        values, modes = eigenpairs(pencil, kappa, count + 2)
+        fields = pencil.periodic.expanded(pencil.free(modes, kappa), kappa)
+        told = model._omitted(values, fields)[:count]
+        lost = np.sqrt(values[:count]) / (2 * np.pi) - expected
+        assert (lost <= told + 1e-5 * expected).all()
+
+
+@pytest.mark.nightly
+@pytest.mark.parametrize("number", [3, 11, 19, 13])
+def test_polynomials_along_a_tapered_pillar_are_not_what_limits_a_mesh(number):
+    """Three orders more along z alone change less than a third of the estimate."""
+    cell, resolution = drawn(SEED, number).cell, Resolution(3, 1)
+    assert cell.pillar.draft
+    plan = resolution.plan(cell)
+    ways = (plan, replace(plan, along=plan.along + 3))
+    here, there = (hertz(cell, way, 10) for way in ways)
+    model = BlochModel.of(cell, resolution, 10, measured=False, many=False)
+    estimate = np.array([model.solve(kappa).error for kappa in SEEN])
+    assert (np.abs(here - there) < estimate / 3).all()
+
+
+@pytest.mark.nightly
+@pytest.mark.parametrize("number", [7, 15])
+@pytest.mark.parametrize(("count", "accuracy"), [(20, 5e-4), (12, 2e-3)])
+def test_a_plain_plate_is_answered_within_its_estimate(number, count, accuracy):
+    """Rayleigh and Lamb know the truth, whatever the mesh and the interior's space."""
+    cell = drawn(SEED, number).cell
+    model = bloch_model(cell, count, accuracy)
+    for kappa in KAPPA:
+        exact, solution = plain_plate(cell, kappa, count), model.solve(kappa)
+        moving = exact > 2 * REST * exact[-1]
+        true = np.abs(solution.frequency - exact)[moving]
+        assert (true <= solution.error[moving] + 1e-7 * exact[moving]).all()
+        assert (true <= accuracy * exact[moving]).all()
+
+
+def assert_the_truth_is_within(seed: int, number: int) -> None:
+    question = drawn(seed, number)
+    exact = truth(question)
+    model = bloch_model(question.cell, question.count, question.accuracy)
+    solutions = [model.solve(kappa) for kappa in KAPPA]
+    moving = exact.frequency > 2 * REST * exact.frequency.max()
+    true = np.abs(np.array([s.frequency for s in solutions]) - exact.frequency)
+    estimate = np.array([s.error for s in solutions])
+    assert (true <= estimate + exact.uncertainty)[moving].all()
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("number", [6, 7, 8, 10])
+def test_estimates_hold_for_cheap_designs(number):
+    """The benchmark ``estimates_hold`` in small; number 6 was below the truth once."""
+    assert_the_truth_is_within(2, number)
+
+
+@pytest.mark.nightly
+@pytest.mark.parametrize("number", range(16))
+def test_estimates_hold_for_drawn_designs(number):
+    assert_the_truth_is_within(11, number)
