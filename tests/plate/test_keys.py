@@ -32,7 +32,7 @@ from haptonic.results.plate.variants import Look, mode_shifts
 from haptonic.store import Store, content_key
 
 MATERIAL = IsotropicMaterial(
-    "aluminium", 70e9, 0.33, 2700.0, loss_factor=1e-3, uncertainty={"density": 10.0}, note="as delivered"
+    70e9, 0.33, 2700.0, 1e-3, name="aluminium", uncertainty={"density": 10.0}, note="as delivered"
 )
 FULL = UnitCell(
     Lattice.square(7e-3), 1.5e-3, MATERIAL,
