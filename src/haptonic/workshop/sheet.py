@@ -9,6 +9,7 @@ from below (ISO 129-1, method 2), so that text needs no room along the line that
 
 from __future__ import annotations
 
+import random
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
@@ -194,10 +195,13 @@ class Sheet:
         self.arrow(tip, float(np.degrees(np.arctan2(away[1], away[0]))))
         self.text((min(label[0], end[0]), label[1] + DESCENT), text)
 
-    def window(self, view: View, centre: tuple[float, float], size: tuple[float, float]) -> None:
-        """What lies about the origin of model space, at a view's scale."""
+    def window(
+        self, view: View, centre: Place, size: tuple[float, float], without: Sequence[str] = ()
+    ) -> None:
+        """What lies about the origin of model space, at a view's scale, ``without`` some layers."""
         window = self.space.add_viewport(centre, size, (0, 0), size[1] / view.scale)
         window.dxf.layer = "Defpoints"  # which is not plotted: no border
+        window.frozen_layers = list(without)
 
     @staticmethod
     def beside(labels: Sequence[tuple[float, Callable[[float], None]]], low: float, high: float) -> None:
@@ -215,7 +219,12 @@ class Sheet:
             color_policy=ColorPolicy.BLACK, background_policy=BackgroundPolicy.WHITE,
             lineweight_scaling=1 / POINT, min_lineweight=0.1,
         )  # fmt: skip
-        UniversalFrontend(RenderContext(self.document), _Pipeline(axes), settings).draw_layout(self.space)
+        state = random.getstate()
+        random.seed(0)  # ezdxf moves the lines of a hatch at random, by a share of 1e-3
+        try:
+            UniversalFrontend(RenderContext(self.document), _Pipeline(axes), settings).draw_layout(self.space)
+        finally:
+            random.setstate(state)
         axes.set_xlim(0, A4[0])
         axes.set_ylim(0, A4[1])
         return figure
@@ -284,6 +293,8 @@ class _Pipeline(RenderPipeline2d):
         cap_height: float,
         dxftype: str = "TEXT",
     ) -> None:
+        if not text.strip():
+            return
         place, face = transform.origin, properties.font
         weight = "bold" if face and face.is_bold else "normal"
         size = cap_height / CAPITAL / POINT

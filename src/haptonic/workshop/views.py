@@ -12,7 +12,7 @@ import numpy as np
 
 from haptonic.cell import UnitCell
 from haptonic.workshop.dimensions import style_of, text_of
-from haptonic.workshop.dxf import add_outline
+from haptonic.workshop.dxf import MARK, add_outline
 from haptonic.workshop.shape import MM, Body, Dimension, dimensions
 from haptonic.workshop.sheet import APART, ARROW, SHELF, SIZE, Sheet, View, text_width
 from haptonic.workshop.sight import seen_edges
@@ -24,16 +24,17 @@ Label = tuple[float, Callable[[float], None]]  # where it would best stand, and 
 TOUCH = "touch face, keep flat"
 ISOMETRIC = (1.0, -1.0, 1.0)  # from the body to the eye
 
-_SCALES = [step * 10.0**power for power in range(3, -4, -1) for step in (5, 2, 1)]  # ISO 5455
+SCALES = [step * 10.0**power for power in range(3, -4, -1) for step in (5, 2, 1)]  # ISO 5455
 LANE = 8.0  # mm between a view and its first dimension line
-_NEXT = 7.0  # mm between two dimension lines
+LEGIBLE = 1.0  # mm on the paper; smaller outlines are left out of the plan of the plate
+NEXT = 7.0  # mm between two dimension lines
 CHORD = 0.005  # of the body's size, which nobody sees in the isometric view
 
 
 def fitting(width: float, height: float, box: Box, room: Box) -> View:
     """View at the largest standard scale that fits into a box with room around; its origin is the lower middle."""
     across, up = box[2] - box[0] - room[0] - room[2], box[3] - box[1] - room[1] - room[3]
-    scale = next((s for s in _SCALES if s <= min(across / width, up / height)), _SCALES[-1])
+    scale = next((s for s in SCALES if s <= min(across / width, up / height)), SCALES[-1])
     bottom = box[1] + room[1] + 0.5 * (up - scale * height)
     return View((box[0] + room[0] + 0.5 * across, bottom), scale)
 
@@ -95,11 +96,17 @@ def draw_isometric(sheet: Sheet, box: Box, cell: UnitCell) -> None:
 
 
 def draw_plate(sheet: Sheet, box: Box, cell: UnitCell, columns: int, rows: int) -> View:
-    """Show the outlines in model space: where the cells of the plate lie."""
+    """Show the outlines in model space, so far as they are large enough: where the cells of the plate lie."""
     width, depth = columns * cell.lattice.a1[0], rows * cell.lattice.a2[1]
     view = fitting(width, depth, box, (22.0, 12.0, 4.0, 8.0))
     (left, low), (right, high) = view.place(-0.5 * width, 0), view.place(0.5 * width, depth)
-    sheet.window(view, (0.5 * (left + right), 0.5 * (low + high)), (right - left + 1, high - low + 1))
+    widths = {"CELL": min(cell.lattice.a1[0], cell.lattice.a2[1])}
+    if cell.pillar is not None:
+        body = Body.of(cell.pillar)
+        widths |= {layer: 2 * half_width for layer, half_width in body.outlines.items()}
+        widths["CENTRE"] = 2 * MARK * cell.pillar.diameter
+    small = [layer for layer, size in widths.items() if view.scale * size < LEGIBLE]
+    sheet.window(view, (view.origin[0], 0.5 * (low + high)), (right - left + 1, high - low + 1), small)
     style = {"dimdec": 4, "dimzin": 8}
     sheet.dimension(view, ((left, low), (right, low)), low - 8, style)
     shelf = (left - 8 - SHELF, 0.5 * (low + high))
@@ -202,7 +209,7 @@ class _Section:
         for k, one in enumerate(sorted(free, key=lambda one: one.place[0])):
             upright = body.side[np.isclose(body.side[:, 0], one.place[0]), 1]
             start = max(upright, default=body.side[0, 1])  # extension lines begin where the body leaves them
-            self.width(body, one, start, ceiling + 5 + _NEXT * k, beyond)
+            self.width(body, one, start, ceiling + 5 + NEXT * k, beyond)
         face = self.view.place(0, -self.cell.thickness)[1]
         for one in self.shown("width"):
             if one.place[1] <= 0 and one not in free:
