@@ -99,7 +99,9 @@ def test_no_text_lies_on_another_or_on_a_line_or_leaves_the_frame(name):
 
 
 def test_a_line_through_a_text_is_noticed():
-    lines = np.array([[[0, 0], [4, 4]], [[0, 2], [4, 2]], [[2, 0], [2, 4]], [[0, 3.5], [4, 3.5]]], dtype=float)
+    lines = np.array(
+        [[[0, 0], [4, 4]], [[0, 2], [4, 2]], [[2, 0], [2, 4]], [[0, 3.5], [4, 3.5]]], dtype=float
+    )
     assert crossing((1, 1, 3, 3), lines).tolist() == lines[:3].tolist()
 
 
@@ -114,7 +116,9 @@ def test_every_dimension_is_measured_and_given_with_its_tolerance(name, tmp_path
     for dimension in document.paperspace("Drawing").query("DIMENSION"):
         style = dimension.override()
         value = dimension.get_measurement() * style.get("dimlfac")
-        measured.append((value, style.get("dimtp", 0.0) if style.get("dimtol", 0) else 0.0, written(dimension)))
+        measured.append(
+            (value, style.get("dimtp", 0.0) if style.get("dimtol", 0) else 0.0, written(dimension))
+        )
     for key, value in dimensions_of(the_cell).items():
         if key.endswith("draft"):
             text = f"draft {math.degrees(value):.2f}° ±0.25°".replace("-", "\N{MINUS SIGN}")

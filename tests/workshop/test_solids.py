@@ -80,7 +80,9 @@ def test_a_new_form_is_a_row_of_the_table(draft, monkeypatch, tmp_path):
     assert [len(outline) for outline in outlines] == [6] * 6
     write_drawing(tmp_path / "drawing.dxf", body, "Hexagon", 2, 3)
     sheet = ezdxf.readfile(tmp_path / "drawing.dxf").paperspace("Drawing")
-    assert any(d.dxf.text == "<>" and "HEX" in str(d.override().get("dimpost")) for d in sheet.query("DIMENSION"))
+    assert any(
+        d.dxf.text == "<>" and "HEX" in str(d.override().get("dimpost")) for d in sheet.query("DIMENSION")
+    )
 
 
 def test_a_step_file_without_a_solid_is_refused(tmp_path):
@@ -111,7 +113,9 @@ class TestSurface:
         if pillar is not None:
             girth = 2 * math.pi if pillar.section == "round" else 8.0
             curved = girth * pillar.widest * (pillar.height + pillar.fillet) * cells
-        assert abs(enclosed(skin.points, skin.cells_dict["triangle"]) - exact) <= CHORD * curved + 1e-9 * exact
+        assert (
+            abs(enclosed(skin.points, skin.cells_dict["triangle"]) - exact) <= CHORD * curved + 1e-9 * exact
+        )
 
     def test_the_plates_top_is_covered_once(self, name, size):
         the_cell, cells = ALL[name], math.prod(size)

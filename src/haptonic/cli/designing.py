@@ -32,8 +32,7 @@ from haptonic.results.common import no_nan
 from haptonic.store import Store
 from haptonic.study import Study, load
 from haptonic.units import format_quantity
-from haptonic.workshop.dimensions import dimensions_of
-from haptonic.workshop.shape import in_mm
+from haptonic.workshop.shape import dimensions_of, in_mm
 
 
 def design(

@@ -65,10 +65,11 @@ def text_of(one: Dimension, half_width: float | None, sign: str = "") -> str:
     if one.kind == "angle":
         return sign + degrees(one.value, half_width)
     style = style_of(one, half_width, sign)
+    form: str = style["dimpost"]
     value = f"{one.value:.{style['dimdec']}f}"
     if half_width is None:
-        return style["dimpost"].replace("<>", value.rstrip("0").rstrip("."))
-    return style["dimpost"].replace("<>", value) + f"±{style['dimtp']:.{style['dimtdec']}f}"
+        return form.replace("<>", value.rstrip("0").rstrip("."))
+    return form.replace("<>", value) + f"±{style['dimtp']:.{style['dimtdec']}f}"
 
 
 def _decimals(half_width: float, least: int) -> int:

@@ -124,7 +124,9 @@ def write_drawing(
             write_atomically(path, sheet.document.saveas)
             return path
         created = datetime.datetime.combine(date, datetime.time()) if date else None
-        metadata = {"svg": {"Date": date and date.isoformat()}, "png": {}}.get(kind, {"CreationDate": created})
+        metadata = {"svg": {"Date": date and date.isoformat()}, "png": {}}.get(
+            kind, {"CreationDate": created}
+        )
         stream = io.BytesIO()
         sheet.figure().savefig(
             stream, format=kind if kind in ("svg", "png") else "pdf", dpi=DOTS_PER_INCH,
@@ -153,7 +155,7 @@ def _title_block(sheet: Sheet, title: str, fields: Mapping[str, str]) -> None:
 
 
 def _first_angle(sheet: Sheet, x: float, y: float) -> None:
-    """Symbol of the method of projection (ISO 5456-2): a cone from its side, and to the right from its left."""
+    """Symbol of the method of projection (ISO 5456-2): a cone from its side, and from its left."""
     sheet.line([(x - 9, y - 1.5), (x - 9, y + 1.5), (x - 2, y + 3), (x - 2, y - 3)], "SEEN", close=True)
     for radius in (1.5, 3.0):
         add_outline(sheet.space, FORMS["round"], (x + 5, y), radius, "SEEN")

@@ -1,4 +1,4 @@
-"""The one description that every file of a workshop derives from: plate, pillars and the numbers that make them.
+"""What every file of a workshop derives from: the plate, its pillars and the numbers that make them.
 
 A plate of ``columns`` x ``rows`` cells is centred on the origin; its columns follow the lattice's first
 translation. Files are in millimetres, so lengths here are too (`in_mm`). A place on a pillar is (half-width,
@@ -61,7 +61,7 @@ FORMS: Mapping[Section, Form] = {
 class Body:
     """What stands on every cell: a form whose half-width follows a profile.
 
-    side : (n, 2) places from the foot, or the end of its fillet, to the top's edge; straight between them
+    side : (n, 2) places from the foot, or the end of its fillet, to the top's edge, straight in between
     arc : the fillet before them, if there is one
     outlines : half-widths that are cut to, by the layer that a DXF file has them on
     """
@@ -99,7 +99,7 @@ class Body:
         return max(self.outlines["PILLAR"], float(self.side[:, 0].max()))
 
     def flank(self, pieces: int) -> Array:
-        """(n, 2) the whole profile from the plate to the top's edge, its fillet in so many straight pieces."""
+        """(n, 2) the profile from the plate to the top's edge, its fillet in so many straight pieces."""
         if self.arc is None:
             return self.side
         return np.concatenate([self.arc.at(np.arange(pieces) / pieces), self.side])

@@ -1,15 +1,16 @@
 """A sheet A4 in the paper space of a DXF document: lines, dimensions, leaders and text; and its picture.
 
-ezdxf draws the dimensions (its DIMENSION entities keep what they measure and their tolerances) and the picture.
-Three things stay ours. ezdxf guesses the width of a dimension's text, so the shelf under it would be too long
-or too short: `_Measured` measures it. In its pictures text is filled outlines: `_Pipeline` writes it as text,
-which can be searched in a PDF. And nothing there keeps labels apart: `Sheet.beside` does. Dimensions are read
-from below (ISO 129-1, method 2), so that text needs no room along the line that it belongs to.
+ezdxf draws the dimensions (its DIMENSION entities keep what they measure and their tolerances) and the
+picture. Three things stay ours. ezdxf guesses the width of a dimension's text, so the shelf under it would be
+too long or too short: `_Measured` measures it. In its pictures text is filled outlines: `_Pipeline` writes it
+as text, which can be searched in a PDF. And nothing there keeps labels apart: `Sheet.beside` does. Dimensions
+are read from below (ISO 129-1, method 2), so that text needs no room along the line that it belongs to.
 """
 
 from __future__ import annotations
 
 import random
+import re
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
@@ -17,14 +18,14 @@ from typing import Any, Literal
 
 import matplotlib as mpl
 import numpy as np
-from ezdxf.addons.drawing import RenderContext
 from ezdxf.addons.drawing.config import BackgroundPolicy, ColorPolicy, Configuration
 from ezdxf.addons.drawing.frontend import UniversalFrontend
 from ezdxf.addons.drawing.matplotlib import MatplotlibBackend
 from ezdxf.addons.drawing.pipeline import RenderPipeline2d
-from ezdxf.addons.drawing.properties import Properties
+from ezdxf.addons.drawing.properties import Properties, RenderContext
 from ezdxf.document import Drawing
-from ezdxf.entities import Dimension, DimStyleOverride
+from ezdxf.entities import Dimension
+from ezdxf.entities.dimstyleoverride import DimStyleOverride
 from ezdxf.enums import TextEntityAlignment
 from ezdxf.fonts import fonts
 from ezdxf.layouts import Paperspace
@@ -106,9 +107,9 @@ class Sheet:
                 document.linetypes.add(name, [sum(map(abs, dashes)), *dashes])
             document.layers.add(name, linetype=name if dashes else "Continuous", lineweight=width)
         document.dimstyles.add("SHEET", dxfattribs={
-            "dimtxsty": "PLAIN", "dimtxt": SIZE, "dimasz": ARROW, "dimexe": BEYOND, "dimexo": GAP, "dimgap": 0.8,
-            "dimtad": 1, "dimtih": 1, "dimtoh": 1, "dimtofl": 0, "dimdsep": ord("."), "dimcen": 0,
-            "dimlwd": LAYERS["DIMENSION"][0], "dimlwe": LAYERS["DIMENSION"][0],
+            "dimtxsty": "PLAIN", "dimtxt": SIZE, "dimasz": ARROW, "dimexe": BEYOND, "dimexo": GAP,
+            "dimgap": 0.8, "dimtad": 1, "dimtih": 1, "dimtoh": 1, "dimtofl": 0, "dimcen": 0,
+            "dimdsep": ord("."), "dimlwd": LAYERS["DIMENSION"][0], "dimlwe": LAYERS["DIMENSION"][0],
         })  # fmt: skip
         document.layouts.rename("Layout1", "Drawing")
         space = document.paperspace("Drawing")
@@ -129,7 +130,7 @@ class Sheet:
     ) -> None:
         """One line of text, its baseline at ``place``."""
         style = {"layer": "TEXT", "style": "BOLD" if bold else "PLAIN"}
-        entity = self.space.add_text(text, height=size, dxfattribs=style)
+        entity = self.space.add_text(_literal(text), height=size, dxfattribs=style)
         entity.set_placement((float(place[0]), float(place[1])), align=TextEntityAlignment[align])
 
     def paragraph(self, place: Place, text: str, width: float, size: float = SMALL) -> None:
@@ -157,7 +158,7 @@ class Sheet:
         upright: bool = False,
         shelf: tuple[float, float] | None = None,
     ) -> None:
-        """Dimension between two places on the paper, its line at the height (or, ``upright``, the x) ``line``.
+        """Dimension between two places on the paper, its line at the height (``upright``: the x) ``line``.
 
         Parameters
         ----------
@@ -176,9 +177,7 @@ class Sheet:
             dimension.set_location(shelf, leader=True)
         dimension.render()
 
-    def radius(
-        self, view: View, centre: Place, tip: Place, style: Mapping[str, Any], shelf: Place
-    ) -> None:
+    def radius(self, view: View, centre: Place, tip: Place, style: Mapping[str, Any], shelf: Place) -> None:
         """Radius of a hollow arc about ``centre``, shown at its point ``tip``, all on the paper."""
         dimension = self.space.add_radius_dim(
             centre, mpoint=tip, dimstyle="SHEET", dxfattribs={"layer": "DIMENSION"},
@@ -188,7 +187,7 @@ class Sheet:
         dimension.render()
 
     def leader(self, tip: Place, label: tuple[float, float], text: str, side: Literal[-1, 1]) -> None:
-        """Text on a shelf that begins at ``label``, joined to ``tip`` by a line that ends there in an arrow."""
+        """Text on a shelf that begins at ``label``, joined to ``tip`` by a line with an arrow there."""
         end = (label[0] + side * text_width(text), label[1])
         self.line([tip, label, end], "DIMENSION")
         away = np.asarray(tip, dtype=float) - label
@@ -242,6 +241,11 @@ def shortened(text: str, width: float, size: float, bold: bool = False) -> str:
     while text and text_width(f"{text}…", size, bold) > width:
         text = text[:-1].rstrip()
     return f"{text}…"
+
+
+def _literal(text: str) -> str:
+    """A line in which a caret and two per cent signs mean themselves, and that nothing breaks."""
+    return re.sub(r"[\x00-\x1f\x7f-\x9f\u2028\u2029]", " ", text).replace("^", "^ ").replace("%%", "% %")
 
 
 class _Measured(BaseDimensionRenderer):
@@ -298,4 +302,4 @@ class _Pipeline(RenderPipeline2d):
         place, face = transform.origin, properties.font
         weight = "bold" if face and face.is_bold else "normal"
         size = cap_height / CAPITAL / POINT
-        self.axes.text(place.x, place.y, text, fontsize=size, fontweight=weight, va="baseline", zorder=1e6)
+        self.axes.text(place.x, place.y, text, fontsize=size, fontweight=weight, parse_math=False, zorder=1e6)

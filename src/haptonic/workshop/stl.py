@@ -1,9 +1,9 @@
 """The plate's surface as a watertight triangulation in an STL file, in mm.
 
-OpenCascade would need the extra ``cad`` and NETGEN's mesher, which has no bound on the chord, so the surface is
-made here; ezdxf cuts the plate's top around a pillar into triangles, and meshio writes them. Every horizontal
-outline of a pillar is a multiple of one polygon, so its side is a grid of levels times corners. The plate's top
-is cut cell by cell and has no corners on a cell's sides: neighbours fit together.
+OpenCascade would need the extra ``cad``, and as NETGEN brings it has no writer of STL, so the surface is made
+here; ezdxf cuts the plate's top around a pillar into triangles, and meshio writes the file. Every horizontal
+outline of a pillar is a multiple of one polygon, so its side is a grid of levels times corners. The plate's
+top is cut cell by cell and has no corners on a cell's sides: neighbours fit together.
 """
 
 from __future__ import annotations
@@ -58,7 +58,7 @@ def surface(cell: UnitCell, columns: int = 1, rows: int = 1, *, chord: float = C
         middle = centres(scaled, columns, rows)
         standing, side, top = _pillar(Body.of(scaled.pillar), points[1][quads[0], :2] - middle[0], chord * MM)
         for k, (centre, quad) in enumerate(zip(middle, quads, strict=True)):
-            points.append(standing + [*centre, scaled.thickness])
+            points.append(standing + np.append(centre, scaled.thickness))
             first = 2 * up + k * len(standing)
             triangles += [side + first, np.concatenate([quad + up, np.arange(len(standing)) + first])[top]]
     return meshio.Mesh(np.concatenate(points) / MM, [("triangle", np.concatenate(triangles))])

@@ -1,4 +1,4 @@
-"""The views of a drawing: plan and section of one cell, what it looks like, and where the cells of a plate lie."""
+"""The views of a drawing: plan and section of one cell, how it looks, and where the cells of a plate lie."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ CHORD = 0.005  # of the body's size, which nobody sees in the isometric view
 
 
 def fitting(width: float, height: float, box: Box, room: Box) -> View:
-    """View at the largest standard scale that fits into a box with room around; its origin is the lower middle."""
+    """Largest standard scale that fits into a box with room around it; the origin is the lower middle."""
     across, up = box[2] - box[0] - room[0] - room[2], box[3] - box[1] - room[1] - room[3]
     scale = next((s for s in SCALES if s <= min(across / width, up / height)), SCALES[-1])
     bottom = box[1] + room[1] + 0.5 * (up - scale * height)
@@ -66,7 +66,9 @@ def draw_plan(sheet: Sheet, box: Box, cell: UnitCell, tolerances: Mapping[str, f
     return view
 
 
-def draw_section(sheet: Sheet, box: Box, cell: UnitCell, tolerances: Mapping[str, float], alone: bool) -> View:
+def draw_section(
+    sheet: Sheet, box: Box, cell: UnitCell, tolerances: Mapping[str, float], alone: bool
+) -> View:
     """Draw the section A-A of a cell (lengths in mm); ``alone``: its sides are edges of the plate."""
     body = Body.of(cell.pillar) if cell.pillar else None
     width, total = cell.lattice.a1[0], cell.thickness + (body.height if body else 0.0)
@@ -87,9 +89,9 @@ def draw_isometric(sheet: Sheet, box: Box, cell: UnitCell) -> None:
     skin = surface(cell.scaled(1 / MM), chord=CHORD * size / MM)
     edges = MM * np.array(seen_edges(skin.points, skin.cells_dict["triangle"], ISOMETRIC))
     low, high = edges.min(axis=(0, 1)), edges.max(axis=(0, 1))
-    size = (box[2] - box[0], box[3] - box[1] - 14)
-    scale = float((size / (high - low)).min())
-    edges = scale * (edges - 0.5 * (low + high)) + [0.5 * (box[0] + box[2]), box[1] + 0.5 * size[1]]
+    corners = np.array([box[:2], (box[2], box[3] - 14)])
+    scale = ((corners[1] - corners[0]) / (high - low)).min()
+    edges = scale * (edges - 0.5 * (low + high)) + corners.mean(axis=0)
     for edge in edges:
         sheet.line(edge, "SEEN")
     _title(sheet, box, "Isometric")
@@ -111,7 +113,11 @@ def draw_plate(sheet: Sheet, box: Box, cell: UnitCell, columns: int, rows: int) 
     sheet.dimension(view, ((left, low), (right, low)), low - 8, style)
     shelf = (left - 8 - SHELF, 0.5 * (low + high))
     sheet.dimension(view, ((left, low), (left, high)), left - 8, style, upright=True, shelf=shelf)
-    _title(sheet, (*box[:3], min(box[3], high + 11)), f"Plate, {columns} \N{MULTIPLICATION SIGN} {rows} cells   {view}")
+    _title(
+        sheet,
+        (*box[:3], min(box[3], high + 11)),
+        f"Plate, {columns} \N{MULTIPLICATION SIGN} {rows} cells   {view}",
+    )
     return view
 
 
@@ -149,7 +155,9 @@ class _Section:
         for edge in ([top[-1], bottom[0]], [bottom[1], top[0]]):
             self.sheet.line(edge, "OUTLINE" if alone else "PERIOD")
         self.sheet.line(bottom - [0, 1.0], "TOUCH")
-        self.sheet.leader(bottom[0] + [2.0, -1.3], (float(bottom[0, 0]) - 2, float(bottom[0, 1]) - 7), TOUCH, -1)
+        self.sheet.leader(
+            bottom[0] + [2.0, -1.3], (float(bottom[0, 0]) - 2, float(bottom[0, 1]) - 7), TOUCH, -1
+        )
         if self.body is not None:
             x, (low, high) = self.view.origin[0], (bottom[0, 1], top[:, 1].max())
             self.sheet.line([(x, low - 3.5), (x, high + 3.5)], "AXIS")
@@ -171,7 +179,7 @@ class _Section:
         self.sheet.beside(labels, face + 0.5, ceiling)
 
     def draw_right(self, body: Body) -> float:
-        """Radii, heights and angles, and what cannot be dimensioned from above; the height they stay below."""
+        """Radii, heights, angles, and what cannot be dimensioned from above; the height they stay below."""
         column, face = self.view.place(self.half, -self.cell.thickness)
         column += LANE
         labels = [self.height(one, column, 1) for one in self.shown("right")]
@@ -197,13 +205,13 @@ class _Section:
         return wanted, lambda y: self.sheet.radius(self.view, centre, tip, style, (column, y))
 
     def pointed(self, one: Dimension, column: float, sign: str) -> Label:
-        """A leader, for what two extension lines cannot show: the two sides of a small angle lie on each other."""
+        """A leader, where extension lines show nothing: those of a small angle lie on each other."""
         tip = self.view.place(*one.place)
         text = text_of(one, self.tolerances.get(one.name or ""), sign)
         return tip[1] + 4, lambda y: self.sheet.leader(tip, (column, y), text, 1)
 
     def draw_widths(self, body: Body, ceiling: float) -> None:
-        """Above ``ceiling``, the narrowest lowest; at a foot that is narrower than what is above, below it."""
+        """Above ``ceiling``, the narrowest lowest; below the foot if it is narrower than what is above."""
         free = [one for one in self.shown("width") if body.is_free_above(*one.place)]
         beyond = self.view.place(max([one.place[0] for one in free], default=0.0), 0)[0]
         for k, one in enumerate(sorted(free, key=lambda one: one.place[0])):
@@ -220,7 +228,9 @@ class _Section:
         half_width = self.tolerances.get(one.name or "")
         fits = text_width(text_of(one, half_width, body.form.sign)) + 2 * ARROW < right[0] - left[0]
         shelf = None if fits else (beyond + 2 * SHELF, line)
-        self.sheet.dimension(self.view, (left, right), line, style_of(one, half_width, body.form.sign), shelf=shelf)
+        self.sheet.dimension(
+            self.view, (left, right), line, style_of(one, half_width, body.form.sign), shelf=shelf
+        )
 
 
 def _draw_edges(sheet: Sheet, body: Body, centre: tuple[float, float], scale: float) -> None:
