@@ -11,6 +11,7 @@ import sys
 import textwrap
 import threading
 import time
+import warnings
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
@@ -145,10 +146,21 @@ class TestHere:
             run_all(moody, moody_tasks(tmp_path, ["fine", "fine", "buggy", "fine"]), store=store)
         assert kept(store) == 2
 
-    def test_an_unusable_store_is_found_before_anything_is_computed(self, tmp_path: Path) -> None:
+    def test_an_unusable_store_is_told_before_the_work_and_does_not_stop_it(self, tmp_path: Path) -> None:
         (tmp_path / "file").touch()
-        with pytest.raises(ResourceError, match="results store"):
-            run_all(never, tasks_for([1]), store=Store(tmp_path / "file" / "store"))
+        told: list[int] = []
+
+        def computed(number: float) -> xr.Dataset:
+            told.append(len(caught))
+            return square(number)
+
+        with warnings.catch_warnings(record=True) as caught:
+            warnings.simplefilter("always")
+            outcomes = run_all(computed, tasks_for([1, 3]), store=Store(tmp_path / "file" / "store"))
+        assert [result(outcome) for outcome in outcomes] == [1, 9]
+        assert told[0] > 0
+        assert {str(one.message) for one in caught} == {str(caught[0].message)}, "one thing to say"
+        assert "are not kept" in str(caught[0].message)
 
     def test_importing_it_does_not_import_dask(self) -> None:
         check = "import sys, haptonic.jobs; print('distributed' in sys.modules, 'dask' in sys.modules)"
@@ -194,6 +206,19 @@ class TestWorkers:
         assert threads == {(3, 3, 3)}, "six cores for two workers"
         assert os.environ["OMP_NUM_THREADS"] == "64"
         assert "MKL_NUM_THREADS" not in os.environ
+
+    def test_an_end_that_takes_too_long_costs_no_result(
+        self, store: Store, monkeypatch: pytest.MonkeyPatch
+    ) -> None:
+        """As on a busy machine: nobody waits for the workers, and whoever closes them is told so."""
+        import psutil
+
+        monkeypatch.setattr(jobs, "CLOSE_SECONDS", 1e-4)
+        outcomes = run_all(square, tasks_for([1, 2, 3]), store=store, workers=2)
+        assert [result(outcome) for outcome in outcomes] == [1, 4, 9]
+        processes = {int(outcome.dataset.process) for outcome in outcomes if outcome.dataset is not None}
+        _, alive = psutil.wait_procs([psutil.Process(p) for p in processes if psutil.pid_exists(p)], 5)
+        assert not alive
 
     @pytest.mark.parametrize(("workers", "scheduler"), [(-1, None), (2, "tcp://127.0.0.1:8786")])
     def test_settings_that_make_no_sense(self, store: Store, workers: int, scheduler: str | None) -> None:

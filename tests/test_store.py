@@ -7,10 +7,13 @@ import os
 import signal
 import subprocess
 import sys
+import tempfile
 import textwrap
 import time
+import warnings
 from collections.abc import Callable
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import platformdirs
@@ -22,7 +25,7 @@ from hypothesis import strategies as st
 from haptonic import store as module
 from haptonic.errors import HaptonicWarning, ResourceError
 from haptonic.results import refuse_taken
-from haptonic.store import Store, content_key, refuse_overwrite, write_atomically
+from haptonic.store import Store, content_key, refuse_overwrite, whole_set, write_atomically
 
 KEY = "ab" + "0" * 62
 leaves = (
@@ -44,7 +47,11 @@ def files_below(root: Path) -> list[str]:
 
 
 def run_script(folder: Path, source: str, *arguments: object) -> subprocess.Popen[str]:
-    script = folder / "script.py"
+    return run_script_as(folder, "script", source, *arguments)
+
+
+def run_script_as(folder: Path, name: str, source: str, *arguments: object) -> subprocess.Popen[str]:
+    script = folder / f"{name}.py"
     script.write_text(textwrap.dedent(source))
     command = [sys.executable, str(script), *map(str, arguments)]
     return subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
@@ -291,7 +298,7 @@ class TestAtomicity:
             raise OSError(28, "No space left on device")
 
         monkeypatch.setattr(os, "fsync", fails)
-        with pytest.raises(ResourceError, match="the disk is full"):
+        with pytest.warns(HaptonicWarning, match="are not kept.*the disk is full"):
             store.put(KEY, gaps(2.0))
         xr.testing.assert_identical(store.get(KEY), gaps(1.0))
         assert files_below(tmp_path) == [f"{KEY}.nc"]
@@ -380,20 +387,18 @@ class TestUnusableFolders:
         return tmp_path / "file" / "store"
 
     def test_put(self, blocked: Path) -> None:
-        with pytest.raises(ResourceError, match="a part of the path is a file, not a folder") as caught:
+        with pytest.warns(HaptonicWarning, match="a part of the path is a file, not a folder") as caught:
             Store(blocked).put(KEY, gaps())
-        assert caught.value.argument == "results store"
-        assert str(blocked) in caught.value.given
-        assert all(caught.value.parts().values())
+        assert str(blocked) in str(caught[0].message)
 
     def test_get(self, blocked: Path) -> None:
-        with pytest.raises(ResourceError, match="HAPTONIC_STORE"):
-            Store(blocked).get(KEY)
+        with pytest.warns(HaptonicWarning, match="HAPTONIC_STORE"):
+            assert Store(blocked).get(KEY) is None
 
     def test_a_folder_in_the_place_of_a_result(self, tmp_path: Path) -> None:
         Store(tmp_path).path(KEY).mkdir(parents=True)
         for use in (lambda: Store(tmp_path).get(KEY), lambda: Store(tmp_path).put(KEY, gaps())):
-            with pytest.raises(ResourceError, match="there is a folder of that name"):
+            with pytest.warns(HaptonicWarning, match="there is a folder of that name"):
                 use()
 
     def test_output(self, blocked: Path) -> None:
@@ -407,21 +412,18 @@ class TestUnusableFolders:
             import resource, signal, sys
             from pathlib import Path
             import numpy as np, xarray as xr
-            from haptonic.errors import ResourceError
             from haptonic.store import Store
 
             store = Store(Path(sys.argv[1]))
             store.put(sys.argv[2], xr.Dataset({"x": ("n", [1.0])}))
             signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
             resource.setrlimit(resource.RLIMIT_FSIZE, (50_000, 50_000))
-            try:
-                store.put(sys.argv[2], xr.Dataset({"x": ("n", np.arange(1e5))}))
-            except ResourceError as error:
-                print(error.cause)
+            store.put(sys.argv[2], xr.Dataset({"x": ("n", np.arange(1e5))}))
         """
         printed, noise = run_script(tmp_path, source, tmp_path / "store", KEY).communicate(timeout=30)
-        assert noise == ""
-        assert printed == "the file is larger than the system lets you write\n"
+        assert printed == ""
+        assert "HaptonicWarning" in noise
+        assert "the file is larger than the system lets you write" in noise
         assert files_below(tmp_path / "store") == [f"{KEY}.nc"]
         found = Store(tmp_path / "store").get(KEY)
         assert found is not None
@@ -459,3 +461,116 @@ def test_asking_whether_a_folder_can_be_written_leaves_nothing_behind(tmp_path):
     (tmp_path / "there" / "a.nc").touch()
     with pytest.raises(ResourceError, match=r"a\.nc"):
         refuse_taken(tmp_path / "there", ["a.nc"], overwrite=False)
+
+
+RACER = """
+    import sys, time
+    from pathlib import Path
+    from haptonic.errors import ResourceError
+    from haptonic.results import refuse_taken, write_files
+    from haptonic.store import whole_set
+
+    root, number, turns = Path(sys.argv[1]), sys.argv[2], int(sys.argv[3])
+    for turn in range(turns):
+        while time.time() < float(sys.argv[4]) + 0.02 * turn:
+            pass
+        folder = root / str(turn) / "results" / ("same" if turn % 2 else number)
+        try:
+            refuse_taken(folder, ["a", "b"], overwrite=False)
+            with whole_set(folder, overwrite=False) as draft:
+                write_files(draft, {n: lambda path: path.write_text(number) for n in "ab"}, overwrite=False)
+            print(turn, flush=True)
+        except ResourceError as error:
+            assert "not taken" in error.allowed, error
+"""
+
+
+def test_two_commands_at_once_in_a_fresh_folder(tmp_path: Path) -> None:
+    """Each writes its set into a folder that is not there yet, or is told that the other one was faster."""
+    turns, start = 60, time.time() + 3
+    racers = [run_script_as(tmp_path, f"racer{k}", RACER, tmp_path / "root", k, turns, start) for k in "AB"]
+    done = []
+    for racer in racers:
+        out, noise = racer.communicate(timeout=60)
+        assert noise == ""
+        done += out.split()
+    assert set(done) == {str(turn) for turn in range(turns)}, "somebody has to be first"
+    for turn in range(turns):
+        for folder in (tmp_path / "root" / str(turn) / "results").iterdir():
+            assert sorted(path.name for path in folder.iterdir()) == ["a", "b"]
+    assert not list((tmp_path / "root").rglob(".haptonic*"))
+
+
+class TestWholeSets:
+    NAMES = ("a.nc", "b.csv", "scan/c.csv")
+
+    @given(st.integers(0, 3), st.sampled_from([OSError(28, "full"), ValueError, KeyboardInterrupt]),
+           st.booleans(), st.sampled_from(["new", "new/deeper", "there"]))  # fmt: skip
+    @settings(max_examples=40, deadline=None)
+    def test_all_or_none(self, place: int, failure: Any, overwrite: bool, where: str) -> None:
+        """Whatever fails and wherever: the folder is as it was; without a failure all files are there."""
+        with tempfile.TemporaryDirectory() as name:
+            root = Path(name)
+            (root / "there").mkdir()
+            (root / "there" / "mine").write_text("mine")
+            if overwrite and where == "there":
+                (root / where / "b.csv").write_text("old")
+            before = {path: path.is_file() and path.read_text() for path in root.rglob("*")}
+
+            def written() -> None:
+                with whole_set(root / where, overwrite=overwrite) as draft:
+                    for number, file in enumerate(self.NAMES):
+                        if number == place:
+                            write_atomically(draft / file, fails)
+                        write_atomically(draft / file, lambda path: path.write_text("new"))
+
+            def fails(_: Path) -> None:
+                raise failure
+
+            if place == len(self.NAMES):
+                written()
+                assert all((root / where / file).read_text() == "new" for file in self.NAMES)
+                assert (root / "there" / "mine").read_text() == "mine"
+                assert not list(root.rglob(".haptonic*"))
+                return
+            expected = ResourceError if isinstance(failure, OSError) else failure
+            with pytest.raises(expected) as caught:
+                written()
+            if expected is ResourceError:
+                assert caught.value.given == str(root / where / self.NAMES[place])
+            assert {path: path.is_file() and path.read_text() for path in root.rglob("*")} == before
+
+    def test_a_taken_name_says_the_way_out(self, tmp_path: Path) -> None:
+        (tmp_path / "b.csv").write_text("old")
+
+        def written() -> None:
+            with whole_set(tmp_path, overwrite=False) as draft:
+                for name in ("a.nc", "b.csv"):
+                    (draft / name).write_text("new")
+
+        with pytest.raises(ResourceError, match="--overwrite"):
+            written()
+        assert files_below(tmp_path) == ["b.csv"]
+        assert (tmp_path / "b.csv").read_text() == "old"
+
+    def test_what_a_killed_run_left_goes_a_day_later(self, tmp_path: Path) -> None:
+        left = tmp_path / ".haptonic-0123.tmp"
+        left.mkdir()
+        (left / "a.nc").touch()
+        with whole_set(tmp_path, overwrite=False):
+            assert left.exists(), "it may belong to a run that goes on"
+        yesterday = time.time() - 25 * 3600
+        os.utime(left, (yesterday, yesterday))
+        with whole_set(tmp_path, overwrite=False):
+            assert not left.exists()
+
+
+def test_a_store_that_cannot_keep_is_noticed_before_the_work(tmp_path: Path) -> None:
+    """A read-only folder would not stop a test that runs as root; a file in the path does."""
+    (tmp_path / "file").touch()
+    with pytest.warns(HaptonicWarning, match="results of this run are not kept"):
+        assert Store(tmp_path / "file" / "store").get(KEY) is None
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        assert Store(tmp_path / "new" / "store").get(KEY) is None
+    assert not (tmp_path / "new").exists()

@@ -15,8 +15,9 @@ import warnings
 from collections import Counter
 from collections.abc import Callable, Generator, Iterator, Mapping, Sequence
 from concurrent.futures import CancelledError
-from contextlib import ExitStack, closing, contextmanager
+from contextlib import ExitStack, closing, contextmanager, suppress
 from dataclasses import dataclass
+from functools import partial
 from multiprocessing import resource_tracker
 from typing import TYPE_CHECKING, Any
 
@@ -270,15 +271,19 @@ def _local_workers(count: int) -> Iterator[Client]:
 
 
 def _end(cluster: LocalCluster) -> None:
-    """End the workers without waiting for what they are doing, which nobody wants any more."""
+    """End the workers without waiting for what they are doing, which nobody wants any more.
+
+    On a busy machine a killed worker takes any time to be gone; that is no reason to lose the results.
+    """
 
     async def end_workers() -> None:
-        nannies = cluster.workers.values()
-        await asyncio.gather(*(nanny.close(timeout=CLOSE_SECONDS) for nanny in nannies))
+        closing = (nanny.close(timeout=CLOSE_SECONDS) for nanny in cluster.workers.values())
+        await asyncio.gather(*closing, return_exceptions=True)
 
     with _interrupts_held():
-        cluster.sync(end_workers)
-        cluster.close()
+        for close in (partial(cluster.sync, end_workers), cluster.close):
+            with suppress(OSError):  # of which TimeoutError is one
+                close()
 
 
 @contextmanager

@@ -16,10 +16,11 @@ import math
 import os
 import re
 import secrets
+import shutil
 import time
 import warnings
-from collections.abc import Callable, Mapping
-from contextlib import suppress
+from collections.abc import Callable, Iterator, Mapping
+from contextlib import contextmanager, suppress
 from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
@@ -137,11 +138,8 @@ class Store:
     def get(self, key: str) -> xr.Dataset | None:
         """The dataset of this key, in memory; None when there is none.
 
-        A damaged file counts as none: it is renamed to ``<name>.corrupt`` and a HaptonicWarning says so.
-
-        Raises
-        ------
-        ResourceError : the file is there and cannot be read, or the store is not a folder
+        A damaged file counts as none: it is renamed to ``<name>.corrupt`` and a HaptonicWarning says so. A
+        HaptonicWarning also says, before anybody computes what was not found, that nothing can be kept here.
         """
         path = self.path(key)
         try:
@@ -150,20 +148,19 @@ class Store:
                 _set_aside(path)
                 return None
         except FileNotFoundError:
+            self._try()
             return None
         except OSError as error:
-            raise self._unusable(path, error) from error
+            self._warn(error)
+            return None
         # A quantity whose unit is the second stays a number instead of becoming a timedelta.
         return xr.load_dataset(io.BytesIO(content), engine="h5netcdf", decode_timedelta=False)
 
     def put(self, key: str, dataset: xr.Dataset) -> None:
         """Keep a dataset under this key, in place of one that is there.
 
-        Its attributes must be ones that NetCDF knows: text, numbers, and lists of numbers, not booleans.
-
-        Raises
-        ------
-        ResourceError : the folder cannot be made or written, or the disk is full
+        Its attributes must be ones that NetCDF knows: text, numbers, and lists of numbers, not booleans. If
+        it cannot be written, a HaptonicWarning says so: a result is worth more than its copy.
         """
         path = self.path(key)
         # Made in memory first: HDF5 reports a full disk by errors of many kinds, a plain write by one.
@@ -175,15 +172,23 @@ class Store:
             _replace(path, lambda temporary: temporary.write_bytes(content.getbuffer()))
             _remove_stale(path.parent)
         except OSError as error:
-            raise self._unusable(path, error) from error
+            self._warn(error)
 
-    def _unusable(self, path: Path, error: OSError) -> ResourceError:
-        return ResourceError(
-            argument="results store",
-            given=path,
-            allowed="a folder that can be read and written, with room for the results",
-            cause=_cause(error),
-            next_step="free or permit that folder, or name another one: HAPTONIC_STORE=FOLDER haptonic ...",
+    def _try(self) -> None:
+        try:
+            with draft_for(self.root):
+                pass
+        except ResourceError as error:
+            self._warn(error.__cause__)
+
+    def _warn(self, error: BaseException | None) -> None:
+        assert isinstance(error, OSError)
+        warnings.warn(
+            "results of this run are not kept, and are computed again the next time: the results store "
+            f"{self.root} cannot be used: {_cause(error)}. Free or permit that folder, or name another one: "
+            "HAPTONIC_STORE=FOLDER haptonic ...",
+            HaptonicWarning,
+            stacklevel=3,
         )
 
 
@@ -200,24 +205,84 @@ def write_atomically(path: Path, writer: Callable[[Path], object]) -> None:
     try:
         _replace(path, writer)
     except OSError as error:
-        raise ResourceError(
-            argument="output file",
-            given=path,
-            allowed="a file in a folder that can be written, with room for it",
-            cause=_cause(error),
-            next_step="choose another folder for the output, or make this one writable",
-        ) from error
+        raise _unwritable(path, error) from error
+
+
+@contextmanager
+def whole_set(folder: Path, *, overwrite: bool) -> Iterator[Path]:
+    """A new empty folder to write files into, which come to stand in ``folder`` when the block ends well.
+
+    If it does not end well, none of them is there, and ``folder`` is as it was. Two processes that write
+    into the same folder do not meet before the files are renamed.
+
+    Raises
+    ------
+    ResourceError : a name is taken, the folder cannot be made or written, or the disk is full
+    """
+    with draft_for(folder) as (draft, _):
+        try:
+            yield draft
+        except ResourceError as error:  # tell of the file that was asked for
+            parts = error.parts() | {"given": error.given.replace(str(draft), str(folder))}
+            raise ResourceError(**parts) from error
+        files = sorted(path.relative_to(draft) for path in draft.rglob("*") if path.is_file())
+        for name in files:
+            refuse_overwrite(folder / name, overwrite)
+        for name in files:
+            try:
+                (folder / name).parent.mkdir(parents=True, exist_ok=True)
+                (draft / name).replace(folder / name)
+            except OSError as error:
+                raise _unwritable(folder / name, error) from error
+
+
+@contextmanager
+def draft_for(folder: Path) -> Iterator[tuple[Path, Path]]:
+    """An empty folder on the disk where ``folder`` is or would be, gone after the block; then what of the
+    path of ``folder`` is not there yet.
+
+    Its name is its own and no other folder is made, so runs at the same time do not meet.
+
+    Raises
+    ------
+    ResourceError : nothing can be written there
+    """
+    whole = folder.absolute()
+    try:
+        there = next(one for one in (whole, *whole.parents) if one.exists())
+        _remove_stale(there)
+        draft = there / f"{TEMPORARY}{secrets.token_hex(8)}.tmp"
+        draft.mkdir()
+    except OSError as error:
+        raise _unwritable(folder, error) from error
+    try:
+        yield draft, whole.relative_to(there)
+    finally:
+        shutil.rmtree(draft, ignore_errors=True)
+
+
+def _unwritable(path: Path, error: OSError) -> ResourceError:
+    return ResourceError(
+        argument="output file",
+        given=path,
+        allowed="a file in a folder that can be written, with room for it",
+        cause=_cause(error),
+        next_step="choose another folder for the output (--out DIR), or make this one writable",
+    )
 
 
 def refuse_overwrite(path: Path, overwrite: bool) -> None:
     """Raise ResourceError if something of that name exists and was not asked to be replaced."""
+    if path.is_dir():
+        raise _unwritable(path, IsADirectoryError(errno.EISDIR, ""))
     if os.path.lexists(path) and not overwrite:
         raise ResourceError(
             argument="output file",
             given=path,
             allowed="a name that is not taken, unless overwriting was asked for",
             cause="an earlier run wrote it",
-            next_step="choose another folder for the output, or ask to overwrite",
+            next_step="choose another folder (--out DIR), or replace what is there: --overwrite, or "
+            "overwrite=True in Python",
         )
 
 
@@ -240,7 +305,7 @@ def _remove_stale(folder: Path) -> None:
     for leftover in folder.glob(f"{TEMPORARY}*.tmp*"):
         with suppress(OSError):  # gone meanwhile, or somebody else's: not a reason to fail
             if time.time() - leftover.stat().st_mtime > STALE_SECONDS:
-                leftover.unlink()
+                shutil.rmtree(leftover) if leftover.is_dir() else leftover.unlink()
 
 
 def _is_sound(content: bytes) -> bool:

@@ -10,6 +10,7 @@ import re
 from itertools import pairwise
 from types import SimpleNamespace
 
+import ezdxf
 import numpy as np
 import pytest
 import xarray as xr
@@ -23,7 +24,7 @@ from haptonic.bloch import gaps_of
 from haptonic.cli import designing
 from haptonic.cli.app import app
 from haptonic.store import Store
-from haptonic.workshop import cell_drawing
+from haptonic.workshop import cell_drawing, drawing
 
 SWEEP = """
 [[sweep]]
@@ -249,11 +250,18 @@ class TestTolerance:
         monkeypatch.setattr(workshop, "write_drawing", noted)
         exported = here("export", path, "--out", tmp_path / "files", "--drawing")
         assert exported.code == 0, exported.err
-        assert [p.name for p in (tmp_path / "files").iterdir()] == ["asking.pdf"]
-        assert shown == [{"cell.pillar.height": pytest.approx(answer["loosest_factor"] * 3 * 20e-6)}]
-        texts = {text.get_text() for text in cell_drawing(
-            package.load(path).unit_cell(), "", tolerances=shown[0]).findobj(Text)}  # fmt: skip
-        assert f"14.700 ± {1e3 * shown[0]['cell.pillar.height']:.3f}" in texts
+        assert {p.name for p in (tmp_path / "files").iterdir()} == {"asking.pdf", "asking-drawing.dxf"}
+        wanted = pytest.approx(answer["loosest_factor"] * 3 * 20e-6)
+        assert shown == [{"cell.pillar.height": wanted}] * 2
+        sheet = ezdxf.readfile(tmp_path / "files" / "asking-drawing.dxf").paperspace("Drawing")
+        styles = [(d.get_measurement(), d.override()) for d in sheet.query("DIMENSION")]
+        (height,) = [(m * s.get("dimlfac"), s) for m, s in styles if s.get("dimtol")]
+        assert height[0] == pytest.approx(14.7)
+        assert height[1].get("dimtp") == height[1].get("dimtm") == pytest.approx(1e3 * wanted.expected)
+        texts = " ".join(
+            text.get_text() for text in cell_drawing(package.load(path).unit_cell(), "", tolerances=shown[0])
+            .figure().findobj(Text))  # fmt: skip
+        assert f"14.700 ±{1e3 * shown[0]['cell.pillar.height']:.3f}" in texts
 
     def test_it_refuses_to_overwrite_before_computing(self, here, asking, tmp_path, monkeypatch):
         (tmp_path / "out").mkdir()
@@ -294,8 +302,8 @@ class TestExport:
     def test_all_files_unless_some_are_named(self, haptonic, study, tmp_path):
         ran = haptonic("export", study(), "--out", tmp_path / "all", "--columns", 3, "--rows", 2, "--json")
         assert ran.code == 0, ran.err
-        kinds = {"step", "dxf", "stl", "pdf"}
-        assert {p.name for p in (tmp_path / "all").iterdir()} == {f"quick.{kind}" for kind in kinds}
+        names = {*(f"quick.{kind}" for kind in ("step", "dxf", "stl", "pdf")), "quick-drawing.dxf"}
+        assert {p.name for p in (tmp_path / "all").iterdir()} == names
         assert sorted(ran.json["files"]) == sorted(str(p) for p in (tmp_path / "all").iterdir())
         assert (tmp_path / "all" / "quick.pdf").read_bytes().startswith(b"%PDF")
         assert "ISO-10303-21" in (tmp_path / "all" / "quick.step").read_text()[:40]
@@ -338,8 +346,34 @@ class TestExport:
             SPREAD.format("material.density", "9 kg/m^3"),
         ]
         study = package.load(asking(TOLERANCE, *tables))
-        monkeypatch.setattr(package.Study, "toleranced", lambda *_: SimpleNamespace(loosest=0.5))
-        assert designing.drawn_tolerances(study) == {"cell.pillar.height": pytest.approx(0.5 * 3 * 20e-6)}
-        monkeypatch.setattr(package.Study, "toleranced", lambda *_: SimpleNamespace(loosest=0.0))
-        assert designing.drawn_tolerances(study) == {}
-        assert designing.drawn_tolerances(package.load(asking())) == {}
+        found = SimpleNamespace(loosest=0.5, plate=0.42)
+        monkeypatch.setattr(package.Study, "toleranced", lambda *_: found)
+        drawn = {"cell.pillar.height": pytest.approx(0.5 * 3 * 20e-6)}
+        assert designing.drawn_tolerances(study) == (drawn, "")
+
+    @pytest.mark.parametrize(
+        ("spreads", "said"),
+        [
+            ([TOLERANCE], "none keeps the carrier in the gap with 99.0%, as [tolerance] asks; with the "
+                          "study's own spreads the chance is 42.00%"),
+            ([], "the study gives no spreads"),
+            ([TOLERANCE.replace("cell.pillar.height", "material.density").replace("20 um", "9 kg/m^3")],
+             "the study gives spreads of the material or of what is not drawn only"),
+        ],
+    )  # fmt: skip
+    def test_a_drawing_without_tolerances_says_why(self, here, asking, tmp_path, monkeypatch, spreads, said):
+        """In the drawing, on the terminal if some were asked for, and to machines."""
+        found = SimpleNamespace(loosest=0.0, plate=0.42)
+        monkeypatch.setattr(package.Study, "toleranced", lambda *_: found)
+        figures, draw = [], drawing.cell_drawing
+        monkeypatch.setattr(
+            drawing, "cell_drawing", lambda *a, **o: figures.append(draw(*a, **o)) or figures[-1]
+        )
+        for machine in ([], ["--json"]):
+            out = tmp_path / f"files{len(machine)}"
+            ran = here("export", asking(*spreads), "--out", out, "--drawing", *machine)
+            assert ran.code == 0, ran.err
+            assert (said in ran.err.replace("\n", " ")) == bool(spreads)
+            words = " ".join(text.get_text() for text in figures[-1].figure().findobj(Text))
+            assert f"No dimension has a tolerance of its own: {said.split(',')[0]}" in words
+        assert said in json.loads(ran.out)["why_no_tolerances"]

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import sys
 
 import h5py
@@ -11,7 +12,7 @@ import scipy.io
 from nptdms import ChannelObject, GroupObject, RootObject, TdmsWriter
 from scans import LINES, VALUES, X, Y, assert_five_parts, response
 
-from haptonic.errors import ScanError
+from haptonic.errors import HaptonicError, HaptonicWarning, ScanError
 from haptonic.response import write
 from haptonic.vibrometry import InMemory, TimeScan, read_scan, write_records
 from haptonic.vibrometry.findings import Notebook
@@ -80,6 +81,34 @@ class TestMatlab:
         found = matlab_arrays(tmp_path / "a.mat", Notebook(tmp_path, "MATLAB"))
         assert np.array_equal(found["a"], table)
         assert np.array_equal(found["z"], table * 1j)
+
+    @pytest.mark.parametrize(
+        ("lengths", "frequencies"),
+        [("mm", "kHz"), (1e-3, 1e3), ("cm", "kHz"), ("inch", "MHz"), ("um", "Hz"), (1.0, "Hz")],
+    )
+    def test_units_are_words_or_numbers(self, tmp_path, save, lengths, frequencies):
+        metre = {"mm": 1e3, "cm": 1e2, "inch": 1 / 0.0254, "um": 1e6}.get(lengths, 1 / lengths if lengths in
+                (1e-3, 1.0) else 1)  # fmt: skip
+        hertz = {"kHz": 1e-3, "MHz": 1e-6, "Hz": 1.0, 1e3: 1e-3}[frequencies]
+        save(tmp_path / "a.mat", h=VALUES, f=hertz * LINES, x=metre * X, y=metre * Y)
+        scan = read_scan(tmp_path / "a.mat", length_unit=lengths, frequency_unit=frequencies).response
+        assert scan.frequency == pytest.approx(LINES)
+        assert pytest.approx(np.array([X, Y])) == scan.points.T
+
+    def test_numbers_that_are_no_scan_are_doubted(self, tmp_path, save):
+        save(tmp_path / "a.mat", h=VALUES, f=0.1 * LINES, x=1e4 * X, y=1e4 * Y)
+        with pytest.warns(HaptonicWarning) as said:
+            read_scan(tmp_path / "a.mat")
+        words = [re.findall(r'(\w+)="(\w+)"', str(one.message)) for one in said]
+        assert words == [[("length_unit", "mm")], [("frequency_unit", "kHz")]]
+        read_scan(tmp_path / "a.mat", length_unit="m", frequency_unit="Hz")  # asked for: no doubt
+
+    @pytest.mark.parametrize("unit", ["mmm", "kHz", "", "s", 0.0, -1.0, float("nan")])
+    def test_units_that_are_none(self, tmp_path, save, unit):
+        save(tmp_path / "a.mat", h=VALUES, f=LINES, x=X, y=Y)
+        with pytest.raises(HaptonicError) as caught:
+            read_scan(tmp_path / "a.mat", length_unit=unit)
+        assert_five_parts(caught.value, "length_unit")
 
     def test_a_structure(self, tmp_path):
         scipy.io.savemat(tmp_path / "a.mat", {"s": {"h": VALUES.T, "f": LINES}, "x": X, "y": Y})

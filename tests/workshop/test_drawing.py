@@ -1,6 +1,7 @@
 """The drawing: what it says, that it can be read, and that it is one reproducible page."""
 
 import datetime
+import io
 import math
 import re
 from functools import cache
@@ -10,6 +11,8 @@ import ezdxf
 import numpy as np
 import pytest
 from family import EXTREME, FAMILY, METAL, MM, RECTANGLE, cell
+from hypothesis import example, given, settings
+from hypothesis import strategies as st
 from matplotlib.font_manager import FontProperties
 from matplotlib.textpath import TextPath
 
@@ -18,7 +21,8 @@ from haptonic.errors import GeometryError, ResourceError, StudyError
 from haptonic.lattice import Lattice
 from haptonic.workshop import cell_drawing, surface, write_drawing
 from haptonic.workshop.dimensions import dimensions_of
-from haptonic.workshop.sheet import POINT
+from haptonic.workshop.dxf import outlines
+from haptonic.workshop.sheet import POINT, Sheet
 from haptonic.workshop.sight import seen_edges
 
 ALL = FAMILY | EXTREME
@@ -243,6 +247,30 @@ def test_long_names_stay_in_their_boxes():
     (title,) = [text for text in figure.axes[0].texts if text.get_text().startswith("A very long")]
     assert title.get_text().endswith("…")
     assert ink(title)[2] < 265  # before the symbol of projection
+
+
+@settings(max_examples=20, deadline=None)
+@given(st.text(st.characters(codec="latin-1"), max_size=12))
+@example("$x_$ %%c ^J {")
+@example("\\P %%% ^ ")
+@example("a\n  0\nEOF\n")
+def test_a_title_means_itself_and_breaks_nothing(title):
+    """Carets, per cent signs, backslashes and ends of line are codes of DXF, the dollar of mathtext."""
+    sheet = Sheet.of(outlines(cell(None).scaled(1e3), 1, 1))
+    sheet.text((20, 20), title)
+    sheet.notes((20, 100), [title], 200)
+    stream = io.StringIO()
+    sheet.document.write(stream)
+    stream.seek(0)
+    document = ezdxf.read(stream)
+    assert not document.audit().has_errors
+    space = document.paperspace("Drawing")
+    wanted = re.sub(r"[\x00-\x1f\x7f-\x9f\u2028\u2029]", " ", title).replace("%%", "% %")
+    (text,), (notes,) = space.query("TEXT"), space.query("MTEXT")
+    assert text.plain_text() == wanted
+    assert wanted in notes.plain_text()
+    figure = Sheet(document, space).figure()
+    assert not wanted.strip() or wanted in [shown.get_text() for shown in figure.axes[0].texts]
 
 
 def test_the_pdf_is_one_a4_page_and_the_same_every_time(tmp_path):

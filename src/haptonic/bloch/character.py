@@ -25,6 +25,9 @@ NAMES = (
 )
 BENDING, TORSION, TRACTION, FLEXURAL, IN_PLANE, RIGID = 0, 4, 5, 6, 7, 8
 PILLAR_LEADS = 0.5  # share of the kinetic energy from which a mode belongs to the pillar
+# Mean square of the pillar's velocity over that of the plate, up to which the plate carries it along: 1 for a
+# travelling wave, 2 on the antinode of a standing one.
+CARRIED = 2.0
 
 
 @dataclass(frozen=True)
@@ -47,7 +50,8 @@ def characters(superelement: Superelement, fields: Complex) -> Character:
 
     A mode whose kinetic energy is mostly in the pillar is named after the rigid motion of its sections
     that carries most of it: bending (numbered by the nodes of its axis), traction, torsion. The others
-    are named after the plate's motion, out of its plane or in it.
+    are named after the plate's motion, out of its plane or in it: so are those that carry the pillar along.
+    A heavy pillar has most of the energy of a long wave without having a part in it.
     """
     measures = superelement.measures
     assert measures is not None, "condense with measured=True"
@@ -66,5 +70,18 @@ def characters(superelement: Superelement, fields: Complex) -> Character:
         kind = np.argmax(motions, axis=0)
         bending = BENDING + np.minimum(sections.bending_nodes(fields), 3)
         of_pillar = np.choose(kind, [bending, np.full_like(kind, TRACTION), np.full_like(kind, TORSION)])
-        name = np.where(in_pillar > PILLAR_LEADS, of_pillar, name)
+        leads = (in_pillar > PILLAR_LEADS) & ~_carried(superelement, fields, kinetic, in_pillar)
+        name = np.where(leads, of_pillar, name)
     return Character(vertical, pillar_strain, in_pillar, np.where(moving, name, RIGID))
+
+
+def _carried(
+    superelement: Superelement, fields: Complex, kinetic: Array, in_pillar: Array
+) -> NDArray[np.bool_]:
+    """(k,) whether the pillar moves as the plate does below it, and little against its foot."""
+    assert superelement.measures is not None
+    sections, cell = superelement.measures.sections, superelement.cell
+    plate = cell.material.density * cell.lattice.area * cell.thickness
+    of_plate = (1.0 - in_pillar) * kinetic
+    as_fast = in_pillar * kinetic / sections.mass.sum() < CARRIED * of_plate / plate
+    return np.asarray(as_fast & (sections.against_foot(fields) < of_plate))

@@ -66,6 +66,9 @@ class Voice:
             self.err.print(f"  [bold]{title:<13}[/]{escape(text)}", soft_wrap=True, highlight=False)
 
     def warn(self, text: str) -> None:
+        """Say what is probably wrong, once."""
+        if text in self.warned:
+            return
         self.warned.append(text)
         self.err.print(f"[yellow]warning[/] {escape(text)}", soft_wrap=True, highlight=False)
 

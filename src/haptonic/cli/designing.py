@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from datetime import date
 from functools import partial
 from pathlib import Path
 from typing import Annotated
@@ -29,7 +30,7 @@ from haptonic.design.parameters import UNITS
 from haptonic.design.tolerance import REACH
 from haptonic.results import Design, Runner, Tolerance, planned, refuse_taken, write_files, write_netcdf
 from haptonic.results.common import no_nan
-from haptonic.store import Store
+from haptonic.store import Store, whole_set
 from haptonic.study import Study, load
 from haptonic.units import format_quantity
 from haptonic.workshop.shape import dimensions_of, in_mm
@@ -69,9 +70,10 @@ def design(
                 f"{name}.nc": partial(write_netcdf, data) for name, data in datasets.items()
             }
             writers["design.toml"] = lambda path: path.write_text(found.to_toml(), "utf-8")
-            write_files(folder, writers, overwrite=overwrite)
-            for name, figure in figures.items():
-                plots.save(figure, folder, name, overwrite=overwrite)
+            with whole_set(folder, overwrite=overwrite) as draft:
+                write_files(draft, writers, overwrite=overwrite)
+                for name, figure in figures.items():
+                    plots.save(figure, draft, name)
         voice.tell(design_table(loaded, result))
         if pareto:
             voice.tell(front_table(datasets["front"]))
@@ -100,8 +102,9 @@ def tolerance(
             result = loaded.toleranced(Runner(Store.default(), workers, scheduler, progress))
         if folder:
             writers = {"tolerance.nc": lambda path: write_netcdf(result.dataset, path)}
-            write_files(folder, writers, overwrite=overwrite)
-            plots.save(result.plot(), folder, "tolerance", overwrite=overwrite)
+            with whole_set(folder, overwrite=overwrite) as draft:
+                write_files(draft, writers, overwrite=overwrite)
+                plots.save(result.plot(), draft, "tolerance")
         voice.tell(tolerance_table(result))
         voice.tell(in_words(loaded, result))
         tell_where(voice, folder)
@@ -115,57 +118,73 @@ def export(
     step: Annotated[bool, typer.Option("--step", help="Solid, for CAD (needs haptonic[cad]).")] = False,
     dxf: Annotated[bool, typer.Option("--dxf", help="Outlines seen from above.")] = False,
     stl: Annotated[bool, typer.Option("--stl", help="Surface as triangles.")] = False,
-    drawing: Annotated[
-        bool, typer.Option("--drawing", help="Dimensioned drawing of one cell (PDF).")
-    ] = False,
+    drawing: Annotated[bool, typer.Option("--drawing", help="Dimensioned drawing (PDF, DXF).")] = False,
     columns: Annotated[int, typer.Option("--columns", metavar="N", help="Cells along x.")] = 1,
     rows: Annotated[int, typer.Option("--rows", metavar="N", help="Cells along y.")] = 1,
     overwrite: Overwrite = False,
 ) -> None:
-    """Files for the workshop; all of them if none is named. The drawing has the tolerances found."""
+    """Files for the workshop; all of them if none is named. The drawing has the tolerances found, or says why
+    not."""
     with speaking(json) as voice:
         loaded = load(study)
         cell, stem = loaded.unit_cell(), study.stem
         folder = out or Path("results") / f"{stem}-export"
         wanted = {"step": step, "dxf": dxf, "stl": stl, "pdf": drawing}
         kinds = [kind for kind, asked in wanted.items() if asked] or list(wanted)
-        refuse_taken(folder, [f"{stem}.{kind}" for kind in kinds], overwrite=overwrite)
+        files = [f"{stem}.{kind}" for kind in kinds]
+        drawings = [f"{stem}.pdf", f"{stem}-drawing.dxf"] if "pdf" in kinds else []
+        files += drawings[1:]
+        refuse_taken(folder, files, overwrite=overwrite)
         in_mm(cell, columns, rows)  # refuses impossible numbers of cells before anything is computed
-        written = []
-        with voice.busy("files for the workshop"):
-            tolerances = drawn_tolerances(loaded) if "pdf" in kinds else {}
-            for kind, writer in {
-                "step": workshop.write_step,
+        tolerances: dict[str, float] = {}
+        why_none = ""
+        with voice.busy("files for the workshop"), whole_set(folder, overwrite=overwrite) as draft:
+            if drawings:
+                tolerances, why_none = drawn_tolerances(loaded)
+            solids: dict[str, Callable[..., Path]] = {
+                "step": partial(workshop.write_step, title=loaded.title),
                 "dxf": workshop.write_dxf,
                 "stl": workshop.write_stl,
-            }.items():
+            }
+            for kind, writer in solids.items():
                 if kind in kinds:
-                    written.append(
-                        writer(folder / f"{stem}.{kind}", cell, columns, rows, overwrite=overwrite)
-                    )
-            if "pdf" in kinds:
-                written.append(
-                    workshop.write_drawing(
-                        folder / f"{stem}.pdf", cell, loaded.title, columns, rows,
-                        tolerances=tolerances, overwrite=overwrite,
-                    )
+                    writer(draft / f"{stem}.{kind}", cell, columns, rows)
+            for name in drawings:
+                workshop.write_drawing(
+                    draft / name, cell, loaded.title, columns, rows,
+                    tolerances=tolerances, why_none=why_none, date=date.today(),
                 )  # fmt: skip
+        written = [str(folder / name) for name in files]
         for path in written:
             voice.tell(f"written: {path}")
-        voice.answer({"files": [str(path) for path in written]})
+        if why_none and loaded.tolerance.of:
+            voice.warn(f"the drawing has no tolerances: {why_none}")
+        told = {"tolerances": tolerances, "why_no_tolerances": why_none or None} if drawings else {}
+        voice.answer({"files": written, **told})
 
 
-def drawn_tolerances(study: Study) -> dict[str, float]:
+def drawn_tolerances(study: Study) -> tuple[dict[str, float], str]:
     """Half-widths (SI) of the sizes that the study gives spreads for: the loosest that keep its confidence.
 
-    Nothing if it gives none, or if even perfect machining would not do; nothing either for a draft of zero,
-    which the drawing does not show.
+    There is none for a draft of zero, which the drawing does not show.
+
+    Returns
+    -------
+    the half-widths, and why there are none, if there are none
     """
     if not study.tolerance.of:
-        return {}
-    loosest = study.toleranced().loosest
+        return {}, "the study gives no spreads, [tolerance] of"
+    result, confidence = study.toleranced(), study.tolerance.confidence
     spreads, shown = [one.frozen() for one in study.tolerance.of], dimensions_of(study.unit_cell())
-    return {s.path: loosest * s.half_range for s in spreads if s.path in shown and loosest > 0}
+    drawn = {s.path: result.loosest * s.half_range for s in spreads if s.path in shown}
+    if not drawn:
+        return {}, "the study gives spreads of the material or of what is not drawn only"
+    if result.loosest > 0:
+        return drawn, ""
+    return {}, (
+        f"none keeps the carrier in the gap with {confidence:.1%}, as [tolerance] asks; with the study's own "
+        f"spreads the chance is {_chance(result.plate)}"
+    )
 
 
 def design_table(study: Study, result: Design) -> Table:

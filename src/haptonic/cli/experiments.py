@@ -11,6 +11,7 @@ from haptonic import plots, report
 from haptonic.cli.console import speaking
 from haptonic.cli.options import Json, Out, Overwrite, StudyFile, folder_for, pictures, tell_where
 from haptonic.results import Plan, refuse_taken, write_files
+from haptonic.store import whole_set
 from haptonic.study import load
 from haptonic.study.experimenting import planned
 
@@ -31,7 +32,8 @@ def protocol(
         with voice.busy("simulated experiments"):
             plan = planned(loaded)
         if folder:
-            _write(plan, folder, overwrite)
+            with whole_set(folder, overwrite=overwrite) as draft:
+                _write(plan, draft, overwrite)
         voice.tell(order_table(plan))
         for text in [*plan.statements, plan.drift_remark]:
             voice.tell(text)

@@ -14,6 +14,7 @@ from haptonic.cli.options import Json, Out, Overwrite, StudyFile, folder_for, pi
 from haptonic.friction.lubrication import WEBER_FRACTION
 from haptonic.results import Feel, refuse_taken, write_files
 from haptonic.results.feel.value import check_reduction
+from haptonic.store import whole_set
 from haptonic.study import load
 from haptonic.units import format_quantity, to_si
 
@@ -52,7 +53,8 @@ def feel(
             result = loaded.felt(at=frequency, voltage=volts, on_progress=progress)
         wanted = None if reduction is None else drives_for(result, reduction)
         if folder:
-            write_feel(result, folder, overwrite)
+            with whole_set(folder, overwrite=overwrite) as draft:
+                write_feel(result, draft, overwrite)
         voice.tell(felt_table(result))
         voice.tell(lights_table(result))
         if wanted is not None:

@@ -23,6 +23,7 @@ from haptonic.cli.options import (
     tell_where,
 )
 from haptonic.results import Bands, Sweep, refuse_taken, write_files, write_netcdf
+from haptonic.store import whole_set
 from haptonic.study import Study, load
 
 
@@ -44,8 +45,17 @@ def bands(
         with voice.busy("bands"):
             result = loaded.bands(surface=surface)
             if folder:
-                write_bands(result, folder, overwrite)
+                with whole_set(folder, overwrite=overwrite) as draft:
+                    write_bands(result, draft, overwrite)
         voice.tell(gap_table(result))
+        counts = result.to_json()["counts"]
+        if counts["checked"]:
+            voice.tell(
+                f"Counted by another method in {counts['checked']} comparisons: "
+                f"{counts['missed'] or 'no'} band{'s' * (counts['missed'] != 1)} missing."
+            )
+        else:
+            voice.tell("No count by another method could be made: bands lie too near to where it would be.")
         tell_where(voice, folder)
         voice.answer(result.to_json())
 
@@ -67,8 +77,9 @@ def sweep(
         refuse_taken(folder, [*pictures(names), *(f"{n}.nc" for n in names)], overwrite=overwrite)
         results = swept(loaded, voice, workers, scheduler)
         if folder:
-            for name, result in zip(names, results, strict=True):
-                write_sweep(result, folder, name, overwrite)
+            with whole_set(folder, overwrite=overwrite) as draft:
+                for name, result in zip(names, results, strict=True):
+                    write_sweep(result, draft, name, overwrite)
         for result in results:
             voice.tell(sweep_table(result))
             tell_failures(voice, result)

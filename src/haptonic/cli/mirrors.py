@@ -25,7 +25,7 @@ from haptonic.cli.options import (
     tell_where,
 )
 from haptonic.results import Guides, Layers, Runner, layer_tasks, refuse_taken, write_files, write_netcdf
-from haptonic.store import Store
+from haptonic.store import Store, whole_set
 from haptonic.study import load
 
 LAYER_FILES = ["layers.nc", *pictures(["decay", "layers"])]
@@ -47,7 +47,8 @@ def layers(
         with voice.counted("frequencies", layer_tasks(loaded.layers.points)) as progress:
             result = loaded.layered(Runner(Store.default(), workers, scheduler, progress))
         if folder:
-            write_layers(result, folder, overwrite)
+            with whole_set(folder, overwrite=overwrite) as draft:
+                write_layers(result, draft, overwrite)
         voice.tell(layers_table(result))
         voice.tell(needed_table(result))
         decay = float(result.dataset.attrs["carrier_attenuation_db"])
@@ -76,7 +77,8 @@ def waveguide(
         with voice.busy("waveguides"):
             result = loaded.guided()
         if folder:
-            plots.save(result.plot(), folder, "waveguide", overwrite=overwrite)
+            with whole_set(folder, overwrite=overwrite) as draft:
+                plots.save(result.plot(), draft, "waveguide")
         voice.tell(guides_table(result))
         tell_where(voice, folder)
         voice.answer(result.to_json())
@@ -95,7 +97,7 @@ def layers_table(result: Layers) -> Table:
     carrier = float(data.attrs["carrier_hz"]) / 1e3
     title = (
         f"transmitted energy at {carrier:g} kHz {result.incidence}, dB below the incident wave: "
-        "all waves (the same wave)"
+        "all waves (the same kind alone)"
     )
     shown = Table("rows", *(f"incident {family}" for family in result.families), title=title)
     for k, rows in enumerate(data["rows"].values):

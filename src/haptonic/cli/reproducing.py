@@ -47,7 +47,7 @@ from haptonic.results import (
     refuse_taken,
 )
 from haptonic.results.scan import ScanResult
-from haptonic.store import Store
+from haptonic.store import Store, whole_set
 from haptonic.study import Study, load, scanning
 from haptonic.study.experimenting import protocol_of, truth_of
 
@@ -89,16 +89,16 @@ def reproduce(
         if paper.is_its_cell(loaded):
             with voice.busy("the paper's cell with a fillet"):
                 filleted = loaded.gap_with({"cell.pillar.fillet": paper.TRIED_FILLET})
-        with voice.busy("pictures and report"):
-            write_bands(bands, folder, overwrite)
+        with voice.busy("pictures and report"), whole_set(folder, overwrite=overwrite) as draft:
+            write_bands(bands, draft, overwrite)
             for name, one in zip(sweeps, rows, strict=True):
-                write_sweep(one, folder, name, overwrite)
+                write_sweep(one, draft, name, overwrite)
             if mirror:
-                write_layers(mirror, folder, overwrite)
+                write_layers(mirror, draft, overwrite)
             if plate:
-                write_plate(plate, folder, overwrite)
+                write_plate(plate, draft, overwrite)
             if felt:
-                write_feel(felt, folder, overwrite)
+                write_feel(felt, draft, overwrite)
             results = Results(
                 loaded,
                 bands.dataset,
@@ -115,7 +115,8 @@ def reproduce(
                 timings=timings,
                 started=started,
             )
-            page = report.write_report(results, folder / "report.html", overwrite=overwrite)
+            report.write_report(results, draft / "report.html")
+        page = folder / "report.html"
         voice.tell(gap_table(bands))
         for one in rows:
             tell_failures(voice, one)

@@ -34,7 +34,7 @@ def tell_scan(result: ScanResult, voice: Voice) -> None:
             if result.gap
             else ""
         )
-        lower, upper = (edge or "not told" for edge in (result.lattice.lower, result.lattice.upper))
+        lower, upper = (edge or "not determined" for edge in (result.lattice.lower, result.lattice.upper))
         voice.tell(f"Gap in the scan: lower edge {lower}, upper edge {upper}{computed}.")
         for text in result.lattice.reasons:
             voice.tell(f"  {text}")

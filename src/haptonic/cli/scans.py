@@ -19,10 +19,10 @@ from haptonic.errors import ScanError, StudyError
 from haptonic.response import FrequencyResponse, read
 from haptonic.results import refuse_taken, write_files
 from haptonic.results.scan import Estimation, Excitation, OnPlate, ScanResult, compute_scan
-from haptonic.store import Store
+from haptonic.store import Store, whole_set
 from haptonic.study import Study, load, scanning
 from haptonic.study.judging import judged
-from haptonic.units import to_si
+from haptonic.units import shown, to_si
 from haptonic.vibrometry import read_scan
 from haptonic.vibrometry.estimation.quality import check_flags
 
@@ -41,10 +41,10 @@ def chirp(study: StudyFile, out: Out = None, json: Json = False, overwrite: Over
         refuse_taken(folder, Excitation.file_names(plate), overwrite=overwrite)
         result = Excitation.of(loaded.scan.frozen(), plate)
         if folder:
-            with voice.busy("files"):
-                write_files(folder, result.files(), overwrite=overwrite)
+            with voice.busy("files"), whole_set(folder, overwrite=overwrite) as draft:
+                write_files(draft, result.files(), overwrite=overwrite)
                 for name, figure in result.figures().items():
-                    plots.save(figure, folder, name, overwrite=overwrite)
+                    plots.save(figure, draft, name)
         answer = result.to_json()
         voice.tell(drive_table(answer))
         tell_where(voice, folder)
@@ -119,6 +119,18 @@ def scan(
         str | None,
         typer.Option("--length-unit", help='Of coordinates, where it is not the file\'s, such as "mm".'),
     ] = None,
+    frequency_unit: Annotated[
+        str | None,
+        typer.Option("--frequency-unit", help='Of frequencies in files that give none, such as "kHz".'),
+    ] = None,
+    variables: Annotated[
+        str | None,
+        typer.Option(
+            "--variables",
+            metavar="MEANING=NAME,...",
+            help="Names in a MATLAB file: response=FRF,frequency=fkHz,x=Xmm,y=Ymm.",
+        ),
+    ] = None,
     reference: Annotated[
         str | None, typer.Option("--reference", help='Name and unit of the reference, such as "A1, V".')
     ] = None,
@@ -139,7 +151,7 @@ def scan(
         with voice.busy("reading"):
             content = read_scan(
                 path, unit=unit, reference=reference, origin="simulated" if simulated else "measured",
-                length_unit=None if length_unit is None else to_si(f"1 {length_unit}", "m", "--length-unit"),
+                length_unit=length_unit, frequency_unit=frequency_unit, variables=_named(variables),
             )  # fmt: skip
         frequency = None if at is None else to_si(at, "Hz", "--at")
         with voice.counted("points", content.report.points) as progress:
@@ -147,18 +159,20 @@ def scan(
                 content, how, on, at=frequency, store=Store.default(),
                 progress=lambda done, total: progress(done, total, False),
             )  # fmt: skip
+        found = None
+        if loaded and against:
+            with voice.busy("model") as said:
+                found = judged(loaded, result.response, computed=computed, said=said)
         if folder:
-            with voice.busy("files and pictures"):
-                write_scan(result, folder, overwrite)
+            with voice.busy("files and pictures"), whole_set(folder, overwrite=overwrite) as draft:
+                write_scan(result, draft, overwrite)
+                if found:
+                    write_verdict(found, draft, overwrite)
             _forget(folder / PROGRESS)
         tell_scan(result, voice)
         tell_where(voice, folder)
         answer = result.to_json()
-        if loaded and against:
-            with voice.busy("model") as said:
-                found = judged(loaded, result.response, computed=computed, said=said)
-            if folder:
-                write_verdict(found, folder, overwrite)
+        if found:
             tell_verdict(found, voice)
             answer["verdict"] = found.to_json()
         voice.answer(answer)
@@ -173,6 +187,25 @@ def write_scan(result: ScanResult, folder: Path, overwrite: bool) -> None:
         plots.animated(
             folder / ANIMATION, result.response, result.loudest, result.layout, overwrite=overwrite
         )
+
+
+def _named(variables: str | None) -> dict[str, str]:
+    """Names of variables by what they mean, as ``response=FRF,x=Xmm``.
+
+    Raises
+    ------
+    ScanError : another form
+    """
+    pairs = [one.split("=") for one in variables.split(",")] if variables else []
+    if any(len(pair) != 2 or not all(part.strip() for part in pair) for pair in pairs):
+        raise ScanError(
+            argument="--variables",
+            given=shown(variables),
+            allowed="MEANING=NAME, several of them parted by commas",
+            cause="a sign of equality or a name is missing",
+            next_step="write --variables response=FRF,frequency=f,x=X,y=Y",
+        )
+    return {meaning.strip(): name.strip() for meaning, name in pairs}
 
 
 def _model(study: Path | None, against: Path | None) -> tuple[Study | None, FrequencyResponse | None]:

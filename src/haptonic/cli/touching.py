@@ -17,9 +17,11 @@ from haptonic.friction.lubrication import WEBER_FRACTION
 from haptonic.friction.recordings import Sensor
 from haptonic.friction.statistics import Estimate, Test
 from haptonic.friction.statistics.summary import EVERYBODY, Condition
+from haptonic.friction.words import AVERAGES, change
 from haptonic.report import paper
 from haptonic.results import FrictionResult, compute_friction, refuse_taken, write_files
 from haptonic.results.plate.question import driven_region
+from haptonic.store import whole_set
 from haptonic.study import Study, TrialsSection, load_trials
 
 STUDY = "study.toml"  # beside the trials
@@ -61,7 +63,8 @@ def friction(
             )
         if folder:
             known = loaded is not None and paper.is_its_cell(loaded)
-            _write(result, folder, overwrite, voice, paper.FRICTION if known else None)
+            with whole_set(folder, overwrite=overwrite) as draft:
+                _write(result, draft, overwrite, voice, paper.FRICTION if known else None)
         _tell(result, voice)
         tell_where(voice, folder)
         voice.answer(result.to_json())
@@ -106,7 +109,8 @@ def _tell(result: FrictionResult, voice: Voice) -> None:
     for text in found.conclusions:
         voice.tell(text)
     for guide, one in found.reductions.items():
-        voice.tell(f"{guide}: friction is reduced by {_percent(one)}.")
+        note = f" ({one.note})" if one.note else ", 95 % interval" * math.isfinite(one.low)
+        voice.tell(f"{guide}: {change(one.value, one.low, one.high, digits=1)}{note}.")
     if found.driven:
         voice.tell(f"Driven: {found.driven}, {found.chosen}.")
     for guide, one in found.stopped.items():
@@ -117,7 +121,11 @@ def _tell(result: FrictionResult, voice: Voice) -> None:
             f"90 % interval {same.low:.1%} to {same.high:.1%}; one-sided test against the "
             f"{WEBER_FRACTION:.0%} that people feel: p = {same.p_above:.2g}"
         )
-        voice.tell(f"{same.waveguide}, idle: reduction {same.mean:.1%} by participants; {proof}.")
+        voice.tell(f"{same.waveguide}, idle: reduction {same.mean:.1%} as the mean of participants; {proof}.")
+    if found.equivalences:
+        voice.tell("Two averages of the same trials, which differ a little:")
+        voice.tell(f"  above, the reduction is {AVERAGES['reduction']};")
+        voice.tell(f"  of an idle waveguide it is {AVERAGES['equivalence']}.")
     if found.drift:
         voice.tell(f"Drift over a session with the vibration off: {_percent(found.drift)}.")
     for text in found.omissions:

@@ -16,13 +16,12 @@ from haptonic.errors import FrictionError, ResourceError
 from haptonic.response import read
 from haptonic.results import FrictionTwin, friction_twin, refuse_taken, write_files
 from haptonic.results.scan.twin import kind_of, scan_name
+from haptonic.store import whole_set
 from haptonic.study import load, scanning
 from haptonic.study.experimenting import protocol_of, truth_of
 from haptonic.units import shown
 
-twin = typer.Typer(no_args_is_help=True, help="Make a measurement up, with a truth to find again.")
-
-KEPT = "files that were written are whole; the list of trials is missing"
+twin = typer.Typer(no_args_is_help=True, help="Simulate a measurement whose truth is known.")
 
 
 class Format(StrEnum):
@@ -64,7 +63,7 @@ def friction(
     overwrite: Overwrite = False,
 ) -> None:
     """Made-up strokes of made-up people, as a folder that `haptonic friction` reads; all simulated."""
-    with speaking(json, KEPT) as voice:
+    with speaking(json) as voice:
         loaded = load(study)
         folder = folder_for(study, out, False, "twin-friction")
         assert folder is not None
@@ -79,8 +78,9 @@ def friction(
             per=per.value, raw=raw,
         )  # fmt: skip
         refuse_taken(folder, made.names, overwrite=overwrite)
-        with voice.counted("strokes", count * protocol.blocks * protocol.trials) as progress:
-            made.write(folder, progress)
+        strokes = count * protocol.blocks * protocol.trials
+        with whole_set(folder, overwrite=overwrite) as draft, voice.counted("strokes", strokes) as progress:
+            made.write(draft, progress)
         voice.tell(truth_table(made))
         voice.tell("Simulated: nobody stroked anything. The truth is in truth.json.")
         tell_where(voice, folder)
@@ -165,7 +165,8 @@ def twin_scan(
             made = scanning.twin_scan(loaded, seed=seed, response=given, on_progress=progress)
         with voice.busy("records"):
             files = made.files(form, kind)
-            write_files(out, files, overwrite=overwrite)
+            with whole_set(out, overwrite=overwrite) as draft:
+                write_files(draft, files, overwrite=overwrite)
         records = made.records
         what = "records" if kind == "time" else "responses"
         voice.tell(

@@ -15,6 +15,7 @@ from haptonic.cli.options import Json, Out, Overwrite, StudyFile, folder_for, pi
 from haptonic.response import read
 from haptonic.results import Verdict, refuse_taken, write_files
 from haptonic.results.verdict import MEASURED
+from haptonic.store import whole_set
 from haptonic.study import load
 from haptonic.study.judging import judged
 from haptonic.units import format_quantity
@@ -45,7 +46,8 @@ def verdict(
         with voice.busy("model") as said:
             found = judged(loaded, measured, computed=model, said=said)
         if folder:
-            write_verdict(found, folder, overwrite)
+            with whole_set(folder, overwrite=overwrite) as draft:
+                write_verdict(found, draft, overwrite)
         tell_verdict(found, voice)
         tell_where(voice, folder)
         voice.answer(found.to_json())
@@ -86,7 +88,7 @@ def fit_table(fit: Fit) -> Table:
 def pairs_table(one: Agreement, model: str) -> Table:
     """Shapes that belong together."""
     table = Table(
-        "measured / kHz", "model / kHz", "difference / %", "damping / %", "of the model / %", "MAC",
+        "measured / kHz", "model / kHz", "difference / %", "damping / %", "model damping / %", "MAC",
         title=f"{one.measured.how}: {len(one.pairs)} pairs of {len(one.measured.frequency)} measured and "
         f"{len(one.computed.frequency)} of the {model}",
     )  # fmt: skip
@@ -117,7 +119,7 @@ def ranges_table(found: Verdict) -> Table:
 def summary(found: Verdict) -> str:
     """How much of the measurement the models explain, and how sure the numbers are."""
     lines = [
-        f"{name}: {100 * one.unexplained:.3g} % of the measured energy is not explained; "
+        f"{name}: the model leaves {100 * one.unexplained:.2g} % of the measured energy unexplained; "
         f"median FRAC {np.nanmedian(one.frac):.4f}."
         for name, one in found.agreements.items()
     ]

@@ -10,12 +10,14 @@ import numpy as np
 import psutil
 from numpy.typing import NDArray
 
+from haptonic.cell.cantilever import euler_bernoulli
 from haptonic.errors import HaptonicError, ResourceError
+from haptonic.materials import IsotropicMaterial
 from haptonic.plate.assembly import Shifted
 from haptonic.plate.direct import direct_answer
 from haptonic.plate.krylov import Basis, Chain, chains
 from haptonic.plate.model import PlateModel
-from haptonic.plate.parts import Finger
+from haptonic.plate.parts import Finger, Plate
 from haptonic.plate.vibration import ReducedPlate, Vibration
 
 Array = NDArray[np.float64]
@@ -29,6 +31,7 @@ BLOCK, LENGTH = 12, 8  # forces at each shift, and blocks of vectors that they g
 LOSSES = 3  # orders to which the answer is expanded in losses other than the plate's
 FEWEST_RANDOM = 4  # of the forces at each shift
 NEAR_ZERO = 1e-3  # share of the highest shift's frequency that the lowest one has at least
+UNKNOWNS = 30  # of a tile between others, at least; 38 to 40 seen
 COPIES = 6  # of the basis that the computation holds at its peak, about; 4.5 to 5.6 seen
 WORST = 6  # shifts that a refinement adds
 MOST_DIRECT = 24  # lines that are answered directly rather than by a larger basis
@@ -204,6 +207,33 @@ def _between(found: list[Chain], most: float) -> list[float]:
 def _from_zero(low: float, high: float) -> bool:
     """Whether shifts, (rad/s)^2, begin as low as they ever do."""
     return low <= (2 * NEAR_ZERO) ** 2 * high
+
+
+def check_cost(plate: Plate, high: float) -> None:
+    """Raise ResourceError if a basis up to a frequency, Hz, cannot fit into this machine, before any work.
+
+    From below: each pillar has at least the bending modes of a cantilever on a rigid foot, in two directions.
+    """
+    layout = plate.layout
+    names = [name for row in layout.tiles for name in row]
+    modes = 0
+    for name, cell in layout.cells.items():
+        if cell.pillar is not None and isinstance(cell.material, IsotropicMaterial):
+            below = int((euler_bernoulli(cell.pillar, cell.material) < high).sum())
+            modes += 2 * below * names.count(name)
+    size = UNKNOWNS * len(names)
+    needed = 8.0 * COPIES * size * BLOCK * LENGTH * modes / MODES
+    there = psutil.virtual_memory().total
+    if needed > there:
+        fits = int(layout.pillars * np.sqrt(there / needed))
+        raise ResourceError(
+            argument="plate.map",
+            given=f"{layout.pillars} pillars, for a response up to {high / 1e3:.4g} kHz",
+            allowed=f"about {fits} such pillars in the {there / 1e9:.1f} GB of this machine",
+            cause=f"the pillars alone have {modes} modes up to there, whose basis needs at least "
+            f"{needed / 1e9:.0f} GB",
+            next_step="take a smaller part of the plate, or a lower plate.response.highest",
+        )
 
 
 def _check_memory(model: PlateModel, low: float, high: float, shifts: int) -> None:

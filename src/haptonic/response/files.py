@@ -13,6 +13,7 @@ from typing import Any
 import numpy as np
 import xarray as xr
 
+from haptonic import hdf5
 from haptonic.errors import HaptonicError, ResourceError, ResponseError
 from haptonic.response.value import FrequencyResponse
 
@@ -36,7 +37,9 @@ def write(response: FrequencyResponse, path: Path) -> None:
     """Write a response as NetCDF 4. `haptonic.store.write_atomically` makes the file whole or not at all."""
     data = plain(response)
     numbers = [name for name, variable in data.variables.items() if variable.dtype.kind == "f"]
-    data.to_netcdf(path, engine="h5netcdf", encoding={name: {"_FillValue": None} for name in numbers})
+    encoding = {name: {"_FillValue": None} for name in numbers}
+    with hdf5.written(path) as file:
+        data.to_netcdf(file, engine="h5netcdf", encoding=encoding)
 
 
 def read(path: Path) -> FrequencyResponse:

@@ -12,9 +12,10 @@ from typing import Any
 import numpy as np
 import xarray as xr
 
+from haptonic import hdf5
 from haptonic.bloch import Resolution
 from haptonic.cell import UnitCell
-from haptonic.store import fingerprint, refuse_overwrite, write_atomically
+from haptonic.store import draft_for, fingerprint, refuse_overwrite, write_atomically
 
 
 @dataclass(frozen=True)
@@ -47,17 +48,14 @@ def refuse_taken(folder: Path | None, names: Iterable[str], *, overwrite: bool) 
         return
     for name in names:
         refuse_overwrite(folder / name, overwrite)
-    missing = [one for one in (folder, *folder.parents) if not one.exists()]
-    probe = folder / ".haptonic-probe"
-    write_atomically(probe, Path.touch)
-    probe.unlink()
-    for one in missing:
-        one.rmdir()
+    with draft_for(folder) as (draft, rest):
+        write_atomically(draft / rest / "probe", Path.touch)
 
 
 def write_netcdf(dataset: xr.Dataset, path: Path) -> None:
     """NetCDF 4 by h5netcdf."""
-    dataset.to_netcdf(path, engine="h5netcdf")
+    with hdf5.written(path) as file:
+        dataset.to_netcdf(file, engine="h5netcdf")
 
 
 def stamped(dataset: xr.Dataset, inputs: Mapping[str, Any]) -> xr.Dataset:

@@ -19,6 +19,7 @@ from haptonic.friction.recordings import Exclusion, Sensor, analysed, traces
 from haptonic.friction.signals import Rules, exclusions, write_trials
 from haptonic.friction.statistics import Test
 from haptonic.friction.statistics.summary import Condition, Summary, summary
+from haptonic.friction.words import AVERAGES
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -137,6 +138,7 @@ class FrictionResult:
                 "tests": [asdict(one) for one in (*found.tests, *found.each)],
                 "conclusions": list(found.conclusions),
                 "reduction": {guide: asdict(one) for guide, one in found.reductions.items()},
+                "averages": AVERAGES,
                 "own_reduction": [
                     {"waveguide": guide, "participant": name, **asdict(one)}
                     for (guide, name), one in found.own.items()

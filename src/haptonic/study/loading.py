@@ -117,7 +117,7 @@ def _parsed(text: str, origin: str) -> dict[str, Any]:
             given="a file without any key",
             allowed="a study: at least [material] and [cell]",
             cause="the file is empty, or everything in it is a comment",
-            next_step="start from studies/touchpad.toml",
+            next_step="write [material] and [cell]; `haptonic keys` lists every key",
         )
     return data
 

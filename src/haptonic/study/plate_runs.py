@@ -10,9 +10,10 @@ from haptonic.errors import StudyError
 from haptonic.friction.lubrication import Touch
 from haptonic.plate import Fineness, Plate
 from haptonic.plate.parts import Actuator
+from haptonic.plate.sweep import check_cost
 from haptonic.results import Feel, Pad, PlateQuestion, PlateResult, Runner, compute_loaded, compute_plate
 from haptonic.results.carrier import gap_around
-from haptonic.results.plate.question import amplitude_of, drives_of, reference_of
+from haptonic.results.plate.question import amplitude_of, check_grid, drives_of, reference_of
 from haptonic.store import Store
 from haptonic.study.plate_tables import ResponseSection
 from haptonic.study.schema import Description
@@ -56,12 +57,18 @@ class PlateStudy(Description):
         Raises
         ------
         StudyError : no [plate], no carrier, or nothing that drives the plate
+        ResourceError : a grid or a plate that this machine cannot hold, found before anything is computed
         """
         plate, own = self.plate(), self._response
         carrier = self.need_carrier() if at is None else at
         question = asked or PlateQuestion(own.lowest, own.highest, own.points, own.tolerance, own.grid)
         if at is not None:
             question = replace(question, lowest=at, highest=at, points=1)
+        else:
+            check_cost(plate, question.highest)
+        check_grid(
+            plate, question.grid, question.points, "plate.response.grid" if asked is None else "scan.grid"
+        )
         store = store or Store.default()
         return compute_plate(
             plate,

@@ -35,7 +35,7 @@ def plate_of(study: Description) -> Plate:
         raise _refused(
             "plate", "nothing", "a [plate] table with map and tiles",
             "the study describes a lattice, and no plate that is made of it",
-            "add [plate] and [plate.tiles], as in studies/touchpad.toml",
+            'add map = ["AAA"] to [plate] and A = "lattice" to [plate.tiles]; `haptonic keys` lists the rest',
         )  # fmt: skip
     layout = _layout(study, section)
     _check_grid(layout, section.response.grid)

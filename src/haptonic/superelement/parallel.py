@@ -74,3 +74,8 @@ def _taken(assembler: Assembler) -> Solver:
 @cache
 def _pool(workers: int) -> ThreadPoolExecutor:
     return ThreadPoolExecutor(workers, thread_name_prefix="haptonic-class")
+
+
+# A forked child has the pool but none of its threads: work given to it would wait for ever.
+if hasattr(os, "register_at_fork"):  # not on Windows, which does not fork
+    os.register_at_fork(after_in_child=_pool.cache_clear)

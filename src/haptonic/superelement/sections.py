@@ -38,6 +38,12 @@ class PillarSections:
         along = np.einsum("csk,s->ck", moved[:3], 1.0 / self.mass)
         return along[0] + along[1], along[2], np.einsum("sk,s->k", moved[3], 1.0 / self.inertia)
 
+    def against_foot(self, fields: NDArray[np.complex128]) -> Array:
+        """Kinetic energy (k,) of the pillar as its foot sees it, of all its motions, in kg m^2."""
+        weight = np.stack([self.mass] * 3 + [self.inertia])[:, :, None]
+        moved = (self.motion @ fields) / weight
+        return np.asarray((weight * np.abs(moved - moved[:, :1]) ** 2).sum(axis=(0, 1)))
+
     def bending_nodes(self, fields: NDArray[np.complex128]) -> NDArray[np.int64]:
         """(k,) how often the pillar's axis crosses the vertical through its foot, as a cantilever's would.
 

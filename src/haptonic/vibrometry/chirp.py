@@ -12,6 +12,7 @@ import numpy as np
 import scipy.io.wavfile
 from numpy.typing import NDArray
 
+from haptonic import hdf5
 from haptonic.errors import HaptonicWarning, ScanError, nearest
 
 Array = NDArray[np.float64]
@@ -150,7 +151,7 @@ def write_drive(signal: Drive, path: Path, *, periods: int = 1) -> None:
         rows = "\n".join(f"{t!r},{v!r}" for t, v in zip(time.tolist(), samples.tolist(), strict=True))
         path.write_text(f"time (s),{signal.quantity} ({signal.unit})\n{rows}\n", encoding="utf-8")
     elif path.suffix in (".h5", ".hdf5"):
-        with h5py.File(path, "w") as file:
+        with hdf5.written(path) as raw, h5py.File(raw, "w") as file:
             file.attrs.update(kind_of_file="haptonic drive", **drive_notes(signal, periods))
             file[signal.quantity] = samples
     else:
@@ -193,7 +194,7 @@ def _warnings(
             notes.append(
                 f"the period of {duration * 1e3:g} ms is shorter than {needed * 1e3:.4g} ms, the ring-down "
                 f"3 Q / f at {band[0] / 1e3:g} kHz: repeat it, and do not record the first period; "
-                f"a single shot is right above {safe / 1e3:.4g} kHz only"
+                f"a single shot would do only above {safe / 1e3:.4g} kHz"
             )
     return notes
 

@@ -14,6 +14,7 @@ import h5py
 import numpy as np
 import scipy.io
 
+from haptonic import hdf5
 from haptonic.response import FrequencyResponse
 from haptonic.vibrometry.labels import UNITS
 from haptonic.vibrometry.readers.folder import GEOMETRY
@@ -41,7 +42,7 @@ def write_mat_records(scan: TimeScan, path: Path) -> None:
     """Records as MATLAB variables (version 7.3): response and reference (point, repeat, sample) in SI units,
     single precision, sample_rate, x, y."""
     shape = (scan.samples, scan.repeats, len(scan.names))  # MATLAB's axes run the other way in HDF5
-    with h5py.File(path, "w", userblock_size=USER_BLOCK) as file:
+    with hdf5.written(path) as raw, h5py.File(raw, "w", userblock_size=USER_BLOCK) as file:
         for name, values in (("x", scan.x), ("y", scan.y), ("sample_rate", np.array([scan.sample_rate]))):
             file[name] = values[:, None]
             file[name].attrs["MATLAB_class"] = np.bytes_("double")
@@ -57,8 +58,8 @@ def write_mat_records(scan: TimeScan, path: Path) -> None:
                     file[name].attrs["MATLAB_class"] = np.bytes_("single")
                 if first == 0 or file[name].shape[2] > 1:
                     file[name][..., first : first + len(rows)] = rows.T
-    with path.open("rb+") as raw:
-        raw.write(HEADER.ljust(124) + b"\x00\x02IM")
+    with path.open("rb+") as again:
+        again.write(HEADER.ljust(124) + b"\x00\x02IM")
 
 
 def write_tdms(scan: TimeScan, path: Path) -> None:

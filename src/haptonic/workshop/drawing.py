@@ -12,7 +12,6 @@ from collections.abc import Mapping
 from pathlib import Path
 
 import matplotlib as mpl
-from ezdxf.tools.text import MTextEditor
 
 from haptonic.cell import UnitCell
 from haptonic.errors import GeometryError
@@ -41,6 +40,7 @@ def cell_drawing(
     rows: int = 1,
     *,
     tolerances: Mapping[str, float] | None = None,
+    why_none: str = "",
     date: datetime.date | None = None,
 ) -> Sheet:
     """One cell of a plate of ``columns`` x ``rows``, and the plate, as a technical drawing to scale on A4.
@@ -49,6 +49,7 @@ def cell_drawing(
     ----------
     tolerances : half-widths by the dimension's name in a study, such as ``cell.pillar.diameter``: m, or rad
         for the draft; they are shown as ``3.500 ±0.020``
+    why_none : said in the notes if there are no tolerances
     date : shown in the title block; without one, the same cell is the same file at any time
 
     Raises
@@ -91,9 +92,9 @@ def cell_drawing(
             "DATE": date.isoformat() if date else "",
         })  # fmt: skip
         notes = _advice(cell)
-        numbers = [str(1 + k) for k in range(len(notes))]
-        text = str(MTextEditor("NOTES\\P").bullet_list(indent=3, bullets=numbers, content=notes))
-        sheet.paragraph((FRAME + 3, BLOCK[3] - 1), text, BLOCK[0] - FRAME - 8)
+        if not tolerances:
+            notes.insert(0, f"No dimension has a tolerance of its own{why_none and ': '}{why_none}.")
+        sheet.notes((FRAME + 3, BLOCK[3] - 1), notes, BLOCK[0] - FRAME - 8)
     return sheet
 
 
@@ -105,6 +106,7 @@ def write_drawing(
     rows: int = 1,
     *,
     tolerances: Mapping[str, float] | None = None,
+    why_none: str = "",
     date: datetime.date | None = None,
     overwrite: bool = False,
 ) -> Path:
@@ -116,7 +118,7 @@ def write_drawing(
     ResourceError : the file exists and ``overwrite`` is False, or it cannot be written
     """
     refuse_overwrite(path, overwrite)
-    sheet = cell_drawing(cell, title, columns, rows, tolerances=tolerances, date=date)
+    sheet = cell_drawing(cell, title, columns, rows, tolerances=tolerances, why_none=why_none, date=date)
     kind = path.suffix[1:].lower()
     with reproducible(), styled():
         mpl.rcParams["pdf.fonttype"] = 42  # text stays text: it can be searched and copied

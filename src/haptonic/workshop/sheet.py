@@ -24,16 +24,15 @@ from ezdxf.addons.drawing.matplotlib import MatplotlibBackend
 from ezdxf.addons.drawing.pipeline import RenderPipeline2d
 from ezdxf.addons.drawing.properties import Properties, RenderContext
 from ezdxf.document import Drawing
-from ezdxf.entities import Dimension
-from ezdxf.entities.dimstyleoverride import DimStyleOverride
 from ezdxf.enums import TextEntityAlignment
 from ezdxf.fonts import fonts
 from ezdxf.layouts import Paperspace
-from ezdxf.math import UCS, Matrix44, Vec2
+from ezdxf.math import Matrix44, Vec2
 from ezdxf.render.dim_base import BaseDimensionRenderer
 from ezdxf.render.dim_linear import LinearDimension
 from ezdxf.render.dim_radius import RadiusDimension
 from ezdxf.render.dimension import DimensionRenderer
+from ezdxf.tools.text import MTextEditor
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
@@ -133,10 +132,13 @@ class Sheet:
         entity = self.space.add_text(_literal(text), height=size, dxfattribs=style)
         entity.set_placement((float(place[0]), float(place[1])), align=TextEntityAlignment[align])
 
-    def paragraph(self, place: Place, text: str, width: float, size: float = SMALL) -> None:
-        """Text below and to the right of ``place``, its lines broken at ``width``."""
-        style = {"layer": "TEXT", "style": "PLAIN", "char_height": size, "width": width, "insert": place}
-        self.space.add_mtext(text, dxfattribs=style)
+    def notes(self, place: Place, notes: Sequence[str], width: float) -> None:
+        """A numbered list below and to the right of ``place``, its lines broken at ``width``."""
+        numbers = [str(1 + k) for k in range(len(notes))]
+        plain = [re.sub(r"([\\{}])", r"\\\1", _literal(note)) for note in notes]
+        text = MTextEditor("NOTES\\P").bullet_list(indent=3, bullets=numbers, content=plain)
+        style = {"layer": "TEXT", "style": "PLAIN", "char_height": SMALL, "width": width, "insert": place}
+        self.space.add_mtext(str(text), dxfattribs=style)
 
     def arrow(self, tip: Place, angle: float) -> None:
         """A head with its point at ``tip`` that flies in this direction, degrees."""
@@ -156,7 +158,7 @@ class Sheet:
         style: Mapping[str, Any],
         *,
         upright: bool = False,
-        shelf: tuple[float, float] | None = None,
+        shelf: Place | None = None,
     ) -> None:
         """Dimension between two places on the paper, its line at the height (``upright``: the x) ``line``.
 
@@ -186,7 +188,7 @@ class Sheet:
         dimension.user_location_override(shelf)
         dimension.render()
 
-    def leader(self, tip: Place, label: tuple[float, float], text: str, side: Literal[-1, 1]) -> None:
+    def leader(self, tip: Place, label: Place, text: str, side: Literal[-1, 1]) -> None:
         """Text on a shelf that begins at ``label``, joined to ``tip`` by a line with an arrow there."""
         end = (label[0] + side * text_width(text), label[1])
         self.line([tip, label, end], "DIMENSION")
@@ -238,6 +240,7 @@ def shortened(text: str, width: float, size: float, bold: bool = False) -> str:
     """A text cut so that it is at most ``width`` mm wide."""
     if text_width(text, size, bold) <= width:
         return text
+    text = text[: int(4 * width / size)]  # no letter that is read is narrower than a quarter of its height
     while text and text_width(f"{text}…", size, bold) > width:
         text = text[:-1].rstrip()
     return f"{text}…"
@@ -271,15 +274,13 @@ class _Radius(_Measured, RadiusDimension):
 
 
 class _Renderers(DimensionRenderer):
-    def linear(
-        self, dimension: Dimension, ucs: UCS | None = None, override: DimStyleOverride | None = None
-    ) -> LinearDimension:
-        return _Linear(dimension, ucs, override)
+    """Which of these classes draws a dimension; the arguments are ezdxf's."""
 
-    def radius(
-        self, dimension: Dimension, ucs: UCS | None = None, override: DimStyleOverride | None = None
-    ) -> RadiusDimension:
-        return _Radius(dimension, ucs, override)
+    def linear(self, *args: Any, **options: Any) -> LinearDimension:
+        return _Linear(*args, **options)
+
+    def radius(self, *args: Any, **options: Any) -> RadiusDimension:
+        return _Radius(*args, **options)
 
 
 class _Pipeline(RenderPipeline2d):
@@ -290,12 +291,7 @@ class _Pipeline(RenderPipeline2d):
         self.axes = axes
 
     def draw_text(
-        self,
-        text: str,
-        transform: Matrix44,
-        properties: Properties,
-        cap_height: float,
-        dxftype: str = "TEXT",
+        self, text: str, transform: Matrix44, properties: Properties, cap_height: float, dxftype: str = ""
     ) -> None:
         if not text.strip():
             return

@@ -39,7 +39,7 @@ def fitting(width: float, height: float, box: Box, room: Box) -> View:
     return View((box[0] + room[0] + 0.5 * across, bottom), scale)
 
 
-def draw_plan(sheet: Sheet, box: Box, cell: UnitCell, tolerances: Mapping[str, float], alone: bool) -> View:
+def draw_plan(sheet: Sheet, box: Box, cell: UnitCell, tolerances: Mapping[str, float], alone: bool) -> None:
     """Draw the cell (lengths in mm) as seen from above; ``alone``: its sides are edges of the plate."""
     width, depth = cell.lattice.a1[0], cell.lattice.a2[1]
     view = fitting(width, depth, box, (36.0, 14.0, 12.0, 14.0))
@@ -63,7 +63,6 @@ def draw_plan(sheet: Sheet, box: Box, cell: UnitCell, tolerances: Mapping[str, f
     shelf = (lane - SHELF, centre[1])
     sheet.dimension(view, (corners[0], corners[3]), lane, deep, upright=True, shelf=shelf)
     _title(sheet, box, f"Plan of one cell   {view}")
-    return view
 
 
 def draw_section(
@@ -97,7 +96,7 @@ def draw_isometric(sheet: Sheet, box: Box, cell: UnitCell) -> None:
     _title(sheet, box, "Isometric")
 
 
-def draw_plate(sheet: Sheet, box: Box, cell: UnitCell, columns: int, rows: int) -> View:
+def draw_plate(sheet: Sheet, box: Box, cell: UnitCell, columns: int, rows: int) -> None:
     """Show the outlines in model space, so far as they are large enough: where the cells of the plate lie."""
     width, depth = columns * cell.lattice.a1[0], rows * cell.lattice.a2[1]
     view = fitting(width, depth, box, (22.0, 12.0, 4.0, 8.0))
@@ -113,12 +112,8 @@ def draw_plate(sheet: Sheet, box: Box, cell: UnitCell, columns: int, rows: int) 
     sheet.dimension(view, ((left, low), (right, low)), low - 8, style)
     shelf = (left - 8 - SHELF, 0.5 * (low + high))
     sheet.dimension(view, ((left, low), (left, high)), left - 8, style, upright=True, shelf=shelf)
-    _title(
-        sheet,
-        (*box[:3], min(box[3], high + 11)),
-        f"Plate, {columns} \N{MULTIPLICATION SIGN} {rows} cells   {view}",
-    )
-    return view
+    name = f"Plate, {columns} \N{MULTIPLICATION SIGN} {rows} cells   {view}"
+    _title(sheet, (*box[:3], min(box[3], high + 11)), name)
 
 
 @dataclass(frozen=True)

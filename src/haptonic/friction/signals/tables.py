@@ -13,6 +13,7 @@ import pandas as pd
 import xarray as xr
 from numpy.typing import NDArray
 
+from haptonic import hdf5
 from haptonic.errors import FrictionError, ResourceError, nearest
 from haptonic.friction.signals.record import Label, Record
 
@@ -91,7 +92,8 @@ def write_trials(trials: xr.Dataset, path: Path) -> None:
     if path.suffix == ".csv":
         trials.to_dataframe().to_csv(path, index=False)
     elif path.suffix == ".nc":
-        trials.to_netcdf(path, engine="h5netcdf")
+        with hdf5.written(path) as file:
+            trials.to_netcdf(file, engine="h5netcdf")
     else:
         raise _other_format(path, [".csv", ".nc"])
 

@@ -144,7 +144,7 @@ def by_each(pairs: list[Pairs]) -> list[Test]:
     """The test over trials of every participant by himself or herself, on every waveguide; all corrected."""
     return corrected(
         [
-            replace(by_trials(one.of(name)), participant=name, note="speaks of this participant only")
+            replace(by_trials(one.of(name)), participant=name, note="speaks of each participant alone")
             for one in pairs
             for name in one.people
         ]
@@ -202,7 +202,7 @@ def _paired(name: Name, waveguide: str, on: Array, off: Array, unit: str) -> Tes
         dof=float(result.df),
         p=float(result.pvalue),
         **effect_sizes(made.difference, spread, mean_spread, n),
-        note=_few(n) if unit == "participant" else "trials of one participant are taken for independent",
+        note=_few(n) if unit == "participant" else "trials of one participant are treated as independent",
     )
 
 

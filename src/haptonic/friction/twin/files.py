@@ -11,6 +11,7 @@ import pandas as pd
 import scipy.io
 from numpy.typing import NDArray
 
+from haptonic import hdf5
 from haptonic.errors import FrictionError
 
 Array = NDArray[np.float64]
@@ -35,7 +36,7 @@ def write_csv(channels: Channels, path: Path) -> None:
 
 def write_h5(channels: Channels, path: Path) -> None:
     """A set for each channel, with its unit; the file says that it is simulated."""
-    with h5py.File(path, "w") as file:
+    with hdf5.written(path) as raw, h5py.File(raw, "w") as file:
         file.attrs["origin"] = SIMULATED
         for name, values in channels.items():
             file.create_dataset(name, data=values).attrs["units"] = unit_of(name)

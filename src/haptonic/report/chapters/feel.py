@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 
 from haptonic.friction.lubrication import CUE_THRESHOLD, WEBER_FRACTION, explained
+from haptonic.friction.words import change
 from haptonic.report import paper
 from haptonic.report.chapter import Absent, Chapter, Picture, Results, Table
 from haptonic.results import Feel
@@ -53,7 +54,7 @@ def chapter(results: Results) -> Chapter | Absent:
 
 def _findings(result: Feel) -> list[str]:
     said = [
-        f"{name}{' (driven)' if name == result.driven else ''}: friction falls by {felt}; "
+        f"{name}{' (driven)' if name == result.driven else ''}: {change(felt.value, felt.low, felt.high)}; "
         f"{_noticed(result, name)}."
         for name, felt in result.reductions().items()
     ]

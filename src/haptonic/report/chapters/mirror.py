@@ -81,7 +81,8 @@ def _findings(layers: Layers, guides: Guides | None, compared: bool) -> list[str
         said.append(
             f"At the carrier, {carrier / 1e3:g} kHz, three rows let {10 ** (-total / 10):.1%} of the energy "
             f"of a flexural wave (A0) at this angle through, {total:.1f} dB: {verdict} total reflection. "
-            f"Of the same kind of wave {same:.1f} dB pass, the rest is turned into other waves."
+            f"What passes as the same kind of wave is {same:.1f} dB below the incident one; the rest of what "
+            "passes was turned into other waves."
         )
         frequency, insulation = _best_in_gap(layers, rows)
         if frequency:

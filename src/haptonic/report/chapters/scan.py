@@ -118,7 +118,7 @@ def _gaps(plate: PlateResult, scan: ScanResult, of_the_paper: bool) -> Table:
         )
     if scan.lattice:
         edges = (scan.lattice.lower, scan.lattice.upper)
-        rows.append(("lattice, twin's scan", *(str(edge or "not told") for edge in edges)))
+        rows.append(("lattice, twin's scan", *(str(edge or "not determined") for edge in edges)))
     try:
         rows.append(("high contrast, computed plate", *_edges(contrast_range(plate.response, plate.plate))))
     except HaptonicError as error:

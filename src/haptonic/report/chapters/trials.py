@@ -6,6 +6,7 @@ import math
 from collections.abc import Mapping
 
 from haptonic.friction.statistics import Estimate, Test
+from haptonic.friction.words import change
 from haptonic.report import paper
 from haptonic.report.chapter import Absent, Chapter, Picture, Results, Table
 from haptonic.results import FrictionResult
@@ -58,7 +59,7 @@ def _reductions(result: FrictionResult, published: Mapping[str, float] | None) -
     said = []
     for guide, one in found.reductions.items():
         told = _beside(known.get("driven" if guide == found.driven else "idle"))
-        said.append(f"{guide}: friction falls by {_percent(one)}{told}.")
+        said.append(f"{guide}: {change(one.value, one.low, one.high)}{told}.")
     for guide, one in found.stopped.items():
         told = _beside(known.get("stopped"))
         said.append(f"Of the driven reduction, {_percent(one)} does not reach {guide}{told}.")
@@ -75,7 +76,7 @@ def _alarms(results: Results, people: int) -> list[str]:
     return [
         f"Without any effect in the population, tests at 5 % find one all the same in so many simulated "
         f"experiments with {people} such participants: {rates}. The test over trials takes strokes of one "
-        "person for independent."
+        "person as independent."
     ]
 
 

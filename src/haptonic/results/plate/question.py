@@ -7,12 +7,14 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
+import psutil
 from numpy.typing import NDArray
 
-from haptonic.errors import StudyError
+from haptonic.errors import ResourceError, StudyError
 from haptonic.plate import Plate
 from haptonic.plate.layout import Layout
 from haptonic.plate.parts import Actuator, Force
+from haptonic.units import format_quantity
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complexfloating[Any, Any]]
@@ -20,6 +22,10 @@ Mask = NDArray[np.bool_]
 
 NEAR = 0.06  # share of the carrier around it within which modes are listed and a resonance is looked for
 
+MOST_POINTS = 4_000_000  # of a grid
+BYTES = (
+    30.0  # of a point at a line: complex numbers of double and of single precision, and what is made of them
+)
 ON_LINE = 1e-6  # of the smallest tile, within which a point lies on a line between tiles
 
 
@@ -75,11 +81,38 @@ def unit_drives(plate: Plate) -> dict[str, complex]:
     return {drive.name: amplitude_of(drive) / unit for drive in drives_of(plate)}
 
 
-def grid_points(plate: Plate, spacing: float) -> tuple[Array, list[str]]:
+def check_grid(plate: Plate, spacing: float, lines: int, at: str = "plate.response.grid") -> None:
+    """Raise ResourceError if a grid of squares, m, has more points than can be held at some lines.
+
+    Raises
+    ------
+    ResourceError : the argument is ``at``
+    """
+    area = (plate.layout.x[-1] - plate.layout.x[0]) * (plate.layout.y[-1] - plate.layout.y[0])
+    there = psutil.virtual_memory().total
+    most = min(MOST_POINTS, there / (BYTES * lines))
+    count = area / spacing**2
+    if count > most:
+        fits = float(np.sqrt(area / most))
+        raise ResourceError(
+            argument=at,
+            given=f"{format_quantity(spacing, 'm')}, which makes {count:.2g} points of {lines} lines",
+            allowed=f"at least {format_quantity(fits, 'm')} on this plate and machine",
+            cause="a grid finer than any wave on the plate, or a slip in its unit",
+            next_step=f'write grid = "{1.05e3 * fits:.2g} mm" or more, or ask for fewer frequencies',
+        )
+
+
+def grid_points(plate: Plate, spacing: float, at: str = "plate.response.grid") -> tuple[Array, list[str]]:
     """Points (k, 2) of the flat face on a grid of squares, at the middle of each, m, and their regions.
 
     Points of a lattice have no region.
+
+    Raises
+    ------
+    ResourceError : more points than can be held; the argument is ``at``
     """
+    check_grid(plate, spacing, 1, at)
     layout = plate.layout
     axes = []
     for lines in (layout.x, layout.y):

@@ -62,7 +62,7 @@ class ScanQuestion:
         ------
         ScanError : an unknown name among the skipped, or no point left
         """
-        points, _ = grid_points(plate, self.grid)
+        points, _ = grid_points(plate, self.grid, "scan.grid")
         layout = plate.layout
         known = (*layout.regions, *layout.cells, CLAMPS)
         excluded: list[Region] = []

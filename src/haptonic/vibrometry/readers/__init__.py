@@ -2,16 +2,20 @@
 
 from __future__ import annotations
 
+import math
+import warnings
 from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
 import h5py
+import numpy as np
 
 from haptonic import response
-from haptonic.errors import ResourceError, ScanError
+from haptonic.errors import HaptonicWarning, ResourceError, ScanError
 from haptonic.response import FrequencyResponse
+from haptonic.units import shown, to_si
 from haptonic.vibrometry.curves import assemble
 from haptonic.vibrometry.findings import Notebook, ReadReport
 from haptonic.vibrometry.readers import hdf5, uff, uff_time
@@ -19,6 +23,7 @@ from haptonic.vibrometry.readers.folder import read_folder
 from haptonic.vibrometry.readers.matlab import matlab_arrays
 from haptonic.vibrometry.readers.tables import ORIGIN, Mapped, Origin, scan_of, table_of
 from haptonic.vibrometry.readers.tdms import read_tdms
+from haptonic.vibrometry.readers.uff import LARGEST_PLATE
 from haptonic.vibrometry.records import TimeScan
 
 __all__ = ["Scan", "read_scan"]
@@ -28,6 +33,9 @@ FORMATS = (
 )
 UFF_SUFFIXES = (".uff", ".unv", ".uf")
 SIMULATED = "origin: simulated"
+WITHOUT_UNITS = ("MATLAB", "CSV folder")  # what they hold has no unit, or need not have one
+LOWEST_TOP = 200.0  # Hz; a scan that ends below is probably in kHz: ultrasonic ones reach some 100 kHz
+EXAMPLES = {"m": "mm", "Hz": "kHz"}
 
 
 @dataclass(frozen=True, eq=False)
@@ -79,7 +87,8 @@ def read_scan(
     *,
     variables: Mapping[str, str] | None = None,
     unit: str = "m/s/V",
-    length_unit: float | None = None,
+    length_unit: float | str | None = None,
+    frequency_unit: float | str | None = None,
     reference: str | None = None,
     origin: Origin = "measured",
     title: str = "",
@@ -92,14 +101,17 @@ def read_scan(
     variables : how a MATLAB file's variables (a TDMS file's channels) are called, see
         `haptonic.vibrometry.readers.tables.Mapped`; usual names are guessed
     unit : of responses in files that give none
-    length_unit : one unit of the coordinates, m, where it is not that of the file; 1e-3 for mm
+    length_unit : of the coordinates, where it is not that of the file: "mm", or one of it in m, 1e-3
+    frequency_unit : of frequencies in a MATLAB file, or in CSV without a unit: "kHz", or one of it in Hz, 1e3
     reference : which reference, when there are several; or its name and unit, when the file gives none
     origin : "simulated" for a file of a simulation; files that say so themselves are believed
     title : for people
 
     Raises
     ------
-    ScanError : an unknown format, or a file of which nothing can be used
+    ScanError : an unknown format, a file of which nothing can be used, or a unit of frequencies for a form
+        that has its own
+    HaptonicError : a unit that is not one of length or frequency
     ResponseError : a NetCDF file that haptonic did not write
     ResourceError : the file may not be read, or does not fit into memory
     """
@@ -107,7 +119,11 @@ def read_scan(
     if not path.exists():
         raise _refused(path, "there is no such file", "the name is misspelt", "check the name and the folder")
     try:
-        return _read(path, variables, unit, length_unit, reference, origin, title)
+        length, frequency = (
+            _one(length_unit, "m", "length_unit"),
+            _one(frequency_unit, "Hz", "frequency_unit"),
+        )
+        return _read(path, variables, unit, length, frequency, reference, origin, title)
     except PermissionError as error:
         raise _unreadable(path, "you may not read it", "ask for the right to read it, or copy it") from error
     except MemoryError as error:
@@ -120,12 +136,21 @@ def _read(
     variables: Mapping[str, str] | None,
     unit: str,
     length_unit: float | None,
+    frequency_unit: float | None,
     reference: str | None,
     origin: Origin,
     title: str,
 ) -> Scan:
-    how = Mapped(variables or {}, unit, 1.0 if length_unit is None else length_unit, reference or "")
+    how = Mapped(variables or {}, unit, length_unit or 1.0, reference or "", frequency_unit or 1.0)
     kind = _kind(path)
+    if frequency_unit is not None and kind not in WITHOUT_UNITS:
+        raise ScanError(
+            argument="frequency_unit",
+            given=f"{frequency_unit:g} Hz, for {kind}",
+            allowed=f"a unit for {' or '.join(WITHOUT_UNITS)}",
+            cause="this form says itself in which unit its frequencies are",
+            next_step="leave it out",
+        )
     notes = Notebook(path, kind)
     content: FrequencyResponse | TimeScan
     if kind == "UFF":
@@ -142,8 +167,45 @@ def _read(
         content = read_tdms(path, how, notes, origin, title)
     else:
         content = read_folder(path, how, notes, origin, title)
+    if kind in WITHOUT_UNITS:
+        _doubt(content, path, length_unit is None, frequency_unit is None)
     points = len(content.x) if isinstance(content, TimeScan) else content.dataset.sizes["point"]
     return Scan(content, notes.closed(points))
+
+
+def _one(unit: float | str | None, si: str, argument: str) -> float | None:
+    """One of a unit in SI units: of ``"mm"`` 1e-3 m, of a number itself."""
+    if unit is None:
+        return None
+    one = to_si(f"1 {unit}", si, argument) if isinstance(unit, str) else float(unit)
+    if not 0 < one < math.inf:
+        raise ScanError(
+            argument=argument,
+            given=shown(unit),
+            allowed=f'a unit such as "{EXAMPLES[si]}", or a positive number of {si}',
+            cause="a slip in the number",
+            next_step=f'write "{EXAMPLES[si]}"',
+        )
+    return one
+
+
+def _doubt(content: FrequencyResponse | TimeScan, path: Path, lengths: bool, frequencies: bool) -> None:
+    """Warn where numbers without a unit, taken as m and Hz, are no scan that anybody makes of a plate."""
+    points = [content.x, content.y] if isinstance(content, TimeScan) else content.points.T
+    wide = max(float(np.ptp(axis)) for axis in points)
+    top = math.inf if isinstance(content, TimeScan) else float(content.frequency[-1])
+    for doubtful, said, argument, option, unit in (
+        (lengths and wide > LARGEST_PLATE, f"a scan {wide:g} m wide", "length_unit", "--length-unit", "mm"),
+        (frequencies and top < LOWEST_TOP, f"a scan up to {top:g} Hz", "frequency_unit", "--frequency-unit",
+         "kHz"),
+    ):  # fmt: skip
+        if doubtful:
+            warnings.warn(
+                f"{path.name}: {said} was read, because the file gives no unit; if it is in {unit}, write "
+                f'{argument}="{unit}" ({option} {unit})',
+                HaptonicWarning,
+                stacklevel=4,
+            )
 
 
 def _uff(

@@ -127,8 +127,8 @@ def _curves(name: str, file: Path, how: Mapped, notes: Notebook) -> list[Curve]:
     ratio = ratio_of(_unit(head) or how.unit)
     if ratio.over.motion is None:
         raise _UnfitError(f'"{_unit(head)}" is no displacement, velocity or acceleration')
-    if _unit(heads[columns["frequency"]]) == "kHz":
-        column["frequency"] = 1e3 * column["frequency"]
+    written = _unit(heads[columns["frequency"]])
+    column["frequency"] *= {"kHz": 1e3, "Hz": 1.0}.get(written, how.frequency_unit)
     reference = how.reference or (f"reference, {ratio.under.unit}" if ratio.under.unit else "")
     made = [
         Curve(f"file {file.name}", name, 3, "response", column["frequency"], ratio.factor * values,

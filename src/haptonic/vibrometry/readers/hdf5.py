@@ -23,6 +23,7 @@ import h5py
 import numpy as np
 
 from haptonic.errors import ScanError
+from haptonic.hdf5 import written
 from haptonic.vibrometry.findings import Notebook
 from haptonic.vibrometry.labels import ORDER, Motion
 from haptonic.vibrometry.records import Samples, TimeScan
@@ -48,7 +49,7 @@ class _FromFile:
 
 def write_records(scan: TimeScan, path: Path) -> None:
     """Write time records in haptonic's layout. `haptonic.store.write_atomically` makes the file whole."""
-    with h5py.File(path, "w") as file:
+    with written(path) as raw, h5py.File(raw, "w") as file:
         file.attrs.update(
             kind=KIND, form=FORM, sample_rate=scan.sample_rate, motion=scan.motion, reference=scan.reference,
             reference_scale=scan.reference_scale, response_scale=scan.response_scale,

@@ -42,12 +42,14 @@ class Mapped:
     unit : of the response, such as "mm/s/V" or, for time records, "mm/s"
     length_unit : one unit of the coordinates, m
     reference : name and unit of the reference, such as "A1, V"
+    frequency_unit : one unit of the frequencies, Hz
     """
 
     variables: Mapping[str, str]
     unit: str
     length_unit: float
     reference: str
+    frequency_unit: float = 1.0
 
 
 def table_of(arrays: Mapping[str, Any], how: Mapped, notes: Notebook) -> dict[str, Any]:
@@ -108,7 +110,7 @@ def scan_of(
         return _records(table, places, how, notes, origin, title)
     if "frequency" not in table:
         raise _unfit("frequency", "neither frequencies nor a sample rate", notes)
-    lines = np.asarray(table["frequency"], dtype=float).ravel()
+    lines = how.frequency_unit * np.asarray(table["frequency"], dtype=float).ravel()
     values = _points_first(np.squeeze(np.asarray(table["response"])), len(places), len(lines), notes)
     if not np.iscomplexobj(values):
         raise _unfit("response", "real numbers: the phase is missing", notes)
@@ -242,5 +244,6 @@ def _unfit(argument: str, given: str, notes: Notebook) -> ScanError:
         given=given,
         allowed=NEEDED,
         cause="variables have other names than usual, or belong to different scans",
-        next_step='name them: read_scan(path, variables={"response": "...", "x": "...", "y": "..."})',
+        next_step='name them: read_scan(path, variables={"response": "...", "x": "...", "y": "..."}), or '
+        "haptonic scan --variables response=...,x=...,y=...",
     )

@@ -1,0 +1,20 @@
+"""A reduction of friction, and two averages of it, in words."""
+
+from __future__ import annotations
+
+import math
+
+AVERAGES = {
+    "reduction": "1 - (friction on) / (friction off), each first averaged over the participants: one whose "
+    "friction is high counts for more",
+    "equivalence": "the mean of every participant's own 1 - on / off: all count the same, and a test over "
+    "participants needs one number of each",
+}
+
+
+def change(value: float, low: float = math.nan, high: float = math.nan, digits: int = 0) -> str:
+    """What a reduction, 0.55 for 55 %, and its interval say of friction: that it falls, or that it rises."""
+    word, ends = ("falls", (low, high)) if round(100 * value, digits) >= 0 else ("rises", (-high, -low))
+    numbers = [f"{100 * one + 0.0:.{digits}f}" for one in (abs(value), *ends)]
+    interval = f" ({numbers[1]} to {numbers[2]} %)" if math.isfinite(low) and math.isfinite(high) else ""
+    return f"friction {word} by {numbers[0]} %{interval}"

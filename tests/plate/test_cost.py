@@ -1,0 +1,74 @@
+"""What cannot be computed here is said before anything is computed."""
+
+from __future__ import annotations
+
+import time
+import warnings
+from types import SimpleNamespace
+
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from haptonic.errors import ResourceError
+from haptonic.results.plate import compute
+from haptonic.store import Store
+from haptonic.study import loads
+
+STUDY = '''
+carrier = "60 kHz"
+[material]
+youngs_modulus = "70 GPa"
+poisson_ratio = 0.33
+density = "2700 kg/m^3"
+loss_factor = 1e-3
+[cell]
+pitch = "7 mm"
+thickness = "1.5 mm"
+[cell.pillar]
+diameter = "3.5 mm"
+height = "14.7 mm"
+[plate]
+map = """
+{line}
+"""
+rows = {rows}
+[plate.tiles]
+o = "lattice"
+1 = "G"
+[plate.response]
+grid = "{grid} m"
+[[plate.force]]
+region = "G"
+name = "F1"
+centre = ["1 mm", "1 mm"]
+force = "1 N"
+'''
+
+
+@settings(max_examples=25, deadline=None)
+@given(grid=st.sampled_from([1e-9, 1e-7, 1e-5, 2e-3]), rows=st.integers(3, 120), columns=st.integers(3, 150))
+def test_it_is_refused_at_once_or_begun(grid: float, rows: int, columns: int) -> None:
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")  # of a fine grid
+        study = loads(STUDY.format(line="o" * (columns - 1) + "1", rows=rows, grid=grid))
+    begun, began = [], time.process_time()
+
+    def first_step(*_: object, **__: object) -> None:
+        begun.append(True)
+        raise KeyboardInterrupt
+
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(compute, "_computed", first_step)
+        patch.setattr(type(study), "_gap", first_step)
+        patch.setattr("psutil.virtual_memory", lambda: SimpleNamespace(total=24e9, available=20e9))
+        with pytest.raises((ResourceError, KeyboardInterrupt)) as caught:
+            study.vibrating(store=Store.default())
+    if isinstance(caught.value, ResourceError):
+        assert caught.value.argument in ("plate.response.grid", "plate.map")
+        assert all(caught.value.parts().values())
+    heavy = grid < 1e-4 or rows * columns > 3000
+    light = grid > 1e-4 and rows * columns < 1000
+    assert time.process_time() - began < 2
+    assert not (heavy and begun)
+    assert not light or begun

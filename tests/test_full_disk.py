@@ -1,0 +1,74 @@
+"""A file that cannot be written is an error after which the process goes on and ends as it should."""
+
+from __future__ import annotations
+
+import subprocess
+import sys
+import textwrap
+from pathlib import Path
+
+import pytest
+
+pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="there is no limit on file sizes there")
+
+# As a disk that is full: a limit on the size of files fails the same writes, with another number.
+SCRIPT = """
+    import resource, signal, sys
+    from functools import partial
+    from pathlib import Path
+    import numpy as np, xarray as xr
+    from haptonic.errors import ResourceError
+    from haptonic.friction.twin.files import write_h5
+    from haptonic.response import FrequencyResponse, write
+    from haptonic.results import write_netcdf
+    from haptonic.store import write_atomically
+    from haptonic.vibrometry.exports import write_mat_records
+    from haptonic.vibrometry.readers.hdf5 import write_records
+    from haptonic.vibrometry.records import InMemory, TimeScan
+
+    rng = np.random.default_rng(0)
+    samples = rng.standard_normal((12, 3, 600)).astype(np.float32)
+    names, x = tuple(map(str, range(12))), np.arange(12.0)
+    records = TimeScan(InMemory(samples, samples), names, x, 0 * x, 3, 600, 200e3, "A1, V")
+    numbers = rng.standard_normal((50, 40, 3)) + 0j
+    response = FrequencyResponse.of(
+        numbers[..., :1].astype(np.complex64), frequency=np.arange(50) + 1.0, x=np.arange(40.0),
+        y=np.zeros(40), reference="A1, V", origin="simulated", region=[""] * 40, title="", inputs={},
+    )
+    sets = {f"v{k}": ("n", rng.standard_normal(300)) for k in range(40)}
+    writers = {
+        "dataset.nc": partial(write_netcdf, xr.Dataset(sets, attrs={"a": "b"})),
+        "response.nc": partial(write, response),
+        "records.h5": partial(write_records, records),
+        "records.mat": partial(write_mat_records, records),
+        "forces.h5": partial(write_h5, {name: rng.standard_normal(4000) for name in ("time", "Fx", "Fz")}),
+    }
+    signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
+    folder, limit = Path(sys.argv[1]), int(sys.argv[2])
+    resource.setrlimit(resource.RLIMIT_FSIZE, (limit, limit))
+    for name, writer in writers.items():
+        try:
+            write_atomically(folder / name, writer)
+            print("whole", name)
+        except ResourceError as error:
+            assert not (folder / name).exists()
+            print(error.cause)
+    print(*folder.iterdir())
+"""
+
+
+@pytest.mark.parametrize("limit", [0, 1, 700, 3000, 20_000, 70_000])
+def test_hdf5_files_that_do_not_fit(tmp_path: Path, limit: int) -> None:
+    script = tmp_path / "script.py"
+    script.write_text(textwrap.dedent(SCRIPT))
+    (tmp_path / "out").mkdir()
+    done = subprocess.run(
+        [sys.executable, str(script), str(tmp_path / "out"), str(limit)],
+        capture_output=True, text=True, timeout=60, check=False,
+    )  # fmt: skip
+    assert done.stderr == ""
+    assert done.returncode == 0
+    assert done.stdout.count("the file is larger than the system lets you write") >= (
+        5 if limit < 5000 else 1
+    )
+    assert ".haptonic" not in done.stdout

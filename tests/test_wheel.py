@@ -1,0 +1,41 @@
+"""What an installed haptonic has: its types, and every file that it tells somebody to look at."""
+
+from __future__ import annotations
+
+import ast
+import re
+from pathlib import Path
+
+import haptonic
+
+SOURCE = Path(haptonic.__file__).parent
+# A path of this repository in a sentence.
+REPOSITORY = re.compile(r"\b(?:studies|docs|tests|benchmarks|src)/[\w./-]*\w")
+
+
+def spoken(tree: ast.AST) -> list[ast.Constant]:
+    """Texts of a module that are not docstrings."""
+    documented = [
+        node.body[0].value
+        for node in ast.walk(tree)
+        if isinstance(node, ast.Module | ast.ClassDef | ast.FunctionDef)
+        and node.body
+        and isinstance(node.body[0], ast.Expr)
+    ]
+    texts = [n for n in ast.walk(tree) if isinstance(n, ast.Constant) and isinstance(n.value, str)]
+    return [text for text in texts if text not in documented]
+
+
+def test_it_says_that_it_has_types():
+    assert (SOURCE / "py.typed").is_file()
+
+
+def test_no_message_points_to_a_file_that_is_not_installed():
+    found = [
+        f"{file.relative_to(SOURCE)}:{text.lineno}: {path}"
+        for file in SOURCE.rglob("*.py")
+        for text in spoken(ast.parse(file.read_text("utf-8")))
+        for path in REPOSITORY.findall(text.value)
+        if not (SOURCE / path).exists()
+    ]
+    assert found == []
