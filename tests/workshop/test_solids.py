@@ -51,7 +51,9 @@ def test_the_product_of_a_step_file_has_the_title_and_no_authors(title, tmp_path
     assert volume_of_step(path) == pytest.approx(volume(ALL["no pillar"]), rel=1e-6)
     assert "Author" not in text
     assert "translator" not in text
-    quoted = re.search(r"PRODUCT\('((?:[^']|'')*)',", text)[1].replace("''", "'")
+    name, again = re.search(r"= PRODUCT\(('(?:[^']|'')*'),('(?:[^']|'')*'),'',\(#\d+\)\);", text).groups()
+    assert name == again
+    quoted = name[1:-1].replace("''", "'")
     hidden = quoted.replace("\\\\", "\0")
     shown = re.sub(r"\\X2\\(.*?)\\X0\\", lambda m: bytes.fromhex(m[1]).decode("utf-16-be"), hidden)
     assert shown.replace("\0", "\\") == title

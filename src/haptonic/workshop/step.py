@@ -22,7 +22,7 @@ from haptonic.workshop.shape import MM, Body, centres, in_mm, plate_outline
 
 # OpenCascade, as NETGEN calls it, puts its own name where the product's and the author's belong.
 _HEADER = re.compile(r"FILE_NAME\(.*?\);", re.DOTALL)
-_PRODUCT = re.compile(r"PRODUCT\('.*?','.*?',", re.DOTALL)
+_PRODUCT = re.compile(r"PRODUCT\('[^']*',\s*'[^']*',")
 
 
 def solid(cell: UnitCell, columns: int = 1, rows: int = 1) -> Any:
