@@ -18,8 +18,8 @@ from haptonic.errors import GeometryError
 from haptonic.plots.style import DOTS_PER_INCH, styled
 from haptonic.store import refuse_overwrite, write_atomically
 from haptonic.workshop.dimensions import checked_tolerances, number
-from haptonic.workshop.dxf import add_outline, outlines, reproducible
-from haptonic.workshop.shape import FORMS, Body, in_mm
+from haptonic.workshop.dxf import outlines, reproducible
+from haptonic.workshop.shape import Body, in_mm
 from haptonic.workshop.sheet import A4, SIZE, SMALL, Sheet, shortened
 from haptonic.workshop.views import Box, draw_isometric, draw_plan, draw_plate, draw_section
 
@@ -160,7 +160,7 @@ def _first_angle(sheet: Sheet, x: float, y: float) -> None:
     """Symbol of the method of projection (ISO 5456-2): a cone from its side, and from its left."""
     sheet.line([(x - 9, y - 1.5), (x - 9, y + 1.5), (x - 2, y + 3), (x - 2, y - 3)], "SEEN", close=True)
     for radius in (1.5, 3.0):
-        add_outline(sheet.space, FORMS["round"], (x + 5, y), radius, "SEEN")
+        sheet.space.add_circle((x + 5, y), radius, dxfattribs={"layer": "SEEN"})
     sheet.line([(x - 10.5, y), (x - 0.5, y)], "AXIS")
     sheet.line([(x + 1, y), (x + 9, y)], "AXIS")
     sheet.line([(x + 5, y - 4), (x + 5, y + 4)], "AXIS")

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from haptonic.workshop.shape import Array
 from haptonic.workshop.stl import Triangles
 
-SHARP = math.cos(math.radians(35))  # the coarse facets of a round body meet at up to 12 degrees
+SHARP = math.cos(math.radians(35))  # facets of a round body meet at less, those of a small fillet too
 PIECES = 24  # stretches of an edge that are seen, or hidden, as a whole
 IN_FRONT = 1e-3  # of the body's size: what hides a point is nearer by at least this
 

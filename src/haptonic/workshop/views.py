@@ -28,7 +28,7 @@ SCALES = [step * 10.0**power for power in range(3, -4, -1) for step in (5, 2, 1)
 LANE = 8.0  # mm between a view and its first dimension line
 LEGIBLE = 1.0  # mm on the paper; smaller outlines are left out of the plan of the plate
 NEXT = 7.0  # mm between two dimension lines
-CHORD = 0.005  # of the body's size, which nobody sees in the isometric view
+CHORD = 0.001  # of the narrowest width: facets that nobody sees in the isometric view
 
 
 def fitting(width: float, height: float, box: Box, room: Box) -> View:
