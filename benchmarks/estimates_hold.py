@@ -36,7 +36,9 @@ KAPPA = np.pi * np.array([(1, 0), (1, 1), (1, 0.5), (0.5, 0.5), (0.6, 0.3), (0.1
 def designs(count: int, seed: int) -> list[UnitCell]:
     drawn = LOWEST + qmc.Sobol(5, seed=seed).random(64)[:count] * (HIGHEST - LOWEST)
     return [
-        UnitCell(Lattice.square(a), e * a, IsotropicMaterial("drawn", 70e9, nu, 2700.0), Pillar(d * a, h * a))
+        UnitCell(
+            Lattice.square(a), e * a, IsotropicMaterial(70e9, nu, 2700.0, name="drawn"), Pillar(d * a, h * a)
+        )
         for a, e, d, h, nu in drawn
     ]
 

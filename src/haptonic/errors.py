@@ -5,6 +5,8 @@ from __future__ import annotations
 import difflib
 from collections.abc import Iterable
 
+from haptonic.names import visible
+
 
 class HaptonicError(Exception):
     """Something that the user can put right.
@@ -16,14 +18,16 @@ class HaptonicError(Exception):
     allowed : what is allowed
     cause : the likely cause
     next_step : what to do now
+
+    Any of them may quote what a file holds, so control characters are written out in all.
     """
 
     def __init__(self, *, argument: str, given: object, allowed: str, cause: str, next_step: str) -> None:
-        self.argument = argument
-        self.given = str(given)
-        self.allowed = allowed
-        self.cause = cause
-        self.next_step = next_step
+        self.argument = argument = visible(argument)
+        self.given = visible(str(given))
+        self.allowed = allowed = visible(allowed)
+        self.cause = cause = visible(cause)
+        self.next_step = next_step = visible(next_step)
         super().__init__(
             f"{argument}: got {self.given}\n"
             f"  allowed: {allowed}\n  likely cause: {cause}\n  next step: {next_step}"

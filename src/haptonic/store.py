@@ -12,7 +12,6 @@ import errno
 import hashlib
 import io
 import json
-import math
 import os
 import re
 import secrets
@@ -21,9 +20,11 @@ import time
 import warnings
 from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager, suppress
-from dataclasses import dataclass
+from dataclasses import dataclass, fields, is_dataclass
+from enum import Enum
 from functools import cache
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import platformdirs
@@ -31,6 +32,7 @@ import scipy
 import xarray as xr
 
 from haptonic.errors import HaptonicWarning, ResourceError
+from haptonic.paths import target
 
 # Parts of the package that show results but do not make them.
 SHOWING = frozenset({"cli", "plots", "report", "workshop"})
@@ -80,49 +82,77 @@ def _fingerprint(package: Path, versions: Mapping[str, str]) -> str:
 def content_key(inputs: Mapping[str, object]) -> str:
     """Key of a result: SHA-256 (64 hexadecimal digits) of its inputs and of ``fingerprint()``.
 
-    ``inputs`` must hold everything that the result depends on, the kind of computation included, in JSON
-    types: text, finite floats, integers, booleans, None, and lists, tuples and dicts of those. The order
-    of keys does not matter; 1 and 1.0 are different inputs; a list and a tuple are the same one.
+    ``inputs`` must hold everything that the result depends on, the kind of computation included: the frozen
+    values themselves, not chosen fields of theirs, so that a new field changes the key; see `canonical`.
     """
-    plain = dict(inputs)
-    _assert_json(plain, "inputs")
-    canonical = json.dumps(plain, sort_keys=True, separators=(",", ":"), allow_nan=False)
-    return hashlib.sha256(f"{fingerprint()}\n{canonical}".encode()).hexdigest()
+    text = json.dumps(canonical(dict(inputs)), separators=(",", ":"))
+    return hashlib.sha256(f"{fingerprint()}\n{text}".encode()).hexdigest()
 
 
-def _assert_json(value: object, where: str) -> None:
-    if isinstance(value, dict):
-        for name, inner in value.items():
-            assert isinstance(name, str), f"{where}: the name {name!r} is not text"
-            _assert_json(inner, f"{where}.{name}")
-    elif isinstance(value, list | tuple):
-        for index, inner in enumerate(value):
-            _assert_json(inner, f"{where}[{index}]")
-    elif isinstance(value, float):
-        assert math.isfinite(value), f"{where}: {value} is not finite, so it cannot name a result"
-    else:
-        known = value is None or isinstance(value, str | int)
-        assert known, (
-            f"{where}: {type(value).__name__} is not a JSON type; convert it before it names a result"
-        )
+def canonical(value: object, where: str = "inputs") -> list[Any]:
+    """Nested lists of JSON types that are equal for equal values only, each led by what kind of value it is.
+
+    Knows dataclasses (their type and every field), text, numbers (floats bit by bit, NaN apart), None, enums,
+    arrays, bytes, sequences, mappings and sets. The order of mappings and sets does not matter; 1 and 1.0 are
+    different; a list and a tuple are the same, as are a number of numpy and that number.
+    """
+    if isinstance(value, np.generic):
+        value = value.item()
+    match value:
+        case Enum():
+            return ["enum", _type_of(value), value.name]
+        case None | bool() | int() | str():
+            return [type(value).__name__, value]
+        case float():
+            return ["float", value.hex()]  # a repr would do as well; this one needs no rounding to be read
+        case complex():
+            return ["complex", value.real.hex(), value.imag.hex()]
+        case bytes():
+            return ["bytes", value.hex()]
+        case np.ndarray():
+            assert value.dtype != object, f"{where}: an array of objects cannot name a result"
+            return ["array", value.dtype.str, list(value.shape), value.tobytes().hex()]
+        case list() | tuple():
+            return ["list", *(canonical(one, f"{where}[{i}]") for i, one in enumerate(value))]
+        case set() | frozenset():
+            return ["set", *sorted((canonical(one, where) for one in value), key=json.dumps)]
+        case Mapping():
+            pairs = [[canonical(k, where), canonical(one, f"{where}.{k}")] for k, one in value.items()]
+            return ["mapping", *sorted(pairs, key=json.dumps)]
+    has_fields = is_dataclass(value) and not isinstance(value, type)
+    assert has_fields, f"{where}: {type(value).__name__} has no fields that could name a result"
+    names = [one.name for one in fields(value)]  # type: ignore[arg-type]  # it is a dataclass, see above
+    held = [[name, canonical(getattr(value, name), f"{where}.{name}")] for name in names]
+    return ["value", _type_of(value), *held]
+
+
+def _type_of(value: object) -> str:
+    return f"{type(value).__module__}.{type(value).__qualname__}"
 
 
 @dataclass(frozen=True)
 class Store:
     """Datasets in files below ``root``, each named by its ``content_key``.
 
-    A file is NetCDF (HDF5), followed by the SHA-256 of all that comes before it. NetCDF readers ignore the
-    addition; ``get`` uses it to recognise a file that was cut short or damaged.
+    A file is NetCDF (HDF5), followed by its key and by the SHA-256 of all that comes before that. NetCDF
+    readers ignore the addition; ``get`` uses it to recognise a file that was damaged or is another key's.
     """
 
     root: Path
 
     @classmethod
     def default(cls) -> Store:
-        """The folder named by ``$HAPTONIC_STORE``, else this user's cache folder."""
+        """The folder named by ``$HAPTONIC_STORE``, else this user's cache folder.
+
+        Raises
+        ------
+        ResourceError : that variable names no possible folder
+        """
         chosen = os.environ.get("HAPTONIC_STORE")
         root = (
-            Path(chosen).expanduser() if chosen else platformdirs.user_cache_path("haptonic", appauthor=False)
+            target(chosen, "HAPTONIC_STORE")
+            if chosen
+            else platformdirs.user_cache_path("haptonic", appauthor=False)
         )
         return cls(root.absolute())
 
@@ -138,14 +168,15 @@ class Store:
     def get(self, key: str) -> xr.Dataset | None:
         """The dataset of this key, in memory; None when there is none.
 
-        A damaged file counts as none: it is renamed to ``<name>.corrupt`` and a HaptonicWarning says so. A
-        HaptonicWarning also says, before anybody computes what was not found, that nothing can be kept here.
+        A file that is damaged or holds the result of another key counts as none: it is renamed to
+        ``<name>.corrupt`` and a HaptonicWarning says so. A HaptonicWarning also says, before anybody computes
+        what was not found, that nothing can be kept here.
         """
         path = self.path(key)
         try:
             content = path.read_bytes()
-            if not _is_sound(content):
-                _set_aside(path)
+            if fault := _fault(content, key):
+                _set_aside(path, fault)
                 return None
         except FileNotFoundError:
             self._try()
@@ -167,6 +198,7 @@ class Store:
         content = io.BytesIO()
         dataset.to_netcdf(content, engine="h5netcdf")
         content.seek(0, io.SEEK_END)
+        content.write(bytes.fromhex(key))
         content.write(hashlib.sha256(content.getbuffer()).digest())
         try:
             _replace(path, lambda temporary: temporary.write_bytes(content.getbuffer()))
@@ -308,16 +340,21 @@ def _remove_stale(folder: Path) -> None:
                 shutil.rmtree(leftover) if leftover.is_dir() else leftover.unlink()
 
 
-def _is_sound(content: bytes) -> bool:
+def _fault(content: bytes, key: str) -> str:
+    """What is wrong with a file of the store; "" if nothing is."""
     view = memoryview(content)
-    return hashlib.sha256(view[:-DIGEST_BYTES]).digest() == view[-DIGEST_BYTES:]
+    if hashlib.sha256(view[:-DIGEST_BYTES]).digest() != view[-DIGEST_BYTES:]:
+        return "was damaged"
+    if view[-2 * DIGEST_BYTES : -DIGEST_BYTES] != bytes.fromhex(key):
+        return "is that of another question"
+    return ""
 
 
-def _set_aside(path: Path) -> None:
+def _set_aside(path: Path, fault: str) -> None:
     aside = path.with_name(f"{path.name}.corrupt")
     path.replace(aside)
     warnings.warn(
-        f"a stored result was damaged and will be computed again; the file is kept as {aside}",
+        f"a stored result {fault} and will be computed again; the file is kept as {aside}",
         HaptonicWarning,
         stacklevel=3,
     )

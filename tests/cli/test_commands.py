@@ -15,6 +15,7 @@ import pytest
 import xarray as xr
 
 from five_parts import assert_five_parts
+from haptonic.cli.lattices import counted
 from interrupts import hear_interrupts
 
 
@@ -23,6 +24,8 @@ def test_bands_writes_its_files_and_a_table(haptonic, study, tmp_path):
     ran = haptonic("bands", study(), "--out", out, "--surface")
     assert ran.code == 0, ran.err
     assert "band gaps" in ran.out
+    counts = json.loads(haptonic("bands", study(), "--json", "--surface").out)["counts"]
+    assert counted(**counts) in " ".join(ran.out.split())
     names = {path.name for path in out.iterdir()}
     pictures = {
         f"{name}.{kind}"
@@ -212,3 +215,15 @@ def test_reproduce_ends_with_a_report(haptonic, study, tmp_path):
     assert "no waveguide" in ran.err  # the gap of so coarse a mesh is not certain
     again = haptonic("reproduce", study(), "--out", out)
     assert_five_parts(again, str(out))
+
+
+@pytest.mark.parametrize(
+    ("checked", "missed", "said"),
+    [
+        (3, 0, "3 comparisons: no bands missing"),
+        (1, 1, "1 comparison: 1 band missing"),
+        (0, 0, "not counted"),
+    ],
+)
+def test_counts_in_words(checked, missed, said):
+    assert said in counted(checked, missed)

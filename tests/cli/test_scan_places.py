@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from types import SimpleNamespace
 
 import numpy as np
 import pytest
 
+from haptonic.bloch import Gap
 from haptonic.bloch.guide import strip_mode
 from haptonic.bloch.model import bloch_model
 from haptonic.results.carrier import condensed_cell
@@ -76,7 +76,10 @@ class TestPlaces:
 class TestWaves:
     def test_the_guide_s_mode_is_that_of_a_strip_as_long_as_it_needs(self, study, store):
         """The mode at a wavenumber is that of a strip with free ends whose length fits it."""
-        layout, gap = study.plate().layout, SimpleNamespace(lower=56e3, upper=62e3)
+        layout, gap = (
+            study.plate().layout,
+            Gap((6, 7), 56e3, 62e3, 0.0, 0.0, (0.0, 0.0), (0.0, 0.0), True, "", 9),
+        )
         guides = [replace(one, along="y", width=32e-3, lattice="lattice") for one in guides_of(layout)]
         mirror = mirror_beside(layout, "WG1")
         waves = computed_waves(layout, study.asked(), (40e3, 70e3), gap, guides, mirror, store)

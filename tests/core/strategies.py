@@ -6,7 +6,7 @@ from haptonic.cell import MeshPlan, Pillar, UnitCell
 from haptonic.lattice import Lattice
 from haptonic.materials import IsotropicMaterial
 
-ALUMINIUM = IsotropicMaterial("aluminium", youngs_modulus=70e9, poisson_ratio=0.33, density=2700.0)
+ALUMINIUM = IsotropicMaterial(youngs_modulus=70e9, poisson_ratio=0.33, density=2700.0, name="aluminium")
 
 pitches = st.floats(0.5e-3, 50e-3)
 

@@ -168,7 +168,7 @@ def test_frequencies_scale_with_the_inverse_of_size(factor):
 @given(st.floats(0.01, 100.0), st.floats(0.01, 100.0))
 def test_frequencies_scale_with_the_root_of_stiffness_over_density(stiffer, denser):
     cell = reference_cell()
-    other = IsotropicMaterial("other", 70e9 * stiffer, 0.33, 2700.0 * denser)
+    other = IsotropicMaterial(70e9 * stiffer, 0.33, 2700.0 * denser, name="other")
     changed = UnitCell(cell.lattice, cell.thickness, other, cell.pillar)
     expected = coarse_values(cell) * np.sqrt(stiffer / denser)
     assert coarse_values(changed) == pytest.approx(expected, rel=1e-9)
@@ -545,7 +545,7 @@ def designs():
         pitch = rng.uniform(4e-3, 12e-3)
         thickness, diameter = pitch * rng.uniform(0.1, 0.4), pitch * rng.uniform(0.25, 0.75)
         height, poisson = pitch * rng.uniform(0.8, 3), rng.uniform(0.2, 0.4)
-        material = IsotropicMaterial("drawn", 70e9, poisson, 2700.0)
+        material = IsotropicMaterial(70e9, poisson, 2700.0, name="drawn")
         yield UnitCell(Lattice.square(pitch), thickness, material, Pillar(diameter, height))
 
 

@@ -19,7 +19,7 @@ WOOD = OrthotropicMaterial(
 
 
 @settings(max_examples=6)
-@given(st.data(), st.sampled_from([WOOD, IsotropicMaterial("steel", 200e9, 0.3, 7850.0)]))
+@given(st.data(), st.sampled_from([WOOD, IsotropicMaterial(200e9, 0.3, 7850.0, name="steel")]))
 def test_constant_strains_have_the_energy_of_the_voigt_matrix(data, material):
     cell = data.draw(cells())
     mesh = mesh_cell(cell, data.draw(plans(cell, highest=3)))
@@ -104,7 +104,7 @@ def test_mass_and_its_moments_are_those_of_the_body(data):
 
 
 def test_the_tensor_is_that_of_hooke():
-    steel = IsotropicMaterial("steel", 200e9, 0.3, 7850.0)
+    steel = IsotropicMaterial(200e9, 0.3, 7850.0, name="steel")
     delta = np.eye(3)
     hooke = steel.lame * np.einsum("ik,jl->ikjl", delta, delta)
     hooke += steel.shear_modulus * (

@@ -27,7 +27,7 @@ GEOMETRIES = {
 def own_cell(name: str) -> UnitCell:
     pitch_x, pitch_y, thickness, diameter, height, modulus, poisson, density = GEOMETRIES[name]
     lattice = Lattice.square(pitch_x) if pitch_x == pitch_y else Lattice.rectangular(pitch_x, pitch_y)
-    material = IsotropicMaterial(name, modulus, poisson, density)
+    material = IsotropicMaterial(modulus, poisson, density, name=name)
     return UnitCell(lattice, thickness, material, Pillar(diameter, height))
 
 
@@ -61,7 +61,8 @@ MEMBERS = {
 @pytest.mark.parametrize("pillar", MEMBERS.values(), ids=MEMBERS)
 def test_members_of_the_pillar_family_agree_with_the_peer(pillar):
     """Within what the peer's last order changed and what our own error estimate says."""
-    cell = UnitCell(Lattice.square(7 * MM), 1.5 * MM, IsotropicMaterial("metal", 70e9, 0.33, 2700.0), pillar)
+    metal = IsotropicMaterial(70e9, 0.33, 2700.0, name="metal")
+    cell = UnitCell(Lattice.square(7 * MM), 1.5 * MM, metal, pillar)
     model = BlochModel.of(cell, Resolution(4, 1), COUNT, measured=False)
     same = PeerCell(
         7 * MM, 7 * MM, 1.5 * MM, pillar.diameter, pillar.height, 70e9, 0.33, 2700.0,

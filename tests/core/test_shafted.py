@@ -22,7 +22,7 @@ from haptonic.superelement import condense, condense_by_parts, on_each, shafted
 from haptonic.superelement.shaft import PARITIES, Shaft
 
 PLY = OrthotropicMaterial("ply", 20e9, 11e9, 9e9, 3e9, 2.5e9, 4e9, 3.1e9, 4.3e9, 5.7e9, density=1500.0)
-CORK = IsotropicMaterial("no lateral contraction", 70e9, 0.0, 2700.0)
+CORK = IsotropicMaterial(70e9, 0.0, 2700.0, name="no lateral contraction")
 LENGTH, RADIUS = 9e-3, 1.2e-3
 # parities of u, v, w in the four symmetry classes: a factor x or y changes sides with its component
 CLASSES = [tuple(((c == 0) ^ x, (c == 1) ^ y) for c in range(3)) for x, y in product((0, 1), repeat=2)]
@@ -274,8 +274,8 @@ def test_a_foot_is_condensed_once_for_all_heights(empty):
     "change",
     [
         {"thickness": 1.1e-3},
-        {"material": IsotropicMaterial("denser", 70e9, 0.33, 3000.0)},
-        {"material": IsotropicMaterial("stiffer", 71e9, 0.33, 2700.0)},
+        {"material": IsotropicMaterial(70e9, 0.33, 3000.0, name="denser")},
+        {"material": IsotropicMaterial(71e9, 0.33, 2700.0, name="stiffer")},
         {"pillar": Pillar(2.41e-3, 9e-3)},
         {"lattice": Lattice.square(7.2e-3)},
     ],

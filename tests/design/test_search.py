@@ -21,7 +21,7 @@ from haptonic.lattice import Lattice
 from haptonic.materials import IsotropicMaterial
 
 MM = 1e-3
-ALUMINIUM = IsotropicMaterial("aluminium", 70e9, 0.33, 2700.0)
+ALUMINIUM = IsotropicMaterial(70e9, 0.33, 2700.0, name="aluminium")
 SQUARE = Lattice.square(7 * MM)
 CELL = UnitCell(SQUARE, 1.5 * MM, ALUMINIUM, Pillar(3.5 * MM, 9 * MM))
 ALL = replace(CELL, pillar=Pillar(4.5 * MM, 9 * MM, "round", math.radians(2), 0.6 * MM, Step(3 * MM, 5 * MM)))

@@ -18,7 +18,7 @@ from haptonic.materials import IsotropicMaterial, OrthotropicMaterial
 from haptonic.superelement import FoldedMesh, condensed
 
 MM = 1e-3
-ALUMINIUM = IsotropicMaterial("aluminium", 70e9, 0.33, 2700.0)
+ALUMINIUM = IsotropicMaterial(70e9, 0.33, 2700.0, name="aluminium")
 SQUARE, RECTANGLE = Lattice.square(7 * MM), Lattice.rectangular(8 * MM, 7 * MM)
 ALL = Pillar(4.5 * MM, 14.7 * MM, "round", math.radians(2), 0.6 * MM, Step(3 * MM, 5 * MM))
 GENERIC, ORIGIN = (1.3, 0.4), (0.0, 0.0)

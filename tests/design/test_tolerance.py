@@ -30,7 +30,7 @@ MM, UM = 1e-3, 1e-6
 CELL = UnitCell(
     Lattice.square(7 * MM),
     1.5 * MM,
-    IsotropicMaterial("aluminium", 70e9, 0.33, 2700.0),
+    IsotropicMaterial(70e9, 0.33, 2700.0, name="aluminium"),
     Pillar(3.5 * MM, 9 * MM),
 )
 HEIGHT = Spread("cell.pillar.height", 20 * UM, "normal", "pillar")

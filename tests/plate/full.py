@@ -16,6 +16,7 @@ from haptonic.cell import MeshPlan, UnitCell, mesh_cell
 from haptonic.cell.quadrature import interpolation, lobatto
 from haptonic.lattice import Lattice
 from haptonic.plate.body import BodyOrders, body
+from haptonic.plate.keys import PLATE, bond, ceramic, electric
 from haptonic.plate.surface import flat_faces, surface_weights
 from haptonic.solvers import Pattern, chosen
 
@@ -81,7 +82,7 @@ def _single(layout, tile, cell_order, rings, plain_order):
     K, mass = assembled(mesh, layout.material)
     points = mesh.points + np.array([(left + right) / 2, (bottom + top) / 2, 0.0])
     box = np.array([left, bottom]), np.array([right, top])
-    return Piece(points, {"plate": K}, mass, flat_faces(mesh), box, {}, {})
+    return Piece(points, {PLATE: K}, mass, flat_faces(mesh), box, {}, {})
 
 
 def _with_patch(layout, actuator, tiles, along, through):
@@ -247,12 +248,12 @@ def frequencies(whole, count, near, factorise=factorised):
 def dynamic(whole, omega):
     """Complex dynamic stiffness with the losses of plate, glue and ceramic."""
     plate = whole.plate
-    factors = {"plate": 1 + 1j * plate.loss_factor}
+    factors = {PLATE: 1 + 1j * plate.loss_factor}
     for actuator in plate.actuators:
         solid, name = actuator.material, actuator.name
-        factors[f"{name} bond"] = 1 + 1j * actuator.bond.material.loss_factor
-        factors[f"{name} ceramic"] = 1 + 1j * solid.loss_factor
-        factors[f"{name} field"] = 1 / (1 - 1j * solid.dielectric_loss)
+        factors[bond(name)] = 1 + 1j * actuator.bond.material.loss_factor
+        factors[ceramic(name)] = 1 + 1j * solid.loss_factor
+        factors[electric(name)] = 1 / (1 - 1j * solid.dielectric_loss)
     return sum(factors[part] * K for part, K in whole.stiffness.items()) - omega**2 * whole.mass
 
 

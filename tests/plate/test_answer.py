@@ -17,6 +17,7 @@ from haptonic.plate import krylov, sweep
 from haptonic.plate.assembly import Assembly
 from haptonic.plate.blocks import blocks_of
 from haptonic.plate.direct import direct_answer
+from haptonic.plate.keys import FINGER, PLATE, SUPPORTS, bond, ceramic, dielectric, electric
 from haptonic.plate.krylov import Basis, chains
 from haptonic.plate.model import PlateModel, impedance, sunflower
 from haptonic.plate.modes import modes_between
@@ -188,11 +189,11 @@ def test_a_light_finger_takes_its_share_of_a_mode():
     plate = replace(busy_plate(), finger=finger, loss_factor=1e-4)
     band = Band.of(replace(busy(), plate=plate), 2e3, 30e3)
     modes = modes_between(band, 2e3, 30e3)
-    k = int(modes.lost["finger"].argmax())
+    k = int(modes.lost[FINGER].argmax())
     vibration = band.reduced.answer({"F": 1.0}, HZ * modes.frequency[[k]])
-    (taken,) = vibration.dissipated["finger"] / sum(vibration.dissipated.values())
+    (taken,) = vibration.dissipated[FINGER] / sum(vibration.dissipated.values())
     assert taken > 0.01
-    assert modes.lost["finger"][k] == pytest.approx(taken, rel=0.05)
+    assert modes.lost[FINGER][k] == pytest.approx(taken, rel=0.05)
     assert sum(modes.lost.values()) == pytest.approx(1.0)
 
 
@@ -376,7 +377,7 @@ def test_given_power_is_dissipated_power():
     spent = sum(vibration.dissipated.values())
     assert vibration.given == pytest.approx(spent, rel=2e-5)
     assert set(vibration.dissipated) == {
-        "plate", "A bond", "A ceramic", "A field", "A dielectric", "supports", "finger"
+        PLATE, bond("A"), ceramic("A"), electric("A"), dielectric("A"), SUPPORTS, FINGER
     }  # fmt: skip
     for name, power in vibration.dissipated.items():
         assert (power >= 0).all(), name
@@ -395,16 +396,16 @@ def test_powers_and_energies_are_those_of_the_direct_solution():
     for part, form in stiffness.items():
         assert vibration.stored[part].sum(1) == pytest.approx(twice(form) / 2, rel=2e-3)
     assert vibration.moving.sum(1) == pytest.approx(omega**2 * twice(mass) / 2, rel=2e-3)
-    assert vibration.dissipated["plate"] == pytest.approx(omega * LOSS * twice(stiffness["plate"]), rel=2e-3)
+    assert vibration.dissipated[PLATE] == pytest.approx(omega * LOSS * twice(stiffness[PLATE]), rel=2e-3)
     (bed,) = model.beds
     form = np.zeros_like(mass)
     form[: model.assembly.free, : model.assembly.free] = bed.stiffness.toarray()
-    assert vibration.dissipated["supports"] == pytest.approx(omega * 0.08 * twice(form), rel=2e-3)
+    assert vibration.dissipated[SUPPORTS] == pytest.approx(omega * 0.08 * twice(form), rel=2e-3)
     pad, finger = model.pad.toarray(), model.plate.finger
     felt = np.array([finger_impedance(finger, w) for w in omega])
     assert impedance(finger, omega) == pytest.approx(felt, rel=1e-9)
     expected = omega * felt.imag * twice(pad.T @ pad) / len(pad)
-    assert vibration.dissipated["finger"] == pytest.approx(expected, rel=2e-3)
+    assert vibration.dissipated[FINGER] == pytest.approx(expected, rel=2e-3)
     solid = model.plate.actuators[0].material
     charge = 40.0 * model.capacitance["A"] * (1 - 1j * solid.dielectric_loss) + model.drives["A"] @ u
     assert vibration.charge["A"] == pytest.approx(charge, rel=1e-3)
@@ -444,9 +445,9 @@ def test_the_virial_theorem_ties_both_energies_to_the_work_of_the_force():
     reduced = ReducedPlate.of(model, reduced.basis, HZ * 16e3)
     vibration = reduced.answer({"F": 1.0}, HZ * LINES)
     strain = sum(values.sum(1) for values in vibration.stored.values())
-    bed = vibration.dissipated["supports"] / (2 * vibration.omega * 0.08)
+    bed = vibration.dissipated[SUPPORTS] / (2 * vibration.omega * 0.08)
     field_factor = (1 / (1 - 1j * plate.actuators[0].material.dielectric_loss)).real
-    strain = strain + bed + (field_factor - 1) * vibration.stored["A field"].sum(1)
+    strain = strain + bed + (field_factor - 1) * vibration.stored[electric("A")].sum(1)
     motion = (model.drives["F"] @ vibration.vectors) @ vibration.amplitudes
     assert 2 * (strain - vibration.moving.sum(1)) == pytest.approx(0.5 * motion.real, rel=1e-4)
 

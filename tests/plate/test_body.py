@@ -14,6 +14,7 @@ from scipy.sparse.linalg import LinearOperator, eigsh
 
 from haptonic.materials import IsotropicMaterial, material
 from haptonic.plate.body import BodyOrders, body, free_patch, loss_factors
+from haptonic.plate.keys import PLATE, bond, ceramic, electric
 from haptonic.plate.layout import Layout
 from haptonic.plate.parts import Bond, Plate
 from motions import rigid_motions, unit_strains
@@ -23,16 +24,16 @@ ORDERS = BodyOrders(along=2, plate=2, bond=1, ceramic=2)
 GLUED = patch(CERAMIC, (5e-3, 4e-3, 0.7e-3), (5e-3, 4e-3), Bond(0.1e-3, GLUE))
 BARE = patch(material("pzt-5a"), (3e-3, 5e-3, 0.5e-3), (11e-3, 4.5e-3), name="B")
 SOLIDS = {
-    "plate": ALUMINIUM,
-    "A bond": GLUE,
-    "A ceramic": CERAMIC,
-    "B ceramic": BARE.material,
+    PLATE: ALUMINIUM,
+    bond("A"): GLUE,
+    ceramic("A"): CERAMIC,
+    ceramic("B"): BARE.material,
 }
 VOLUMES = {  # m^3
-    "plate": 13e-3 * 8e-3 * 2e-3,
-    "A bond": 5e-3 * 4e-3 * 0.1e-3,
-    "A ceramic": 5e-3 * 4e-3 * 0.7e-3,
-    "B ceramic": 3e-3 * 5e-3 * 0.5e-3,
+    PLATE: 13e-3 * 8e-3 * 2e-3,
+    bond("A"): 5e-3 * 4e-3 * 0.1e-3,
+    ceramic("A"): 5e-3 * 4e-3 * 0.7e-3,
+    ceramic("B"): 3e-3 * 5e-3 * 0.5e-3,
 }
 
 
@@ -45,7 +46,7 @@ def test_a_thick_plate_has_its_exact_frequencies():
     path = Path(__file__).parents[1] / "data/simply_supported_plate.json"
     exact = [mode["hz"] for mode in json.loads(path.read_text("utf-8"))["modes"]]
     plate = body((0.0, 60e-3), (0.0, 45e-3), 6e-3, ALUMINIUM, (), BodyOrders(6, 5, 1, 1), longest=16e-3)
-    assert set(plate.stiffness) == {"plate"}
+    assert set(plate.stiffness) == {PLATE}
     x, y, _ = plate.points.T
     held = np.zeros((len(plate.points), 3), dtype=bool)
     for across, along, end in ((x, 1, 60e-3), (y, 0, 45e-3)):
@@ -65,7 +66,7 @@ def test_a_thick_plate_has_its_exact_frequencies():
 def test_every_part_is_symmetric_and_leaves_rigid_motions_alone():
     block_of_all = block()
     motions = rigid_motions(block_of_all.points).T
-    assert set(block_of_all.stiffness) == {*SOLIDS, "A field", "B field"}
+    assert set(block_of_all.stiffness) == {*SOLIDS, electric("A"), electric("B")}
     for part in [*block_of_all.stiffness.values(), total(block_of_all)]:
         scale = abs(part).max()
         assert abs(part - part.T).max() < 1e-14 * scale
@@ -88,10 +89,10 @@ def test_mass_and_its_centre_are_those_of_the_boxes():
     assert (mass == mass[:, :1]).all()
     expected = {part: SOLIDS[part].density * volume for part, volume in VOLUMES.items()}
     centres = {
-        "plate": (6.5e-3, 4e-3, 1e-3),
-        "A bond": (5e-3, 4e-3, 2.05e-3),
-        "A ceramic": (5e-3, 4e-3, 2.45e-3),
-        "B ceramic": (11e-3, 4.5e-3, 2.25e-3),
+        PLATE: (6.5e-3, 4e-3, 1e-3),
+        bond("A"): (5e-3, 4e-3, 2.05e-3),
+        ceramic("A"): (5e-3, 4e-3, 2.45e-3),
+        ceramic("B"): (11e-3, 4.5e-3, 2.25e-3),
     }
     assert mass[:, 0].sum() == pytest.approx(sum(expected.values()), rel=1e-12)
     moment = sum(expected[part] * np.array(centres[part]) for part in expected)
@@ -111,7 +112,7 @@ def test_linear_fields_are_exact_wherever_the_lines_run(x, y, longest, along):
     """Energy of each part is that of its constants, and inside each part the stress is in balance."""
     found = block(x, y, replace(ORDERS, along=along), longest)
     fields = unit_strains(found.points)
-    ends = {"plate": (0.0, 2e-3), "A ceramic": (2.1e-3, 2.8e-3)}
+    ends = {PLATE: (0.0, 2e-3), ceramic("A"): (2.1e-3, 2.8e-3)}
     for part, solid in SOLIDS.items():
         K = found.stiffness[part]
         energy = fields @ (K @ fields.T) / VOLUMES[part]
@@ -138,7 +139,7 @@ def test_charge_of_a_uniform_strain_is_that_of_the_constants(x, y):
         e = np.array(actuator.material.coupling)[2, [0, 1, 2, 5]]
         area = actuator.size[0] * actuator.size[1]
         assert fields @ found.drive[actuator.name] == pytest.approx(-e * area, rel=1e-9, abs=1e-12 * area)
-        field = found.stiffness[f"{actuator.name} field"]
+        field = found.stiffness[electric(actuator.name)]
         assert np.abs(field @ fields.T).max() < 1e-9 * abs(field).max() * np.abs(fields).max()
         eps = actuator.material.permittivity[2][2]
         assert found.capacitance[actuator.name] == pytest.approx(eps * area / actuator.size[2], rel=1e-9)
@@ -150,7 +151,7 @@ def test_nodes_lie_once_at_each_place_and_elements_fill_the_boxes():
     assert len(np.unique(found.points.round(9), axis=0)) == len(found.points)
     used = np.concatenate([nodes.ravel() for nodes in found.elements.values()])
     assert np.array_equal(np.unique(used), np.arange(len(found.points)))
-    through = {"plate": 2, "A bond": 1, "A ceramic": 2, "B ceramic": 2}
+    through = {PLATE: 2, bond("A"): 1, ceramic("A"): 2, ceramic("B"): 2}
     for part, nodes in found.elements.items():
         assert nodes.shape[1:] == (3, 3, through[part] + 1)
         extent = found.points[nodes[:, -1, -1, -1]] - found.points[nodes[:, 0, 0, 0]]
@@ -158,7 +159,7 @@ def test_nodes_lie_once_at_each_place_and_elements_fill_the_boxes():
         assert extent[:, :2].max() <= 2.2e-3 * (1 + 1e-12)
         assert extent.prod(axis=1).sum() == pytest.approx(VOLUMES[part], rel=1e-12)
     for axis, between in ((0, (*x, 2.5e-3, 7.5e-3, 9.5e-3, 12.5e-3)), (1, (*y, 2e-3, 6e-3, 7e-3))):
-        borders = found.points[found.elements["plate"][:, [0, -1]][:, :, [0, -1], 0], axis]
+        borders = found.points[found.elements[PLATE][:, [0, -1]][:, :, [0, -1], 0], axis]
         for line in between:
             assert np.isclose(borders, line, atol=1e-12).any()
 
@@ -180,14 +181,14 @@ def test_an_edge_on_a_line_is_that_line_whatever_the_rounding():
     on_line = patch(CERAMIC, (0.2, 0.2, 1e-3), (0.4, 0.5))
     assert on_line.centre[0] - on_line.size[0] / 2 != x[1]
     found = body(x, (0.0, 1.0), 2e-3, ALUMINIUM, (on_line,), BodyOrders(1, 1, 1, 1), longest=1.0)
-    assert len(found.elements["plate"]) == 3 * 3
+    assert len(found.elements[PLATE]) == 3 * 3
     assert sorted(set(found.points[:, 0])) == [0.0, 0.3, 0.5, 0.9]
     assert (0.1 + 0.2) / 0.1 > 3.0  # as computed, yet three elements will do
     evenly = body((0.0, 0.1 + 0.2), (0.0, 0.1), 2e-3, ALUMINIUM, (), BodyOrders(1, 1, 1, 1), longest=0.1)
-    assert len(evenly.elements["plate"]) == 3
+    assert len(evenly.elements[PLATE]) == 3
     beside = replace(on_line, centre=(0.4 + 1e-6, 0.5))  # a micrometre apart is apart
     found = body(x, (0.0, 1.0), 2e-3, ALUMINIUM, (beside,), BodyOrders(1, 1, 1, 1), longest=1.0)
-    assert len(found.elements["plate"]) == 4 * 3
+    assert len(found.elements[PLATE]) == 4 * 3
 
 
 def test_patches_that_leave_the_block_or_overlap_are_a_mistake_of_the_caller():
@@ -197,7 +198,7 @@ def test_patches_that_leave_the_block_or_overlap_are_a_mistake_of_the_caller():
         body((0.0, 13e-3), (0.0, 8e-3), 2e-3, ALUMINIUM, (GLUED, replace(GLUED, name="C")), ORDERS, 4e-3)
     touching = replace(GLUED, name="C", centre=(10e-3, 4e-3))
     found = body((0.0, 13e-3), (0.0, 8e-3), 2e-3, ALUMINIUM, (GLUED, touching), ORDERS, 4e-3)
-    shared = np.intersect1d(found.elements["A ceramic"], found.elements["C ceramic"])
+    shared = np.intersect1d(found.elements[ceramic("A")], found.elements[ceramic("C")])
     assert len(shared) == 0  # side by side, yet not one piece
 
 
@@ -257,18 +258,18 @@ def test_loss_factors_are_those_of_the_constants_they_scale():
     glued = patch(CERAMIC, bond=Bond(0.1e-3, GLUE))
     layout = Layout((("tile",),), (0.0, 1.0), (0.0, 1.0), {}, 2e-3, ALUMINIUM)
     factors = loss_factors(Plate(layout, actuators=(glued, replace(BARE, voltage=0.0)), loss_factor=0.002))
-    assert set(factors) == {"plate", "A bond", "A ceramic", "A field", "B ceramic", "B field"}
-    assert factors["plate"] == 1 + 0.002j
-    assert factors["A bond"] == 1 + 1j * GLUE.loss_factor
-    assert factors["A ceramic"] == 1 + 1j * CERAMIC.loss_factor
+    assert set(factors) == {PLATE, bond("A"), ceramic("A"), electric("A"), ceramic("B"), electric("B")}
+    assert factors[PLATE] == 1 + 0.002j
+    assert factors[bond("A")] == 1 + 1j * GLUE.loss_factor
+    assert factors[ceramic("A")] == 1 + 1j * CERAMIC.loss_factor
     lossy = 1 - 1j * CERAMIC.dielectric_loss
-    assert factors["A field"] == 1 / lossy
+    assert factors[electric("A")] == 1 / lossy
     assert all(factor.imag > 0 for factor in factors.values())  # power is lost, not won
     ratio = 1.7
     more = replace(CERAMIC, permittivity=np.array(CERAMIC.permittivity) * ratio)
     one, other = (free_patch(replace(glued, material=solid), ORDERS, 4e-3) for solid in (CERAMIC, more))
-    scale = abs(one.stiffness["A field"]).max()
-    assert abs(other.stiffness["A field"] - one.stiffness["A field"] / ratio).max() < 1e-12 * scale
+    scale = abs(one.stiffness[electric("A")]).max()
+    assert abs(other.stiffness[electric("A")] - one.stiffness[electric("A")] / ratio).max() < 1e-12 * scale
     assert other.capacitance["A"] == pytest.approx(one.capacitance["A"] * ratio, rel=1e-12)
     assert other.drive["A"] == pytest.approx(one.drive["A"], abs=1e-12 * np.abs(one.drive["A"]).max())
 
@@ -276,7 +277,7 @@ def test_loss_factors_are_those_of_the_constants_they_scale():
 def test_a_free_patch_is_the_ceramic_of_a_body():
     alone = free_patch(BARE, ORDERS, 1.0)
     whole = body((9.5e-3, 12.5e-3), (2e-3, 7e-3), 2e-3, ALUMINIUM, (BARE,), ORDERS, 1.0)
-    own = np.unique(whole.elements["B ceramic"])
+    own = np.unique(whole.elements[ceramic("B")])
     order = np.lexsort(whole.points[own].T[::-1].round(9))
     own = own[order]
     placed = alone.points + np.array([0.0, 0.0, 2e-3])
@@ -284,7 +285,7 @@ def test_a_free_patch_is_the_ceramic_of_a_body():
     unknowns = (3 * own[:, None] + np.arange(3)).ravel()
     sorted_alone = np.lexsort(alone.points.T[::-1].round(9))
     ours = (3 * sorted_alone[:, None] + np.arange(3)).ravel()
-    for part in ("B ceramic", "B field"):
+    for part in (ceramic("B"), electric("B")):
         difference = whole.stiffness[part][unknowns][:, unknowns] - alone.stiffness[part][ours][:, ours]
         assert abs(difference).max() < 1e-11 * abs(alone.stiffness[part]).max()
     assert whole.drive["B"][unknowns] == pytest.approx(alone.drive["B"][ours], abs=1e-9)
@@ -295,7 +296,7 @@ def test_a_stiffer_plate_moves_less_under_the_same_voltage():
     """Second law of the drive: between free and clamped, the charge falls as the plate gets stiffer."""
     charges = []
     for young in (1e6, 70e9, 1e15):
-        plate = IsotropicMaterial("plate", young, 0.33, 2700.0)
+        plate = IsotropicMaterial(young, 0.33, 2700.0, name="plate")
         found = body((2e-3, 8e-3), (1e-3, 7e-3), 2e-3, plate, (GLUED,), ORDERS, 4e-3)
         u = settled(found, found.drive["A"])
         charges.append(found.capacitance["A"] + found.drive["A"] @ u)

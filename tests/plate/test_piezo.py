@@ -12,6 +12,7 @@ from scipy.sparse.linalg import eigsh
 
 from haptonic.materials import PiezoelectricMaterial, material
 from haptonic.plate.body import BodyOrders, free_patch
+from haptonic.plate.keys import ceramic, electric
 from haptonic.plate.piezo import electric_matrices, electric_part
 from motions import rigid_motions, unit_strains
 
@@ -100,11 +101,11 @@ def test_shear_mode_between_electrodes_along_the_poling():
     body = free_patch(patch(HARD, (length, 1e-3, 1e-3)), orders(8, 2), 1.0)
     x = body.points[:, 0]
     left, right = (np.flatnonzero(np.isclose(x, end, atol=1e-12)) for end in (-length / 2, length / 2))
-    electric = electric_part(body.points, body.elements["A ceramic"], HARD, left, right)
+    electric = electric_part(body.points, body.elements[ceramic("A")], HARD, left, right)
     places, number = np.unique(x.round(12), return_inverse=True)
     uniform = np.zeros((3 * len(x), len(places)))
     uniform[3 * np.arange(len(x)) + 2, number] = 1.0
-    K = uniform.T @ (body.stiffness["A ceramic"] @ uniform + electric.stiffness @ uniform)
+    K = uniform.T @ (body.stiffness[ceramic("A")] @ uniform + electric.stiffness @ uniform)
     drive, mass = uniform.T @ electric.drive, uniform.T @ body.mass
     short, opened = open_and_short(K, drive, electric.capacitance)
     e, eps, c = HARD.coupling[0][4], HARD.permittivity[0][0], HARD.elastic[4][4]
@@ -175,7 +176,7 @@ def curved_patch(solid):
 def test_uniform_fields_have_the_energy_of_the_constants_in_curved_elements():
     solid = random_solid()
     body, points = curved_patch(solid)
-    nodes = body.elements["A ceramic"]
+    nodes = body.elements[ceramic("A")]
     matrices = electric_matrices(points, nodes, solid)
     flat = nodes.reshape(len(nodes), -1)
     slopes, strains = points.T, unit_strains(points).reshape(6, -1, 3)
@@ -197,7 +198,7 @@ def test_elimination_leaves_forces_charges_and_energy_as_they_were():
     """The same forces and charges from the whole system with every potential in it."""
     solid = random_solid()
     body, points = curved_patch(solid)
-    nodes = body.elements["A ceramic"]
+    nodes = body.elements[ceramic("A")]
     z = body.points[:, 2]
     glued, free = np.flatnonzero(z == 0.0), np.flatnonzero(z == z.max())
     electric = electric_part(points, nodes, solid, glued, free)
@@ -235,4 +236,4 @@ def test_elimination_leaves_forces_charges_and_energy_as_they_were():
 
 def test_a_potential_linear_through_the_patch_adds_no_stiffness():
     body = free_patch(patch(HARD), orders(2, 1), 1.0)
-    assert abs(body.stiffness["A field"]).max() == 0.0
+    assert abs(body.stiffness[electric("A")]).max() == 0.0

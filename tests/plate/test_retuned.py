@@ -12,6 +12,8 @@ from haptonic.plate import Band, Force, Plate, PlateModel, Support
 from haptonic.plate.body import BodyOrders, body
 from haptonic.plate.bonds import Bonded
 from haptonic.plate.family import Family, anchored
+from haptonic.plate.keys import PLATE, ceramic, electric
+from haptonic.plate.keys import bond as bond_of
 from haptonic.plate.retuned import retuned
 
 HIGHEST = 40e3
@@ -65,15 +67,15 @@ def test_three_thicknesses_of_a_bond_give_every_other():
     bonded = Bonded(ends, tuple(of(t) for t in ends), 40e-6)
     size = len(of(40e-6).mass)
     basis = np.random.default_rng(0).standard_normal((size, 3))
-    bond = bonded.projected("A", basis)
+    glue = bonded.projected("A", basis)
     for thickness in (30e-6, 40e-6, 110e-6):
         exact = of(thickness)
-        stiffness = basis.T @ (exact.stiffness["A bond"] @ basis)
-        found = np.tensordot(bond.shares(thickness), bond.stiffness, 1)
+        stiffness = basis.T @ (exact.stiffness[bond_of("A")] @ basis)
+        found = np.tensordot(glue.shares(thickness), glue.stiffness, 1)
         assert apart(found, stiffness) < 1e-9
-        own = basis.T @ (of(40e-6).mass[:, None] * basis) + (thickness - 40e-6) * bond.slope
+        own = basis.T @ (of(40e-6).mass[:, None] * basis) + (thickness - 40e-6) * glue.slope
         assert apart(own, basis.T @ (exact.mass[:, None] * basis)) < 1e-12
-        for part in ("plate", "A ceramic", "A field"):
+        for part in (PLATE, ceramic("A"), electric("A")):
             same = of(40e-6).stiffness[part]
             assert abs(exact.stiffness[part] - same).max() < 1e-9 * abs(same).max()
 
@@ -106,11 +108,11 @@ def whole_stiffness(vectors):
     pieces = []
     for group, share in assembly.shares(vectors):
         parts = {
-            name: part * (OTHER["factor"] if name == "plate" else 1)
+            name: part * (OTHER["factor"] if name == PLATE else 1)
             for name, part in group.tile.stiffness.items()
         }
         for name, bond in group.tile.bonds.items():
-            parts[f"{name} bond"] = np.tensordot(bond.shares(OTHER["bond"]), bond.stiffness, 1)
+            parts[bond_of(name)] = np.tensordot(bond.shares(OTHER["bond"]), bond.stiffness, 1)
         pieces.append(np.einsum("ij,jbk->ibk", sum(parts.values()), share))
     found = assembly.gathered(pieces)
     ratio = plate.supports[0].stiffness / model().plate.supports[0].stiffness

@@ -11,6 +11,7 @@ from small import COARSE, LOSS, busy_plate, drawn
 from whole import dynamic
 
 from haptonic.plate import sweep
+from haptonic.plate.keys import PLATE
 from haptonic.plate.model import PlateModel
 from haptonic.plate.modes import modes_between
 from haptonic.plate.parts import Finger, Force, Plate, Support
@@ -71,7 +72,7 @@ def test_a_finger_anywhere_is_as_in_the_whole_matrix(frequency, which, damping, 
 def test_compliance_is_the_inverse_of_the_reduced_matrix():
     reduced, omega = bare_band().reduced, HZ * 21e3
     line = np.array([omega])
-    matrix = np.diag(reduced.model.factors["plate"] * reduced.basis.values - omega**2).astype(complex)
+    matrix = np.diag(reduced.model.factors[PLATE] * reduced.basis.values - omega**2).astype(complex)
     for one in reduced.extras:
         impedance = one.extra.impedance(line)[0]
         matrix += impedance * (one.kept @ one.kept.T + np.diag(one.alone[:, 0]))

@@ -2,6 +2,7 @@
 
 import numpy as np
 
+from haptonic.plate.keys import PLATE, bond, ceramic, electric
 from haptonic.plate.model import PlateModel
 
 
@@ -51,13 +52,13 @@ def dynamic(model: PlateModel, omega):
     """(size, size) complex dynamic stiffness with every loss and the finger."""
     plate, parts = model.plate, forms(model.assembly)
     stiffness, mass = parts
-    total = (1 + 1j * plate.loss_factor) * stiffness["plate"] - omega**2 * mass
+    total = (1 + 1j * plate.loss_factor) * stiffness[PLATE] - omega**2 * mass
     for actuator in plate.actuators:
         solid, name = actuator.material, actuator.name
-        total = total + (1 + 1j * solid.loss_factor) * stiffness[f"{name} ceramic"]
-        total += stiffness[f"{name} field"] / (1 - 1j * solid.dielectric_loss)
+        total = total + (1 + 1j * solid.loss_factor) * stiffness[ceramic(name)]
+        total += stiffness[electric(name)] / (1 - 1j * solid.dielectric_loss)
         if actuator.bond is not None:
-            total += (1 + 1j * actuator.bond.material.loss_factor) * stiffness[f"{name} bond"]
+            total += (1 + 1j * actuator.bond.material.loss_factor) * stiffness[bond(name)]
     for support, bed in zip(
         [support for support in plate.supports if support.hold == "spring" or support.where == "corners"],
         beds(model),

@@ -11,7 +11,6 @@ from haptonic.design.brief import Finger
 from haptonic.design.parameters import UNITS
 from haptonic.errors import StudyError
 from haptonic.study import Study, loads
-from haptonic.study.quantity import SI_NUMBERS
 
 VARY = '[[design.vary]]\nparameter = "{}"\nfrom = {}\nto = {}\n'
 OF = '[[tolerance.of]]\nparameter = "{}"\nspread = {}\n{}\n'
@@ -315,7 +314,6 @@ class TestWriting:
                 "design": {"vary": rows, "tool": data.draw(st.none() | st.floats(1e-9, 1e3))},
                 "tolerance": {"of": spreads, "margin": data.draw(st.floats(0, 1e9))},
             },
-            context=SI_NUMBERS,
         )  # fmt: skip
         again = loads(study.to_toml())
         assert again == study

@@ -6,8 +6,9 @@ import tomllib
 import pytest
 
 from haptonic.errors import StudyError
-from haptonic.study import Study, load, loads, table
-from haptonic.study.keys import leaves
+from haptonic.fields import table
+from haptonic.fields.keys import leaves
+from haptonic.study import Study, load, loads
 
 KEYS = table(Study)
 

@@ -81,7 +81,9 @@ def test_pillar_has_to_fit_into_the_shorter_period():
     text += '[cell.pillar]\ndiameter = "4.95 mm"\nheight = "5 mm"\n'
     with pytest.raises(StudyError, match=r"cell\.pillar\.diameter") as caught:
         loads(text)
-    assert caught.value.allowed == "less than 4.8 mm, so that 2 % of the pitch stays free"
+    assert (
+        caught.value.allowed == "less than 4.8 mm, so that a hundredth of the pitch stays free on either side"
+    )
     assert loads(text.replace("4.95", "4.75")).unit_cell().pillar.diameter == 0.00475
 
 

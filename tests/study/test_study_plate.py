@@ -11,11 +11,10 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from haptonic.errors import HaptonicWarning, StudyError
+from haptonic.fields.entries import Entries
 from haptonic.plate.layout import Layout, pieces
 from haptonic.plate.parts import Plate, Support
 from haptonic.study import Study, load, loads
-from haptonic.study.entries import Entries
-from haptonic.study.quantity import SI_NUMBERS
 
 STUDIES = Path(__file__).parents[2] / "studies"
 CELL = """
@@ -388,7 +387,7 @@ def plates(draw):
     borders = [whole[0], whole[-1], "".join(r[0] for r in whole), "".join(r[-1] for r in whole)]
     if len(pieces(there * (plate["rows"] // count))) > 1 or any(set(b) == {"."} for b in borders):
         return draw(plates())
-    return Study.model_validate(data, context=SI_NUMBERS), whole
+    return Study.model_validate(data), whole
 
 
 class TestLayout:

@@ -1,5 +1,6 @@
 """The section about trials: what it makes of what was written, alone or in a study."""
 
+from dataclasses import fields
 from pathlib import Path
 
 import numpy as np
@@ -9,7 +10,7 @@ import pytest
 from haptonic.errors import FrictionError, StudyError
 from haptonic.friction.recordings import Exclusion, Sensor
 from haptonic.friction.signals import Rules
-from haptonic.study import TrialsSection, load_trials, loads
+from haptonic.study import Trials, load_trials, loads
 
 ALONE = """
 [trials]
@@ -28,10 +29,14 @@ reason = "ill"
 """
 
 
+def rules_in(section):
+    return Rules(**{field.name: getattr(section, field.name) for field in fields(Rules)})
+
+
 def test_the_defaults_are_those_of_the_analysis():
-    section = TrialsSection()
-    assert section.rules() == Rules()
-    assert section.exclusions() == ()
+    section = Trials()
+    assert rules_in(section) == Rules()
+    assert section.exclude == ()
     sensor = section.sensor.frozen(Path("nowhere"))
     assert vars(sensor) == vars(Sensor(forced=False))
 
@@ -41,8 +46,8 @@ def test_a_file_with_trials_alone(tmp_path):
     path.write_text(ALONE)
     section, study = load_trials(path)
     assert study is None
-    assert section.rules() == Rules("none", 0.05, force=(0.3, 2.0), speed=(0.05, 0.2))
-    assert section.exclusions() == (Exclusion("P1", "ill"),)
+    assert rules_in(section) == Rules("none", 0.05, force=(0.3, 2.0), speed=(0.05, 0.2))
+    assert section.exclude == (Exclusion("P1", "ill"),)
     with pytest.raises(FrictionError, match="cannot be read"):
         section.sensor.frozen(tmp_path)
     pd.DataFrame(2 * np.eye(6)).to_csv(tmp_path / "m.csv", header=False, index=False)

@@ -9,7 +9,6 @@ from hypothesis import strategies as st
 from haptonic.errors import HaptonicWarning
 from haptonic.materials import library
 from haptonic.study import Study, load, loads
-from haptonic.study.quantity import SI_NUMBERS
 
 lengths = st.floats(1e-9, 1e3)
 texts = st.text(st.characters(exclude_categories=["Cs"]), min_size=1, max_size=40)
@@ -39,7 +38,7 @@ def studies(draw):
     if draw(st.booleans()):
         data["bands"] = {"count": draw(st.integers(1, 60)), "accuracy": draw(st.floats(1e-6, 0.1))}
         data["mesh"] = {"order": draw(st.integers(2, 10))}
-    return Study.model_validate(data, context=SI_NUMBERS)
+    return Study.model_validate(data)
 
 
 @settings(deadline=None)

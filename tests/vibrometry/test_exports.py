@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import sys
 from pathlib import Path
 
 import h5py
@@ -13,12 +12,14 @@ import scipy.io
 from scans import VALUES, X, Y, assert_five_parts, nodes, response, uff, units
 
 import haptonic
+import haptonic.foreign.process as process
 from haptonic.errors import ResourceError
-from haptonic.vibrometry import InMemory, TimeScan, estimate, read_scan, write_uff_records
+from haptonic.vibrometry import InMemory, TimeScan, estimate, read_scan, write_records, write_uff_records
 from haptonic.vibrometry import records as module
 from haptonic.vibrometry.exports import csv_files, write_mat, write_mat_records, write_tdms
 from haptonic.vibrometry.readers import matlab
 from haptonic.vibrometry.readers.stored import Stored
+from haptonic.vibrometry.readers.uff import READERS
 
 CHANCE = np.random.default_rng(8)
 MOVED = CHANCE.normal(size=(12, 3, 40))
@@ -129,31 +130,63 @@ def test_read_scan_is_at_the_top():
 class TestNoFaultOfTheFile:
     """Too little memory and a missing right are told as such, and not as a damaged file."""
 
-    @pytest.mark.parametrize(("error", "words"), [(MemoryError, "does not fit into memory"),
-                                                  (PermissionError, "you may not read it")])  # fmt: skip
-    @pytest.mark.parametrize("form", ["mat", "tdms", "uff"])
-    def test_it_is_told(self, tmp_path, monkeypatch, form, error, words):
-        path = tmp_path / f"a.{form}"
-        if form == "mat":
-            write_mat(response(), path)
-            monkeypatch.setattr(scipy.io, "loadmat", raising(error))
-        elif form == "tdms":
-            write_tdms(records(True), path)
-            # the right to read is asked for by haptonic itself
-            where = (Path, "open") if error is PermissionError else (sys.modules["nptdms"].TdmsFile, "open")
-            monkeypatch.setattr(*where, raising(error))
-        else:
-            uff(path, units(), nodes())
-            monkeypatch.setattr(pyuff.UFF, "read_sets", hiding(error))
+    @pytest.mark.parametrize("form", ["mat", "tdms", "h5", "uff"])
+    def test_a_missing_right(self, tmp_path, monkeypatch, form):
+        path = self.written(tmp_path, form)
+        monkeypatch.setattr(Path, "open", raising(PermissionError))
         with pytest.raises(ResourceError) as caught:
             read_scan(path)
-        assert_five_parts(caught.value, words)
+        assert_five_parts(caught.value, "you may not read it")
+
+    @pytest.mark.parametrize("form", ["mat", "h5", "uff"])
+    def test_too_little_memory(self, tmp_path, monkeypatch, form):
+        path = self.written(tmp_path, form)
+        monkeypatch.setattr(process, "MEMORY", 2**28)
+        if form == "mat":  # 40 kB that unfold to 400 MB
+            scipy.io.savemat(path, {"h": np.zeros(50_000_000)}, do_compression=True)
+        elif form == "h5":
+            with h5py.File(path, "r+") as file:
+                for name in ("x", "y"):
+                    del file[name]
+                    file.create_dataset(name, (2**40,), float, chunks=(1000,))
+                for name in ("response", "reference"):
+                    del file[name]
+                    file.create_dataset(name, (2**40, 1, 1), float, chunks=(1000, 1, 1))
+        else:
+            monkeypatch.setitem(READERS, 2411, hiding(MemoryError))
+        with pytest.raises(ResourceError) as caught:
+            read_scan(path)
+        assert_five_parts(caught.value, "does not fit into memory")
+
+    def test_records_that_announce_more_than_there_is(self, tmp_path):
+        path = self.written(tmp_path, "h5")
+        with h5py.File(path, "r+") as file:
+            for name in ("response", "reference"):
+                del file[name]
+                file.create_dataset(name, (12, 1, 2**38), float, chunks=(1, 1, 1000))
+        scan = read_scan(path).records
+        for use in (lambda: next(scan.chunks(1)), lambda: estimate(scan)):
+            with pytest.raises(ResourceError) as caught:
+                use()
+            assert_five_parts(caught.value, "announces more")
 
     def test_an_interrupt_is_not_swallowed_by_pyuff(self, tmp_path, monkeypatch):
-        uff(tmp_path / "a.uff", units(), nodes())
-        monkeypatch.setattr(pyuff.UFF, "read_sets", hiding(KeyboardInterrupt))
+        path = self.written(tmp_path, "uff")
+        monkeypatch.setitem(READERS, 2411, hiding(KeyboardInterrupt))
         with pytest.raises(KeyboardInterrupt):
-            read_scan(tmp_path / "a.uff")
+            read_scan(path)
+
+    def written(self, folder, form):
+        path = folder / f"a.{form}"
+        if form == "mat":
+            write_mat(response(), path)
+        elif form == "tdms":
+            write_tdms(records(True), path)
+        elif form == "h5":
+            write_records(records(True), path)
+        else:
+            uff(path, units(), nodes())
+        return path
 
 
 def raising(error):

@@ -10,7 +10,7 @@ from haptonic.lattice import Lattice
 from haptonic.materials import IsotropicMaterial
 
 MM = 1e-3
-METAL = IsotropicMaterial("metal", 70e9, 0.33, 2700.0, 0.001)
+METAL = IsotropicMaterial(70e9, 0.33, 2700.0, 0.001, name="metal")
 SQUARE = Lattice.square(7 * MM)
 RECTANGLE = Lattice.rectangular(7 * MM, 9 * MM)
 

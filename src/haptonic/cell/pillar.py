@@ -3,29 +3,35 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from functools import cached_property
-from typing import Literal
+from typing import Annotated, Literal
 
 import numpy as np
 from numpy.typing import NDArray
+from pydantic import Field
 
 from haptonic.errors import GeometryError
+from haptonic.fields import LARGEST, Quantity, described, problem, size
 
 Array = NDArray[np.float64]
 Section = Literal["round", "square"]
 
-SECTIONS: tuple[Section, ...] = ("round", "square")
 LEAST_SHARE = 0.05  # of the width at the foot that the narrowest section keeps
+STEEPEST = math.radians(40)  # draft
+USUAL_DRAFT = (0.0, math.radians(10))
 
 
-@dataclass(frozen=True)
+@described("cell.pillar.step", GeometryError)
 class Step:
-    """Where a pillar becomes narrower: ``height`` above the plate's top, ``diameter`` from there on, m."""
+    """Where a pillar becomes narrower, m."""
 
-    diameter: float
-    height: float
+    diameter: Annotated[float, size(50e-6, 50e-3)] = Field(
+        title="Diameter above the step", description="Smaller than below it by more than 5 %."
+    )
+    height: Annotated[float, size(50e-6, 100e-3)] = Field(
+        title="Height of the step", description="Above the face of the plate."
+    )
 
 
 @dataclass(frozen=True)
@@ -46,32 +52,94 @@ class Fillet:
         return np.asarray(self.centre + self.radius * away)
 
 
-@dataclass(frozen=True)
+@described("cell.pillar", GeometryError)
 class Pillar:
     """Pillar centred on the cell. All lengths in m, angles in rad.
-
-    diameter : at the foot, the fillet not counted; of a square section its side
-    height : above the plate's top
-    section : "round", or "square" with sides along the cell's
-    draft : angle between side and normal; a positive one makes the pillar narrower towards its top
-    fillet : radius of the arc at the foot, 0 for a sharp edge; a square section has it mitred at the corners
-    step : where the pillar becomes narrower at once, if it does
 
     Raises
     ------
     GeometryError : sizes that do not make a body
     """
 
-    diameter: float
-    height: float
-    section: Section = "round"
-    draft: float = 0.0
-    fillet: float = 0.0
-    step: Step | None = None
+    diameter: Annotated[float, size(50e-6, 50e-3)] = Field(
+        title="Pillar diameter",
+        description="At the foot, its fillet not counted; of a square section the side. "
+        "Smaller than the pitch by more than 2 %.",
+    )
+    height: Annotated[float, size(50e-6, 100e-3)] = Field(
+        title="Pillar height", description="Above the face of the plate."
+    )
+    section: Section = Field(
+        default="round",
+        title="Section",
+        description="Seen from above; the sides of a square lie along the cell's.",
+    )
+    draft: Annotated[float, Quantity("rad", at_least=-STEEPEST, at_most=STEEPEST, typical=USUAL_DRAFT)] = (
+        Field(
+            default=0.0,
+            title="Draft angle",
+            description="Between side and normal; positive is narrower at the top.",
+        )
+    )
+    fillet: Annotated[float, Quantity("m", at_least=0.0, at_most=LARGEST, typical=(0.0, 5e-3))] = Field(
+        default=0.0,
+        title="Fillet radius",
+        description="At the foot: the corner radius of the end mill; mitred at the corners of a square.",
+    )
+    step: Step | None = Field(
+        default=None, title="Step", description="Where the pillar becomes narrower, if it does."
+    )
 
     def __post_init__(self) -> None:
-        for problem in self._problems():
-            raise problem
+        if self.step is not None:
+            self._check_step(self.step)
+        if self.narrowest < LEAST_SHARE * self.radius:
+            raise problem(
+                f"{math.degrees(self.draft):g} deg",
+                f"at most {math.degrees(math.atan(self._steepest())):.3g} degrees for these sizes",
+                "the sides would meet below the pillar's top",
+                "choose a smaller angle, or a lower pillar",
+                at="draft",
+            )
+        if self.step is not None:
+            below = 2 * self.half_width(self.step.height, 0)
+            if not self.step.diameter < (1 - LEAST_SHARE) * below:
+                raise problem(
+                    _mm(self.step.diameter),
+                    f"less than {_mm((1 - LEAST_SHARE) * below)}: the part below it is {_mm(below)} wide",
+                    "the pillar would be no narrower above the step, which a tool from above cannot cut",
+                    "choose a thinner upper part, or leave the step out",
+                    at="step.diameter",
+                )
+        if self.arc is not None:
+            ends, room = float(self.arc.at(1.0)[1]), 0.8 * (self.step.height if self.step else self.height)
+            if ends > room:
+                raise problem(
+                    _mm(self.fillet),
+                    f"at most {_mm(room * self.fillet / ends)}",
+                    "the arc would reach the end of the pillar's lower part",
+                    "choose a smaller radius",
+                    at="fillet",
+                )
+
+    def _check_step(self, step: Step) -> None:
+        """Refuse a step above the top, or one that leaves next to nothing above it."""
+        if not step.height < self.height:
+            raise problem(
+                _mm(step.height),
+                f"less than the pillar's height, {_mm(self.height)}",
+                "the step lies above the pillar's top",
+                "lower the step, or leave it out",
+                at="step.height",
+            )
+        if step.diameter < LEAST_SHARE * self.diameter:
+            raise problem(
+                _mm(step.diameter),
+                f"at least {_mm(LEAST_SHARE * self.diameter)}",
+                "above the step next to nothing would be left of the pillar",
+                "choose a thicker upper part",
+                at="step.diameter",
+            )
 
     @property
     def radius(self) -> float:
@@ -157,80 +225,6 @@ class Pillar:
         if self.step is not None:
             slopes.append((self.radius - 0.5 * self.step.diameter / (1 - LEAST_SHARE)) / self.step.height)
         return min(slopes)
-
-    def _problems(self) -> Iterator[GeometryError]:
-        sizes = {"diameter": self.diameter, "height": self.height}
-        if self.step is not None:
-            sizes |= {"step.diameter": self.step.diameter, "step.height": self.step.height}
-        yield from (_size_error(name, value) for name, value in sizes.items() if not _is_size(value))
-        if self.section not in SECTIONS:
-            yield _error(
-                "section", self.section, 'one of "round" and "square"', "the name is misspelt",
-                "choose one of the two",
-            )  # fmt: skip
-        if not math.isfinite(self.draft) or abs(self.draft) > math.radians(45):
-            yield _error(
-                "draft", f"{math.degrees(self.draft):g} deg", "between -45 and 45 degrees",
-                "the angle is counted from the plate, or has the wrong unit",
-                "give the angle between the pillar's side and the normal of the plate",
-            )  # fmt: skip
-        if not (math.isfinite(self.fillet) and self.fillet >= 0):
-            yield _error(
-                "fillet", f"{self.fillet} m", "a radius, or 0 for a sharp edge", "it has the wrong sign",
-                "give a positive radius",
-            )  # fmt: skip
-        if self.step is not None and not self.step.height < self.height:
-            yield _error(
-                "step.height", _mm(self.step.height), f"less than the pillar's height, {_mm(self.height)}",
-                "the step lies above the pillar's top", "lower the step, or leave it out",
-            )  # fmt: skip
-        if self.step is not None and 0.5 * self.step.diameter < LEAST_SHARE * self.radius:
-            yield _error(
-                "step.diameter", _mm(self.step.diameter), f"at least {_mm(LEAST_SHARE * self.diameter)}",
-                "above the step next to nothing would be left of the pillar", "choose a thicker upper part",
-            )  # fmt: skip
-        if self.narrowest < LEAST_SHARE * self.radius:
-            yield _error(
-                "draft", f"{math.degrees(self.draft):g} deg",
-                f"at most {math.degrees(math.atan(self._steepest())):.3g} degrees for these sizes",
-                "the sides would meet below the pillar's top", "choose a smaller angle, or a lower pillar",
-            )  # fmt: skip
-        if self.step is not None and not 0.5 * self.step.diameter < (1 - LEAST_SHARE) * self.half_width(
-            self.step.height, 0
-        ):
-            below = 2 * self.half_width(self.step.height, 0)
-            yield _error(
-                "step.diameter", _mm(self.step.diameter),
-                f"less than {_mm((1 - LEAST_SHARE) * below)}: the pillar is {_mm(below)} wide below the step",
-                "the pillar would be no narrower above the step, which a tool from above cannot cut",
-                "choose a thinner upper part, or leave the step out",
-            )  # fmt: skip
-        if self.arc is not None:
-            ends = float(self.arc.at(1.0)[1])
-            room = self.step.height if self.step else self.height
-            if ends > 0.8 * room:
-                yield _error(
-                    "fillet", _mm(self.fillet), f"at most {_mm(0.8 * room * self.fillet / ends)}",
-                    "the arc would reach the end of the pillar's lower part",
-                    "choose a smaller radius",
-                )  # fmt: skip
-
-
-def _is_size(value: float) -> bool:
-    return math.isfinite(value) and value > 0
-
-
-def _size_error(name: str, value: float) -> GeometryError:
-    return _error(
-        name, f"{value} m", "a positive length", "a size was left at zero or has the wrong sign",
-        "give a positive length",
-    )  # fmt: skip
-
-
-def _error(name: str, given: str, allowed: str, cause: str, next_step: str) -> GeometryError:
-    return GeometryError(
-        argument=f"cell.pillar.{name}", given=given, allowed=allowed, cause=cause, next_step=next_step
-    )
 
 
 def _mm(length: float) -> str:

@@ -22,7 +22,8 @@ from haptonic.cli.scans import chirp, scan
 from haptonic.cli.touching import friction
 from haptonic.cli.twins import twin
 from haptonic.cli.verdicts import verdict
-from haptonic.study import Study, table
+from haptonic.fields import table
+from haptonic.study import Study
 
 app = typer.Typer(
     name="haptonic",

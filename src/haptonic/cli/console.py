@@ -11,7 +11,6 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from rich.console import Console
-from rich.markup import escape
 from rich.progress import (
     BarColumn,
     MofNCompleteColumn,
@@ -21,11 +20,24 @@ from rich.progress import (
     TimeElapsedColumn,
     TimeRemainingColumn,
 )
+from rich.text import Text
 
 from haptonic.errors import HaptonicError, HaptonicWarning
+from haptonic.names import visible
 
 USER_ERROR = 2
 INTERRUPTED = 130
+
+
+class PlainConsole(Console):
+    """A terminal on which text is text: names and contents of files bring no markup and no control codes."""
+
+    def __init__(self, *, stderr: bool = False) -> None:
+        super().__init__(stderr=stderr, markup=False, emoji=False)
+
+    def render_str(self, text: str, **how: Any) -> Text:
+        """Every text that is printed, cells of tables too, comes by here."""
+        return super().render_str(visible(text), **how)
 
 
 @dataclass
@@ -36,8 +48,8 @@ class Voice:
     """
 
     machine: bool
-    out: Console = field(default_factory=Console)
-    err: Console = field(default_factory=lambda: Console(stderr=True))
+    out: Console = field(default_factory=PlainConsole)
+    err: Console = field(default_factory=lambda: PlainConsole(stderr=True))
     warned: list[str] = field(default_factory=list)
 
     def tell(self, content: object) -> None:
@@ -61,21 +73,23 @@ class Voice:
             "likely cause": error.cause,
             "next step": error.next_step,
         }
-        self.err.print("[bold red]error[/]")
+        self.err.print(Text("error", "bold red"))
         for title, text in rows.items():
-            self.err.print(f"  [bold]{title:<13}[/]{escape(text)}", soft_wrap=True, highlight=False)
+            row = Text.assemble("  ", (f"{title:<13}", "bold"), text)
+            self.err.print(row, soft_wrap=True, highlight=False)
 
     def warn(self, text: str) -> None:
         """Say what is probably wrong, once."""
         if text in self.warned:
             return
         self.warned.append(text)
-        self.err.print(f"[yellow]warning[/] {escape(text)}", soft_wrap=True, highlight=False)
+        row = Text.assemble(("warning", "yellow"), " ", visible(text))
+        self.err.print(row, soft_wrap=True, highlight=False)
 
     @contextmanager
     def busy(self, what: str) -> Iterator[Callable[[str], None]]:
         """A spinner with the time gone by, on standard error; yields what to call with other words."""
-        columns = (SpinnerColumn(), TextColumn("{task.description}"), TimeElapsedColumn())
+        columns = (SpinnerColumn(), TextColumn("{task.description}", markup=False), TimeElapsedColumn())
         with Progress(*columns, console=self.err, transient=True) as progress:
             task = progress.add_task(what, total=None)
             yield lambda words: progress.update(task, description=words)
@@ -87,8 +101,8 @@ class Voice:
         A ``total`` of 0 is not known yet: then what is planned counts.
         """
         columns = (
-            TextColumn("{task.description}"), BarColumn(), MofNCompleteColumn(), TextColumn("elapsed"),
-            TimeElapsedColumn(), TextColumn("left"), TimeRemainingColumn(),
+            TextColumn("{task.description}", markup=False), BarColumn(), MofNCompleteColumn(),
+            TextColumn("elapsed"), TimeElapsedColumn(), TextColumn("left"), TimeRemainingColumn(),
         )  # fmt: skip
         with Progress(*columns, console=self.err, transient=True) as progress:
             task = progress.add_task(what, total=total)
@@ -118,7 +132,7 @@ def speaking(machine: bool, kept: str = "") -> Iterator[Voice]:
         except KeyboardInterrupt:
             if machine:
                 _print_json({"interrupted": True, "warnings": voice.warned})
-            voice.err.print(f"[yellow]interrupted[/]{': ' + kept if kept else ''}")
+            voice.err.print(Text.assemble(("interrupted", "yellow"), f": {kept}" if kept else ""))
             raise SystemExit(INTERRUPTED) from None
         finally:
             warnings.showwarning = default

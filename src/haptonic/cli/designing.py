@@ -128,7 +128,8 @@ def export(
     with speaking(json) as voice:
         loaded = load(study)
         cell, stem = loaded.unit_cell(), study.stem
-        folder = out or Path("results") / f"{stem}-export"
+        folder = folder_for(study, out, False, "export")
+        assert folder is not None
         wanted = {"step": step, "dxf": dxf, "stl": stl, "pdf": drawing}
         kinds = [kind for kind, asked in wanted.items() if asked] or list(wanted)
         files = [f"{stem}.{kind}" for kind in kinds]

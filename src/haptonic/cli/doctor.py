@@ -49,7 +49,7 @@ def examined() -> dict[str, Any]:
 
 def shear_wave_error() -> float:
     """Relative error of a shear wave along a plain plate, whose exact frequency is speed / wavelength."""
-    material = IsotropicMaterial("check", 70e9, 0.33, 2700.0)
+    material = IsotropicMaterial(70e9, 0.33, 2700.0, name="check")
     cell = UnitCell(Lattice.square(7e-3), 1.5e-3, material)
     kappa = np.array([0.5 * np.pi, 0.0])
     pencil = bloch_pencil(condense(cell, MeshPlan(4, 0, 0), measured=False))

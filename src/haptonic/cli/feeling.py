@@ -7,6 +7,7 @@ from typing import Annotated
 
 import typer
 from rich.table import Table
+from rich.text import Text
 
 from haptonic import plots
 from haptonic.cli.console import speaking
@@ -105,7 +106,7 @@ def lights_table(result: Feel) -> Table:
     """Whether the plate does what it is for."""
     table = Table("", "demand", "why", title="does the plate do what it is for?")
     for light in result.lights:
-        table.add_row(f"[{COLOURS[light.colour]}]{MARKS[light.colour]}[/]", light.what, light.reason)
+        table.add_row(Text(MARKS[light.colour], COLOURS[light.colour]), light.what, light.reason)
     return table
 
 

@@ -48,14 +48,7 @@ def bands(
                 with whole_set(folder, overwrite=overwrite) as draft:
                     write_bands(result, draft, overwrite)
         voice.tell(gap_table(result))
-        counts = result.to_json()["counts"]
-        if counts["checked"]:
-            voice.tell(
-                f"Counted by another method in {counts['checked']} comparisons: "
-                f"{counts['missed'] or 'no'} band{'s' * (counts['missed'] != 1)} missing."
-            )
-        else:
-            voice.tell("No count by another method could be made: bands lie too near to where it would be.")
+        voice.tell(counted(**result.to_json()["counts"]))
         tell_where(voice, folder)
         voice.answer(result.to_json())
 
@@ -103,6 +96,14 @@ def gap_table(result: Bands) -> Table:
     if not result.gaps:
         shown.add_row("", "none found", "", "", "", "")
     return shown
+
+
+def counted(checked: int, missed: int) -> str:
+    """What the exact counts of modes say of the bands."""
+    if not checked:
+        return "Bands were not counted by another method: where it would be done, one lies within its error."
+    missing = f"{missed or 'no'} band{'s' * (missed != 1)} missing"
+    return f"Counted by another method, in {checked} comparison{'s' * (checked != 1)}: {missing}."
 
 
 def sweep_table(result: Sweep) -> Table:

@@ -9,6 +9,7 @@ from typing import Annotated
 import typer
 
 from haptonic.cli.console import Voice
+from haptonic.paths import target
 
 StudyFile = Annotated[Path, typer.Argument(metavar="STUDY", help="Study file (TOML).")]
 Out = Annotated[
@@ -32,7 +33,7 @@ def folder_for(study: Path, out: Path | None, json: bool, command: str) -> Path 
     """Where a command's files go; nowhere if a machine asks and names no folder."""
     if out is None and json:
         return None
-    return out or Path("results") / f"{study.stem}-{command}"
+    return target(Path("results") / f"{study.stem}-{command}" if out is None else out)
 
 
 def pictures(names: Sequence[str]) -> list[str]:

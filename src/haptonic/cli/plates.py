@@ -15,6 +15,7 @@ from haptonic.cli.options import Json, Out, Overwrite, StudyFile, folder_for, pi
 from haptonic.plate import Plate
 from haptonic.response import write
 from haptonic.results import PlateResult, refuse_taken, write_files, write_netcdf
+from haptonic.results.plate.value import impedance_names
 from haptonic.store import whole_set
 from haptonic.study import load
 from haptonic.units import to_si
@@ -55,8 +56,9 @@ def plate(
                 "tiles that meet in polynomials, gave frequencies 0.01 to 0.05 % above those of a full mesh."
             )
         voice.tell(
-            f"Largest error of the field at any line: {float(result.lines['error'].max()):.1e} (a bound), of "
-            f"{result.lines.attrs['unknowns']} unknowns on {result.lines.attrs['basis']} vectors. Simulated."
+            f"Largest error of solving for the field at any line: {float(result.lines['error'].max()):.1e} "
+            f"(a bound), of {result.lines.attrs['unknowns']} unknowns on {result.lines.attrs['basis']} "
+            "vectors. Simulated."
         )
         tell_where(voice, folder)
         voice.answer(result.to_json())
@@ -64,7 +66,7 @@ def plate(
 
 def plate_files(plate: Plate) -> list[str]:
     """Names of all that `write_plate` can write."""
-    names = ["plan", "maps", "velocity", "contrast", *(f"impedance-{a.name}" for a in plate.actuators)]
+    names = ["plan", "maps", "velocity", "contrast", *impedance_names(plate).values()]
     return ["response.nc", "maps.nc", "plate.nc", "modes.nc", "plate.vtu", "carrier.webp", *pictures(names)]
 
 
@@ -130,6 +132,7 @@ def modes_table(result: PlateResult) -> Table:
     """Modes near the carrier."""
     modes = result.modes
     regions = modes["region"].values.tolist()
+    regions += [f"patch {name}" for name in modes["actuator"].values.tolist()]
     table = Table(
         "frequency / kHz", "solver's error", "name", "Q", "rise / ms", *(f"{name} / %" for name in regions),
         title="modes near the carrier: where their strain energy is",
@@ -143,7 +146,7 @@ def modes_table(result: PlateResult) -> Table:
             str(mode["name"].values),
             f"{float(mode['quality']):.0f}",
             f"{float(mode['rise_time']) * 1e3:.2f}",
-            *(f"{100 * share:.1f}" for share in mode["stored"].values),
+            *(f"{100 * share:.1f}" for share in (*mode["stored"].values, *mode["stored_in_actuator"].values)),
         )
     for column in table.columns:  # headings may be folded in a narrow terminal, numbers may not
         column.overflow = "fold"

@@ -190,9 +190,7 @@ def _tried(loaded: Study, felt: Feel, voice: Voice) -> FrictionResult | None:
         with voice.counted("made-up strokes", count * protocol.blocks * protocol.trials) as progress:
             made.write(folder, progress)
         with voice.counted("their analysis", 0) as progress:
-            return compute_friction(
-                folder, Sensor(), section.rules(), driven=protocol.waveguides[0], told=progress
-            )
+            return compute_friction(folder, Sensor(), section, driven=protocol.waveguides[0], told=progress)
 
 
 def _alarms(loaded: Study, voice: Voice) -> dict[str, Alarms]:

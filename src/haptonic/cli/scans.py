@@ -16,6 +16,7 @@ from haptonic.cli.options import Json, Out, Overwrite, StudyFile, folder_for, pi
 from haptonic.cli.scan_tables import drive_table, tell_scan
 from haptonic.cli.verdicts import tell_verdict, verdict_files, write_verdict
 from haptonic.errors import ScanError, StudyError
+from haptonic.paths import source
 from haptonic.response import FrequencyResponse, read
 from haptonic.results import refuse_taken, write_files
 from haptonic.results.scan import Estimation, Excitation, OnPlate, ScanResult, compute_scan
@@ -140,6 +141,7 @@ def scan(
     """What a scan tells: responses, maps, contrast, the gap in it, waves; and how well a model fits."""
     kept = "the points that were estimated are kept; the same command goes on from there"
     with speaking(json, kept) as voice:
+        path = source(path, "scan")
         loaded, computed = _model(study, against)
         folder = folder_for(path, out, json, "scan")
         refuse_taken(folder, _names(loaded, judging=against is not None), overwrite=overwrite)

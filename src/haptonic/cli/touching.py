@@ -15,14 +15,16 @@ from haptonic.cli.console import Voice, speaking
 from haptonic.cli.options import Json, Out, Overwrite, Workers, folder_for, pictures, tell_where
 from haptonic.friction.lubrication import WEBER_FRACTION
 from haptonic.friction.recordings import Sensor
+from haptonic.friction.signals.record import EVERYBODY
 from haptonic.friction.statistics import Estimate, Test
-from haptonic.friction.statistics.summary import EVERYBODY, Condition
+from haptonic.friction.statistics.summary import Condition
 from haptonic.friction.words import AVERAGES, change
+from haptonic.paths import source
 from haptonic.report import paper
 from haptonic.results import FrictionResult, compute_friction, refuse_taken, write_files
 from haptonic.results.plate.question import driven_region
 from haptonic.store import whole_set
-from haptonic.study import Study, TrialsSection, load_trials
+from haptonic.study import Study, Trials, load_trials
 
 STUDY = "study.toml"  # beside the trials
 QUALITY = "quality.html"
@@ -46,6 +48,7 @@ def friction(
 ) -> None:
     """Coefficients of friction from force records, and what they prove."""
     with speaking(json) as voice:
+        path = source(path, "folder of trials")
         section, loaded = _asked(path, study)
         sensor = section.sensor.frozen(path) if path.is_dir() else Sensor()
         folder = folder_for(path.absolute(), out, json, "friction")
@@ -55,8 +58,8 @@ def friction(
             result = compute_friction(
                 path,
                 sensor,
-                section.rules(),
-                section.exclusions(),
+                section,
+                section.exclude,
                 driven=section.driven or _driven(loaded),
                 workers=workers,
                 told=progress,
@@ -70,10 +73,10 @@ def friction(
         voice.answer(result.to_json())
 
 
-def _asked(path: Path, study: Path | None) -> tuple[TrialsSection, Study | None]:
+def _asked(path: Path, study: Path | None) -> tuple[Trials, Study | None]:
     beside = path / STUDY
     if study is None and not beside.is_file():
-        return TrialsSection(), None
+        return Trials(), None
     return load_trials(study or beside)
 
 

@@ -13,6 +13,7 @@ from rich.table import Table
 from haptonic.cli.console import speaking
 from haptonic.cli.options import Json, Out, Overwrite, StudyFile, folder_for, tell_where
 from haptonic.errors import FrictionError, ResourceError
+from haptonic.paths import source, target
 from haptonic.response import read
 from haptonic.results import FrictionTwin, friction_twin, refuse_taken, write_files
 from haptonic.results.scan.twin import kind_of, scan_name
@@ -95,6 +96,7 @@ def read_amplitudes(path: Path) -> dict[str, float]:
     ResourceError : the file cannot be read
     FrictionError : it holds something else
     """
+    path = source(path, "--from")
     try:
         values: Any = plain.loads(path.read_text(encoding="utf-8"))
     except (OSError, ValueError) as error:
@@ -159,6 +161,7 @@ def twin_scan(
     with speaking(json) as voice:
         loaded = load(study)
         kind = kind_of(form, None if time is None else "time" if time else "frf")
+        out = target(out)
         refuse_taken(out, [scan_name(form), "truth.json"], overwrite=overwrite)
         given = None if response is None else read(response)
         with voice.counted("shifts", 0) as progress:

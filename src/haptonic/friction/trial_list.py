@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import Literal
 
 from haptonic.friction.signals import Label
+from haptonic.names import cell
 
 Per = Literal["trial", "block"]
 
@@ -47,7 +48,7 @@ def write_list(
             row += [file_of(label, suffix, per), order, DIRECTION, origin]
             if lasting:
                 row += [f"{(label.trial - 1) * lasting:.6g}", f"{label.trial * lasting:.6g}"]
-            table.writerow(row)
+            table.writerow(map(cell, row))
 
 
 def _places(labels: Sequence[Label]) -> list[int]:

@@ -1,14 +1,12 @@
 """Materials: elastic constants, density and loss, each with its source and what is known of its spread."""
 
 from haptonic.materials.common import elasticity_tensor, is_symmetry
-from haptonic.materials.isotropic import INCOMPRESSIBLE, POISSON_BOUNDS, IsotropicMaterial
+from haptonic.materials.isotropic import IsotropicMaterial
 from haptonic.materials.library import Material, library, material
 from haptonic.materials.orthotropic import OrthotropicMaterial
 from haptonic.materials.piezoelectric import PiezoelectricMaterial
 
 __all__ = [
-    "INCOMPRESSIBLE",
-    "POISSON_BOUNDS",
     "IsotropicMaterial",
     "Material",
     "OrthotropicMaterial",

@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Mapping
 from functools import lru_cache
 
 import numpy as np
 from numpy.typing import NDArray
 
 from haptonic.errors import StudyError, nearest
+from haptonic.fields import Entries
 from haptonic.units import format_quantity, shown
 
 Array = NDArray[np.float64]
@@ -17,39 +18,6 @@ Rows = tuple[tuple[float, ...], ...]
 
 VOIGT = ((0, 5, 4), (5, 1, 3), (4, 3, 2))  # Voigt number of the pair (i, j); order 11 22 33 23 13 12
 SYMMETRY_TOLERANCE = 1e-9  # relative to the largest entry of a matrix
-
-
-class Spread(Mapping[str, float]):
-    """Half-widths of the intervals in which properties plausibly lie, by field name and in SI units.
-
-    An immutable mapping, so that a material can be hashed and sent to another process.
-    """
-
-    __slots__ = ("_pairs",)
-
-    def __init__(self, widths: Mapping[str, float] | Sequence[tuple[str, float]] = ()) -> None:
-        self._pairs = tuple(sorted(dict(widths).items()))
-
-    def __getitem__(self, name: str) -> float:
-        for key, width in self._pairs:
-            if key == name:
-                return width
-        raise KeyError(name)
-
-    def __iter__(self) -> Iterator[str]:
-        return (key for key, _ in self._pairs)
-
-    def __len__(self) -> int:
-        return len(self._pairs)
-
-    def __hash__(self) -> int:
-        return hash(self._pairs)
-
-    def __repr__(self) -> str:
-        return f"Spread({dict(self._pairs)!r})"
-
-    def __reduce__(self) -> tuple[type[Spread], tuple[tuple[tuple[str, float], ...]]]:
-        return Spread, (self._pairs,)
 
 
 def elasticity_tensor(stiffness: Array) -> Array:
@@ -109,8 +77,11 @@ def require_between(
     )
 
 
-def spread_of(uncertainty: Mapping[str, float], properties: Mapping[str, str]) -> Spread:
-    """Checked copy of an ``uncertainty`` argument; ``properties`` maps each allowed name to its unit."""
+def spread_of(uncertainty: Mapping[str, float], properties: Mapping[str, str]) -> Entries[float]:
+    """Checked copy of ``uncertainty``: half-widths of the intervals in which properties plausibly lie.
+
+    ``properties`` maps each allowed name to its SI unit.
+    """
     for name, width in uncertainty.items():
         if name not in properties:
             guess = nearest(name, properties)
@@ -122,7 +93,7 @@ def spread_of(uncertainty: Mapping[str, float], properties: Mapping[str, str]) -
                 next_step=f'write "{guess}"' if guess else "leave it out",
             )
         require_between(f"uncertainty.{name}", width, properties[name], at_least=0.0)
-    return Spread({name: float(width) for name, width in uncertainty.items()})
+    return Entries({name: float(width) for name, width in uncertainty.items()})
 
 
 def rows_of(name: str, matrix: object, shape: tuple[int, int]) -> Rows:

@@ -4,13 +4,17 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
-from dataclasses import asdict, dataclass, field
+from dataclasses import asdict
+from typing import Annotated
 
 import numpy as np
+from pydantic import Field, ValidationInfo, field_validator
 
-from haptonic.materials.common import Array, Spread, require_between, require_name, spread_of
+from haptonic.fields import Entries, Quantity, described, number_of, problem
+from haptonic.fields.quantity import collected
+from haptonic.materials.common import Array, spread_of
+from haptonic.units import shown
 
-POISSON_BOUNDS = (-1.0, 0.5)
 INCOMPRESSIBLE = (
     "a solid with a Poisson ratio of 0.5 is incompressible and has no finite bulk modulus; write 0.49 for "
     "something close to it, such as rubber"
@@ -18,41 +22,73 @@ INCOMPRESSIBLE = (
 PROPERTIES = {"youngs_modulus": "Pa", "poisson_ratio": "", "density": "kg/m^3", "loss_factor": ""}
 
 
-@dataclass(frozen=True)
+@described("material")
 class IsotropicMaterial:
     """A solid that is the same in every direction.
 
-    youngs_modulus : Pa, positive
-    poisson_ratio : above -1 and below 0.5
-    density : kg/m^3, positive
-    loss_factor : imaginary over real part of the stiffness, at least 0 and below 1
-    source : key of the bibliography (``docs/references.bib``), or words
-    uncertainty : half-width of the plausible interval of a property, in its SI unit
-
     Raises
     ------
-    StudyError : a property outside these limits
+    StudyError : a property outside its limits
     """
 
-    name: str
-    youngs_modulus: float
-    poisson_ratio: float
-    density: float
-    loss_factor: float = 0.0
-    source: str = ""
-    uncertainty: Mapping[str, float] = field(default_factory=Spread)
-    note: str = ""
+    youngs_modulus: Annotated[float, Quantity("Pa", at_least=1e3, at_most=1e13, typical=(1e9, 5e11))] = Field(
+        title="Young's modulus", description="Stiffness in tension."
+    )
+    poisson_ratio: Annotated[
+        float, Quantity("", above=-1.0, below=0.5, typical=(0.1, 0.45), hint=INCOMPRESSIBLE)
+    ] = Field(title="Poisson ratio", description="Sideways contraction over stretch.")
+    density: Annotated[float, Quantity("kg/m^3", at_least=1.0, at_most=5e4, typical=(500.0, 23e3))] = Field(
+        title="Density", description="Mass per volume."
+    )
+    loss_factor: Annotated[float, Quantity("", at_least=0.0, below=1.0, typical=(0.0, 0.2))] = Field(
+        default=0.0,
+        title="Loss factor",
+        description="Imaginary over real part of the stiffness; about 1 / Q.",
+    )
+    name: str = Field(
+        default="material", title="Name", description="Shown in reports.", min_length=1, strict=True
+    )
+    source: str = Field(
+        default="",
+        title="Source",
+        description="Of the constants: words, or a key of the bibliography.",
+        strict=True,
+    )
+    uncertainty: Entries[float] = Field(
+        default=Entries(),
+        title="Uncertainty",
+        description="Half-widths of the plausible intervals, by property.",
+    )
+    note: str = Field(
+        default="", title="Note", description="What else is known of the constants.", strict=True
+    )
 
     def __post_init__(self) -> None:
-        require_name(self.name)
-        require_between("youngs_modulus", self.youngs_modulus, "Pa", above=0.0)
-        lowest, highest = POISSON_BOUNDS
-        stiffer = isinstance(self.poisson_ratio, int | float) and self.poisson_ratio >= highest
-        hint = INCOMPRESSIBLE if stiffer else ""
-        require_between("poisson_ratio", self.poisson_ratio, "", above=lowest, below=highest, hint=hint)
-        require_between("density", self.density, "kg/m^3", above=0.0)
-        require_between("loss_factor", self.loss_factor, "", at_least=0.0, below=1.0)
-        object.__setattr__(self, "uncertainty", spread_of(self.uncertainty, PROPERTIES))
+        if not self.name.strip():
+            raise problem(
+                shown(self.name),
+                "a text that is not blank",
+                "the name was left out",
+                "give the material a name; reports and plots show it",
+                at="name",
+            )
+
+    @field_validator("uncertainty", mode="before")
+    @classmethod
+    def _of_its_properties(cls, value: object, info: ValidationInfo) -> object:
+        if not isinstance(value, Mapping):
+            return value
+        with collected(within="material.uncertainty"):
+            widths = {
+                name: number_of(width, PROPERTIES.get(name, ""), info.context)
+                for name, width in value.items()
+            }
+            return spread_of(widths, PROPERTIES)
+
+    @property
+    def units(self) -> dict[str, str]:
+        """SI unit of every property that may have an uncertainty."""
+        return PROPERTIES
 
     @property
     def shear_modulus(self) -> float:

@@ -28,10 +28,7 @@ def library() -> Mapping[str, Material]:
     """All built-in materials by name, in the order of the file."""
     entries = tomllib.loads(files("haptonic.materials").joinpath("library.toml").read_text("utf-8"))
     return MappingProxyType(
-        {
-            name: KINDS[entry["kind"]](name, **{key: value for key, value in entry.items() if key != "kind"})
-            for name, entry in entries.items()
-        }
+        {name: KINDS[entry.pop("kind")](name=name, **entry) for name, entry in entries.items()}
     )
 
 

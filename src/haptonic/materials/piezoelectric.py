@@ -7,11 +7,11 @@ from dataclasses import asdict, dataclass, field
 
 import numpy as np
 
+from haptonic.fields import Entries
 from haptonic.materials.common import (
     VOIGT,
     Array,
     Rows,
-    Spread,
     require_between,
     require_name,
     require_positive_definite,
@@ -47,7 +47,7 @@ class PiezoelectricMaterial:
     loss_factor: float = 0.0
     dielectric_loss: float = 0.0
     source: str = ""
-    uncertainty: Mapping[str, float] = field(default_factory=Spread)
+    uncertainty: Mapping[str, float] = field(default_factory=Entries)
     note: str = ""
 
     def __post_init__(self) -> None:

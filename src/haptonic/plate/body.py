@@ -19,6 +19,7 @@ from haptonic.cell import MeshPlan, UnitCell, mesh_cell
 from haptonic.cell.quadrature import lobatto
 from haptonic.elements import element_matrices
 from haptonic.materials import Material, PiezoelectricMaterial
+from haptonic.plate.keys import PLATE, PartKey, bond, ceramic, electric
 from haptonic.plate.parts import Actuator, Plate
 from haptonic.plate.piezo import electric_part
 from haptonic.plate.surface import flat_faces
@@ -45,9 +46,8 @@ class BodyOrders:
 class Body:
     """Piece of a plate with what is glued to it, not reduced. Unknown 3 i + k is component k at node i.
 
-    The names of parts are "plate" and, of each actuator NAME, "NAME bond", "NAME ceramic" (c^E) and
-    "NAME field": what the electric field in it adds while its electrodes are at given voltage. With the
-    voltages V, forces f on a body at rest and the charges Q on the free electrodes obey
+    Its parts are the plate and, of each actuator, bond, ceramic and electric field (`haptonic.plate.keys`).
+    With the voltages V, forces f on a body at rest and the charges Q on the free electrodes obey
 
         sum(stiffness) u = f + drive V,    Q = capacitance V + drive u.
 
@@ -62,13 +62,13 @@ class Body:
     """
 
     points: Array
-    stiffness: Mapping[str, sp.csr_array]
+    stiffness: Mapping[PartKey, sp.csr_array]
     mass: Array
     drive: Mapping[str, Array]
     capacitance: Mapping[str, float]
     faces: tuple[Ints, ...]
     rim: Ints
-    elements: Mapping[str, Ints]
+    elements: Mapping[PartKey, Ints]
 
 
 def body(
@@ -98,19 +98,19 @@ def body(
     )
     edges_x, edges_y = ([end for window in windows for end in window[axis]] for axis in (0, 1))
     grid = _Grid.of(_breaks(x, edges_x, longest), _breaks(y, edges_y, longest), orders.along)
-    plate = _laid("plate", material, grid, 0.0, thickness, orders.plate, 0)
+    plate = _laid(PLATE, material, grid, 0.0, thickness, orders.plate, 0)
     layers, ceramics = [plate], {}
     for actuator, window in zip(actuators, windows, strict=True):
         at = grid.between(window)
         below, height = plate.number[*at, -1], thickness
         start = sum(len(layer.points) for layer in layers)
         if actuator.bond is not None:
-            part, glue = f"{actuator.name} bond", actuator.bond
-            bond = _laid(
+            part, glue = bond(actuator.name), actuator.bond
+            laid = _laid(
                 part, glue.material, grid.cropped(at), height, glue.thickness, orders.bond, start, below
             )
-            layers.append(bond)
-            below, height, start = bond.number[..., -1], height + glue.thickness, start + len(bond.points)
+            layers.append(laid)
+            below, height, start = laid.number[..., -1], height + glue.thickness, start + len(laid.points)
         ceramics[actuator.name] = _ceramic(actuator, grid.cropped(at), height, orders.ceramic, start, below)
         layers.append(ceramics[actuator.name])
     return _assembled(layers, ceramics)
@@ -128,12 +128,12 @@ def body_of_cell(cell: UnitCell, plan: MeshPlan, x: tuple[float, float], y: tupl
         points[first, axis], points[last, axis] = start, end  # on the lines but for rounding
         rim |= first | last
     mass, total = np.zeros(len(mesh.points)), sp.csr_array((3 * len(mesh.points),) * 2)
-    families = {f"plate {k}": family.nodes for k, family in enumerate(mesh.topology.families)}
+    families = {PartKey("plate", k): family.nodes for k, family in enumerate(mesh.topology.families)}
     for nodes in families.values():
         total = total + _elastic(mesh.points, nodes, cell.material, mass)
     return Body(
         points=points,
-        stiffness=MappingProxyType({"plate": total}),
+        stiffness=MappingProxyType({PLATE: total}),
         mass=np.repeat(mass, 3),
         drive=MappingProxyType({}),
         capacitance=MappingProxyType({}),
@@ -144,26 +144,26 @@ def body_of_cell(cell: UnitCell, plan: MeshPlan, x: tuple[float, float], y: tupl
 
 
 def free_patch(actuator: Actuator, orders: BodyOrders, longest: float) -> Body:
-    """The ceramic of an actuator without plate and glue: its lower face at z = 0, no part "plate"."""
+    """The ceramic of an actuator without plate and glue: its lower face at z = 0, no part of the plate."""
     x, y = (_breaks(ends, (), longest) for ends in _window(actuator))
     layer = _ceramic(actuator, _Grid.of(x, y, orders.along), 0.0, orders.ceramic, 0)
     return _assembled([layer], {actuator.name: layer})
 
 
-def loss_factors(plate: Plate) -> dict[str, complex]:
-    """Complex factor for each part's stiffness at a motion exp(i omega t), by the names of `Body`.
+def loss_factors(plate: Plate) -> dict[PartKey, complex]:
+    """Complex factor for each part's stiffness at a motion exp(i omega t), by the parts of `Body`.
 
     Elastic parts take 1 + i eta. A loss tangent makes the permittivity eps^S (1 - i tan delta): the field's
     stiffness, which has it in the denominator, takes 1 / (1 - i tan delta), the capacitance
     1 - i tan delta; in the drive it cancels, so the drive stays real.
     """
-    factors = {"plate": 1 + 1j * plate.loss_factor}
+    factors = {PLATE: 1 + 1j * plate.loss_factor}
     for actuator in plate.actuators:
-        ceramic = actuator.material
+        solid = actuator.material
         if actuator.bond is not None:
-            factors[f"{actuator.name} bond"] = 1 + 1j * actuator.bond.material.loss_factor
-        factors[f"{actuator.name} ceramic"] = 1 + 1j * ceramic.loss_factor
-        factors[f"{actuator.name} field"] = 1 / (1 - 1j * ceramic.dielectric_loss)
+            factors[bond(actuator.name)] = 1 + 1j * actuator.bond.material.loss_factor
+        factors[ceramic(actuator.name)] = 1 + 1j * solid.loss_factor
+        factors[electric(actuator.name)] = 1 / (1 - 1j * solid.dielectric_loss)
     return factors
 
 
@@ -228,7 +228,7 @@ class _Layer:
     elements : (k, n1, n2, n3) node numbers
     """
 
-    part: str
+    part: PartKey
     material: Material
     number: Ints
     points: Array
@@ -236,7 +236,7 @@ class _Layer:
 
 
 def _laid(
-    part: str,
+    part: PartKey,
     material: Material,
     grid: _Grid,
     bottom: float,
@@ -260,7 +260,7 @@ def _laid(
 def _ceramic(
     actuator: Actuator, grid: _Grid, bottom: float, order: int, start: int, below: Ints | None = None
 ) -> _Layer:
-    part = f"{actuator.name} ceramic"
+    part = ceramic(actuator.name)
     return _laid(part, actuator.material, grid, bottom, actuator.size[2], order, start, below)
 
 
@@ -275,12 +275,12 @@ def _assembled(layers: Sequence[_Layer], ceramics: Mapping[str, _Layer]) -> Body
     for name, layer in ceramics.items():
         assert isinstance(layer.material, PiezoelectricMaterial)
         glued, free = layer.number[..., 0], layer.number[..., -1]
-        electric = electric_part(points, layer.elements, layer.material, glued, free)
-        own = (3 * electric.nodes[:, None] + np.arange(3)).ravel()
-        stiffness[f"{name} field"] = _spread(electric.stiffness, own, size)
+        field = electric_part(points, layer.elements, layer.material, glued, free)
+        own = (3 * field.nodes[:, None] + np.arange(3)).ravel()
+        stiffness[electric(name)] = _spread(field.stiffness, own, size)
         drive[name] = np.zeros(size)
-        drive[name][own] = electric.drive
-        capacitance[name] = electric.capacitance
+        drive[name][own] = field.drive
+        capacitance[name] = field.capacitance
     lowest = layers[0]
     inner = lowest.number[1:-1, 1:-1]
     return Body(

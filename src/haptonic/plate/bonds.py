@@ -13,6 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from haptonic.plate.body import Body
+from haptonic.plate.keys import bond
 
 Array = NDArray[np.float64]
 
@@ -47,7 +48,7 @@ class Bonded:
 
     def projected(self, actuator: str, basis: Array) -> Bond3:
         """On fields (size, n) of the bodies."""
-        part = f"{actuator} bond"
+        part = bond(actuator)
         forms = np.stack([basis.T @ (body.stiffness[part] @ basis) for body in self.bodies])
         first, *_, last = self.bodies
         slope = (last.mass - first.mass) / (self.thickness[-1] - self.thickness[0])

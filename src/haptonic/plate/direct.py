@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 from scipy.sparse.linalg import LinearOperator, gmres
 
 from haptonic.plate.damping import real_times
+from haptonic.plate.keys import PLATE
 from haptonic.plate.model import PlateModel
 
 Array = NDArray[np.float64]
@@ -30,7 +31,7 @@ def direct_answer(model: PlateModel, loads: Complex, omega: float) -> Complex:
 
     def stiff(field: Complex) -> Complex:
         halves = _halves(field)
-        out = model.factors["plate"] * _whole(assembly.stiffness_times(halves))
+        out = model.factors[PLATE] * _whole(assembly.stiffness_times(halves))
         out -= omega**2 * _whole(assembly.mass_times(halves))
         for rows, axes, impedance in extras:
             moved = real_times(axes, real_times(axes.T, field[rows, None]))

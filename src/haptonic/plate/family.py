@@ -17,6 +17,7 @@ from numpy.typing import NDArray
 from haptonic.plate.body import loss_factors
 from haptonic.plate.bonds import Bond3
 from haptonic.plate.damping import real_times
+from haptonic.plate.keys import PLATE, PartKey, bond, support
 from haptonic.plate.model import PlateModel
 from haptonic.plate.parts import Plate
 from haptonic.plate.retuned import bond_thickness, retuned, stiffness_ratio, support_ratio
@@ -68,7 +69,7 @@ class Family:
     """
 
     plate: Plate
-    forms: Mapping[str, Array]
+    forms: Mapping[PartKey, Array]
     bonds: Mapping[str, Bond3]
     mass: Array
     loads: Complex
@@ -90,7 +91,7 @@ class Family:
         values, turn = la.eigh(basis.T @ model.assembly.mass_times(basis))
         basis = basis @ (turn / np.sqrt(values))
         count = basis.shape[1]
-        forms: dict[str, Array] = {}
+        forms: dict[PartKey, Array] = {}
         bonds, mass = {}, np.zeros((count, count))
         for group, share in model.assembly.shares(basis):
             tile, flat = group.tile, share.reshape(-1, count)
@@ -99,16 +100,16 @@ class Family:
                 return np.asarray(flat.T @ applied(form, share).reshape(flat.shape))
 
             mass += on_basis(tile.mass)
-            for name, part in tile.stiffness.items():
-                forms[name] = forms.get(name, np.zeros_like(mass)) + on_basis(part)
-            for name, bond in tile.bonds.items():
-                thirds = np.stack([on_basis(form) for form in bond.stiffness])
-                bonds[name] = Bond3(bond.thickness, thirds, bond.nominal, on_basis(bond.slope))
+            for part, form in tile.stiffness.items():
+                forms[part] = forms.get(part, np.zeros_like(mass)) + on_basis(form)
+            for name, glue in tile.bonds.items():
+                thirds = np.stack([on_basis(form) for form in glue.stiffness])
+                bonds[name] = Bond3(glue.thickness, thirds, glue.nominal, on_basis(glue.slope))
         on_skeleton = basis[: model.assembly.free]
         for bed in model.beds:
-            forms[f"support {bed.number}"] = on_skeleton.T @ (bed.stiffness @ on_skeleton)
+            forms[support(bed.number)] = on_skeleton.T @ (bed.stiffness @ on_skeleton)
         for name in bonds:
-            del forms[f"{name} bond"]
+            del forms[bond(name)]
         return cls(
             model.plate, forms, bonds, mass, basis.T @ model.load(drives), model.displaced(points, basis),
         )  # fmt: skip
@@ -116,16 +117,16 @@ class Family:
     def poles(self, plate: Plate) -> Poles:
         """The modes of the plate with other numbers; see `haptonic.plate.retuned`."""
         thickness, factors = bond_thickness(plate), loss_factors(plate)
-        factors["plate"] *= stiffness_ratio(self.plate, plate)
-        for number, support in enumerate(plate.supports):
+        factors[PLATE] *= stiffness_ratio(self.plate, plate)
+        for number, held in enumerate(plate.supports):
             ratio = support_ratio(self.plate, plate, number)
-            factors[f"support {number}"] = ratio * (1 + 1j * support.loss_factor)
-        stiffness = np.asarray(sum(factors[name] * form for name, form in self.forms.items()))
+            factors[support(number)] = ratio * (1 + 1j * held.loss_factor)
+        stiffness = np.asarray(sum(factors[part] * form for part, form in self.forms.items()))
         mass = self.mass.copy()
-        for name, bond in self.bonds.items():
-            shares = bond.shares(thickness[name])
-            stiffness = stiffness + factors[f"{name} bond"] * np.tensordot(shares, bond.stiffness, 1)
-            mass += (thickness[name] - bond.nominal) * bond.slope
+        for name, glue in self.bonds.items():
+            shares = glue.shares(thickness[name])
+            stiffness = stiffness + factors[bond(name)] * np.tensordot(shares, glue.stiffness, 1)
+            mass += (thickness[name] - glue.nominal) * glue.slope
         lower = la.cholesky(mass, lower=True)
         half = la.solve_triangular(lower, stiffness, lower=True)
         square, modes = la.eig(la.solve_triangular(lower, half.T, lower=True))

@@ -8,6 +8,7 @@ import numpy as np
 import scipy.linalg as la
 from numpy.typing import NDArray
 
+from haptonic.plate.keys import PLATE
 from haptonic.plate.reduction import few_modes
 from haptonic.plate.skeleton import Block, TraceOrders, traced
 from haptonic.plate.tile import Fields, Inside, Tile, Turned
@@ -63,7 +64,7 @@ def opened_tile(tile: Tile, open_trace: Ints, highest: float) -> Tile:
 
     open_trace : unknowns of the trace beyond which there is nothing, and that nothing holds
     """
-    assert list(tile.stiffness) == ["plate"]
+    assert list(tile.stiffness) == [PLATE]
     kept = np.setdiff1d(np.arange(tile.trace_size), open_trace)
     inner = np.concatenate([open_trace, np.arange(tile.trace_size, tile.size)])
     basis = _reduced(tile.elastic, tile.mass, kept, inner, highest)

@@ -15,6 +15,7 @@ from haptonic.plate.assembly import Assembly
 from haptonic.plate.blocks import blocks_of
 from haptonic.plate.body import loss_factors
 from haptonic.plate.damping import Extra
+from haptonic.plate.keys import PLATE, PartKey
 from haptonic.plate.parts import Finger, Plate
 from haptonic.plate.recipes import Fineness, recipe_of, tiles_of
 from haptonic.plate.resolved import check_resolved
@@ -98,7 +99,7 @@ class PlateModel:
         )
 
     @property
-    def factors(self) -> Mapping[str, complex]:
+    def factors(self) -> Mapping[PartKey, complex]:
         """Complex factor of each part's stiffness."""
         return loss_factors(self.plate)
 
@@ -166,15 +167,15 @@ class PlateModel:
     def extras(self) -> tuple[Extra, ...]:
         """All whose loss is not the plate's, and the finger."""
         assembly, factors = self.assembly, self.factors
-        plain = factors["plate"]
+        plain = factors[PLATE]
         found = []
         for group in assembly.groups:
-            for name, part in group.tile.stiffness.items():
-                if name != "plate":
+            for part, whole in group.tile.stiffness.items():
+                if part != PLATE:
                     for unknowns in group.unknowns:
                         free = unknowns < assembly.size
-                        rows, form = unknowns[free], part[np.ix_(free, free)]
-                        found.append(Extra.of_form(rows, form, factors[name] - plain))
+                        rows, form = unknowns[free], whole[np.ix_(free, free)]
+                        found.append(Extra.of_form(rows, form, factors[part] - plain))
         for bed in self.beds:
             rows = np.flatnonzero(np.diff(bed.stiffness.indptr))
             form = bed.stiffness[rows][:, rows].toarray()

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from haptonic.plate.keys import FINGER, SUPPORTS, PartKey
 from haptonic.plate.model import impedance
 from haptonic.plate.sweep import Band
 
@@ -22,15 +23,15 @@ class PlateModes:
     frequency : (k,) Hz; error : (k,) relative, bound from the residual
     quality : (k,) quality factors with all losses, to first order; the finger's among them
     stored : by part (k, blocks) shares of the strain energy
-    lost : by part (k,) shares of the loss, "supports" and "finger" among them
+    lost : by part (k,) shares of the loss, supports and finger among them
     vectors : (size, k) of the assembly, modal mass 1
     """
 
     frequency: Array
     error: Array
     quality: Array
-    stored: dict[str, Array]
-    lost: dict[str, Array]
+    stored: dict[PartKey, Array]
+    lost: dict[PartKey, Array]
     vectors: Array
 
     @property
@@ -48,20 +49,20 @@ def modes_between(band: Band, low: float, high: float) -> PlateModes:
     vectors, values = basis.vectors(picked), basis.values[picked]
     residual = assembly.stiffness_times(vectors) - values * assembly.mass_times(vectors)
     blocks = len(assembly.skeleton.blocks)
-    stored = {name: np.zeros((len(values), blocks)) for name in factors}
+    stored = {part: np.zeros((len(values), blocks)) for part in factors}
     for group, share in assembly.shares(vectors):
-        for name in group.tile.stiffness:
-            twice = np.einsum("nbk,nbk->kb", share, group.tile.part_times(name, share))
-            stored[name][:, group.blocks] += twice / values[:, None]
-    loss = {name: factors[name].imag * stored[name].sum(axis=1) for name in factors}
-    loss["supports"] = np.zeros(len(values))
+        for part in group.tile.stiffness:
+            twice = np.einsum("nbk,nbk->kb", share, group.tile.part_times(part, share))
+            stored[part][:, group.blocks] += twice / values[:, None]
+    loss = {part: factors[part].imag * stored[part].sum(axis=1) for part in factors}
+    loss[SUPPORTS] = np.zeros(len(values))
     for bed in model.beds:
         energy = np.einsum("nk,nk->k", vectors[: assembly.free], bed.stiffness @ vectors[: assembly.free])
-        loss["supports"] += bed.loss_factor * energy / values
-    loss["finger"] = np.zeros(len(values))
+        loss[SUPPORTS] += bed.loss_factor * energy / values
+    loss[FINGER] = np.zeros(len(values))
     if (finger := model.plate.finger) is not None:
         motion = ((model.pad @ vectors) ** 2).sum(axis=0) / model.pad.shape[0]
-        loss["finger"] = impedance(finger, np.sqrt(values)).imag * motion / values
+        loss[FINGER] = impedance(finger, np.sqrt(values)).imag * motion / values
     total = np.asarray(sum(loss.values()))
     with np.errstate(divide="ignore"):
         quality = 1 / total
@@ -70,7 +71,7 @@ def modes_between(band: Band, low: float, high: float) -> PlateModes:
         error=_residual_error(band, residual, values),
         quality=quality,
         stored=stored,
-        lost={name: share / np.where(total > 0, total, 1.0) for name, share in loss.items()},
+        lost={part: share / np.where(total > 0, total, 1.0) for part, share in loss.items()},
         vectors=vectors,
     )
 

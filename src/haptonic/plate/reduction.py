@@ -14,6 +14,7 @@ from haptonic.cell import MeshPlan, UnitCell
 from haptonic.cell.quadrature import lobatto
 from haptonic.plate.body import Body
 from haptonic.plate.bonds import Bonded
+from haptonic.plate.keys import PLATE
 from haptonic.plate.skeleton import TraceOrders, rim_fields
 from haptonic.plate.surface import flat_faces
 from haptonic.plate.tile import OnMesh, Tile
@@ -144,9 +145,9 @@ def block_tile(
     fields, values = _main_directions(seen, pushed, mass, np.concatenate(least))
     basis = np.zeros((size, trace + len(values)))
     basis[held, :trace], basis[inside, :trace], basis[inside, trace:] = onto, static, fields
-    parts = {name: _projected(part, basis) for name, part in body.stiffness.items() if name != "plate"}
+    parts = {part: _projected(form, basis) for part, form in body.stiffness.items() if part != PLATE}
     # of all together it is known without a product: the fields are orthogonal to the static answers
-    parts["plate"] = la.block_diag(on_trace, np.diag(values)) - sum(parts.values())
+    parts[PLATE] = la.block_diag(on_trace, np.diag(values)) - sum(parts.values())
     corner = np.array([x[0], y[0], 0.0])
     return Tile(
         stiffness=parts,

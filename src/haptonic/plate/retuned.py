@@ -11,6 +11,7 @@ import scipy.sparse as sp
 from numpy.typing import NDArray
 
 from haptonic.plate.bonds import Bond3
+from haptonic.plate.keys import PLATE, bond
 from haptonic.plate.model import PlateModel, drives_on
 from haptonic.plate.parts import Plate
 from haptonic.plate.supports import Bed, bed_stiffness
@@ -81,23 +82,23 @@ def bond_thickness(plate: Plate) -> dict[str, float]:
 
 
 def _retuned(tile: Tile, scale: float, thickness: dict[str, float]) -> tuple[Tile, Array]:
-    stiffness = {name: scale * part if name == "plate" else part for name, part in tile.stiffness.items()}
+    stiffness = {part: scale * form if part == PLATE else form for part, form in tile.stiffness.items()}
     modes = len(tile.values)
-    if list(stiffness) == ["plate"]:
+    if list(stiffness) == [PLATE]:
         return replace(tile, stiffness=stiffness, values=scale * tile.values), np.eye(modes)
     mass, bonds = tile.mass, dict(tile.bonds)
-    for name, bond in tile.bonds.items():
-        stiffness[f"{name} bond"] = np.tensordot(bond.shares(thickness[name]), bond.stiffness, 1)
-        mass = mass + (thickness[name] - bond.nominal) * bond.slope
+    for name, glue in tile.bonds.items():
+        stiffness[bond(name)] = np.tensordot(glue.shares(thickness[name]), glue.stiffness, 1)
+        mass = mass + (thickness[name] - glue.nominal) * glue.slope
     inner = slice(tile.trace_size, None)
     values, turn = la.eigh(sum(part[inner, inner] for part in stiffness.values()), mass[inner, inner])
     whole = la.block_diag(np.eye(tile.trace_size), turn)
-    for name, bond in tile.bonds.items():
-        forms = whole.T @ bond.stiffness @ whole
-        bonds[name] = Bond3(bond.thickness, forms, thickness[name], whole.T @ bond.slope @ whole)
+    for name, glue in tile.bonds.items():
+        forms = whole.T @ glue.stiffness @ whole
+        bonds[name] = Bond3(glue.thickness, forms, thickness[name], whole.T @ glue.slope @ whole)
     made = replace(
         tile,
-        stiffness={name: whole.T @ part @ whole for name, part in stiffness.items()},
+        stiffness={part: whole.T @ form @ whole for part, form in stiffness.items()},
         mass=whole.T @ mass @ whole,
         values=values,
         drive={name: whole.T @ drive for name, drive in tile.drive.items()},

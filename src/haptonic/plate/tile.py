@@ -12,6 +12,7 @@ import scipy.linalg as la
 from numpy.typing import NDArray
 
 from haptonic.plate.bonds import Bond3
+from haptonic.plate.keys import PLATE, PartKey
 from haptonic.plate.surface import surface_weights
 
 Array = NDArray[np.float64]
@@ -87,7 +88,7 @@ class Tile:
     bonds : by actuator, bonds whose thickness may change
     """
 
-    stiffness: Mapping[str, Array]
+    stiffness: Mapping[PartKey, Array]
     mass: Array
     values: Array
     drive: Mapping[str, Array]
@@ -100,7 +101,7 @@ class Tile:
         """With nothing glued on; ``trace`` unknowns whose static answers have no share in the modes."""
         values = np.diag(stiffness)[trace:].copy()
         return cls(
-            {"plate": la.block_diag(stiffness[:trace, :trace], np.diag(values))}, mass, values, {}, {}, inside
+            {PLATE: la.block_diag(stiffness[:trace, :trace], np.diag(values))}, mass, values, {}, {}, inside
         )
 
     @property
@@ -124,11 +125,11 @@ class Tile:
         """(n, blocks, k) K of all parts times the parts of vectors on blocks."""
         return _with_modes(self.elastic, self.values, share)
 
-    def part_times(self, name: str, share: Fields) -> Fields:
+    def part_times(self, part: PartKey, share: Fields) -> Fields:
         """(n, blocks, k) K of one part times the parts of vectors on blocks."""
         if len(self.stiffness) == 1:
             return self.stiffness_times(share)
-        return applied(self.stiffness[name], share)
+        return applied(self.stiffness[part], share)
 
     def dynamic(self, shift: float) -> Eliminated:
         """K - shift M with the modes eliminated."""

@@ -19,6 +19,7 @@ from numpy.typing import NDArray
 from threadpoolctl import threadpool_limits
 
 from haptonic.plate.damping import real_times
+from haptonic.plate.keys import PLATE
 from haptonic.plate.vibration import ReducedPlate
 from haptonic.response.measures import discs
 from haptonic.superelement.parallel import threads
@@ -94,7 +95,7 @@ class _Compliance:
 
     def __init__(self, reduced: ReducedPlate, seen: Array, omega: float) -> None:
         line = np.array([omega])
-        stiffness = reduced.model.factors["plate"] * reduced.basis.values - omega**2
+        stiffness = reduced.model.factors[PLATE] * reduced.basis.values - omega**2
         for one in reduced.extras:
             stiffness = stiffness + one.alone[:, 0] * one.extra.impedance(line)[0]
         self.seen, self.flexible = seen, 1.0 / stiffness

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, fields, replace
 from typing import Any
 
 import numpy as np
@@ -13,6 +13,7 @@ from threadpoolctl import threadpool_limits
 
 from haptonic.plate.assembly import Shifted
 from haptonic.plate.damping import Reduced, amplitudes, real_times
+from haptonic.plate.keys import FINGER, PLATE, SUPPORTS, PartKey, dielectric
 from haptonic.plate.krylov import Basis
 from haptonic.plate.model import PlateModel
 from haptonic.plate.model import impedance as finger_impedance
@@ -37,7 +38,7 @@ class Vibration:
     vectors : (size, r); amplitudes : (r, n) of them: together the displacement, m
     error : (n,) bound of the relative error in the energy norm
     stored : by part (n, blocks) strain energy, J; moving : (n, blocks) kinetic energy, J
-    dissipated : by part (n,) W, "supports" and "finger" among them; given : (n,) W from the drives
+    dissipated : by part (n,) W, supports and finger among them; given : (n,) W from the drives
     charge : by actuator (n,) C
     """
 
@@ -46,9 +47,9 @@ class Vibration:
     vectors: Array
     amplitudes: Complex
     error: Array
-    stored: Mapping[str, Array]
+    stored: Mapping[PartKey, Array]
     moving: Array
-    dissipated: Mapping[str, Array]
+    dissipated: Mapping[PartKey, Array]
     given: Array
     charge: Mapping[str, Complex]
 
@@ -108,14 +109,14 @@ class ReducedPlate:
         model, basis = self.model, self.basis
         load = model.load(drives)
         loads = basis.turn.T @ (basis.raw.T @ load)
-        found, force = amplitudes(basis.values, model.factors["plate"], self.extras, loads, omega)
+        found, force = amplitudes(basis.values, model.factors[PLATE], self.extras, loads, omega)
         missed = self.answered(force, omega)
         return self.checked(drives, omega, basis.raw, real_times(basis.turn, found), missed)
 
     def answered(self, force: Complex, omega: Array) -> Array:
         """(n,) four times the strain and kinetic energy of Ritz vectors under small forces (r, n) on them."""
         values = self.basis.values
-        moved = np.abs(force / (self.model.factors["plate"] * values[:, None] - omega**2)) ** 2
+        moved = np.abs(force / (self.model.factors[PLATE] * values[:, None] - omega**2)) ** 2
         return np.asarray(values @ moved + omega**2 * moved.sum(0))
 
     def checked(
@@ -139,8 +140,8 @@ class ReducedPlate:
                 pool.map(lambda k: checker.lines(omega[k : k + CHUNK], found[:, k : k + CHUNK]), starts)
             )
         checker.release()
-        seen = {name: np.concatenate([piece[name] for piece in pieces]) for name in pieces[0]}
-        error = ROUNDING + np.sqrt((seen["missed"] + missed) / np.maximum(seen["energy"], TINY))
+        seen = _Checked.joined(pieces)
+        error = ROUNDING + np.sqrt((seen.missed + missed) / np.maximum(seen.energy, TINY))
         charge, dissipated = {}, {}
         given = np.zeros(len(omega))
         for name, amplitude in drives.items():
@@ -149,15 +150,14 @@ class ReducedPlate:
                 blocked = model.blocked(name) * amplitude
                 charge[name] = blocked + motion
                 given += 0.5 * np.real(amplitude * np.conj(1j * omega * charge[name]))
-                dissipated[f"{name} dielectric"] = 0.5 * np.real(amplitude * np.conj(1j * omega * blocked))
+                dissipated[dielectric(name)] = 0.5 * np.real(amplitude * np.conj(1j * omega * blocked))
             else:
                 given += 0.5 * np.real(amplitude * np.conj(1j * omega * motion))
-        stored = {name[7:]: values for name, values in seen.items() if name.startswith("stored ")}
-        for name, values in stored.items():
-            dissipated[name] = 2 * omega * model.factors[name].imag * values.sum(axis=1)
-        dissipated["supports"], dissipated["finger"] = seen["supports"], seen["finger"]
+        for part, values in seen.stored.items():
+            dissipated[part] = 2 * omega * model.factors[part].imag * values.sum(axis=1)
+        dissipated[SUPPORTS], dissipated[FINGER] = seen.supports, seen.finger
         return Vibration(
-            omega, dict(drives), vectors, found, error, stored, seen["moving"], dissipated, given,
+            omega, dict(drives), vectors, found, error, seen.stored, seen.moving, dissipated, given,
             charge,
         )  # fmt: skip
 
@@ -183,6 +183,29 @@ def amplification(loss: float, omega: Array, sigma: float, complete: tuple[float
     return np.where(inside, known, any_mode)
 
 
+@dataclass(frozen=True, eq=False)
+class _Checked:
+    """What an answer to some lines holds and how wrong it is.
+
+    stored : by part (n, blocks) J; moving : (n, blocks) J; supports, finger : (n,) W lost in them
+    energy, missed : (n,) four times the energy of the whole, and of its error at most
+    """
+
+    stored: Mapping[PartKey, Array]
+    moving: Array
+    supports: Array
+    finger: Array
+    energy: Array
+    missed: Array
+
+    @classmethod
+    def joined(cls, pieces: Sequence[_Checked]) -> _Checked:
+        """Of all lines, one piece after the other."""
+        stored = {part: np.concatenate([one.stored[part] for one in pieces]) for part in pieces[0].stored}
+        names = [one.name for one in fields(cls)[1:]]
+        return cls(stored, *(np.concatenate([getattr(one, name) for one in pieces]) for name in names))
+
+
 class _Checker:
     """Puts reduced answers back into the unreduced equations."""
 
@@ -194,40 +217,35 @@ class _Checker:
         self.total = np.stack([load.real, load.imag], axis=1)
         self._idle: list[Shifted] = []
 
-    def lines(self, omega: Array, found: Complex) -> dict[str, Array]:
-        """Energies and W of some lines, and four times the energy of the whole and of its error, at most."""
+    def lines(self, omega: Array, found: Complex) -> _Checked:
+        """Some lines."""
         reduced, model = self.reduced, self.reduced.model
         assembly, factors, count = model.assembly, model.factors, len(omega)
         square = np.tile(omega**2, 2)
         fields = self.vectors @ np.hstack([found.real, found.imag])
         blocks = len(assembly.skeleton.blocks)
-        out: dict[str, Array] = {
-            "moving": np.zeros((count, blocks)),
-            **{f"stored {name}": np.zeros((count, blocks)) for name in factors},
-        }
+        moving = np.zeros((count, blocks))
+        stored = {part: np.zeros((count, blocks)) for part in factors}
         pieces = []
         for group, share in assembly.shares(fields):
             heavy = group.tile.mass_times(share)
-            out["moving"][:, group.blocks] = (
-                0.25 * (square * _energy(share, heavy)).reshape(-1, 2, count).sum(1).T
-            )
+            moving[:, group.blocks] = 0.25 * (square * _energy(share, heavy)).reshape(-1, 2, count).sum(1).T
             total = -square * heavy
-            for name in group.tile.stiffness:
-                stiff = group.tile.part_times(name, share)
+            for part in group.tile.stiffness:
+                stiff = group.tile.part_times(part, share)
                 energy = 0.25 * _energy(share, stiff).reshape(-1, 2, count).sum(1).T
-                out[f"stored {name}"][:, group.blocks] += energy
-                total += _times(stiff, factors[name])
+                stored[part][:, group.blocks] += energy
+                total += _times(stiff, factors[part])
             pieces.append(total)
         residual = assembly.gathered(pieces)
-        out["supports"] = np.zeros(count)
-        norm = np.asarray(4 * sum(out[f"stored {name}"].sum(1) for name in factors))
+        supports, lost_in_finger = np.zeros(count), np.zeros(count)
+        norm = np.asarray(4 * sum(values.sum(1) for values in stored.values()))
         for bed in model.beds:
             force = bed.stiffness @ fields[: assembly.free]
             residual[: assembly.free] += _times(force, 1 + 1j * bed.loss_factor)
             energy = (fields[: assembly.free] * force).sum(0).reshape(2, count).sum(0)
-            out["supports"] += 0.5 * omega * bed.loss_factor * energy
+            supports += 0.5 * omega * bed.loss_factor * energy
             norm += energy
-        out["finger"] = np.zeros(count)
         if (finger := model.plate.finger) is not None:
             pad = model.pad
             felt = finger_impedance(finger, omega) / pad.shape[0]
@@ -235,14 +253,14 @@ class _Checker:
             motion = motion[:, :count] + 1j * motion[:, count:]
             force = felt * motion
             residual += pad.T @ np.hstack([force.real, force.imag])
-            out["finger"] = 0.5 * omega * felt.imag * (np.abs(motion) ** 2).sum(0)
+            lost_in_finger = 0.5 * omega * felt.imag * (np.abs(motion) ** 2).sum(0)
         residual[:, :count] -= self.total[:, :1]
         residual[:, count:] -= self.total[:, 1:]
-        norm += 4 * out["moving"].sum(1)
+        norm += 4 * moving.sum(1)
         sigma = self._sigma(omega)
         beyond = self._beyond(residual, sigma)
         dual = np.maximum(np.einsum("nk,nk->k", residual, beyond), 0.0).reshape(2, count).sum(0)
-        gain = amplification(factors["plate"].imag, omega, sigma, reduced.basis.complete)
+        gain = amplification(factors[PLATE].imag, omega, sigma, reduced.basis.complete)
         # what is missed beyond the basis moves its modes through the other losses, most those at resonance
         force = np.zeros((reduced.basis.dimension, count), dtype=complex)
         for one in reduced.extras:
@@ -250,9 +268,8 @@ class _Checker:
             force += real_times(
                 one.whole, one.extra.impedance(omega) * (motion[:, :count] + 1j * motion[:, count:])
             )
-        out["missed"] = gain**2 * (dual + reduced.answered(force, omega))
-        out["energy"] = norm
-        return out
+        missed = gain**2 * (dual + reduced.answered(force, omega))
+        return _Checked(stored, moving, supports, lost_in_finger, norm, missed)
 
     def _sigma(self, omega: Array) -> float:
         """(rad/s)^2 of the norm for some lines: any gives a bound, but each costs a factorisation.

@@ -18,6 +18,7 @@ from haptonic.plate.layout import Layout
 from haptonic.plots import style
 from haptonic.plots.mapped import ends, outlined
 from haptonic.plots.spectra import LOOKS
+from haptonic.plots.words import label
 
 PANELS = {"low": "least, within the band", "value": "prediction", "high": "most, within the band"}
 
@@ -76,7 +77,7 @@ def reduction_curve(curve: xr.Dataset, drive: float, noticed: float, *, title: s
         low, high = 100 * region["low"].values, 100 * region["high"].values
         axes.fill_between(drives, low, high, color=colour, alpha=0.18, lw=0, gid="band")
         handles += axes.plot(
-            drives, 100 * region["value"].values, color=colour, ls=dashes, label=name, gid="curve"
+            drives, 100 * region["value"].values, color=colour, ls=dashes, label=label(name), gid="curve"
         )
     handles.append(Patch(facecolor=style.PALE_INK, alpha=0.3, label="band of models and parameters"))
     look: dict[str, Any] = {"color": style.INK, "lw": 0.9}

@@ -14,9 +14,11 @@ from matplotlib.figure import Figure
 from matplotlib.patches import Patch, Rectangle
 from numpy.typing import NDArray
 
+from haptonic.friction.signals.record import EVERYBODY
 from haptonic.friction.statistics import Estimate
-from haptonic.friction.statistics.summary import EVERYBODY, Condition
+from haptonic.friction.statistics.summary import Condition
 from haptonic.plots import style
+from haptonic.plots.words import label
 
 Array = NDArray[np.float64]
 
@@ -80,7 +82,7 @@ def conditions(
             facecolor=LOOKS[g % len(LOOKS)][0] if side == "on" else "white",
             edgecolor=LOOKS[g % len(LOOKS)][0],
             hatch=None if side == "on" else "///",
-            label=f"{guide}, vibration {side}",
+            label=label(f"{guide}, vibration {side}"),
         )
         for g, guide in enumerate(guides)
         for side in ("off", "on")
@@ -142,7 +144,7 @@ def reductions(
             bold = person == EVERYBODY
             axes.plot(
                 100 * one.value, y, marker, color=colour, ms=7 if bold else 5, zorder=3,
-                label=guide if row == 0 else None, gid=f"{guide} {person}",
+                label=label(guide) if row == 0 else None, gid=f"{guide} {person}",
             )  # fmt: skip
     axes.axhline(len(people) - 0.5, color=style.PALE_INK, lw=0.7)
     axes.axvline(0, color=style.INK, lw=0.7)

@@ -7,6 +7,7 @@ from matplotlib.figure import Figure
 from matplotlib.ticker import MaxNLocator
 
 from haptonic.plots import style
+from haptonic.plots.words import label
 
 SIDES = ((style.BLUE, "o"), (style.ORANGE, "s"))
 
@@ -29,7 +30,8 @@ def power(dataset: xr.Dataset, participants: int) -> Figure:
         name = f"{one['waveguide'].item()}: {100 * float(one['reduction']):.0f} % less friction assumed"
         axes.errorbar(
             one["participants"].values, 100 * one["power"].values, 200 * one["error"].values,
-            color=colour, marker=marker, ms=4, elinewidth=0.8, label=name, gid=str(one["waveguide"].item()),
+            color=colour, marker=marker, ms=4, elinewidth=0.8, label=label(name),
+            gid=str(one["waveguide"].item()),
         )  # fmt: skip
     axes.axhline(wanted, color=style.PALE_INK, ls=style.DASHED, lw=1.0, label=f"wanted, {wanted:g} %")
     axes.axvline(participants, color=style.CARRIER, ls=style.DOTTED, lw=1.2, gid="plan",

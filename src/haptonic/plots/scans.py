@@ -14,7 +14,7 @@ from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
 from haptonic.plots import style
-from haptonic.plots.words import in_pi
+from haptonic.plots.words import in_pi, label
 
 if TYPE_CHECKING:
     from haptonic.vibrometry import Drive, LatticeGap, MeasuredGap, Quality
@@ -81,7 +81,7 @@ def measured_contrast(
     looks = cycle([(style.BLUE, style.SOLID), (style.RED, style.DASHED), (style.GREEN, style.DASH_DOTTED)])
     handles: list[Artist] = []
     for (name, level), (colour, dashes) in zip(contrasts.items(), looks, strict=False):
-        handles += axes.plot(frequency / 1e3, level, color=colour, ls=dashes, lw=0.9, label=name)
+        handles += axes.plot(frequency / 1e3, level, color=colour, ls=dashes, lw=0.9, label=label(name))
     axes.axhline(0, color=style.INK, lw=0.7, zorder=1)
     if computed is not None:
         low, high = computed[0] / 1e3, computed[1] / 1e3

@@ -13,6 +13,7 @@ from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
 from haptonic.plots import style
+from haptonic.plots.words import label
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complexfloating[Any, Any]]
@@ -112,7 +113,7 @@ def _height(curves: int) -> float:
 def _curves(axes: Axes, frequency: Array, values: Mapping[str, Array]) -> list[Artist]:
     """Draw curves by name; what the legend needs."""
     return [
-        axes.plot(frequency / 1e3, curve, color=colour, ls=dashes, lw=1.2, label=name, gid="curve")[0]
+        axes.plot(frequency / 1e3, curve, color=colour, ls=dashes, lw=1.2, label=label(name), gid="curve")[0]
         for (name, curve), (colour, dashes) in zip(values.items(), cycle(LOOKS), strict=False)
     ]
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import io
+import warnings
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from functools import wraps
@@ -14,6 +15,7 @@ from matplotlib.axes import Axes
 from matplotlib.colors import Colormap
 from matplotlib.figure import Figure
 
+from haptonic.paths import target
 from haptonic.store import refuse_overwrite, write_atomically
 
 P = ParamSpec("P")
@@ -59,6 +61,7 @@ _STYLE: dict[str, Any] = {
     "hatch.linewidth": 0.6,
     "figure.facecolor": "white",
     "savefig.facecolor": "white",
+    "text.parse_math": False,  # a name may hold dollar signs; labels of our own say when they are formulas
     "figure.dpi": 100,
     "svg.fonttype": "path",
     "svg.hashsalt": "haptonic",  # the same picture is the same file
@@ -68,7 +71,9 @@ _STYLE: dict[str, Any] = {
 @contextmanager
 def styled() -> Iterator[None]:
     """The common style, for as long as the block lasts, whatever the user's own settings are."""
-    with mpl.rc_context():
+    with mpl.rc_context(), warnings.catch_warnings():
+        # of a name in another script; a box in its place says it in the picture itself
+        warnings.filterwarnings("ignore", r"Glyph .* missing from", UserWarning)
         mpl.rcdefaults()
         mpl.rcParams.update(_STYLE)  # type: ignore[arg-type]  # the stubs want literal keys
         yield
@@ -113,7 +118,7 @@ def save(figure: Figure, folder: Path, name: str, *, overwrite: bool = False) ->
     ------
     ResourceError : one of the names is taken and ``overwrite`` is False, or the folder cannot be written
     """
-    paths = [Path(folder) / f"{name}.{kind}" for kind in FILE_KINDS]
+    paths = [target(folder, "folder") / f"{name}.{kind}" for kind in FILE_KINDS]
     for path in paths:
         refuse_overwrite(path, overwrite)
     for path, kind in zip(paths, FILE_KINDS, strict=True):

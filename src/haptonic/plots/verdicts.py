@@ -16,6 +16,7 @@ from numpy.typing import NDArray
 from haptonic.plate.layout import Layout
 from haptonic.plots import style
 from haptonic.plots.plates import region_borders
+from haptonic.plots.words import label
 from haptonic.updating.agreement import Agreement
 
 Array = NDArray[np.float64]
@@ -61,7 +62,7 @@ def before_after(
 def _curves(axes: Axes, frequency: Array, values: Mapping[str, Array]) -> list[object]:
     """Draw the first curve in ink and others as usual; what the legend needs."""
     return [
-        axes.plot(frequency / 1e3, curve, color=colour, ls=dashes, lw=1.2, label=name, gid="curve")[0]
+        axes.plot(frequency / 1e3, curve, color=colour, ls=dashes, lw=1.2, label=label(name), gid="curve")[0]
         for (name, curve), (colour, dashes) in zip(values.items(), LOOKS, strict=False)
     ]
 

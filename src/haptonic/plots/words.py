@@ -5,6 +5,8 @@ from __future__ import annotations
 import math
 import re
 
+from haptonic.names import visible
+
 _SCALED = {"m": ("mm", 1e3), "Hz": ("kHz", 1e-3), "Pa": ("GPa", 1e-9)}
 _PROPERLY = {
     "material.youngs_modulus": "Young's modulus",
@@ -29,6 +31,12 @@ def khz(frequency: float, error: float) -> str:
         digit, power = 1, power + 1
     decimals = min(max(-power, 0), MOST_DECIMALS)
     return f"{frequency / 1e3:.{decimals}f} ± {digit * 10.0**power:.{decimals}f}"
+
+
+def label(name: str) -> str:
+    """A name for a legend, which would leave out one that begins with "_"."""
+    shown = visible(name)
+    return f"\N{ZERO WIDTH SPACE}{shown}" if shown.startswith("_") else shown
 
 
 def readable(expression: str) -> str:

@@ -35,8 +35,8 @@ def iso_frequency(dataset: xr.Dataset, bands: tuple[int, ...] = ()) -> Figure:
     panels = figure.subplots(1, len(chosen), squeeze=False)[0]
     for axes, band in zip(panels, chosen, strict=True):
         _contours(figure, axes, surface, band)
-        axes.set_xlabel(r"$k_x$ (rad/mm)")
-    panels[0].set_ylabel(r"$k_y$ (rad/mm)")
+        axes.set_xlabel(r"$k_x$ (rad/mm)", parse_math=True)
+    panels[0].set_ylabel(r"$k_y$ (rad/mm)", parse_math=True)
     return figure
 
 

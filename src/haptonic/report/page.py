@@ -14,14 +14,15 @@ import numpy as np
 from jinja2 import Environment, StrictUndefined
 
 from haptonic.bloch import gaps_of
+from haptonic.fields import table
+from haptonic.fields.keys import key_of, leaves
 from haptonic.plots.style import rendered
 from haptonic.plots.words import khz
 from haptonic.report.chapter import Absent, Chapter, Results, Table
 from haptonic.report.chapters import IN_ORDER
 from haptonic.report.chapters.dispersion import in_words
 from haptonic.store import refuse_overwrite, write_atomically
-from haptonic.study import Study, table
-from haptonic.study.keys import key_of, leaves
+from haptonic.study import Study
 from haptonic.units import format_quantity
 
 if TYPE_CHECKING:

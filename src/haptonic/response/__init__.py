@@ -10,10 +10,12 @@ from haptonic.response.measures import (
     mac,
     rms,
 )
+from haptonic.response.reference import Reference
 from haptonic.response.value import FrequencyResponse
 
 __all__ = [
     "FrequencyResponse",
+    "Reference",
     "average_spectrum",
     "cmif",
     "contrast",

@@ -9,9 +9,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from haptonic.errors import ResponseError, nearest
+from haptonic.response.reference import Reference
 
 DIRECTIONS = ("x", "y", "z")
 REST = "rest"  # what is not in a region; see `haptonic.response.contrast`
+THE_REST = "the rest"  # the same in words
 SLACK = 1e-6  # by which a coherence may exceed 1: rounding in single precision
 
 Numbers = NDArray[Any]
@@ -43,10 +45,9 @@ def directions(given: Sequence[str]) -> None:
         )
 
 
-def reference(given: str) -> None:
+def reference(given: Reference) -> None:
     """Refuse a reference that is not a name and a unit."""
-    name, comma, unit = (part.strip() for part in given.partition(","))
-    if given and not (name and comma and unit):
+    if given != Reference() and not (given.name.strip() and given.unit):
         raise ResponseError(
             argument="response.reference",
             given=f'"{given}"',

@@ -7,17 +7,23 @@ understands it.
 from __future__ import annotations
 
 import json
+from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 import xarray as xr
+from numpy.typing import NDArray
 
 from haptonic import hdf5
-from haptonic.errors import HaptonicError, ResourceError, ResponseError
+from haptonic.errors import ResourceError, ResponseError
+from haptonic.foreign.netcdf import arrays_of
+from haptonic.foreign.process import ForeignError, ask
+from haptonic.paths import source
 from haptonic.response.value import FrequencyResponse
 
 KIND = "haptonic frequency response"
+PARTS = ("response_real", "response_imag", "frequency", "x", "y", "direction", "coherence", "region")
 FORM = 1  # of the file; a larger one comes from a later haptonic
 
 
@@ -42,7 +48,7 @@ def write(response: FrequencyResponse, path: Path) -> None:
         data.to_netcdf(file, engine="h5netcdf", encoding=encoding)
 
 
-def read(path: Path) -> FrequencyResponse:
+def read(path: Path | str) -> FrequencyResponse:
     """A response, in memory, from a file that `write` made.
 
     Raises
@@ -50,39 +56,49 @@ def read(path: Path) -> FrequencyResponse:
     ResourceError : there is no such file, or it cannot be read
     ResponseError : the file is of another kind, or damaged
     """
+    path = source(path, "file of a frequency response")
     try:
-        with xr.open_dataset(path, engine="h5netcdf", decode_timedelta=False) as data:
-            if data.attrs.get("kind") != KIND:
-                raise _foreign(path, "a NetCDF file of another kind")
-            if data.attrs["form"] > FORM:
-                raise _foreign(path, f"form {data.attrs['form']} of the file, from a later haptonic")
-            return from_plain(data)
+        content = ask("hdf5.tree", path, deep=False)
+        says = content["attributes"]
+        if says.get("kind") != KIND:
+            raise _foreign(path, "a NetCDF file of another kind")
+        if says["form"] > FORM:
+            raise _foreign(path, f"form {says['form']} of the file, from a later haptonic")
+        if any(name in content["elsewhere"] for name in PARTS):
+            raise _foreign(path, "links to another file, which are not followed")
+        return _made(arrays_of(path, content, [name for name in PARTS if name in content["sets"]]), says)
     except FileNotFoundError as error:
         raise _unreadable(path, "there is no such file", "check the name and the folder") from error
     except (PermissionError, IsADirectoryError) as error:
         raise _unreadable(path, "it is a folder, or you may not read it", "choose a readable file") from error
-    except HaptonicError:
-        raise
-    except (OSError, KeyError, ValueError, TypeError) as error:
-        raise _foreign(path, "not a NetCDF 4 file, or one that is damaged") from error
+    except MemoryError as error:
+        raise _unreadable(path, "it does not fit into memory, or it is damaged", "copy it again") from error
+    except ForeignError as error:
+        raise _foreign(path, f"not a NetCDF 4 file, or one that is damaged ({error})") from error
+    except (KeyError, ValueError, TypeError, AttributeError, OverflowError) as error:
+        raise _foreign(path, f"a part is missing or damaged ({type(error).__name__})") from error
 
 
 def from_plain(data: xr.Dataset) -> FrequencyResponse:
-    real, imaginary = data["response_real"], data["response_imag"]
+    """The response of a dataset that `plain` made."""
+    return _made({name: data[name].values for name in PARTS if name in data.variables}, data.attrs)
+
+
+def _made(parts: Mapping[str, NDArray[Any]], notes: Mapping[Any, Any]) -> FrequencyResponse:
+    real, imaginary = parts["response_real"], parts["response_imag"]
     values = np.empty(real.shape, dtype=np.result_type(real.dtype, np.complex64))
-    values.real, values.imag = real.values, imaginary.values
-    notes: dict[str, Any] = dict(data.attrs)
+    values.real, values.imag = real, imaginary
     made = FrequencyResponse.of(
         values,
-        frequency=data["frequency"].values,
-        x=data["x"].values,
-        y=data["y"].values,
-        direction=[str(name) for name in data["direction"].values],
+        frequency=parts["frequency"],
+        x=parts["x"],
+        y=parts["y"],
+        direction=[str(name) for name in parts["direction"]],
         quantity=notes["quantity"],
         reference=notes["reference"],
         origin=notes["origin"],
-        coherence=data["coherence"].values if "coherence" in data else None,
-        region=[str(name) for name in data["region"].values] if "region" in data.coords else None,
+        coherence=parts.get("coherence"),
+        region=[str(name) for name in parts["region"]] if "region" in parts else None,
         title=notes["title"],
         inputs=json.loads(notes["inputs"]),
     )

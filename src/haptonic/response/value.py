@@ -18,6 +18,7 @@ from numpy.typing import NDArray
 from haptonic.errors import ResponseError, nearest
 from haptonic.response import checks
 from haptonic.response.lines import regular_line
+from haptonic.response.reference import Reference
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complexfloating[Any, Any]]
@@ -48,7 +49,7 @@ class FrequencyResponse:
         frequency: Array,
         x: Array,
         y: Array,
-        reference: str,
+        reference: Reference | str,
         origin: Origin,
         direction: Sequence[str] = ("z",),
         quantity: Quantity = "velocity",
@@ -82,12 +83,13 @@ class FrequencyResponse:
         checks.words(quantity, tuple(UNITS), "quantity")
         checks.words(origin, ("simulated", "measured"), "origin")
         checks.directions(direction)
+        reference = Reference.parse(reference) if isinstance(reference, str) else reference
         checks.reference(reference)
         checks.frequencies(frequency)
         checks.positions(x, y)
         shape = (len(frequency), len(x), len(direction))
         checks.response(response, shape)
-        unit = "/".join(filter(None, [UNITS[quantity], reference.partition(",")[2].strip()]))
+        unit = "/".join(filter(None, [UNITS[quantity], reference.unit]))
         data: dict[str, Any] = {
             "response": (
                 ("frequency", "point", "direction"),
@@ -109,7 +111,7 @@ class FrequencyResponse:
             coordinates["region"] = ("point", np.array(region, dtype=str))
         attributes = {
             "quantity": quantity,
-            "reference": reference,
+            "reference": str(reference),
             "origin": origin,
             "title": title,
             "inputs": json.dumps(dict(inputs or {})),
@@ -136,6 +138,11 @@ class FrequencyResponse:
     def units(self) -> str:
         """Of the response, such as "m/s/V"."""
         return str(self.dataset["response"].attrs["units"])
+
+    @property
+    def reference(self) -> Reference:
+        """What the response is divided by."""
+        return Reference.parse(str(self.dataset.attrs["reference"]))
 
     @property
     def regions(self) -> tuple[str, ...]:

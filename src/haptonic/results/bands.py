@@ -14,7 +14,7 @@ import xarray as xr
 from haptonic import plots, vtu
 from haptonic.bloch import Gap, bands_dataset, gaps_of
 from haptonic.cell import UnitCell
-from haptonic.results.common import Asked, key_of, no_nan, stamped, write_netcdf
+from haptonic.results.common import Asked, no_nan, stamped, write_netcdf
 from haptonic.store import Store, content_key
 
 if TYPE_CHECKING:
@@ -132,7 +132,7 @@ def compute_bands(
     inputs : plain values of what was asked, for the result's attributes
     carrier : Hz, marked in the diagram
     """
-    key = content_key({"kind": "bands", "surface": surface, "points": asked.points, **key_of(cell, asked)})
+    key = content_key({"kind": "bands", "surface": surface, "cell": cell, "asked": asked})
     dataset = store.get(key)
     if dataset is None:
         dataset = bands_dataset(

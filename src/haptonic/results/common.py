@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Callable, Iterable, Mapping
-from dataclasses import asdict, astuple, dataclass
+from dataclasses import dataclass
 from importlib.metadata import version
 from pathlib import Path
 from typing import Any
@@ -14,7 +14,7 @@ import xarray as xr
 
 from haptonic import hdf5
 from haptonic.bloch import Resolution
-from haptonic.cell import UnitCell
+from haptonic.names import variable
 from haptonic.store import draft_for, fingerprint, refuse_overwrite, write_atomically
 
 
@@ -53,9 +53,11 @@ def refuse_taken(folder: Path | None, names: Iterable[str], *, overwrite: bool) 
 
 
 def write_netcdf(dataset: xr.Dataset, path: Path) -> None:
-    """NetCDF 4 by h5netcdf."""
+    """NetCDF 4 by h5netcdf; names of variables may hold those of regions, see `haptonic.names.variable`."""
+    names = {name: written for name in dataset.variables if (written := variable(str(name))) != name}
+    names |= {name: written for name in dataset.dims if (written := variable(str(name))) != name}
     with hdf5.written(path) as file:
-        dataset.to_netcdf(file, engine="h5netcdf")
+        dataset.rename(names).to_netcdf(file, engine="h5netcdf")
 
 
 def stamped(dataset: xr.Dataset, inputs: Mapping[str, Any]) -> xr.Dataset:
@@ -67,20 +69,6 @@ def stamped(dataset: xr.Dataset, inputs: Mapping[str, Any]) -> xr.Dataset:
         "origin": "simulated",
     }
     return dataset
-
-
-def key_of(cell: UnitCell, asked: Asked) -> dict[str, object]:
-    """All that decides a result of a cell, for its key in the store."""
-    resolution = asked.resolution
-    return {
-        "lattice": [cell.lattice.name, *cell.lattice.a1, *cell.lattice.a2],
-        "thickness": cell.thickness,
-        "material": cell.material.to_dict(),
-        "pillar": None if cell.pillar is None else asdict(cell.pillar),
-        "count": asked.count,
-        "accuracy": asked.accuracy,
-        "mesh": None if resolution is None else list(astuple(resolution)),
-    }
 
 
 def no_nan(array: np.ndarray) -> Any:

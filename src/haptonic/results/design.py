@@ -20,7 +20,7 @@ from haptonic.design.quick import QUICK
 from haptonic.design.search import Visited, climb, looked_at, starting_points
 from haptonic.errors import StudyError
 from haptonic.jobs import Task
-from haptonic.results.common import Asked, key_of, stamped
+from haptonic.results.common import Asked, stamped
 from haptonic.results.runner import Runner
 from haptonic.units import format_quantity
 
@@ -191,28 +191,21 @@ def front_dataset(argument: tuple[Brief, Array, int]) -> xr.Dataset:
 
 
 def _look(brief: Brief, share: Array) -> Task:
-    return Task({"kind": "look", "share": share.tolist(), **_brief_key(brief)}, (brief, share))
+    return Task({"kind": "look", "share": share, **_named(brief)}, (brief, share))
 
 
 def _climb(brief: Brief, start: Visited, offset: tuple[float, float], steps: int) -> Task:
-    inputs = {"share": start.share.tolist(), "band": start.band, "offset": list(offset), "steps": steps}
-    return Task(
-        {"kind": "climb", **inputs, **_brief_key(brief)}, (brief, start.share, start.band, offset, steps)
-    )
+    inputs = {"share": start.share, "band": start.band, "offset": offset, "steps": steps}
+    return Task({"kind": "climb", **inputs, **_named(brief)}, (brief, start.share, start.band, offset, steps))
 
 
 def _front_task(brief: Brief, share: Array, steps: int) -> Task:
-    inputs = {"share": share.tolist(), "steps": steps, **_brief_key(brief)}
-    return Task({"kind": "front", **inputs}, (brief, share, steps))
+    return Task({"kind": "front", "share": share, "steps": steps, **_named(brief)}, (brief, share, steps))
 
 
-def _brief_key(brief: Brief) -> dict[str, object]:
-    asked = Asked(brief.count, 0, 0.0, None)
-    bounds = {path: list(limits) for path, limits in brief.bounds.items()}
-    finger = brief.finger and asdict(brief.finger)
-    limits = {"slenderness": brief.slenderness, "tool": brief.tool, "reach": brief.reach, "finger": finger}
-    held = dict(brief.held)
-    return {"carrier": brief.carrier, "bounds": bounds, "held": held, **limits, **key_of(brief.cell, asked)}
+def _named(brief: Brief) -> dict[str, object]:
+    # shares are in the order of the paths, which the mapping of bounds alone does not tell
+    return {"brief": brief, "paths": brief.paths}
 
 
 def _rounded(brief: Brief, visit: Visited) -> dict[str, float]:

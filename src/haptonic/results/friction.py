@@ -20,6 +20,8 @@ from haptonic.friction.signals import Rules, exclusions, write_trials
 from haptonic.friction.statistics import Test
 from haptonic.friction.statistics.summary import Condition, Summary, summary
 from haptonic.friction.words import AVERAGES
+from haptonic.names import cell
+from haptonic.paths import source as checked
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -155,7 +157,7 @@ class FrictionResult:
 
 
 def compute_friction(
-    source: Path,
+    source: Path | str,
     sensor: Sensor,
     rules: Rules,
     excluded: Sequence[Exclusion] = (),
@@ -176,6 +178,7 @@ def compute_friction(
     ResourceError : no such file or folder
     FrictionError : a table that is wrong, no trial that counts, or no waveguide of that name
     """
+    source = checked(source, "folder of trials")
     read = analysed(source, sensor, rules, excluded, workers=workers, told=told)
     return FrictionResult(source, sensor, rules, read.trials, read.remarks, summary(read.trials, driven))
 
@@ -187,7 +190,7 @@ def _write_rows(rows: list[dict[str, Any]], origin: str, path: Path) -> None:
         pairs = {name: value for name, value in row.items() if isinstance(value, tuple)}
         plain = {name: value for name, value in row.items() if name not in pairs}
         plain |= {f"{name}_{part}": value[k] for name, value in pairs.items() for k, part in enumerate(PARTS)}
-        flat.append(plain | {"origin": origin})
+        flat.append({name: cell(value) for name, value in plain.items()} | {"origin": origin})
     pd.DataFrame(flat).to_csv(path, index=False)
 
 

@@ -104,7 +104,7 @@ def compute_verdict(
 
 def _check(plate: Plate, scan: FrequencyResponse) -> None:
     reference, _ = reference_of(plate)
-    unit, own = (str(name).partition(",")[2].strip() for name in (reference, scan.dataset.attrs["reference"]))
+    unit, own = reference.unit, scan.reference.unit
     if unit != own:
         raise ScanError(
             argument="reference",

@@ -23,7 +23,7 @@ from haptonic.cell import UnitCell
 from haptonic.errors import StudyError
 from haptonic.jobs import Task
 from haptonic.results.carrier import condensed_cell, gap_around
-from haptonic.results.common import Asked, key_of, no_nan, stamped
+from haptonic.results.common import Asked, no_nan, stamped
 from haptonic.results.runner import Runner
 from haptonic.superelement import Superelement
 from haptonic.units import format_quantity
@@ -166,10 +166,10 @@ def compute_layers(
     gap = gap_around(cell, asked, carrier, runner)
     resolution = bloch_model(cell, asked.count, asked.accuracy, asked.resolution).resolution
     chunks = np.array_split(question.frequencies, layer_tasks(question.points) - 1)
-    fixed = {**asdict(question.incidence), **key_of(cell, asked)}
+    fixed = {"incidence": question.incidence, "cell": cell, "resolution": resolution}
     tasks = [
         Task(
-            {"kind": "mirror", "frequency": chunk.tolist(), **fixed},
+            {"kind": "mirror", "frequency": chunk, **fixed},
             (cell, resolution, chunk, question.incidence),
         )
         for chunk in chunks

@@ -11,7 +11,7 @@ import xarray as xr
 from haptonic.bloch import Gap, gaps_of
 from haptonic.cell import UnitCell
 from haptonic.jobs import Outcome, Task, run_all
-from haptonic.results.common import Asked, key_of
+from haptonic.results.common import Asked
 from haptonic.results.sweeps import design_gaps
 from haptonic.store import Store
 
@@ -44,7 +44,7 @@ class Runner:
 
     def gaps(self, cell: UnitCell, asked: Asked, done: int = 0) -> tuple[Gap, ...]:
         """Complete gaps of a cell, the task of one design of a sweep."""
-        task = Task({"kind": "gaps", **key_of(cell, asked)}, (cell, asked))
+        task = Task({"kind": "gaps", "cell": cell, "asked": asked}, (cell, asked))
         (dataset,) = self.run(design_gaps, [task], done)
         return gaps_of(dataset)
 

@@ -15,7 +15,7 @@ from haptonic.cell import UnitCell
 from haptonic.cell.cantilever import euler_bernoulli, timoshenko
 from haptonic.jobs import Outcome, Task, run_all
 from haptonic.materials import IsotropicMaterial
-from haptonic.results.common import Asked, key_of, stamped
+from haptonic.results.common import Asked, stamped
 from haptonic.store import Store
 
 if TYPE_CHECKING:
@@ -87,7 +87,9 @@ def compute_sweeps(
     workers, scheduler, on_progress : see `haptonic.jobs.run_all`; all rows are computed as one
     """
     tasks = [
-        Task({"kind": "gaps", **key_of(cell, asked)}, (cell, asked)) for row in rows for cell in row.cells
+        Task({"kind": "gaps", "cell": cell, "asked": asked}, (cell, asked))
+        for row in rows
+        for cell in row.cells
     ]
     outcomes = iter(
         run_all(

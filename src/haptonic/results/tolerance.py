@@ -32,7 +32,7 @@ from haptonic.design.tolerance import (
 from haptonic.errors import HaptonicError, StudyError
 from haptonic.jobs import Task
 from haptonic.results.carrier import gap_holding
-from haptonic.results.common import Asked, key_of, stamped
+from haptonic.results.common import Asked, stamped
 from haptonic.results.runner import Runner
 
 if TYPE_CHECKING:
@@ -219,10 +219,7 @@ def beside_dataset(argument: tuple[Sequence[UnitCell], Gap]) -> xr.Dataset:
 
 
 def _beside_task(cells: Sequence[UnitCell], gap: Gap) -> Task:
-    question = Asked(gap.between[0] + 2, 0, 0.0, QUICK)
-    wavevectors = [*gap.lower_kappa, *gap.upper_kappa]
-    keys = [key_of(cell, question) for cell in cells]
-    return Task({"kind": "beside", "cells": keys, "wavevectors": wavevectors}, (cells, gap))
+    return Task({"kind": "beside", "cells": cells, "gap": gap}, (cells, gap))
 
 
 def _linear(gap: Gap, per_width: Array) -> Surface:

@@ -1,28 +1,23 @@
-from .keys import Key, table
 from .loading import load, load_trials, loads
 from .plate_tables import PlateSection
 from .runs import Study
 from .scan_tables import ScanSection
 from .schema import SweepSection
-from .sections import BandsSection, CellSection, MaterialSection, MeshSection, PillarSection
-from .trial_tables import TrialsSection
+from .sections import BandsSection, CellSection, MeshSection
+from .trial_tables import Trials
 from .vary import solve
 
 __all__ = [
     "BandsSection",
     "CellSection",
-    "Key",
-    "MaterialSection",
     "MeshSection",
-    "PillarSection",
     "PlateSection",
     "ScanSection",
     "Study",
     "SweepSection",
-    "TrialsSection",
+    "Trials",
     "load",
     "load_trials",
     "loads",
     "solve",
-    "table",
 ]

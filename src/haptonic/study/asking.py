@@ -12,9 +12,8 @@ from haptonic.design.brief import Finger
 from haptonic.design.parameters import UNITS
 from haptonic.design.tolerance import Spread
 from haptonic.errors import nearest
-from haptonic.study.quantity import Quantity, collected, problem
-from haptonic.study.sections import LARGEST, SMALLEST, Section
-from haptonic.units import format_quantity, shown, to_si
+from haptonic.fields import LARGEST, SMALLEST, Quantity, Section, number_of, problem
+from haptonic.units import format_quantity, shown
 
 Frequency = Annotated[float, Quantity("Hz", at_least=1.0, at_most=1e9, typical=(1e3, 1e6))]
 Length = Annotated[float, Quantity("m", at_least=SMALLEST, at_most=LARGEST)]
@@ -107,10 +106,7 @@ def once(names: Sequence[str], at: str) -> None:
 def _in_its_unit(value: object, info: ValidationInfo) -> float:
     if "parameter" not in info.data:  # refused already; without it the unit is not known
         return 0.0
-    if isinstance(value, float) and info.context is not None:  # read before
-        return value
-    with collected():
-        return to_si(value, UNITS[info.data["parameter"]], "")
+    return number_of(value, UNITS[info.data["parameter"]], info.context)
 
 
 class VarySection(Section):

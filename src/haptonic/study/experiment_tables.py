@@ -6,9 +6,7 @@ from typing import Annotated, Literal
 
 from pydantic import Field, model_validator
 
-from haptonic.study.mounting import Name
-from haptonic.study.quantity import Quantity, problem
-from haptonic.study.sections import Section
+from haptonic.fields import Name, Quantity, Section, problem
 
 Share = Annotated[float, Quantity("", at_least=0.0, below=1.0)]
 Reduction = Annotated[float, Quantity("", above=0.0, below=1.0)]

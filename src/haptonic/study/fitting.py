@@ -8,11 +8,10 @@ from typing import Annotated
 from pydantic import Field, ValidationInfo, field_validator, model_validator
 
 from haptonic.errors import nearest
+from haptonic.fields import Section, number_of, problem
 from haptonic.plate import Plate
 from haptonic.study.asking import Frequency, ascending, once
-from haptonic.study.quantity import collected, problem
-from haptonic.study.sections import Section
-from haptonic.units import format_quantity, shown, to_si
+from haptonic.units import format_quantity, shown
 from haptonic.updating.match import Unknown
 from haptonic.updating.parameters import UNITS, unit_of, values_of
 
@@ -46,10 +45,7 @@ class UnknownSection(Section):
     def _in_its_unit(cls, value: object, info: ValidationInfo) -> float:
         if "parameter" not in info.data:  # refused already; without it the unit is not known
             return 0.0
-        if isinstance(value, float) and info.context is not None:  # read before
-            return value
-        with collected():
-            return to_si(value, unit_of(info.data["parameter"]) or "", "")
+        return number_of(value, unit_of(info.data["parameter"]) or "", info.context)
 
     @property
     def unit(self) -> str:

@@ -11,9 +11,11 @@ from typing import Any
 from pydantic import ValidationError
 
 from haptonic.errors import HaptonicWarning, StudyError, nearest
-from haptonic.study.problems import study_error
+from haptonic.fields import FROM_FILE
+from haptonic.fields.problems import refusal
+from haptonic.paths import source
 from haptonic.study.runs import Study
-from haptonic.study.trial_tables import TrialsFile, TrialsSection
+from haptonic.study.trial_tables import Trials, TrialsFile
 from haptonic.units import shown
 
 LARGEST_FILE = 1_000_000  # bytes; a study needs a few thousand
@@ -36,7 +38,8 @@ def load(path: str | Path) -> Study:
     -----
     HaptonicWarning : a value outside its typical range
     """
-    return loads(_read(Path(path)), str(path))
+    checked = source(path, "study", StudyError)
+    return loads(_read(checked), str(path))
 
 
 def loads(text: str, origin: str = "study") -> Study:
@@ -47,30 +50,30 @@ def loads(text: str, origin: str = "study") -> Study:
     return study
 
 
-def load_trials(path: Path) -> tuple[TrialsSection, Study | None]:
+def load_trials(path: str | Path) -> tuple[Trials, Study | None]:
     """The table [trials] of a study file, and the study; of a file with nothing else there is no study.
 
     Raises
     ------
     StudyError : as `load`
     """
-    data = _parsed(_read(path), str(path))
+    data = _parsed(_read(source(path, "study", StudyError)), str(path))
     if not data.keys() <= TrialsFile.model_fields.keys():
         study = load(path)
         return study.trials, study
     try:
-        return TrialsFile.model_validate(data).trials, None
+        return TrialsFile.model_validate(data, context=FROM_FILE).trials, None
     except ValidationError as error:
-        refusal = study_error(error, TrialsFile, str(path))
-    raise refusal
+        refused = refusal(error, TrialsFile, origin=str(path))
+    raise refused
 
 
 def _checked(data: dict[str, Any], origin: str) -> Study:
     try:
-        return Study.model_validate(data)
+        return Study.model_validate(data, context=FROM_FILE)
     except ValidationError as error:
-        refusal = study_error(error, Study, origin)
-    raise refusal  # out here it does not drag the whole file along as its context when it is pickled
+        refused = refusal(error, Study, origin=origin)
+    raise refused  # out here it does not drag the whole file along as its context when it is pickled
 
 
 def _read(path: Path) -> str:

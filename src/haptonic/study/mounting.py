@@ -5,34 +5,16 @@ from __future__ import annotations
 import math
 from typing import Annotated, Literal
 
-from pydantic import AfterValidator, Field, model_validator
+from pydantic import Field, model_validator
 
+from haptonic.fields import LARGEST, Name, Quantity, Section, problem, size
 from haptonic.plate.layout import Side
-from haptonic.study.quantity import Quantity, problem
-from haptonic.study.sections import LARGEST, SMALLEST, Section
-from haptonic.units import format_quantity, shown
+from haptonic.units import format_quantity
 
 SIDES: tuple[Side, ...] = ("left", "right", "bottom", "top")
 
 
-def _not_blank(name: str) -> str:
-    if not name.strip():
-        raise problem(
-            shown(name),
-            "a text in quotes that is not blank",
-            "it was left blank",
-            "write a name in the quotes",
-        )
-    return name
-
-
-Name = Annotated[str, Field(max_length=40, strict=True), AfterValidator(_not_blank)]
 Hold = Literal["free", "clamped", "simple", "spring"]
-
-
-def size(lowest: float, highest: float) -> Quantity:
-    """A length whose typical range is given, m."""
-    return Quantity("m", at_least=SMALLEST, at_most=LARGEST, typical=(lowest, highest))
 
 
 Position = Annotated[float, Quantity("m", at_least=-LARGEST, at_most=LARGEST)]

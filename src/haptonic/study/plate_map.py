@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 
 from haptonic.errors import nearest
+from haptonic.fields import problem
 from haptonic.plate.layout import pieces
-from haptonic.study.quantity import problem
 from haptonic.units import shown
 
 NOTHING = "."  # the letter of a tile that is not there

@@ -9,7 +9,8 @@ from pydantic import Field, ValidationInfo, field_validator, model_validator
 
 from haptonic.design.parameters import UNITS
 from haptonic.errors import nearest
-from haptonic.study.entries import Entries
+from haptonic.fields import Entries, Name, Quantity, Section, number_of, problem, size
+from haptonic.response.checks import REST, THE_REST
 from haptonic.study.mounting import (
     ActuatorSection,
     ClampSection,
@@ -17,13 +18,9 @@ from haptonic.study.mounting import (
     FingerSection,
     ForceSection,
     Loss,
-    Name,
-    size,
 )
 from haptonic.study.plate_map import check_map, drawn
-from haptonic.study.quantity import Quantity, collected, problem
-from haptonic.study.sections import Section
-from haptonic.units import format_quantity, shown, to_si
+from haptonic.units import format_quantity, shown
 
 CHANGEABLE = [path for path in UNITS if path.startswith("cell.") and path != "cell.thickness"]
 LATTICE = "lattice"  # the name of the study's own cell in [plate.tiles]
@@ -50,12 +47,7 @@ class LatticeSection(Section):
         read = {}
         for path, given in _flat(value).items():
             _changeable(path)
-            with collected():
-                read[path] = (
-                    given
-                    if isinstance(given, float) and info.context is not None
-                    else to_si(given, UNITS[path], "")
-                )
+            read[path] = number_of(given, UNITS[path], info.context)
         return read
 
     @property
@@ -159,6 +151,17 @@ class PlateSection(Section):
     @classmethod
     def _lines(cls, text: str) -> str:
         return drawn(text)
+
+    @field_validator("tiles")
+    @classmethod
+    def _no_words_of_ours(cls, tiles: Entries[str]) -> Entries[str]:
+        for name in tiles.values():
+            if name in (REST, THE_REST):
+                raise problem(
+                    shown(name), "any other name", "this word stands for all points outside of a region",
+                    "choose another name",
+                )  # fmt: skip
+        return tiles
 
     @model_validator(mode="after")
     def _is_whole(self) -> PlateSection:

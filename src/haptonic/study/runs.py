@@ -34,7 +34,6 @@ from haptonic.results.layers import Question
 from haptonic.results.tolerance import BATCH
 from haptonic.store import Store
 from haptonic.study.plate_runs import PlateStudy
-from haptonic.study.quantity import SI_NUMBERS
 from haptonic.units import format_quantity, shown
 
 LOWEST, HIGHEST = 0.6, 1.4  # of the carrier: ends of a mirror's spectrum where the study gives none
@@ -259,9 +258,7 @@ class Study(PlateStudy):
         StudyError : the mode is not written like that
         """
         try:
-            waveguide = type(self.waveguide).model_validate(
-                {**self.waveguide.model_dump(), "mode": mode}, context=SI_NUMBERS
-            )
+            waveguide = type(self.waveguide).model_validate({**self.waveguide.model_dump(), "mode": mode})
         except ValidationError:
             raise StudyError(
                 argument="--mode",

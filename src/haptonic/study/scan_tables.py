@@ -6,11 +6,9 @@ from typing import Annotated, Literal
 
 from pydantic import Field, model_validator
 
+from haptonic.fields import Quantity, Section, problem, size
 from haptonic.results.scan import ScanQuestion
 from haptonic.study.asking import Frequency
-from haptonic.study.mounting import size
-from haptonic.study.quantity import Quantity, problem
-from haptonic.study.sections import Section
 from haptonic.units import format_quantity
 from haptonic.vibrometry.instrument import Instrument
 

@@ -26,25 +26,25 @@ from haptonic.bloch.resolution import LADDER, Resolution, starting_rung
 from haptonic.cell import UnitCell
 from haptonic.design.parameters import values_of
 from haptonic.errors import HaptonicError, StudyError
+from haptonic.fields import Quantity, Section, leaves, number_of, problem, table
+from haptonic.fields.problems import refusal
+from haptonic.fields.quantity import collected
+from haptonic.fields.writing import toml_of
 from haptonic.lattice import Lattice
-from haptonic.materials import Material, material
+from haptonic.materials import IsotropicMaterial, Material, material
 from haptonic.plate.parts import Plate
 from haptonic.results import Asked
 from haptonic.study.asking import DesignSection, LayersSection, ToleranceSection, WaveguideSection
 from haptonic.study.experiment_tables import ParticipantsSection, ProtocolSection
 from haptonic.study.fitting import FitSection
-from haptonic.study.keys import leaves, table
 from haptonic.study.plate_tables import PlateSection
 from haptonic.study.plating import built_in, plate_of
-from haptonic.study.problems import study_error
-from haptonic.study.quantity import SI_NUMBERS, Quantity, collected, problem
 from haptonic.study.scan_tables import ScanSection
-from haptonic.study.sections import BandsSection, CellSection, MaterialSection, MeshSection, Section
+from haptonic.study.sections import BandsSection, CellSection, MeshSection
 from haptonic.study.touch_tables import TouchSection
-from haptonic.study.trial_tables import TrialsSection
+from haptonic.study.trial_tables import Trials
 from haptonic.study.vary import Expression, check_names, parse, solve
-from haptonic.study.writing import toml_of
-from haptonic.units import format_quantity, to_si
+from haptonic.units import format_quantity
 
 MOST_SWEEPS = 50
 AFTERWARDS = {"touch", "trials", "protocol", "participants", "scan", "fit"}  # they decide no bands, no plate
@@ -73,8 +73,7 @@ class SweepSection(Section):
     def _has_dimension(cls, value: object, info: ValidationInfo) -> float:
         if "vary" not in info.data:  # refused already; without it the dimension is not known
             return 0.0
-        with collected():
-            return to_si(value, parse(info.data["vary"]).unit(numeric_parameters()), "")
+        return number_of(value, parse(info.data["vary"]).unit(numeric_parameters()), info.context)
 
     @model_validator(mode="after")
     def _moves(self) -> SweepSection:
@@ -108,7 +107,7 @@ class SweepSection(Section):
 def _material_kind(value: object) -> str | None:
     if isinstance(value, str):
         return "name"
-    return "table" if isinstance(value, Mapping | MaterialSection) else None
+    return "table" if isinstance(value, Mapping | IsotropicMaterial) else None
 
 
 def _in_library(name: str) -> str:
@@ -130,7 +129,7 @@ class Description(Section):
         None, title="Carrier", description="Frequency of the drive; marked in the diagrams."
     )
     material: Annotated[
-        Annotated[str, AfterValidator(_in_library), Tag("name")] | Annotated[MaterialSection, Tag("table")],
+        Annotated[str, AfterValidator(_in_library), Tag("name")] | Annotated[IsotropicMaterial, Tag("table")],
         Discriminator(_material_kind),
     ] = Field(title="Material", description="Of the plate and its pillars: a built-in name or its constants.")
     cell: CellSection = Field(title="Unit cell", description="One period of the plate.")
@@ -156,8 +155,8 @@ class Description(Section):
         None, alias="plate", title="Plate", description="A finite one, made of cells and of plain plate."
     )
     touch: TouchSection = Field(TouchSection(), title="Touch", description="The finger that feels the plate.")
-    trials: TrialsSection = Field(
-        TrialsSection(), title="Trials", description="How force records are processed, and which count."
+    trials: Trials = Field(
+        Trials(), title="Trials", description="How force records are processed, and which count."
     )
     protocol: ProtocolSection = Field(
         ProtocolSection(), title="Protocol", description="Trials with people: how many, in which order."
@@ -242,7 +241,7 @@ class Description(Section):
 
     def resolved_material(self) -> Material:
         """The material as the core computes with it."""
-        return material(self.material) if isinstance(self.material, str) else self.material.frozen()
+        return material(self.material) if isinstance(self.material, str) else self.material
 
     def unit_cell(self) -> UnitCell:
         """The unit cell as the core computes with it, in SI units."""
@@ -250,8 +249,7 @@ class Description(Section):
         lattice = (
             Lattice.rectangular(cell.pitch, cell.pitch_y) if cell.pitch_y else Lattice.square(cell.pitch)
         )
-        pillar = cell.pillar.frozen() if cell.pillar else None
-        return UnitCell(lattice, cell.thickness, self.resolved_material(), pillar)
+        return UnitCell(lattice, cell.thickness, self.resolved_material(), cell.pillar)
 
     def plate(self) -> Plate:
         """The finite plate as the core computes with it.
@@ -323,10 +321,10 @@ class Description(Section):
                 target = target[key][int(number) - 1] if number else target[key]
             target[name] = float(value)
         try:
-            return type(self).model_validate(data, context=SI_NUMBERS)
+            return type(self).model_validate(data)
         except ValidationError as error:
-            refusal = study_error(error, Description, "")
-        raise refusal
+            refused = refusal(error, Description)
+        raise refused
 
     def designs(self, sweep: SweepSection) -> tuple[Self, ...]:
         """One study for each step of a sweep, in order."""

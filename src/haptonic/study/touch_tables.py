@@ -7,9 +7,8 @@ from typing import Annotated, Any
 
 from pydantic import Field, create_model, model_validator
 
+from haptonic.fields import Quantity, Section, problem
 from haptonic.friction.lubrication import FORCES, SPEEDS, Finger, Parameter, Touch
-from haptonic.study.quantity import Quantity, problem
-from haptonic.study.sections import Section
 from haptonic.units import format_quantity
 
 Force = Annotated[float, Quantity("N", at_least=FORCES[0], at_most=FORCES[1], typical=(0.1, 5.0))]

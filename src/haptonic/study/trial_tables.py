@@ -3,23 +3,17 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Annotated, Literal
+from typing import Annotated
 
 from pydantic import AfterValidator, Field, model_validator
 
-from haptonic.errors import HaptonicError
+from haptonic.errors import FrictionError, HaptonicError
+from haptonic.fields import Name, Quantity, Section, described, problem
 from haptonic.friction.recordings import AXES, Exclusion, Sensor, read_calibration
 from haptonic.friction.signals import Rules
-from haptonic.study.mounting import Name
-from haptonic.study.quantity import Quantity, problem
-from haptonic.study.sections import Section
-from haptonic.units import format_quantity, shown, to_si
+from haptonic.units import shown, to_si
 
 CALIBRATION = "calibration.csv"  # taken if it lies beside the trials and nothing is said
-
-Share = Annotated[float, Quantity("", at_least=0.01, at_most=1.0)]
-Force = Annotated[float, Quantity("N", at_least=0.0, at_most=100.0)]
-Speed = Annotated[float, Quantity("m/s", at_least=0.0, at_most=10.0)]
 
 
 def _unit_of(unit: str) -> AfterValidator:
@@ -106,93 +100,25 @@ class SensorSection(Section):
         return Sensor(**plain, gauges=names, calibration=matrix, forced=bool(self.calibration or names))
 
 
-class ExcludeSection(Section):
-    """Trials that do not count, declared before the data are seen."""
-
-    participant: Name = Field(title="Participant", description="As the table of trials calls him or her.")
-    block: Annotated[int, Field(ge=1, le=10**6, strict=True)] | None = Field(
-        None, title="Block", description="Else all blocks."
-    )
-    trial: Annotated[int, Field(ge=1, le=10**6, strict=True)] | None = Field(
-        None, title="Trial", description="Of the block; else all its trials."
-    )
-    reason: Annotated[str, Field(min_length=1, max_length=200, strict=True)] = Field(
-        title="Reason", description="Stands beside the trial in every table."
-    )
-
-    @model_validator(mode="after")
-    def _names_a_block(self) -> ExcludeSection:
-        if self.trial is not None and self.block is None:
-            raise problem(
-                f"trial {self.trial} of no block", "the block as well", "trials count within a block",
-                "add block = 1", at="block",
-            )  # fmt: skip
-        return self
-
-    def frozen(self) -> Exclusion:
-        """The exclusion as the analysis knows it."""
-        return Exclusion(self.participant, self.reason, self.block, self.trial)
-
-
-class TrialsSection(Section):
+@described("trials", FrictionError)
+class Trials(Rules):
     """How force records become coefficients of friction, and which trials count."""
 
-    filter: Literal["literal", "compensated", "none"] = Field(
-        "literal",
-        title="Filter",
-        description="Two poles at 50 Hz, run both ways: as published (-6 dB there), or -3 dB there, or none.",
-    )
-    bias_window: Annotated[float, Quantity("s", at_least=0.0, at_most=10.0)] = Field(
-        0.1, title="Window of the bias", description="At the start, without contact; 0 subtracts nothing."
-    )
-    threshold: Annotated[float, Quantity("N", at_least=1e-3, at_most=10.0)] = Field(
-        0.1, title="Threshold", description="Normal force from which there is contact."
-    )
-    plateau: Share = Field(
-        0.5, title="Plateau", description="How far the speed may be from its median, as a share of it."
-    )
-    middle: Share = Field(
-        0.6, title="Middle", description="Share of the contact that counts where no position was recorded."
-    )
-    steady: Annotated[float, Quantity("s", at_least=0.01, at_most=60.0)] = Field(
-        0.1, title="Steady part", description="Shortest time that has to be left."
-    )
-    force: tuple[Force, Force] = Field(
-        (0.1, 5.0), title="Force", description="Lowest and highest mean normal force of a trial that counts."
-    )
-    speed: tuple[Speed, Speed] = Field(
-        (0.01, 0.5), title="Speed", description="Lowest and highest mean speed of a trial that counts."
-    )
     driven: Name | None = Field(
-        None, title="Driven waveguide", description="Else the plate's, or the one with the largest reduction."
+        default=None,
+        title="Driven waveguide",
+        description="Else the plate's, or the one with the largest reduction.",
     )
-    exclude: tuple[ExcludeSection, ...] = Field(
-        (), title="Exclusions", description="Trials that do not count.", max_length=1000
+    exclude: tuple[Exclusion, ...] = Field(
+        default=(), title="Exclusions", description="Trials that do not count.", max_length=1000
     )
-    sensor: SensorSection = Field(SensorSection(), title="Sensor", description="What the channels are.")
-
-    @model_validator(mode="after")
-    def _ascends(self) -> TrialsSection:
-        for name, unit in (("force", "N"), ("speed", "m/s")):
-            low, high = getattr(self, name)
-            if not low < high:
-                raise problem(
-                    f"{format_quantity(low, unit)}, {format_quantity(high, unit)}", "the lower limit first",
-                    "the limits are exchanged or equal", "exchange them", at=name,
-                )  # fmt: skip
-        return self
-
-    def rules(self) -> Rules:
-        """The rules as the analysis uses them."""
-        return Rules(**self.model_dump(exclude={"driven", "exclude", "sensor"}))
-
-    def exclusions(self) -> tuple[Exclusion, ...]:
-        """The declared exclusions."""
-        return tuple(one.frozen() for one in self.exclude)
+    sensor: SensorSection = Field(
+        default=SensorSection(), title="Sensor", description="What the channels are."
+    )
 
 
 class TrialsFile(Section):
     """A file that says how trials are processed and nothing else: not every experiment has a lattice."""
 
     title: str = Field("Trials", title="Title", description="Heads the page.", max_length=200, strict=True)
-    trials: TrialsSection = Field(TrialsSection(), title="Trials", description="As in a study.")
+    trials: Trials = Field(Trials(), title="Trials", description="As in a study.")

@@ -84,7 +84,7 @@ def together(
     ------
     ScanError : fewer than three common lines or points, or responses per something else
     """
-    per = [str(one.dataset.attrs["reference"]).partition(",")[2].strip() for one in (measured, computed)]
+    per = [one.reference.unit for one in (measured, computed)]
     if per[0] != per[1]:
         one, other = (f"per {unit}" if unit else "not divided by the drive" for unit in per)
         raise _apart("reference", f"{one}, {other}", "one unit for both")

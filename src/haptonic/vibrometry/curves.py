@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from haptonic.errors import ScanError
-from haptonic.response import FrequencyResponse
+from haptonic.response import FrequencyResponse, Reference
 from haptonic.vibrometry.findings import Notebook
 from haptonic.vibrometry.labels import Motion, steps
 
@@ -133,7 +133,7 @@ def _of_one_reference(curves: list[Curve], asked: str | None) -> list[Curve]:
     known = list(dict.fromkeys(curve.reference for curve in curves))
     if asked is None and len(known) <= 1:
         return curves
-    chosen = [name for name in known if asked in (name, name.partition(",")[0])]
+    chosen = [name for name in known if asked in (name, Reference.parse(name).name)]
     if len(chosen) != 1:
         raise ScanError(
             argument="reference",

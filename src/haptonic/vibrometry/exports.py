@@ -15,7 +15,8 @@ import numpy as np
 import scipy.io
 
 from haptonic import hdf5
-from haptonic.response import FrequencyResponse
+from haptonic.names import cell
+from haptonic.response import FrequencyResponse, Reference
 from haptonic.vibrometry.labels import UNITS
 from haptonic.vibrometry.readers.folder import GEOMETRY
 from haptonic.vibrometry.readers.tables import ORIGIN
@@ -68,7 +69,7 @@ def write_tdms(scan: TimeScan, path: Path) -> None:
     nptdms = nptdms_for(path)
     unit = UNITS[scan.motion]
     timing = {"wf_increment": 1 / scan.sample_rate, "wf_start_offset": scan.start}
-    driving = scan.reference.rpartition(",")[2].strip() or "V"
+    driving = Reference.parse(scan.reference).unit or "V"
     with nptdms.TdmsWriter(path) as file:
         file.write_segment([nptdms.RootObject({ORIGIN: scan.origin, "title": scan.title})])
         for first, reference, response in portions(scan):
@@ -110,4 +111,4 @@ def _write_point(response: FrequencyResponse, point: int, path: Path) -> None:
 
 def _write_rows(rows: Sequence[Sequence[str]], path: Path) -> None:
     with path.open("w", newline="", encoding="utf-8") as text:
-        csv.writer(text).writerows(rows)
+        csv.writer(text).writerows([cell(one) for one in row] for row in rows)

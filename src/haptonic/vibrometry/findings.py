@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 if TYPE_CHECKING:
     from pathlib import Path
 
+ELSEWHERE = "it lies in another file, and such links are not followed"
 LISTED = 12  # lines of a text that is printed; the value itself holds them all
 
 
@@ -66,14 +67,13 @@ class Notebook:
     format: str
     dropped: list[Dropped] = field(default_factory=list)
     missing: list[str] = field(default_factory=list)
-    remarks: list[str] = field(default_factory=list)
+    remarks: dict[str, None] = field(default_factory=dict)  # each once, found again at once
 
     def drop(self, what: str, reason: str) -> None:
         self.dropped.append(Dropped(what, reason))
 
     def remark(self, text: str) -> None:
-        if text not in self.remarks:
-            self.remarks.append(text)
+        self.remarks[text] = None
 
     def closed(self, points: int) -> ReadReport:
         return ReadReport(

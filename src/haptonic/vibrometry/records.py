@@ -9,7 +9,7 @@ from typing import Any, Literal, Protocol
 import numpy as np
 from numpy.typing import NDArray
 
-from haptonic.errors import ScanError
+from haptonic.errors import ResourceError, ScanError
 from haptonic.vibrometry.labels import Motion
 
 Array = NDArray[np.float64]
@@ -91,6 +91,14 @@ class TimeScan:
                     cause="the file does not give it, or gives it wrongly",
                     next_step=f"give the {name.replace('_', ' ')} in the mapping or in the file",
                 )
+        if not np.isfinite(self.start):
+            raise ScanError(
+                argument="records.start",
+                given=f"{self.start:g}",
+                allowed="a finite time, s",
+                cause="the file gives it wrongly",
+                next_step="put the start of the records right in the file",
+            )
         if not len(self.names) == len(self.x) == len(self.y) > 0:
             raise ScanError(
                 argument="records.names",
@@ -108,8 +116,26 @@ class TimeScan:
     def chunks(self, size: int, start: int = 0) -> Iterator[tuple[int, Samples, Samples]]:
         """Number of the first point, reference and response, ``size`` points at a time, as stored."""
         for first in range(start, len(self.names), size):
-            reference, response = self.source.load(first, min(first + size, len(self.names)))
-            yield first, reference, response
+            yield first, *self.load(first, min(first + size, len(self.names)))
+
+    def load(self, start: int, stop: int) -> tuple[Samples, Samples]:
+        """Reference and response of some points, see `Source`.
+
+        Raises
+        ------
+        ScanError : the file is damaged
+        ResourceError : they do not fit into memory
+        """
+        try:
+            return self.source.load(start, stop)
+        except MemoryError as error:
+            raise ResourceError(
+                argument="records",
+                given=f"{stop - start} points of {self.repeats} x {self.samples} samples",
+                allowed="records of which a few points fit into memory",
+                cause="the file announces more than it holds, or records are very long",
+                next_step="look at the file's number of samples, or divide the records",
+            ) from error
 
 
 def portions(scan: TimeScan) -> Iterator[tuple[int, NDArray[np.float32], NDArray[np.float32]]]:

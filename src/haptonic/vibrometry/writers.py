@@ -13,7 +13,7 @@ import pyuff
 from numpy.typing import NDArray
 
 from haptonic.errors import ScanError
-from haptonic.response import FrequencyResponse
+from haptonic.response import FrequencyResponse, Reference
 from haptonic.vibrometry.labels import UNITS
 from haptonic.vibrometry.readers import SIMULATED
 from haptonic.vibrometry.records import TimeScan, portions
@@ -89,7 +89,7 @@ def _write(path: Path, parts: Iterable[dict[str, object]]) -> None:
 
 def _functions(response: FrequencyResponse, names: NDArray[np.int64]) -> Iterator[dict[str, object]]:
     notes, lines = response.dataset.attrs, response.frequency
-    name, _, unit = (part.strip() for part in str(notes["reference"]).partition(","))
+    name, unit = response.reference.name, response.reference.unit
     step = np.diff(lines)
     even = len(lines) > 1 and np.ptp(step) <= EVEN * step.mean()
     common: dict[str, object] = {
@@ -122,7 +122,8 @@ def _functions(response: FrequencyResponse, names: NDArray[np.int64]) -> Iterato
 
 
 def _records(scan: TimeScan) -> Iterator[dict[str, object]]:
-    name, _, unit = (part.strip() for part in scan.reference.rpartition(","))
+    drive = Reference.parse(scan.reference)
+    name, unit = drive.name, drive.unit
     common: dict[str, object] = {
         "type": 58, "binary": 0, "func_type": 1, "load_case_id": 0, "rsp_ent_name": "NONE",
         "ref_ent_name": "NONE", "ref_node": 0, "ref_dir": 0, "id1": (scan.title or "NONE")[:80],

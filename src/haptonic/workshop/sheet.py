@@ -36,6 +36,7 @@ from ezdxf.tools.text import MTextEditor
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
+from haptonic.names import visible
 from haptonic.plots.style import CENTIMETRE, drawn, spread
 from haptonic.workshop.shape import Array
 
@@ -247,8 +248,8 @@ def shortened(text: str, width: float, size: float, bold: bool = False) -> str:
 
 
 def _literal(text: str) -> str:
-    """A line in which a caret and two per cent signs mean themselves, and that nothing breaks."""
-    return re.sub(r"[\x00-\x1f\x7f-\x9f\u2028\u2029]", " ", text).replace("^", "^ ").replace("%%", "% %")
+    """One line in which a caret and two per cent signs, codes of DXF, mean themselves."""
+    return visible(text).translate({ord("\t"): " ", ord("\n"): " ", ord("^"): "^ "}).replace("%%", "% %")
 
 
 class _Measured(BaseDimensionRenderer):

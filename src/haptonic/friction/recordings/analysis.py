@@ -10,13 +10,15 @@ from dataclasses import asdict, dataclass
 from functools import partial
 from itertools import islice
 from pathlib import Path
-from typing import NamedTuple
+from typing import Annotated, NamedTuple
 
 import numpy as np
 import xarray as xr
 from numpy.typing import NDArray
+from pydantic import Field
 
 from haptonic.errors import FrictionError, HaptonicError
+from haptonic.fields import Name, described, problem
 from haptonic.friction.recordings.files import Channels, opened
 from haptonic.friction.recordings.sensor import Sensor, Wiring, pressing
 from haptonic.friction.recordings.trial_table import Place, TrialTable
@@ -35,14 +37,30 @@ AHEAD = 4  # portions that wait for each worker
 POINTS = 80  # of a curve that is drawn small
 
 
-@dataclass(frozen=True)
+@described("trials.exclude", FrictionError)
 class Exclusion:
-    """Trials that do not count, by declaration: of a participant, of one block, or one trial of it."""
+    """Trials that do not count, declared before the data are seen."""
 
-    participant: str
-    reason: str
-    block: int | None = None
-    trial: int | None = None
+    participant: Name = Field(title="Participant", description="As the table of trials calls him or her.")
+    reason: Annotated[str, Field(min_length=1, max_length=200, strict=True)] = Field(
+        title="Reason", description="Stands beside the trial in every table."
+    )
+    block: Annotated[int, Field(ge=1, le=10**6, strict=True)] | None = Field(
+        default=None, title="Block", description="Else all blocks."
+    )
+    trial: Annotated[int, Field(ge=1, le=10**6, strict=True)] | None = Field(
+        default=None, title="Trial", description="Of the block; else all its trials."
+    )
+
+    def __post_init__(self) -> None:
+        if self.trial is not None and self.block is None:
+            raise problem(
+                f"trial {self.trial} of no block",
+                "the block as well",
+                "trials count within a block",
+                "add block = 1",
+                at="block",
+            )
 
 
 @dataclass(frozen=True, eq=False)

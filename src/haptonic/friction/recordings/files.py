@@ -8,20 +8,17 @@ from contextlib import contextmanager
 from dataclasses import dataclass, field
 from functools import partial
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
-import h5py
 import numpy as np
 import pandas as pd
 from numpy.typing import NDArray
 
 from haptonic.errors import FrictionError, nearest
+from haptonic.foreign.process import ForeignError, ask
 from haptonic.vibrometry.findings import Notebook
 from haptonic.vibrometry.readers.matlab import matlab_arrays
-from haptonic.vibrometry.readers.tdms import open_tdms
-
-if TYPE_CHECKING:
-    from nptdms import TdmsFile
+from haptonic.vibrometry.readers.tdms import Channel, Content, number_of, samples_of, tdms_content
 
 Array = NDArray[np.float64]
 
@@ -96,18 +93,27 @@ def opened(path: Path) -> Iterator[Callable[[str], Channels]]:
             table = _table(path)
             yield lambda group: _of_columns(path, table, group)
         elif kind in (".h5", ".hdf5"):
-            with h5py.File(path, "r") as file:
-                yield lambda group: _of_hdf5(path, file, group)
+            content = ask("hdf5.tree", path)
+            yield lambda group: _of_hdf5(path, content, group)
         elif kind == ".mat":
             arrays = matlab_arrays(path, Notebook(path, "MATLAB"))
             yield lambda group: _of_arrays(path, arrays, group)
         elif kind == ".tdms":
-            whole = open_tdms(path)
+            whole = tdms_content(path)
             yield lambda group: _of_tdms(path, whole, group)
         else:
             raise _unreadable(path, f'"{kind}" is no ending of a format that is read', "save it as CSV")
-    except (OSError, UnicodeDecodeError, pd.errors.ParserError, pd.errors.EmptyDataError) as error:
-        cause = f"it is damaged, or of another kind than its name says ({type(error).__name__})"
+    except MemoryError as error:
+        raise _unreadable(path, "it does not fit into memory, or is damaged", "divide it") from error
+    except (
+        ForeignError,
+        OSError,
+        UnicodeDecodeError,
+        pd.errors.ParserError,
+        pd.errors.EmptyDataError,
+    ) as error:
+        found = error if isinstance(error, ForeignError) else type(error).__name__
+        cause = f"it is damaged, or of another kind than its name says ({found})"
         raise _unreadable(path, cause, "open it in another program to see") from error
 
 
@@ -138,25 +144,32 @@ def _of_columns(path: Path, table: tuple[pd.DataFrame, bool], group: str) -> Cha
     return Channels(readers, units, simulated=simulated)
 
 
-def _of_hdf5(path: Path, file: h5py.File, group: str) -> Channels:
-    groups = [name for name, item in file.items() if isinstance(item, h5py.Group)]
-    if group and not isinstance(file.get(group), h5py.Group):
+def _of_hdf5(path: Path, content: Mapping[str, Any], group: str) -> Channels:
+    groups = [name for name in content["groups"] if "/" not in name]
+    if group and group not in content["groups"]:
         raise _no_group(path, group, groups)
-    place = file[group] if group else file
+    start = f"{group}/" if group else ""
     sets = {
-        name: item
-        for name, item in place.items()
-        if isinstance(item, h5py.Dataset) and item.ndim == 1 and item.dtype.kind in "fiu"
+        name.removeprefix(start): form
+        for name, form in content["sets"].items()
+        if name.startswith(start) and "/" not in name.removeprefix(start)
+        if len(form["shape"]) == 1 and form["kind"] == "number"
     }
     if not sets and groups and not group:
         raise _no_group(path, "", groups)
-    attributes = dict(file.attrs) | dict(place.attrs)
+    units = {name: form["attributes"].get("units") for name, form in sets.items()}
+    attributes = content["attributes"] | content["groups"].get(group, {})
     return Channels(
-        {name: partial(item.__getitem__, ()) for name, item in sets.items()},
-        {name: str(item.attrs["units"]) for name, item in sets.items() if "units" in item.attrs},
+        {name: partial(_of_set, path, start + name) for name in sets},
+        {name: unit for name, unit in units.items() if isinstance(unit, str)},
         _rate(attributes),
-        attributes.get("origin", "") == SIMULATED,
+        attributes.get("origin") == SIMULATED,
     )
+
+
+def _of_set(path: Path, name: str) -> NDArray[Any]:
+    (values,) = ask("hdf5.read", path, names=[name])
+    return np.asarray(values)
 
 
 def _of_arrays(path: Path, arrays: Mapping[str, NDArray[Any]], group: str) -> Channels:
@@ -173,29 +186,34 @@ def _of_arrays(path: Path, arrays: Mapping[str, NDArray[Any]], group: str) -> Ch
     )
 
 
-def _of_tdms(path: Path, file: TdmsFile, group: str) -> Channels:
-    groups = {one.name: one for one in file.groups()}
+def _of_tdms(path: Path, file: Content, group: str) -> Channels:
+    groups = {one.name: one for one in file.groups}
     if not group and len(groups) == 1:
         group = next(iter(groups))
     if group not in groups:
         raise _no_group(path, group, list(groups))
-    channels = {str(channel.name): channel for channel in groups[group].channels()}
-    steps = [float(channel.properties.get("wf_increment", 0.0)) for channel in channels.values()]
+    channels = {channel.name: channel for channel in groups[group].channels if channel.numbers}
+    rates = [channel.timing[1] for channel in channels.values()]
     properties = {**file.properties, **groups[group].properties}
     return Channels(
-        {name: partial(channel.__getitem__, slice(None)) for name, channel in channels.items()},
+        {name: partial(_samples, path, channel) for name, channel in channels.items()},
         {
             name: str(channel.properties["unit_string"])
             for name, channel in channels.items()
             if channel.properties.get("unit_string")
         },
-        1 / steps[0] if steps and steps[0] > 0 else None,
+        rates[0] if rates and rates[0] > 0 else None,
         properties.get("origin", "") == SIMULATED,
     )
 
 
+def _samples(path: Path, channel: Channel) -> NDArray[Any]:
+    return samples_of(path, [channel])[0]
+
+
 def _rate(attributes: Mapping[str, Any]) -> float | None:
-    return next((float(attributes[name]) for name in RATES if name in attributes), None)
+    rates = (number_of(attributes[name]) for name in RATES if name in attributes)
+    return next((rate for rate in rates if np.isfinite(rate) and rate > 0), None)
 
 
 def _unreadable(path: Path, given: str, next_step: str) -> FrictionError:

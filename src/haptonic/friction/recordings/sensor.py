@@ -33,6 +33,7 @@ GAUGES = tuple(
     for word in ("g", "sg", "gauge", "gauge ", "ch", "ai", "v")
     for first in (0, 1)
 )
+HIGHEST_RATE = 1e12  # Hz; no converter comes near, and times that stand still give more
 DIMENSION = {"normal": "N", "tangential": "N", "position": "m", "time": "s"}
 
 
@@ -224,7 +225,7 @@ class Wiring:
         if "time" in self.leads:
             lead = self.leads["time"]
             rate = rate_of(lead.factor * channels[lead.name], f"channel {lead.name}")
-        if rate is None:
+        if rate is None or not 0 < rate < HIGHEST_RATE:
             raise _no_rate()
         design_frequency("literal", rate)
         return rate

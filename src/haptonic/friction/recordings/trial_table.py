@@ -19,6 +19,7 @@ from haptonic.units import shown
 TABLE = "trials.csv"
 CARRIED = ("order", "direction")  # columns that go on into the table of results
 ORIGINS = ("measured", "simulated")
+LONGEST = 1e9  # s, of a recording: 30 years
 PORTION = 512  # trials that a worker reads at a time
 
 
@@ -79,10 +80,7 @@ class TrialTable:
             raise _bad_cell(path, "column origin", wrong, '"measured" or "simulated" in every row')
         groups = columns["group"] if "group" in columns else np.full(count, np.nan)
         times = [
-            [None if np.isnan(time) else float(time) for time in numbers_of(path, columns, name)]
-            if name in columns
-            else [None] * count
-            for name in ("start", "stop")
+            _times(path, columns, name) if name in columns else [None] * count for name in ("start", "stop")
         ]
         places = [
             Place(row, "" if pd.isna(group) else str(group), start, stop)
@@ -112,6 +110,17 @@ class TrialTable:
         """Some trials by files."""
         by_file = groupby(rows, self.files.__getitem__)
         return [(name, [self.places[row] for row in group]) for name, group in by_file]
+
+
+def _times(path: Path, columns: dict[str, NDArray[Any]], name: str) -> list[float | None]:
+    """Times in a file, s; None for an empty cell."""
+    times = numbers_of(path, columns, name)
+    wrong = times[~(np.isnan(times) | ((times >= 0) & (times < LONGEST)))]
+    if wrong.size:
+        raise _bad_cell(
+            path, f"column {name}", f"{wrong[0]:g}", "seconds from the start of the file, or nothing"
+        )
+    return [None if np.isnan(time) else float(time) for time in times]
 
 
 def _bad_cell(path: Path, what: str, given: object, allowed: str) -> FrictionError:

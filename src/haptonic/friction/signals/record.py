@@ -15,6 +15,7 @@ Array = NDArray[np.float64]
 HEAVIEST = 100.0  # N: no finger presses harder
 FURTHEST = 10.0  # m: no stroke is longer
 ACTUATIONS = ("on", "off")
+EVERYBODY = "all participants"  # together, among the conditions
 
 
 @dataclass(frozen=True)
@@ -42,6 +43,10 @@ class Label:
             text = getattr(self, name)
             if not (isinstance(text, str) and text.strip()):
                 raise _bad(self, name, text, "a name that is not empty")
+        if self.participant == EVERYBODY:
+            raise _bad(
+                self, "participant", EVERYBODY, "another name: this one stands for all of them together"
+            )
         for name in ("block", "trial"):
             number = getattr(self, name)
             if not isinstance(number, int) or isinstance(number, bool) or number < 1:

@@ -3,12 +3,18 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Annotated, Literal
 
 import numpy as np
+from pydantic import Field
 
 from haptonic.errors import FrictionError
-from haptonic.friction.signals.filters import design_frequency
-from haptonic.units import shown
+from haptonic.fields import Quantity, described, problem
+from haptonic.units import format_quantity
+
+Share = Annotated[float, Quantity("", at_least=0.01, at_most=1.0)]
+Force = Annotated[float, Quantity("N", at_least=0.0, at_most=100.0)]
+Speed = Annotated[float, Quantity("m/s", at_least=0.0, at_most=10.0)]
 
 REASONS = (
     "missing numbers",
@@ -26,52 +32,61 @@ OMISSIONS = (UNREADABLE, DECLARED)
 """Why a trial has no record that counts; the column ``detail`` says more."""
 
 
-@dataclass(frozen=True)
+@described("trials", FrictionError)
 class Rules:
-    """How a trial is processed, and which trials do not count. Declared before the data are seen.
+    """How a trial is processed, and which trials do not count. Declared before the data are seen."""
 
-    filter : of `FILTERS`
-    bias_window : s at the start, without contact, whose mean is subtracted; 0 for none
-    threshold : normal force, N, from which there is contact
-    plateau : how far the speed may be from its median over the stroke, as a share of it
-    middle : share of the contact that counts where no position was recorded
-    steady : shortest time, s, that has to be left
-    force, speed : N and m/s, (lowest, highest) mean that a trial may have
-    """
-
-    filter: str = "literal"
-    bias_window: float = 0.1
-    threshold: float = 0.1
-    plateau: float = 0.5
-    middle: float = 0.6
-    steady: float = 0.1
-    force: tuple[float, float] = (0.1, 5.0)
-    speed: tuple[float, float] = (0.01, 0.5)
+    filter: Literal["literal", "compensated", "none"] = Field(
+        default="literal",
+        title="Filter",
+        description="Two poles at 50 Hz, run both ways: as published (-6 dB there), or -3 dB there, or none.",
+    )
+    bias_window: Annotated[float, Quantity("s", at_least=0.0, at_most=10.0)] = Field(
+        default=0.1,
+        title="Window of the bias",
+        description="At the start, without contact; 0 subtracts nothing.",
+    )
+    threshold: Annotated[float, Quantity("N", at_least=1e-3, at_most=10.0)] = Field(
+        default=0.1, title="Threshold", description="Normal force from which there is contact."
+    )
+    plateau: Share = Field(
+        default=0.5,
+        title="Plateau",
+        description="How far the speed may be from its median, as a share of it.",
+    )
+    middle: Share = Field(
+        default=0.6,
+        title="Middle",
+        description="Share of the contact that counts where no position was recorded.",
+    )
+    steady: Annotated[float, Quantity("s", at_least=0.01, at_most=60.0)] = Field(
+        default=0.1, title="Steady part", description="Shortest time that has to be left."
+    )
+    force: tuple[Force, Force] = Field(
+        default=(0.1, 5.0),
+        title="Force",
+        description="Lowest and highest mean normal force of a trial that counts.",
+    )
+    speed: tuple[Speed, Speed] = Field(
+        default=(0.01, 0.5),
+        title="Speed",
+        description="Lowest and highest mean speed of a trial that counts.",
+    )
 
     def __post_init__(self) -> None:
-        design_frequency(self.filter, 1000.0)
-        limits = {"bias_window": (0, 10), "threshold": (1e-3, 10), "plateau": (0.01, 1), "middle": (0.01, 1)}
-        for name, (low, high) in (limits | {"steady": (0.01, 60)}).items():
-            value = getattr(self, name)
-            if isinstance(value, bool) or not isinstance(value, int | float) or not low <= value <= high:
-                raise _bad_rule(name, value, f"a number from {low:g} to {high:g}")
-        for name in ("force", "speed"):
-            pair = getattr(self, name)
-            if not (isinstance(pair, tuple) and len(pair) == 2 and 0 <= pair[0] < pair[1]):
-                raise _bad_rule(name, pair, "two numbers, the lowest and the highest that count")
+        for name, unit in (("force", "N"), ("speed", "m/s")):
+            low, high = getattr(self, name)
+            if not low < high:
+                raise problem(
+                    f"{format_quantity(low, unit)}, {format_quantity(high, unit)}",
+                    "the lower limit first",
+                    "the limits are exchanged or equal",
+                    "exchange them",
+                    at=name,
+                )
 
 
 DEFAULT_RULES = Rules()
-
-
-def _bad_rule(name: str, value: object, allowed: str) -> FrictionError:
-    return FrictionError(
-        argument=f"rules.{name}",
-        given=shown(value),
-        allowed=allowed,
-        cause="another unit (ms, mN, per cent), or the limits in the wrong order",
-        next_step="give it in s, N, m/s or as a share",
-    )
 
 
 @dataclass(frozen=True)

@@ -7,7 +7,6 @@ from itertools import pairwise
 from pathlib import Path
 from typing import Any
 
-import h5py
 import numpy as np
 import pandas as pd
 import xarray as xr
@@ -15,7 +14,10 @@ from numpy.typing import NDArray
 
 from haptonic import hdf5
 from haptonic.errors import FrictionError, ResourceError, nearest
+from haptonic.foreign.netcdf import arrays_of
+from haptonic.foreign.process import ForeignError, ask
 from haptonic.friction.signals.record import Label, Record
+from haptonic.names import cell, from_cell, visible
 
 Column = NDArray[Any]
 
@@ -23,6 +25,8 @@ LABEL = ("participant", "block", "trial", "waveguide", "actuation")
 RECORD = (*LABEL, "time", "normal", "tangential")
 TRIALS = (*LABEL, "friction")
 WHOLE = ("block", "trial")
+TEXTS = ("participant", "waveguide", "actuation")
+MISSING = ("", "NA", "N/A", "n/a", "NaN", "nan", "-nan", "<NA>", "NULL", "null", "None", "none")
 JITTER = 0.1  # of a sampling interval, by which times may be off
 FORMATS = {".csv": "CSV", ".nc": "NetCDF", ".h5": "HDF5", ".hdf5": "HDF5"}
 
@@ -90,7 +94,7 @@ def write_trials(trials: xr.Dataset, path: Path) -> None:
     FrictionError : another ending than .csv or .nc
     """
     if path.suffix == ".csv":
-        trials.to_dataframe().to_csv(path, index=False)
+        trials.to_dataframe().map(cell).to_csv(path, index=False)
     elif path.suffix == ".nc":
         with hdf5.written(path) as file:
             trials.to_netcdf(file, engine="h5netcdf")
@@ -110,7 +114,7 @@ def read_columns(path: Path, required: Sequence[str]) -> dict[str, Column]:
         raise _other_format(path, list(FORMATS))
     try:
         columns = _READERS[path.suffix](path)
-    except (OSError, ValueError, UnicodeDecodeError) as error:
+    except (OSError, ValueError, MemoryError, ForeignError) as error:
         missing = isinstance(error, FileNotFoundError)
         raise ResourceError(
             argument="table of trials",
@@ -138,24 +142,33 @@ def read_columns(path: Path, required: Sequence[str]) -> dict[str, Column]:
 
 
 def _from_csv(path: Path) -> dict[str, Column]:
-    table = pd.read_csv(path, dtype=dict.fromkeys(("participant", "waveguide", "actuation"), str))
+    heads = [str(name) for name in pd.read_csv(path, nrows=0).columns]
+    # "NA" and "None" are missing numbers, but names of people and guides
+    missing = {name: MISSING for name in heads if name not in TEXTS}
+    table = pd.read_csv(path, dtype=dict.fromkeys(TEXTS, str), keep_default_na=False, na_values=missing)
+    for name in set(TEXTS) & set(heads):
+        table[name] = table[name].map(from_cell)
     return {str(name): table[name].to_numpy() for name in table.columns}
 
 
 def _from_netcdf(path: Path) -> dict[str, Column]:
-    with xr.open_dataset(path, engine="h5netcdf", decode_timedelta=False) as data:
-        return {str(name): variable.values for name, variable in data.variables.items() if variable.ndim == 1}
+    content = ask("hdf5.tree", path, deep=False)
+    return arrays_of(path, content, _columns(content))
 
 
 def _from_hdf5(path: Path) -> dict[str, Column]:
-    with h5py.File(path) as file:
-        sets = {
-            name: item for name, item in file.items() if isinstance(item, h5py.Dataset) and item.ndim == 1
-        }
-        return {
-            name: np.asarray(item.asstr()[:] if h5py.check_string_dtype(item.dtype) else item[:])
-            for name, item in sets.items()
-        }
+    names = _columns(ask("hdf5.tree", path, deep=False))
+    read = ask("hdf5.read", path, names=names)
+    return {
+        name: values if isinstance(values, np.ndarray) else np.array(values, dtype=object)
+        for name, values in zip(names, read, strict=True)
+    }
+
+
+def _columns(content: dict[str, Any]) -> list[str]:
+    """Names of what may be a column: numbers or texts along one axis."""
+    sets = content["sets"].items()
+    return [name for name, form in sets if len(form["shape"]) == 1 and form["kind"] in ("number", "text")]
 
 
 _READERS = {".csv": _from_csv, ".nc": _from_netcdf, ".h5": _from_hdf5, ".hdf5": _from_hdf5}
@@ -174,7 +187,7 @@ def label_of(columns: dict[str, Column], row: int) -> Label:
         if isinstance(value, int | float | np.integer | np.floating) and float(value).is_integer():
             cells[name] = int(value)
     for name in set(LABEL) - set(WHOLE):
-        cells[name] = "" if pd.isna(cells[name]) else str(cells[name]).strip()
+        cells[name] = "" if pd.isna(cells[name]) else visible(str(cells[name])).strip()
     cells["actuation"] = cells["actuation"].lower()
     return Label(**cells)
 

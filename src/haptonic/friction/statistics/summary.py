@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 
 from haptonic.errors import FrictionError
 from haptonic.friction.lubrication import WEBER_FRACTION
+from haptonic.friction.signals.record import EVERYBODY
 from haptonic.friction.statistics.comparison import Test, by_each, compared, conclusion
 from haptonic.friction.statistics.effects import (
     Equivalence,
@@ -27,7 +28,6 @@ from haptonic.friction.statistics.pairs import Pairs, paired
 
 Array = NDArray[np.float64]
 
-EVERYBODY = "all participants"
 SIDES = ("off", "on")
 MOST_NAMED = 5  # participants with unequal conditions
 

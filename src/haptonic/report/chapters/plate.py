@@ -156,6 +156,7 @@ def _lines_table(result: PlateResult) -> Table:
 def _modes_table(result: PlateResult) -> Table:
     modes = result.modes
     regions = modes["region"].values.tolist()
+    regions += [f"patch {name}" for name in modes["actuator"].values.tolist()]
     nearest = abs(modes["mode_frequency"] - result.resonance).argsort().values[:MOST_MODES]
     rows = []
     for k in sorted(nearest.tolist()):
@@ -166,7 +167,10 @@ def _modes_table(result: PlateResult) -> Table:
                 str(mode["name"].values) or "no product",
                 f"{float(mode['quality']):.0f}",
                 f"{float(mode['rise_time']) * 1e3:.1f} ms",
-                *(f"{100 * share:.1f} %" for share in mode["stored"].values),
+                *(
+                    f"{100 * share:.1f} %"
+                    for share in (*mode["stored"].values, *mode["stored_in_actuator"].values)
+                ),
             )
         )
     head = (

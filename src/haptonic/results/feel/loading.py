@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import asdict, dataclass, replace
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
@@ -83,8 +83,8 @@ def compute_loaded(
     reference_of(alone)
     edges = None if gap is None else [gap.lower, gap.upper]
     key = content_key(
-        {"part": "below a finger", "carrier": carrier, "at": at, "gap": edges, "grid": grid,
-         "tolerance": tolerance, **asdict(pad), "inputs": dict(inputs)}
+        {"part": "below a finger", "plate": alone, "pad": pad, "carrier": carrier, "at": at, "gap": edges,
+         "grid": grid, "tolerance": tolerance, "fineness": fineness, "inputs": inputs}
     )  # fmt: skip
     found = store.get(key)
     if found is None:
@@ -126,7 +126,7 @@ def _computed(
     reference, _ = reference_of(plate)
     return xr.Dataset(
         {
-            "amplitude": (("load", "point"), amplitude, {"units": f"m/({reference.split(', ')[1]})"}),
+            "amplitude": (("load", "point"), amplitude, {"units": f"m/({reference.unit})"}),
             "quality": (("load", "point"), quality, {"long_name": "quality factor of the mode"}),
         },
         coords={
@@ -135,7 +135,7 @@ def _computed(
             "region": ("point", np.array(regions, dtype=str)),
         },
         attrs={
-            "frequency_hz": omega / (2 * np.pi), "mode_hz": mode, "reference": reference,
+            "frequency_hz": omega / (2 * np.pi), "mode_hz": mode, "reference": str(reference),
             "error": float(vibration.error[line]), "unknowns": model.assembly.size,
             "basis": band.reduced.basis.dimension, "origin": "simulated",
         },

@@ -29,6 +29,7 @@ from haptonic.friction.lubrication import (
     time_constant,
 )
 from haptonic.plate import Plate
+from haptonic.response import Reference
 from haptonic.results.common import write_netcdf
 from haptonic.results.feel.felt import Felt
 from haptonic.results.feel.lights import Light, lights
@@ -90,7 +91,7 @@ class Feel:
     @property
     def unit(self) -> str:
         """Of the drive, V or N."""
-        return str(self.loaded.attrs["reference"]).rsplit(", ", 1)[1]
+        return Reference.parse(str(self.loaded.attrs["reference"])).unit
 
     @property
     def driven(self) -> str | None:

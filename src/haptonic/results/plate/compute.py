@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import asdict
 from typing import Any
 
 import numpy as np
@@ -68,10 +67,11 @@ def compute_plate(
     edges = None if gap is None else [gap.lower, gap.upper]
     keys = [
         content_key(
-            {"part": part, "carrier": carrier, "gap": edges, **asdict(question), "inputs": dict(inputs)}
+            {"part": part, "plate": plate, "question": question, "carrier": carrier, "gap": edges,
+             "fineness": fineness, "inputs": inputs}
         )
         for part in ("plate response", "plate maps", "plate lines", "plate modes", "plate body")
-    ]
+    ]  # fmt: skip
     kept = [dataset for key in keys if (dataset := store.get(key)) is not None]
     if len(kept) < len(keys):
         kept = _computed(plate, question, carrier, edges, inputs, fineness, told)

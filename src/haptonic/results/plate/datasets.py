@@ -11,31 +11,39 @@ import xarray as xr
 from numpy.typing import NDArray
 
 from haptonic.plate import Band, Plate, PlateModel, PlateModes, Vibration
+from haptonic.plate.keys import PLATE, PartKey
 from haptonic.results.plate.question import reference_of
 from haptonic.results.plate.shapes import nodal_name
 
 Array = NDArray[np.float64]
 
 
-def _by_region(plate: Plate, stored: Mapping[str, Array], model: PlateModel) -> tuple[list[str], Array]:
-    """Names of regions, lattices and actuators, and (n, names) what is stored in each."""
+def _by_region(plate: Plate, stored: Mapping[PartKey, Array], model: PlateModel) -> tuple[list[str], Array]:
+    """Names of regions and lattices, and (n, names) what is stored in the plate there."""
     layout, blocks = plate.layout, model.assembly.skeleton.blocks
     names = [layout.at(block.tiles[0]) for block in blocks]
     shares = {
-        name: stored["plate"][:, [k for k, other in enumerate(names) if other == name]].sum(axis=1)
+        name: stored[PLATE][:, [k for k, other in enumerate(names) if other == name]].sum(axis=1)
         for name in dict.fromkeys(names) if name is not None
     }  # fmt: skip
-    for actuator in plate.actuators:
-        own = (values for part, values in stored.items() if part.split(" ")[0] == actuator.name)
-        shares[actuator.name] = np.asarray(sum(values.sum(axis=1) for values in own))
     return list(shares), np.stack(list(shares.values()), axis=-1)
+
+
+def _in_actuators(plate: Plate, stored: Mapping[PartKey, Array]) -> tuple[list[str], Array]:
+    """Names of actuators, and (n, names) what is stored in each and in its bond."""
+    names = [actuator.name for actuator in plate.actuators]
+    shares = np.zeros((len(stored[PLATE]), len(names)))
+    for part, values in stored.items():
+        if part.kind == "actuator":
+            shares[:, names.index(str(part.owner))] += values.sum(axis=1)
+    return names, shares
 
 
 def lines_dataset(plate: Plate, vibration: Vibration, band: Band) -> xr.Dataset:
     """Energies, powers, impedances and errors against frequency."""
     model = band.reduced.model
     regions, stored = _by_region(plate, vibration.stored, model)
-    actuators = [actuator.name for actuator in plate.actuators]
+    actuators, in_actuators = _in_actuators(plate, vibration.stored)
     _, unit = reference_of(plate)
     impedance = np.stack(
         [
@@ -48,12 +56,15 @@ def lines_dataset(plate: Plate, vibration: Vibration, band: Band) -> xr.Dataset:
         {
             "error": ("frequency", vibration.error, {"long_name": "bound of the relative field error"}),
             "stored": (("frequency", "region"), stored, {"units": "J", "long_name": "mean strain energy"}),
+            "stored_in_actuator": (
+                ("frequency", "actuator"), in_actuators, {"units": "J", "long_name": "mean strain energy"},
+            ),
             "moving": (
                 "frequency", vibration.moving.sum(axis=1), {"units": "J", "long_name": "mean kinetic energy"},
             ),
             "given": ("frequency", vibration.given, {"units": "W", "long_name": "mean power of the drives"}),
             "dissipated": (
-                ("loss", "frequency"), np.stack([vibration.dissipated[name] for name in losses]),
+                ("loss", "frequency"), np.stack([vibration.dissipated[part] for part in losses]),
                 {"units": "W"},
             ),
             "impedance_real": (("actuator", "frequency"), impedance.real, {"units": "ohm"}),
@@ -62,7 +73,7 @@ def lines_dataset(plate: Plate, vibration: Vibration, band: Band) -> xr.Dataset:
         coords={
             "frequency": ("frequency", vibration.frequency, {"units": "Hz"}),
             "region": regions,
-            "loss": losses,
+            "loss": [str(part) for part in losses],
             "actuator": np.array(actuators, dtype=str),
         },
     )  # fmt: skip
@@ -80,21 +91,26 @@ def modes_dataset(
 ) -> xr.Dataset:
     """Modes near the carrier."""
     names, stored = _by_region(plate, found.stored, band.reduced.model)
+    actuators, in_actuators = _in_actuators(plate, found.stored)
     losses = list(found.lost)
     called = mode_names(plate, band.reduced.model, found, shapes, points, regions)
     return xr.Dataset(
         {
             "mode_frequency": ("mode", found.frequency, {"units": "Hz"}),
-            "mode_error": ("mode", found.error, {"long_name": "bound of the frequency's relative error"}),
+            "mode_error": ("mode", found.error, {"long_name": "bound of the relative error of solving"}),
             "quality": ("mode", found.quality, {"long_name": "quality factor"}),
             "rise_time": ("mode", found.rise_time, {"units": "s", "long_name": "10 to 90 %"}),
             "stored": (("mode", "region"), stored, {"long_name": "share of the strain energy"}),
-            "lost": (("mode", "loss"), np.stack([found.lost[name] for name in losses], axis=-1)),
+            "stored_in_actuator": (
+                ("mode", "actuator"), in_actuators, {"long_name": "share of the strain energy"},
+            ),
+            "lost": (("mode", "loss"), np.stack([found.lost[part] for part in losses], axis=-1)),
             "name": ("mode", np.array(called, dtype=str)),
             "shape": (("mode", "point"), shapes.T.astype(np.float32), {"long_name": "normal displacement"}),
         },
         coords={
-            "region": names, "loss": losses,
+            "region": names, "loss": [str(part) for part in losses],
+            "actuator": np.array(actuators, dtype=str),
             "x": ("point", points[:, 0], {"units": "m"}), "y": ("point", points[:, 1], {"units": "m"}),
         },
     )  # fmt: skip

@@ -14,6 +14,7 @@ from haptonic.errors import ResourceError, StudyError
 from haptonic.plate import Plate
 from haptonic.plate.layout import Layout
 from haptonic.plate.parts import Actuator, Force
+from haptonic.response import Reference
 from haptonic.units import format_quantity
 
 Array = NDArray[np.float64]
@@ -60,7 +61,7 @@ def amplitude_of(drive: Actuator | Force) -> complex:
     return drive.voltage if isinstance(drive, Actuator) else drive.amplitude
 
 
-def reference_of(plate: Plate) -> tuple[str, float]:
+def reference_of(plate: Plate) -> tuple[Reference, float]:
     """What the response is divided by: the first drive's name and unit, and its amplitude."""
     moving = [drive for drive in drives_of(plate) if amplitude_of(drive)]
     if not moving:
@@ -72,7 +73,7 @@ def reference_of(plate: Plate) -> tuple[str, float]:
             next_step='add [[plate.force]] with region, centre and force = "1 N"',
         )
     first = moving[0]
-    return f"{first.name}, {'V' if isinstance(first, Actuator) else 'N'}", abs(amplitude_of(first))
+    return Reference(first.name, "V" if isinstance(first, Actuator) else "N"), abs(amplitude_of(first))
 
 
 def unit_drives(plate: Plate) -> dict[str, complex]:

@@ -13,9 +13,10 @@ from numpy.typing import NDArray
 
 from haptonic import plots
 from haptonic.bloch import Gap
+from haptonic.names import file_parts
 from haptonic.plate import Plate
 from haptonic.response import FrequencyResponse, contrast, disc_average, rms
-from haptonic.response.checks import REST
+from haptonic.response.checks import REST, THE_REST
 from haptonic.results.plate.question import driven_region, resonance_of
 
 if TYPE_CHECKING:
@@ -79,12 +80,11 @@ class PlateResult:
         if contrasts := self.contrasts(self.response):
             curves = {name: level.values for name, level in contrasts.items()}
             found["contrast"] = plots.contrast_spectrum(frequency, curves, gap, origin=origin)
+        named = impedance_names(self.plate)
         for actuator in self.plate.actuators:
             impedance = self.impedance(actuator.name)
             lines = self.lines["frequency"].values
-            found[f"impedance-{actuator.name}"] = plots.impedance_spectrum(
-                lines, impedance, gap, origin=origin
-            )
+            found[named[actuator.name]] = plots.impedance_spectrum(lines, impedance, gap, origin=origin)
         return found
 
     @property
@@ -119,6 +119,7 @@ class PlateResult:
             "given_w": float(lines["given"]),
             "dissipated_w": _by_name(lines["dissipated"], "loss"),
             "strain_energy_j": _by_name(lines["stored"], "region"),
+            "strain_energy_actuator_j": _by_name(lines["stored_in_actuator"], "actuator"),
         }  # fmt: skip
 
     @property
@@ -144,11 +145,12 @@ class PlateResult:
             "modes": [
                 {
                     "frequency_hz": float(mode["mode_frequency"]),
-                    "error": float(mode["mode_error"]),
+                    "solver_error": float(mode["mode_error"]),  # of solving the plate's equations, not theirs
                     "quality_factor": _finite(mode["quality"]),
                     "rise_time_s": _finite(mode["rise_time"]),
                     "name": str(mode["name"].values),
                     "strain_energy": _by_name(mode["stored"], "region"),
+                    "strain_energy_actuator": _by_name(mode["stored_in_actuator"], "actuator"),
                     "loss": _by_name(mode["lost"], "loss"),
                 }
                 for mode in (modes.isel(mode=k) for k in range(modes.sizes["mode"]))
@@ -156,6 +158,12 @@ class PlateResult:
             "inputs": json.loads(self.lines.attrs["inputs"]),
             "version": self.lines.attrs["haptonic_version"],
         }  # fmt: skip
+
+
+def impedance_names(plate: Plate) -> dict[str, str]:
+    """By actuator, what the picture of its impedance is called."""
+    parts = file_parts(actuator.name for actuator in plate.actuators)
+    return {name: f"impedance-{part}" for name, part in parts.items()}
 
 
 def contrasts(response: FrequencyResponse, driven: str | None) -> dict[str, xr.DataArray]:
@@ -171,7 +179,7 @@ def compared(response: FrequencyResponse, driven: str | None) -> list[tuple[str,
     if driven is None or driven not in response.regions:
         return []
     others = [(name, name) for name in response.regions if name not in ("", driven)]
-    return others if response.inside(driven).all() else [*others, ("the rest", REST)]
+    return others if response.inside(driven).all() else [*others, (THE_REST, REST)]
 
 
 def below_finger(line: FrequencyResponse) -> dict[str, float]:

@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from haptonic.materials import Material
 from haptonic.plate import Band, Fineness, Layout, Plate, PlateModel, modes_between
+from haptonic.plate.keys import PLATE
 from haptonic.response import contrast, rms
 from haptonic.results.plate.answer import responded
 from haptonic.results.plate.datasets import mode_names
@@ -72,7 +73,7 @@ def guide_mode(plate: Plate, region: str, look: Look, fineness: Fineness | None 
     shapes = model.displaced(points, found.vectors)
     names = mode_names(plate, model, found, shapes, points, regions)
     inside = [plate.layout.at(block.tiles[0]) == region for block in model.assembly.skeleton.blocks]
-    shares = found.stored["plate"][:, inside].sum(axis=1)
+    shares = found.stored[PLATE][:, inside].sum(axis=1)
     called = [k for k, name in enumerate(names) if name == look.name]
     return float(found.frequency[max(called, key=lambda k: shares[k])]) if called else float("nan")
 
@@ -94,9 +95,9 @@ def mode_shifts(
     told: Callable[[], None] = lambda: None,
 ) -> xr.Dataset:
     """The mode of a guide in several plates, by what is said of each."""
-
-    question = {"part": "mode shifts", "region": region, "look": vars(look), "inputs": dict(inputs)}
-    key = content_key({**question, "plates": list(plates)})
+    # the order counts: the first plate is the one that the others are compared with
+    question = {"part": "mode shifts", "region": region, "look": look, "inputs": inputs}
+    key = content_key({**question, "plates": list(plates.items())})
     if (known := store.get(key)) is not None:
         return known
     frequencies = []

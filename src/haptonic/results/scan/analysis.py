@@ -54,7 +54,8 @@ from haptonic.vibrometry.estimation.spectra import Estimator, WindowName
 Array = NDArray[np.float64]
 Progress = Callable[[int, int], object]
 
-LATTICE = "lattice of the plate"  # name of all points on lattices while the gap is looked for
+# name of all points on lattices while the gap is looked for; longer than any name of a study
+LATTICE = "the points on the lattices of the plate, all together"
 FAR = 0.5  # of a step of the grid: a worse misfit of a registration is told
 SAME_SCALE = 0.05  # by which a registration may scale before it is told
 

@@ -2,9 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from typing import Any
-
 import numpy as np
 import xarray as xr
 from numpy.typing import NDArray
@@ -18,7 +15,7 @@ from haptonic.bloch.plate_waves import PlainPlate
 from haptonic.errors import StudyError
 from haptonic.plate.layout import Layout
 from haptonic.results.carrier import condensed_cell
-from haptonic.results.common import Asked, key_of
+from haptonic.results.common import Asked
 from haptonic.results.scan.places import Guiding, Mirror
 from haptonic.store import Store, content_key
 
@@ -55,10 +52,9 @@ def computed_waves(
     """
     cell = layout.cells[mirror.name] if mirror else next(iter(layout.cells.values()))
     widths = sorted({(one.width, one.along) for one in guides if one.lattice == (mirror and mirror.name)})
-    edges = None if gap is None else [gap.lower, gap.upper]
-    inputs: Mapping[str, Any] = {
-        "kind": "waves beside a scan", "span": list(span), "gap": edges, "widths": [list(w) for w in widths],
-        "depth": mirror and mirror.depth, **key_of(cell, asked),
+    inputs = {
+        "kind": "waves beside a scan", "span": span, "gap": gap, "widths": widths,
+        "depth": mirror and mirror.depth, "cell": cell, "asked": asked,
     }  # fmt: skip
     key = content_key(inputs)
     if (kept := store.get(key)) is not None:

@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 from haptonic.errors import ScanError, nearest
 from haptonic.plate import Plate
 from haptonic.plate.layout import Layout
+from haptonic.response import Reference
 from haptonic.results.plate.question import PlateQuestion, grid_points, reference_of, tile_names
 from haptonic.vibrometry.chirp import Drive, Kind, drive
 from haptonic.vibrometry.instrument import Instrument, lines_of
@@ -47,12 +48,12 @@ class ScanQuestion:
         ScanError : band, rate and record do not fit together
         StudyError : nothing drives the plate
         """
-        reference, amplitude = ("V", 1.0) if plate is None else reference_of(plate)
+        reference, amplitude = (Reference(unit="V"), 1.0) if plate is None else reference_of(plate)
         quality = 1 / plate.loss_factor if plate is not None and plate.loss_factor else None
         return drive(
             low=self.lowest, high=self.highest, sample_rate=self.rate, duration=self.record,
             amplitude=amplitude, kind=self.signal, quality_factor=quality,
-            unit="N" if reference.endswith("N") else "V",
+            unit="N" if reference.unit == "N" else "V",
         )  # fmt: skip
 
     def plan(self, plate: Plate) -> ScanPlan:

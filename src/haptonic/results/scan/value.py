@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import csv
 import json
 from collections.abc import Callable
 from dataclasses import asdict, dataclass
@@ -14,6 +15,7 @@ import xarray as xr
 
 from haptonic import plots
 from haptonic.bloch import Gap
+from haptonic.names import cell, file_parts
 from haptonic.plate import Plate
 from haptonic.plate.layout import Layout
 from haptonic.response import FrequencyResponse, write
@@ -103,7 +105,7 @@ class ScanResult:
                 "velocity",
                 "decay",
                 "fading",
-                *(f"waves-{n}" for n in plate.layout.regions),
+                *wave_names(plate.layout).values(),
             ]
         return names
 
@@ -127,6 +129,7 @@ class ScanResult:
             found["contrast"] = plots.measured_contrast(
                 lines, curves, self.measured, self._edges, origin=origin
             )
+        named = wave_names(self.plate.layout)
         for guide in guides_of(self.plate.layout):
             if f"waves {guide.region}" in self.dataset:
                 seen = self.dataset[f"waves {guide.region}"].rename(
@@ -136,7 +139,7 @@ class ScanResult:
                 if self.waves is not None:
                     plain = self.waves["frequency"].values, self.waves["wavenumber"].values
                     mode = guided(self.waves, guide)
-                found[f"waves-{guide.region}"] = plots.wave_map(
+                found[named[guide.region]] = plots.wave_map(
                     seen, plain, mode, region=guide.region, origin=origin
                 )
         if "fading" in self.dataset:
@@ -164,14 +167,15 @@ class ScanResult:
 
     def _write_points(self, path: Path) -> None:
         quality = self.quality
-        rows = ["point,x (m),y (m),clipped,frozen,coherence,flags,origin"]
-        for i, (x, y) in enumerate(self.response.points):
-            coherence = f"{quality.coherence[i]:.5f}" if np.isfinite(quality.coherence[i]) else ""
-            rows.append(
-                f"{quality.names[i]},{x:.7g},{y:.7g},{quality.clipped[i]:.3g},{quality.frozen[i]:.3g},"
-                f"{coherence},{'; '.join(quality.flags[i])},{self.origin}"
-            )
-        path.write_text("\n".join([*rows, ""]), "utf-8")
+        with path.open("w", newline="", encoding="utf-8") as file:
+            table = csv.writer(file, lineterminator="\n")
+            table.writerow(["point", "x (m)", "y (m)", "clipped", "frozen", "coherence", "flags", "origin"])
+            for i, (x, y) in enumerate(self.response.points):
+                coherence = f"{quality.coherence[i]:.5f}" if np.isfinite(quality.coherence[i]) else ""
+                table.writerow(
+                    [cell(quality.names[i]), f"{x:.7g}", f"{y:.7g}", f"{quality.clipped[i]:.3g}",
+                     f"{quality.frozen[i]:.3g}", coherence, "; ".join(quality.flags[i]), self.origin]
+                )  # fmt: skip
 
     def told_at(self, frequency: float) -> dict[str, Any]:
         """Plain values at one frequency, Hz."""
@@ -221,3 +225,8 @@ class ScanResult:
 
 def _finite(value: xr.DataArray) -> float | None:
     return float(value) if np.isfinite(value) else None
+
+
+def wave_names(layout: Layout) -> dict[str, str]:
+    """By region, what the picture of the waves along it is called."""
+    return {name: f"waves-{part}" for name, part in file_parts(layout.regions).items()}

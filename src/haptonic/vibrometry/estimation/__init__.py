@@ -168,7 +168,7 @@ def _planned(
     if not 0 <= overlap < 1:
         raise _wrong("overlap", f"{overlap:g}", "from 0 to below 1", "give a share, such as 0.5 for half")
     step = max(1, length - int(overlap * length))
-    reference, response = scan.source.load(0, min(8, len(scan.names)))
+    reference, response = scan.load(0, min(8, len(scan.names)))
     low, high = band if band is not None else (0.0, scan.sample_rate / 2)
     frequency = np.fft.rfftfreq(length, 1 / scan.sample_rate)
     # a line at 0 Hz has no motion
@@ -309,7 +309,7 @@ def _fingerprint(scan: TimeScan) -> str:
     """Of the scan's form and its first and last point: enough to notice that a folder is of another one."""
     digest = hashlib.sha256(repr((scan.names, scan.repeats, scan.samples, scan.sample_rate)).encode())
     for first in sorted({0, len(scan.names) - 1}):
-        for samples in scan.source.load(first, first + 1):
+        for samples in scan.load(first, first + 1):
             digest.update(np.ascontiguousarray(samples).tobytes())
     digest.update(np.concatenate([scan.x, scan.y]).tobytes())
     return digest.hexdigest()

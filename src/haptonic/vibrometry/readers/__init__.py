@@ -9,11 +9,12 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-import h5py
 import numpy as np
 
 from haptonic import response
 from haptonic.errors import HaptonicWarning, ResourceError, ScanError
+from haptonic.foreign.process import ForeignError, ask
+from haptonic.paths import source
 from haptonic.response import FrequencyResponse
 from haptonic.units import shown, to_si
 from haptonic.vibrometry.curves import assemble
@@ -33,6 +34,7 @@ FORMATS = (
 )
 UFF_SUFFIXES = (".uff", ".unv", ".uf")
 SIMULATED = "origin: simulated"
+HDF5 = b"\x89HDF\r\n\x1a\n"
 WITHOUT_UNITS = ("MATLAB", "CSV folder")  # what they hold has no unit, or need not have one
 LOWEST_TOP = 200.0  # Hz; a scan that ends below is probably in kHz: ultrasonic ones reach some 100 kHz
 EXAMPLES = {"m": "mm", "Hz": "kHz"}
@@ -115,7 +117,7 @@ def read_scan(
     ResponseError : a NetCDF file that haptonic did not write
     ResourceError : the file may not be read, or does not fit into memory
     """
-    path = Path(path)
+    path = source(path, "path")
     if not path.exists():
         raise _refused(path, "there is no such file", "the name is misspelt", "check the name and the folder")
     try:
@@ -245,13 +247,13 @@ def _kind(path: Path) -> str:
         return "TDMS"
     if suffix == ".mat" or head[:10] == b"MATLAB 5.0":
         return "MATLAB"
-    if h5py.is_hdf5(path):
+    if head[:8] == HDF5 or head[512:520] == HDF5:  # behind the block that a MATLAB file begins with
         try:
-            with h5py.File(path, "r") as data:
-                return "HDF5" if data.attrs.get("kind") == hdf5.KIND else "NetCDF"
-        except OSError as error:
-            cause = "its copy was interrupted"
-            raise _refused(path, "an HDF5 file that is cut short", cause, "copy the file again") from error
+            says = ask("hdf5.tree", path, deep=False)["attributes"]
+        except ForeignError as error:
+            found = f"a damaged HDF5 file ({error})"
+            raise _refused(path, found, "its copy was interrupted", "copy the file again") from error
+        return "HDF5" if says.get("kind") == hdf5.KIND else "NetCDF"
     if suffix in UFF_SUFFIXES or any(line.rstrip() == b"    -1" for line in head.splitlines()[:40]):
         return "UFF"
     if suffix in (".nc", ".h5", ".hdf5"):

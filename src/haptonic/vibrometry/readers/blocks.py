@@ -234,7 +234,8 @@ def _is_number(text: str) -> bool:
 
 def _axis(line: str) -> Axis:
     kind, label, unit = line[:10].strip(), line[25:46].strip(), line[46:67].strip()
-    return Axis(int(kind) if kind.isdigit() else 0, _name(label), _name(unit))
+    # isdigit alone takes digits that int does not, such as a raised 2
+    return Axis(int(kind) if kind.isascii() and kind.isdigit() else 0, _name(label), _name(unit))
 
 
 def _name(text: str) -> str:

@@ -8,6 +8,7 @@ Units may follow in brackets: ``real (mm/s/V)``. A column ``origin`` in ``geomet
 from __future__ import annotations
 
 import csv
+import io
 import re
 from pathlib import Path
 
@@ -15,7 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from haptonic.errors import ScanError
-from haptonic.response import FrequencyResponse
+from haptonic.response import FrequencyResponse, Reference
 from haptonic.vibrometry.curves import Curve, Place, assemble
 from haptonic.vibrometry.findings import Notebook
 from haptonic.vibrometry.labels import ratio_of
@@ -48,7 +49,7 @@ def read_folder(path: Path, how: Mapped, notes: Notebook, origin: Origin, title:
             curves += _curves(name, file, how, notes)
         except FileNotFoundError:
             notes.missing.append(name)
-        except (_UnfitError, UnicodeDecodeError, OSError, csv.Error) as error:
+        except (_UnfitError, OSError, csv.Error) as error:
             notes.drop(f"file {file.name}", str(error))
     known = {file.name for file in files.values()} | {GEOMETRY}
     for file in sorted(path.glob("*.csv")):
@@ -78,33 +79,60 @@ def _geometry(
     places: dict[str, Place] = {}
     files: dict[str, Path] = {}
     simulated = False
-    with table.open(newline="", encoding="utf-8-sig") as text:
-        rows = csv.DictReader(text, skipinitialspace=True)
-        for number, row in enumerate(rows, start=2):
-            name = (row.get("file") or "").strip()
-            simulated |= row.get(ORIGIN) == "simulated"
-            try:
-                place = Place(*(length_unit * float(row.get(axis) or "nan") for axis in "xy"))
-            except ValueError:
-                place = Place(np.nan, np.nan)
-            if not name or Path(name).name != name:
-                notes.drop(f"line {number} of {GEOMETRY}", "no name of a file in this folder")
-            elif name in files:
-                notes.drop(f"line {number} of {GEOMETRY}", f"{name} a second time; the first line is used")
-            elif not np.isfinite([place.x, place.y]).all():
-                notes.drop(f"point {name}", "no coordinates: x or y is not a number")
-                files[name] = path / name
-            else:
-                places[name], files[name] = place, path / name
+    try:
+        rows = list(csv.DictReader(_text(table), skipinitialspace=True))
+    except (_UnfitError, csv.Error) as error:
+        raise ScanError(
+            argument=f"{GEOMETRY} of a scan",
+            given=f"{table}: {error}",
+            allowed="a table in UTF-8 with the columns file, x, y",
+            cause="the file is no text, or of another encoding",
+            next_step="save it again as CSV in UTF-8",
+        ) from error
+    for number, row in enumerate(rows, start=2):
+        name = (row.get("file") or "").strip()
+        simulated |= row.get(ORIGIN) == "simulated"
+        try:
+            place = Place(*(length_unit * float(row.get(axis) or "nan") for axis in "xy"))
+        except ValueError:
+            place = Place(np.nan, np.nan)
+        if not name or Path(name).name != name:
+            notes.drop(f"line {number} of {GEOMETRY}", "no name of a file in this folder")
+        elif name in files:
+            notes.drop(f"line {number} of {GEOMETRY}", f"{name} a second time; the first line is used")
+        elif not np.isfinite([place.x, place.y]).all():
+            notes.drop(f"point {name}", "no coordinates: x or y is not a number")
+            files[name] = path / name
+        else:
+            places[name], files[name] = place, path / name
     return places, {name: file for name, file in files.items() if name in places}, simulated
 
 
+def _text(file: Path) -> io.StringIO:
+    """The text of a file, which names or units in the code page of an older program do not spoil.
+
+    Raises
+    ------
+    FileNotFoundError, OSError : no such file, or it cannot be read
+    _UnfitError : it holds bytes that no text has, or is no file
+    """
+    if "\0" in str(file) or (file.exists() and not file.is_file()):
+        raise _UnfitError("no file")
+    content = file.read_bytes()
+    if b"\0" in content:
+        raise _UnfitError("it holds bytes that no text has; UTF-16, or damaged")
+    try:
+        return io.StringIO(content.decode("utf-8-sig"), newline="")
+    except UnicodeDecodeError:
+        return io.StringIO(content.decode("latin-1"), newline="")
+
+
 def _curves(name: str, file: Path, how: Mapped, notes: Notebook) -> list[Curve]:
-    with file.open(newline="", encoding="utf-8-sig") as text:
-        first = text.readline()
-        separator = ";" if first.count(";") > first.count(",") else "\t" if "\t" in first else ","
-        heads = [head.strip() for head in first.split(separator)]
-        rows = [row for row in csv.reader(text, delimiter=separator) if any(cell.strip() for cell in row)]
+    text = _text(file)
+    first = text.readline()
+    separator = ";" if first.count(";") > first.count(",") else "\t" if "\t" in first else ","
+    heads = [head.strip() for head in first.split(separator)]
+    rows = [row for row in csv.reader(text, delimiter=separator) if any(cell.strip() for cell in row)]
     columns = {meaning: i for meaning, names in COLUMNS.items() if (i := _column(heads, names)) is not None}
     if "frequency" not in columns or not ({"real", "imaginary"} <= columns.keys()
                                           or {"amplitude", "phase"} <= columns.keys()):  # fmt: skip
@@ -128,8 +156,8 @@ def _curves(name: str, file: Path, how: Mapped, notes: Notebook) -> list[Curve]:
     if ratio.over.motion is None:
         raise _UnfitError(f'"{_unit(head)}" is no displacement, velocity or acceleration')
     written = _unit(heads[columns["frequency"]])
-    column["frequency"] *= {"kHz": 1e3, "Hz": 1.0}.get(written, how.frequency_unit)
-    reference = how.reference or (f"reference, {ratio.under.unit}" if ratio.under.unit else "")
+    column["frequency"] = {"kHz": 1e3, "Hz": 1.0}.get(written, how.frequency_unit) * column["frequency"]
+    reference = how.reference or (str(Reference("reference", ratio.under.unit)) if ratio.under.unit else "")
     made = [
         Curve(f"file {file.name}", name, 3, "response", column["frequency"], ratio.factor * values,
               ratio.over.motion, reference)

@@ -18,13 +18,15 @@ from __future__ import annotations
 
 from dataclasses import dataclass, replace
 from pathlib import Path
+from typing import Any
 
 import h5py
 import numpy as np
 
 from haptonic.errors import ScanError
+from haptonic.foreign.process import ForeignError, ask
 from haptonic.hdf5 import written
-from haptonic.vibrometry.findings import Notebook
+from haptonic.vibrometry.findings import ELSEWHERE, Notebook
 from haptonic.vibrometry.labels import ORDER, Motion
 from haptonic.vibrometry.records import Samples, TimeScan
 
@@ -39,12 +41,12 @@ class _FromFile:
 
     def load(self, start: int, stop: int) -> tuple[Samples, Samples]:
         try:
-            with h5py.File(self.path, "r") as file:
-                reference, response = file["reference"], file["response"]
-                drive = reference[:] if reference.shape[0] == 1 else reference[start:stop]
-                return np.asarray(drive), np.asarray(response[start:stop])
-        except (OSError, KeyError) as error:
-            raise _foreign(self.path, "samples that cannot be read") from error
+            drive, moved = ask(
+                "hdf5.rows", self.path, names=["reference", "response"], start=start, stop=stop
+            )
+        except ForeignError as error:
+            raise _foreign(self.path, f"samples that cannot be read ({error})") from error
+        return drive, moved
 
 
 def write_records(scan: TimeScan, path: Path) -> None:
@@ -78,34 +80,42 @@ def read_records(path: Path, notes: Notebook) -> TimeScan:
     ScanError : another layout, or no point was measured
     """
     try:
-        with h5py.File(path, "r") as file:
-            notes_of = dict(file.attrs)
-            if notes_of.get("kind") != KIND:
-                raise _foreign(path, "an HDF5 file of another kind")
-            if int(notes_of["form"]) > FORM:
-                raise _foreign(path, f"form {notes_of['form']}, from a later haptonic")
-            shape, measured = file["response"].shape, int(file["response"].attrs.get("measured", -1))
-            driven = file["reference"].shape
-            if len(shape) != 3 or driven[1:] != shape[1:] or driven[0] not in (1, shape[0]):
-                raise _foreign(path, f"a response of shape {shape} and a reference of shape {driven}")
-            names = tuple(file["name"].asstr()[:]) if "name" in file else tuple(map(str, range(shape[0])))
-            x, y = np.asarray(file["x"][:], float), np.asarray(file["y"][:], float)
-            scan = TimeScan(
-                _FromFile(path), names, x, y, shape[1], shape[2],
-                float(notes_of["sample_rate"]), str(notes_of["reference"]),
-                motion=_motion(str(notes_of["motion"]), path),
-                reference_scale=float(notes_of["reference_scale"]),
-                response_scale=float(notes_of["response_scale"]),
-                full_scale=float(notes_of["full_scale"]) if "full_scale" in notes_of else None,
-                direction=str(notes_of["direction"]),
-                start=float(notes_of["start"]),
-                origin="simulated" if notes_of["origin"] == "simulated" else "measured",
-                title=str(notes_of["title"]),
-            )  # fmt: skip
-    except ScanError:
-        raise
-    except (OSError, KeyError, ValueError, TypeError) as error:
-        raise _foreign(path, f"a part is missing or damaged ({type(error).__name__})") from error
+        content = ask("hdf5.tree", path, deep=False)
+        says, sets = content["attributes"], content["sets"]
+        if says.get("kind") != KIND:
+            raise _foreign(path, "an HDF5 file of another kind")
+        if int(says["form"]) > FORM:
+            raise _foreign(path, f"form {says['form']}, from a later haptonic")
+        elsewhere = [
+            name for name in ("x", "y", "name", "response", "reference") if name in content["elsewhere"]
+        ]
+        if elsewhere:
+            raise _foreign(path, f"{elsewhere[0]}: {ELSEWHERE}")
+        shape, driven = sets["response"]["shape"], sets["reference"]["shape"]
+        measured = int(sets["response"]["attributes"].get("measured", -1))
+        if len(shape) != 3 or driven[1:] != shape[1:] or driven[0] not in (1, shape[0]):
+            raise _foreign(path, f"a response of shape {shape} and a reference of shape {driven}")
+        if {sets[name]["kind"] for name in ("response", "reference", "x", "y")} != {"number"}:
+            raise _foreign(path, "text or complex numbers where it should have real ones")
+        if not sets["x"]["shape"] == sets["y"]["shape"] == shape[:1]:
+            raise _foreign(path, f"{shape[0]} points, and places of other points")
+        x, y = (np.asarray(one, float) for one in ask("hdf5.read", path, names=["x", "y"]))
+        names = tuple(_names(path, sets, shape[0]))
+        scan = TimeScan(
+            _FromFile(path), names, x, y, shape[1], shape[2],
+            float(says["sample_rate"]), str(says["reference"]),
+            motion=_motion(str(says["motion"]), path),
+            reference_scale=float(says["reference_scale"]),
+            response_scale=float(says["response_scale"]),
+            full_scale=float(says["full_scale"]) if "full_scale" in says else None,
+            direction=str(says["direction"]),
+            start=float(says["start"]),
+            origin="simulated" if says["origin"] == "simulated" else "measured",
+            title=str(says["title"]),
+        )  # fmt: skip
+    except (ForeignError, KeyError, ValueError, TypeError) as error:
+        found = error if isinstance(error, ForeignError) else type(error).__name__
+        raise _foreign(path, f"a part is missing or damaged ({found})") from error
     if 0 <= measured < len(names):
         for name in names[measured:]:
             notes.drop(f"point {name}", "the scan stopped before it")
@@ -113,6 +123,14 @@ def read_records(path: Path, notes: Notebook) -> TimeScan:
             raise _foreign(path, "no point was measured")
         return replace(scan, names=names[:measured], x=x[:measured], y=y[:measured])
     return scan
+
+
+def _names(path: Path, sets: dict[str, Any], count: int) -> list[str]:
+    """Of the points, as they are numbered where the file has none."""
+    if "name" not in sets:
+        return [str(number) for number in range(count)]
+    names = ask("hdf5.read", path, names=["name"])[0]
+    return [str(name) for name in names]
 
 
 def _motion(word: str, path: Path) -> Motion:

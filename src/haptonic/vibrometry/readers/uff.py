@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
+import importlib
 import mmap
-import tempfile
 from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass, replace
@@ -11,9 +11,9 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-import pyuff
 from numpy.typing import NDArray
 
+from haptonic.response import Reference
 from haptonic.vibrometry.curves import AXES, Curve, Place
 from haptonic.vibrometry.findings import Notebook
 from haptonic.vibrometry.labels import Label, Motion, Ratio, label_of, ratio_of
@@ -29,7 +29,12 @@ from haptonic.vibrometry.readers.blocks import (
 
 Array = NDArray[np.float64]
 
-SMALL = {15, 55, 82, 151, 164, 2411, 2412}  # data sets that pyuff reads
+# Data sets that pyuff reads, each by a function of its text. pyuff.UFF takes the text from a file only: one
+# file for each of thousands of data sets would take half a minute.
+READERS = {
+    kind: getattr(importlib.import_module(f"pyuff.datasets.dataset_{kind}"), f"_extract{kind}")
+    for kind in (15, 55, 82, 151, 164, 2411, 2412)
+}
 PASSED_OVER = {18, 1858, 2400, 2420, 2429, 2467, 58259}  # known, and nothing that a scan needs
 NAMES = {
     0: "general function", 1: "time record", 2: "auto spectrum", 3: "cross spectrum",
@@ -39,6 +44,7 @@ NAMES = {
 RESPONSES = {4: "response", 5: "response", 12: "response", 6: "coherence"}
 MOTIONS: dict[int, Motion] = {8: "displacement", 11: "velocity", 12: "acceleration"}
 REFERENCES = {9: "N", 13: "N", 15: "Pa"}
+LARGEST_NUMBER = 1e10  # of a point: a field of ten columns holds no larger one
 LARGEST_PLATE = 10.0  # m; a larger one is in mm without saying so
 
 
@@ -96,14 +102,14 @@ def uff_contents(path: Path) -> UffContents:
     """Everything that a universal file holds. A data set that cannot be read is named in the notes."""
     notes = Notebook(path, "UFF")
     functions: list[Function] = []
-    small: dict[int, list[dict[str, Any]]] = {kind: [] for kind in SMALL}
+    small: dict[int, list[dict[str, Any]]] = {kind: [] for kind in READERS}
     with _mapped(path) as data:
         for block in blocks_of(data):
             try:
                 if block.kind == 58:
                     header, begin = header_of(block, data)
                     functions.append(Function(path, block, header, begin))
-                elif block.kind in SMALL:
+                elif block.kind in READERS:
                     small[block.kind].append(_by_pyuff(block, data))
                     if not block.closed:
                         notes.remark(f"{block.name}: its end is missing")
@@ -121,7 +127,7 @@ def uff_contents(path: Path) -> UffContents:
     for table in small[15] + small[2411]:
         _add_nodes(table, 1.0 if length is None else length, nodes, notes)
     title = next((str(header.get("model_name", "")) for header in small[151]), "")
-    lines = tuple(np.asarray(line["nodes"]).astype(np.int64) for line in small[82])
+    lines = tuple(line for table in small[82] if (line := _line(table, notes)) is not None)
     return UffContents(
         tuple(functions), nodes, tuple(small[55]), lines, length, force, title.replace("NONE", ""), notes
     )
@@ -221,7 +227,7 @@ def reference_of(header: Header, under: Label) -> str:
     name = header.reference_name or header.under.label
     if header.reference_node:
         name = f"{header.reference_node}{AXES.get(abs(header.reference_axis), '')}"
-    return f"{(name or 'reference').replace(',', ' ')}, {under.unit}"
+    return str(Reference(name or "reference", under.unit))
 
 
 def _frequency_shapes(contents: UffContents) -> Iterator[list[Curve]]:
@@ -232,6 +238,10 @@ def _frequency_shapes(contents: UffContents) -> Iterator[list[Curve]]:
         motion = MOTIONS.get(int(shape["spec_data_type"]))
         if int(shape["analysis_type"]) != 5 or motion is None:
             contents.notes.drop("shape (type 55)", "a mode shape or of an unknown quantity, no response")
+            continue
+        lengths = {len(shape[name]) for name in ("node_nums", "r1", "r2", "r3")}
+        if len(lengths) != 1 or not 0 <= float(shape["freq"]) < np.inf:
+            contents.notes.drop("shape (type 55)", "cut short, or at an impossible frequency")
             continue
         factor = 1 / (contents.length or 1.0)
         for axis in (1, 2, 3):
@@ -249,22 +259,18 @@ def _frequency_shapes(contents: UffContents) -> Iterator[list[Curve]]:
 
 
 def _by_pyuff(block: Block, data: Buffer) -> dict[str, Any]:
-    """One small data set, read by pyuff from a file of its own; node by node where pyuff gives up."""
+    """One small data set, read by pyuff; node by node where pyuff gives up."""
     if not block.closed and block.kind not in (15, 2411):
         raise UnreadableError("its end is missing")
     content = data[block.begin : block.end]
-    with tempfile.TemporaryDirectory() as folder:
-        path = Path(folder) / "one.uff"
-        path.write_bytes(b"    -1\n%6d\n" % block.kind + content.rstrip() + b"\n    -1\n")
-        try:
-            made = pyuff.UFF(str(path)).read_sets(0)
-        except Exception as error:  # pyuff turns whatever happens to it into a plain Exception
-            _raise_what_no_file_is_to_blame_for(error)
-            if block.kind in (15, 2411):
-                return _nodes_line_by_line(block, content)
-            raise UnreadableError(
-                "pyuff cannot read it: it is damaged, or not of the standard form"
-            ) from error
+    text = content.rstrip().decode("utf-8", "replace")
+    try:
+        made = READERS[block.kind](f"    -1\n{block.kind:6d}\n{text}\n")
+    except Exception as error:  # pyuff turns whatever happens to it into a plain Exception
+        _raise_what_no_file_is_to_blame_for(error)
+        if block.kind in (15, 2411):
+            return _nodes_line_by_line(block, content)
+        raise UnreadableError("pyuff cannot read it: it is damaged, or not of the standard form") from error
     lengths = {len(made[name]) for name in ("node_nums", "x", "y", "z") if name in made}
     if block.kind in (15, 2411) and len(lengths) > 1:
         return _nodes_line_by_line(block, content)
@@ -298,12 +304,23 @@ def _nodes_line_by_line(block: Block, content: bytes) -> dict[str, Any]:
     return columns | {"broken": len(rows) - len(whole)}
 
 
+def _line(table: dict[str, Any], notes: Notebook) -> NDArray[np.int64] | None:
+    """Numbers of the points that a line joins, 0 where it is interrupted."""
+    numbers = np.asarray(table["nodes"], dtype=float)
+    if not (np.abs(numbers) < LARGEST_NUMBER).all():
+        notes.drop("line (type 82)", "it joins points of impossible numbers")
+        return None
+    return numbers.astype(np.int64)
+
+
 def _add_nodes(table: dict[str, Any], length: float, nodes: dict[int, Array], notes: Notebook) -> None:
     if table.get("broken"):
         notes.drop("points (geometry)", f"{table['broken']} that are cut short or not numbers")
     rows = np.column_stack([np.asarray(table[name], dtype=float) for name in ("node_nums", "x", "y", "z")])
     for number, *place in rows:
-        if not np.isfinite(place).all():
+        if not 0 <= number < LARGEST_NUMBER:
+            notes.drop(f"point {number:g} (geometry)", "no number that a point can have")
+        elif not np.isfinite(place).all():
             notes.drop(f"point {number:g} (geometry)", "coordinates that are not finite")
         elif int(number) in nodes and not np.allclose(nodes[int(number)], np.array(place) / length):
             notes.drop(f"point {number:g} (geometry)", "a second place for it; the first is used")

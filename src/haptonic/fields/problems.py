@@ -2,32 +2,49 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import Any
 
-from pydantic import BaseModel, ValidationError
+from pydantic import ValidationError
 
-from haptonic.errors import StudyError, nearest
-from haptonic.study.keys import Key, key_of, table
+from haptonic.errors import HaptonicError, StudyError, nearest
+from haptonic.fields.keys import Key, key_of, table
 from haptonic.units import shown
 
 TAGS = {"name", "table"}  # of the union that a material is; pydantic puts them into the path
 PARTS = ("given", "allowed", "cause", "next_step")
-UNKNOWN = "extra_forbidden"  # pydantic's name for a key outside the schema
+UNKNOWN = {"extra_forbidden", "unexpected_keyword_argument"}  # pydantic's names for an undeclared key
 MOST_LISTED = 20
 
 
-def study_error(error: ValidationError, model: type[BaseModel], origin: str) -> StudyError:
-    """One error for all problems of a study: the first in its parts, the others listed in the next step.
+def refusal(
+    error: ValidationError,
+    kind: type,
+    *,
+    origin: str = "",
+    place: str = "",
+    family: type[HaptonicError] = StudyError,
+    names: Sequence[str] = (),
+) -> HaptonicError:
+    """One error for all problems of a value: the first in its parts, the others listed in the next step.
 
-    ``origin`` names the file; it is put before the path of the key.
+    Parameters
+    ----------
+    kind : class of the value
+    origin : name of the file that it was read from; put before the path of the key
+    place : path of the value itself in a study
+    family : kind of the error
+    names : fields that arguments without a keyword stand for, in order
     """
-    keys = table(model)
-    details = error.errors(include_url=False)
-    slips = {_meant(each["loc"], keys) for each in details if each["type"] == UNKNOWN}
+    keys = table(kind)
+    details: list[Any] = [dict(each) for each in error.errors(include_url=False)]
+    for each in details:
+        if each["loc"] and isinstance(each["loc"][0], int):  # an argument without a keyword
+            each["loc"] = (names[each["loc"][0]], *each["loc"][1:])
+    slips = {_meant(each["loc"], keys) for each in details if each["type"] in UNKNOWN}
     details = [each for each in details if each["type"] != "missing" or _path(each["loc"])[1] not in slips]
-    details.sort(key=lambda each: each["type"] != UNKNOWN)  # a slip in a name explains what follows from it
-    first, *others = (_translated(each, keys) for each in details)
+    details.sort(key=lambda each: each["type"] not in UNKNOWN)  # a slip in a name explains what follows
+    first, *others = (_translated(each, keys, place) for each in details)
     next_step = first.next_step
     if others:
         lines = [
@@ -37,7 +54,7 @@ def study_error(error: ValidationError, model: type[BaseModel], origin: str) -> 
         lines = lines[:MOST_LISTED] + ([f"    and {hidden} more"] if hidden > 0 else [])
         count = f"{len(others)} other problem{'s' if len(others) > 1 else ''}"
         next_step = "\n".join([f"{next_step}\n  {count} in the same study:", *lines])
-    return StudyError(
+    return family(
         argument=f"{origin}: {first.argument}" if origin else first.argument,
         given=first.given,
         allowed=first.allowed,
@@ -46,14 +63,21 @@ def study_error(error: ValidationError, model: type[BaseModel], origin: str) -> 
     )
 
 
-def _translated(details: Any, keys: Mapping[str, Key]) -> StudyError:
-    """One error of pydantic in five parts."""
+def _translated(details: Any, keys: Mapping[str, Key], place: str = "") -> StudyError:
+    """One error of pydantic in five parts; ``place`` is put before its path."""
+    error = _in_parts(details, keys)
+    if place:
+        error = StudyError(**{**error.parts(), "argument": f"{place}.{error.argument}"})
+    return error
+
+
+def _in_parts(details: Any, keys: Mapping[str, Key]) -> StudyError:
     kind, context = details["type"], details.get("ctx", {})
     path, pattern = _path(details["loc"])
     if kind == "haptonic":
         where = ".".join(part for part in (path, context["at"]) if part) or "the study"
         return StudyError(argument=where, **{name: context[name] for name in PARTS})
-    if kind == UNKNOWN:
+    if kind in UNKNOWN:
         return _unknown(path, pattern, details["input"], keys)
     key = key_of(pattern, keys)
     of_an_entry = key is not None and key.kind == "entries" and pattern != key.path
@@ -81,10 +105,11 @@ def _translated(details: Any, keys: Mapping[str, Key]) -> StudyError:
 def _path(location: tuple[int | str, ...]) -> tuple[str, str]:
     """(``sweep[1].from``, ``sweep[].from``): as shown, counted from 1, and as the table of keys has it."""
     path = pattern = ""
-    for step in location:
+    for place, step in enumerate(location):
         if isinstance(step, int):
             path, pattern = f"{path}[{step + 1}]", f"{pattern}[]"
-        elif not (path == "material" and step in TAGS):
+        # after "material" pydantic names the kind of description that it took it for
+        elif not (path == "material" and place == 1 and step in TAGS):
             name = (
                 step if step.replace("_", "").replace("-", "").isalnum() and len(step) < 60 else shown(step)
             )

@@ -7,24 +7,22 @@ import re
 from collections.abc import Iterator
 from typing import Any
 
-from pydantic import BaseModel
-
-from haptonic.study.entries import Entries
-from haptonic.study.keys import quantities_of, quantity_of, unit_of
+from haptonic.fields.entries import Entries
+from haptonic.fields.keys import fields_of, is_described, quantities_of, quantity_of, unit_of
 from haptonic.units import format_quantity
 
 
-def toml_of(model: BaseModel) -> str:
-    """TOML that reads back to an equal model: every value, also the defaults, with all its digits."""
+def toml_of(model: object) -> str:
+    """TOML that reads back to an equal value: every value, also the defaults, with all its digits."""
     return "\n".join(_lines(model, "")).strip() + "\n"
 
 
-def _lines(model: BaseModel, prefix: str) -> Iterator[str]:
+def _lines(model: object, prefix: str) -> Iterator[str]:
     """Plain keys first, then tables: TOML has no way back from a table to the keys of its parent."""
     tables = []
-    for name, field in type(model).model_fields.items():
+    for name, field in fields_of(model).items():
         value, key = getattr(model, name), field.alias or name
-        if isinstance(value, BaseModel | Entries) or _is_tables(value):
+        if is_described(value) or isinstance(value, Entries) or _is_tables(value):
             tables.append((key, value, field))
         elif isinstance(value, tuple):
             numbers = zip(value, quantities_of(field), strict=True)
@@ -37,7 +35,7 @@ def _lines(model: BaseModel, prefix: str) -> Iterator[str]:
             yield f"{key} = {_value(value, unit)}"
     for key, value, field in tables:
         path = f"{prefix}{key}"
-        if isinstance(value, BaseModel):
+        if is_described(value):
             below = list(_lines(value, f"{path}."))
             yield from ("", f"[{path}]", *below) if below else ()
         elif isinstance(value, Entries):
@@ -53,7 +51,7 @@ def _lines(model: BaseModel, prefix: str) -> Iterator[str]:
 
 
 def _is_tables(value: Any) -> bool:
-    return isinstance(value, tuple) and all(isinstance(item, BaseModel) for item in value)
+    return isinstance(value, tuple) and all(is_described(item) for item in value)
 
 
 def _name(entry: str) -> str:

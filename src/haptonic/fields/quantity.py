@@ -1,8 +1,8 @@
 """A number of the study file with its unit, its bounds and its usual range, declared once.
 
-``Annotated[float, Quantity("m", at_least=1e-9, typical=(5e-4, 0.05))]`` makes a pydantic field that reads
-``"7 mm"`` and holds 0.007. Whatever else needs to know about the parameter (the check, the warning, the
-help, a label) reads the same declaration.
+``Annotated[float, Quantity("m", at_least=1e-9, typical=(5e-4, 0.05))]`` makes a field that reads ``"7 mm"``,
+and in Python also 0.007, and holds 0.007. Whatever else needs to know about the parameter (the check, the
+warning, the help, a label) reads the same declaration.
 """
 
 from __future__ import annotations
@@ -11,15 +11,19 @@ import math
 from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
-from typing import Any
+from typing import Annotated, Any
 
-from pydantic import GetCoreSchemaHandler
+from pydantic import AfterValidator, Field, GetCoreSchemaHandler
 from pydantic_core import PydanticCustomError, core_schema
 
 from haptonic.errors import HaptonicError
+from haptonic.names import hidden_in
 from haptonic.units import example_of, format_quantity, shown, to_si
 
-SI_NUMBERS = {"numbers are in SI units": True}  # validation context for numbers that were read before
+FROM_FILE = {"from a file": True}  # validation context: there, a number with a dimension needs its unit
+
+
+SMALLEST, LARGEST = 1e-9, 1e3  # m; below, no continuum; above, no plate that a hand could touch
 
 
 @dataclass(frozen=True)
@@ -46,11 +50,7 @@ class Quantity:
         return core_schema.with_info_plain_validator_function(self._read)
 
     def _read(self, value: object, info: core_schema.ValidationInfo[dict[str, bool] | None]) -> float:
-        if info.context == SI_NUMBERS and isinstance(value, float):
-            return self._bounded(value, value)
-        with collected(self.allowed):
-            number = to_si(value, self.unit, "")
-        return self._bounded(number, value)
+        return self._bounded(number_of(value, self.unit, info.context, self.allowed), value)
 
     def _bounded(self, number: float, given: object) -> float:
         if self.holds(number):
@@ -122,8 +122,13 @@ class Quantity:
         return words
 
 
+def size(lowest: float, highest: float) -> Quantity:
+    """A length that is not zero and whose typical range is given, m."""
+    return Quantity("m", at_least=SMALLEST, at_most=LARGEST, typical=(lowest, highest))
+
+
 def problem(given: str, allowed: str, cause: str, next_step: str, at: str = "") -> PydanticCustomError:
-    """An error for pydantic to collect; `haptonic.study.problems` turns it into one with five parts.
+    """An error for pydantic to collect; `haptonic.fields.problems` turns it into one with five parts.
 
     ``at`` names the parameter below the one that pydantic blames: ``pillar.diameter`` for a check of a cell.
     """
@@ -131,10 +136,45 @@ def problem(given: str, allowed: str, cause: str, next_step: str, at: str = "") 
     return PydanticCustomError("haptonic", "{cause}", parts)
 
 
+def number_of(value: object, unit: str, context: object, allowed: str = "") -> float:
+    """SI value of a quantity: a text with its unit, or outside of files a plain number in SI units."""
+    if context != FROM_FILE and isinstance(value, int | float) and not isinstance(value, bool):
+        return float(value)
+    with collected(allowed):
+        return to_si(value, unit, "")
+
+
 @contextmanager
-def collected(allowed: str = "") -> Iterator[None]:
-    """Hand an error with five parts on to pydantic, which collects it and knows the path."""
+def collected(allowed: str = "", within: str = "") -> Iterator[None]:
+    """Hand an error with five parts on to pydantic, which collects it and knows the path.
+
+    ``within`` is the path of the field that is checked, where the error names something below it.
+    """
     try:
         yield
     except HaptonicError as error:
-        raise problem(error.given, allowed or error.allowed, error.cause, error.next_step) from None
+        at = error.argument.removeprefix(f"{within}.") if within else ""
+        raise problem(error.given, allowed or error.allowed, error.cause, error.next_step, at) from None
+
+
+def _printable(name: str) -> str:
+    """A name that is not blank and that shows whole, whatever it is shown on."""
+    if (found := hidden_in(name)) is not None:
+        raise problem(
+            shown(name),
+            "letters, digits, signs and spaces of any script",
+            f"it holds the control character {found!a}",
+            "remove it: a name is shown in tables, pictures and files",
+        )
+    if not name.strip():
+        raise problem(
+            shown(name),
+            "a text in quotes that is not blank",
+            "it was left blank",
+            "write a name in the quotes",
+        )
+    return name
+
+
+Name = Annotated[str, Field(max_length=40, strict=True), AfterValidator(_printable)]
+"""What somebody calls a part, a region or a person."""

@@ -3,18 +3,17 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Container, Iterator, Mapping
+from collections.abc import Container, Hashable, Iterator, Mapping
 from dataclasses import dataclass
 from functools import cache
 from types import NoneType, UnionType
-from typing import Annotated, Any, Literal, Union, get_args, get_origin
+from typing import Annotated, Any, Literal, Union, cast, get_args, get_origin
 
 import annotated_types
-from pydantic import BaseModel
 from pydantic.fields import FieldInfo
 
-from haptonic.study.entries import Entries
-from haptonic.study.quantity import Quantity
+from haptonic.fields.entries import Entries
+from haptonic.fields.quantity import Quantity
 
 
 @dataclass(frozen=True)
@@ -55,35 +54,46 @@ class Key:
 
 
 @cache
-def table(model: type[BaseModel], prefix: str = "") -> dict[str, Key]:
-    """Every key of a model and of the tables in it, by path and in the order of declaration."""
+def table(kind: type, prefix: str = "") -> dict[str, Key]:
+    """Every key of a described value and of the tables in it, by path and in the order of declaration."""
     keys: dict[str, Key] = {}
-    for name, field in model.model_fields.items():
+    for name, field in fields_of(kind).items():
         path = f"{prefix}{field.alias or name}"
         key = _key(path, field)
         keys[path] = key
-        for below in _models(field.annotation):
+        for below in _kinds(field.annotation):
             keys |= table(below, f"{path}[]." if key.kind == "tables" else f"{path}.")
     return keys
 
 
+def is_described(value: object) -> bool:
+    """Whether a value, or a class, declares its fields."""
+    return hasattr(value, "__pydantic_fields__")
+
+
+def fields_of(kind: Any) -> dict[str, FieldInfo]:
+    """The declared fields of a class, by name."""
+    declared: dict[str, FieldInfo] = kind.__pydantic_fields__
+    return declared
+
+
 def leaves(
-    model: BaseModel, prefix: str = "", only: Container[str] | None = None
+    model: Any, prefix: str = "", only: Container[str] | None = None
 ) -> Iterator[tuple[str, Any, Quantity | None]]:
     """(path, value, declaration) of every key that has a value, tables inside tables included.
 
     ``only`` names the keys of the outermost table that are looked at.
     """
-    for name, (field, each) in _declared(type(model)).items():
+    for name, (field, each) in _declared(cast("Hashable", type(model))).items():
         key = field.alias or name
         if only is not None and key not in only:
             continue
         path, value = f"{prefix}{key}", getattr(model, name)
-        if isinstance(value, BaseModel):
+        if is_described(value):
             yield from leaves(value, f"{path}.")
         elif isinstance(value, tuple):
             for index, item in enumerate(value, start=1):
-                if isinstance(item, BaseModel):
+                if is_described(item):
                     yield from leaves(item, f"{path}[{index}].")
                 else:
                     yield f"{path}[{index}]", item, each[index - 1]
@@ -98,9 +108,9 @@ def leaves(
 
 
 @cache
-def _declared(model: type[BaseModel]) -> dict[str, tuple[FieldInfo, tuple[Quantity, ...]]]:
-    """Each field of a model with the declarations of its numbers."""
-    return {name: (field, quantities_of(field)) for name, field in model.model_fields.items()}
+def _declared(kind: type) -> dict[str, tuple[FieldInfo, tuple[Quantity, ...]]]:
+    """Each field of a described value with the declarations of its numbers."""
+    return {name: (field, quantities_of(field)) for name, field in fields_of(kind).items()}
 
 
 def key_of(path: str, keys: Mapping[str, Key]) -> Key | None:
@@ -112,7 +122,7 @@ def key_of(path: str, keys: Mapping[str, Key]) -> Key | None:
     return key if key and (pattern == whole or key.kind in {"quantities", "entries"}) else None
 
 
-def unit_of(model: BaseModel, field: FieldInfo, entry: str) -> Quantity | None:
+def unit_of(model: object, field: FieldInfo, entry: str) -> Quantity | None:
     """The declaration of one number of a table with keys of the user's own."""
     declared = quantity_of(field)
     return Quantity(model.units[entry]) if declared is None and hasattr(model, "units") else declared
@@ -149,7 +159,7 @@ def _kind(field: FieldInfo) -> str:
         return "quantity" if quantity.unit else "number"
     if _choices(field.annotation):
         return "choice"
-    if any(_models(field.annotation)):
+    if any(_kinds(field.annotation)):
         return "table"
     plain = {get_args(part)[0] if get_origin(part) is Annotated else part for part in parts}
     return "integer" if int in plain else "number" if float in plain else "text"
@@ -159,7 +169,7 @@ def _default(field: FieldInfo, quantity: Quantity | None) -> str | None:
     if field.is_required():
         return None
     value = field.get_default(call_default_factory=True)
-    if value is None or isinstance(value, BaseModel | tuple | Entries):
+    if value is None or is_described(value) or isinstance(value, tuple | Entries):
         return ""
     return str(value)
 
@@ -192,13 +202,13 @@ def _parts(annotation: Any) -> tuple[Any, ...]:
     return (annotation,)
 
 
-def _models(annotation: Any) -> Iterator[type[BaseModel]]:
-    """The tables that an annotation can hold, however deep it wraps them."""
-    if isinstance(annotation, type) and issubclass(annotation, BaseModel):
+def _kinds(annotation: Any) -> Iterator[type]:
+    """The described values that an annotation can hold, however deep it wraps them."""
+    if isinstance(annotation, type) and is_described(annotation):
         yield annotation
     elif get_origin(annotation) is not Literal:
         for part in get_args(annotation):
-            yield from _models(part)
+            yield from _kinds(part)
 
 
 def _choices(annotation: Any) -> tuple[str, ...]:

@@ -1,0 +1,266 @@
+"""Questions to the process that reads, and its limits.
+
+The process is started once and serves many files: to start it takes about 0.2 s, to ask it below a
+millisecond. One that crashes, hangs or takes too much ends, and the next question starts another.
+"""
+
+from __future__ import annotations
+
+import atexit
+import os
+import signal
+import subprocess
+import sys
+import threading
+from collections.abc import Iterator
+from contextlib import contextmanager
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import haptonic
+from haptonic.errors import ResourceError
+from haptonic.foreign import wire
+
+# Processor time of a question. A good file of 100 MB takes 1 s (MATLAB 5, compressed); damaged ones that
+# hang do so for ever.
+SECONDS, BYTES_A_SECOND = 5.0, 4e6
+WAITING = 12  # times longer on the clock than on the processor: other work, a slow disk
+# Memory of a question, beyond what the process has. A compressed file unfolds; its text is held beside it.
+MEMORY, MEMORY_A_BYTE = 2**30, 16
+COMMAND = ["-m", "haptonic.foreign.child"]
+START_SECONDS = 60.0  # on a busy machine; 0.2 s on an idle one
+LOOK_SECONDS = 0.1  # how often the process is looked at
+PIPE = 2**20  # bytes that wait between the processes; Linux's usual 64 kB halve the speed
+
+
+class ForeignError(Exception):
+    """A file that its parser cannot read; the text says what became of the try."""
+
+
+@dataclass(frozen=True)
+class Limits:
+    """What a question may take: processor time (s), time on the clock (s), memory (bytes)."""
+
+    seconds: float
+    waiting: float
+    memory: int
+
+    @classmethod
+    def of(cls, size: int) -> Limits:
+        """For a file of so many bytes."""
+        seconds = SECONDS + size / BYTES_A_SECOND
+        return cls(seconds, WAITING * seconds, MEMORY + MEMORY_A_BYTE * size)
+
+
+def ask(parser: str, path: Path, **arguments: object) -> Any:
+    """What a parser says of a file.
+
+    Parameters
+    ----------
+    parser : such as "hdf5.tree": module and function of `haptonic.foreign`
+    arguments : of that function; texts, numbers, lists
+
+    Raises
+    ------
+    ForeignError : the parser raised an error, crashed, or took too long
+    MemoryError : it took more memory than a file of this size may
+    OSError : there is no such file, or it may not be read
+    ResourceError : no process can be started
+    """
+    with path.open("rb") as file:
+        limits = Limits.of(os.fstat(file.fileno()).st_size)
+    question = {
+        "parser": parser, "path": str(path.absolute()), "arguments": arguments,
+        "seconds": limits.seconds, "memory": limits.memory,
+    }  # fmt: skip
+    with _turn:
+        while True:
+            reader = _reader()
+            fresh = not reader.asked
+            try:
+                answer = reader.answer(question, limits)
+                break
+            except _EndedError as error:
+                _end()
+                # what an earlier file did to the memory of the process is not this file's fault
+                if fresh or error.reason:
+                    raise _told(error, limits) from error
+            except BaseException:
+                _end()  # an answer that nobody took would be taken for the next one
+                raise
+    if "error" not in answer:
+        return answer["answer"]
+    if answer["error"] == "MemoryError":
+        raise MemoryError(f"more than {limits.memory / 1e9:.1f} GB for {path}")
+    raise ForeignError(answer["error"])
+
+
+def _told(error: _EndedError, limits: Limits) -> Exception:
+    # killed, and not by us: that is what a system does that runs out of memory
+    if error.reason == "memory" or (not error.reason and error.code == -getattr(signal, "SIGKILL", 0)):
+        return MemoryError(f"more than {limits.memory / 1e9:.1f} GB")
+    if error.reason == "time":
+        return ForeignError(f"not read within {limits.seconds:.0f} s")
+    return ForeignError("its parser crashed")
+
+
+class _EndedError(Exception):
+    """The process ended while it was asked; the reason is ours ("time", "memory"), or empty."""
+
+    def __init__(self, reason: str, code: int) -> None:
+        super().__init__(reason)
+        self.reason, self.code = reason, code
+
+
+class _Reader:
+    """A process that reads."""
+
+    def __init__(self) -> None:
+        self.asked = False
+        try:
+            # a command, and not a fork or multiprocessing: no thread's lock is copied, no user's script run
+            self.process = subprocess.Popen(
+                [sys.executable, "-P", *COMMAND],
+                stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, bufsize=0,
+                env=_environment(),
+            )  # fmt: skip
+        except OSError as error:
+            raise _not_started(str(error)) from error
+        assert self.process.stdin is not None
+        assert self.process.stdout is not None
+        self.to, self.back = self.process.stdin, self.process.stdout
+        _widened(self.to.fileno(), self.back.fileno())
+        try:
+            with self._watched(Limits(START_SECONDS, START_SECONDS, MEMORY)):
+                wire.receive(self.back)
+        except _EndedError as error:
+            self.end()
+            raise _not_started(f"it ended at once (exit code {self.process.returncode})") from error
+
+    def answer(self, question: dict[str, Any], limits: Limits) -> dict[str, Any]:
+        """The answer.
+
+        Raises
+        ------
+        _EndedError : the process ended
+        """
+        self.asked = True
+        with self._watched(limits):
+            wire.send(self.to, question)
+            answer: dict[str, Any] = wire.receive(self.back)
+        return answer
+
+    @contextmanager
+    def _watched(self, limits: Limits) -> Iterator[None]:
+        """A thread looks at the process, for one that hangs in C sees no signal but the last."""
+        done, reasons = threading.Event(), list[str]()
+        watch = threading.Thread(target=self._watch, args=(limits, done, reasons), daemon=True)
+        watch.start()
+        try:
+            yield
+        except (EOFError, BrokenPipeError) as error:
+            done.set()
+            watch.join()
+            code = self.process.wait()
+            if code == -getattr(signal, "SIGXCPU", 0):  # the limit of the system came first
+                reasons.append("time")
+            raise _EndedError(reasons[0] if reasons else "", code) from error
+        finally:
+            done.set()
+            watch.join()
+
+    def _watch(self, limits: Limits, done: threading.Event, reasons: list[str]) -> None:
+        if done.wait(LOOK_SECONDS):
+            return
+        import psutil  # here, because most questions are answered by now
+
+        waited, before = LOOK_SECONDS, None
+        while not done.wait(LOOK_SECONDS):
+            waited += LOOK_SECONDS
+            try:
+                process = psutil.Process(self.process.pid)
+                times, held = process.cpu_times(), process.memory_info().rss
+            except psutil.Error:  # it has ended
+                return
+            used = times.user + times.system
+            before = used if before is None else before
+            if used - before > limits.seconds or waited > limits.waiting:
+                reasons.append("time")
+            elif held > limits.memory + MEMORY // 4:  # the process itself takes 60 MB to 150 MB
+                reasons.append("memory")
+            if reasons:
+                self.process.kill()
+                return
+
+    def end(self) -> None:
+        self.process.kill()
+        self.close()
+
+    def close(self) -> None:
+        """It ends when its input does."""
+        for pipe in (self.to, self.back):
+            pipe.close()
+        self.process.wait()
+
+
+def _environment() -> dict[str, str]:
+    """Of the process: it finds the modules that this one finds, and does with one thread."""
+    home = str(Path(haptonic.__file__).parents[1])
+    places = os.pathsep.join([home, *(place for place in sys.path if place and place != home)])
+    return os.environ | {"PYTHONPATH": places, "OPENBLAS_NUM_THREADS": "1", "OMP_NUM_THREADS": "1"}
+
+
+def _widened(*pipes: int) -> None:
+    try:
+        from fcntl import F_SETPIPE_SZ, fcntl
+    except ImportError:  # only Linux has pipes of a chosen size
+        return
+    try:
+        for pipe in pipes:
+            fcntl(pipe, F_SETPIPE_SZ, PIPE)
+    except OSError:  # the user's pipes are as wide as they may be
+        return
+
+
+def _not_started(why: str) -> ResourceError:
+    return ResourceError(
+        argument="process that reads files",
+        given=why,
+        allowed="a second process of Python beside this one",
+        cause="the machine allows no more processes, or has no memory for one",
+        next_step="end other programs, or lift the limit on processes (ulimit -u)",
+    )
+
+
+_turn = threading.Lock()
+_readers: list[_Reader] = []  # none or one
+
+
+def _reader() -> _Reader:
+    if _readers and _readers[0].process.poll() is not None:
+        _end()
+    if not _readers:
+        _readers.append(_Reader())
+    return _readers[0]
+
+
+def _end() -> None:
+    while _readers:
+        _readers.pop().end()
+
+
+def _leave_to_the_parent() -> None:
+    """After a fork: the process is that of the parent, and so is a turn that was being taken."""
+    global _turn
+    _turn = threading.Lock()
+    while _readers:
+        reader = _readers.pop()
+        reader.process.returncode = 0  # it is not for this process to wait for it
+        for pipe in (reader.to, reader.back):
+            pipe.close()
+
+
+if hasattr(os, "register_at_fork"):
+    os.register_at_fork(after_in_child=_leave_to_the_parent)
+atexit.register(_end)

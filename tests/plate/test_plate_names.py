@@ -1,0 +1,147 @@
+"""A plate whose regions, actuators and forces have any name: all runs, nothing is lost or mixed up."""
+
+from __future__ import annotations
+
+import io
+from dataclasses import replace
+from pathlib import Path
+
+import pytest
+import xarray as xr
+from hypothesis import HealthCheck, given, settings
+from hypothesis import strategies as st
+from matplotlib.legend import Legend
+from small import COARSE, LOSS, drawn, glued
+
+from haptonic import plots
+from haptonic.cli.console import Voice
+from haptonic.cli.plates import localisation_table, modes_table, plate_files, power_table
+from haptonic.plate import Plate
+from haptonic.plate.keys import FINGER, PLATE, SUPPORTS, bond, ceramic, dielectric, electric
+from haptonic.plate.parts import Force, Support
+from haptonic.response import read, write
+from haptonic.results.common import write_netcdf
+from haptonic.results.plate.compute import compute_plate
+from haptonic.results.plate.question import PlateQuestion
+from haptonic.store import Store
+from hostile import NASTY, names
+
+slow_but_few = settings(
+    max_examples=6, deadline=None,
+    suppress_health_check=[HealthCheck.function_scoped_fixture, HealthCheck.too_slow],
+)  # fmt: skip
+QUESTION = PlateQuestion(4e3, 12e3, 3, 1e-2, 3.5e-3)
+# of the regions in which the patch and the force lie, of the patch and of the force
+fours = st.tuples(
+    st.lists(names, min_size=2, max_size=2, unique=True), st.lists(names, min_size=2, max_size=2, unique=True)
+)
+
+
+def called(regions, drives):
+    """A patch on one region, a force on another, a spring at an edge."""
+    driven, other = regions
+    layout = drawn("aab")
+    tiles = (tuple({"a": driven, "b": other}[str(name)] for name in layout.tiles[0]),)
+    patch, force = drives
+    return Plate(
+        replace(layout, tiles=tiles),
+        supports=(Support("left", "spring", stiffness=3e11, loss_factor=0.08),),
+        actuators=(glued((7e-3, 3.5e-3), size=(7e-3, 3.5e-3, 0.7e-3), name=patch),),
+        forces=(Force(force, (17.5e-3, 3.5e-3), (3e-3, 2e-3)),),
+        loss_factor=LOSS,
+    )
+
+
+def computed(plate, folder):
+    return compute_plate(
+        plate, QUESTION, carrier=8e3, gap=None, inputs={}, store=Store(folder), fineness=COARSE
+    )  # fmt: skip
+
+
+@pytest.fixture(scope="module")
+def energies(tmp_path_factory):
+    """Stored in both regions and in the patch, with names that cannot be mistaken."""
+    lines = computed(called(("R1", "R2"), ("A1", "F1")), tmp_path_factory.mktemp("plain")).lines
+    return lines["stored"].sel(region=["R1", "R2"]).values, lines["stored_in_actuator"].values[:, 0]
+
+
+@slow_but_few
+@given(fours)
+def test_energy_is_where_it_belongs_whatever_the_names(energies, tmp_path_factory, chosen):
+    regions, drives = chosen
+    folder = tmp_path_factory.mktemp("named")
+    result = computed(called(regions, drives), folder / "store")
+    lines = result.lines
+    assert set(lines["region"].values.tolist()) == set(regions)
+    assert lines["actuator"].values.tolist() == [drives[0]]
+    in_plate, in_patch = energies
+    for k, name in enumerate(regions):
+        there = lines["stored"].values[:, lines["region"].values.tolist().index(name)]
+        assert there == pytest.approx(in_plate[:, k], rel=1e-6)
+    assert lines["stored_in_actuator"].values[:, 0] == pytest.approx(in_patch, rel=1e-6)
+    lost = lines["dissipated"].sum("loss").values
+    assert lost == pytest.approx(lines["given"].values, rel=1e-4)
+    assert len(set(lines["loss"].values.tolist())) == lines.sizes["loss"]
+    shown_whole(result, regions, drives, folder)
+
+
+def shown_whole(result, regions, drives, folder: Path):
+    """Files, pictures and tables: inside of the folder, and with the names."""
+    out = folder / "a" / "b" / "c" / "out"
+    out.mkdir(parents=True)
+    write_netcdf(result.lines, out / "plate.nc")
+    write(result.response, out / "response.nc")
+    with xr.open_dataset(out / "plate.nc", engine="h5netcdf") as file:
+        assert set(file["region"].values.tolist()) == set(regions)
+        assert file["actuator"].values.tolist() == [drives[0]]
+    back = read(out / "response.nc")
+    assert set(back.regions) == set(regions)
+    assert (back.reference.name, back.reference.unit) == (drives[0], "V")
+    assert back.units == "m/s/V"
+    frequency = result.response.frequency
+    figures = {
+        "plan": plots.plate_plan(result.plate),
+        "velocity": plots.velocity_spectrum(
+            frequency, {k: v.values for k, v in result.levels.items()}, None, units="m/s/V",
+            origin="simulated",
+        ),
+        "contrast": plots.contrast_spectrum(
+            frequency, {k: v.values for k, v in result.contrasts(result.response).items()}, None,
+            origin="simulated",
+        ),
+    }  # fmt: skip
+    (impedance,) = {name for name in plate_files(result.plate) if name.startswith("impedance")} - {
+        name for name in plate_files(result.plate) if name.endswith(".png")
+    }
+    figures[impedance.removesuffix(".svg")] = plots.impedance_spectrum(
+        frequency, result.impedance(drives[0]), None, origin="simulated"
+    )
+    shown = figures["velocity"].findobj(Legend)
+    assert sum(len(one.get_texts()) for one in shown) >= len(regions)
+    for name, figure in figures.items():
+        plots.save(figure, out, name)
+    written = sorted(path for path in folder.rglob("*.*") if "store" not in path.relative_to(folder).parts)
+    assert {path.parent for path in written} == {out}
+    assert {path.name for path in written} >= {"plan.svg", impedance}
+    voice = Voice(machine=False)
+    voice.out.file, voice.out.width = io.StringIO(), 4000
+    for table in (localisation_table(result), power_table(result), modes_table(result)):
+        voice.tell(table)
+    said = "".join(voice.out.file.getvalue().split())
+    assert all("".join(name.split()) in said for name in (*regions, drives[0]))
+    told = result.to_json()["maps"][0]
+    assert set(told["strain_energy_j"]) == set(regions)
+    assert list(told["strain_energy_actuator_j"]) == [drives[0]]
+
+
+def test_a_name_that_goes_up_writes_nothing_above():
+    """The fault that was found."""
+    plate = called(("WG1", "WG2"), ("x/../../../escaped", "F1"))
+    assert all(Path(name).name == name for name in plate_files(plate))
+
+
+@given(st.sampled_from(NASTY), st.sampled_from(NASTY))
+def test_the_words_for_parts_tell_them_apart(one, other):
+    keys = [PLATE, SUPPORTS, FINGER]
+    keys += [part(name) for name in {one, other} for part in (bond, ceramic, dielectric, electric)]
+    assert len({str(key) for key in keys}) == len(keys)

@@ -1,0 +1,46 @@
+"""The glossary says one thing of each term, and the names that it gives are those of the code."""
+
+import ast
+import re
+from pathlib import Path
+
+import haptonic
+
+PAGE = Path(__file__).parents[1] / "docs" / "glossary.md"
+ROWS = [
+    [cell.strip() for cell in line.strip("|").split("|")]
+    for line in PAGE.read_text("utf-8").splitlines()
+    if line.startswith("|") and not line.startswith(("| term", "|---"))
+]
+
+
+def names_in_the_code() -> set[str]:
+    """Public functions and classes, and ``Class.member`` of every field and method."""
+    names = set()
+    for file in Path(haptonic.__file__).parent.rglob("*.py"):
+        for node in ast.parse(file.read_text("utf-8")).body:
+            if isinstance(node, ast.ClassDef | ast.FunctionDef):
+                names.add(node.name)
+            if isinstance(node, ast.ClassDef):
+                fields = [one.target for one in node.body if isinstance(one, ast.AnnAssign)]
+                names |= {f"{node.name}.{field.id}" for field in fields if isinstance(field, ast.Name)}
+                methods = (one for one in node.body if isinstance(one, ast.FunctionDef))
+                names |= {f"{node.name}.{method.name}" for method in methods}
+    return names
+
+
+def test_every_row_is_whole_and_every_term_stands_once():
+    assert len(ROWS) > 50
+    for row in ROWS:
+        assert len(row) == 4, row
+        assert row[0], row
+        assert row[2], row
+    terms = [row[0] for row in ROWS]
+    assert len(set(terms)) == len(terms)
+
+
+def test_the_names_of_the_code_exist():
+    known = names_in_the_code()
+    given = {name for row in ROWS for name in re.findall(r"`([^`]+)`", row[3])}
+    assert len(given) > 20
+    assert given <= known, given - known
