@@ -170,7 +170,7 @@ class TestPutAndGet:
             label=("band", np.array(list("ΓXMΓX"))),
             duration=((), 2.5, {"units": "seconds"}),
             nothing=("empty", np.zeros(0)),
-            undefined=("band", np.full(5, np.nan)),
+            undefined=("band", np.full(5, np.nan), {"nan_means": "nothing was asked of it"}),
         )
         store = Store(tmp_path / "not" / "there" / "yet")
         assert store.get(KEY) is None

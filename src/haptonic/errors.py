@@ -72,6 +72,10 @@ class ScanError(HaptonicError):
     """A scan file, or what it holds, cannot be used."""
 
 
+class NumericalError(HaptonicError):
+    """Numbers so far apart that rounding spoils what is computed from them."""
+
+
 class ResourceError(HaptonicError):
     """The machine has too little memory, or a file cannot be read or written."""
 

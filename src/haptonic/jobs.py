@@ -24,6 +24,7 @@ from typing import TYPE_CHECKING, Any
 import xarray as xr
 
 from haptonic.errors import HaptonicError, ResourceError
+from haptonic.gate import passed
 from haptonic.store import Store, content_key, fingerprint
 
 if TYPE_CHECKING:
@@ -145,10 +146,10 @@ def _computed_here(function: Function, missing: Mapping[str, object]) -> Results
 def _attempt(function: Function, argument: object) -> Result:
     try:
         dataset = function(argument)
+        assert isinstance(dataset, xr.Dataset), f"{function} returned {type(dataset).__name__}, not a dataset"
+        return passed(dataset)
     except HaptonicError as error:
         return error
-    assert isinstance(dataset, xr.Dataset), f"{function} returned {type(dataset).__name__}, not a dataset"
-    return dataset
 
 
 def _attempt_there(argument: object, function: Function, expected: str) -> Result:

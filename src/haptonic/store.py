@@ -32,6 +32,7 @@ import scipy
 import xarray as xr
 
 from haptonic.errors import HaptonicWarning, ResourceError
+from haptonic.gate import passed
 from haptonic.paths import target
 
 # Parts of the package that show results but do not make them.
@@ -192,8 +193,13 @@ class Store:
 
         Its attributes must be ones that NetCDF knows: text, numbers, and lists of numbers, not booleans. If
         it cannot be written, a HaptonicWarning says so: a result is worth more than its copy.
+
+        Raises
+        ------
+        NumericalError : a number in it is none, see `haptonic.gate`
         """
         path = self.path(key)
+        passed(dataset)
         # Made in memory first: HDF5 reports a full disk by errors of many kinds, a plain write by one.
         content = io.BytesIO()
         dataset.to_netcdf(content, engine="h5netcdf")

@@ -1,6 +1,7 @@
 """The brief's limits, the tangents that a search steps along, and that a search climbs."""
 
 import math
+import re
 from dataclasses import replace
 from functools import cache
 
@@ -9,23 +10,27 @@ import pytest
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
-from haptonic.bloch import Resolution
+from haptonic.bloch import Resolution, gaps_of
 from haptonic.cell import Pillar, Step, UnitCell
 from haptonic.design import quick, search
 from haptonic.design.brief import LEAST_GAP, Brief, Finger
 from haptonic.design.parameters import changed, values_of
 from haptonic.design.quick import QuickDesign
-from haptonic.design.search import climb, looked_at, starting_points
-from haptonic.errors import StudyError
+from haptonic.design.search import Column, Visited, climb, spread, starts_of
+from haptonic.errors import ResourceError, StudyError
 from haptonic.lattice import Lattice
-from haptonic.materials import IsotropicMaterial
+from haptonic.materials import IsotropicMaterial, material
+from haptonic.results import Runner, compute_design, design
+from haptonic.results.common import Asked
+from haptonic.store import Store
 
 MM = 1e-3
 ALUMINIUM = IsotropicMaterial(70e9, 0.33, 2700.0, name="aluminium")
 SQUARE = Lattice.square(7 * MM)
 CELL = UnitCell(SQUARE, 1.5 * MM, ALUMINIUM, Pillar(3.5 * MM, 9 * MM))
 ALL = replace(CELL, pillar=Pillar(4.5 * MM, 9 * MM, "round", math.radians(2), 0.6 * MM, Step(3 * MM, 5 * MM)))
-PATHS = ("cell.pitch", "cell.thickness", "cell.pillar.diameter", "cell.pillar.height")
+HEIGHT = "cell.pillar.height"
+PATHS = ("cell.pitch", "cell.thickness", "cell.pillar.diameter", HEIGHT)
 
 
 def brief_of(cell, bounds=None, carrier=60e3, **limits):
@@ -149,17 +154,35 @@ class TestBounds:
         assert nothing_left.at(np.empty(0)).lattice == Lattice.square(8 * MM)
         nothing_left.check()
 
-    def test_starting_points_are_allowed_and_apart(self):
-        bounds = {
-            path: (0.9 * value, 1.2 * value) for path, value in values_of(CELL).items() if path in PATHS
-        }
-        brief = brief_of(CELL, bounds, tool=3 * MM)
-        points = starting_points(brief, 6)
-        assert len(points) == 6
-        assert points[0] == pytest.approx(brief.share(CELL))
-        assert min(min(brief.limits(point).values()) for point in points) >= 0
-        apart = [np.linalg.norm(a - b) for i, a in enumerate(points) for b in points[:i]]
-        assert min(apart) > 0.1
+    @settings(max_examples=40, deadline=None)
+    @given(
+        st.sets(st.sampled_from(PATHS), min_size=1),
+        st.integers(1, 60),
+        st.floats(1.5, 16),
+        st.floats(0.0, 3.0),
+    )
+    def test_what_is_looked_at_is_allowed_and_all_over_the_bounds(self, paths, count, slenderness, tool):
+        bounds = {path: (0.5 * values_of(CELL)[path], 1.5 * values_of(CELL)[path]) for path in sorted(paths)}
+        brief = brief_of(CELL, bounds, slenderness=slenderness, tool=max(tool, 0.1) * MM)
+        assume(brief.allows(brief.feasible(brief.share(CELL))))
+        columns = spread(brief, count)
+        places = np.vstack(columns)
+        assert all(brief.allows(place) for place in places)
+        own = brief.feasible(brief.share(CELL))
+        assert np.abs(places - own).max(axis=1).min() < 1e-12
+        assert len(places) <= count + 1
+        for column in columns:
+            others = np.delete(column, [i for i, path in enumerate(bounds) if path == HEIGHT], axis=1)
+            assert (others == others[0]).all()
+        if count >= 30 and len(bounds) > 1:
+            assert len(places) >= 0.8 * count
+            for row, path in enumerate(bounds):
+                allowed = [
+                    one for one in np.random.default_rng(1).random((400, len(bounds))) if brief.allows(one)
+                ]
+                if len(allowed) > 40:  # as far as the limits leave
+                    width = np.ptp(np.array(allowed)[:, row])
+                    assert np.ptp(places[:, row]) > 0.5 * width, path
 
 
 @cache
@@ -217,11 +240,17 @@ def test_a_step_goes_where_the_tangents_meet(start, most, step, expected, promis
     assert margin == pytest.approx(promised)
 
 
+def best_of(brief, share):
+    """The gap that holds the carrier best, in the model of a climb."""
+    edges = QuickDesign.of(brief.at(share), brief.count).edges()
+    return Column(share[None], edges[None]).best(brief.carrier)[0][1]
+
+
 def test_a_search_climbs_and_stays_allowed(monkeypatch):
     monkeypatch.setattr(quick, "QUICK", Resolution(2, 1))
     brief = brief_of(CELL, carrier=110e3, slenderness=2.8, tool=2.5 * MM)
     start = brief.share(CELL)
-    first = looked_at(brief, start)
+    first = best_of(brief, start)
     visits = list(climb(brief, start, first.band, (0.0, 0.0), 5))
     assert visits[0].margin == pytest.approx(first.margin, abs=2e-3)
     assert len(visits) >= 3
@@ -233,8 +262,186 @@ def test_a_search_climbs_and_stays_allowed(monkeypatch):
         assert brief.allows(visit.share)
         room = min(brief.carrier - visit.lower, visit.upper - brief.carrier) / brief.carrier
         assert visit.margin == pytest.approx(room)
-    assert looked_at(brief, visits[-1].share).margin == pytest.approx(margins[-1], abs=2e-3)
+    assert best_of(brief, visits[-1].share).margin == pytest.approx(margins[-1], abs=2e-3)
 
     shifted = next(climb(brief, start, first.band, (-200.0, 300.0), 1))
     assert shifted.lower == pytest.approx(visits[0].lower - 200.0)
     assert shifted.upper == pytest.approx(visits[0].upper + 300.0)
+
+
+class TestStarts:
+    """Columns by hand, at a carrier of 100 Hz."""
+
+    @staticmethod
+    def column(place, *designs):
+        """Designs one above the other, each with its (lower, upper) edges of every pair of bands."""
+        shares = np.array([[place, height] for height in np.linspace(0, 1, len(designs))])
+        return Column(shares, np.array([np.transpose(edges) for edges in designs], dtype=float))
+
+    def test_bands_that_touch_at_the_carrier_come_after_every_gap(self):
+        touching = self.column(0.2, [(100, 100), (140, 120)])
+        narrow = self.column(0.8, [(150, 120), (40, 42)])
+        found = starts_of([touching, narrow], 100.0)
+        assert (found[0].share[0], found[0].band) == (0.8, 2)
+        assert found[0].is_open(100.0)
+        assert not any(visit.is_open(100.0) for visit in found[1:])
+
+    def test_a_gap_between_two_heights_that_were_looked_at_is_seen(self):
+        (first, *_) = starts_of([self.column(0.5, [(150, 180)], [(60, 72)])], 100.0)
+        assert first.lower < 100 < first.upper
+        assert 0.3 < first.share[1] < 0.6  # 165 Hz to 66 Hz, with 100 Hz on the way
+
+    def test_each_basin_once(self):
+        columns = [self.column(place, [(95, 106 + place)]) for place in (0.1, 0.15, 0.9)]
+        assert [visit.share[0] for visit in starts_of(columns, 100.0)] == [0.9, 0.15]
+        two_gaps = self.column(0.1, [(95, 106), (90, 99)])
+        assert [visit.band for visit in starts_of([two_gaps], 100.0)] == [1, 2]
+
+
+CHEAP = Resolution(2, 1)
+ASKED = Asked(8, 3, 0.02, Resolution(3, 1))
+
+
+@pytest.fixture
+def cheap(monkeypatch):
+    monkeypatch.setattr(quick, "QUICK", CHEAP)
+
+
+@pytest.fixture(scope="module")
+def kept(tmp_path_factory):
+    """Where searches of the same brief find again what they have looked at."""
+    return Store(tmp_path_factory.mktemp("kept"))
+
+
+def searched(brief, kept, asked=ASKED, starts=30):
+    return compute_design(brief, asked, starts=starts, climbs=2, steps=12, inputs={}, runner=Runner(kept))
+
+
+def glass(carrier=40e3, start=(2.0, 10.0, 0.7), slenderness=16.0):
+    """Slender pillars of glass, whose best gap no climb from the start alone comes near."""
+    diameter, height, thickness = start
+    cell = UnitCell(
+        Lattice.square(4 * MM), thickness * MM, material("soda-lime-glass"),
+        Pillar(diameter * MM, height * MM),
+    )  # fmt: skip
+    bounds = {
+        "cell.pillar.diameter": (0.8 * MM, 3.5 * MM),
+        HEIGHT: (3 * MM, 30 * MM),
+        "cell.thickness": (0.3 * MM, 1.5 * MM),
+    }
+    return Brief(cell, carrier, 8, bounds, slenderness=slenderness)
+
+
+def drawn(seed):
+    """A brief with two parameters, and a start anywhere in it."""
+    rng = np.random.default_rng(seed)
+    stuff, pitch = material(["brass", "soda-lime-glass", "steel"][seed % 3]), rng.uniform(4, 9) * MM
+    shear = np.sqrt(stuff.youngs_modulus / (2 * (1 + stuff.poisson_ratio) * stuff.density))
+    bounds = {"cell.pillar.diameter": (0.3 * pitch, 0.9 * pitch), HEIGHT: (1.0 * pitch, 5.0 * pitch)}
+    cell = UnitCell(
+        Lattice.square(pitch), rng.uniform(0.1, 0.2) * pitch, stuff, Pillar(0.5 * pitch, 2.0 * pitch)
+    )
+    brief = Brief(cell, rng.uniform(0.06, 0.16) * shear / pitch, 8, bounds, slenderness=rng.uniform(4, 12))
+    return replace(brief, cell=brief.at(brief.feasible(rng.random(2))))
+
+
+@pytest.mark.parametrize("seed", [3, 4])
+def test_a_search_is_at_least_as_good_as_a_scan(cheap, seed, kept):
+    """The benchmark ``search_finds_what_is_there`` draws twenty."""
+    brief = drawn(seed)
+    lines = [6 if path == HEIGHT else 3 for path in brief.paths]
+    grid = np.stack(np.meshgrid(*(np.linspace(0, 1, n) for n in lines)), axis=-1).reshape(-1, len(lines))
+    scan = [Column.of(brief, place[None]).best(brief.carrier)[0][1] for place in grid if brief.allows(place)]
+    visit = max((one for one in scan if one.is_open(brief.carrier)), key=lambda one: one.margin)
+    gaps = gaps_of(design.gap_dataset((brief.at(visit.share), ASKED, visit.band)))
+    (best,) = (gap for gap in gaps if gap.between[0] == visit.band)
+    found = searched(brief, kept)
+    assert min(brief.carrier - best.lower, best.upper - brief.carrier) > 0.01 * brief.carrier
+    reached = min(brief.carrier - found.gap.lower, found.gap.upper - brief.carrier)
+    assert reached > min(brief.carrier - best.lower, best.upper - brief.carrier) - 2e-3 * brief.carrier
+    inside = brief.share(changed(brief.cell, found.values))
+    assert brief.allows(inside)
+    assert all(low <= found.values[path] <= high for path, (low, high) in brief.bounds.items())
+
+
+class TestWhatCannotBeComputed:
+    """A machine without the memory for some of the designs found."""
+
+    @staticmethod
+    def refusing(monkeypatch, refuses):
+        computed, tried = design.gap_dataset, []
+
+        def too_large(argument):
+            tried.append(argument[0])
+            if refuses(tried):
+                raise ResourceError(
+                    argument="bands.accuracy", given="0.002", allowed="what fits into 8 GB",
+                    cause="37 GB would be needed", next_step="ask for less accuracy",
+                )  # fmt: skip
+            return computed(argument)
+
+        monkeypatch.setattr(design, "gap_dataset", too_large)
+        return tried
+
+    def test_one_is_left_out_and_named(self, cheap, monkeypatch, kept):
+        tried = self.refusing(monkeypatch, lambda tried: len(tried) == 1)
+        found = searched(
+            glass(), kept, replace(ASKED, accuracy=0.03), starts=48
+        )  # not what another test has kept
+        assert len(tried) >= 2
+        assert found.margin > 0
+        (left,) = found.left_out
+        assert left["cause"] == "37 GB would be needed"
+        assert left["values"].keys() == found.values.keys()
+        assert left["values"]["cell.pillar.height"] == pytest.approx(tried[0].pillar.height, abs=1e-6)
+        assert found.to_json()["left_out"] == [left]
+
+    def test_if_none_can_be_the_best_is_told_all_the_same(self, cheap, monkeypatch, kept):
+        self.refusing(monkeypatch, lambda _: True)
+        with pytest.raises(ResourceError, match="37 GB") as refusal:
+            searched(glass(), kept, replace(ASKED, accuracy=0.04))
+        assert "cell.pillar.height = " in refusal.value.cause
+        assert "kHz" in refusal.value.cause
+
+
+class TestRefusal:
+    @settings(max_examples=60)
+    @given(
+        st.lists(st.sampled_from([0.0, 0.004, 0.5, 0.8, 1.0]), min_size=3, max_size=3),
+        st.floats(1e3, 1e6),
+        st.floats(-1e-2, 0.3),
+        st.floats(-0.3, 0.3),
+    )
+    def test_it_says_what_holds_a_design_back_and_does_not_contradict_itself(
+        self, place, carrier, width, away
+    ):
+        brief = glass(carrier, slenderness=9.0)
+        share = brief.feasible(np.array(place))
+        lower = carrier * (1 + (abs(away) + 1e-6))
+        visit = Visited(share, 3, lower, lower + width * carrier, -abs(away) - 1e-6)
+        refusal = design._out_of_reach(brief, None, [visit], [visit])
+        values = dict(zip(brief.paths, brief.values(share), strict=True))
+        slender = values[HEIGHT] / values["cell.pillar.diameter"] > 0.992 * 9
+        assert ("slenderness" in refusal.cause) == slender
+        at_bounds = [path for path, one in zip(brief.paths, share, strict=True) if not 0.005 < one < 0.995]
+        assert all(f"{path} = " in refusal.cause for path in at_bounds)
+        held = "held back by" in refusal.cause
+        assert held == ("widen" in refusal.next_step)
+        assert held or not (at_bounds or slender)
+        if not visit.is_open(carrier):
+            assert "no design seen has a gap" in refusal.cause
+        else:
+            low, high, missed = re.search(
+                r"seen, (\S+) to (\S+) kHz, misses it by (\S+) kHz", refusal.cause
+            ).groups()
+            assert float(low) < float(high)
+            assert float(missed) > 0
+
+    @given(st.lists(st.floats(1e-2, 1e7), min_size=1, max_size=4))
+    def test_frequencies_that_differ_read_so(self, frequencies):
+        words = design.in_khz(*frequencies)
+        for a, first in zip(frequencies, words, strict=True):
+            assert float(first) == pytest.approx(a / 1e3, abs=0.0051)
+            assert float(first) > 0
+            for b, second in zip(frequencies, words, strict=True):
+                assert (first != second) or abs(a - b) <= 1e-5

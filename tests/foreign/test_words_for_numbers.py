@@ -12,6 +12,7 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
 from haptonic.errors import FrictionError, HaptonicError
+from haptonic.friction.recordings.files import opened
 from haptonic.friction.recordings.trial_table import TrialTable
 from haptonic.vibrometry import read_scan
 
@@ -115,3 +116,12 @@ def test_times_of_a_trial(tmp_path, column, given_time):
     else:
         with pytest.raises(FrictionError, match="seconds from the start"):
             TrialTable.read(tmp_path)
+
+
+@given(st.text(st.characters(exclude_categories=("Cs", "Cc")), min_size=1, max_size=20), st.integers(1, 400))
+@SLOW
+def test_names_of_recordings(tmp_path, name, times):
+    """The table of trials of others names whatever it likes, also what no system takes for a name."""
+    name = name * times
+    with pytest.raises(FrictionError), opened(tmp_path / (name + ".csv").replace("/", "_")):
+        pass

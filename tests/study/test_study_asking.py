@@ -117,7 +117,7 @@ class TestRefusals:
             '[design]\nfinger_force = "0 N"\nfinger_span = "5 mm"\nfinger_deflection = "5 um"',
             "design.finger_force", ["above 0"],
         ),
-        "no starts": ("[design]\nstarts = 0", "design.starts", ["at least 1 and at most 64"]),
+        "no starts": ("[design]\nstarts = 0", "design.starts", ["at least 1 and at most 1024"]),
         "spread of nothing": (of("cell.piller.height", '"1 um"'), "tolerance.of[1].parameter", ["no number"]),
         "spread of zero": (of("cell.pitch", 0), "tolerance.of[1].spread", ["positive spread"]),
         "negative spread": (of("cell.pitch", '"-20 um"'), "tolerance.of[1].spread", ["-20 µm", "wrong sign"]),

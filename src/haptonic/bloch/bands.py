@@ -18,6 +18,7 @@ from haptonic.bloch.resolution import Resolution
 from haptonic.bloch.tracking import Diagram, diagram
 from haptonic.bloch.zone import zone_surface
 from haptonic.cell import UnitCell
+from haptonic.gate import declared
 from haptonic.superelement import FoldedMesh, dynamic_stiffness
 
 Array = NDArray[np.float64]
@@ -89,15 +90,22 @@ def bands_dataset(
 
 @threadpool_limits.wrap(limits=1)
 def gaps_dataset(
-    cell: UnitCell, *, count: int, accuracy: float, resolution: Resolution | None = None
+    cell: UnitCell,
+    *,
+    count: int,
+    accuracy: float,
+    resolution: Resolution | None = None,
+    above: int | None = None,
 ) -> xr.Dataset:
     """The complete gaps of a cell alone: one design of a sweep.
 
-    Parameters and errors as in `bands_dataset`; here the accuracy is asked of the gaps' edges only.
+    Parameters and errors as in `bands_dataset`; here the accuracy is asked of the gaps' edges only, and if
+    ``above`` names a band, from 1, only of those of the gap above it.
     """
     for model in candidate_models(cell, count, accuracy, resolution, gaps_only=True):
         gaps = complete_gaps(model)
-        if resolution is not None or all(gap.relative_error <= accuracy for gap in gaps):
+        matter = [gap for gap in gaps if above is None or gap.between[0] == above]
+        if resolution is not None or all(gap.relative_error <= accuracy for gap in matter):
             break
     dataset = _gaps_dataset(gaps)
     wavevectors, _ = cell.lattice.zone_triangles(2)
@@ -237,7 +245,7 @@ def _diagram_dataset(along: Diagram) -> xr.Dataset:
         "pillar_kinetic": ("1", "share of kinetic energy in the pillar"),
         "character": ("1", "character, a position in character_names"),
     })  # fmt: skip
-    return dataset
+    return declared(dataset, group_velocity="a rigid-body motion, which has none")
 
 
 def _gaps_dataset(gaps: tuple[Gap, ...]) -> xr.Dataset:

@@ -15,6 +15,7 @@ from haptonic.bloch.evanescent import Slab, bloch_waves, decibels
 from haptonic.bloch.layers import OUTGOING, Interface, Scattering
 from haptonic.bloch.plate_waves import FAMILIES
 from haptonic.errors import StudyError
+from haptonic.gate import WORD
 from haptonic.superelement import Superelement
 from haptonic.superelement.parallel import threads
 
@@ -78,8 +79,8 @@ def mirror_dataset(superelement: Superelement, frequency: Array, incidence: Inci
                 ("frequency", "phase"), attenuation,
                 _words("dB", "decay per cell of the wave that reaches farthest"),
             ),
-            "reflected": (by_rows, shares[0], _words("1", "share of the incident energy")),
-            "transmitted": (by_rows, shares[1], _words("1", "share of the incident energy")),
+            "reflected": (by_rows, shares[0], _of_incident()),
+            "transmitted": (by_rows, shares[1], _of_incident()),
         },
         coords={
             "frequency": ("frequency", frequency, _words("Hz", "frequency")),
@@ -89,6 +90,10 @@ def mirror_dataset(superelement: Superelement, frequency: Array, incidence: Inci
             "outgoing": list(OUTGOING),
         },
     )  # fmt: skip
+
+
+def _of_incident() -> dict[str, str]:
+    return _words("1", "share of the incident energy") | {WORD: "the incident wave does not propagate"}
 
 
 def _words(unit: str, title: str) -> dict[str, str]:

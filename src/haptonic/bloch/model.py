@@ -14,7 +14,7 @@ from threadpoolctl import threadpool_limits
 
 from haptonic.bloch.centred import CentredPencil, RealPencil
 from haptonic.bloch.pencil import Evaluated, Fields, eigenpairs
-from haptonic.bloch.resolution import LADDER, SHARED, Resolution, check_memory, starting_rung
+from haptonic.bloch.resolution import LADDER, SHARED, Resolution, check_memory, check_reach, starting_rung
 from haptonic.cell import UnitCell
 from haptonic.errors import ResourceError
 from haptonic.lattice import Lattice
@@ -26,6 +26,7 @@ Complex = NDArray[np.complex128]
 TRAINING_DIVISIONS = (2, 4, 8)  # of the zone's sides, for the wavevectors that span the small basis
 SPARE_MODES = 3  # modes beyond those asked for that go into the small basis
 LOST_DIRECTION = 1e-10  # smallest share of the snapshots' inertia that still makes a basis vector
+TIGHTER = 0.1  # factor on that share where it was too coarse: little inertia may be much energy
 ERROR_DIVISIONS = 3  # of the zone's sides, for the wavevectors at which a model's errors are judged
 REST = 1e-4  # share of the highest frequency below which a mode counts as a rigid-body motion
 
@@ -58,7 +59,7 @@ class ReducedCell:
         _, mass = full.at(np.zeros(2))
         rest = _orthonormal(full.near_rest(), mass)
         snapshots: list[Array] = []
-        error, small, basis = np.inf, None, rest
+        error, small, basis, lost = np.inf, None, rest, LOST_DIRECTION
         for wavevectors in _training(superelement.cell.lattice):
             values, modes = zip(
                 *(eigenpairs(full, kappa, count + SPARE_MODES) for kappa in wavevectors), strict=True
@@ -69,11 +70,12 @@ class ReducedCell:
                     float((np.sqrt(above / exact[:count]) - 1).max())
                     for above, exact in zip(found, values, strict=True)
                 )
+                lost *= TIGHTER if error > goal else 1.0
             snapshots += modes
             new = np.hstack(snapshots)
             for _ in range(2):  # one pass of Gram and Schmidt is not enough
                 new = new - rest @ (rest.T @ (mass @ new))
-            basis = np.hstack([rest, _orthonormal(new, mass)])
+            basis = np.hstack([rest, _orthonormal(new, mass, lost)])
             small = full.projected(basis)
             if error <= goal:
                 break
@@ -98,10 +100,10 @@ def _training(lattice: Lattice) -> Iterator[Array]:
             yield new
 
 
-def _orthonormal(fields: Array, mass: Array) -> Array:
+def _orthonormal(fields: Array, mass: Array, lost: float = LOST_DIRECTION) -> Array:
     """(n, r) basis of unit modal mass that spans fields (n, k) of unit mass, but for what is hardly there."""
     values, turn = la.eigh(fields.T @ mass @ fields)
-    kept = values > LOST_DIRECTION * max(values[-1], 1.0)  # one direction may be all that is left
+    kept = values > lost * max(values[-1], 1.0)  # one direction may be all that is left
     return np.asarray(fields @ (turn[:, kept] / np.sqrt(values[kept])))
 
 
@@ -246,6 +248,7 @@ def candidate_models(
         check_memory(cell, resolution, accuracy)
         yield BlochModel.of(cell, resolution, count, **what)
         return
+    check_reach(cell, accuracy)
     for rung in LADDER[starting_rung(accuracy) :]:
         check_memory(cell, rung, accuracy)
         yield BlochModel.of(cell, rung, count, **what)

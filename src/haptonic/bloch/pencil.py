@@ -14,6 +14,7 @@ import numpy as np
 import scipy.linalg as la
 from numpy.typing import NDArray
 
+from haptonic.errors import NumericalError
 from haptonic.superelement import Superelement
 
 Array = NDArray[np.float64]
@@ -146,11 +147,32 @@ class Evaluated(Protocol):
     def at(self, kappa: Array, /) -> tuple[Fields, Fields]: ...
 
 
+SHIFT = 1e-12  # of the traces' ratio, about the highest eigenvalue: above rounding, below what is asked for
+
+
 def eigenpairs(pencil: Evaluated, kappa: Array, count: int) -> tuple[Array, Fields]:
     """The ``count`` lowest eigenvalues omega^2, (rad/s)^2, and modes (n, count) of unit mass.
 
-    Modes are real where the pencil is.
+    Modes are real where the pencil is. NumericalError is raised if rounding leaves a negative stiffness.
+
+    The highest eigenvalue grows as the fourth power of pitch over
+    thickness against the lowest ones, and an eigensolver errs by rounding times the largest that it works
+    with: with ``1 / (omega^2 + shift)`` these are the ones asked for.
     """
     K, M = pencil.at(kappa)
-    values, modes = la.eigh(K, M, subset_by_index=(0, min(count, pencil.size) - 1), check_finite=False)
-    return values, modes
+    size = pencil.size
+    shift = SHIFT * float(np.trace(K).real / np.trace(M).real)
+    try:
+        inverse, modes = la.eigh(
+            M, K + shift * M, subset_by_index=(max(size - count, 0), size - 1), check_finite=False
+        )
+    except la.LinAlgError as error:
+        raise NumericalError(
+            argument="cell",
+            given="sizes whose stiffness is not positive in the computer's arithmetic",
+            allowed="sizes that are not too many powers of ten apart",
+            cause="a very thin plate, or very unlike sizes",
+            next_step="choose a thicker plate or a smaller pitch",
+        ) from error
+    inverse, modes = inverse[::-1], modes[:, ::-1]
+    return 1 / inverse - shift, modes / np.sqrt(inverse)

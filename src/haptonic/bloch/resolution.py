@@ -52,15 +52,11 @@ class Resolution:
         distribution), six for order 5 with two rings; that of order 6 was measured on nine while the worst
         band's share was a quarter of this, and stands. With two rings or more the edge never leads up to
         order 6, which is taken to hold beyond. A plain plate has no edge. A step is another
-        re-entrant edge, at which the mesh is not graded: with one the edge is taken to lead from the start,
-        and the lower orders are lower along the pillar too (`MeshPlan.lowered`). Of stepped designs drawn at
-        random the worst needed 0.35 of the distance at orders 3 to 5, against order 7 with two rings.
+        re-entrant edge, towards which the mesh is graded as towards the foot.
         """
         if cell.pillar is None:
             return 0.25 if self.order > 2 else 0.5
         of_the_edge = max(0.5 / float((self.order / (self.order - 1)) ** (4 * 0.5445) - 1.0), 0.5)
-        if cell.pillar.step is not None:
-            return of_the_edge
         if self.foot_rings >= 2:
             return MEASURED.get((self.order, 2), MEASURED[6, 2])
         return MEASURED.get((self.order, self.foot_rings), of_the_edge)
@@ -106,6 +102,25 @@ def starting_rung(accuracy: float) -> int:
         if expected <= accuracy:
             return rung
     return len(LADDER) - 1
+
+
+THIN = 0.04  # thickness, in pitches, below which waves between pillars are short and the mesh reaches less
+REACHED_IF_THIN = 5e-2  # by plates of 0.017 to 0.02 pitches in half a minute
+
+
+def check_reach(cell: UnitCell, accuracy: float) -> None:
+    """Refuse at once what no mesh reaches in a time that anybody waits for."""
+    pitch = cell.lattice.pitch
+    if cell.pillar is None or cell.thickness >= THIN * pitch or accuracy >= REACHED_IF_THIN:
+        return
+    raise ResourceError(
+        argument="bands.accuracy",
+        given=f"{accuracy:g}",
+        allowed=f"{REACHED_IF_THIN:g} or more with a plate of {cell.thickness * 1e3:.4g} mm",
+        cause=f"the plate is thin for a pitch of {pitch * 1e3:.4g} mm: its waves are short and stress is "
+        "concentrated at the foot",
+        next_step=f"ask for less accuracy, or choose a plate of at least {THIN * pitch * 1e3:.4g} mm",
+    )
 
 
 def check_memory(cell: UnitCell, resolution: Resolution, accuracy: float) -> None:

@@ -2,11 +2,17 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass, replace
 
+from haptonic.cell.edges import bridges
 from haptonic.cell.geometry import UnitCell
+from haptonic.cell.pillar import Pillar
 
 LAYER_LENGTH = 1.4  # of an element along the pillar, in diameters
+THIN_PLATE = 0.16  # thickness, in half pitches, below which elements beside a pillar bend like a plate's
+SHORT_WAVES = 4 / 3  # of the order around the pillar there: waves between pillars are shorter
+WIDE_NECK = 0.42  # length of the neck between two pillars, in half pitches, that a quarter turn's order suits
 
 
 @dataclass(frozen=True)
@@ -18,6 +24,8 @@ class MeshPlan:
     pillar_layers : layers of elements along the pillar above the thin ones, up to its step if it has one; 0
         means no pillar
     step_layers : layers above the step; 0 means no step
+    step_rings : thin rings on either side of the step's edge, and as many thin layers
+    bridges : rings inside and outside, layers above and below that lead from the foot's thin ones to the rest
     blocks : elements along each side of the cell, and along each quarter of every ring
     plate_layers : layers through the plate below the thin ones
     outward : polynomial order across the rings; upward : along z; thin : across thin rings and thin
@@ -28,6 +36,8 @@ class MeshPlan:
     foot_rings: int
     pillar_layers: int
     step_layers: int = 0
+    step_rings: int = 0
+    bridges: tuple[int, int, int, int] = (0, 0, 0, 0)
     blocks: int = 1
     plate_layers: int = 1
     outward: int = 0
@@ -42,34 +52,44 @@ class MeshPlan:
     def suited(cls, cell: UnitCell, order: int, foot_rings: int) -> MeshPlan:
         """Plan of similar errors in all directions, its elements not much longer than the pillar is wide.
 
-        Around the pillar an element spans a quarter turn and gets two orders more. Cubic elements are too
+        Around the pillar an element spans a quarter turn and gets two orders more, and still more where a
+        neck between round pillars that nearly touch is a small part of it. Cubic elements are too
         stiff along a pillar that bends and across the plate beside it, by more than all the rest together:
-        there order 3 has quartic ones.
+        there order 3 has quartic ones. On a thin plate these would lock in the lower order that tells the
+        error: there none has less than quintic ones.
         """
-        orders = {"outward": order, "upward": order, "thin": order}
         if cell.pillar is None:
-            return cls(order + 2, 0, 0, **orders)
-        if order == 3:
-            orders |= {"outward": 4, "upward": 4}
+            return cls(order + 2, 0, 0, outward=order, upward=order, thin=order)
+        thin = cell.thickness < THIN_PLATE * cell.inradius
+        turn = (order + 2) * max(1.0, WIDE_NECK / _neck(cell, cell.pillar)) * (SHORT_WAVES if thin else 1.0)
         layers = [
-            max(1, round((high - low) / (LAYER_LENGTH * 2 * width)))
+            1 + max(1, round((high - low) / (LAYER_LENGTH * 2 * width)))
             for low, high, width in cell.pillar.stages
         ]
         rings = max(foot_rings, 1) if cell.pillar.fillet else foot_rings  # the arc is an edge of elements
-        return cls(order + 2, rings, *(1 + count for count in layers), **orders)
+        return cls(
+            round(turn),
+            rings,
+            layers[0],
+            layers[1] if cell.pillar.step else 0,
+            step_rings=foot_rings if cell.pillar.step else 0,
+            bridges=bridges(cell, rings),
+            outward=max(order, 5) if thin else 4 if order == 3 else order,
+            upward=4 if order == 3 else order,
+            thin=order,
+        )
 
     def lowered(self) -> MeshPlan:
         """The same blocks with orders one lower, to tell the error by.
 
         With a single thin ring the order along z stays: what the edge leaves is most of the error then, the
-        thin layer sees it, and thicker elements of lower order would err by far more. Above a step there is
-        no thin layer: it goes down there.
+        thin layer sees it, and thicker elements of lower order would err by far more.
         """
         return replace(
             self,
             order=max(self.order - 1, 1),
             outward=max(self.outward - 1, 1),
-            upward=self.upward if self.foot_rings == 1 and not self.step_layers else max(self.upward - 1, 1),
+            upward=self.upward if self.foot_rings == 1 else max(self.upward - 1, 1),
             thin=max(self.thin - 1, 1),
         )
 
@@ -79,36 +99,38 @@ class MeshPlan:
         return self.order * self.blocks
 
     @property
-    def step_rings(self) -> tuple[int, ...]:
+    def tip_rings(self) -> tuple[int, ...]:
         """Order across each ring from the core to the side of the pillar above its step."""
-        return (self.outward,) if self.step_layers else ()
+        return (self.outward, *(self.thin,) * self.step_rings) if self.step_layers else ()
 
     @property
     def disc_rings(self) -> tuple[int, ...]:
         """Order across each ring from the core to the foot."""
-        return (*self.step_rings, self.outward, *(self.thin,) * self.foot_rings)
+        inside = self.bridges[0] + self.foot_rings
+        return (*self.tip_rings, *(self.thin,) * self.step_rings, self.outward, *(self.thin,) * inside)
 
     @property
     def rings(self) -> tuple[int, ...]:
         """Order across each ring from the core to the sides of the cell."""
-        return (*self.disc_rings, *(self.thin,) * self.foot_rings, self.outward)
+        return (*self.disc_rings, *(self.thin,) * (self.foot_rings + self.bridges[1]), self.outward)
 
     @property
     def plate_layer_orders(self) -> tuple[int, ...]:
         """Order through each layer of the plate, from the flat face up."""
-        return (*(self.upward,) * self.plate_layers, *(self.thin,) * self.foot_rings)
+        return (*(self.upward,) * self.plate_layers, *(self.thin,) * (self.bridges[3] + self.foot_rings))
 
     @property
     def foot_layer_orders(self) -> tuple[int, ...]:
         """Order through each layer from the plate's top to the pillar's step, or to its top."""
         if not self.pillar_layers:
             return ()
-        return (*(self.thin,) * self.foot_rings, *(self.upward,) * self.pillar_layers)
+        thin = self.foot_rings + self.bridges[2]
+        return (*(self.thin,) * thin, *(self.upward,) * self.pillar_layers, *(self.thin,) * self.step_rings)
 
     @property
     def step_layer_orders(self) -> tuple[int, ...]:
         """Order through each layer above the step."""
-        return (self.upward,) * self.step_layers
+        return (*(self.thin,) * self.step_rings, *(self.upward,) * self.step_layers)
 
     @property
     def layer_orders(self) -> tuple[int, ...]:
@@ -127,6 +149,13 @@ class MeshPlan:
         pieces = (
             (self.plate_levels, self.rings),
             (sum(self.foot_layer_orders), self.disc_rings),
-            (sum(self.step_layer_orders), self.step_rings),
+            (sum(self.step_layer_orders), self.tip_rings),
         )
         return tuple(core + around * sum(rings) for levels, rings in pieces for _ in range(levels))
+
+
+def _neck(cell: UnitCell, pillar: Pillar) -> float:
+    """Half the length on which two round pillars are near each other, as a share of half the pitch."""
+    if pillar.section == "square":
+        return math.inf
+    return math.sqrt(2 * cell.clearance * pillar.widest) / cell.inradius

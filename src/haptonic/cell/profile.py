@@ -2,8 +2,9 @@
 
 A place in the half-plane is a (half-width, height): circles, or squares, of that half-width are the curves
 that the blocks of rings lie between. Thin rings on both sides of the foot, and thin layers above and below
-the plate's top, grade the mesh towards the re-entrant edge, where stress is singular. With a fillet there is
-no such edge: then the foot lies in the middle of the arc, whose halves the thin rings and layers follow.
+the plate's top, grade the mesh towards the re-entrant edge, where stress is singular, and others towards the
+edge at a step. With a fillet the foot has no such edge: then it lies in the middle of the arc, whose halves
+the thin rings and layers follow.
 """
 
 from __future__ import annotations
@@ -13,6 +14,15 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from haptonic.cell.edges import (
+    CORE_RADIUS,
+    FOOT_LAYER,
+    bridged,
+    foot_reach,
+    step_reach,
+    step_share,
+    within_foot,
+)
 from haptonic.cell.geometry import UnitCell
 from haptonic.cell.pillar import Pillar
 from haptonic.cell.plan import MeshPlan
@@ -20,13 +30,9 @@ from haptonic.cell.quadrature import lobatto
 
 Array = NDArray[np.float64]
 
-FOOT_LAYER = 0.3  # height of the pillar's lowest layer, in diameters: stresses of the foot die out in it
-FOOT_WIDTH = 0.15  # outermost thin ring, as a share of the smallest length at the foot
-FOOT_GRADING = 0.2  # each further ring reaches to this share of the one before
-FOOT_CROWDING = 0.35  # spacing of nodes next to the foot, as a share of an even one: stress is singular there
+EDGE_CROWDING = 0.35  # spacing of nodes next to an edge, as a share of an even one: stress is singular there
 BESIDE_FILLET = 0.6  # least width of all thin rings on the inner side of a fillet, in radii of the arc
 MOST_BESIDE = 0.45  # and the largest, as a share of the room there
-CORE_RADIUS = 0.55  # core square's corners, as a share of the curve around it
 PLAIN_RADIUS = 0.6  # circle that the ring follows where there is no pillar, as a share of the inradius
 
 
@@ -68,10 +74,13 @@ class Profile:
                 down, up = pillar.arc.at(0.5 * (1 + np.array([-1, 1]) * k / plan.foot_rings))
                 width[foot + k, top], height[foot + k, top] = down[0], cell.thickness + down[1]
                 width[foot, top + k], height[foot, top + k] = up[0], cell.thickness + up[1]
+        at_foot = [(foot, top)] if sharp else []
+        at_step = [(len(plan.tip_rings), top + len(plan.foot_layer_orders))] if plan.step_rings else []
+        rings, layers = zip(*at_foot, *at_step, strict=True) if at_foot or at_step else ((), ())
         return cls(
             plan, pillar, width, height,
-            ring_shares=_shares(plan.rings, foot if sharp else None),
-            layer_shares=_shares(plan.layer_orders, top if sharp else None),
+            ring_shares=_shares(plan.rings, rings),
+            layer_shares=_shares(plan.layer_orders, layers),
         )  # fmt: skip
 
     def between(self, layer: int, share: float) -> tuple[list[Array], list[Array]]:
@@ -113,45 +122,30 @@ def _from_chord(curve: Array, along: Array) -> Array:
     return np.asarray(curve - (curve[0] + along[:, None] * (curve[-1] - curve[0])))
 
 
-def foot_reach(cell: UnitCell, plan: MeshPlan) -> Array:
-    """How far from the foot the borders of the thin rings lie, outermost first, m."""
-    pillar = cell.pillar
-    if pillar is None:
-        return np.empty(0)
-    _, high, radius = pillar.stages[0]
-    room = min(radius, cell.thickness, high, 2 * cell.clearance)
-    if pillar.step is not None:
-        room = min(room, (1 - _step_share(pillar)) * radius)
-    return np.asarray(FOOT_WIDTH * room * FOOT_GRADING ** np.arange(plan.foot_rings))
-
-
-def _step_share(pillar: Pillar) -> float:
-    """Half-width above the step as a share of that below it; the border that ends there keeps this share."""
-    low, _, width = pillar.stages[-1]
-    return width / pillar.half_width(low, 0)
-
-
 def _widths(cell: UnitCell, pillar: Pillar, plan: MeshPlan, levels: Array) -> Array:
     """(b, l) half-widths of the borders between rings, m; not yet on a fillet's arc."""
-    reach = foot_reach(cell, plan)
-    within = _step_share(pillar) if pillar.step else CORE_RADIUS
-    inward = _beside_fillet(reach, (1 - within) * pillar.radius, pillar.fillet)
+    reach = foot_reach(cell, plan.foot_rings)
+    room = (1 - within_foot(pillar)) * pillar.radius
+    inward = bridged(_beside_fillet(reach, room, pillar.fillet), room, plan.bridges[0])
     if pillar.arc is not None:  # the thin rings end where the arc does
         outward = pillar.arc.at(0.5 * (1 - np.arange(1, plan.foot_rings + 1) / plan.foot_rings))[:, 0]
     else:
-        outward = pillar.radius + reach[::-1]
+        outward = pillar.radius + bridged(reach, min(cell.clearance, cell.thickness), plan.bridges[1])[::-1]
     inner = [pillar.radius - step for step in inward] + [pillar.radius]
     above = np.maximum(levels - cell.thickness, 0.0)
     last = len(pillar.stages) - 1
-    low = pillar.stages[last][0]
+    low, _, width = pillar.stages[last]
     foot = np.array([pillar.half_width(z, 0) for z in above])
     tip = np.array(
         [
-            pillar.half_width(z, last) if z > low else _step_share(pillar) * w
+            pillar.half_width(z, last) if z > low else step_share(pillar) * w
             for z, w in zip(above, foot, strict=True)
         ]
     )
-    rows = [CORE_RADIUS * tip] + [tip] * bool(last)
+    rows = [CORE_RADIUS * tip]
+    if pillar.step is not None:
+        beside = step_reach(pillar, plan.step_rings) / width
+        rows += [share * tip for share in (*(1 - beside), 1.0, *(1 + beside[::-1]))]
     rows += [width / pillar.radius * foot for width in inner]
     rows += [np.full(len(levels), width) for width in outward]
     return np.stack(rows)
@@ -159,25 +153,33 @@ def _widths(cell: UnitCell, pillar: Pillar, plan: MeshPlan, levels: Array) -> Ar
 
 def _levels(cell: UnitCell, plan: MeshPlan) -> Array:
     """(l,) heights of the borders between layers away from a fillet, m."""
-    reach, top, pillar = foot_reach(cell, plan), cell.thickness, cell.pillar
+    reach, top, pillar = foot_reach(cell, plan.foot_rings), cell.thickness, cell.pillar
     if pillar is None:
         return np.linspace(0.0, top, plan.plate_layers + 1)
-    downward = _beside_fillet(reach, top, pillar.fillet)
+    downward = bridged(_beside_fillet(reach, top, pillar.fillet), top, plan.bridges[3])
     breaks = [*np.linspace(0.0, top - (downward[0] if len(reach) else 0.0), plan.plate_layers + 1)]
     breaks += [top - w for w in downward[1:]] + [top] * bool(len(reach))
     _, high, radius = pillar.stages[0]
     lowest = min(2 * FOOT_LAYER * radius, high / plan.pillar_layers)
     if pillar.arc is None:
-        breaks += [top + w for w in reach[::-1]]
+        breaks += [top + w for w in bridged(reach, lowest, plan.bridges[2])[::-1]]
     else:
         arc = pillar.arc.at(0.5 * (1 + np.arange(1, plan.foot_rings + 1) / plan.foot_rings))[:, 1]
         breaks += [top + z for z in arc]
         lowest = arc[-1] + min(2 * FOOT_LAYER * radius, (high - arc[-1]) / plan.pillar_layers)
-    breaks += [*np.linspace(top + lowest, top + high, plan.pillar_layers)[:-1], top + high]
-    if pillar.step is not None:
-        first = top + high + min(FOOT_LAYER * pillar.step.diameter, (pillar.height - high) / plan.step_layers)
-        breaks += [*np.linspace(first, top + pillar.height, plan.step_layers)[:-1], top + pillar.height]
-    return np.array(breaks)
+    if pillar.step is None:
+        return np.array([*breaks, *_upwards(top + lowest, top + high, plan.pillar_layers)])
+    beside = step_reach(pillar, plan.step_rings)
+    ledge, end, within = top + high, top + pillar.height, beside[0] if len(beside) else 0.0
+    breaks += [*_upwards(top + lowest, ledge - within, plan.pillar_layers)]
+    breaks += [*(ledge - beside[1:]), ledge, *(ledge + beside[::-1])][: 2 * len(beside)]
+    first = ledge + min(FOOT_LAYER * pillar.step.diameter, (pillar.height - high) / plan.step_layers)
+    return np.array([*breaks, *_upwards(first, end, plan.step_layers)])
+
+
+def _upwards(first: float, last: float, layers: int) -> Array:
+    """Upper borders of some layers, the lowest one's and the highest one's given."""
+    return np.append(np.linspace(first, last, layers)[:-1], last)
 
 
 def _beside_fillet(reach: Array, room: float, fillet: float) -> Array:
@@ -188,14 +190,14 @@ def _beside_fillet(reach: Array, room: float, fillet: float) -> Array:
     return np.asarray(whole * np.arange(len(reach), 0, -1) / len(reach))
 
 
-def _shares(orders: tuple[int, ...], edge: int | None) -> tuple[Array, ...]:
+def _shares(orders: tuple[int, ...], edges: tuple[int, ...]) -> tuple[Array, ...]:
     """Positions of the nodes within intervals of some orders, 0 to 1.
 
-    On the two intervals that meet at the border number ``edge`` the nodes crowd towards it.
+    On the two intervals that meet at a border with one of the numbers ``edges`` the nodes crowd towards it.
     """
     shares = [0.5 * (1 + lobatto(order)[0]) for order in orders]
-    if edge is not None:
+    for edge in edges:
         before, after = 1 - shares[edge - 1][::-1], shares[edge]
-        shares[edge - 1] = 1 - (FOOT_CROWDING * before + (1 - FOOT_CROWDING) * before**2)[::-1]
-        shares[edge] = FOOT_CROWDING * after + (1 - FOOT_CROWDING) * after**2
+        shares[edge - 1] = 1 - (EDGE_CROWDING * before + (1 - EDGE_CROWDING) * before**2)[::-1]
+        shares[edge] = EDGE_CROWDING * after + (1 - EDGE_CROWDING) * after**2
     return tuple(shares)

@@ -109,7 +109,7 @@ def topology_of(plan: MeshPlan) -> Topology:
     level_start = np.concatenate([[0], np.cumsum(plan.level_sizes)])
     rings_of_layer = [len(plan.rings)] * len(plan.plate_layer_orders)
     rings_of_layer += [len(plan.disc_rings)] * len(plan.foot_layer_orders)
-    rings_of_layer += [len(plan.step_rings)] * len(plan.step_layer_orders)
+    rings_of_layer += [len(plan.tip_rings)] * len(plan.step_layer_orders)
     families: dict[tuple[int, ...], list[tuple[Ints, bool]]] = {}
     low = 0
     for order, rings in zip(plan.layer_orders, rings_of_layer, strict=True):

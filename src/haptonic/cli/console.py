@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 import sys
 import warnings
 from collections.abc import Callable, Iterator
@@ -23,6 +22,7 @@ from rich.progress import (
 from rich.text import Text
 
 from haptonic.errors import HaptonicError, HaptonicWarning
+from haptonic.gate import json_of
 from haptonic.names import visible
 
 USER_ERROR = 2
@@ -139,5 +139,5 @@ def speaking(machine: bool, kept: str = "") -> Iterator[Voice]:
 
 
 def _print_json(values: dict[str, Any]) -> None:
-    sys.stdout.write(json.dumps(values, allow_nan=False) + "\n")
+    sys.stdout.write(json_of(values) + "\n")
     sys.stdout.flush()

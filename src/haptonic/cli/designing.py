@@ -28,7 +28,7 @@ from haptonic.cli.options import (
 )
 from haptonic.design.parameters import UNITS
 from haptonic.design.tolerance import REACH
-from haptonic.results import Design, Runner, Tolerance, planned, refuse_taken, write_files, write_netcdf
+from haptonic.results import Design, Runner, Tolerance, refuse_taken, write_files, write_netcdf
 from haptonic.results.common import no_nan
 from haptonic.store import Store, whole_set
 from haptonic.study import Study, load
@@ -55,7 +55,7 @@ def design(
         files = ["design.toml", *(f"{name}.nc" for name in names), *pictures(names)]
         refuse_taken(folder, files, overwrite=overwrite)
         section = loaded.design
-        with voice.counted("design", planned(section.starts, section.climbs)) as progress:
+        with voice.counted("design", 0) as progress:
             result = loaded.designed(Runner(Store.default(), workers, scheduler, progress))
         found = loaded.without_plate().with_parameters(result.values)
         figures, datasets = {"search": result.plot()}, {"search": result.dataset}
@@ -75,6 +75,8 @@ def design(
                 for name, figure in figures.items():
                     plots.save(figure, draft, name)
         voice.tell(design_table(loaded, result))
+        for words in left_out(result):
+            voice.tell(words)
         if pareto:
             voice.tell(front_table(datasets["front"]))
         tell_where(voice, folder)
@@ -198,7 +200,18 @@ def design_table(study: Study, result: Design) -> Table:
     shown.add_row("lower edge", "", f"{gap.lower / 1e3:.3f} ± {gap.lower_error / 1e3:.3f} kHz")
     shown.add_row("upper edge", "", f"{gap.upper / 1e3:.3f} ± {gap.upper_error / 1e3:.3f} kHz")
     shown.add_row("margin of the carrier", "", f"{result.margin / 1e3:.3f} kHz", style="bold")
+    shown.add_row("held back by", "", ", ".join(result.held_back_by) or "no bound and no limit")
     return shown
+
+
+def left_out(result: Design) -> list[str]:
+    """A sentence for each design that could not be computed."""
+    return [
+        "left out: "
+        + ", ".join(f"{path} = {format_quantity(v, UNITS[path])}" for path, v in one["values"].items())
+        + f", since {one['cause']}"
+        for one in result.left_out
+    ]
 
 
 def front_table(front: xr.Dataset) -> Table:

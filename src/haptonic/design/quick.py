@@ -15,13 +15,14 @@ from haptonic.bloch.pencil import eigenpairs
 from haptonic.bloch.resolution import Resolution
 from haptonic.cell import UnitCell
 from haptonic.design.sensitivity import eigenvalue_derivatives
-from haptonic.superelement import FoldedMesh, condensed
+from haptonic.superelement import FoldedMesh, condense_by_parts, condensed
 
 Array = NDArray[np.float64]
 
 QUICK = Resolution(3, 1)  # frequencies a few tenths of a percent high, all of them alike
 APART = 0.3  # rad, between two extremes of a band that count as two
 CRITICAL = 3  # frequencies on either side of a gap that may become its edge
+GLANCE_DIVISIONS = 6  # of the irreducible zone's sides, for a first look at the edges
 
 
 @dataclass(frozen=True)
@@ -33,6 +34,23 @@ class Side:
 
     frequency: Array
     slopes: Array
+
+
+def edges_of(cell: UnitCell, count: int) -> Array:
+    """(2, count - 1) highest frequency of each band but the last and lowest of the next, Hz.
+
+    They are those of a few wavevectors. The foot of the pillar is kept: a row of designs that differ in
+    height only has to make it once.
+    """
+    with threadpool_limits(1):
+        superelement = condense_by_parts(
+            cell, QUICK.plan(cell), QUICK.steps, block=QUICK.block, measured=False
+        )
+        pencil = ReducedCell.of(superelement, count, np.inf).pencil
+        wavevectors, _ = cell.lattice.zone_triangles(GLANCE_DIVISIONS)
+        values = np.array([eigenpairs(pencil, kappa, count)[0] for kappa in wavevectors])
+    frequency = np.sqrt(np.maximum(values, 0.0)) / (2 * np.pi)
+    return np.stack([frequency[:, :-1].max(axis=0), frequency[:, 1:].min(axis=0)])
 
 
 @dataclass(frozen=True)

@@ -4,11 +4,15 @@ The margin is the distance of the carrier from the nearer edge, as a share of th
 carrier lies outside. It has kinks wherever one mode takes over from another as the edge, so that a smooth
 optimiser would stall. Sequential linear programming does not: every frequency that may become an edge is
 replaced by its tangent, and the margin of these is maximised exactly within a step that is trusted.
+
+A climb ends at the nearest summit, and two bands that touch at the carrier are one, of margin zero. So
+designs spread over all that is allowed are looked at first, the brief's own being one of them, and climbs
+start from open gaps, each from another basin.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -16,10 +20,19 @@ import scipy
 from numpy.typing import NDArray
 
 from haptonic.design.brief import Brief
-from haptonic.design.quick import CRITICAL, QuickDesign, Side
+from haptonic.design.quick import CRITICAL, QuickDesign, Side, edges_of
 
 Array = NDArray[np.float64]
 
+HEIGHT = "cell.pillar.height"
+COLUMN = 6  # heights of a foot that are looked at: each costs a third of a new foot
+LINES = 64  # heights from which those are chosen
+BETWEEN = 12  # heights for which edges are interpolated between two that were looked at
+TRIES = 64  # places of the box that are drawn for each column before one is moved to where it is allowed
+OPEN = 2e-3  # of the carrier: narrower gaps are bands that touch, seen at too few wavevectors
+BEHIND = 10.0  # by which pairs of bands without a gap stand behind all gaps
+PULL = 0.5  # how much of a gap's distance from the carrier counts before a climb, which shortens it
+DISTINCT = 0.15  # of the box in some parameter, between two starts in the same gap
 FIRST_STEP = 0.2  # of the box, in every parameter
 LAST_STEP = 4e-3
 TRUSTED = 0.3  # share of the promised gain from which a step may be longer the next time
@@ -41,21 +54,129 @@ class Visited:
     upper: float
     margin: float
 
-
-def starting_points(brief: Brief, count: int) -> list[Array]:
-    """The brief's own cell and further designs spread evenly over the box (a Sobol sequence), all allowed."""
-    rough = scipy.stats.qmc.Sobol(len(brief.bounds), scramble=False).random_base2(
-        max(1, int(np.ceil(np.log2(count + 1))))
-    )
-    return [brief.feasible(point) for point in (brief.share(brief.cell), *rough[1:count])]
+    def is_open(self, carrier: float) -> bool:
+        """Whether there is a gap at all, and not only bands that touch."""
+        return self.upper - self.lower > OPEN * carrier
 
 
-def looked_at(brief: Brief, share: Array) -> Visited:
-    """A design without derivatives, with the gap that holds the carrier best."""
-    lower, upper = QuickDesign.of(brief.at(share), brief.count).edges()
-    margins = np.minimum(brief.carrier - lower, upper - brief.carrier) / brief.carrier
-    best = int(margins.argmax())
-    return Visited(share, best + 1, float(lower[best]), float(upper[best]), float(margins[best]))
+def promise(lower: Array, upper: Array, pull: float) -> Array:
+    """How good gaps between edges (shares of the carrier) are to start from; bands that overlap come last.
+
+    With a ``pull`` of 1 it is the margin of a gap.
+    """
+    width, away = upper - lower, np.abs(0.5 * (upper + lower) - 1.0)
+    return np.where(width > OPEN, 0.5 * width - pull * away, 0.5 * width - away - BEHIND)
+
+
+@dataclass(frozen=True)
+class Column:
+    """Edges of designs that differ in the pillar's height only, or of a single design.
+
+    shares : (designs, parameters); edges : (designs, 2, bands - 1) Hz, as of `edges_of`
+    """
+
+    shares: Array
+    edges: Array
+
+    @classmethod
+    def of(cls, brief: Brief, shares: Array) -> Column:
+        """Look at the designs at some places in the box."""
+        return cls(shares, np.stack([edges_of(brief.at(share), brief.count) for share in shares]))
+
+    def alone(self) -> list[Column]:
+        """Each design as a column of its own."""
+        return [Column(s[None], e[None]) for s, e in zip(self.shares, self.edges, strict=True)]
+
+    def finer(self) -> Column:
+        """With designs between its own, whose edges are interpolated by their logarithms."""
+        own = np.arange(len(self.shares))
+        places = np.linspace(0, own[-1], BETWEEN * own[-1] + 1)
+
+        def between(values: Array) -> Array:
+            flat = values.reshape(len(own), -1)
+            found = [np.interp(places, own, one) for one in flat.T]
+            return np.stack(found, axis=1).reshape(len(places), *values.shape[1:])
+
+        return Column(between(self.shares), np.exp(between(np.log(np.maximum(self.edges, 1.0)))))
+
+    def best(self, carrier: float, pull: float = 1.0) -> list[tuple[float, Visited]]:
+        """What the best of the designs promises, and that design, for the gap above each band; best first."""
+        lower, upper = np.swapaxes(self.edges, 0, 1)
+        promises = promise(lower / carrier, upper / carrier, pull)
+        margins = np.minimum(carrier - lower, upper - carrier) / carrier
+        found = []
+        for band, row in enumerate(promises.argmax(axis=0)):
+            low, high, margin = (float(values[row, band]) for values in (lower, upper, margins))
+            found.append((float(promises[row, band]), Visited(self.shares[row], band + 1, low, high, margin)))
+        return sorted(found, key=lambda one: -one[0])
+
+
+def spread(brief: Brief, count: int, own: Array | None = None) -> list[Array]:
+    """About ``count`` allowed designs to look at, as columns of places in the box (designs, parameters).
+
+    ``own``, else the brief's own cell, is in the first; the others are spread evenly (Sobol) over what the
+    limits leave.
+    """
+    own = brief.feasible(brief.share(brief.cell)) if own is None else own
+    if count == 1 or not brief.paths:
+        return [own[None]]
+    if brief.paths == (HEIGHT,):
+        return [_column(brief, own, count)]
+    found = [_column(brief, own, min(COLUMN, count - 1))]
+    left = max(count - len(found[0]), 0)
+    for share in _drawn(brief, -(-left // (COLUMN if HEIGHT in brief.paths else 1))):
+        column = _column(brief, share, min(left, COLUMN), own=False)
+        found.append(column)
+        left -= len(column)
+    return found
+
+
+def _drawn(brief: Brief, count: int) -> Iterator[Array]:
+    """Evenly spread places with some allowed height; if there are too few, moved to where all is allowed."""
+    places = scipy.stats.qmc.Sobol(len(brief.bounds), scramble=False).fast_forward(1)
+    tried = places.random(2 ** int(np.ceil(np.log2(max(count, 1) * TRIES))))
+    found = 0
+    for share in tried:
+        if found < count and _allowed(brief, share):
+            found += 1
+            yield share
+    yield from filter(brief.allows, map(brief.feasible, tried[: count - found]))
+
+
+def _allowed(brief: Brief, share: Array) -> list[Array]:
+    """The place itself, or all allowed heights upon the same foot, lowest first; nothing if none is."""
+    if HEIGHT not in brief.paths:
+        return [share] if brief.allows(share) else []
+    low, high = brief.bounds[HEIGHT]
+    lines = np.repeat(share[None], LINES, axis=0)
+    lines[:, brief.paths.index(HEIGHT)] = (np.geomspace(low, high, LINES) - low) / (high - low)
+    return [line for line in lines if brief.allows(line)]
+
+
+def _column(brief: Brief, share: Array, count: int, *, own: bool = True) -> Array:
+    """Some allowed designs with the foot of one place, that place itself among them if it is asked for."""
+    allowed = _allowed(brief, share)
+    if HEIGHT not in brief.paths or not allowed:
+        return share[None]
+    row = brief.paths.index(HEIGHT)
+    found = [allowed[i] for i in sorted(set(np.linspace(0, len(allowed) - 1, count).round().astype(int)))]
+    return np.array(sorted(found + [share] * own, key=lambda place: float(place[row])))
+
+
+def starts_of(columns: Sequence[Column], carrier: float) -> list[Visited]:
+    """Where climbs may start, the most promising first: in every basin that was seen, once."""
+    promising = [one for column in columns for one in column.finer().best(carrier, PULL)]
+    return distinct([visit for _, visit in sorted(promising, key=lambda one: -one[0])], DISTINCT)
+
+
+def distinct(visits: Sequence[Visited], apart: float) -> list[Visited]:
+    """The visits but for those in the same gap as an earlier one and near it, in shares of the box."""
+    chosen: list[Visited] = []
+    for visit in visits:
+        near = [one for one in chosen if np.abs(visit.share - one.share).max() < apart]
+        if all(visit.band != one.band for one in near):
+            chosen.append(visit)
+    return chosen
 
 
 def climb(brief: Brief, start: Array, band: int, offset: tuple[float, float], most: int) -> Iterator[Visited]:

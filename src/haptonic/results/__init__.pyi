@@ -1,6 +1,6 @@
 from .bands import Bands, compute_bands, gap_json
 from .common import Asked, refuse_taken, write_files, write_netcdf
-from .design import Design, compute_design, compute_front, planned
+from .design import Design, compute_design, compute_front
 from .feel import Feel, Pad, compute_loaded
 from .friction import FrictionResult, compute_friction
 from .guides import Guides, compute_guides
@@ -50,7 +50,6 @@ __all__ = [
     "friction_twin",
     "gap_json",
     "layer_tasks",
-    "planned",
     "refuse_taken",
     "write_files",
     "write_netcdf",

@@ -14,6 +14,7 @@ import xarray as xr
 
 from haptonic import hdf5
 from haptonic.bloch import Resolution
+from haptonic.gate import passed
 from haptonic.names import variable
 from haptonic.store import draft_for, fingerprint, refuse_overwrite, write_atomically
 
@@ -54,6 +55,7 @@ def refuse_taken(folder: Path | None, names: Iterable[str], *, overwrite: bool) 
 
 def write_netcdf(dataset: xr.Dataset, path: Path) -> None:
     """NetCDF 4 by h5netcdf; names of variables may hold those of regions, see `haptonic.names.variable`."""
+    passed(dataset)
     names = {name: written for name in dataset.variables if (written := variable(str(name))) != name}
     names |= {name: written for name in dataset.dims if (written := variable(str(name))) != name}
     with hdf5.written(path) as file:
@@ -61,14 +63,14 @@ def write_netcdf(dataset: xr.Dataset, path: Path) -> None:
 
 
 def stamped(dataset: xr.Dataset, inputs: Mapping[str, Any]) -> xr.Dataset:
-    """The dataset with the inputs, the version and the code that made it."""
+    """The dataset, its numbers looked at, with the inputs, the version and the code that made it."""
     dataset.attrs |= {
         "inputs": json.dumps(inputs),
         "haptonic_version": version("haptonic"),
         "code_fingerprint": fingerprint(),
         "origin": "simulated",
     }
-    return dataset
+    return passed(dataset)
 
 
 def no_nan(array: np.ndarray) -> Any:

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import itertools
 import json
-from collections.abc import Mapping, Sequence
+import math
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import asdict, dataclass
 from typing import TYPE_CHECKING, Any
 
@@ -12,13 +14,14 @@ import xarray as xr
 from numpy.typing import NDArray
 
 from haptonic import plots
-from haptonic.bloch import Gap
+from haptonic.bloch import Gap, gaps_dataset, gaps_of
 from haptonic.cell import UnitCell
 from haptonic.design.brief import Brief
 from haptonic.design.parameters import UNITS, changed
 from haptonic.design.quick import QUICK
-from haptonic.design.search import Visited, climb, looked_at, starting_points
-from haptonic.errors import StudyError
+from haptonic.design.search import Column, Visited, climb, distinct, spread, starts_of
+from haptonic.errors import HaptonicError, ResourceError, StudyError
+from haptonic.gate import declared
 from haptonic.jobs import Task
 from haptonic.results.common import Asked, stamped
 from haptonic.results.runner import Runner
@@ -30,7 +33,12 @@ if TYPE_CHECKING:
 Array = NDArray[np.float64]
 
 POLISH_STEPS = 5  # designs computed at most once the coarse model has been corrected
-FRONT_STARTS = 8  # designs looked at for each pitch of a front
+LAST_STEPS = 20  # of the best climb at most, before it is said what holds it back
+MORE_CLIMBS = 3  # times as many climbs as asked for, while none has reached the carrier
+SAME = 0.02  # of the box, between two summits that count as one
+REFINED = 3  # summits computed at the accuracy asked for
+COARSE = 0.03  # of the carrier, by which the coarse model may miss an edge: summits below are not refined
+FRONT_STARTS = 12  # designs looked at for each pitch of a front
 AT_BOUND = 0.01  # share of a range, or of a limit, from which one counts as reached
 
 
@@ -47,6 +55,16 @@ class Design:
     gap: Gap
     margin: float
     dataset: xr.Dataset
+
+    @property
+    def held_back_by(self) -> list[str]:
+        """Bounds and limits that the design has reached, in words."""
+        return list(json.loads(self.dataset.attrs["held_back_by"]))
+
+    @property
+    def left_out(self) -> list[dict[str, Any]]:
+        """Designs that could not be computed: ``stage`` of the search, ``values`` by path (SI), ``cause``."""
+        return list(json.loads(self.dataset.attrs["left_out"]))
 
     def plot(self) -> Figure:
         """Edges of the gap and margin of the carrier, design by design."""
@@ -66,6 +84,8 @@ class Design:
                 "between": list(self.gap.between),
             },
             "margin_hz": self.margin,
+            "held_back_by": self.held_back_by,
+            "left_out": self.left_out,
             "carrier_hz": float(data.attrs["carrier_hz"]),
             "seen": [
                 {
@@ -80,11 +100,6 @@ class Design:
         }
 
 
-def planned(starts: int, climbs: int) -> int:
-    """How many tasks a search has."""
-    return starts + min(climbs, starts) + 3
-
-
 def compute_design(
     brief: Brief,
     asked: Asked,
@@ -95,43 +110,153 @@ def compute_design(
     inputs: Mapping[str, Any],
     runner: Runner,
 ) -> Design:
-    """Look at some designs, improve the best, correct the coarse model by the fine one, and improve again.
+    """Look at designs all over what is allowed, climb from the best gaps, then correct the coarse model.
+
+    A design that cannot be computed is left out, and the result says so.
 
     Raises
     ------
     StudyError : bounds that contradict each other, or a carrier that no allowed design reaches
+    ResourceError : no design that was found can be computed at the accuracy asked for
     """
     brief.check()
-    history: list[tuple[str, Visited]] = []
+    search = _Search(brief, asked, runner)
+    begun = starts_of(search.looked(starts), brief.carrier)[: MORE_CLIMBS * climbs]
+    summits: list[Visited] = []
+    for first in range(0, len(begun), climbs):
+        summits = search.ranked(summits + search.climbed(begun[first : first + climbs], steps))
+        search.refine(summits)
+        if search.best is not None and search.best.margin > 0:
+            break
+    best = search.best
+    if best is None or best.margin <= 0:
+        if search.refused:
+            raise _uncomputed(brief, *search.refused[0])
+        if not summits:
+            raise search.failures[0]
+        if best is None:  # a climb cut short tells nothing of what holds it back
+            summits = search.ranked(search.climbed(summits[:1], LAST_STEPS) + summits)
+        raise _out_of_reach(brief, best, summits, [visit for _, visit in search.history])
+    dataset = stamped(_history(brief, search.history), inputs)
+    dataset.attrs["left_out"] = json.dumps(search.left_out)
+    dataset.attrs["held_back_by"] = json.dumps(held_back_by(brief, best.visit.share))
+    return Design(best.values, best.gap, best.margin, dataset)
 
-    def keep(stage: str, datasets: Sequence[xr.Dataset]) -> list[Visited]:
-        found = [visit for dataset in datasets for visit in _visits(dataset)]
-        history.extend((stage, visit) for visit in found)
-        return sorted(found, key=lambda visit: -visit.margin)
 
-    points = starting_points(brief, starts)
-    first = keep("look", runner.run(look_dataset, [_look(brief, point) for point in points], 0))
-    begun = [_climb(brief, visit, (0.0, 0.0), steps) for visit in first[:climbs]]
-    best = keep("climb", runner.run(climb_dataset, begun, len(points)))[0]
-    done = len(points) + len(begun)
-    values = _rounded(brief, best)
-    gap = _gap(runner, changed(brief.cell, values), asked, best.band, done)
-    if gap is not None:
-        offset = gap.lower - best.lower, gap.upper - best.upper
-        polished = runner.run(climb_dataset, [_climb(brief, best, offset, POLISH_STEPS)], done + 1)
-        best = keep("polish", polished)[0]
-        values = _rounded(brief, best)
-        gap = _gap(runner, changed(brief.cell, values), asked, best.band, done + 2)
-    margin = -np.inf
-    if gap is not None:
-        below, above = (
-            brief.carrier - gap.lower - gap.lower_error,
-            gap.upper - gap.upper_error - brief.carrier,
+@dataclass(frozen=True)
+class _Refined:
+    """A design at the accuracy asked for.
+
+    visit : in the coarse model; values : SI, by path; margin : of the carrier in the gap, Hz, errors counted
+    """
+
+    visit: Visited
+    values: dict[str, float]
+    gap: Gap
+    margin: float
+
+
+class _Search:
+    """A search under way.
+
+    history : all designs seen, by stage; left_out, failures : those that could not be computed, and why
+    tried : summits that were to be computed at the accuracy asked for; refused : those that could not be
+    best : the best that could
+    """
+
+    def __init__(self, brief: Brief, asked: Asked, runner: Runner) -> None:
+        self.brief, self.asked, self.runner = brief, asked, runner
+        self.history: list[tuple[str, Visited]] = []
+        self.left_out: list[dict[str, Any]] = []
+        self.failures: list[HaptonicError] = []
+        self.tried: list[Visited] = []
+        self.refused: list[tuple[Visited, HaptonicError]] = []
+        self.best: _Refined | None = None
+        self.done = 0
+
+    def looked(self, count: int) -> list[Column]:
+        """Columns of designs, in the coarse model."""
+        places = spread(self.brief, count)
+        found = self._run("look", look_dataset, [_look(self.brief, shares) for shares in places], places)
+        columns = [Column(data["share"].values, data["edges"].values) for data in found]
+        for column in columns:
+            self.history += [("look", one.best(self.brief.carrier)[0][1]) for one in column.alone()]
+        if not columns:
+            raise self.failures[0]
+        return columns
+
+    def climbed(self, begun: Sequence[Visited], steps: int) -> list[Visited]:
+        """Ends of climbs from some designs."""
+        tasks = [_climb(self.brief, visit, (0.0, 0.0), steps) for visit in begun]
+        visits = [
+            _visits(data) for data in self._run("climb", climb_dataset, tasks, [one.share for one in begun])
+        ]
+        self.history += [("climb", visit) for one in visits for visit in one]
+        return [one[-1] for one in visits]
+
+    def ranked(self, summits: Sequence[Visited]) -> list[Visited]:
+        """The summits without twins, the best first; bands that touch are behind all gaps."""
+        return distinct(
+            sorted(summits, key=lambda one: (not one.is_open(self.brief.carrier), -one.margin)), SAME
         )
-        margin = min(below, above)
-    if gap is None or margin <= 0:
-        raise _out_of_reach(brief, best, gap, [visit for _, visit in history])
-    return Design(values, gap, margin, stamped(_history(brief, history), inputs))
+
+    def refine(self, summits: Sequence[Visited]) -> None:
+        """Compute, the best first, those that may beat what has been computed."""
+        for summit in summits:
+            reached = -np.inf if self.best is None else self.best.margin / self.brief.carrier
+            hopeful = summit.is_open(self.brief.carrier) and summit.margin > max(reached, -COARSE)
+            if hopeful and len(self.tried) < REFINED and not any(summit is one for one in self.tried):
+                self.tried.append(summit)
+                known = len(self.failures)
+                found = self.refined(summit)
+                if not found and len(self.failures) > known:
+                    self.refused.append((summit, self.failures[-1]))
+                found += [] if self.best is None else [self.best]
+                self.best = max(found, key=lambda one: one.margin, default=None)
+
+    def refined(self, summit: Visited) -> list[_Refined]:
+        """A summit at the accuracy asked for, and what a climb in the model corrected by it makes of it."""
+        found = self._at_accuracy(summit)
+        if found:
+            gap = found[0].gap
+            offset = gap.lower - summit.lower, gap.upper - summit.upper
+            tasks = [_climb(self.brief, summit, offset, POLISH_STEPS)]
+            for data in self._run("polish", climb_dataset, tasks, [summit.share]):
+                self.history += [("polish", visit) for visit in _visits(data)]
+                found += self._at_accuracy(_visits(data)[-1])
+        return found
+
+    def _at_accuracy(self, visit: Visited) -> list[_Refined]:
+        """The complete gap of a design, if it has one and can be computed."""
+        values = _rounded(self.brief, visit)
+        cell, found = changed(self.brief.cell, values), []
+        key = {"kind": "gap", "above": visit.band, "cell": cell, "asked": self.asked}
+        task = Task(key, (cell, self.asked, visit.band))
+        for data in self._run("refine", gap_dataset, [task], [visit.share]):
+            for gap in gaps_of(data):
+                if gap.complete and gap.between[0] == visit.band:
+                    below = self.brief.carrier - gap.lower - gap.lower_error
+                    above = gap.upper - gap.upper_error - self.brief.carrier
+                    found.append(_Refined(visit, values, gap, min(below, above)))
+        return found
+
+    def _run(
+        self,
+        stage: str,
+        function: Callable[[Any], xr.Dataset],
+        tasks: Sequence[Task],
+        places: Sequence[Array],
+    ) -> list[xr.Dataset]:
+        """Datasets of the tasks that could be computed; the others are noted, with the places they are at."""
+        outcomes = self.runner.tried(function, tasks, self.done)
+        self.done += len(tasks)
+        for outcome, place in zip(outcomes, places, strict=True):
+            if outcome.error is not None:
+                values = self.brief.values(np.atleast_2d(place)[0])
+                named = dict(zip(self.brief.paths, values, strict=True))
+                self.left_out.append({"stage": stage, "values": named, "cause": outcome.error.cause})
+                self.failures.append(outcome.error)
+        return [outcome.dataset for outcome in outcomes if outcome.dataset is not None]
 
 
 def compute_front(
@@ -161,7 +286,7 @@ def compute_front(
         for name, column in columns.items():
             column[row] = getattr(end, name)
     units = {"lower": "Hz", "upper": "Hz", "margin": "1"}
-    return xr.Dataset(
+    front = xr.Dataset(
         {
             "pitch": ("design", np.asarray(pitches), {"units": "m"}),
             **{name: ("design", column, {"units": units[name]}) for name, column in columns.items()},
@@ -170,11 +295,19 @@ def compute_front(
         coords={"parameter": names},
         attrs={"carrier_hz": brief.carrier, "mesh": json.dumps(asdict(QUICK))},
     )
+    return declared(front, **dict.fromkeys((*columns, "value"), "no design of this pitch is allowed"))
 
 
 def look_dataset(argument: tuple[Brief, Array]) -> xr.Dataset:
-    """One design looked at; what a worker is given to do."""
-    return _as_dataset([looked_at(*argument)])
+    """One column of designs looked at; what a worker is given to do."""
+    brief, shares = argument
+    column = Column.of(brief, shares)
+    return xr.Dataset(
+        {
+            "share": (("design", "parameter"), column.shares),
+            "edges": (("design", "edge", "pair"), column.edges),
+        }
+    )
 
 
 def climb_dataset(argument: tuple[Brief, Array, int, tuple[float, float], int]) -> xr.Dataset:
@@ -182,16 +315,25 @@ def climb_dataset(argument: tuple[Brief, Array, int, tuple[float, float], int]) 
     return _as_dataset(list(climb(*argument)))
 
 
+def gap_dataset(argument: tuple[UnitCell, Asked, int]) -> xr.Dataset:
+    """The gap above a band at the accuracy asked for, others less surely; what a worker is given to do."""
+    cell, asked, band = argument
+    found: xr.Dataset = gaps_dataset(
+        cell, count=asked.count, accuracy=asked.accuracy, resolution=asked.resolution, above=band
+    )
+    return found
+
+
 def front_dataset(argument: tuple[Brief, Array, int]) -> xr.Dataset:
     """The climb at one pitch, from the best of the scaled design and a few others."""
     brief, share, steps = argument
-    others = [point for point in starting_points(brief, FRONT_STARTS)[1:] if brief.allows(point)]
-    start = max((looked_at(brief, point) for point in (share, *others)), key=lambda visit: visit.margin)
+    columns = [Column.of(brief, shares) for shares in spread(brief, FRONT_STARTS, share)]
+    start = starts_of(columns, brief.carrier)[0]
     return _as_dataset(list(climb(brief, start.share, start.band, (0.0, 0.0), steps)))
 
 
-def _look(brief: Brief, share: Array) -> Task:
-    return Task({"kind": "look", "share": share, **_named(brief)}, (brief, share))
+def _look(brief: Brief, shares: Array) -> Task:
+    return Task({"kind": "look", "shares": shares, **_named(brief)}, (brief, shares))
 
 
 def _climb(brief: Brief, start: Visited, offset: tuple[float, float], steps: int) -> Task:
@@ -209,15 +351,23 @@ def _named(brief: Brief) -> dict[str, object]:
 
 
 def _rounded(brief: Brief, visit: Visited) -> dict[str, float]:
-    """Values of a design by path (SI), as a workshop would write them: lengths in whole micrometres."""
-    values = dict(zip(brief.paths, brief.values(visit.share), strict=True))
-    return {path: round(v, 6) if UNITS[path] == "m" else v for path, v in values.items()}
+    """Values of a design by path (SI), as a workshop would write them: lengths in whole micrometres.
 
-
-def _gap(runner: Runner, cell: UnitCell, asked: Asked, band: int, done: int) -> Gap | None:
-    """The complete gap above a band at the accuracy asked for."""
-    gaps = runner.gaps(cell, asked, done)
-    return next((gap for gap in gaps if gap.between[0] == band and gap.complete), None)
+    Each is one of the two next to the exact value: the nearest that break no bound and no limit together.
+    """
+    exact = brief.values(visit.share)
+    choices = []
+    for path, value, (low, high) in zip(brief.paths, exact, brief.box, strict=True):
+        whole = [math.floor(value * 1e6) / 1e6, math.ceil(value * 1e6) / 1e6] if UNITS[path] == "m" else []
+        choices.append([v for v in whole if low <= v <= high] or [value])
+    lowest, highest = brief.box.T
+    span = highest - lowest
+    near = sorted(
+        itertools.product(*choices),
+        key=lambda values: float((np.abs(np.array(values) - exact) / span).sum()),
+    )
+    allowed = (values for values in near if brief.allows((np.array(values) - lowest) / span))
+    return dict(zip(brief.paths, next(allowed, near[0]), strict=True))
 
 
 def _as_dataset(visits: Sequence[Visited]) -> xr.Dataset:
@@ -257,40 +407,71 @@ def _history(brief: Brief, history: Sequence[tuple[str, Visited]]) -> xr.Dataset
     return dataset
 
 
-def _out_of_reach(brief: Brief, best: Visited, gap: Gap | None, seen: Sequence[Visited]) -> StudyError:
-    """How close the search came, and what held it back."""
-    values = brief.values(best.share)
+def held_back_by(brief: Brief, share: Array) -> list[str]:
+    """Bounds and limits that a design has reached, in words; each could be widened or relaxed."""
+    values = zip(brief.paths, brief.values(share), share, strict=True)
     reached = [
         f"{path} = {format_quantity(value, UNITS[path])}"
-        for path, value, share in zip(brief.paths, values, best.share, strict=True)
-        if min(share, 1 - share) < AT_BOUND
+        for path, value, place in values
+        if min(place, 1 - place) < AT_BOUND
     ]
-    limits = brief.limits(best.share).items()
-    reached += [f"the limit on the {name}" for name, room in limits if room < AT_BOUND]
-    there = [(visit.lower, visit.upper) for visit in seen if visit.lower < visit.upper]
-    if gap is not None:
-        there.append((gap.lower, gap.upper))
-    closest = "no design seen has a gap near it"
-    if there:
-        lower, upper = min(there, key=lambda edges: max(edges[0] - brief.carrier, brief.carrier - edges[1]))
-        away = max(lower - brief.carrier, brief.carrier - upper)
-        closest = f"the closest gap seen, {lower / 1e3:.2f} to {upper / 1e3:.2f} kHz, "
-        closest += f"misses it by {max(away, 0.0) / 1e3:.2f} kHz"
-    bounds = ", ".join(reached) or "none of the bounds"
-    if gap is not None and gap.lower < brief.carrier < gap.upper:
-        errors = " and ".join(f"{error / 1e3:.2f} kHz" for error in (gap.lower_error, gap.upper_error))
+    return reached + [
+        f"the limit on the {name}" for name, room in brief.limits(share).items() if room < AT_BOUND
+    ]
+
+
+def _out_of_reach(
+    brief: Brief, best: _Refined | None, summits: Sequence[Visited], seen: Sequence[Visited]
+) -> StudyError:
+    """How close the search came, and what held it back."""
+    carrier = brief.carrier
+    if best is not None and best.gap.lower < carrier < best.gap.upper:
+        gap = best.gap
+        lower, upper, *errors = in_khz(gap.lower, gap.upper, gap.lower_error, gap.upper_error)
         return StudyError(
             argument="bands.accuracy",
-            given=f"edges known to {errors} only",
+            given=f"edges known to {' and '.join(errors)} kHz only",
             allowed="edges known well enough to say that the carrier lies between them",
-            cause=f"the gap {gap.lower / 1e3:.2f} to {gap.upper / 1e3:.2f} kHz holds it by less than that",
+            cause=f"the gap {lower} to {upper} kHz holds it by less than that",
             next_step="ask for a finer accuracy, or leave [mesh] out",
         )
+    there = [(visit.lower, visit.upper) for visit in seen if visit.is_open(carrier)]
+    there += [(best.gap.lower, best.gap.upper)] if best is not None else []
+    closest = "no design seen has a gap at all"
+    if there:
+        edges = min(there, key=lambda edges: max(edges[0] - carrier, carrier - edges[1]))
+        lower, upper, away = in_khz(*edges, max(edges[0] - carrier, carrier - edges[1]))
+        closest = f"the closest gap seen, {lower} to {upper} kHz, misses it by {away} kHz"
+    reached = held_back_by(brief, summits[0].share)
+    held = f"the best design is held back by {', '.join(reached)}"
     return StudyError(
         argument="carrier",
-        given=format_quantity(brief.carrier, "Hz"),
+        given=format_quantity(carrier, "Hz"),
         allowed="a frequency that the gap of some allowed design holds",
-        cause=f"{closest}; the best design is held back by {bounds}",
-        next_step="widen these bounds, vary other parameters, start from more designs ([design] starts), "
-        "or choose another carrier",
+        cause=f"{closest}; {held if reached else 'the best design lies inside all bounds and limits'}",
+        next_step=("widen these bounds, vary" if reached else "vary")
+        + " other parameters, look at more designs ([design] starts and climbs), or choose another carrier",
     )
+
+
+def _uncomputed(brief: Brief, summit: Visited, failure: HaptonicError) -> ResourceError:
+    """Designs were found, and none of them can be computed as exactly as asked for."""
+    values = zip(brief.paths, brief.values(summit.share), strict=True)
+    named = ", ".join(f"{path} = {format_quantity(value, UNITS[path])}" for path, value in values)
+    lower, upper = in_khz(summit.lower, summit.upper)
+    return ResourceError(
+        argument=failure.argument,
+        given=failure.given,
+        allowed=failure.allowed,
+        cause=f"{failure.cause}; no design found can be computed. The best of them, {named}, "
+        f"has, in the coarse model, a gap from {lower} to {upper} kHz",
+        next_step=failure.next_step,
+    )
+
+
+def in_khz(*frequencies: float) -> list[str]:
+    """Frequencies, Hz, with so many digits that those that differ read so, and none reads as zero."""
+    steps = [abs(f) for f in frequencies] + [abs(a - b) for a, b in itertools.combinations(frequencies, 2)]
+    steps = [step for step in steps if step]
+    digits = min(9, max(2, *(1 - math.floor(math.log10(step / 1e3)) for step in steps))) if steps else 2
+    return [f"{frequency / 1e3:.{digits}f}" for frequency in frequencies]

@@ -21,6 +21,7 @@ from haptonic.bloch.model import bloch_model
 from haptonic.bloch.plate_waves import FAMILIES
 from haptonic.cell import UnitCell
 from haptonic.errors import StudyError
+from haptonic.gate import WORD
 from haptonic.jobs import Task
 from haptonic.results.carrier import condensed_cell, gap_around
 from haptonic.results.common import Asked, no_nan, stamped
@@ -215,12 +216,12 @@ def _at_carrier(superelement: Superelement, carrier: float, incidence: Incidence
 def _carrier_dataset(found: Mapping[str, Scattering]) -> xr.Dataset:
     """Energies at the carrier for 1, 2, ... many rows; NaN for families that do not propagate."""
     shape = len(FAMILIES), MOST_ROWS, len(OUTGOING)
-    arrays = {}
+    arrays, silent = {}, {WORD: "the incident wave does not propagate"}
     for name in ("transmitted", "reflected"):
         values = np.full(shape, np.nan)
         for family, scattering in found.items():
             values[FAMILIES.index(family)] = getattr(scattering, name)[:, 0]
-        arrays[f"carrier_{name}"] = ("incident", "many", "outgoing"), values, {"units": "1"}
+        arrays[f"carrier_{name}"] = ("incident", "many", "outgoing"), values, {"units": "1", **silent}
     coords = {"many": np.arange(1, MOST_ROWS + 1), "incident": list(FAMILIES), "outgoing": list(OUTGOING)}
     return xr.Dataset(arrays, coords=coords)
 

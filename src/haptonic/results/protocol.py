@@ -18,6 +18,7 @@ from haptonic.friction.protocol import Protocol, imbalance
 from haptonic.friction.signals import Label
 from haptonic.friction.statistics import Population, participants_needed, power, smallest_shown
 from haptonic.friction.trial_list import NAME, write_list
+from haptonic.gate import declared
 from haptonic.results.common import stamped, write_netcdf
 
 if TYPE_CHECKING:
@@ -206,5 +207,6 @@ def compute_plan(
     joined["reduction"] = ("waveguide", [population.reduction for population in populations.values()])
     joined["needed"] = ("waveguide", np.array([np.nan if n is None else n for n in needed], dtype=float))
     joined["shown"] = np.nan if least is None else least
+    declared(joined, needed="more than are ever tried", shown="no reduction at all")
     joined.attrs |= {"wanted": wanted}
     return Plan(title, protocol, participants, order, task, stamped(joined, inputs))

@@ -31,16 +31,19 @@ class Runner:
         self, function: Callable[[Any], xr.Dataset], tasks: Sequence[Task], done: int
     ) -> list[xr.Dataset]:
         """Datasets of all tasks; ``done`` tasks of the search were finished before."""
+        return [_dataset(outcome) for outcome in self.tried(function, tasks, done)]
 
-        def counted(now: int, _total: int, stored: bool) -> None:
+    def tried(self, function: Callable[[Any], xr.Dataset], tasks: Sequence[Task], done: int) -> list[Outcome]:
+        """What came of each task, in their order: a dataset, or the error that stands in its place."""
+
+        def counted(now: int, total: int, stored: bool) -> None:
             if self.on_progress is not None:
-                self.on_progress(done + now, 0, stored)
+                self.on_progress(done + now, done + total, stored)
 
-        outcomes = run_all(
+        return run_all(
             function, tasks, store=self.store, workers=min(self.workers, len(tasks)),
             scheduler=self.scheduler, on_progress=counted,
         )  # fmt: skip
-        return [_dataset(outcome) for outcome in outcomes]
 
     def gaps(self, cell: UnitCell, asked: Asked, done: int = 0) -> tuple[Gap, ...]:
         """Complete gaps of a cell, the task of one design of a sweep."""

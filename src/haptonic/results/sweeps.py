@@ -13,6 +13,7 @@ from haptonic import plots
 from haptonic.bloch import gaps_dataset
 from haptonic.cell import UnitCell
 from haptonic.cell.cantilever import euler_bernoulli, timoshenko
+from haptonic.gate import declared
 from haptonic.jobs import Outcome, Task, run_all
 from haptonic.materials import IsotropicMaterial
 from haptonic.results.common import Asked, stamped
@@ -122,6 +123,12 @@ def _sweep(row: Row, outcomes: Sequence[Outcome], inputs: Mapping[str, Any]) -> 
     )
     for variable in dataset.values():
         variable.attrs = {"units": "1" if variable.name == "gap_below" else "Hz"}
+    declared(
+        dataset,
+        **dict.fromkeys(table, "no further gap"),
+        searched_up_to="the design could not be computed",
+        **dict.fromkeys(("euler_bernoulli", "timoshenko"), "no formula for this pillar"),
+    )
     dataset["value"].attrs = {"units": labels["units"] or "1", "long_name": labels["expression"]}
     dataset.attrs = {name: value for name, value in labels.items() if name != "units" and value is not None}
     failed = {step: o.error.parts() for step, o in enumerate(outcomes) if o.error is not None}

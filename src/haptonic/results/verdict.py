@@ -14,6 +14,7 @@ import xarray as xr
 from numpy.typing import NDArray
 
 from haptonic import plots
+from haptonic.gate import declared
 from haptonic.plate import Plate
 from haptonic.response import FrequencyResponse, average_spectrum, contrast, write
 from haptonic.results.common import no_nan, stamped, write_netcdf
@@ -138,6 +139,10 @@ class Verdict:
                 "y": ("point", self.measured.points[:, 1], {"units": "m"}),
             },
         )
+        unresolved = dict.fromkeys(
+            ("measured_damping", "computed_damping"), "the lines are too far apart to tell"
+        )
+        declared(data, frac="the point does not move", **unresolved)
         made = stamped(data, dict(self.inputs))
         return made.assign_attrs(origin=f"{self.origin} response against a simulated one")
 

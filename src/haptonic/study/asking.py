@@ -143,11 +143,13 @@ class DesignSection(Section):
     vary: tuple[VarySection, ...] = Field(
         (), title="Parameters", description="What the design may change.", max_length=12
     )
-    starts: Annotated[int, Field(ge=1, le=64, strict=True)] = Field(
-        8, title="Starts", description="Designs, the study's own among them, that are looked at first."
+    starts: Annotated[int, Field(ge=1, le=1024, strict=True)] = Field(
+        48, title="Starts", description="Designs, the study's own among them, that are looked at first."
     )
     climbs: Annotated[int, Field(ge=1, le=64, strict=True)] = Field(
-        2, title="Climbs", description="How many of the best starts are improved."
+        3,
+        title="Climbs",
+        description="How many of the best starts are improved; more while none reaches the carrier.",
     )
     steps: Annotated[int, Field(ge=1, le=200, strict=True)] = Field(
         12, title="Steps", description="Designs computed in each climb at most."

@@ -16,7 +16,7 @@ import scipy.linalg as la
 from numpy.typing import NDArray
 
 from haptonic.cell import HexMesh, MeshPlan, UnitCell, mesh_cell
-from haptonic.cell.profile import FOOT_LAYER
+from haptonic.cell.edges import FOOT_LAYER
 from haptonic.cell.topology import Topology, topology_of
 from haptonic.solvers import Solver
 from haptonic.superelement.condense import CondensedClass, Form, Superelement, assembled, condensed

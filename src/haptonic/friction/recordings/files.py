@@ -85,10 +85,10 @@ def opened(path: Path) -> Iterator[Callable[[str], Channels]]:
     FrictionError : there is no such file, it is damaged or of another format; on asking, no such group
     ScanError : a damaged MATLAB or TDMS file, or no npTDMS
     """
-    if not path.is_file():
-        raise _unreadable(path, "no such file", "check its name in the table of trials")
     kind = path.suffix.lower()
     try:
+        if not path.is_file():  # a name that is too long for any file raises an error
+            raise _unreadable(path, "no such file", "check its name in the table of trials")
         if kind == ".csv":
             table = _table(path)
             yield lambda group: _of_columns(path, table, group)

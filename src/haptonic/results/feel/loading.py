@@ -11,6 +11,7 @@ import xarray as xr
 from numpy.typing import NDArray
 
 from haptonic.bloch import Gap
+from haptonic.gate import WORD
 from haptonic.plate import Band, Fineness, Plate, PlateModel, PlateModes, modes_between
 from haptonic.plate.touch import Places, below_finger
 from haptonic.results.common import stamped
@@ -127,7 +128,10 @@ def _computed(
     return xr.Dataset(
         {
             "amplitude": (("load", "point"), amplitude, {"units": f"m/({reference.unit})"}),
-            "quality": (("load", "point"), quality, {"long_name": "quality factor of the mode"}),
+            "quality": (
+                ("load", "point"), quality,
+                {"long_name": "quality factor of the mode", WORD: "no mode near this frequency"},
+            ),
         },
         coords={
             "load": list(LOADS),
@@ -138,6 +142,7 @@ def _computed(
             "frequency_hz": omega / (2 * np.pi), "mode_hz": mode, "reference": str(reference),
             "error": float(vibration.error[line]), "unknowns": model.assembly.size,
             "basis": band.reduced.basis.dimension, "origin": "simulated",
+            WORD: "no mode near this frequency",
         },
     )  # fmt: skip
 

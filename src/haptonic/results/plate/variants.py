@@ -9,6 +9,7 @@ import numpy as np
 import xarray as xr
 from numpy.typing import NDArray
 
+from haptonic.gate import WORD
 from haptonic.materials import Material
 from haptonic.plate import Band, Fineness, Layout, Plate, PlateModel, modes_between
 from haptonic.plate.keys import PLATE
@@ -105,7 +106,7 @@ def mode_shifts(
         frequencies.append(guide_mode(plate, region, look, fineness))
         told()
     found = xr.Dataset(
-        {"mode_frequency": ("plate", np.array(frequencies), {"units": "Hz"})},
+        {"mode_frequency": ("plate", np.array(frequencies), {"units": "Hz", WORD: "no such mode"})},
         coords={"plate": list(plates)},
     )
     store.put(key, found)

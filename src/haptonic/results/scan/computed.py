@@ -13,6 +13,7 @@ from haptonic.bloch.guide import Guide
 from haptonic.bloch.model import bloch_model
 from haptonic.bloch.plate_waves import PlainPlate
 from haptonic.errors import StudyError
+from haptonic.gate import WORD
 from haptonic.plate.layout import Layout
 from haptonic.results.carrier import condensed_cell
 from haptonic.results.common import Asked
@@ -66,7 +67,13 @@ def computed_waves(
     frequency = np.linspace(low, span[1], PLAIN)
     wavenumber = [plain.wavenumber(2 * np.pi * f, 0.0, "A0") or np.nan for f in frequency]
     made = xr.Dataset(
-        {"wavenumber": ("frequency", np.array(wavenumber), {"units": "rad/m"})},
+        {
+            "wavenumber": (
+                "frequency",
+                np.array(wavenumber),
+                {"units": "rad/m", WORD: "the wave does not propagate"},
+            )
+        },
         coords={"frequency": ("frequency", frequency, {"units": "Hz"})},
     )
     if mirror is not None:
@@ -79,7 +86,7 @@ def computed_waves(
         made = made.assign_coords(
             mirror_frequency=("mirror_frequency", at, {"units": "Hz"}), phase=("phase", list(PHASES))
         )
-    found = np.full((2, len(widths), STEPS), np.nan)
+    found, none_there = np.full((2, len(widths), STEPS), np.nan), "the guide has no mode in the gap"
     if gap is not None:
         inside = INSET * (gap.upper - gap.lower)
         between = 2 * np.pi * (gap.lower + inside), 2 * np.pi * (gap.upper - inside)
@@ -91,8 +98,8 @@ def computed_waves(
                 except StudyError:
                     continue  # at this wavenumber the guide has no mode in the gap
                 found[:, row, step] = mode.omega / (2 * np.pi), k
-    made["guided_frequency"] = ("guide", "step"), found[0], {"units": "Hz"}
-    made["guided_wavenumber"] = ("guide", "step"), found[1], {"units": "rad/m"}
+    made["guided_frequency"] = ("guide", "step"), found[0], {"units": "Hz", WORD: none_there}
+    made["guided_wavenumber"] = ("guide", "step"), found[1], {"units": "rad/m", WORD: none_there}
     made = made.assign_coords(
         width=("guide", [w for w, _ in widths]), along=("guide", [a for _, a in widths])
     )

@@ -1,0 +1,83 @@
+"""Re-entrant edges of a cell, where stress is singular, and how a mesh is graded towards them."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+from numpy.typing import NDArray
+
+from haptonic.cell.geometry import UnitCell
+from haptonic.cell.pillar import Pillar
+
+Array = NDArray[np.float64]
+
+CORE_RADIUS = 0.55  # core square's corners, as a share of the curve around it
+FOOT_LAYER = 0.3  # height of the pillar's lowest layer, in diameters: stresses of the foot die out in it
+EDGE_WIDTH = 0.15  # outermost thin ring, as a share of the smallest length at the edge
+EDGE_GRADING = 0.2  # each further ring reaches to this share of the one before
+MOST_APART = 16.0  # largest ratio of the far border of an element beside the thin ones to its near one
+BRIDGED = 6.0  # and about what it becomes once there are further elements
+
+
+def foot_reach(cell: UnitCell, rings: int) -> Array:
+    """How far from the foot the borders of the thin rings lie, outermost first, m."""
+    pillar = cell.pillar
+    if pillar is None:
+        return np.empty(0)
+    _, high, radius = pillar.stages[0]
+    room = min(radius, cell.thickness, high, 2 * cell.clearance)
+    if pillar.step is not None:
+        room = min(room, (1 - step_share(pillar)) * radius)
+    return _reach(room, rings)
+
+
+def step_reach(pillar: Pillar, rings: int) -> Array:
+    """The same from the edge of the step, at whose height the ledge is as wide as it is."""
+    (start, low, _), (_, high, width) = pillar.stages
+    return _reach(min(width, pillar.half_width(low, 0) - width, low - start, high - low), rings)
+
+
+def _reach(room: float, rings: int) -> Array:
+    return np.asarray(EDGE_WIDTH * room * EDGE_GRADING ** np.arange(rings))
+
+
+def step_share(pillar: Pillar) -> float:
+    """Half-width above the step as a share of that below it; the border that ends there keeps this share."""
+    low, _, width = pillar.stages[-1]
+    return width / pillar.half_width(low, 0)
+
+
+def within_foot(pillar: Pillar) -> float:
+    """Half-width of the border next to the foot's thin rings inside, as a share of the foot's."""
+    return step_share(pillar) if pillar.step else CORE_RADIUS
+
+
+def bridges(cell: UnitCell, rings: int) -> tuple[int, int, int, int]:
+    """Elements to put between the foot's thin ones and the rest: rings inside, outside, layers above, below.
+
+    A pillar on a thin plate, or next to its neighbour, has thin rings much smaller than itself. From them to
+    its own size stress falls as a power of the distance: elements that grow with it resolve that at any
+    ratio, a single one does not.
+    """
+    pillar = cell.pillar
+    if pillar is None or pillar.fillet or not rings:
+        return 0, 0, 0, 0
+    near = foot_reach(cell, rings)[0]
+    _, high, radius = pillar.stages[0]
+    above = min(2 * FOOT_LAYER * radius, high)
+    far = ((1 - within_foot(pillar)) * radius, min(cell.clearance, cell.thickness), above, cell.thickness)
+    inside, outside, up, down = (_between(reach / near) for reach in far)
+    return inside, outside, up, down
+
+
+def _between(ratio: float) -> int:
+    return math.ceil(math.log(ratio) / math.log(BRIDGED)) - 1 if ratio > MOST_APART else 0
+
+
+def bridged(reach: Array, far: float, count: int) -> Array:
+    """Borders of the thin rings, and before them those of ``count`` rings that grow evenly up to ``far``."""
+    if not count:
+        return reach
+    growth = (far / reach[0]) ** (np.arange(count, 0, -1) / (count + 1))
+    return np.concatenate([reach[0] * growth, reach])

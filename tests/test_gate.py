@@ -1,0 +1,132 @@
+"""No NaN and no infinity leaves the program as a result, by whichever door, unless it is declared."""
+
+import json
+import math
+
+import numpy as np
+import pytest
+import xarray as xr
+from hypothesis import given
+from hypothesis import strategies as st
+
+from haptonic.errors import NumericalError
+from haptonic.gate import declared, json_of, passed
+from haptonic.jobs import Task, run_all
+from haptonic.results.common import stamped, write_netcdf
+from haptonic.store import Store, content_key
+
+PARTS = {"argument", "given", "allowed", "cause", "next_step"}
+NONE = [math.nan, math.inf, -math.inf]
+
+
+@st.composite
+def results(draw: st.DrawFn):
+    """A dataset of finite numbers, text and integers, and the names of its places for floats."""
+    shape = draw(st.tuples(st.integers(1, 4), st.integers(1, 4)))
+    kind = draw(st.sampled_from([np.float64, np.float32, np.complex128]))
+    return xr.Dataset(
+        {
+            "values": (("row", "column"), np.ones(shape, kind), {"units": "Hz", "bound": 1.0}),
+            "single": 2.0,
+            "count": ("row", np.arange(shape[0])),
+            "name": ("row", np.array(["a"] * shape[0])),
+        },
+        coords={"place": ("row", np.linspace(0, 1, shape[0]))},
+        attrs={"error": 0.5, "gap": [1.0, 2.0], "title": "drawn"},
+    )
+
+
+@st.composite
+def spoilt(draw: st.DrawFn):
+    """A result with a number that is none somewhere, where it is, and what it is."""
+    data, bad = draw(results()), draw(st.sampled_from(NONE))
+    where = draw(st.sampled_from(["values", "single", "place", "values.bound", "error", "gap"]))
+    if where == "values.bound":
+        data["values"].attrs["bound"] = bad
+    elif where in data.attrs:
+        data.attrs[where] = [1.0, bad] if where == "gap" else bad
+    else:
+        array = data[where].values.copy()
+        array.flat[draw(st.integers(0, array.size - 1))] = bad
+        data[where] = data[where].copy(data=array)
+    return data, where, bad
+
+
+@given(results())
+def test_finite_results_pass(data):
+    assert passed(data) is data
+
+
+@given(spoilt())
+def test_a_number_that_is_none_is_refused_wherever_it_is(case):
+    data, where, bad = case
+    with pytest.raises(NumericalError) as caught:
+        passed(data)
+    assert set(caught.value.parts()) == PARTS
+    assert all(caught.value.parts().values())
+    assert caught.value.argument == f"result {where}"
+    assert str(bad) in caught.value.given
+
+
+@given(spoilt())
+def test_a_declared_nan_passes_and_infinity_never_does(case):
+    data, where, bad = case
+    if where in data.attrs:
+        data.attrs["nan_means"] = "nothing there"
+    elif where in data.variables:
+        data = declared(data, **{where: "nothing there"})
+    if math.isnan(bad) and where != "values.bound":
+        assert passed(data) is data
+    else:
+        with pytest.raises(NumericalError):
+            passed(data)
+
+
+def spoilt_result(_argument=None):
+    return xr.Dataset({"frequency_error": ("band", np.array([1.0, np.nan]))})
+
+
+def test_every_door_has_the_gate(tmp_path):
+    store, key = Store(tmp_path / "store"), content_key({"kind": "spoilt"})
+    doors = {
+        "the store": lambda: store.put(key, spoilt_result()),
+        "a stamp": lambda: stamped(spoilt_result(), {}),
+        "a file": lambda: write_netcdf(spoilt_result(), tmp_path / "spoilt.nc"),
+    }
+    for door in doors.values():
+        with pytest.raises(NumericalError, match="frequency_error"):
+            door()
+    assert key not in store
+    assert not (tmp_path / "spoilt.nc").exists()
+
+
+def test_one_spoilt_design_of_many_is_an_error_and_the_others_are_kept(tmp_path):
+    def design(number):
+        return spoilt_result() if number == 1 else xr.Dataset({"edge": float(number)})
+
+    tasks = [Task({"number": number}, number) for number in range(3)]
+    found = run_all(design, tasks, store=Store(tmp_path))
+    assert [outcome.dataset is None for outcome in found] == [False, True, False]
+    assert isinstance(found[1].error, NumericalError)
+
+
+json_values = st.recursive(
+    st.none() | st.booleans() | st.integers() | st.text() | st.floats(allow_nan=False, allow_infinity=False),
+    lambda inner: st.lists(inner, max_size=3) | st.dictionaries(st.text(), inner, max_size=3),
+)
+
+
+@given(json_values)
+def test_plain_values_come_back_from_json(values):
+    assert json.loads(json_of(values)) == values
+
+
+@given(json_values, st.sampled_from(NONE), st.integers(0, 2))
+def test_json_knows_no_nan_and_says_where_it_is(values, bad, place):
+    row = [1.0, 2.0, 3.0]
+    row[place] = bad
+    with pytest.raises(NumericalError) as caught:
+        json_of({"of": values, "bands": {"error_hz": row}})
+    assert set(caught.value.parts()) == PARTS
+    assert all(caught.value.parts().values())
+    assert caught.value.argument == f"result bands.error_hz[{place}]"
