@@ -10,6 +10,7 @@ import re
 from itertools import pairwise
 from types import SimpleNamespace
 
+import ezdxf
 import numpy as np
 import pytest
 import xarray as xr
@@ -249,11 +250,18 @@ class TestTolerance:
         monkeypatch.setattr(workshop, "write_drawing", noted)
         exported = here("export", path, "--out", tmp_path / "files", "--drawing")
         assert exported.code == 0, exported.err
-        assert [p.name for p in (tmp_path / "files").iterdir()] == ["asking.pdf"]
-        assert shown == [{"cell.pillar.height": pytest.approx(answer["loosest_factor"] * 3 * 20e-6)}]
-        texts = {text.get_text() for text in cell_drawing(
-            package.load(path).unit_cell(), "", tolerances=shown[0]).findobj(Text)}  # fmt: skip
-        assert f"14.700 ± {1e3 * shown[0]['cell.pillar.height']:.3f}" in texts
+        assert {p.name for p in (tmp_path / "files").iterdir()} == {"asking.pdf", "asking-drawing.dxf"}
+        wanted = pytest.approx(answer["loosest_factor"] * 3 * 20e-6)
+        assert shown == [{"cell.pillar.height": wanted}] * 2
+        sheet = ezdxf.readfile(tmp_path / "files" / "asking-drawing.dxf").paperspace("Drawing")
+        styles = [(d.get_measurement(), d.override()) for d in sheet.query("DIMENSION")]
+        (height,) = [(m * s.get("dimlfac"), s) for m, s in styles if s.get("dimtol")]
+        assert height[0] == pytest.approx(14.7)
+        assert height[1].get("dimtp") == height[1].get("dimtm") == pytest.approx(1e3 * wanted.expected)
+        texts = " ".join(
+            text.get_text() for text in cell_drawing(package.load(path).unit_cell(), "", tolerances=shown[0])
+            .figure().findobj(Text))  # fmt: skip
+        assert f"14.700 ±{1e3 * shown[0]['cell.pillar.height']:.3f}" in texts
 
     def test_it_refuses_to_overwrite_before_computing(self, here, asking, tmp_path, monkeypatch):
         (tmp_path / "out").mkdir()
@@ -294,8 +302,8 @@ class TestExport:
     def test_all_files_unless_some_are_named(self, haptonic, study, tmp_path):
         ran = haptonic("export", study(), "--out", tmp_path / "all", "--columns", 3, "--rows", 2, "--json")
         assert ran.code == 0, ran.err
-        kinds = {"step", "dxf", "stl", "pdf"}
-        assert {p.name for p in (tmp_path / "all").iterdir()} == {f"quick.{kind}" for kind in kinds}
+        names = {*(f"quick.{kind}" for kind in ("step", "dxf", "stl", "pdf")), "quick-drawing.dxf"}
+        assert {p.name for p in (tmp_path / "all").iterdir()} == names
         assert sorted(ran.json["files"]) == sorted(str(p) for p in (tmp_path / "all").iterdir())
         assert (tmp_path / "all" / "quick.pdf").read_bytes().startswith(b"%PDF")
         assert "ISO-10303-21" in (tmp_path / "all" / "quick.step").read_text()[:40]
@@ -366,6 +374,6 @@ class TestExport:
             ran = here("export", asking(*spreads), "--out", out, "--drawing", *machine)
             assert ran.code == 0, ran.err
             assert (said in ran.err.replace("\n", " ")) == bool(spreads)
-            words = " ".join(text.get_text() for text in figures[-1].findobj(Text))
-            assert f"No dimension has a tolerance: {said.split(',')[0]}" in words
+            words = " ".join(text.get_text() for text in figures[-1].figure().findobj(Text))
+            assert f"No dimension has a tolerance of its own: {said.split(',')[0]}" in words
         assert said in json.loads(ran.out)["why_no_tolerances"]

@@ -3,6 +3,8 @@
 import math
 from itertools import product
 
+import numpy as np
+
 from haptonic.cell import Pillar, Step, UnitCell
 from haptonic.lattice import Lattice
 from haptonic.materials import IsotropicMaterial
@@ -50,3 +52,16 @@ EXTREME = {
 def volume(cell: UnitCell, cells: int = 1) -> float:
     """Closed form, m^3."""
     return cells * (cell.lattice.area * cell.thickness + (cell.pillar.volume if cell.pillar else 0.0))
+
+
+def enclosed(points, triangles) -> float:
+    """Volume by the divergence theorem, of triangles that run anticlockwise when seen from outside."""
+    a, b, c = np.moveaxis(points[triangles], 1, 0)
+    return float(np.einsum("ij,ij->", a, np.cross(b, c)) / 6)
+
+
+def is_watertight(triangles) -> bool:
+    """Whether each edge has exactly two triangles, which run along it in opposite directions."""
+    edges = np.concatenate([triangles[:, [k, (k + 1) % 3]] for k in range(3)])
+    directed = set(map(tuple, edges.tolist()))
+    return len(directed) == len(edges) and all((b, a) in directed for a, b in directed)

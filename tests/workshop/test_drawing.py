@@ -1,21 +1,30 @@
 """The drawing: what it says, that it can be read, and that it is one reproducible page."""
 
 import datetime
+import io
 import math
 import re
 from functools import cache
-from itertools import combinations, pairwise
+from itertools import combinations
 
+import ezdxf
 import numpy as np
 import pytest
 from family import EXTREME, FAMILY, METAL, MM, RECTANGLE, cell
-from matplotlib.backends.backend_agg import FigureCanvasAgg
+from hypothesis import example, given, settings
+from hypothesis import strategies as st
+from matplotlib.font_manager import FontProperties
+from matplotlib.textpath import TextPath
 
 from haptonic.cell import Pillar, Step, UnitCell
 from haptonic.errors import GeometryError, ResourceError, StudyError
 from haptonic.lattice import Lattice
-from haptonic.workshop import cell_drawing, write_drawing
+from haptonic.names import visible
+from haptonic.workshop import cell_drawing, surface, write_drawing
 from haptonic.workshop.dimensions import dimensions_of
+from haptonic.workshop.dxf import outlines
+from haptonic.workshop.sheet import POINT, Sheet
+from haptonic.workshop.sight import seen_edges
 
 ALL = FAMILY | EXTREME
 STEPPED = cell(Pillar(3.5 * MM, 9 * MM, "round", math.radians(2), 0.5 * MM, Step(2 * MM, 5 * MM)), RECTANGLE)
@@ -30,98 +39,186 @@ def toleranced(the_cell):
 
 
 @cache
-def figure_of(name):
+def sheet_of(name):
     return cell_drawing(ALL[name], "A plate with a title", 12, 8, tolerances=toleranced(ALL[name]))
 
 
-def words(figure):
-    return [text.get_text() for text in figure.axes[0].texts]
+def written(entity):
+    """What a dimension says, as its picture in the file does."""
+    return "".join(e.plain_text() for e in entity.virtual_entities() if e.dxftype() == "MTEXT")
 
 
-def boxes(figure):
-    FigureCanvasAgg(figure).draw()
-    return [(text.get_text(), text.get_window_extent()) for text in figure.axes[0].texts]
+def words(sheet):
+    space = sheet.space
+    shown = [e.dxf.text for e in space.query("TEXT")] + [written(e) for e in space.query("DIMENSION")]
+    return shown + [line for e in space.query("MTEXT") for line in e.plain_text(split=True)]
 
 
-def crosses(box, one, other):
-    """Whether a stretch runs through a box, by clipping it to the box."""
-    enter, leave = 0.0, 1.0
-    for low, high, a, b in ((box.x0, box.x1, one[0], other[0]), (box.y0, box.y1, one[1], other[1])):
-        low, high = low + 1, high - 1  # pixels that a glyph does not fill
-        if a == b:
-            if not low < a < high:
-                return False
-            continue
-        first, last = sorted(((low - a) / (b - a), (high - a) / (b - a)))
-        enter, leave = max(enter, first), min(leave, last)
-    return enter < leave
+def ink(text):
+    """Left, bottom, right and top of what is printed of a text in a picture, mm."""
+    size, weight = text.get_fontsize(), text.get_fontweight()
+    font = FontProperties(family="DejaVu Sans", weight=weight)
+    low, high = TextPath((0, 0), text.get_text(), size=size, prop=font).get_extents().get_points() * POINT
+    x, y = text.get_position()
+    assert text.get_horizontalalignment() == "left"
+    assert text.get_verticalalignment() == "baseline"
+    return x + low[0], y + low[1], x + high[0], y + high[1]
+
+
+def stretches(figure):
+    """(n, 2, 2) every line of a picture, mm."""
+    axes = figure.axes[0]
+    paths = [line.get_path() for line in axes.lines]
+    paths += [path for part in axes.collections for path in part.get_paths()]
+    paths += [patch.get_path() for patch in axes.patches]
+    lines = [points for path in paths for points in path.to_polygons(closed_only=False)]
+    return np.concatenate([np.stack([line[:-1], line[1:]], axis=1) for line in lines])
+
+
+def crossing(box, lines):
+    """Which stretches run through a box, by clipping them to it."""
+    enter, leave, misses = np.zeros(len(lines)), np.ones(len(lines)), np.zeros(len(lines), bool)
+    for k in (0, 1):
+        low, high, a, b = box[k], box[k + 2], lines[:, 0, k], lines[:, 1, k]
+        with np.errstate(divide="ignore", invalid="ignore"):
+            ends = np.sort([(low - a) / (b - a), (high - a) / (b - a)], axis=0)
+        level = a == b
+        misses |= level & ((a <= low) | (a >= high))
+        enter = np.where(level, enter, np.maximum(enter, ends[0]))
+        leave = np.where(level, leave, np.minimum(leave, ends[1]))
+    return lines[(enter < leave) & ~misses]
 
 
 @pytest.mark.parametrize("name", ALL)
 def test_no_text_lies_on_another_or_on_a_line_or_leaves_the_frame(name):
-    figure = figure_of(name)
-    texts = boxes(figure)
-    axes = figure.axes[0]
-    (left, bottom), (right, top) = axes.transData.transform([(10, 10), (287, 200)])
-    for text, box in texts:
-        assert left < box.x0 < box.x1 < right, text
-        assert bottom < box.y0 < box.y1 < top, text
+    figure = sheet_of(name).figure()
+    texts = [(text.get_text(), ink(text)) for text in figure.axes[0].texts]
+    assert len(texts) > 40
+    lines = stretches(figure)
+    for text, (x0, y0, x1, y1) in texts:
+        assert 10 < x0 < x1 < 287, text
+        assert 10 < y0 < y1 < 200, text
+        assert not len(crossing((x0, y0, x1, y1), lines)), (text, crossing((x0, y0, x1, y1), lines))
     for (one, a), (other, b) in combinations(texts, 2):
-        assert not a.overlaps(b), (one, other)
-    for line in axes.lines:
-        for start, end in pairwise(axes.transData.transform(line.get_xydata())):
-            for text, box in texts:
-                assert not crosses(box, start, end), (text, start, end)
+        assert a[2] <= b[0] or b[2] <= a[0] or a[3] <= b[1] or b[3] <= a[1], (one, other)
+
+
+def test_a_line_through_a_text_is_noticed():
+    lines = np.array(
+        [[[0, 0], [4, 4]], [[0, 2], [4, 2]], [[2, 0], [2, 4]], [[0, 3.5], [4, 3.5]]], dtype=float
+    )
+    assert crossing((1, 1, 3, 3), lines).tolist() == lines[:3].tolist()
 
 
 @pytest.mark.parametrize("name", ALL)
-def test_every_dimension_is_given_with_its_tolerance(name):
-    tolerances = toleranced(ALL[name])
-    found = words(figure_of(name))
-    for key, value in dimensions_of(ALL[name]).items():
+def test_every_dimension_is_measured_and_given_with_its_tolerance(name, tmp_path):
+    the_cell, tolerances = ALL[name], toleranced(ALL[name])
+    sheet_of(name).document.saveas(tmp_path / "sheet.dxf")
+    document = ezdxf.readfile(tmp_path / "sheet.dxf")
+    assert not document.audit().has_errors
+    found = words(sheet_of(name))
+    measured = []
+    for dimension in document.paperspace("Drawing").query("DIMENSION"):
+        style = dimension.override()
+        value = dimension.get_measurement() * style.get("dimlfac")
+        measured.append(
+            (value, style.get("dimtp", 0.0) if style.get("dimtol", 0) else 0.0, written(dimension))
+        )
+    for key, value in dimensions_of(the_cell).items():
         if key.endswith("draft"):
-            text = f"{math.degrees(value):.2f}° ± 0.25°".replace("-", "\N{MINUS SIGN}")
-        else:
-            text = f"{value * 1e3:.3f} ± {tolerances[key] * 1e3:.3f}"
+            text = f"draft {math.degrees(value):.2f}° ±0.25°".replace("-", "\N{MINUS SIGN}")
+            assert text in found
+            continue
+        text = f"{value * 1e3:.3f} ±{tolerances[key] * 1e3:.3f}"
         assert any(word.endswith(text) for word in found), (key, text)
+        if key.endswith("step.diameter") and the_cell.pillar.draft < 0:
+            continue  # where no extension line gets to: a leader points there
+        assert any(
+            (length, tolerance) == pytest.approx((value * 1e3, tolerances[key] * 1e3), rel=1e-9)
+            and shown.endswith(text)
+            for length, tolerance, shown in measured
+        ), key
 
 
 def test_the_words_beside_the_views():
-    figure = cell_drawing(STEPPED, "Plate", 2, 3, tolerances={"cell.pillar.diameter": 2e-5}, date=None)
-    found = words(figure)
+    sheet = cell_drawing(STEPPED, "Plate", 2, 3, tolerances={"cell.pillar.diameter": 2e-5}, date=None)
+    found = words(sheet)
     for text in (
-        "⌀3.500 ± 0.020", "⌀2", "(⌀1.721)", "R0.5", "draft 2°", "5", "9", "1.5", "7",
+        "⌀3.500 ±0.020", "⌀2", "(⌀1.721)", "R0.5", "draft 2°", "5", "9", "1.5", "7",
         "touch face, keep flat", "dimensions in mm", "metal", "2 \N{MULTIPLICATION SIGN} 3 = 6", "5 : 1",
-        "14 \N{MULTIPLICATION SIGN} 27",
+        "14 \N{MULTIPLICATION SIGN} 27", "ISO 2768-m", "2.42 g",
     ):  # fmt: skip
         assert text in found, text
     notes = " ".join(found)
     assert "tool radius at most 1.75." in notes
     assert "corner radius, 0.5." in notes
-    assert "DATE" not in notes
     assert "2026-02-03" in words(cell_drawing(STEPPED, "Plate", date=datetime.date(2026, 2, 3)))
+    assert not re.search(r"\d{4}-\d\d-\d\d", notes)
+
+
+def scale_of(sheet, title):
+    (shown,) = [word for word in words(sheet) if word.startswith(title)]
+    one, other = re.search(r"(\d+) : (\d+)$", shown).groups()
+    return int(one) / int(other)
+
+
+def extent(points):
+    return np.ptp(np.array([tuple(point)[:2] for point in points]), axis=0)
 
 
 @pytest.mark.parametrize("name", ALL)
 def test_the_views_are_to_scale(name):
-    figure = figure_of(name)
-    titles = [word for word in words(figure) if re.search(r"^(Plan|A-A).* : ", word)]
-    scales = [int(a) / int(b) for a, b in (re.search(r"(\d+) : (\d+)", t).groups() for t in titles)]
-    (hatched,) = [patch for patch in figure.axes[0].patches if patch.get_hatch()]
-    pillar = ALL[name].pillar
-    total = ALL[name].thickness + (pillar.height if pillar else 0)
-    across, up = np.ptp(hatched.get_path().vertices, axis=0)
-    assert (across, up) == pytest.approx(
-        (scales[1] * ALL[name].lattice.pitch * 1e3, scales[1] * total * 1e3), rel=1e-9
-    )
-    squares = [line.get_xydata() for line in figure.axes[0].lines if len(line.get_xydata()) == 5]
-    sides = [scales[0] * side * 1e3 for side in (ALL[name].lattice.a1[0], ALL[name].lattice.a2[1])]
-    assert any(np.ptp(square, axis=0) == pytest.approx(sides, rel=1e-9) for square in squares)
+    sheet = sheet_of(name)
+    the_cell = ALL[name]
+    pillar, sides = the_cell.pillar, 1e3 * np.array([the_cell.lattice.a1[0], the_cell.lattice.a2[1]])
+    (hatched,) = sheet.space.query("HATCH")
+    total = the_cell.thickness + (pillar.height if pillar else 0)
+    wanted = scale_of(sheet, "A-A") * np.array([sides[0], 1e3 * total])
+    assert extent(hatched.paths[0].vertices) == pytest.approx(wanted, rel=1e-9)
+    wanted = scale_of(sheet, "Plan of one cell") * sides
+    loops = [extent(line.get_points("xy")) for line in sheet.space.query("LWPOLYLINE") if line.closed]
+    assert any(loop == pytest.approx(wanted, rel=1e-9) for loop in loops)
+    plate = scale_of(sheet, "Plate, 12 \N{MULTIPLICATION SIGN} 8 cells")
+    window = sheet.space.query("VIEWPORT")[-1].dxf
+    assert window.height / window.view_height == pytest.approx(plate, rel=1e-9)
+    assert (window.width, window.height) == pytest.approx(plate * sides * [12, 8] + 1, rel=1e-9)
+    model = sheet.document.modelspace()
+    assert len(model.query('*[layer=="PILLAR"]')) == (96 if pillar else 0)
+
+
+def test_a_single_cell_has_no_plan_of_a_plate():
+    sheet = cell_drawing(STEPPED, "Plate")
+    assert not any(word.startswith("Plate, ") for word in words(sheet))
+    assert len(sheet.space.query("VIEWPORT")) == 1  # the sheet's own
+
+
+class TestWhatIsSeen:
+    """Lengths of a block's edges as an eye in the direction (1, -1, 1) sees them."""
+
+    def seen(self, body):
+        skin = surface(body)
+        lines = np.array(seen_edges(skin.points, skin.cells_dict["triangle"], (1, -1, 1)))
+        return lines, np.linalg.norm(lines[:, 1] - lines[:, 0], axis=1)
+
+    def test_of_a_block_nine_edges_of_twelve(self):
+        _, lengths = self.seen(cell(None))
+        shrunk = math.sqrt(2 / 3)  # of every edge along an axis
+        wanted = sorted([7 * MM * shrunk] * 6 + [1.5 * MM * shrunk] * 3)
+        assert sorted(lengths) == pytest.approx(wanted, rel=1e-9)
+
+    def test_a_pillar_hides_the_corner_behind_it(self):
+        whole, _ = self.seen(cell(None))
+        lines, _ = self.seen(cell(Pillar(3.5 * MM, 9 * MM, "square")))
+        corner = whole[..., 1].max()  # the far corner of the plate's top, straight behind the pillar
+        at = np.isclose(whole[..., 1], corner)
+        assert at.sum() == 2
+        assert not np.isclose(lines, whole[at][0], atol=1e-6).all(axis=-1).any()
+        assert len(lines) == 9 + 9  # of the plate's and the pillar's twelve each
 
 
 def test_a_fine_tolerance_is_not_shown_as_zero():
     found = words(cell_drawing(STEPPED, "Plate", tolerances={"cell.thickness": 2e-7}))
-    assert "1.5000 ± 0.0002" in found
+    assert "1.5000 ±0.0002" in found
 
 
 @pytest.mark.parametrize(
@@ -147,10 +244,34 @@ def test_a_cell_that_is_no_rectangle_is_refused():
 
 
 def test_long_names_stay_in_their_boxes():
-    figure = cell_drawing(cell(None), "A very long title " * 10)
-    title, box = next((text, box) for text, box in boxes(figure) if text.startswith("A very long"))
-    assert title.endswith("…")
-    assert box.x1 < figure.axes[0].transData.transform((287, 0))[0]
+    figure = cell_drawing(cell(None), "A very long title " * 10).figure()
+    (title,) = [text for text in figure.axes[0].texts if text.get_text().startswith("A very long")]
+    assert title.get_text().endswith("…")
+    assert ink(title)[2] < 265  # before the symbol of projection
+
+
+@settings(max_examples=20, deadline=None)
+@given(st.text(st.characters(codec="latin-1"), max_size=12))
+@example("$x_$ %%c ^J {")
+@example("\\P %%% ^ ")
+@example("a\n  0\nEOF\n")
+def test_a_title_means_itself_and_breaks_nothing(title):
+    """Carets, per cent signs, backslashes and ends of line are codes of DXF, the dollar of mathtext."""
+    sheet = Sheet.of(outlines(cell(None).scaled(1e3), 1, 1))
+    sheet.text((20, 20), title)
+    sheet.notes((20, 100), [title], 200)
+    stream = io.StringIO()
+    sheet.document.write(stream)
+    stream.seek(0)
+    document = ezdxf.read(stream)
+    assert not document.audit().has_errors
+    space = document.paperspace("Drawing")
+    wanted = re.sub(r"[\t\n]", " ", visible(title)).replace("%%", "% %")
+    (text,), (notes,) = space.query("TEXT"), space.query("MTEXT")
+    assert text.plain_text() == wanted
+    assert wanted in notes.plain_text()
+    figure = Sheet(document, space).figure()
+    assert not wanted.strip() or wanted in [shown.get_text() for shown in figure.axes[0].texts]
 
 
 def test_the_pdf_is_one_a4_page_and_the_same_every_time(tmp_path):
@@ -162,8 +283,16 @@ def test_the_pdf_is_one_a4_page_and_the_same_every_time(tmp_path):
     box = re.search(rb"/MediaBox \[ 0 0 ([\d.]+) ([\d.]+) \]", content)
     assert [float(side) / 72 * 25.4 for side in box.groups()] == pytest.approx([297, 210], abs=0.1)
     assert b"CreationDate" not in content
+    assert re.search(rb"/BaseFont /\w*\+?DejaVuSans\b", content)  # text is text
     dated = write_drawing(tmp_path / "c.pdf", STEPPED, "Plate", date=datetime.date(2026, 2, 3))
     assert b"CreationDate (D:20260203" in dated.read_bytes()
+
+
+@pytest.mark.parametrize(("kind", "start"), [("dxf", b"  0\n"), ("svg", b"<?xml"), ("png", b"\x89PNG")])
+def test_the_ending_of_the_path_chooses_the_kind(kind, start, tmp_path):
+    one, other = (write_drawing(tmp_path / f"{name}.{kind}", STEPPED, "Plate", 2, 3) for name in "ab")
+    assert one.read_bytes() == other.read_bytes()
+    assert one.read_bytes().startswith(start)
 
 
 def test_a_file_is_not_replaced_unasked(tmp_path):

@@ -2,17 +2,19 @@
 
 import builtins
 import math
+import re
 
 import ezdxf
 import meshio
 import numpy as np
 import pytest
-from family import EXTREME, FAMILY, MM, RECTANGLE, cell, volume
+from family import EXTREME, FAMILY, MM, RECTANGLE, cell, enclosed, is_watertight, volume
 
 from haptonic.cell import Pillar, Step
 from haptonic.errors import GeometryError, ResourceError
-from haptonic.workshop import surface, volume_of_step, write_dxf, write_step, write_stl
-from haptonic.workshop.stl import CHORD, Surface
+from haptonic.workshop import surface, volume_of_step, write_drawing, write_dxf, write_step, write_stl
+from haptonic.workshop.shape import FORMS, Form
+from haptonic.workshop.stl import CHORD
 
 ALL = FAMILY | EXTREME
 SIZES = [(1, 1), (2, 3)]
@@ -42,6 +44,49 @@ def test_the_step_file_is_one_solid_in_mm_centred_on_the_origin(size, tmp_path):
     assert low == pytest.approx([-3.5 * size[0], -4.5 * size[1], 0.0], abs=1e-5)
 
 
+@pytest.mark.parametrize("title", ["Mirror", "it's a \\ plate", "Fl\u00e4che \u97f3 \U0001f50a", "a\nb"])
+def test_the_product_of_a_step_file_has_the_title_and_no_authors(title, tmp_path):
+    path = write_step(tmp_path / "plate.step", ALL["no pillar"], title=title)
+    text = path.read_bytes().decode("ascii")
+    assert volume_of_step(path) == pytest.approx(volume(ALL["no pillar"]), rel=1e-6)
+    assert "Author" not in text
+    assert "translator" not in text
+    name, again = re.search(r"= PRODUCT\(('(?:[^']|'')*'),('(?:[^']|'')*'),'',\(#\d+\)\);", text).groups()
+    assert name == again
+    quoted = name[1:-1].replace("''", "'")
+    hidden = quoted.replace("\\\\", "\0")
+    shown = re.sub(r"\\X2\\(.*?)\\X0\\", lambda m: bytes.fromhex(m[1]).decode("utf-16-be"), hidden)
+    assert shown.replace("\0", "\\") == title
+
+
+SIXTH = math.pi / 3
+HEXAGON = Form("HEX", "width", tuple(
+    (2 / math.sqrt(3) * math.cos((k - 0.5) * SIXTH), 2 / math.sqrt(3) * math.sin((k - 0.5) * SIXTH))
+    for k in range(6)
+))  # fmt: skip
+
+
+@pytest.mark.parametrize("draft", [0.0, 0.03, -0.03])
+def test_a_new_form_is_a_row_of_the_table(draft, monkeypatch, tmp_path):
+    """With a hexagon in place of the circle every file shows one, with the volume of one."""
+    body = cell(Pillar(3 * MM, 9 * MM, draft=draft, fillet=0.5 * MM, step=Step(2 * MM, 5 * MM)), RECTANGLE)
+    plate = 6 * body.lattice.area * body.thickness
+    exact = plate + (volume(body, 6) - plate) * 2 * math.sqrt(3) / math.pi
+    monkeypatch.setitem(FORMS, "round", HEXAGON)
+    assert volume_of_step(write_step(tmp_path / "a.step", body, 2, 3)) == pytest.approx(exact, rel=1e-6)
+    skin = surface(body, 2, 3, chord=1e-6)
+    assert is_watertight(skin.cells_dict["triangle"])
+    assert enclosed(skin.points, skin.cells_dict["triangle"]) == pytest.approx(exact, rel=1e-4)
+    space = ezdxf.readfile(write_dxf(tmp_path / "a.dxf", body, 2, 3)).modelspace()
+    outlines = space.query('LWPOLYLINE[layer=="PILLAR"]')
+    assert [len(outline) for outline in outlines] == [6] * 6
+    write_drawing(tmp_path / "drawing.dxf", body, "Hexagon", 2, 3)
+    sheet = ezdxf.readfile(tmp_path / "drawing.dxf").paperspace("Drawing")
+    assert any(
+        d.dxf.text == "<>" and "HEX" in str(d.override().get("dimpost")) for d in sheet.query("DIMENSION")
+    )
+
+
 def test_a_step_file_without_a_solid_is_refused(tmp_path):
     (tmp_path / "empty.step").write_text("")
     for name in ("empty.step", "missing.step"):
@@ -54,12 +99,13 @@ def test_a_step_file_without_a_solid_is_refused(tmp_path):
 class TestSurface:
     def test_it_is_watertight_and_has_no_flat_triangle(self, name, size):
         skin = surface(ALL[name], *size)
-        assert skin.is_watertight
-        a, b, c = np.moveaxis(skin.points[skin.triangles], 1, 0)
+        triangles = skin.cells_dict["triangle"]
+        assert is_watertight(triangles)
+        a, b, c = np.moveaxis(skin.points[triangles], 1, 0)
         assert np.linalg.norm(np.cross(b - a, c - a), axis=1).min() > 1e-9 * ALL[name].lattice.area
         used, times = np.unique(skin.points, axis=0, return_counts=True)
         assert times.max() == 1
-        assert len(np.unique(skin.triangles)) == len(used)
+        assert len(np.unique(triangles)) == len(used)
 
     def test_it_encloses_the_body_within_its_chord(self, name, size):
         exact, cells = volume(ALL[name], math.prod(size)), math.prod(size)
@@ -69,12 +115,14 @@ class TestSurface:
         if pillar is not None:
             girth = 2 * math.pi if pillar.section == "round" else 8.0
             curved = girth * pillar.widest * (pillar.height + pillar.fillet) * cells
-        assert abs(skin.volume - exact) <= CHORD * curved + 1e-9 * exact
+        assert (
+            abs(enclosed(skin.points, skin.cells_dict["triangle"]) - exact) <= CHORD * curved + 1e-9 * exact
+        )
 
     def test_the_plates_top_is_covered_once(self, name, size):
         the_cell, cells = ALL[name], math.prod(size)
         skin = surface(the_cell, *size)
-        a, b, c = np.moveaxis(skin.points[skin.triangles], 1, 0)
+        a, b, c = np.moveaxis(skin.points[skin.cells_dict["triangle"]], 1, 0)
         on_top = (np.abs(np.stack([a, b, c])[..., 2] - the_cell.thickness) < 1e-12).all(axis=0)
         areas = 0.5 * np.cross(b - a, c - a)[on_top, 2]
         assert (areas > 0).all()
@@ -89,7 +137,8 @@ class TestSurface:
 
 def test_a_finer_chord_brings_the_volume_closer_in_proportion():
     round_cell = ALL["reference"]
-    errors = [abs(surface(round_cell, chord=c).volume - volume(round_cell)) for c in (16e-6, 1e-6)]
+    skins = [surface(round_cell, chord=chord) for chord in (16e-6, 1e-6)]
+    errors = [abs(enclosed(s.points, s.cells_dict["triangle"]) - volume(round_cell)) for s in skins]
     assert errors[0] / errors[1] == pytest.approx(16, rel=0.2)
 
 
@@ -100,17 +149,17 @@ def test_the_stl_file_is_the_surface_in_mm_and_agrees_with_the_step_file(tmp_pat
     points, triangles = mesh.points.astype(float), mesh.cells_dict["triangle"]
     assert np.ptp(points, axis=0) == pytest.approx([14, 21, 10.5], rel=1e-6)
     welded, number = np.unique(points, axis=0, return_inverse=True)
-    read = Surface(welded, number.ravel()[triangles])
-    assert read.is_watertight  # also after rounding to single precision
-    assert read.volume * MM**3 == pytest.approx(step, rel=2e-4)
+    triangles = number.ravel()[triangles]
+    assert is_watertight(triangles)  # also after rounding to single precision
+    assert enclosed(welded, triangles) * MM**3 == pytest.approx(step, rel=2e-4)
 
 
 def test_a_hole_or_a_turned_triangle_is_noticed():
-    skin = surface(ALL["reference"])
-    turned = skin.triangles.copy()
+    triangles = surface(ALL["reference"]).cells_dict["triangle"]
+    turned = triangles.copy()
     turned[0] = turned[0, ::-1]
-    assert not Surface(skin.points, skin.triangles[1:]).is_watertight
-    assert not Surface(skin.points, turned).is_watertight
+    assert not is_watertight(triangles[1:])
+    assert not is_watertight(turned)
 
 
 @pytest.mark.parametrize("chord", [0.0, -1e-6, math.nan, 1e-3])

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from datetime import date
 from functools import partial
 from pathlib import Path
 from typing import Annotated
@@ -32,8 +33,7 @@ from haptonic.results.common import no_nan
 from haptonic.store import Store, whole_set
 from haptonic.study import Study, load
 from haptonic.units import format_quantity
-from haptonic.workshop.dimensions import dimensions_of
-from haptonic.workshop.shape import in_mm
+from haptonic.workshop.shape import dimensions_of, in_mm
 
 
 def design(
@@ -120,9 +120,7 @@ def export(
     step: Annotated[bool, typer.Option("--step", help="Solid, for CAD (needs haptonic[cad]).")] = False,
     dxf: Annotated[bool, typer.Option("--dxf", help="Outlines seen from above.")] = False,
     stl: Annotated[bool, typer.Option("--stl", help="Surface as triangles.")] = False,
-    drawing: Annotated[
-        bool, typer.Option("--drawing", help="Dimensioned drawing of one cell (PDF).")
-    ] = False,
+    drawing: Annotated[bool, typer.Option("--drawing", help="Dimensioned drawing (PDF, DXF).")] = False,
     columns: Annotated[int, typer.Option("--columns", metavar="N", help="Cells along x.")] = 1,
     rows: Annotated[int, typer.Option("--rows", metavar="N", help="Cells along y.")] = 1,
     overwrite: Overwrite = False,
@@ -136,31 +134,35 @@ def export(
         assert folder is not None
         wanted = {"step": step, "dxf": dxf, "stl": stl, "pdf": drawing}
         kinds = [kind for kind, asked in wanted.items() if asked] or list(wanted)
-        refuse_taken(folder, [f"{stem}.{kind}" for kind in kinds], overwrite=overwrite)
+        files = [f"{stem}.{kind}" for kind in kinds]
+        drawings = [f"{stem}.pdf", f"{stem}-drawing.dxf"] if "pdf" in kinds else []
+        files += drawings[1:]
+        refuse_taken(folder, files, overwrite=overwrite)
         in_mm(cell, columns, rows)  # refuses impossible numbers of cells before anything is computed
         tolerances: dict[str, float] = {}
         why_none = ""
         with voice.busy("files for the workshop"), whole_set(folder, overwrite=overwrite) as draft:
-            if "pdf" in kinds:
+            if drawings:
                 tolerances, why_none = drawn_tolerances(loaded)
-            for kind, writer in {
-                "step": workshop.write_step,
+            solids: dict[str, Callable[..., Path]] = {
+                "step": partial(workshop.write_step, title=loaded.title),
                 "dxf": workshop.write_dxf,
                 "stl": workshop.write_stl,
-            }.items():
+            }
+            for kind, writer in solids.items():
                 if kind in kinds:
                     writer(draft / f"{stem}.{kind}", cell, columns, rows)
-            if "pdf" in kinds:
+            for name in drawings:
                 workshop.write_drawing(
-                    draft / f"{stem}.pdf", cell, loaded.title, columns, rows,
-                    tolerances=tolerances, why_none=why_none,
+                    draft / name, cell, loaded.title, columns, rows,
+                    tolerances=tolerances, why_none=why_none, date=date.today(),
                 )  # fmt: skip
-        written = [str(folder / f"{stem}.{kind}") for kind in wanted if kind in kinds]
+        written = [str(folder / name) for name in files]
         for path in written:
             voice.tell(f"written: {path}")
         if why_none and loaded.tolerance.of:
             voice.warn(f"the drawing has no tolerances: {why_none}")
-        told = {"tolerances": tolerances, "why_no_tolerances": why_none or None} if "pdf" in kinds else {}
+        told = {"tolerances": tolerances, "why_no_tolerances": why_none or None} if drawings else {}
         voice.answer({"files": written, **told})
 
 

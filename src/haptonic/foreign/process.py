@@ -18,7 +18,6 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-import haptonic
 from haptonic.errors import ResourceError
 from haptonic.foreign import wire
 
@@ -206,7 +205,7 @@ class _Reader:
 
 def _environment() -> dict[str, str]:
     """Of the process: it finds the modules that this one finds, and does with one thread."""
-    home = str(Path(haptonic.__file__).parents[1])
+    home = str(Path(__file__).parents[2])
     places = os.pathsep.join([home, *(place for place in sys.path if place and place != home)])
     return os.environ | {"PYTHONPATH": places, "OPENBLAS_NUM_THREADS": "1", "OMP_NUM_THREADS": "1"}
 

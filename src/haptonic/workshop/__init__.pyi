@@ -1,10 +1,9 @@
 from .drawing import cell_drawing, write_drawing
 from .dxf import write_dxf
 from .step import solid, volume_of_step, write_step
-from .stl import Surface, surface, write_stl
+from .stl import surface, write_stl
 
 __all__ = [
-    "Surface",
     "cell_drawing",
     "solid",
     "surface",

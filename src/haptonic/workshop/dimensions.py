@@ -4,40 +4,20 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
+from typing import Any
 
 from haptonic.cell import UnitCell
 from haptonic.errors import StudyError, nearest
+from haptonic.workshop.shape import MM, Dimension, dimensions_of
 
 MINUS = "\N{MINUS SIGN}"
 DECIMALS = 3  # of toleranced lengths in mm
 DECIMALS_OF_ANGLES = 2  # of toleranced angles in degrees
+FINEST = 4  # decimals of a length without a tolerance, trailing zeros left out
 
 
-def dimensions_of(cell: UnitCell) -> dict[str, float]:
-    """Name and value (m, rad) of every dimension that makes this cell."""
-    sides = [math.hypot(*side) for side in (cell.lattice.a1, cell.lattice.a2)]
-    values = {"cell.pitch": sides[0], "cell.thickness": cell.thickness}
-    if cell.lattice.name != "square":
-        values["cell.pitch_y"] = sides[1]
-    if cell.pillar is not None:
-        pillar = cell.pillar
-        values |= {"cell.pillar.diameter": pillar.diameter, "cell.pillar.height": pillar.height}
-        if pillar.draft:
-            values["cell.pillar.draft"] = pillar.draft
-        if pillar.fillet:
-            values["cell.pillar.fillet"] = pillar.fillet
-        if pillar.step is not None:
-            values["cell.pillar.step.diameter"] = pillar.step.diameter
-            values["cell.pillar.step.height"] = pillar.step.height
-    return values
-
-
-def dimension_texts(cell: UnitCell, tolerances: Mapping[str, float]) -> dict[str, str]:
-    """Text of every dimension, such as ``3.500 ± 0.020``.
-
-    Parameters
-    ----------
-    tolerances : half-widths by the name of the dimension, m or rad
+def checked_tolerances(cell: UnitCell, tolerances: Mapping[str, float]) -> Mapping[str, float]:
+    """The tolerances themselves: half-widths by the name of the dimension, m or rad.
 
     Raises
     ------
@@ -62,27 +42,51 @@ def dimension_texts(cell: UnitCell, tolerances: Mapping[str, float]) -> dict[str
                 cause="it is in mm or degrees, or has the wrong sign",
                 next_step="give the half-width in m, that of the draft in rad",
             )
-    return {name: _text(name, value, tolerances.get(name)) for name, value in values.items()}
+    return tolerances
 
 
-def number(length: float, decimals: int = 4) -> str:
-    """A length (m) in mm without a tolerance and without trailing zeros."""
-    return f"{length * 1e3:.{decimals}f}".rstrip("0").rstrip(".")
+def style_of(one: Dimension, half_width: float | None, sign: str = "") -> dict[str, Any]:
+    """How a DIMENSION entity shows a length, such as ⌀3.5 or, by DXF's own tolerance, ⌀3.500 ±0.020.
 
-
-def degrees(angle: float) -> str:
-    """An angle without a tolerance."""
-    return f"{math.degrees(angle):.3f}".rstrip("0").rstrip(".").replace("-", MINUS) + "°"
-
-
-def _text(name: str, value: float, half_width: float | None) -> str:
-    is_angle = name.endswith("draft")
+    half_width : of its tolerance, m; without a name it is shown in brackets, for reference
+    """
     if half_width is None:
-        return degrees(value) if is_angle else number(value)
-    value, half_width = (
-        (math.degrees(value), math.degrees(half_width)) if is_angle else (value * 1e3, half_width * 1e3)
-    )
-    least = DECIMALS_OF_ANGLES if is_angle else DECIMALS
-    decimals = max(least, -math.floor(math.log10(half_width) + 1e-9))  # a fine tolerance is not shown as 0
-    unit = "°" if is_angle else ""
-    return f"{value:.{decimals}f}{unit} ± {half_width:.{decimals}f}{unit}".replace("-", MINUS)
+        form = f"{sign}<>" if one.name else f"({sign}<>)"
+        return {"dimpost": form, "dimdec": FINEST if one.name else DECIMALS, "dimzin": 8}
+    places, deviation = _decimals(half_width * MM, DECIMALS), half_width * MM
+    return {
+        "dimpost": f"{sign}<> ", "dimtol": 1, "dimtp": deviation, "dimtm": deviation, "dimtfac": 1.0,
+        "dimtolj": 1, "dimdec": places, "dimtdec": places, "dimzin": 0, "dimtzin": 0,
+    }  # fmt: skip
+
+
+def text_of(one: Dimension, half_width: float | None, sign: str = "") -> str:
+    """What `style_of` shows, of a length in mm; of an angle its degrees, such as 2.00° ±0.25°."""
+    if one.kind == "angle":
+        return sign + degrees(one.value, half_width)
+    style = style_of(one, half_width, sign)
+    form: str = style["dimpost"]
+    value = f"{one.value:.{style['dimdec']}f}"
+    if half_width is None:
+        return form.replace("<>", value.rstrip("0").rstrip("."))
+    return form.replace("<>", value) + f"±{style['dimtp']:.{style['dimtdec']}f}"
+
+
+def _decimals(half_width: float, least: int) -> int:
+    """As many as show a tolerance; a fine one is not shown as 0."""
+    return max(least, -math.floor(math.log10(half_width) + 1e-9))
+
+
+def number(length: float, places: int = FINEST) -> str:
+    """A length (m) in mm without a tolerance and without trailing zeros."""
+    return f"{length * MM:.{places}f}".rstrip("0").rstrip(".")
+
+
+def degrees(angle: float, half_width: float | None = None) -> str:
+    """An angle (rad) in degrees, such as 2° or 2.00° ±0.25°."""
+    angle = math.degrees(angle)
+    if half_width is None:
+        return f"{angle:.3f}".rstrip("0").rstrip(".").replace("-", MINUS) + "°"
+    half_width = math.degrees(half_width)
+    places = _decimals(half_width, DECIMALS_OF_ANGLES)
+    return f"{angle:.{places}f}° ±{half_width:.{places}f}°".replace("-", MINUS)

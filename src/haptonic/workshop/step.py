@@ -6,20 +6,23 @@ millimetres here, and the file says so.
 
 from __future__ import annotations
 
+import math
 import re
 from itertools import pairwise
 from pathlib import Path
 from types import ModuleType
 from typing import Any
 
-from haptonic.cell import Pillar, UnitCell
+import numpy as np
+
+from haptonic.cell import UnitCell
 from haptonic.errors import ResourceError
 from haptonic.store import refuse_overwrite, write_atomically
-from haptonic.workshop.shape import MM, Array, centres, in_mm, plate_outline, straight_side
+from haptonic.workshop.shape import MM, Body, centres, in_mm, plate_outline
 
-# The date of writing and a running number are all that differs between two files of one solid.
-_TIME_STAMP = re.compile(rb"'\d{4}-\d\d-\d\dT\d\d:\d\d:\d\d'")
-_RUNNING_NUMBER = re.compile(rb"(Open CASCADE STEP translator [\d.]+) \d+")
+# OpenCascade, as NETGEN calls it, puts its own name where the product's and the author's belong.
+_HEADER = re.compile(r"FILE_NAME\(.*?\);", re.DOTALL)
+_PRODUCT = re.compile(r"PRODUCT\('[^']*',\s*'[^']*',")
 
 
 def solid(cell: UnitCell, columns: int = 1, rows: int = 1) -> Any:
@@ -33,21 +36,29 @@ def solid(cell: UnitCell, columns: int = 1, rows: int = 1) -> Any:
     cell = in_mm(cell, columns, rows)
     occ = _occ()
     corners = [occ.Pnt(x, y, 0.0) for x, y in plate_outline(cell, columns, rows)]
-    edges = [occ.Segment(a, b) for a, b in zip(corners, [*corners[1:], corners[0]], strict=True)]
+    edges = [occ.Segment(a, b) for a, b in pairwise([*corners, corners[0]])]
     plate = occ.Prism(occ.Face(occ.Wire(edges)), occ.Vec(0.0, 0.0, cell.thickness))
     if cell.pillar is None:
         return plate
-    pillar = (
-        _round_body(occ, cell.pillar) if cell.pillar.section == "round" else _square_body(occ, cell.pillar)
-    )
+    pillar = _pillar(occ, Body.of(cell.pillar))
     places = [occ.Vec(x, y, cell.thickness) for x, y in centres(cell, columns, rows)]
     return plate + occ.Compound([pillar.Move(place) for place in places])
 
 
 def write_step(
-    path: Path, cell: UnitCell, columns: int = 1, rows: int = 1, *, overwrite: bool = False
+    path: Path,
+    cell: UnitCell,
+    columns: int = 1,
+    rows: int = 1,
+    *,
+    title: str = "Plate",
+    overwrite: bool = False,
 ) -> Path:
     """Write the plate of ``columns`` x ``rows`` cells as a STEP file in mm; the same plate is the same file.
+
+    Parameters
+    ----------
+    title : name of the product
 
     Raises
     ------
@@ -55,12 +66,14 @@ def write_step(
     ResourceError : OpenCascade is missing, the file exists and ``overwrite`` is False, or writing it fails
     """
     refuse_overwrite(path, overwrite)
-    shape = solid(cell, columns, rows)
+    shape, name = solid(cell, columns, rows), _quoted(title)
+    header = f"FILE_NAME({name},'1970-01-01T00:00:00',(''),(''),'Open CASCADE','haptonic','');"
 
     def write(temporary: Path) -> None:
         shape.WriteStep(str(temporary))
-        content = _TIME_STAMP.sub(b"'1970-01-01T00:00:00'", temporary.read_bytes(), count=1)
-        temporary.write_bytes(_RUNNING_NUMBER.sub(rb"\1", content))
+        text = _HEADER.sub(lambda _: header, temporary.read_text("ascii"), count=1)
+        text = _PRODUCT.sub(lambda _: f"PRODUCT({name},{name},", text, count=1)
+        temporary.write_text(text, "ascii", newline="\n")
 
     write_atomically(path, write)
     return path
@@ -106,41 +119,35 @@ def _occ() -> ModuleType:
     return module
 
 
-def _flank(occ: ModuleType, pillar: Pillar, side: int) -> list[Any]:
-    """Edges of the pillar's flank in the plane y = 0, from the plate upwards; ``side`` is 1 or -1."""
+def _pillar(occ: ModuleType, body: Body) -> Any:
+    """Its profile turned about the axis, or what the bars across each pair of a polygon's sides share."""
 
-    def at(point: Array) -> Any:
-        return occ.Pnt(side * float(point[0]), 0.0, float(point[1]))
+    def line(*places: tuple[float, float]) -> list[Any]:
+        return [occ.Segment(occ.Pnt(a, 0, b), occ.Pnt(c, 0, d)) for (a, b), (c, d) in pairwise(places)]
 
-    straight = [occ.Segment(at(a), at(b)) for a, b in pairwise(straight_side(pillar))]
-    if pillar.arc is None:
-        return straight
-    return [occ.ArcOfCircle(*(at(pillar.arc.at(share)) for share in (0.0, 0.5, 1.0))), *straight]
+    def flank(side: int) -> list[Any]:
+        places = [(side * width, height) for width, height in body.side.tolist()]
+        if body.arc is None:
+            return line(*places)
+        arc = body.arc.at(np.array([0.0, 0.5, 1.0])).tolist()
+        return [occ.ArcOfCircle(*(occ.Pnt(side * width, 0, z) for width, z in arc)), *line(*places)]
+
+    axis, top, foot = occ.Axis((0, 0, 0), occ.Z), float(body.side[-1, 0]), body.foot
+    if not body.form.corners:
+        wire = [*flank(1), *line((top, body.height), (0, body.height), (0, 0), (foot, 0))]
+        return occ.Revolve(occ.Face(occ.Wire(wire)), axis, 360)
+    across = line((top, body.height), (-top, body.height))
+    wire = [*flank(1), *across, *reversed(flank(-1)), *line((-foot, 0), (foot, 0))]
+    reach = 2 * max(foot, body.widest)
+    bar = occ.Prism(occ.Face(occ.Wire(wire)).Move(occ.Vec(0, -reach, 0)), occ.Vec(0, 2 * reach, 0))
+    shape = bar
+    for angle in body.form.normals()[1:]:
+        shape = shape * bar.Rotate(axis, math.degrees(angle))
+    return shape
 
 
-def _foot(pillar: Pillar) -> float:
-    """Half-width where the pillar meets the plate, the fillet counted."""
-    return pillar.arc.centre[0] if pillar.arc else pillar.radius
-
-
-def _round_body(occ: ModuleType, pillar: Pillar) -> Any:
-    top = float(straight_side(pillar)[-1, 0])
-    ends = [occ.Pnt(top, 0, pillar.height), occ.Pnt(0, 0, pillar.height), occ.Pnt(0, 0, 0)]
-    ends.append(occ.Pnt(_foot(pillar), 0, 0))
-    edges = [*_flank(occ, pillar, 1), *(occ.Segment(a, b) for a, b in pairwise(ends))]
-    return occ.Revolve(occ.Face(occ.Wire(edges)), occ.Axis((0, 0, 0), occ.Z), 360)
-
-
-def _square_body(occ: ModuleType, pillar: Pillar) -> Any:
-    """Where two bars of the pillar's profile, one along x and one along y, cross each other."""
-    top, foot = float(straight_side(pillar)[-1, 0]), _foot(pillar)
-    edges = [
-        *_flank(occ, pillar, 1),
-        occ.Segment(occ.Pnt(top, 0, pillar.height), occ.Pnt(-top, 0, pillar.height)),
-        *reversed(_flank(occ, pillar, -1)),
-        occ.Segment(occ.Pnt(-foot, 0, 0), occ.Pnt(foot, 0, 0)),
-    ]
-    reach = 2 * pillar.widest
-    profile = occ.Face(occ.Wire(edges)).Move(occ.Vec(0, -reach, 0))
-    along_y = occ.Prism(profile, occ.Vec(0, 2 * reach, 0))
-    return along_y * along_y.Rotate(occ.Axis((0, 0, 0), occ.Z), 90)
+def _quoted(text: str) -> str:
+    """A string of STEP (ISO 10303-21): quotes and backslashes doubled, what is not ASCII by its number."""
+    doubled = text.replace("\\", "\\\\").replace("'", "''")
+    codes = (c if " " <= c <= "~" else f"\\X2\\{c.encode('utf-16-be').hex().upper()}\\X0\\" for c in doubled)
+    return f"'{''.join(codes)}'"

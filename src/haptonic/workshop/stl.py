@@ -1,57 +1,35 @@
 """The plate's surface as a watertight triangulation in an STL file, in mm.
 
-Every horizontal outline of a pillar is a multiple of one polygon, so its side is a grid of levels times
-corners. The plate's top around a pillar is joined to the four corners of the cell and to nothing between
-them: neighbouring cells therefore fit together by their corner numbers alone.
+OpenCascade would need the extra ``cad``, and as NETGEN brings it has no writer of STL, so the surface is made
+here; ezdxf cuts the plate's top around a pillar into triangles, and meshio writes the file. Every horizontal
+outline of a pillar is a multiple of one polygon, so its side is a grid of levels times corners. The plate's
+top is cut cell by cell and has no corners on a cell's sides: neighbours fit together.
 """
 
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
 from pathlib import Path
 
+import meshio
 import numpy as np
+from ezdxf.math.triangulation import mapbox_earcut_2d
 from numpy.typing import NDArray
 
-from haptonic.cell import Pillar, UnitCell
+from haptonic.cell import UnitCell
 from haptonic.errors import GeometryError
 from haptonic.store import refuse_overwrite, write_atomically
-from haptonic.workshop.shape import MM, Array, centres, corner_grid, in_mm, straight_side
+from haptonic.workshop.shape import MM, Array, Body, centres, corner_grid, in_mm
 
 Triangles = NDArray[np.int64]
 
 CHORD = 5e-6  # m, by default the largest distance between a curved surface and its triangles
-_RECORD = np.dtype([("normal", "<f4", 3), ("corners", "<f4", (3, 3)), ("attribute", "<u2")])
 
 
-@dataclass(frozen=True)
-class Surface:
-    """Closed triangulated surface.
+def surface(cell: UnitCell, columns: int = 1, rows: int = 1, *, chord: float = CHORD) -> meshio.Mesh:
+    """Closed surface of a plate as triangles, anticlockwise from outside, in m.
 
-    points : (n, 3), m
-    triangles : (m, 3) point numbers, anticlockwise when seen from outside
-    """
-
-    points: Array
-    triangles: Triangles
-
-    @property
-    def volume(self) -> float:
-        """Enclosed volume by the divergence theorem, m^3."""
-        a, b, c = np.moveaxis(self.points[self.triangles], 1, 0)
-        return float(np.einsum("ij,ij->", a, np.cross(b, c)) / 6)
-
-    @property
-    def is_watertight(self) -> bool:
-        """Whether each edge has exactly two triangles, which run along it in opposite directions."""
-        edges = np.concatenate([self.triangles[:, [k, (k + 1) % 3]] for k in range(3)])
-        directed = set(map(tuple, edges.tolist()))
-        return len(directed) == len(edges) and all((b, a) in directed for a, b in directed)
-
-
-def surface(cell: UnitCell, columns: int = 1, rows: int = 1, *, chord: float = CHORD) -> Surface:
-    """Surface of a plate; its corners lie on the true surface, its curves are off by at most ``chord`` (m).
+    Their corners lie on the true surface; its curves are off by at most ``chord`` (m).
 
     Raises
     ------
@@ -69,22 +47,21 @@ def surface(cell: UnitCell, columns: int = 1, rows: int = 1, *, chord: float = C
         )
     corners = corner_grid(scaled, columns, rows)
     layer = np.arange(corners[..., 0].size).reshape(columns + 1, rows + 1)
-    flat = corners.reshape(-1, 2)
-    points = [np.insert(flat, 2, z, axis=1) for z in (0.0, scaled.thickness)]
-    triangles = [_bottom(layer), _rim(layer, layer.size)]
-    quads = _quads(layer) + layer.size
+    quads = np.stack([k.ravel() for k in (layer[:-1, :-1], layer[1:, :-1], layer[1:, 1:], layer[:-1, 1:])], 1)
+    around = np.concatenate([layer[:-1, 0], layer[-1, :-1], layer[:0:-1, -1], layer[0, :0:-1]])
+    up = layer.size  # the numbers of the plate's upper corners are larger by this
+    points = [np.insert(corners.reshape(-1, 2), 2, z, axis=1) for z in (0.0, scaled.thickness)]
+    triangles = [_halved(quads)[:, ::-1], _strips(np.stack([around, around + up]))]
     if scaled.pillar is None:
-        triangles.append(_halved(quads))
+        triangles.append(_halved(quads + up))
     else:
-        body, side = _pillar(scaled.pillar, chord * MM)
-        polygon = body[: side.corners, :2]
-        first = 2 * layer.size
-        for centre, quad in zip(centres(scaled, columns, rows), quads, strict=True):
-            points.append(body + np.append(centre, scaled.thickness))
-            triangles.append(side.triangles + first)
-            triangles.append(_ring(polygon, flat[quad - layer.size] - centre, first, quad))
-            first += len(body)
-    return Surface(np.concatenate(points) / MM, np.concatenate(triangles))
+        middle = centres(scaled, columns, rows)
+        standing, side, top = _pillar(Body.of(scaled.pillar), points[1][quads[0], :2] - middle[0], chord * MM)
+        for k, (centre, quad) in enumerate(zip(middle, quads, strict=True)):
+            points.append(standing + np.append(centre, scaled.thickness))
+            first = 2 * up + k * len(standing)
+            triangles += [side + first, np.concatenate([quad + up, np.arange(len(standing)) + first])[top]]
+    return meshio.Mesh(np.concatenate(points) / MM, [("triangle", np.concatenate(triangles))])
 
 
 def write_stl(
@@ -104,98 +81,43 @@ def write_stl(
     ResourceError : the file exists and ``overwrite`` is False, or it cannot be written
     """
     refuse_overwrite(path, overwrite)
-    skin = surface(cell, columns, rows, chord=chord)
-    facets = np.zeros(len(skin.triangles), dtype=_RECORD)
-    corners = (skin.points * MM)[skin.triangles]
-    normals = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
-    facets["normal"] = normals / np.linalg.norm(normals, axis=1, keepdims=True)
-    facets["corners"] = corners
-    header = b"haptonic: plate in mm, flat face at z = 0".ljust(80) + np.array(len(facets), "<u4").tobytes()
-    write_atomically(path, lambda temporary: temporary.write_bytes(header + facets.tobytes()))
+    mesh = surface(cell, columns, rows, chord=chord)
+    mesh.points *= MM
+    write_atomically(path, lambda temporary: mesh.write(temporary, file_format="stl", binary=True))
     return path
 
 
-@dataclass(frozen=True)
-class _Side:
-    """Triangles of a pillar's side and top, and the number of corners of its outline."""
+def _pillar(body: Body, cell: Array, chord: float) -> tuple[Array, Triangles, Triangles]:
+    """A pillar that stands at the origin, on a cell with these (4, 2) corners.
 
-    triangles: Triangles
-    corners: int
+    Returns
+    -------
+    points : (n, 3), level by level, the top's centre last
+    side : (m, 3) triangles of its side and top, as numbers of these points
+    top : (m, 3) triangles of the plate's top around it; 0 to 3 are the cell's corners, the points follow
+    """
+    half_turn = math.acos(1 - chord / max(body.widest, body.foot))
+    polygon = body.form.polygon(4 * math.ceil(math.pi / half_turn / 4))
+    bend = math.acos(1 - chord / max(body.arc.radius, chord)) if body.arc else 1.0
+    levels = body.flank(math.ceil(body.arc.opening / (2 * bend)) if body.arc else 0)
+    rings = np.empty((len(levels), len(polygon), 3))
+    rings[..., :2], rings[..., 2] = levels[:, None, :1] * polygon, levels[:, 1:]
+    number = np.arange(rings[..., 0].size).reshape(rings.shape[:2])
+    fan = np.stack([number[-1], np.roll(number[-1], -1), np.full(len(polygon), number.size)], axis=1)
+    points = np.concatenate([rings.reshape(-1, 3), [[0.0, 0.0, body.height]]])
+    border = [tuple(point) for point in np.concatenate([cell, rings[0, :, :2]]).tolist()]
+    place = {point: k for k, point in enumerate(border)}
+    cut = mapbox_earcut_2d(border[:4], [border[4:]])
+    top = np.array([[place[corner.x, corner.y] for corner in triangle] for triangle in cut])
+    return points, np.concatenate([_strips(number), fan]), top
 
 
-def _quads(layer: Triangles) -> Triangles:
-    """(cells, 4) corner numbers of each cell, anticlockwise from above."""
-    parts = (layer[:-1, :-1], layer[1:, :-1], layer[1:, 1:], layer[:-1, 1:])
-    return np.stack([part.ravel() for part in parts], axis=1)
+def _strips(loops: Triangles) -> Triangles:
+    """Triangles between one closed loop of numbers, a row, and the next above it."""
+    after = np.roll(loops, -1, axis=1)
+    sides = (loops[:-1], after[:-1], after[1:], loops[1:])
+    return _halved(np.stack([side.ravel() for side in sides], axis=1))
 
 
 def _halved(quads: Triangles) -> Triangles:
     return np.concatenate([quads[:, [0, 1, 2]], quads[:, [0, 2, 3]]])
-
-
-def _bottom(layer: Triangles) -> Triangles:
-    return _halved(_quads(layer))[:, ::-1]
-
-
-def _rim(layer: Triangles, up: int) -> Triangles:
-    """The plate's four sides; ``up`` is what the numbers of the upper corners are larger by."""
-    around = np.concatenate([layer[:-1, 0], layer[-1, :-1], layer[:0:-1, -1], layer[0, :0:-1]])
-    following = np.roll(around, -1)
-    return _halved(np.stack([around, following, following + up, around + up], axis=1))
-
-
-def _polygon(pillar: Pillar, chord: float) -> Array:
-    """(n, 2) outline of a pillar of half-width 1, anticlockwise."""
-    if pillar.section == "square":
-        return np.array([[1.0, -1.0], [1.0, 1.0], [-1.0, 1.0], [-1.0, -1.0]])
-    count = 4 * math.ceil(math.pi / math.acos(1 - chord / pillar.widest) / 4)
-    angle = 2 * math.pi * np.arange(count) / count
-    return np.stack([np.cos(angle), np.sin(angle)], axis=1)
-
-
-def _levels(pillar: Pillar, chord: float) -> Array:
-    """(n, 2) half-width and height of the outlines between which a pillar's side is drawn."""
-    straight = straight_side(pillar)
-    if pillar.arc is None:
-        return straight
-    half_step = math.acos(1 - chord / max(pillar.arc.radius, chord))
-    count = math.ceil(pillar.arc.opening / (2 * half_step))
-    return np.concatenate([pillar.arc.at(np.arange(count) / count), straight])
-
-
-def _pillar(pillar: Pillar, chord: float) -> tuple[Array, _Side]:
-    """Points of a pillar that stands at the origin, level by level and its top's centre last."""
-    polygon, levels = _polygon(pillar, chord), _levels(pillar, chord)
-    n = len(polygon)
-    points = np.empty((len(levels), n, 3))
-    points[..., :2] = levels[:, None, :1] * polygon
-    points[..., 2] = levels[:, 1:]
-    number = np.arange(len(levels) * n).reshape(len(levels), n)
-    turned = np.roll(number, -1, axis=1)
-    sides = [number[:-1], turned[:-1], turned[1:], number[1:]]
-    top = np.stack([number[-1], turned[-1], np.full(n, number.size)], axis=1)
-    triangles = np.concatenate([_halved(np.stack([s.ravel() for s in sides], axis=1)), top])
-    return np.concatenate([points.reshape(-1, 3), [[0.0, 0.0, pillar.height]]]), _Side(triangles, n)
-
-
-def _ring(polygon: Array, cell: Array, first: int, quad: Triangles) -> Triangles:
-    """The plate's top between a pillar's outline (its numbers start at ``first``) and its cell's corners.
-
-    Every edge of the outline is joined to the corner that lies farthest in the direction of its normal, so
-    in front of it; along a convex outline these corners follow one another, and where they change a side
-    of the cell is joined to the point between.
-    """
-    n = len(polygon)
-    along = np.roll(polygon, -1, axis=0) - polygon
-    outward = np.stack([along[:, 1], -along[:, 0]], axis=1)
-    farthest = np.argmax(outward @ cell.T, axis=1)
-    triangles = []
-    for i in range(n):
-        after = (i + 1) % n
-        triangles.append((quad[farthest[i]], first + after, first + i))
-        corner = int(farthest[i])
-        while corner != farthest[after]:
-            following = (corner + 1) % 4
-            triangles.append((quad[corner], quad[following], first + after))
-            corner = following
-    return np.array(triangles, dtype=np.int64)
