@@ -19,6 +19,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from hypothesis.extra import numpy as arrays
 
+import haptonic
 import haptonic.foreign.process as process
 from haptonic.errors import ResourceError
 from haptonic.foreign import wire
@@ -238,7 +239,7 @@ class TestLife:
         )
         # a module of the same name as a library beside the data must not be taken for it
         (tmp_path / "numpy.py").write_text("raise SystemExit('not this one')")
-        home = os.path.dirname(os.path.dirname(process.haptonic.__file__))
+        home = os.path.dirname(os.path.dirname(haptonic.__file__))
         env = os.environ | {"PYTHONPATH": home}
         done = subprocess.run(
             [sys.executable, "-P", str(script)], capture_output=True, text=True, cwd=tmp_path, env=env
