@@ -147,7 +147,15 @@ def test_unreadable_files_and_folders(haptonic, study, tmp_path):
     blocked = tmp_path / "file"
     blocked.write_text("")
     assert_five_parts(haptonic("bands", study(), "--out", blocked / "below"))
-    assert_five_parts(haptonic("bands", study(), "--json", store=blocked / "store"))
+
+
+def test_a_store_that_cannot_be_used_warns_and_stops_nothing(haptonic, study, tmp_path):
+    blocked = tmp_path / "file"
+    blocked.write_text("")
+    ran = haptonic("bands", study(), "--json", store=blocked / "store")
+    assert ran.code == 0
+    assert "not kept" in ran.err
+    assert ran.json["gaps"]
 
 
 def test_a_study_without_sweeps_cannot_be_swept(haptonic, study):

@@ -69,7 +69,7 @@ def test_time_records(tmp_path, stolen, name):
     write_records(TimeScan(records, tuple("abcdef"), places, places, 1, 40, 1e5, "A1, V"), path)
     stolen(path, name)
     with pytest.raises(HaptonicError, match="another file"):
-        read_scan(path)
+        read_scan(path, frequency_unit="Hz", length_unit="m")
 
 
 def test_a_response(tmp_path, stolen):
@@ -92,10 +92,10 @@ def test_matlab(tmp_path, stolen):
         file["f"], file["y"] = np.arange(1.0, 4), np.zeros(6)
     stolen(path, "x")
     with pytest.raises(HaptonicError, match="no coordinates"):
-        read_scan(path)
+        read_scan(path, frequency_unit="Hz", length_unit="m")
     with h5py.File(path, "r+") as file:
         file["xs"] = np.arange(6) * 1e-3
-    scan = read_scan(path)
+    scan = read_scan(path, frequency_unit="Hz", length_unit="m")
     assert scan.response.points[:, 0].max() < 1
     assert any('the variable "x"' in one.what and "another file" in one.reason for one in scan.report.dropped)
 

@@ -295,7 +295,7 @@ def test_a_free_patch_is_the_ceramic_of_a_body():
 def test_a_stiffer_plate_moves_less_under_the_same_voltage():
     """Second law of the drive: between free and clamped, the charge falls as the plate gets stiffer."""
     charges = []
-    for young in (1e6, 70e9, 1e15):
+    for young in (1e6, 70e9, 1e13):
         plate = IsotropicMaterial(young, 0.33, 2700.0, name="plate")
         found = body((2e-3, 8e-3), (1e-3, 7e-3), 2e-3, plate, (GLUED,), ORDERS, 4e-3)
         u = settled(found, found.drive["A"])

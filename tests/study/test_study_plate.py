@@ -289,7 +289,7 @@ class TestRefusals:
         with pytest.raises(StudyError) as caught:
             loads(CELL).plate()
         assert caught.value.argument == "plate"
-        assert "touchpad.toml" in caught.value.next_step
+        assert "[plate.tiles]" in caught.value.next_step
         assert all(caught.value.parts().values())
 
     def test_a_region_named_almost_like_a_lattice_is_warned_about(self):
