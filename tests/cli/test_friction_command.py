@@ -33,7 +33,7 @@ def test_friction_writes_its_files_and_tables(haptonic, inside, tmp_path):
         "friction of each condition",
         "tests of the difference",
         "Holm",
-        "WG1 trials, as published; WG2 trials, as published: trials of one participant are taken",
+        "WG1 trials, as published; WG2 trials, as published: trials of one participant are treated",
         "mixed model",
         "Share of the reduction that does not reach WG2",
         "one-sided test against the 11%",

@@ -89,13 +89,13 @@ def test_folders_of_csv(tmp_path, column, word, encoding):
     for name in "ab":
         (tmp_path / f"{name}.csv").write_text("frequency,real (m/s/V),imaginary\n1,2,3\n")
     with suppress(HaptonicError):
-        assert np.isfinite(read_scan(tmp_path, frequency_unit="Hz").response.points).all()
+        assert np.isfinite(read_scan(tmp_path, frequency_unit="Hz", length_unit="m").response.points).all()
 
 
 def test_a_name_in_the_code_page_of_an_older_program(tmp_path):
     (tmp_path / "geometry.csv").write_bytes("file,x,y\nmöbel.csv,0,0\n".encode("latin-1"))
     (tmp_path / "möbel.csv").write_text("frequency,real (m/s/V),imaginary\n1,2,3\n")
-    assert read_scan(tmp_path, frequency_unit="Hz").report.complete
+    assert read_scan(tmp_path, frequency_unit="Hz", length_unit="m").report.complete
 
 
 @given(st.sampled_from(["start", "stop"]), st.floats().filter(lambda time: not np.isnan(time)))
