@@ -9,7 +9,7 @@ from test_estimation import LINES as HALVES
 from test_estimation import recorded
 
 from haptonic.errors import ScanError
-from haptonic.response import FrequencyResponse
+from haptonic.response import FrequencyResponse, Reference
 from haptonic.vibrometry import (
     InMemory,
     Rectangle,
@@ -151,7 +151,7 @@ def noisy(level, repeats=6, points=400, seed=2):
     scan = TimeScan(
         InMemory(drive, moved + level * rms * chance.normal(size=moved.shape)),
         tuple(map(str, range(points))),
-        np.arange(points) * 1e-3, np.zeros(points), repeats, drive.shape[2], 200e3, "A1, V",
+        np.arange(points) * 1e-3, np.zeros(points), repeats, drive.shape[2], 200e3, Reference("A1", "V"),
     )  # fmt: skip
     return estimate(scan, band=(10e3, 13.9e3)).response, size[:, 0, 0] > 1.5
 
