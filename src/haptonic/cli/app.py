@@ -13,8 +13,8 @@ from haptonic.cli.designing import design, export, tolerance
 from haptonic.cli.doctor import examined
 from haptonic.cli.experiments import protocol
 from haptonic.cli.feeling import feel
-from haptonic.cli.lattices import bands, sweep
 from haptonic.cli.helping import Worded
+from haptonic.cli.lattices import bands, sweep
 from haptonic.cli.mirrors import layers, waveguide
 from haptonic.cli.options import Json
 from haptonic.cli.plates import plate

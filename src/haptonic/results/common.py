@@ -33,7 +33,7 @@ class Asked:
 def write_files(
     folder: Path, writers: Mapping[str, Callable[[Path], object]], *, overwrite: bool
 ) -> list[Path]:
-    """Write files into a folder, each whole or not at all, and none if one is in the way or would leave it."""
+    """Write files into a folder, each whole or not at all, and none if one may not be written."""
     refuse_taken(folder, writers, overwrite=overwrite)
     paths = [inside(folder, name) for name in writers]
     for path, writer in zip(paths, writers.values(), strict=True):

@@ -118,8 +118,8 @@ class Plan:
         session = self.protocol.blocks * self.protocol.trials
         added = 10 * trials / session
         return (
-            f"Trials with the vibration on come up to {trials:.2g} trial{'s' * (trials != 1)} earlier or later "
-            f"in a session, on average, than those with it off: a steady drift of 10 % over a session of "
+            f"On average, trials with the vibration on come up to {trials:.2g} place{'s' * (trials != 1)} "
+            "earlier or later in a session than those with it off: a steady drift of 10 % over a session of "
             f"{session} adds {added:.2g} % of the friction to a difference."
         )
 

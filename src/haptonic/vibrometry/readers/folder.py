@@ -159,8 +159,7 @@ def _curves(name: str, file: Path, how: Mapped, notes: Notebook) -> list[Curve]:
         raise _UnfitError(f'"{_unit(head)}" is no displacement, velocity or acceleration')
     written = _unit(heads[columns["frequency"]])
     column["frequency"] = {"kHz": 1e3, "Hz": 1.0}.get(written, how.frequency_unit) * column["frequency"]
-    named = Reference("reference", ratio.under.unit) if ratio.under.unit else Reference()
-    reference = how.reference or named
+    reference = how.reference_of(ratio)
     made = [
         Curve(f"file {file.name}", name, 3, "response", column["frequency"], ratio.factor * values,
               ratio.over.motion, reference)

@@ -13,7 +13,7 @@ from haptonic.errors import ScanError, nearest
 from haptonic.response import FrequencyResponse, Reference
 from haptonic.vibrometry.curves import Curve, Place, assemble
 from haptonic.vibrometry.findings import Notebook
-from haptonic.vibrometry.labels import ratio_of
+from haptonic.vibrometry.labels import Ratio, ratio_of
 from haptonic.vibrometry.readers.stored import Stored
 from haptonic.vibrometry.records import InMemory, Source, TimeScan
 
@@ -50,6 +50,11 @@ class Mapped:
     length_unit: float
     reference: Reference
     frequency_unit: float = 1.0
+
+    def reference_of(self, unit: Ratio) -> Reference:
+        """What somebody called it, or else what the unit of the responses is over."""
+        named = Reference("reference", unit.under.unit) if unit.under.unit else Reference()
+        return self.reference or named
 
 
 def table_of(arrays: Mapping[str, Any], how: Mapped, notes: Notebook) -> dict[str, Any]:
@@ -114,7 +119,7 @@ def scan_of(
     values = _points_first(np.squeeze(np.asarray(table["response"])), len(places), len(lines), notes)
     if not np.iscomplexobj(values):
         raise _unfit("response", "real numbers: the phase is missing", notes)
-    reference = how.reference
+    reference = how.reference_of(unit)
     motion = unit.over.motion
     curves = [
         Curve(f"row {i + 1}", str(i + 1), 3, "response", lines, unit.factor * row, motion, reference)
