@@ -20,6 +20,7 @@ from haptonic.friction.twin import Person, Stroke, Truth, people, recorded
 from haptonic.friction.twin.files import SIMULATED, WRITERS
 from haptonic.friction.twin.gauges import GAUGES, calibration, voltages
 from haptonic.friction.twin.strokes import AXES, RATE, samples_of
+from haptonic.paths import inside
 from haptonic.store import write_atomically
 
 NOTHING = 1e-6  # a reduction that is none
