@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Iterable, Mapping
-from dataclasses import asdict, fields
+from dataclasses import fields
 from importlib.metadata import version
 from itertools import islice
 from typing import Any
@@ -87,7 +87,7 @@ def tabulated(
     }
     attributes = {
         "origin": origin,
-        "rules": json.dumps(asdict(rules)),
+        "rules": json.dumps({one.name: getattr(rules, one.name) for one in fields(Rules)}),
         "haptonic_version": version("haptonic"),
     }
     return xr.Dataset(data, attrs=attributes)
