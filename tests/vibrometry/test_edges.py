@@ -9,6 +9,7 @@ from test_estimation import LINES as HALVES
 from test_estimation import recorded
 
 from haptonic.errors import ScanError
+from haptonic.gate import passed
 from haptonic.response import FrequencyResponse, Reference
 from haptonic.vibrometry import (
     InMemory,
@@ -157,6 +158,12 @@ def noisy(level, repeats=6, points=400, seed=2):
 
 
 class TestNoise:
+    @pytest.mark.parametrize("level", [0.0, 3.0, 300.0])
+    def test_what_it_hides_passes_the_gate_and_says_so(self, level):
+        found, loud = noisy(level=level, repeats=3)
+        told = passed(clean_contrast(found, loud, ~loud))
+        assert np.isnan(told["level"].values).any() == (level > 0)
+
     def test_its_power_is_the_scatter_of_the_repeats(self):
         """Every record by itself is an estimate; the variance of their mean is what the coherence says."""
         chance = np.random.default_rng(4)
