@@ -19,7 +19,7 @@ SCRIPT = """
     import numpy as np, xarray as xr
     from haptonic.errors import ResourceError
     from haptonic.friction.twin.files import write_h5
-    from haptonic.response import FrequencyResponse, write
+    from haptonic.response import FrequencyResponse, Reference, write
     from haptonic.results import write_netcdf
     from haptonic.store import write_atomically
     from haptonic.vibrometry.exports import write_mat_records
@@ -29,7 +29,7 @@ SCRIPT = """
     rng = np.random.default_rng(0)
     samples = rng.standard_normal((12, 3, 600)).astype(np.float32)
     names, x = tuple(map(str, range(12))), np.arange(12.0)
-    records = TimeScan(InMemory(samples, samples), names, x, 0 * x, 3, 600, 200e3, "A1, V")
+    records = TimeScan(InMemory(samples, samples), names, x, 0 * x, 3, 600, 200e3, Reference("A1", "V"))
     numbers = rng.standard_normal((50, 40, 3)) + 0j
     response = FrequencyResponse.of(
         numbers[..., :1].astype(np.complex64), frequency=np.arange(50) + 1.0, x=np.arange(40.0),

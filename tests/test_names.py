@@ -11,13 +11,15 @@ import pytest
 import xarray as xr
 from hypothesis import given
 from hypothesis import strategies as st
+from matplotlib.figure import Figure
 from rich.table import Table
 
+from haptonic import plots
 from haptonic.cli.console import PlainConsole, Voice
-from haptonic.errors import HaptonicError, StudyError
+from haptonic.errors import HaptonicError, ResourceError, StudyError
 from haptonic.names import cell, file_parts, from_cell, variable, visible
 from haptonic.response import Reference
-from haptonic.results.common import write_netcdf
+from haptonic.results.common import refuse_taken, write_files, write_netcdf
 from haptonic.study.loading import loads
 from hostile import NASTY, any_text, names
 from tiny_scan import TINY
@@ -36,6 +38,25 @@ def test_files_of_names_stay_in_their_folder_and_apart(chosen):
         assert part.isascii()
         assert len(part) <= 48
     assert len({part.casefold() for part in parts.values()}) == len(chosen)
+
+
+LEAVING = st.sampled_from(["..", ".", "", "a/b", "../up", "/root", "C:\\boot", "a\\b", "a/", "C:x", "./a"])
+
+
+@given(LEAVING | st.tuples(names, st.sampled_from("/\\"), names).map("".join))
+def test_a_name_that_leads_out_of_its_folder_is_refused_where_it_is_written(tmp_path_factory, name):
+    """Whatever came before it: this is the last gate."""
+    above = tmp_path_factory.mktemp("above")
+    folder = above / "out"
+    folder.mkdir()
+    for write in (
+        lambda: write_files(folder, {name: Path.touch}, overwrite=True),
+        lambda: refuse_taken(folder, [name], overwrite=True),
+        lambda: plots.save(Figure(), folder, f"{name}/x", overwrite=True),
+    ):
+        with pytest.raises(ResourceError, match="output file"):
+            write()
+    assert list(above.rglob("*")) == [folder]
 
 
 def test_plain_names_are_the_names_of_their_files():

@@ -14,7 +14,7 @@ from haptonic import load, plots, read_scan
 from haptonic.cli.options import folder_for
 from haptonic.cli.twins import read_amplitudes
 from haptonic.errors import HaptonicError
-from haptonic.friction.recordings import Sensor
+from haptonic.friction.recordings import Sensor, read_calibration
 from haptonic.friction.signals import Rules
 from haptonic.paths import source, target
 from haptonic.response import read
@@ -90,6 +90,20 @@ def five_parts_of(call, *arguments):
 def test_what_is_no_file_is_refused(reader, kind, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)  # the name of a socket has to be short
     five_parts_of(READERS[reader], odd(kind, tmp_path))
+
+
+@pytest.mark.parametrize("kind", ODD)
+def test_a_file_inside_a_folder_is_looked_at_like_any_other(kind, tmp_path, monkeypatch):
+    """A point of a scan is left out with its reason; a calibration is refused."""
+    monkeypatch.chdir(tmp_path)
+    found = odd(kind, tmp_path)
+    (tmp_path / "point.csv").symlink_to(found)
+    (tmp_path / "good.csv").write_text("frequency,real,imaginary\n1e3,1,0\n2e3,1,1\n")
+    (tmp_path / "geometry.csv").write_text("file,x,y\npoint.csv,0,0\ngood.csv,1e-3,0\n")
+    report = read_scan(tmp_path).report
+    assert report.points == 1
+    assert [one.what for one in report.dropped] == ["file point.csv"]
+    assert five_parts_of(read_calibration, tmp_path / "point.csv").argument == "trials.sensor.calibration"
 
 
 @pytest.mark.parametrize("kind", NO_PATHS | NO_NAMES)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 import stat
-from pathlib import Path
+from pathlib import Path, PurePosixPath, PureWindowsPath
 
 from haptonic.errors import HaptonicError, ResourceError
 from haptonic.units import shown
@@ -53,6 +53,24 @@ def target(given: object, argument: str = "--out") -> Path:
     ResourceError : no path, or one that no file can have
     """
     return _path(given, argument, ResourceError)
+
+
+def inside(folder: Path, name: str) -> Path:
+    """A file of a folder. Its name leads nowhere else, on any system.
+
+    Raises
+    ------
+    ResourceError : a name with a folder, a drive or a step upwards in it, or none
+    """
+    if name in ("", ".", "..") or {PurePosixPath(name).name, PureWindowsPath(name).name} != {name}:
+        raise ResourceError(
+            argument="output file",
+            given=shown(name, 200),
+            allowed="a name without folders",
+            cause="a name of somebody's choice became the name of a file as it is",
+            next_step="report a fault: names of files are made by haptonic.names.file_parts",
+        )
+    return target(folder / name)
 
 
 def _path(given: object, argument: str, kind: type[HaptonicError]) -> Path:

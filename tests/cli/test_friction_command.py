@@ -11,6 +11,7 @@ import pytest
 import xarray as xr
 
 from five_parts import assert_five_parts
+from haptonic.friction.words import averages
 from haptonic.report import paper
 from haptonic.results import FrictionResult
 from trial_folders import edited, made_up, written
@@ -39,8 +40,10 @@ def test_friction_writes_its_files_and_tables(haptonic, inside, tmp_path):
         "one-sided test against the 11%",
         "Drift over a session",
         "Simulated: these trials were made up",
+        "Two averages of the same trials",
     ):
         assert words in ran.out, words
+    assert averages() in " ".join(ran.out.split())
     data = xr.load_dataset(out / "trials.nc", engine="h5netcdf")
     assert data.attrs["origin"] == "simulated"
     table = pd.read_csv(out / "trials.csv")
@@ -81,6 +84,8 @@ def test_one_object_for_machines(inside, tmp_path, monkeypatch):
     assert str(tmp_path) not in ran.out
     assert found["rules"]["filter"] == "compensated"
     assert found["driven"] == "WG1"
+    assert found["averages"].keys() == {"reduction", "equivalence"}
+    assert all(words in averages() for words in found["averages"].values())
     pooled = [one for one in found["tests"] if not one["participant"]]
     assert [(one["waveguide"], one["name"]) for one in pooled] == [
         (guide, name)

@@ -12,6 +12,7 @@ from five_parts import assert_five_parts
 from haptonic.report import Absent, Chapter, Results
 from haptonic.report.chapters.plate import chapter
 from haptonic.response import read
+from haptonic.results.plate.value import ERRORS
 from haptonic.store import Store
 from haptonic.study import load
 
@@ -33,8 +34,11 @@ def test_plate_writes_its_files_and_tables(haptonic, inside, plated, tmp_path):
         "A1 dielectric",
         "modes near the carrier",
         "Simulated",
+        "Largest solver's error of the field at any line",
+        "solver's error",
     ):
         assert words in ran.out
+    assert " ".join(ERRORS.split()) in " ".join(ran.out.split())
     response = read(out / "response.nc")
     assert response.values.shape[0] == 19
     assert response.units == "m/s/V"
@@ -59,10 +63,13 @@ def test_plate_answers_one_frequency(inside, plated, monkeypatch):
     found = json.loads(ran.out)
     (line,) = found["maps"]
     assert line["frequency_hz"] == 9e3
-    assert line["error"] <= 1e-3
+    assert line["solver_error"] <= 1e-3
     assert found["origin"] == "simulated"
     assert sum(line["dissipated_w"].values()) == pytest.approx(line["given_w"], rel=1e-4)
     assert not list(path.parent.glob("results"))
+    assert found["errors"] == ERRORS
+    assert {"error", "largest_error"}.isdisjoint(found.keys() | line.keys())
+    assert all("error" not in mode and mode["solver_error"] < 1e-3 for mode in found["modes"])
 
 
 @pytest.mark.parametrize(
@@ -113,6 +120,7 @@ def test_the_chapter_of_the_report(plated, monkeypatch, tmp_path):
     words = " ".join([*made.paragraphs, *made.findings])
     assert "4 pillars" in words
     assert "assumed" in words
+    assert ERRORS in words
     assert all(picture.caption.startswith("Simulated") for picture in made.pictures)
     assert all("imulated" in table.caption for table in made.tables)
     assert isinstance(chapter(Results(study, xr.Dataset())), Absent)

@@ -8,6 +8,7 @@ import json
 import h5py
 import numpy as np
 import pytest
+import scipy.io
 import scipy.io.wavfile
 import xarray as xr
 
@@ -421,3 +422,63 @@ class TestScan:
 def _as_scan(made: Twin):
     """The records of a twin as a file would give them."""
     return Scan(made.records, ReadReport("twin", "memory", len(made.records.names)))
+
+
+@pytest.fixture(scope="module")
+def own(tmp_path_factory):
+    """A MATLAB file with names and units of its own, and what it holds."""
+    path = tmp_path_factory.mktemp("own") / "own.mat"
+    kilohertz = np.linspace(40.0, 75.0, 71)
+    x, y = (axis.ravel() for axis in np.meshgrid(np.linspace(8.0, 62.0, 6), np.linspace(4.0, 30.0, 4)))
+    peak = 1j * kilohertz / (52.0**2 * (1 + 0.01j) - kilohertz**2)
+    response = np.sin(np.pi * x / 70.0)[:, None] * peak
+    scipy.io.savemat(path, {"FRF": response, "fkHz": kilohertz, "Xmm": x, "Ymm": y})
+    return path, response, x, y
+
+
+class TestOwnNames:
+    """A MATLAB file of somebody who has names and units of their own."""
+
+    ASKED = ("--variables", "response=FRF, frequency=fkHz,x=Xmm,y=Ymm")
+    UNITS = ("--frequency-unit", "kHz", "--length-unit", "mm")
+
+    def test_names_and_units_are_taken_as_they_are_given(self, inside, own, tmp_path):
+        path, values, x, y = own
+        out = tmp_path / "out"
+        ran = inside("scan", path, *self.ASKED, *self.UNITS, "--out", out)
+        assert ran.code == 0, ran.err
+        assert "24 points (none flagged), 71 lines from 40 to 75 kHz, measured." in ran.out
+        assert "52.000 kHz" in ran.out
+        assert "warning" not in ran.err
+        response = read(out / "response.nc")
+        assert response.frequency[[0, -1]] == pytest.approx([40e3, 75e3])
+        assert response.points == pytest.approx(1e-3 * np.column_stack([x, y]))
+        assert pytest.approx(values) == response.values[..., 0].T
+        assert response.units == "m/s/V"
+        found = inside("scan", path, *self.ASKED, *self.UNITS, "--json").json
+        assert (found["band_hz"], found["points"], found["units"]) == ([40e3, 75e3], 24, "m/s/V")
+        assert found["shapes"][0]["frequency_hz"] == pytest.approx(52e3)
+        assert found["warnings"] == []
+
+    def test_numbers_without_a_unit_are_doubted_with_the_options_to_give(self, inside, own):
+        found = inside("scan", own[0], *self.ASKED, "--json").json
+        assert found["band_hz"] == [40.0, 75.0]
+        lengths, frequencies = found["warnings"]
+        assert "54 m wide" in lengths
+        assert "--length-unit mm" in lengths
+        assert "up to 75 Hz" in frequencies
+        assert "--frequency-unit kHz" in frequencies
+
+    @pytest.mark.parametrize(
+        ("options", "words"),
+        [
+            ((), ("x, y or points", "--variables")),
+            (("--variables", "response=FRX"), ("variables.response", "FRX", "FRF")),
+            (("--variables", "answer=FRF"), ("variables.answer", "response")),
+            (("--variables", "response"), ("--variables", "MEANING=NAME")),
+            (("--variables", "response=FRF,"), ("--variables", "MEANING=NAME")),
+            ((*ASKED, "--frequency-unit", "mm"), ("frequency_unit", "not a unit of frequency")),
+        ],
+    )
+    def test_what_does_not_name_a_variable_or_a_unit_is_refused(self, inside, own, options, words):
+        assert_five_parts(inside("scan", own[0], *options, "--json"), *words)

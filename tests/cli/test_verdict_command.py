@@ -125,7 +125,7 @@ def test_verdict_finds_the_numbers_and_writes_its_files(haptonic, plated, scan, 
     for one in data["fit"]["parameters"]:
         low, high = one["interval_95"]
         assert low < TRUE[one["name"]] < high < 1.03 * low
-    assert data["fit"]["error"] < 1e-3
+    assert data["fit"]["recomputed_error"] < 1e-3
     before, after = data["agreement"]["model as given"], data["agreement"]["model fitted"]
     assert after["unexplained"] < 1e-3 < 0.1 < before["unexplained"]
     assert after["frac_median"] > 0.999

@@ -10,7 +10,7 @@ import pytest
 from haptonic.errors import HaptonicError
 from haptonic.friction.recordings.files import opened
 from haptonic.friction.signals.tables import read_columns
-from haptonic.response import FrequencyResponse, read, write
+from haptonic.response import FrequencyResponse, Reference, read, write
 from haptonic.vibrometry import InMemory, TimeScan, read_scan, write_records
 
 SECRET = np.arange(6.0) + 4711.0
@@ -66,7 +66,7 @@ def test_the_thefts_work_in_h5py_itself(tmp_path, stolen):
 def test_time_records(tmp_path, stolen, name):
     path, places = tmp_path / "a.h5", np.arange(6) * 1e-3
     records = InMemory(np.ones((6, 1, 40)), np.ones((6, 1, 40)))
-    write_records(TimeScan(records, tuple("abcdef"), places, places, 1, 40, 1e5, "A1, V"), path)
+    write_records(TimeScan(records, tuple("abcdef"), places, places, 1, 40, 1e5, Reference("A1", "V")), path)
     stolen(path, name)
     with pytest.raises(HaptonicError, match="another file"):
         read_scan(path)

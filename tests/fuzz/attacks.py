@@ -23,7 +23,7 @@ from haptonic.errors import HaptonicError
 from haptonic.friction.recordings.analysis import analysed
 from haptonic.friction.recordings.sensor import Sensor
 from haptonic.friction.signals.rules import Rules
-from haptonic.response import FrequencyResponse, write
+from haptonic.response import FrequencyResponse, Reference, write
 from haptonic.vibrometry import InMemory, TimeScan, read_scan, write_records
 from haptonic.vibrometry.exports import csv_files, write_mat, write_mat_records, write_tdms
 from haptonic.vibrometry.writers import write_uff, write_uff_records
@@ -49,7 +49,7 @@ def _records() -> TimeScan:
     moved, driven = (chance.integers(-30000, 30000, size=(6, 2, 40)).astype(np.int16) for _ in range(2))
     places = np.arange(6) * 1e-3
     return TimeScan(
-        InMemory(driven, moved), tuple("abcdef"), places, places, 2, 40, 200e3, "A1, V",
+        InMemory(driven, moved), tuple("abcdef"), places, places, 2, 40, 200e3, Reference("A1", "V"),
         response_scale=2e-6, reference_scale=3e-3,
     )  # fmt: skip
 

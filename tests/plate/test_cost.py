@@ -46,9 +46,19 @@ force = "1 N"
 '''
 
 
+ASKS = {
+    "a band": lambda study: study.vibrating(store=Store.default()),
+    "one frequency": lambda study: study.vibrating(at=58e3, store=Store.default()),
+    "a finger": lambda study: study.felt(store=Store.default()),
+    "a finger at one frequency": lambda study: study.felt(at=58e3, store=Store.default()),
+}
+MEMORY = SimpleNamespace(total=24e9, available=20e9)
+
+
+@pytest.mark.parametrize("asked", ASKS)
 @settings(max_examples=25, deadline=None)
-@given(grid=st.sampled_from([1e-9, 1e-7, 1e-5, 2e-3]), rows=st.integers(3, 120), columns=st.integers(3, 150))
-def test_it_is_refused_at_once_or_begun(grid: float, rows: int, columns: int) -> None:
+@given(grid=st.sampled_from([1e-9, 1e-7, 1e-5, 2e-3]), rows=st.integers(3, 220), columns=st.integers(3, 220))
+def test_it_is_refused_at_once_or_begun(asked: str, grid: float, rows: int, columns: int) -> None:
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")  # of a fine grid
         study = loads(STUDY.format(line="o" * (columns - 1) + "1", rows=rows, grid=grid))
@@ -61,14 +71,15 @@ def test_it_is_refused_at_once_or_begun(grid: float, rows: int, columns: int) ->
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(compute, "_computed", first_step)
         patch.setattr(type(study), "_gap", first_step)
-        patch.setattr("psutil.virtual_memory", lambda: SimpleNamespace(total=24e9, available=20e9))
+        patch.setattr("psutil.virtual_memory", lambda: MEMORY)
         with pytest.raises((ResourceError, KeyboardInterrupt)) as caught:
-            study.vibrating(store=Store.default())
+            ASKS[asked](study)
     if isinstance(caught.value, ResourceError):
         assert caught.value.argument in ("plate.response.grid", "plate.map")
         assert all(caught.value.parts().values())
-    heavy = grid < 1e-4 or rows * columns > 3000
-    light = grid > 1e-4 and rows * columns < 1000
+    most = 24e9 / 0.8e6 if asked == "one frequency" else 3000
+    heavy = grid < 1e-4 or rows * columns > most
+    light = grid > 1e-4 and rows * columns < most / 3
     assert time.process_time() - began < 2
     assert not (heavy and begun)
     assert not light or begun

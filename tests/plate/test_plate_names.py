@@ -6,6 +6,7 @@ import io
 from dataclasses import replace
 from pathlib import Path
 
+import numpy as np
 import pytest
 import xarray as xr
 from hypothesis import HealthCheck, given, settings
@@ -79,6 +80,10 @@ def test_energy_is_where_it_belongs_whatever_the_names(energies, tmp_path_factor
         there = lines["stored"].values[:, lines["region"].values.tolist().index(name)]
         assert there == pytest.approx(in_plate[:, k], rel=1e-6)
     assert lines["stored_in_actuator"].values[:, 0] == pytest.approx(in_patch, rel=1e-6)
+    # the loss of the plate's own material is 2 omega times its loss factor times its mean energy, all of it
+    turns = 2 * np.pi * lines["frequency"].values
+    whole = lines["dissipated"].sel(loss="plate").values / (2 * turns * LOSS)
+    assert lines["stored"].sum("region").values == pytest.approx(whole, rel=1e-6)
     lost = lines["dissipated"].sum("loss").values
     assert lost == pytest.approx(lines["given"].values, rel=1e-4)
     assert len(set(lines["loss"].values.tolist())) == lines.sizes["loss"]

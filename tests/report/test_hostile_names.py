@@ -16,14 +16,19 @@ from test_report import read, results
 from haptonic import plots
 from haptonic.cli.console import Voice
 from haptonic.cli.touching import _tell
-from haptonic.errors import FrictionError
+from haptonic.errors import FrictionError, HaptonicWarning
 from haptonic.friction.recordings import Sensor
 from haptonic.friction.signals import Label, Rules
 from haptonic.names import cell, from_cell
+from haptonic.report.chapters import plate as plates
+from haptonic.report.chapters import scan as scans
 from haptonic.report.chapters.trials import chapter
 from haptonic.report.page import page
 from haptonic.report.quality import quality
 from haptonic.results import compute_friction
+from haptonic.store import Store
+from haptonic.study import loads, scanning
+from tiny_scan import TINY
 from trial_folders import made_up, written
 
 # four people and two guides; tables of trials give names back without blanks around them
@@ -117,3 +122,26 @@ def test_pages_hold_text_only(trials, monkeypatch):
 def test_the_word_for_all_people_is_nobody_s_name():
     with pytest.raises(FrictionError, match="stands for all of them"):
         Label("all participants", 1, 1, "WG1", "on")
+
+
+def test_pages_of_a_plate_and_its_scan_hold_text_only(tmp_path, monkeypatch):
+    regions = ["[/x] $x_$ <script>alert(1)</script>", "x/../../../escaped <b>&amp;"]
+    text = TINY.replace('"A1"', '"=2+5 <b>"')
+    for plain, name in zip(("WG1", "WG2"), regions, strict=True):
+        text = text.replace(f'"{plain}"', f'"{name}"')
+    study, store = loads(text), Store(tmp_path)
+    question = study.scan.frozen()
+    with pytest.warns(HaptonicWarning, match="ring-down"):
+        drive = question.drive(study.plate())
+    asked = replace(question.of_plate(1e-3, drive), points=126)
+    plate = study.vibrating(asked=asked, store=store)
+    scan = scanning.rescanned(study, plate, seed=2, store=store)
+    monkeypatch.setattr("haptonic.report.page.IN_ORDER", (plates.chapter, scans.chapter))
+    seen = read(page(results(study=study, plate=plate, scan=scan)))
+    assert not FORBIDDEN & {tag for tag, _ in seen.tags}
+    for picture in seen.of("img"):
+        kind, content = str(picture["src"]).split(";base64,")
+        if kind == "data:image/svg+xml":
+            ET.fromstring(base64.b64decode(content))
+    assert all(name in seen.text for name in regions)
+    assert f"{regions[0]} over {regions[1]}" in seen.text

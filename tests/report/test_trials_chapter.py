@@ -8,6 +8,7 @@ import xarray as xr
 
 from haptonic.friction.recordings import Sensor
 from haptonic.friction.signals import Rules
+from haptonic.friction.words import averages
 from haptonic.report import Absent, Chapter, Results, paper
 from haptonic.report.chapters.trials import chapter
 from haptonic.results import compute_friction
@@ -32,6 +33,7 @@ def test_the_papers_numbers_stand_beside_ours_where_they_belong(result, monkeypa
     assert float(first[1]) == pytest.approx(100 * result.found.reductions["WG1"].value, abs=0.51)
     assert len(made.tables[0].rows) == 6
     assert result.found.conclusions[0] in made.findings
+    assert averages() in made.paragraphs
 
 
 def test_what_is_simulated_says_so(result, monkeypatch):

@@ -9,7 +9,8 @@ from test_estimation import LINES as HALVES
 from test_estimation import recorded
 
 from haptonic.errors import ScanError
-from haptonic.response import FrequencyResponse
+from haptonic.gate import passed
+from haptonic.response import FrequencyResponse, Reference
 from haptonic.vibrometry import (
     InMemory,
     Rectangle,
@@ -151,12 +152,18 @@ def noisy(level, repeats=6, points=400, seed=2):
     scan = TimeScan(
         InMemory(drive, moved + level * rms * chance.normal(size=moved.shape)),
         tuple(map(str, range(points))),
-        np.arange(points) * 1e-3, np.zeros(points), repeats, drive.shape[2], 200e3, "A1, V",
+        np.arange(points) * 1e-3, np.zeros(points), repeats, drive.shape[2], 200e3, Reference("A1", "V"),
     )  # fmt: skip
     return estimate(scan, band=(10e3, 13.9e3)).response, size[:, 0, 0] > 1.5
 
 
 class TestNoise:
+    @pytest.mark.parametrize("level", [0.0, 3.0, 300.0])
+    def test_what_it_hides_passes_the_gate_and_says_so(self, level):
+        found, loud = noisy(level=level, repeats=3)
+        told = passed(clean_contrast(found, loud, ~loud))
+        assert np.isnan(told["level"].values).any() == (level > 0)
+
     def test_its_power_is_the_scatter_of_the_repeats(self):
         """Every record by itself is an estimate; the variance of their mean is what the coherence says."""
         chance = np.random.default_rng(4)

@@ -13,6 +13,7 @@ from hypothesis import strategies as st
 from scans import X, Y, assert_five_parts
 
 from haptonic.errors import ScanError
+from haptonic.response import Reference
 from haptonic.vibrometry import InMemory, TimeScan, estimate
 from haptonic.vibrometry.estimation.quality import clipped_share
 
@@ -29,7 +30,7 @@ def mobility(frequency, extra: float = 0.0):
 
 def recorded(reference, response, **changes) -> TimeScan:
     points = len(response)
-    keywords = {"sample_rate": RATE, "reference": "A1, V"} | changes
+    keywords = {"sample_rate": RATE, "reference": Reference("A1", "V")} | changes
     names = tuple(str(i) for i in range(points))
     return TimeScan(
         InMemory(reference, response), names, X[:points], Y[:points], *response.shape[1:], **keywords

@@ -14,6 +14,7 @@ from scans import VALUES, X, Y, assert_five_parts, nodes, response, uff, units
 import haptonic
 import haptonic.foreign.process as process
 from haptonic.errors import ResourceError
+from haptonic.response import Reference
 from haptonic.vibrometry import InMemory, TimeScan, estimate, read_scan, write_records, write_uff_records
 from haptonic.vibrometry import records as module
 from haptonic.vibrometry.exports import csv_files, write_mat, write_mat_records, write_tdms
@@ -29,8 +30,8 @@ DRIVEN = CHANCE.normal(size=(12, 3, 40))
 def records(shared: bool, origin: str = "simulated") -> TimeScan:
     reference = DRIVEN[:1] if shared else DRIVEN
     return TimeScan(
-        InMemory(reference, MOVED), tuple(f"{i + 1}" for i in range(12)), X, Y, 3, 40, 200e3, "A1, V",
-        reference_scale=2.0, response_scale=1e-3, origin=origin, title="made up",
+        InMemory(reference, MOVED), tuple(f"{i + 1}" for i in range(12)), X, Y, 3, 40, 200e3,
+        Reference("A1", "V"), reference_scale=2.0, response_scale=1e-3, origin=origin, title="made up",
     )  # fmt: skip
 
 
@@ -56,7 +57,8 @@ def test_records_come_back_from_tdms(tmp_path, monkeypatch, shared):
     write_tdms(records(shared), tmp_path / "a.tdms")
     scan = read_scan(tmp_path / "a.tdms")
     found = scan.records
-    assert (found.origin, found.samples, found.reference) == ("simulated", 120, "reference, V")
+    assert (found.origin, found.samples) == ("simulated", 120)
+    assert found.reference == Reference("reference", "V")
     reference, moved = found.source.load(2, 5)
     assert moved.reshape(3, 3, 40) == pytest.approx(1e-3 * MOVED[2:5], rel=1e-6)
     expected = np.broadcast_to(DRIVEN[:1], (3, 3, 40)) if shared else DRIVEN[2:5]

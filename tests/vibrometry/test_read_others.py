@@ -13,7 +13,7 @@ from nptdms import ChannelObject, GroupObject, RootObject, TdmsWriter
 from scans import LINES, VALUES, X, Y, assert_five_parts, response
 
 from haptonic.errors import HaptonicError, HaptonicWarning, ScanError
-from haptonic.response import write
+from haptonic.response import Reference, write
 from haptonic.vibrometry import InMemory, TimeScan, read_scan, write_records
 from haptonic.vibrometry.findings import Notebook
 from haptonic.vibrometry.readers.matlab import matlab_arrays
@@ -27,7 +27,7 @@ def time_scan(reference=DRIVE, **changes) -> TimeScan:
     keywords = {"response_scale": 2e-6, "reference_scale": 3e-3, "full_scale": 32767.0, "start": 1e-3,
                 "origin": "simulated", "title": "twin"} | changes  # fmt: skip
     names = tuple(f"P{i}" for i in range(12))
-    return TimeScan(InMemory(reference, RECORDS), names, X, Y, 3, 50, 200e3, "A1, V", **keywords)
+    return TimeScan(InMemory(reference, RECORDS), names, X, Y, 3, 50, 200e3, Reference("A1", "V"), **keywords)
 
 
 def save_v73(path, **arrays) -> None:
@@ -199,7 +199,7 @@ class TestTdms:
         records = scan.records
         assert (records.sample_rate, records.start) == (pytest.approx(200e3), 2e-3)
         assert (records.response_scale, records.reference_scale) == (1e-3, 1e-3)
-        assert records.reference == "reference, V"
+        assert records.reference == Reference("reference", "V")
         keep = [i for i in range(12) if i not in (3, 5)]
         assert records.x == pytest.approx(X[keep])
         _, reference, moved = next(records.chunks(12))
@@ -380,4 +380,4 @@ class TestTimeScan:
 
     def test_names_and_places_belong_together(self):
         with pytest.raises(ScanError, match="12 and 11 coordinates"):
-            TimeScan(InMemory(DRIVE, RECORDS), ("a",) * 12, X, Y[:-1], 3, 50, 1.0, "A1, V")
+            TimeScan(InMemory(DRIVE, RECORDS), ("a",) * 12, X, Y[:-1], 3, 50, 1.0, Reference("A1", "V"))

@@ -13,6 +13,7 @@ from haptonic.cli.designing import design, export, tolerance
 from haptonic.cli.doctor import examined
 from haptonic.cli.experiments import protocol
 from haptonic.cli.feeling import feel
+from haptonic.cli.helping import Worded
 from haptonic.cli.lattices import bands, sweep
 from haptonic.cli.mirrors import layers, waveguide
 from haptonic.cli.options import Json
@@ -27,6 +28,7 @@ from haptonic.study import Study
 
 app = typer.Typer(
     name="haptonic",
+    cls=Worded,
     help="Design and check surfaces whose friction is shaped by phononic crystals.",
     no_args_is_help=True,
     add_completion=False,

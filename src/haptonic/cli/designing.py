@@ -95,7 +95,7 @@ def tolerance(
     scheduler: Scheduler = None,
     overwrite: Overwrite = False,
 ) -> None:
-    """How sure the gap is to hold the carrier, which tolerance matters most, how loose they may be."""
+    """The chance that the gap holds the carrier, the size that matters most, and the loosest tolerances."""
     with speaking(json, KEPT) as voice:
         loaded = load(study)
         folder = folder_for(study, out, json, "tolerance")

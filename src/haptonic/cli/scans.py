@@ -57,7 +57,7 @@ def scan(
         Path, typer.Argument(metavar="PATH", help="Scan file, or a folder with one CSV a point.")
     ],
     study: Annotated[
-        Path | None, typer.Argument(metavar="[STUDY]", help="Study of the plate that was scanned.")
+        Path | None, typer.Argument(metavar="STUDY", help="Study of the plate that was scanned.")
     ] = None,
     against: Annotated[
         Path | None,
@@ -138,7 +138,7 @@ def scan(
     simulated: Annotated[bool, typer.Option("--simulated", help="The file is of a simulation.")] = False,
     overwrite: Overwrite = False,
 ) -> None:
-    """What a scan tells: responses, maps, contrast, the gap in it, waves; and how well a model fits."""
+    """Analyse a scan: responses, maps, contrast, the gap in it, waves; and how well a model fits."""
     kept = "the points that were estimated are kept; the same command goes on from there"
     with speaking(json, kept) as voice:
         path = source(path, "scan")

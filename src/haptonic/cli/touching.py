@@ -18,7 +18,7 @@ from haptonic.friction.recordings import Sensor
 from haptonic.friction.signals.record import EVERYBODY
 from haptonic.friction.statistics import Estimate, Test
 from haptonic.friction.statistics.summary import Condition
-from haptonic.friction.words import AVERAGES, change
+from haptonic.friction.words import averages, change
 from haptonic.paths import source
 from haptonic.report import paper
 from haptonic.results import FrictionResult, compute_friction, refuse_taken, write_files
@@ -126,9 +126,7 @@ def _tell(result: FrictionResult, voice: Voice) -> None:
         )
         voice.tell(f"{same.waveguide}, idle: reduction {same.mean:.1%} as the mean of participants; {proof}.")
     if found.equivalences:
-        voice.tell("Two averages of the same trials, which differ a little:")
-        voice.tell(f"  above, the reduction is {AVERAGES['reduction']};")
-        voice.tell(f"  of an idle waveguide it is {AVERAGES['equivalence']}.")
+        voice.tell(averages())
     if found.drift:
         voice.tell(f"Drift over a session with the vibration off: {_percent(found.drift)}.")
     for text in found.omissions:

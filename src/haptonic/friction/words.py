@@ -12,6 +12,14 @@ AVERAGES = {
 }
 
 
+def averages() -> str:
+    """Why a reduction and the mean of an idle waveguide's test differ."""
+    return (
+        "Two averages of the same trials, which differ a little: the reduction is "
+        f"{AVERAGES['reduction']}; in the test of an idle waveguide it is {AVERAGES['equivalence']}."
+    )
+
+
 def change(value: float, low: float = math.nan, high: float = math.nan, digits: int = 0) -> str:
     """What a reduction, 0.55 for 55 %, and its interval say of friction: that it falls, or that it rises."""
     word, ends = ("falls", (low, high)) if round(100 * value, digits) >= 0 else ("rises", (-high, -low))

@@ -32,6 +32,7 @@ LOSSES = 3  # orders to which the answer is expanded in losses other than the pl
 FEWEST_RANDOM = 4  # of the forces at each shift
 NEAR_ZERO = 1e-3  # share of the highest shift's frequency that the lowest one has at least
 UNKNOWNS = 30  # of a tile between others, at least; 38 to 40 seen
+FACTORS = 0.9e6  # bytes of a tile while a single frequency is answered, at least; 1.04e6 to 1.08e6 seen
 COPIES = 6  # of the basis that the computation holds at its peak, about; 4.5 to 5.6 seen
 WORST = 6  # shifts that a refinement adds
 MOST_DIRECT = 24  # lines that are answered directly rather than by a larger basis
@@ -209,11 +210,38 @@ def _from_zero(low: float, high: float) -> bool:
     return low <= (2 * NEAR_ZERO) ** 2 * high
 
 
-def check_cost(plate: Plate, high: float) -> None:
-    """Raise ResourceError if a basis up to a frequency, Hz, cannot fit into this machine, before any work.
+def check_cost(plate: Plate, high: float, *, single: bool = False) -> None:
+    """Raise ResourceError if a plate cannot fit into this machine, before any work.
 
-    From below: each pillar has at least the bending modes of a cantilever on a rigid foot, in two directions.
+    Parameters
+    ----------
+    high : Hz, up to which there has to be a basis
+    single : only this frequency is asked for, which needs no basis
     """
+    names = [name for row in plate.layout.tiles for name in row if name]
+    modes = 0 if single else _pillars_modes(plate, high)
+    basis = 8.0 * COPIES * UNKNOWNS * len(names) * BLOCK * LENGTH * modes / MODES
+    needed, there = max(basis, FACTORS * len(names)), psutil.virtual_memory().total
+    if needed <= there:
+        return
+    share = np.sqrt(there / needed) if needed == basis else there / needed
+    fits = int(share * len(names))
+    gigabytes = f"{needed / 1e9:.0f} GB"
+    asked = "at" if single else f"with {plate.layout.pillars} pillars, for a basis up to"
+    raise ResourceError(
+        argument="plate.map",
+        given=f"{len(names)} tiles {asked} {high / 1e3:.4g} kHz",
+        allowed=f"about {fits} such tiles in the {there / 1e9:.1f} GB of this machine",
+        cause=f"its equations, factorised, need at least {gigabytes}"
+        if needed > basis
+        else f"the pillars alone have {modes} modes up to there, whose basis needs at least {gigabytes}",
+        next_step="take a smaller part of the plate" + ("" if single else ", or ask for lower frequencies"),
+    )
+
+
+def _pillars_modes(plate: Plate, high: float) -> int:
+    """Modes below a frequency, Hz, at least: those of each pillar as a cantilever that bends in two
+    directions on a rigid foot."""
     layout = plate.layout
     names = [name for row in layout.tiles for name in row]
     modes = 0
@@ -221,19 +249,7 @@ def check_cost(plate: Plate, high: float) -> None:
         if cell.pillar is not None and isinstance(cell.material, IsotropicMaterial):
             below = int((euler_bernoulli(cell.pillar, cell.material) < high).sum())
             modes += 2 * below * names.count(name)
-    size = UNKNOWNS * len(names)
-    needed = 8.0 * COPIES * size * BLOCK * LENGTH * modes / MODES
-    there = psutil.virtual_memory().total
-    if needed > there:
-        fits = int(layout.pillars * np.sqrt(there / needed))
-        raise ResourceError(
-            argument="plate.map",
-            given=f"{layout.pillars} pillars, for a response up to {high / 1e3:.4g} kHz",
-            allowed=f"about {fits} such pillars in the {there / 1e9:.1f} GB of this machine",
-            cause=f"the pillars alone have {modes} modes up to there, whose basis needs at least "
-            f"{needed / 1e9:.0f} GB",
-            next_step="take a smaller part of the plate, or a lower plate.response.highest",
-        )
+    return modes
 
 
 def _check_memory(model: PlateModel, low: float, high: float, shifts: int) -> None:

@@ -15,7 +15,7 @@ from matplotlib.axes import Axes
 from matplotlib.colors import Colormap
 from matplotlib.figure import Figure
 
-from haptonic.paths import target
+from haptonic.paths import inside, target
 from haptonic.store import refuse_overwrite, write_atomically
 
 P = ParamSpec("P")
@@ -116,9 +116,10 @@ def save(figure: Figure, folder: Path, name: str, *, overwrite: bool = False) ->
 
     Raises
     ------
-    ResourceError : one of the names is taken and ``overwrite`` is False, or the folder cannot be written
+    ResourceError : the name leads out of the folder, or is taken and ``overwrite`` is False, or the folder
+        cannot be written
     """
-    paths = [target(folder, "folder") / f"{name}.{kind}" for kind in FILE_KINDS]
+    paths = [inside(target(folder, "folder"), f"{name}.{kind}") for kind in FILE_KINDS]
     for path in paths:
         refuse_overwrite(path, overwrite)
     for path, kind in zip(paths, FILE_KINDS, strict=True):

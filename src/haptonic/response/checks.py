@@ -47,7 +47,7 @@ def directions(given: Sequence[str]) -> None:
 
 def reference(given: Reference) -> None:
     """Refuse a reference that is not a name and a unit."""
-    if given != Reference() and not (given.name.strip() and given.unit):
+    if given and not (given.name.strip() and given.unit):
         raise ResponseError(
             argument="response.reference",
             given=f'"{given}"',

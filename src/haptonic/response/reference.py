@@ -24,6 +24,9 @@ class Reference:
         name, comma, unit = text.rpartition(",")
         return cls(name, unit.strip()) if comma else cls(text)
 
+    def __bool__(self) -> bool:
+        return self != Reference()
+
     def __str__(self) -> str:
         """What `parse` takes apart again."""
         return f"{self.name}, {self.unit}" if self.unit else self.name

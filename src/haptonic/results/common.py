@@ -16,6 +16,7 @@ from haptonic import hdf5
 from haptonic.bloch import Resolution
 from haptonic.gate import passed
 from haptonic.names import variable
+from haptonic.paths import inside
 from haptonic.store import draft_for, fingerprint, refuse_overwrite, write_atomically
 
 
@@ -32,15 +33,17 @@ class Asked:
 def write_files(
     folder: Path, writers: Mapping[str, Callable[[Path], object]], *, overwrite: bool
 ) -> list[Path]:
-    """Write files into a folder, each whole or not at all, and none if one is in the way."""
+    """Write files into a folder, each whole or not at all, and none if one may not be written."""
     refuse_taken(folder, writers, overwrite=overwrite)
-    for name, writer in writers.items():
-        write_atomically(folder / name, writer)
-    return [folder / name for name in writers]
+    paths = [inside(folder, name) for name in writers]
+    for path, writer in zip(paths, writers.values(), strict=True):
+        write_atomically(path, writer)
+    return paths
 
 
 def refuse_taken(folder: Path | None, names: Iterable[str], *, overwrite: bool) -> None:
-    """Raise ResourceError if one of the names is taken in a folder, or if nothing can be written there.
+    """Raise ResourceError if one of the names is taken in a folder or leads out of it, or if nothing can be
+    written there.
 
     Asked before the work starts, so that no run is lost on its last step. A folder that was not there is not
     left behind: what comes next may be refused.
@@ -48,7 +51,7 @@ def refuse_taken(folder: Path | None, names: Iterable[str], *, overwrite: bool) 
     if folder is None:
         return
     for name in names:
-        refuse_overwrite(folder / name, overwrite)
+        refuse_overwrite(inside(folder, name), overwrite)
     with draft_for(folder) as (draft, rest):
         write_atomically(draft / rest / "probe", Path.touch)
 

@@ -118,8 +118,9 @@ class Plan:
         session = self.protocol.blocks * self.protocol.trials
         added = 10 * trials / session
         return (
-            f"On and off lie up to {trials:.2g} trial{'s' * (trials != 1)} apart on average: a steady drift "
-            f"of 10 % over a session of {session} adds {added:.2g} % of the friction to a difference."
+            f"On average, trials with the vibration on come up to {trials:.2g} place{'s' * (trials != 1)} "
+            "earlier or later in a session than those with it off: a steady drift of 10 % over a session of "
+            f"{session} adds {added:.2g} % of the friction to a difference."
         )
 
     def to_json(self) -> dict[str, Any]:

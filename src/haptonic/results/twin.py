@@ -20,6 +20,7 @@ from haptonic.friction.twin import Person, Stroke, Truth, people, recorded
 from haptonic.friction.twin.files import SIMULATED, WRITERS
 from haptonic.friction.twin.gauges import GAUGES, calibration, voltages
 from haptonic.friction.twin.strokes import AXES, RATE, samples_of
+from haptonic.paths import inside
 from haptonic.store import write_atomically
 
 NOTHING = 1e-6  # a reduction that is none
@@ -100,9 +101,9 @@ class FrictionTwin:
         group = people(self.truth, len(self.group), rng)  # drawn again, so that the strokes follow them
         strokes = recorded(self.truth, self.protocol, group, rng)
         done = 0
-        for name, inside in groupby(strokes, key=lambda one: file_of(one.trial.label, self.suffix, self.per)):
-            many = list(inside)
-            write_atomically(folder / name, partial(WRITERS[self.suffix[1:]], _channels(many, matrix)))
+        for name, shared in groupby(strokes, key=lambda one: file_of(one.trial.label, self.suffix, self.per)):
+            many = list(shared)
+            write_atomically(inside(folder, name), partial(WRITERS[self.suffix[1:]], _channels(many, matrix)))
             done += len(many)
             told(done, len(labels), False)
         write_atomically(folder / STUDY, lambda path: path.write_text(self.study, encoding="utf-8"))

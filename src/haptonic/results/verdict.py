@@ -176,7 +176,7 @@ class Verdict:
             "effective_data": fit.told.effective,
             "correlation": fit.told.correlation.tolist(),
             "small_model_error": fit.error,
-            "error": self.recomputed,
+            "recomputed_error": self.recomputed,
             "answers_in_small_model": fit.anchors,
         }  # fmt: skip
 

@@ -13,6 +13,7 @@ from haptonic.plate.parts import Actuator
 from haptonic.plate.sweep import check_cost
 from haptonic.results import Feel, Pad, PlateQuestion, PlateResult, Runner, compute_loaded, compute_plate
 from haptonic.results.carrier import gap_around
+from haptonic.results.feel.loading import LOADS, highest
 from haptonic.results.plate.question import amplitude_of, check_grid, drives_of, reference_of
 from haptonic.store import Store
 from haptonic.study.plate_tables import ResponseSection
@@ -64,8 +65,7 @@ class PlateStudy(Description):
         question = asked or PlateQuestion(own.lowest, own.highest, own.points, own.tolerance, own.grid)
         if at is not None:
             question = replace(question, lowest=at, highest=at, points=1)
-        else:
-            check_cost(plate, question.highest)
+        check_cost(plate, question.highest, single=at is not None)
         check_grid(
             plate, question.grid, question.points, "plate.response.grid" if asked is None else "scan.grid"
         )
@@ -99,10 +99,13 @@ class PlateStudy(Description):
         Raises
         ------
         StudyError : no [plate], no carrier, nothing that drives the plate, or a voltage for a force
+        ResourceError : a grid or a plate that this machine cannot hold, found before anything is computed
         """
         plate, carrier, store = self.plate(), self.need_carrier(), store or Store.default()
         drive = _drive(plate, self.touch.voltage if voltage is None else voltage)
         touch = Touch(carrier if at is None else at, self.touch.force, self.touch.speed)
+        check_cost(plate, highest(carrier if at is None else at))
+        check_grid(plate, self._response.grid, len(LOADS))
         gap = self._gap(plate, carrier, store)
         loaded = compute_loaded(
             plate,

@@ -32,7 +32,7 @@ class Curve:
     kind : a response or its coherence
     frequency, values : (line,)
     motion : what moves; of a coherence it says nothing
-    reference : "A1, V" or empty
+    reference : what it is divided by; empty for a coherence
     """
 
     source: str
@@ -42,7 +42,7 @@ class Curve:
     frequency: Array
     values: NDArray[Any]
     motion: Motion
-    reference: str
+    reference: Reference
 
 
 @dataclass(frozen=True)
@@ -133,12 +133,12 @@ def _of_one_reference(curves: list[Curve], asked: str | None) -> list[Curve]:
     known = list(dict.fromkeys(curve.reference for curve in curves))
     if asked is None and len(known) <= 1:
         return curves
-    chosen = [name for name in known if asked in (name, Reference.parse(name).name)]
+    chosen = [one for one in known if asked in (str(one), one.name)]
     if len(chosen) != 1:
         raise ScanError(
             argument="reference",
             given="none" if asked is None else f'"{asked}"',
-            allowed="one of " + "; ".join(f'"{name}"' for name in known),
+            allowed="one of " + "; ".join(f'"{one}"' for one in known),
             cause="the file holds responses to several references"
             if asked is None
             else "the name is misspelt",

@@ -16,7 +16,7 @@ import scipy.io
 
 from haptonic import hdf5
 from haptonic.names import cell
-from haptonic.response import FrequencyResponse, Reference
+from haptonic.response import FrequencyResponse
 from haptonic.vibrometry.labels import UNITS
 from haptonic.vibrometry.readers.folder import GEOMETRY
 from haptonic.vibrometry.readers.tables import ORIGIN
@@ -69,7 +69,7 @@ def write_tdms(scan: TimeScan, path: Path) -> None:
     nptdms = nptdms_for(path)
     unit = UNITS[scan.motion]
     timing = {"wf_increment": 1 / scan.sample_rate, "wf_start_offset": scan.start}
-    driving = Reference.parse(scan.reference).unit or "V"
+    driving = scan.reference.unit or "V"
     with nptdms.TdmsWriter(path) as file:
         file.write_segment([nptdms.RootObject({ORIGIN: scan.origin, "title": scan.title})])
         for first, reference, response in portions(scan):

@@ -103,7 +103,7 @@ def recorded(
     )  # fmt: skip
     return TimeScan(
         source, tuple(str(i + 1) for i in range(len(points))), points[:, 0].copy(), points[:, 1].copy(),
-        averages, len(signal.samples), signal.sample_rate, str(notes["reference"]),
+        averages, len(signal.samples), signal.sample_rate, response.reference,
         motion="displacement" if notes["quantity"] == "displacement" else "velocity",
         reference_scale=drive_scale, response_scale=full / largest, full_scale=largest,
         origin="simulated", title=f"simulated scan, seed {seed}",

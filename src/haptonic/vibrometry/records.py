@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from haptonic.errors import ResourceError, ScanError
+from haptonic.response import Reference
 from haptonic.vibrometry.labels import Motion
 
 Array = NDArray[np.float64]
@@ -54,7 +55,7 @@ class TimeScan:
     repeats, samples : records for each point, samples of each
     sample_rate : Hz
     motion : what the response measures
-    reference : name and unit of the reference channel, such as "A1, V"
+    reference : what the reference channel records
     reference_scale, response_scale : SI units of one stored unit
     full_scale : largest stored value of the response that the instrument can give; None if unknown
     direction : "x", "y" or "z"
@@ -70,7 +71,7 @@ class TimeScan:
     repeats: int
     samples: int
     sample_rate: float
-    reference: str
+    reference: Reference
     motion: Motion = "velocity"
     reference_scale: float = 1.0
     response_scale: float = 1.0

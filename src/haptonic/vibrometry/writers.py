@@ -13,7 +13,7 @@ import pyuff
 from numpy.typing import NDArray
 
 from haptonic.errors import ScanError
-from haptonic.response import FrequencyResponse, Reference
+from haptonic.response import FrequencyResponse
 from haptonic.vibrometry.labels import UNITS
 from haptonic.vibrometry.readers import SIMULATED
 from haptonic.vibrometry.records import TimeScan, portions
@@ -122,8 +122,7 @@ def _functions(response: FrequencyResponse, names: NDArray[np.int64]) -> Iterato
 
 
 def _records(scan: TimeScan) -> Iterator[dict[str, object]]:
-    drive = Reference.parse(scan.reference)
-    name, unit = drive.name, drive.unit
+    name, unit = scan.reference.name, scan.reference.unit
     common: dict[str, object] = {
         "type": 58, "binary": 0, "func_type": 1, "load_case_id": 0, "rsp_ent_name": "NONE",
         "ref_ent_name": "NONE", "ref_node": 0, "ref_dir": 0, "id1": (scan.title or "NONE")[:80],

@@ -17,6 +17,7 @@ from haptonic.friction.signals.filters import design_frequency
 from haptonic.friction.signals.measuring import saturated
 from haptonic.friction.signals.record import Record
 from haptonic.friction.signals.tables import rate_of
+from haptonic.paths import source
 from haptonic.units import to_si
 
 AXES = ("Fx", "Fy", "Fz", "Tx", "Ty", "Tz")
@@ -246,7 +247,7 @@ def read_calibration(path: Path) -> Array:
     ------
     FrictionError : no such file, another shape, text, or rows that depend on each other
     """
-    given = str(path)
+    path = source(path, "trials.sensor.calibration", FrictionError)
     try:
         table = pd.read_csv(path, header=None, comment="#")
         if len(table) == 7:

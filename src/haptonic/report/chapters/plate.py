@@ -9,6 +9,7 @@ from haptonic.report import paper
 from haptonic.report.chapter import Absent, Chapter, Picture, Results, Table
 from haptonic.report.guide_shifts import AS_IT_IS
 from haptonic.results import PlateResult
+from haptonic.results.plate.value import ERRORS
 
 TITLE = "Plate"
 LOCALISED = 20.0  # dB of contrast that the prototype is expected to reach in the gap
@@ -50,7 +51,7 @@ def chapter(results: Results) -> Chapter | Absent:
             f"The plate has {result.plate.layout.pillars} pillars and is computed from condensed tiles with "
             f"{result.lines.attrs['unknowns']} unknowns on {result.lines.attrs['basis']} vectors. At every "
             "line the answer was put back into the unreduced equations; the largest error of the field that "
-            f"this bounds is {float(result.lines['error'].max()):.0e}. Loss factor of the plate: "
+            f"this bounds is {float(result.lines['error'].max()):.0e}. {ERRORS} Loss factor of the plate: "
             f"{result.plate.loss_factor:g}, assumed.",
         ),
         findings=(*_findings(result), *_shift_findings(results.guide_shifts)),

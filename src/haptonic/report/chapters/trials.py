@@ -6,7 +6,7 @@ import math
 from collections.abc import Mapping
 
 from haptonic.friction.statistics import Estimate, Test
-from haptonic.friction.words import change
+from haptonic.friction.words import averages, change
 from haptonic.report import paper
 from haptonic.report.chapter import Absent, Chapter, Picture, Results, Table
 from haptonic.results import FrictionResult
@@ -34,6 +34,7 @@ def chapter(results: Results) -> Chapter | Absent:
                "computed amplitudes. What is tested here is the analysis, and what such trials could prove."]
               if made_up else []),
             f"{trials} trials of {people} participants, {left_out} of them left out by declared rules.",
+            *([averages()] if found.equivalences else []),
         ),
         findings=(*_reductions(result, published), *found.conclusions, *_alarms(results, people)),
         pictures=(

@@ -94,6 +94,11 @@ def compute_loaded(
     return found
 
 
+def highest(middle: float) -> float:
+    """Up to where a basis is needed for what is felt near a frequency, Hz."""
+    return (1 + NEAR) * middle
+
+
 def _computed(
     plate: Plate,
     pad: Pad,
@@ -106,7 +111,7 @@ def _computed(
     told: Callable[[int, int, bool], None],
 ) -> xr.Dataset:
     middle = carrier if at is None else at
-    high = (1 + NEAR) * middle
+    high = highest(middle)
     model = PlateModel.of(plate, high, fineness)
     band = Band.of(model, 0.0, high, lambda done, planned: told(done, planned, False))
     modes = modes_between(band, (1 - NEAR) * middle, high)

@@ -294,7 +294,7 @@ class Feel:
             "cue_threshold_s": CUE_THRESHOLD,
             "weber_fraction": WEBER_FRACTION,
             "lights": [light.to_json() for light in self.lights],
-            "error": float(self.loaded.attrs["error"]),
+            "solver_error": float(self.loaded.attrs["error"]),
             "assumptions": self.skin.assumptions(),
             "version": self.loaded.attrs["haptonic_version"],
         }

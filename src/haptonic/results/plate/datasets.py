@@ -54,7 +54,7 @@ def lines_dataset(plate: Plate, vibration: Vibration, band: Band) -> xr.Dataset:
     losses = list(vibration.dissipated)
     data = xr.Dataset(
         {
-            "error": ("frequency", vibration.error, {"long_name": "bound of the relative field error"}),
+            "error": ("frequency", vibration.error, {"long_name": "bound of the relative error of solving"}),
             "stored": (("frequency", "region"), stored, {"units": "J", "long_name": "mean strain energy"}),
             "stored_in_actuator": (
                 ("frequency", "actuator"), in_actuators, {"units": "J", "long_name": "mean strain energy"},

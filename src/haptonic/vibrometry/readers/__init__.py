@@ -15,7 +15,7 @@ from haptonic import response
 from haptonic.errors import HaptonicWarning, ResourceError, ScanError
 from haptonic.foreign.process import ForeignError, ask
 from haptonic.paths import source
-from haptonic.response import FrequencyResponse
+from haptonic.response import FrequencyResponse, Reference
 from haptonic.units import shown, to_si
 from haptonic.vibrometry.curves import assemble
 from haptonic.vibrometry.findings import Notebook, ReadReport
@@ -143,7 +143,9 @@ def _read(
     origin: Origin,
     title: str,
 ) -> Scan:
-    how = Mapped(variables or {}, unit, length_unit or 1.0, reference or "", frequency_unit or 1.0)
+    how = Mapped(
+        variables or {}, unit, length_unit or 1.0, Reference.parse(reference or ""), frequency_unit or 1.0
+    )
     kind = _kind(path)
     if frequency_unit is not None and kind not in WITHOUT_UNITS:
         raise ScanError(

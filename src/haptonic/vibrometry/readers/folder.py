@@ -16,6 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from haptonic.errors import ScanError
+from haptonic.paths import source
 from haptonic.response import FrequencyResponse, Reference
 from haptonic.vibrometry.curves import Curve, Place, assemble
 from haptonic.vibrometry.findings import Notebook
@@ -114,11 +115,12 @@ def _text(file: Path) -> io.StringIO:
     Raises
     ------
     FileNotFoundError, OSError : no such file, or it cannot be read
-    _UnfitError : it holds bytes that no text has, or is no file
+    _UnfitError : it holds bytes that no text has, or is no file that ends
     """
-    if "\0" in str(file) or (file.exists() and not file.is_file()):
-        raise _UnfitError("no file")
-    content = file.read_bytes()
+    try:
+        content = source(file, "file of a point", ScanError).read_bytes()
+    except ScanError as error:
+        raise _UnfitError(error.cause) from None
     if b"\0" in content:
         raise _UnfitError("it holds bytes that no text has; UTF-16, or damaged")
     try:
@@ -157,7 +159,7 @@ def _curves(name: str, file: Path, how: Mapped, notes: Notebook) -> list[Curve]:
         raise _UnfitError(f'"{_unit(head)}" is no displacement, velocity or acceleration')
     written = _unit(heads[columns["frequency"]])
     column["frequency"] = {"kHz": 1e3, "Hz": 1.0}.get(written, how.frequency_unit) * column["frequency"]
-    reference = how.reference or (str(Reference("reference", ratio.under.unit)) if ratio.under.unit else "")
+    reference = how.reference_of(ratio)
     made = [
         Curve(f"file {file.name}", name, 3, "response", column["frequency"], ratio.factor * values,
               ratio.over.motion, reference)
@@ -165,7 +167,7 @@ def _curves(name: str, file: Path, how: Mapped, notes: Notebook) -> list[Curve]:
     if "coherence" in column:
         made.append(
             Curve(f"file {file.name}", name, 3, "coherence", column["frequency"], column["coherence"],
-                  ratio.over.motion, "")
+                  ratio.over.motion, Reference())
         )  # fmt: skip
     return made
 

@@ -26,6 +26,7 @@ import numpy as np
 from haptonic.errors import ScanError
 from haptonic.foreign.process import ForeignError, ask
 from haptonic.hdf5 import written
+from haptonic.response import Reference
 from haptonic.vibrometry.findings import ELSEWHERE, Notebook
 from haptonic.vibrometry.labels import ORDER, Motion
 from haptonic.vibrometry.records import Samples, TimeScan
@@ -53,7 +54,8 @@ def write_records(scan: TimeScan, path: Path) -> None:
     """Write time records in haptonic's layout. `haptonic.store.write_atomically` makes the file whole."""
     with written(path) as raw, h5py.File(raw, "w") as file:
         file.attrs.update(
-            kind=KIND, form=FORM, sample_rate=scan.sample_rate, motion=scan.motion, reference=scan.reference,
+            kind=KIND, form=FORM, sample_rate=scan.sample_rate, motion=scan.motion,
+            reference=str(scan.reference),
             reference_scale=scan.reference_scale, response_scale=scan.response_scale,
             direction=scan.direction, start=scan.start, origin=scan.origin, title=scan.title,
         )  # fmt: skip
@@ -103,7 +105,7 @@ def read_records(path: Path, notes: Notebook) -> TimeScan:
         names = tuple(_names(path, sets, shape[0]))
         scan = TimeScan(
             _FromFile(path), names, x, y, shape[1], shape[2],
-            float(says["sample_rate"]), str(says["reference"]),
+            float(says["sample_rate"]), Reference.parse(str(says["reference"])),
             motion=_motion(str(says["motion"]), path),
             reference_scale=float(says["reference_scale"]),
             response_scale=float(says["response_scale"]),

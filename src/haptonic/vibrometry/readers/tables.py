@@ -10,10 +10,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from haptonic.errors import ScanError, nearest
-from haptonic.response import FrequencyResponse
+from haptonic.response import FrequencyResponse, Reference
 from haptonic.vibrometry.curves import Curve, Place, assemble
 from haptonic.vibrometry.findings import Notebook
-from haptonic.vibrometry.labels import ratio_of
+from haptonic.vibrometry.labels import Ratio, ratio_of
 from haptonic.vibrometry.readers.stored import Stored
 from haptonic.vibrometry.records import InMemory, Source, TimeScan
 
@@ -41,15 +41,20 @@ class Mapped:
         "reference", "sample_rate"; what is left out is guessed from usual names
     unit : of the response, such as "mm/s/V" or, for time records, "mm/s"
     length_unit : one unit of the coordinates, m
-    reference : name and unit of the reference, such as "A1, V"
+    reference : as somebody gave it, or empty
     frequency_unit : one unit of the frequencies, Hz
     """
 
     variables: Mapping[str, str]
     unit: str
     length_unit: float
-    reference: str
+    reference: Reference
     frequency_unit: float = 1.0
+
+    def reference_of(self, unit: Ratio) -> Reference:
+        """What somebody called it, or else what the unit of the responses is over."""
+        named = Reference("reference", unit.under.unit) if unit.under.unit else Reference()
+        return self.reference or named
 
 
 def table_of(arrays: Mapping[str, Any], how: Mapped, notes: Notebook) -> dict[str, Any]:
@@ -114,7 +119,7 @@ def scan_of(
     values = _points_first(np.squeeze(np.asarray(table["response"])), len(places), len(lines), notes)
     if not np.iscomplexobj(values):
         raise _unfit("response", "real numbers: the phase is missing", notes)
-    reference = how.reference if unit.under.unit or how.reference else ""
+    reference = how.reference_of(unit)
     motion = unit.over.motion
     curves = [
         Curve(f"row {i + 1}", str(i + 1), 3, "response", lines, unit.factor * row, motion, reference)
@@ -123,7 +128,7 @@ def scan_of(
     if "coherence" in table:
         both = _points_first(np.squeeze(np.asarray(table["coherence"])), len(places), len(lines), notes)
         curves += [
-            Curve(f"row {i + 1}", str(i + 1), 3, "coherence", lines, row, motion, "")
+            Curve(f"row {i + 1}", str(i + 1), 3, "coherence", lines, row, motion, Reference())
             for i, row in enumerate(both)
         ]
     known = {str(i + 1): place for i, place in enumerate(places) if place is not None}
@@ -196,7 +201,7 @@ def _records(
         np.array([place.x for place in found]), np.array([place.y for place in found]),
         repeats, samples,
         float(np.asarray(table["sample_rate"], dtype=float).ravel()[0]),
-        how.reference or "reference, V",
+        how.reference or Reference("reference", "V"),
         motion=unit.motion or "velocity", response_scale=unit.factor, origin=origin, title=title,
     )  # fmt: skip
 

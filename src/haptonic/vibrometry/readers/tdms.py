@@ -12,6 +12,7 @@ import numpy as np
 
 from haptonic.errors import ScanError
 from haptonic.foreign.process import ForeignError, ask
+from haptonic.response import Reference
 from haptonic.vibrometry.curves import nothing_left
 from haptonic.vibrometry.findings import Notebook
 from haptonic.vibrometry.labels import label_of, ratio_of
@@ -176,7 +177,7 @@ def _scan_of(file: Content, path: Path, how: Mapped, notes: Notebook, origin: Or
     return TimeScan(
         source, tuple(names),
         np.array([x for x, _ in places]), np.array([y for _, y in places]),
-        1, form[0], rate, how.reference or f"reference, {drive.unit or 'V'}",
+        1, form[0], rate, how.reference or Reference("reference", drive.unit or "V"),
         motion=motion.motion, response_scale=motion.factor, reference_scale=drive.factor,
         start=start, origin=origin, title=title,
     )  # fmt: skip

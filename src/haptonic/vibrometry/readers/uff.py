@@ -182,7 +182,7 @@ def _curve(function: Function, contents: UffContents) -> Curve | None:
         notes.drop(f"point {name} ({function.source})", str(error))
         return None
     if kind == "coherence":
-        return Curve(*common, "coherence", abscissa, np.real(ordinate), "velocity", "")
+        return Curve(*common, "coherence", abscissa, np.real(ordinate), "velocity", Reference())
     ratio = ratio_in(header, contents)
     if ratio.over.motion is None:
         found = header.over.unit or header.over.label or f"type {header.over.kind}"
@@ -221,13 +221,13 @@ def ratio_in(header: Header, contents: UffContents) -> Ratio:
     return Ratio(over, under)
 
 
-def reference_of(header: Header, under: Label) -> str:
+def reference_of(header: Header, under: Label) -> Reference:
     if not under.unit:
-        return ""
+        return Reference()
     name = header.reference_name or header.under.label
     if header.reference_node:
         name = f"{header.reference_node}{AXES.get(abs(header.reference_axis), '')}"
-    return str(Reference(name or "reference", under.unit))
+    return Reference(name or "reference", under.unit)
 
 
 def _frequency_shapes(contents: UffContents) -> Iterator[list[Curve]]:
@@ -255,7 +255,7 @@ def _frequency_shapes(contents: UffContents) -> Iterator[list[Curve]]:
         row.sort(key=lambda pair: pair[0])
         lines, values = np.array([f for f, _ in row]), np.array([v for _, v in row], dtype=complex)
         assert motion is not None
-        yield [Curve("shapes (type 55)", str(node), axis, "response", lines, values, motion, "")]
+        yield [Curve("shapes (type 55)", str(node), axis, "response", lines, values, motion, Reference())]
 
 
 def _by_pyuff(block: Block, data: Buffer) -> dict[str, Any]:

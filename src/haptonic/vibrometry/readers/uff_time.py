@@ -8,6 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from haptonic.errors import ScanError
+from haptonic.response import Reference
 from haptonic.vibrometry.curves import AXES, nothing_left
 from haptonic.vibrometry.labels import Ratio
 from haptonic.vibrometry.readers.blocks import UnreadableError
@@ -93,8 +94,8 @@ def _paired(
     points: dict[int, list[Function]],
     ratio: dict[int, Ratio],
     contents: UffContents,
-) -> tuple[list[list[Function]], str]:
-    """Reference records of every point, or one row for all, and the name of the channel."""
+) -> tuple[list[list[Function]], Reference]:
+    """Reference records of every point, or one row for all, and what the channel records."""
     of_point: dict[int, list[Function]] = defaultdict(list)
     for function in references:
         of_point[function.header.response_node].append(function)
@@ -116,7 +117,7 @@ def _paired(
         )
     header = rows[0][0].header
     unit = ratio[id(rows[0][0])].over.unit or "V"
-    return rows, f"{(header.response_name or header.over.label or 'reference').replace(',', ' ')}, {unit}"
+    return rows, Reference(header.response_name or header.over.label or "reference", unit)
 
 
 def _stacked(rows: list[list[Function]]) -> Samples:
