@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 import stat
-from pathlib import Path, PureWindowsPath
+from pathlib import Path, PurePosixPath, PureWindowsPath
 
 from haptonic.errors import HaptonicError, ResourceError
 from haptonic.units import shown
@@ -56,18 +56,17 @@ def target(given: object, argument: str = "--out") -> Path:
 
 
 def inside(folder: Path, name: str) -> Path:
-    """A file of a folder, or of one below it: ``scan/geometry.csv``. Nothing else, on any system.
+    """A file of a folder. Its name leads nowhere else, on any system.
 
     Raises
     ------
-    ResourceError : a name with a drive, a step upwards or a backslash in it, an absolute one, or none
+    ResourceError : a name with a folder, a drive or a step upwards in it, or none
     """
-    parts = name.split("/")
-    if any(part in ("", ".", "..") or PureWindowsPath(part).name != part for part in parts):
+    if name in ("", ".", "..") or {PurePosixPath(name).name, PureWindowsPath(name).name} != {name}:
         raise ResourceError(
             argument="output file",
             given=shown(name, 200),
-            allowed="a name that stays in its folder",
+            allowed="a name without folders",
             cause="a name of somebody's choice became the name of a file as it is",
             next_step="report a fault: names of files are made by haptonic.names.file_parts",
         )
