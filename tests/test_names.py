@@ -9,9 +9,10 @@ from urllib.parse import unquote
 
 import pytest
 import xarray as xr
-from hypothesis import given
+from hypothesis import assume, given
 from hypothesis import strategies as st
 from matplotlib.figure import Figure
+from rich.cells import cell_len
 from rich.table import Table
 
 from haptonic import plots
@@ -103,6 +104,7 @@ def test_variables_called_by_names_come_back(tmp_path_factory, chosen):
 
 @given(names, names)
 def test_a_terminal_shows_names_as_they_are(title, name):
+    assume(cell_len(name))  # a column takes no room for signs that only change their neighbours
     voice = Voice(machine=False)
     voice.out.file = io.StringIO()
     voice.out.width = 4000

@@ -55,17 +55,19 @@ def target(given: object, argument: str = "--out") -> Path:
     return _path(given, argument, ResourceError)
 
 
-def inside(folder: Path, name: str) -> Path:
-    """A file of a folder. Its name leads nowhere else, on any system.
+def inside(folder: Path, name: str | PurePosixPath) -> Path:
+    """A file of a folder, or by a path one of a folder below it. Its name leads nowhere else, on any system.
 
     Raises
     ------
-    ResourceError : a name with a folder, a drive or a step upwards in it, or none
+    ResourceError : a name, or a part of a path, with a folder, a drive or a step upwards in it, or none
     """
-    if name in ("", ".", "..") or {PurePosixPath(name).name, PureWindowsPath(name).name} != {name}:
+    parts = name.parts if isinstance(name, PurePosixPath) else (name,)
+    plain = all({PurePosixPath(part).name, PureWindowsPath(part).name} == {part} for part in parts)
+    if not plain or not {"", ".", ".."}.isdisjoint(parts) or not parts:
         raise ResourceError(
             argument="output file",
-            given=shown(name, 200),
+            given=shown(str(name), 200),
             allowed="a name without folders",
             cause="a name of somebody's choice became the name of a file as it is",
             next_step="report a fault: names of files are made by haptonic.names.file_parts",

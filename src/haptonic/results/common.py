@@ -6,7 +6,7 @@ import json
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
 from importlib.metadata import version
-from pathlib import Path
+from pathlib import Path, PurePosixPath
 from typing import Any
 
 import numpy as np
@@ -31,9 +31,12 @@ class Asked:
 
 
 def write_files(
-    folder: Path, writers: Mapping[str, Callable[[Path], object]], *, overwrite: bool
+    folder: Path, writers: Mapping[Any, Callable[[Path], object]], *, overwrite: bool
 ) -> list[Path]:
-    """Write files into a folder, each whole or not at all, and none if one may not be written."""
+    """Write files into a folder, each whole or not at all, and none if one may not be written.
+
+    Names are texts, or paths of files below the folder; see `haptonic.paths.inside`.
+    """
     refuse_taken(folder, writers, overwrite=overwrite)
     paths = [inside(folder, name) for name in writers]
     for path, writer in zip(paths, writers.values(), strict=True):
@@ -41,7 +44,7 @@ def write_files(
     return paths
 
 
-def refuse_taken(folder: Path | None, names: Iterable[str], *, overwrite: bool) -> None:
+def refuse_taken(folder: Path | None, names: Iterable[str | PurePosixPath], *, overwrite: bool) -> None:
     """Raise ResourceError if one of the names is taken in a folder or leads out of it, or if nothing can be
     written there.
 

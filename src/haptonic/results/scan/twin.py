@@ -6,7 +6,7 @@ import json
 from collections.abc import Callable
 from dataclasses import asdict, dataclass, replace
 from functools import cached_property, partial
-from pathlib import Path
+from pathlib import Path, PurePosixPath
 from typing import Any, Literal
 
 import numpy as np
@@ -40,6 +40,8 @@ FRF: dict[str, Callable[[FrequencyResponse, Path], None]] = {
 }  # fmt: skip
 RESPONSES = (*FRF, "csv")
 FORMATS = ("h5", "nc", "uff", "mat", "csv", "tdms")
+
+FOLDER = PurePosixPath("scan")  # of a scan that has a file for each point
 
 
 @dataclass(frozen=True, eq=False)
@@ -101,7 +103,7 @@ class Twin:
         found = estimate(self.records, band=self.signal.band, workers=2)
         return found.response
 
-    def files(self, form: str, kind: Kind | None) -> dict[str, Callable[[Path], object]]:
+    def files(self, form: str, kind: Kind | None) -> dict[str | PurePosixPath, Callable[[Path], object]]:
         """Writers of the files by name.
 
         Parameters
@@ -112,11 +114,11 @@ class Twin:
         ------
         ScanError : a form without this kind
         """
-        truth: dict[str, Callable[[Path], object]] = {"truth.json": self._write_truth}
+        truth: dict[str | PurePosixPath, Callable[[Path], object]] = {"truth.json": self._write_truth}
         if kind_of(form, kind) == "time":
             return {f"scan.{form}": partial(TIME[form], self.records)} | truth
         if form == "csv":
-            return {f"scan/{name}": writer for name, writer in csv_files(self.estimated).items()} | truth
+            return {FOLDER / name: writer for name, writer in csv_files(self.estimated).items()} | truth
         return {f"scan.{form}": partial(FRF[form], self.estimated)} | truth
 
     def _write_truth(self, path: Path) -> None:
@@ -172,6 +174,6 @@ def kind_of(form: str, kind: Kind | None) -> Kind:
     return kind
 
 
-def scan_name(form: str) -> str:
+def scan_name(form: str) -> str | PurePosixPath:
     """Of the file of a twin, or of one that a folder of it has."""
-    return f"scan/{GEOMETRY}" if form == "csv" else f"scan.{form}"
+    return FOLDER / GEOMETRY if form == "csv" else f"scan.{form}"
