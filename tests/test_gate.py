@@ -10,8 +10,11 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from haptonic.errors import NumericalError
+from haptonic.friction.signals import write_trials
 from haptonic.gate import declared, json_of, passed
 from haptonic.jobs import Task, run_all
+from haptonic.response import FrequencyResponse
+from haptonic.response.files import write
 from haptonic.results.common import stamped, write_netcdf
 from haptonic.store import Store, content_key
 
@@ -86,12 +89,35 @@ def spoilt_result(_argument=None):
     return xr.Dataset({"frequency_error": ("band", np.array([1.0, np.nan]))})
 
 
+def spoilt_response():
+    """A response whose noise went wrong after it was made."""
+    response = FrequencyResponse.of(
+        np.ones((2, 3, 1), complex), frequency=[1.0, 2.0], x=np.arange(3.0), y=np.zeros(3), direction=["z"],
+        quantity="velocity", reference="A1, V", origin="simulated", title="", inputs={},
+    )  # fmt: skip
+    return FrequencyResponse(response.dataset.assign(frequency_error=("frequency", [1.0, np.nan])))
+
+
+def spoilt_trials():
+    return xr.Dataset({"friction": ("stroke", [0.5, np.nan]), "frequency_error": ("stroke", [1.0, np.inf])})
+
+
+def test_trials_that_were_left_out_have_no_friction(tmp_path):
+    trials = spoilt_trials().drop_vars("frequency_error")
+    write_trials(trials, tmp_path / "trials.nc")
+    with xr.open_dataset(tmp_path / "trials.nc", engine="h5netcdf") as back:
+        assert "nan_means" in back["friction"].attrs
+    assert "nan_means" not in trials["friction"].attrs
+
+
 def test_every_door_has_the_gate(tmp_path):
     store, key = Store(tmp_path / "store"), content_key({"kind": "spoilt"})
     doors = {
         "the store": lambda: store.put(key, spoilt_result()),
         "a stamp": lambda: stamped(spoilt_result(), {}),
         "a file": lambda: write_netcdf(spoilt_result(), tmp_path / "spoilt.nc"),
+        "a response": lambda: write(spoilt_response(), tmp_path / "spoilt.nc"),
+        "trials": lambda: write_trials(spoilt_trials(), tmp_path / "spoilt.nc"),
     }
     for door in doors.values():
         with pytest.raises(NumericalError, match="frequency_error"):

@@ -11,6 +11,8 @@ import importlib.metadata
 import importlib.util
 import os
 import sys
+from collections.abc import Iterator
+from contextlib import contextmanager
 from dataclasses import dataclass
 from functools import cache
 from typing import Any, Protocol
@@ -20,7 +22,7 @@ import scipy.sparse as sp
 from numpy.typing import NDArray
 from scipy.sparse.linalg import splu
 
-from haptonic.errors import HaptonicError
+from haptonic.errors import HaptonicError, NumericalError
 
 Array = NDArray[np.float64]
 Indices = NDArray[np.int32]
@@ -48,6 +50,21 @@ class Pattern:
         off = rows != self.indices
         both = (np.concatenate([rows, self.indices[off]]), np.concatenate([self.indices, rows[off]]))
         return sp.csr_array((np.concatenate([data, data[off]]), both), shape=(self.size, self.size))
+
+
+@contextmanager
+def definite() -> Iterator[None]:
+    """Around what needs a cell's stiffness and mass to be positive: NumericalError where they are not."""
+    try:
+        yield
+    except np.linalg.LinAlgError as error:
+        raise NumericalError(
+            argument="cell",
+            given="sizes whose stiffness is not positive in the computer's arithmetic",
+            allowed="sizes that are not too many powers of ten apart",
+            cause="a very thin plate, or very unlike sizes",
+            next_step="choose a thicker plate or a smaller pitch",
+        ) from error
 
 
 class Solver(Protocol):

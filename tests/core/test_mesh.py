@@ -8,10 +8,9 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from strategies import ALUMINIUM, cells, lattices, plans, reference_cell
 
-from haptonic.bloch.model import candidate_models
 from haptonic.cell import HexMesh, MeshPlan, Pillar, UnitCell, mesh_cell
 from haptonic.cell.quadrature import lobatto
-from haptonic.errors import GeometryError, ResourceError
+from haptonic.errors import GeometryError
 from haptonic.lattice import Lattice
 
 
@@ -218,14 +217,7 @@ def test_a_fillet_that_reaches_beyond_the_cell_is_blamed_itself():
 
 
 @pytest.mark.parametrize("pillar", [None, Pillar(3e-3, 13e-3)], ids=["plain", "pillar"])
-@given(thickness=st.floats(1e-9, 6e-5))
+@given(thickness=st.floats(1e-12, 2.39e-5))
 def test_plates_too_thin_for_any_digit_are_refused_at_once(thickness, pillar):
-    with pytest.raises(GeometryError, match=r"cell\.thickness: got .*\n  allowed: at least 0\.072 mm"):
+    with pytest.raises(GeometryError, match=r"cell\.thickness: got .*\n  allowed: at least 0\.024 mm"):
         UnitCell(Lattice.square(6e-3), thickness, ALUMINIUM, pillar)
-
-
-@given(st.floats(0.0121, 0.0399), st.floats(0.1, 0.97), st.floats(1e-6, 0.049))
-def test_accuracies_that_a_thin_plate_does_not_reach_are_refused_at_once(thin, wide, accuracy):
-    cell = UnitCell(Lattice.square(7e-3), 7e-3 * thin, ALUMINIUM, Pillar(7e-3 * wide, 7e-3))
-    with pytest.raises(ResourceError, match=r"bands\.accuracy"):
-        next(candidate_models(cell, 10, accuracy, None))

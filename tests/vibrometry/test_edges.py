@@ -4,6 +4,9 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
+import xarray as xr
+from hypothesis import given, settings
+from hypothesis import strategies as st
 from scans import assert_five_parts
 from test_estimation import LINES as HALVES
 from test_estimation import recorded
@@ -195,6 +198,22 @@ class TestNoise:
             assert ((found["error"].values <= TRUSTED) == np.isfinite(found["level"].values)).all()
             if told:
                 assert np.abs(found["level"].values - 20 * np.log10(2)).max() < 0.5
+
+    @given(st.floats(0.01, 1000.0), st.integers(0, 1000))
+    @settings(max_examples=10)
+    def test_what_noise_hides_is_declared_to_the_gate(self, level, seed):
+        """A file of a scan holds these; infinite errors and NaN without a word are refused there."""
+        response, loud = noisy(level, points=20, seed=seed)
+        region = ("point", np.where(loud, "loud", "quiet"))
+        named = FrequencyResponse(response.dataset.assign_coords(region=region))
+        passed(clean_contrast(response, loud, ~loud))
+        passed(xr.Dataset({"rms": clean_rms(named, "loud")}))
+
+    @given(st.floats(0.01, 1000.0))
+    @settings(max_examples=5)
+    def test_fading_that_noise_hides_is_declared_to_the_gate(self, noise):
+        loud = field(lambda phase: (52e3, 62e3), noise=noise, averages=8)
+        passed(xr.Dataset({"fading": fading(loud, [STRIP])}))
 
     def test_without_averages_a_level_is_taken_as_it_is(self):
         response, loud = noisy(0.1)

@@ -10,9 +10,11 @@ from haptonic.errors import GeometryError
 from haptonic.lattice import Lattice
 from haptonic.materials import Material, is_symmetry
 
-# Rounding of a plate's stiffness grows as the fourth power of pitch over thickness, and waves in the plate
-# get shorter. At 1/60 errors of a few percent are reached, at 1/200 of a fifth, at 1/600 nothing factorises.
-LEAST_THICKNESS = 0.012  # of the longer pitch
+# Rounding of a plate's stiffness grows as the fourth power of pitch over thickness: at 1/400 it spoilt the
+# estimates of a plain plate, and at 1/1000 it moved the lowest band by 0.7 %.
+LEAST_THICKNESS = 0.004  # of the longer pitch
+SHEET = 0.08  # thickness, in half pitches, below which a plate is thin
+SHEET_CLEARANCE = 3.0  # and so narrow a neck, in thicknesses, that it is none
 LEAST_CLEARANCE = 0.01  # of the pitch, between a pillar and the nearest side of its cell
 
 
@@ -55,7 +57,7 @@ class UnitCell:
                 given=f"{self.thickness * 1e3:.4g} mm",
                 allowed=f"at least {LEAST_THICKNESS * longest * 1e3:.4g} mm, "
                 f"{LEAST_THICKNESS:g} of the pitch",
-                cause="on a plate as thin as this rounding and short waves spoil every frequency",
+                cause="on a plate as thin as this rounding spoils every frequency",
                 next_step="choose a thicker plate or a smaller pitch",
             )
         if self.pillar is not None and self.clearance < LEAST_CLEARANCE * self.lattice.pitch:
@@ -71,6 +73,21 @@ class UnitCell:
     def clearance(self) -> float:
         """Free width of plate between the pillar and the nearest side of the cell, m."""
         return self.inradius - (self.pillar.widest if self.pillar else 0.0)
+
+    @property
+    def is_thin(self) -> bool:
+        """Whether the plate is so thin for its pitch that many of its waves lie below those of its pillar."""
+        return self.thickness < SHEET * self.inradius
+
+    @property
+    def is_sheet(self) -> bool:
+        """Whether the plate is so thin that it bends like a sheet everywhere but at the foot.
+
+        Its waves are as long as those of a thicker one, so that it needs many orders in its plane and few
+        through it. With a fillet the foot's rings follow the arc, and there it is none.
+        """
+        wide = SHEET_CLEARANCE * self.thickness < self.clearance
+        return self.is_thin and wide and not (self.pillar and self.pillar.fillet)
 
     def scaled(self, factor: float) -> UnitCell:
         """The same cell with every length multiplied by ``factor``."""

@@ -17,6 +17,7 @@ from numpy.typing import NDArray
 from haptonic.cell.edges import (
     CORE_RADIUS,
     FOOT_LAYER,
+    beside_foot,
     bridged,
     foot_reach,
     step_reach,
@@ -130,7 +131,7 @@ def _widths(cell: UnitCell, pillar: Pillar, plan: MeshPlan, levels: Array) -> Ar
     if pillar.arc is not None:  # the thin rings end where the arc does
         outward = pillar.arc.at(0.5 * (1 - np.arange(1, plan.foot_rings + 1) / plan.foot_rings))[:, 0]
     else:
-        outward = pillar.radius + bridged(reach, min(cell.clearance, cell.thickness), plan.bridges[1])[::-1]
+        outward = pillar.radius + bridged(reach, beside_foot(cell), plan.bridges[1])[::-1]
     inner = [pillar.radius - step for step in inward] + [pillar.radius]
     above = np.maximum(levels - cell.thickness, 0.0)
     last = len(pillar.stages) - 1

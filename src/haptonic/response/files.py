@@ -19,6 +19,7 @@ from haptonic import hdf5
 from haptonic.errors import ResourceError, ResponseError
 from haptonic.foreign.netcdf import arrays_of
 from haptonic.foreign.process import ForeignError, ask
+from haptonic.gate import passed
 from haptonic.paths import source
 from haptonic.response.value import FrequencyResponse
 
@@ -41,7 +42,7 @@ def plain(response: FrequencyResponse) -> xr.Dataset:
 
 def write(response: FrequencyResponse, path: Path) -> None:
     """Write a response as NetCDF 4. `haptonic.store.write_atomically` makes the file whole or not at all."""
-    data = plain(response)
+    data = passed(plain(response))
     numbers = [name for name, variable in data.variables.items() if variable.dtype.kind == "f"]
     encoding = {name: {"_FillValue": None} for name in numbers}
     with hdf5.written(path) as file:

@@ -1,5 +1,6 @@
 """One superelement, many uses: K and M of a cell condensed onto its lateral faces."""
 
+from haptonic.solvers import definite
 from haptonic.superelement.condense import Superelement, condense, condensed, on_each
 from haptonic.superelement.dynamic import DynamicStiffness, dynamic_stiffness
 from haptonic.superelement.folded import FoldedMesh, through_levels
@@ -14,6 +15,7 @@ __all__ = [
     "condense",
     "condense_by_parts",
     "condensed",
+    "definite",
     "dynamic_stiffness",
     "on_each",
     "through_levels",

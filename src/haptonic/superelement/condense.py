@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 
 from haptonic.cell import HexMesh, MeshPlan, UnitCell
 from haptonic.lattice import Operation
-from haptonic.solvers import Solver
+from haptonic.solvers import Solver, definite
 from haptonic.superelement.folded import FoldedMesh
 from haptonic.superelement.interior import Reduced, reduced
 from haptonic.superelement.lifting import DiagonalImage, Lifting, Part, lifted
@@ -98,6 +98,7 @@ def condense(
     return condensed(FoldedMesh.of(cell, plan), steps, block=block, measured=measured)
 
 
+@definite()
 def condensed(shared: FoldedMesh, steps: int, *, block: int, measured: bool) -> Superelement:
     """The superelement of a mesh that is folded already; see `condense`."""
     mesh = shared.mesh

@@ -18,7 +18,7 @@ from numpy.typing import NDArray
 from haptonic.cell import HexMesh, MeshPlan, UnitCell, mesh_cell
 from haptonic.cell.edges import FOOT_LAYER
 from haptonic.cell.topology import Topology, topology_of
-from haptonic.solvers import Solver
+from haptonic.solvers import Solver, definite
 from haptonic.superelement.condense import CondensedClass, Form, Superelement, assembled, condensed
 from haptonic.superelement.folded import FoldedMesh, mirrors_of
 from haptonic.superelement.interior import Bounded, Reduced, reduced
@@ -37,6 +37,7 @@ FOR_SECTION = 4  # directions in each block of a foot's Krylov space beyond thos
 KEPT_FEET = 4  # that wait for the next design with the same
 
 
+@definite()
 def condense_by_parts(
     cell: UnitCell, plan: MeshPlan, steps: int = 2, *, block: int = 10, measured: bool = True
 ) -> Superelement:

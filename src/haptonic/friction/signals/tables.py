@@ -17,6 +17,7 @@ from haptonic.errors import FrictionError, ResourceError, nearest
 from haptonic.foreign.netcdf import arrays_of
 from haptonic.foreign.process import ForeignError, ask
 from haptonic.friction.signals.record import Label, Record
+from haptonic.gate import declared, passed
 from haptonic.names import cell, from_cell, visible
 
 Column = NDArray[Any]
@@ -92,12 +93,15 @@ def write_trials(trials: xr.Dataset, path: Path) -> None:
     Raises
     ------
     FrictionError : another ending than .csv or .nc
+    NumericalError : an infinite number
     """
+    numbers = [str(name) for name, column in trials.items() if column.dtype.kind == "f"]
+    known = passed(declared(trials.copy(), **dict.fromkeys(numbers, "not measured, or left out")))
     if path.suffix == ".csv":
         trials.to_dataframe().map(cell).to_csv(path, index=False)
     elif path.suffix == ".nc":
         with hdf5.written(path) as file:
-            trials.to_netcdf(file, engine="h5netcdf")
+            known.to_netcdf(file, engine="h5netcdf")
     else:
         raise _other_format(path, [".csv", ".nc"])
 

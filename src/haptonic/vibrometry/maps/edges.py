@@ -13,7 +13,7 @@ from scipy.interpolate import make_interp_spline
 
 from haptonic.errors import ScanError
 from haptonic.response import FrequencyResponse
-from haptonic.vibrometry.maps.noise import averages_of, noise_power
+from haptonic.vibrometry.maps.noise import HIDDEN, averages_of, noise_power
 from haptonic.vibrometry.maps.waves import Axis
 from haptonic.vibrometry.planning import Rectangle
 
@@ -121,7 +121,7 @@ def fading(response: FrequencyResponse, strips: Sequence[Strip]) -> xr.DataArray
         20 * np.abs(np.log10(np.abs(multiplier))),
         dims=("frequency", "phase"),
         coords={"frequency": response.dataset["frequency"], "phase": ("phase", phases, {"units": "rad"})},
-        attrs={"units": "dB/cell"}, name="fading",
+        attrs={"units": "dB/cell"} | HIDDEN, name="fading",
     )  # fmt: skip
 
 

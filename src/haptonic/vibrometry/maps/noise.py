@@ -17,7 +17,7 @@ Bools = NDArray[np.bool_]
 
 LINES = 256  # that are converted to double precision at a time
 TRUSTED = 0.125  # dB, standard error up to which a level is told: four of them are half a decibel
-HIDDEN = "noise hides it"
+HIDDEN = {WORD: "noise hides it"}
 DECIBELS = 10 / np.log(10)  # of a small relative change of a power
 
 
@@ -73,22 +73,23 @@ def clean_rms(response: FrequencyResponse, region: str) -> xr.DataArray:
     """
     power, error = region_power(response, response.inside(region))
     values = np.sqrt(np.where(_decibels(power, error) <= TRUSTED, power, np.nan))
-    return spectrum(response, values, response.units).assign_attrs({WORD: HIDDEN})
+    return spectrum(response, values, response.units).assign_attrs(HIDDEN)
 
 
 def clean_contrast(response: FrequencyResponse, over: Bools, under: Bools) -> xr.Dataset:
     """``level`` of some points over others without noise, and its standard ``error``, dB against frequency.
 
-    A level is NaN where its error is above `TRUSTED`: what the coherence leaves is not enough to tell it. An
+    A level is NaN where its error is above `TRUSTED`: what the coherence leaves is not enough to tell it. The
     error is NaN where nothing but noise is left.
     """
     (upper, upper_error), (lower, lower_error) = (region_power(response, one) for one in (over, under))
     error = np.hypot(_decibels(upper, upper_error), _decibels(lower, lower_error))
     with np.errstate(divide="ignore", invalid="ignore"):
         level = np.where(error <= TRUSTED, 10 * np.log10(upper / lower), np.nan)
-    error = np.where(np.isfinite(error), error, np.nan)
-    columns = {"level": spectrum(response, level, "dB"), "error": spectrum(response, error, "dB")}
-    return xr.Dataset({name: one.assign_attrs({WORD: HIDDEN}) for name, one in columns.items()})
+    rows = {"level": level, "error": np.where(np.isfinite(error), error, np.nan)}
+    return xr.Dataset(
+        {name: spectrum(response, row, "dB").assign_attrs(HIDDEN) for name, row in rows.items()}
+    )
 
 
 def _decibels(power: Array, error: Array) -> Array:

@@ -1,0 +1,89 @@
+"""Thin plates: plain ones against Kirchhoff's, and what a mesh is foreseen to cost."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from strategies import ALUMINIUM, reference_cell
+
+from haptonic.bloch.model import BlochModel, bloch_model, worst_error
+from haptonic.bloch.resolution import LADDER, LONGEST, check_cost
+from haptonic.cell import Pillar, UnitCell
+from haptonic.errors import NumericalError, ResourceError
+from haptonic.lattice import Lattice
+from haptonic.solvers import chosen
+from haptonic.superelement import condense_by_parts
+
+PITCH = 6e-3
+PARTS = {"argument", "given", "allowed", "cause", "next_step"}
+
+
+def thin_cell(thickness, diameter=0.0, height=0.5):
+    pillar = Pillar(PITCH * diameter, PITCH * height) if diameter else None
+    return UnitCell(Lattice.square(PITCH), PITCH * thickness, ALUMINIUM, pillar)
+
+
+def kirchhoff(cell, kappa, count):
+    """Frequencies of bending waves of a plain plate, Hz: omega = k^2 sqrt(D / (rho h))."""
+    solid, orders = cell.material, np.arange(-5, 6)
+    bending = solid.youngs_modulus * cell.thickness**2 / 12 / (1 - solid.poisson_ratio**2) / solid.density
+    square = np.add.outer((kappa[0] + 2 * np.pi * orders) ** 2, (kappa[1] + 2 * np.pi * orders) ** 2)
+    return np.sqrt(bending) * np.sort(square.ravel())[:count] / PITCH**2 / (2 * np.pi)
+
+
+@given(st.floats(0.0045, 0.02), st.floats(0.3, np.pi), st.floats(0.0, 0.3))
+@settings(max_examples=3)
+def test_plain_thin_plates_bend_as_kirchhoff_says(thickness, along, across):
+    cell, kappa = thin_cell(thickness), np.array([along, across])
+    model = BlochModel.of(cell, LADDER[1], 10)
+    assert worst_error(model) <= 2e-3
+    above = model.frequencies(kappa) / kirchhoff(cell, kappa, 10) - 1
+    assert above.max() < 1e-3
+    assert above.min() > -40 * thickness**2 - 1e-3  # shear and rotation, which that theory leaves out
+
+
+@given(st.floats(1e-5, 0.9))
+def test_a_refusal_by_cost_names_what_was_reached(reached):
+    with pytest.raises(ResourceError) as caught:
+        check_cost(thin_cell(0.01, 0.5), LADDER[3], 2e-3, 0.0, reached)
+    allowed = caught.value.allowed.split()[0]
+    assert reached <= float(allowed) * (1 + 1e-12) <= 1.2 * reached
+
+
+@given(st.floats(0.005, 0.3), st.floats(0.05, 0.97), st.floats(0.05, 6.0), st.sampled_from([10, 60]))
+def test_what_a_first_mesh_takes_is_foreseen(thickness, diameter, height, count):
+    """It is started within the limit, or refused before it is."""
+    cell = thin_cell(thickness, diameter, height)
+    tried = LADDER[1].for_bands(count)
+    if tried.seconds(cell) <= LONGEST:
+        assert check_cost(cell, tried, 2e-3) == tried.seconds(cell)
+    else:
+        with pytest.raises(ResourceError) as caught:
+            check_cost(cell, tried, 2e-3)
+        assert caught.value.parts().keys() == PARTS
+
+
+def test_more_digits_may_take_longer():
+    cell = reference_cell()
+    for accuracy, rung in ((1e-4, 5), (1e-5, 7)):
+        assert check_cost(cell, LADDER[rung], accuracy) > LONGEST / 4
+
+
+@pytest.mark.parametrize("diameter", [0.0, 0.5])
+def test_a_stiffness_that_is_not_definite_ends_in_five_parts(monkeypatch, diameter):
+    def spoilt(*_, **__):
+        raise np.linalg.LinAlgError("the matrix is not definite")
+
+    monkeypatch.setattr(chosen(), "factorise", spoilt)
+    cell = replace(thin_cell(0.2, diameter), thickness=1.23e-3)
+    with pytest.raises(NumericalError) as caught:
+        condense_by_parts(cell, LADDER[0].plan(cell))
+    assert caught.value.parts().keys() == PARTS
+
+
+@pytest.mark.nightly
+@pytest.mark.parametrize("size", [(0.005, 0.5, 13 / 6), (0.01, 0.5, 0.5), (0.03, 0.2, 0.1)])
+def test_thin_plates_with_pillars_are_answered(size):
+    assert bloch_model(thin_cell(*size), 10, 2e-3).resolution.order <= 5
