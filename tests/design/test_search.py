@@ -366,17 +366,24 @@ def test_a_search_is_at_least_as_good_as_a_scan(cheap, seed, kept):
     assert all(low <= found.values[path] <= high for path, (low, high) in brief.bounds.items())
 
 
-@settings(max_examples=100)
-@given(st.lists(st.floats(0, 1), min_size=3, max_size=3), st.floats(3, 16))
-def test_a_design_is_written_in_whole_micrometres_and_stays_allowed(place, slenderness):
+@settings(max_examples=200)
+@given(st.lists(st.floats(0, 1), min_size=3, max_size=3), st.floats(4, 8), st.floats(0, 1e-6))
+def test_a_design_is_written_in_whole_micrometres_and_stays_allowed(place, slenderness, off):
+    """Where a climb ends: as slender as allowed, or at a bound, which need not be whole micrometres."""
     brief = glass(slenderness=slenderness)
-    share = brief.feasible(np.array(place))
+    brief = replace(
+        brief, bounds={path: (low + off, high - off) for path, (low, high) in brief.bounds.items()}
+    )
+    share = np.array(place)
+    low, high = brief.box[1]
+    share[1] = np.clip((slenderness * brief.values(share)[0] - low) / (high - low), 0, 1)
+    assume(brief.allows(share))
     values = _rounded(brief, Visited(share, 3, 1.0, 2.0, 0.0))
     assert tuple(values) == brief.paths
     for value, exact, (low, high) in zip(values.values(), brief.values(share), brief.box, strict=True):
         assert 1e6 * value == pytest.approx(round(1e6 * value), abs=1e-6)
-        assert abs(value - exact) < 1e-6
-        assert low <= value <= high
+        assert abs(value - exact) <= 1e-5  # a micrometre of diameter is worth up to eight of height
+        assert low - 1e-12 <= value <= high + 1e-12
     assert brief.allows(brief.share(changed(brief.cell, values)))
 
 
@@ -474,7 +481,7 @@ class TestRefusal:
             assert by > 0
             assert by == pytest.approx(max(low - carrier / 1e3, carrier / 1e3 - high), abs=0.02)
         elif visit.is_open(carrier):
-            assert visit.margin > 0
+            assert visit.margin >= 0
             assert not exact
             assert "holds it in the coarse model" in refusal.cause
         else:

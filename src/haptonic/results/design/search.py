@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import itertools
 import json
 import math
 from collections.abc import Callable, Mapping, Sequence
@@ -14,7 +13,7 @@ import xarray as xr
 from numpy.typing import NDArray
 
 from haptonic.bloch import Gap, gaps_of
-from haptonic.design.brief import Brief
+from haptonic.design.brief import SLACK, Brief
 from haptonic.design.parameters import UNITS, changed
 from haptonic.design.search import Column, Visited, distinct, spread, starts_of
 from haptonic.errors import HaptonicError
@@ -223,21 +222,29 @@ class _Search:
 def _rounded(brief: Brief, visit: Visited) -> dict[str, float]:
     """Values of a design by path (SI), as a workshop would write them: lengths in whole micrometres.
 
-    Each is one of the two next to the exact value: the nearest that break no bound and no limit together.
+    The nearest ones inside the bounds; where these break a limit, single micrometres are given until none is
+    broken. A micrometre less of diameter may cost several of height, so that neighbours alone do not do.
     """
-    exact = brief.values(visit.share)
-    choices = []
-    for path, value, (low, high) in zip(brief.paths, exact, brief.box, strict=True):
-        whole = [math.floor(value * 1e6) / 1e6, math.ceil(value * 1e6) / 1e6] if UNITS[path] == "m" else []
-        choices.append([v for v in whole if low <= v <= high] or [value])
-    lowest, highest = brief.box.T
-    span = highest - lowest
-    near = sorted(
-        itertools.product(*choices),
-        key=lambda values: float((np.abs(np.array(values) - exact) / span).sum()),
-    )
-    allowed = (values for values in near if brief.allows((np.array(values) - lowest) / span))
-    return dict(zip(brief.paths, next(allowed, near[0]), strict=True))
+    exact, (low, high) = np.array(brief.values(visit.share)), brief.box.T
+    least, most = np.ceil(np.round(low * 1e6, 6)), np.floor(np.round(high * 1e6, 6))
+    whole = np.array([UNITS[path] == "m" for path in brief.paths]) & (least <= most)
+
+    def valued(micrometres: Array) -> Array:
+        return np.where(whole, micrometres / 1e6, exact)
+
+    def broken(micrometres: Array) -> float:
+        rooms = brief.limits((valued(micrometres) - low) / (high - low)).values()
+        return -sum(min(room + SLACK, 0.0) for room in rooms)
+
+    found, steps = np.clip(np.round(exact * 1e6), least, most), np.eye(len(exact))[whole]
+    while broken(found) > 0:
+        near = [np.clip(found + step, least, most) for step in (*steps, *-steps)]
+        best = min(near, key=broken, default=found)
+        if broken(best) >= broken(found):
+            break  # no whole micrometres meet the limits, or one limit is met at the cost of another
+        found = best
+    values = valued(found)
+    return dict(zip(brief.paths, values.tolist(), strict=True))
 
 
 def _upward(share: float) -> float:
