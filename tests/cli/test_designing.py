@@ -290,7 +290,7 @@ class TestTolerance:
         [
             ("cell.pillar.diameter", "2 mm", "wider than the cell"),
             ("cell.thickness", "0.6 mm", "wrong sign"),
-            ("material.youngs_modulus", "40 GPa", "stable solid"),
+            ("material.youngs_modulus", "40 GPa", "outside the range"),
         ],
     )
     def test_spreads_that_make_no_body(self, here, asking, name, spread, words):
