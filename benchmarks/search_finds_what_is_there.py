@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import argparse
 import itertools
+import json
 import tempfile
 import time
 from pathlib import Path
@@ -22,12 +23,12 @@ from haptonic.cell import Pillar, UnitCell
 from haptonic.design.brief import Brief
 from haptonic.design.parameters import changed
 from haptonic.design.quick import edges_of
-from haptonic.errors import HaptonicError, StudyError
+from haptonic.errors import HaptonicError
 from haptonic.lattice import Lattice
 from haptonic.materials import IsotropicMaterial, material
 from haptonic.results import Runner, compute_design
 from haptonic.results.common import Asked
-from haptonic.store import Store
+from haptonic.store import Store, write_atomically
 from haptonic.study.asking import DesignSection
 
 MATERIALS = ("aluminium-paper", "soda-lime-glass", "borosilicate-glass", "brass", "steel")
@@ -116,7 +117,7 @@ def searched(brief: Brief, runner: Runner) -> dict[str, Any]:
             brief, ASKED, starts=section.starts, climbs=section.climbs, steps=section.steps, inputs={},
             runner=runner,
         )  # fmt: skip
-    except StudyError as refusal:
+    except HaptonicError as refusal:
         return {"margin": None, "cause": refusal.cause, "cpu_s": time.process_time() - start}
     return {
         "margin": design.margin / brief.carrier,
@@ -126,26 +127,37 @@ def searched(brief: Brief, runner: Runner) -> dict[str, Any]:
     }
 
 
-def main(count: int, seed: int) -> None:
+def compared(brief: Brief) -> dict[str, Any]:
+    """Search and scan of a brief, nothing having been computed before."""
+    with tempfile.TemporaryDirectory() as folder:
+        runner = Runner(Store(Path(folder)))
+        search = searched(brief, runner)
+        start = time.process_time()
+        found = scanned(brief)
+        best = confirmed(brief, found, runner)
+    return {
+        "carrier_hz": brief.carrier,
+        "material": brief.cell.material.name,
+        "varied": len(brief.paths),
+        "slenderness": brief.slenderness,
+        "scan": {"designs": len(found), "margin": best, "cpu_s": time.process_time() - start},
+        "search": search,
+        "as_good": best is None or bool((search["margin"] or -1.0) >= best - TOLERANCE),
+    }
+
+
+def main(count: int, seed: int, parts: Path) -> None:
+    """Each brief has a file among the parts; what a run that was ended has left there is not run again."""
+    parts.mkdir(parents=True, exist_ok=True)
     rows = []
     for number, brief in enumerate(drawn(count, seed)):
-        with tempfile.TemporaryDirectory() as folder:
-            runner = Runner(Store(Path(folder)))
-            search = searched(brief, runner)
-            start = time.process_time()
-            found = scanned(brief)
-            best = confirmed(brief, found, runner)
-        row = {
-            "carrier_hz": brief.carrier,
-            "material": brief.cell.material.name,
-            "varied": len(brief.paths),
-            "slenderness": brief.slenderness,
-            "scan": {"designs": len(found), "margin": best, "cpu_s": time.process_time() - start},
-            "search": search,
-            "as_good": best is None or (search["margin"] or -1.0) >= best - TOLERANCE,
-        }
-        rows.append(row)
-        print(number + 1, row, flush=True)
+        part = parts / f"{seed}-{number}.json"
+        if not part.exists():
+            write_atomically(
+                part, lambda path, brief=brief: path.write_text(json.dumps(compared(brief)), "utf-8")
+            )
+        rows.append(json.loads(part.read_text("utf-8")))
+        print(number + 1, rows[-1], flush=True)
     write("search_finds_what_is_there", {"seed": seed, "tolerance": TOLERANCE, "briefs": rows})
 
 
@@ -153,5 +165,7 @@ if __name__ == "__main__":
     parser = argparse.ArgumentParser()
     parser.add_argument("--briefs", type=int, default=20)
     parser.add_argument("--seed", type=int, default=1)
+    parser.add_argument("--parts", type=Path, help="folder that keeps what was done, for a run that goes on")
     arguments = parser.parse_args()
-    main(arguments.briefs, arguments.seed)
+    with tempfile.TemporaryDirectory() as folder:
+        main(arguments.briefs, arguments.seed, arguments.parts or Path(folder))

@@ -14,9 +14,10 @@ from hypothesis import strategies as st
 from strategies import ALUMINIUM, reference_cell
 
 from haptonic.bloch import BlochModel, Resolution, bands_dataset, bloch_pencil, gaps_of
+from haptonic.bloch import gaps as gaps_module
 from haptonic.bloch.bands import count_check
 from haptonic.bloch.character import NAMES, characters
-from haptonic.bloch.gaps import complete_gaps
+from haptonic.bloch.gaps import SEARCH_GOAL, complete_gaps
 from haptonic.bloch.pencil import eigenpairs
 from haptonic.bloch.symmetry import clusters, mirrors_at, sorted_by_parity
 from haptonic.bloch.tracking import group_velocity
@@ -504,6 +505,48 @@ def test_every_band_holds_one_state_per_cell():
     inside = (edges[:-1] > gap.lower) & (edges[1:] < gap.upper)
     assert inside.any()
     assert np.abs(density[inside]).max() == 0
+
+
+@settings(deadline=None)
+@given(
+    st.floats(1e3, 1e6),
+    st.floats(-12, -1).map(lambda power: 10**power),
+    st.tuples(*[st.sampled_from([0.0, 1e-9, 2e-5, 1e-4, 1e-3])] * 2),
+    st.tuples(*[st.sampled_from([1e-6, 1e-4, 2e-3])] * 2),
+)
+def test_a_gap_of_no_width_is_none_and_an_uncertain_one_is_listed(lower, width, doubts, errors):
+    """Of two bands, whose edges, what the zone's search leaves open and the mesh's errors are given."""
+    edges = lower, lower * (1 + width)
+
+    class Zone:
+        def __init__(self, model):
+            self.kappa, self.frequency = [np.zeros(2)], [np.array(edges)]
+
+        def edge(self, band, sign):
+            return edges[band], np.zeros(2), doubts[band] * lower
+
+    class Solved:
+        error = np.array(errors) * lower
+
+    class Model:
+        count = 2
+
+        def solve(self, kappa):
+            return Solved
+
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(gaps_module, "ZoneSampling", Zone)
+        found = complete_gaps(Model())
+    if width < min(1e-5, sum(errors)) or width < sum(doubts):
+        assert not found
+    if width > sum(doubts) + sum(errors) + 1e-9:
+        assert found
+        assert found[0].certain
+    if width > sum(doubts) + 1.01 * SEARCH_GOAL:
+        assert found
+        assert found[0].lower_error >= doubts[0] * lower
+    for gap in found:
+        assert gap.width > 0
 
 
 def test_density_of_a_cone_rises_in_proportion_to_frequency():

@@ -10,7 +10,7 @@ import pytest
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
-from haptonic.bloch import Resolution, gaps_of
+from haptonic.bloch import Gap, Resolution, gaps_of
 from haptonic.cell import Pillar, Step, UnitCell
 from haptonic.design import quick, search
 from haptonic.design.brief import LEAST_GAP, Brief, Finger
@@ -20,8 +20,10 @@ from haptonic.design.search import Column, Visited, climb, spread, starts_of
 from haptonic.errors import ResourceError, StudyError
 from haptonic.lattice import Lattice
 from haptonic.materials import IsotropicMaterial, material
-from haptonic.results import Runner, compute_design, design
+from haptonic.results import Runner, compute_design
 from haptonic.results.common import Asked
+from haptonic.results.design import refusals, tasks
+from haptonic.results.design.search import _rounded
 from haptonic.store import Store
 
 MM = 1e-3
@@ -353,7 +355,7 @@ def test_a_search_is_at_least_as_good_as_a_scan(cheap, seed, kept):
     grid = np.stack(np.meshgrid(*(np.linspace(0, 1, n) for n in lines)), axis=-1).reshape(-1, len(lines))
     scan = [Column.of(brief, place[None]).best(brief.carrier)[0][1] for place in grid if brief.allows(place)]
     visit = max((one for one in scan if one.is_open(brief.carrier)), key=lambda one: one.margin)
-    gaps = gaps_of(design.gap_dataset((brief.at(visit.share), ASKED, visit.band)))
+    gaps = gaps_of(tasks.gap_dataset((brief.at(visit.share), ASKED, visit.band)))
     (best,) = (gap for gap in gaps if gap.between[0] == visit.band)
     found = searched(brief, kept)
     assert min(brief.carrier - best.lower, best.upper - brief.carrier) > 0.01 * brief.carrier
@@ -364,15 +366,36 @@ def test_a_search_is_at_least_as_good_as_a_scan(cheap, seed, kept):
     assert all(low <= found.values[path] <= high for path, (low, high) in brief.bounds.items())
 
 
+@settings(max_examples=200)
+@given(st.lists(st.floats(0, 1), min_size=3, max_size=3), st.floats(4, 8), st.floats(0, 1e-6))
+def test_a_design_is_written_in_whole_micrometres_and_stays_allowed(place, slenderness, off):
+    """Where a climb ends: as slender as allowed, or at a bound, which need not be whole micrometres."""
+    brief = glass(slenderness=slenderness)
+    brief = replace(
+        brief, bounds={path: (low + off, high - off) for path, (low, high) in brief.bounds.items()}
+    )
+    share = np.array(place)
+    low, high = brief.box[1]
+    share[1] = np.clip((slenderness * brief.values(share)[0] - low) / (high - low), 0, 1)
+    assume(brief.allows(share))
+    values = _rounded(brief, Visited(share, 3, 1.0, 2.0, 0.0))
+    assert tuple(values) == brief.paths
+    for value, exact, (low, high) in zip(values.values(), brief.values(share), brief.box, strict=True):
+        assert 1e6 * value == pytest.approx(round(1e6 * value), abs=1e-6)
+        assert abs(value - exact) <= 1e-5  # a micrometre of diameter is worth up to eight of height
+        assert low - 1e-12 <= value <= high + 1e-12
+    assert brief.allows(brief.share(changed(brief.cell, values)))
+
+
 class TestWhatCannotBeComputed:
     """A machine without the memory for some of the designs found."""
 
     @staticmethod
     def refusing(monkeypatch, refuses):
-        computed, tried = design.gap_dataset, []
+        computed, tried = tasks.gap_dataset, []
 
         def too_large(argument):
-            tried.append(argument[0])
+            tried.append(argument)
             if refuses(tried):
                 raise ResourceError(
                     argument="bands.accuracy", given="0.002", allowed="what fits into 8 GB",
@@ -380,7 +403,7 @@ class TestWhatCannotBeComputed:
                 )  # fmt: skip
             return computed(argument)
 
-        monkeypatch.setattr(design, "gap_dataset", too_large)
+        monkeypatch.setattr(tasks, "gap_dataset", too_large)
         return tried
 
     def test_one_is_left_out_and_named(self, cheap, monkeypatch, kept):
@@ -393,7 +416,7 @@ class TestWhatCannotBeComputed:
         (left,) = found.left_out
         assert left["cause"] == "37 GB would be needed"
         assert left["values"].keys() == found.values.keys()
-        assert left["values"]["cell.pillar.height"] == pytest.approx(tried[0].pillar.height, abs=1e-6)
+        assert left["values"]["cell.pillar.height"] == pytest.approx(tried[0][0].pillar.height, abs=1e-6)
         assert found.to_json()["left_out"] == [left]
 
     def test_if_none_can_be_the_best_is_told_all_the_same(self, cheap, monkeypatch, kept):
@@ -401,25 +424,45 @@ class TestWhatCannotBeComputed:
         with pytest.raises(ResourceError, match="37 GB") as refusal:
             searched(glass(), kept, replace(ASKED, accuracy=0.04))
         assert "cell.pillar.height = " in refusal.value.cause
-        assert "kHz" in refusal.value.cause
+        assert "in the coarse model, a gap" in refusal.value.cause
+        assert refusal.value.next_step == "ask for less accuracy"
+
+    def test_if_none_can_be_it_is_told_which_accuracy_can(self, cheap, monkeypatch, kept):
+        self.refusing(monkeypatch, lambda tried: tried[-1][1].accuracy < 0.02)
+        with pytest.raises(ResourceError, match="37 GB") as refusal:
+            searched(glass(), kept, replace(ASKED, accuracy=0.004))
+        accuracy = float(re.search(r"accuracy = (\S+) in \[bands\]", refusal.value.next_step)[1])
+        assert 0.02 <= accuracy <= 0.05
+        lower, upper = re.search(r"has a gap from (\S+) to (\S+) kHz", refusal.value.cause).groups()
+        assert float(lower) < 40 < float(upper)
+        assert searched(glass(), kept, replace(ASKED, accuracy=accuracy)).margin > 0
 
 
 class TestRefusal:
-    @settings(max_examples=60)
+    @settings(max_examples=100)
     @given(
         st.lists(st.sampled_from([0.0, 0.004, 0.5, 0.8, 1.0]), min_size=3, max_size=3),
         st.floats(1e3, 1e6),
         st.floats(-1e-2, 0.3),
-        st.floats(-0.3, 0.3),
+        st.floats(-0.3, 0.3).filter(lambda away: abs(away) > 1e-6),
+        st.booleans(),
+        st.lists(st.floats(0.3, 3.0), max_size=5),
     )
     def test_it_says_what_holds_a_design_back_and_does_not_contradict_itself(
-        self, place, carrier, width, away
+        self, place, carrier, width, away, exact, ends
     ):
+        """With ``away`` below zero a coarse gap may hold the carrier, while the exact one does not."""
         brief = glass(carrier, slenderness=9.0)
         share = brief.feasible(np.array(place))
-        lower = carrier * (1 + (abs(away) + 1e-6))
-        visit = Visited(share, 3, lower, lower + width * carrier, -abs(away) - 1e-6)
-        refusal = design._out_of_reach(brief, None, [visit], [visit])
+        lower = carrier * (1 + away)
+        visit = Visited(share, 3, lower, lower + width * carrier, min(-away, width + away))
+        best = None
+        if exact:
+            best = Gap(
+                (3, 4), 1.1 * carrier, 1.2 * carrier, 1.0, 1.0, (0.0, 0.0), (0.0, 0.0),
+                complete=True, direction="all", samples=9,
+            )  # fmt: skip
+        refusal = refusals.out_of_reach(brief, best, [visit], [visit], [end * carrier for end in ends])
         values = dict(zip(brief.paths, brief.values(share), strict=True))
         slender = values[HEIGHT] / values["cell.pillar.diameter"] > 0.992 * 9
         assert ("slenderness" in refusal.cause) == slender
@@ -428,18 +471,26 @@ class TestRefusal:
         held = "held back by" in refusal.cause
         assert held == ("widen" in refusal.next_step)
         assert held or not (at_bounds or slender)
-        if not visit.is_open(carrier):
-            assert "no design seen has a gap" in refusal.cause
+        beyond = sum(end <= 1 for end in ends)
+        assert (f"the 8 bands end below it in {beyond} of {len(ends)} " in refusal.cause) == (beyond > 0)
+        assert ("count" in refusal.next_step) == (beyond > 0)
+        missed = re.search(r"seen, (\S+) to (\S+) kHz, misses it by (\S+) kHz", refusal.cause)
+        if missed:
+            low, high, by = map(float, missed.groups())
+            assert low < high
+            assert by > 0
+            assert by == pytest.approx(max(low - carrier / 1e3, carrier / 1e3 - high), abs=0.02)
+        elif visit.is_open(carrier):
+            assert visit.margin >= 0
+            assert not exact
+            assert "holds it in the coarse model" in refusal.cause
         else:
-            low, high, missed = re.search(
-                r"seen, (\S+) to (\S+) kHz, misses it by (\S+) kHz", refusal.cause
-            ).groups()
-            assert float(low) < float(high)
-            assert float(missed) > 0
+            assert "no design seen has a gap" in refusal.cause
+            assert not exact
 
     @given(st.lists(st.floats(1e-2, 1e7), min_size=1, max_size=4))
     def test_frequencies_that_differ_read_so(self, frequencies):
-        words = design.in_khz(*frequencies)
+        words = refusals.in_khz(*frequencies)
         for a, first in zip(frequencies, words, strict=True):
             assert float(first) == pytest.approx(a / 1e3, abs=0.0051)
             assert float(first) > 0

@@ -24,7 +24,7 @@ from haptonic.materials import IsotropicMaterial
 from haptonic.results import Runner
 from haptonic.results.bands import compute_bands
 from haptonic.results.common import Asked
-from haptonic.results.design import _front_task, _look
+from haptonic.results.design.tasks import front_task, look_task
 from haptonic.results.feel.loading import Pad, compute_loaded
 from haptonic.results.plate.compute import compute_plate
 from haptonic.results.plate.question import PlateQuestion
@@ -72,11 +72,11 @@ def bands_key(cell: UnitCell, asked: Asked) -> object:
 
 
 def look_key(brief: Brief) -> object:
-    raise FoundError(content_key(_look(brief, np.array([0.5, 0.5])).key_inputs))
+    raise FoundError(content_key(look_task(brief, np.array([0.5, 0.5])).key_inputs))
 
 
 def front_key(brief: Brief) -> object:
-    raise FoundError(content_key(_front_task(brief, np.array([0.5, 0.5]), 3).key_inputs))
+    raise FoundError(content_key(front_task(brief, np.array([0.5, 0.5]), 3).key_inputs))
 
 
 def plate_key(plate: Any, question: PlateQuestion, fineness: Any) -> object:
@@ -192,7 +192,7 @@ def test_less_symmetry_than_the_lattice_is_another_cell():
 def test_shares_belong_to_the_order_of_their_paths():
     turned = with_field(BRIEF, "bounds", dict(reversed(BRIEF.bounds.items())))
     share = np.array([0.25, 0.5])
-    assert content_key(_look(BRIEF, share).key_inputs) != content_key(_look(turned, share).key_inputs)
+    assert content_key(look_task(BRIEF, share).key_inputs) != content_key(look_task(turned, share).key_inputs)
 
 
 def test_results_of_two_questions_that_were_exchanged_are_not_believed(tmp_path):

@@ -139,7 +139,11 @@ class ZoneSampling:
 
 
 def complete_gaps(model: BlochModel) -> tuple[Gap, ...]:
-    """Gaps between neighbouring bands that hold over the whole irreducible zone, lowest first."""
+    """Gaps between neighbouring bands that hold over the whole irreducible zone, lowest first.
+
+    One that is narrower than its errors may not exist and is listed all the same, as not certain; but not if
+    it is also too narrow for the search of the zone, which bands look like that symmetry makes touch.
+    """
     zone = ZoneSampling(model)
     gaps = []
     for band in range(model.count - 1):
@@ -148,22 +152,21 @@ def complete_gaps(model: BlochModel) -> tuple[Gap, ...]:
             continue  # finer sampling can only bring the bands closer
         lower, lower_kappa, lower_doubt = zone.edge(band, +1)
         upper, upper_kappa, upper_doubt = zone.edge(band + 1, -1)
-        if upper - lower <= lower_doubt + upper_doubt:
-            continue  # bands that touch somewhere between the samples look like this
-        gaps.append(
-            Gap(
-                between=(band + 1, band + 2),
-                lower=lower,
-                upper=upper,
-                lower_error=float(model.solve(lower_kappa).error[band]) + lower_doubt,
-                upper_error=float(model.solve(upper_kappa).error[band + 1]) + upper_doubt,
-                lower_kappa=_phases(lower_kappa),
-                upper_kappa=_phases(upper_kappa),
-                complete=True,
-                direction="all",
-                samples=len(zone.kappa),
-            )
+        gap = Gap(
+            between=(band + 1, band + 2),
+            lower=lower,
+            upper=upper,
+            lower_error=float(model.solve(lower_kappa).error[band]) + lower_doubt,
+            upper_error=float(model.solve(upper_kappa).error[band + 1]) + upper_doubt,
+            lower_kappa=_phases(lower_kappa),
+            upper_kappa=_phases(upper_kappa),
+            complete=True,
+            direction="all",
+            samples=len(zone.kappa),
         )
+        doubt = lower_doubt + upper_doubt  # bands that touch somewhere between the samples look like this
+        if gap.width > doubt and (gap.certain or gap.width > SEARCH_GOAL * gap.centre):
+            gaps.append(gap)
     return tuple(gaps)
 
 

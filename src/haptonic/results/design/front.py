@@ -1,0 +1,56 @@
+"""The widest margin against the pitch."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Mapping, Sequence
+from dataclasses import asdict
+
+import numpy as np
+import xarray as xr
+
+from haptonic.design.brief import Brief
+from haptonic.design.quick import QUICK
+from haptonic.gate import declared
+from haptonic.jobs import Task
+from haptonic.results.design.tasks import front_dataset, front_task, visits_of
+from haptonic.results.runner import Runner
+
+
+def compute_front(
+    brief: Brief, best: Mapping[str, float], pitches: Sequence[float], *, steps: int, runner: Runner
+) -> xr.Dataset:
+    """The widest margin that each of some pitches allows; each search starts from the best design, scaled.
+
+    NaN where no design is allowed at all.
+    """
+    asked: dict[float, Task] = {}
+    briefs = {pitch: brief.fixed("cell.pitch", pitch) for pitch in pitches}
+    for pitch, held in briefs.items():
+        scale = pitch / best["cell.pitch"]
+        scaled = np.array([best[p] * (scale if p.startswith("cell.pillar") else 1.0) for p in held.paths])
+        low, high = held.box.T
+        share = held.feasible(np.clip((scaled - low) / (high - low), 0.0, 1.0))
+        if held.allows(share):
+            asked[pitch] = front_task(held, share, steps)
+    datasets = runner.run(front_dataset, list(asked.values()), 0)
+    names = [path for path in brief.paths if path != "cell.pitch"]
+    columns = {name: np.full(len(pitches), np.nan) for name in ("lower", "upper", "margin")}
+    values = np.full((len(pitches), len(names)), np.nan)
+    for pitch, dataset in zip(asked, datasets, strict=True):
+        row = list(pitches).index(pitch)
+        end = max(visits_of(dataset), key=lambda visit: visit.margin)
+        values[row] = briefs[pitch].values(end.share)
+        for name, column in columns.items():
+            column[row] = getattr(end, name)
+    units = {"lower": "Hz", "upper": "Hz", "margin": "1"}
+    front = xr.Dataset(
+        {
+            "pitch": ("design", np.asarray(pitches), {"units": "m"}),
+            **{name: ("design", column, {"units": units[name]}) for name, column in columns.items()},
+            "value": (("design", "parameter"), values, {"units": "SI"}),
+        },
+        coords={"parameter": names},
+        attrs={"carrier_hz": brief.carrier, "mesh": json.dumps(asdict(QUICK))},
+    )
+    return declared(front, **dict.fromkeys((*columns, "value"), "no design of this pitch is allowed"))
