@@ -166,7 +166,7 @@ def test_frequencies_scale_with_the_inverse_of_size(factor):
 
 
 @settings(max_examples=5)
-@given(st.floats(0.01, 100.0), st.floats(0.01, 100.0))
+@given(st.floats(0.01, 100.0), st.floats(0.01, 10.0))  # nothing is denser than osmium
 def test_frequencies_scale_with_the_root_of_stiffness_over_density(stiffer, denser):
     cell = reference_cell()
     other = IsotropicMaterial(70e9 * stiffer, 0.33, 2700.0 * denser, name="other")
