@@ -273,8 +273,12 @@ def candidate_models(
     """
     what = {"measured": not gaps_only, "many": not gaps_only}
     check_reach(cell, accuracy if resolution is None else math.inf)
+    refused = None
     for rung in LADDER[starting_rung(accuracy) :] if resolution is None else (resolution,):
-        tried = rung
+        plan = rung.for_bands(count).plan(cell)
+        if plan == refused:  # without a pillar rings make no difference
+            continue
+        tried, refused = rung, plan
         for growth in range(1 + MOST_GROWTH):
             check_memory(cell, tried, accuracy)
             model = BlochModel.of(cell, tried, count, **what)
