@@ -24,7 +24,7 @@ from record import ROOT, write
 from threadpoolctl import threadpool_limits
 
 sys.path.insert(0, str(ROOT / "tests" / "core"))
-from truth import KAPPA, KINDS, Drawn, Truth, drawn, truth
+from truth import KINDS, Drawn, Truth, drawn, truth, wavevectors
 
 from haptonic.bloch.model import REST, bloch_model
 from haptonic.errors import HaptonicError
@@ -58,7 +58,7 @@ def answered(question: Drawn) -> tuple[np.ndarray, np.ndarray, str, float]:
     start = time.process_time()
     with threadpool_limits(1):
         model = bloch_model(question.cell, question.count, question.accuracy)
-        solutions = [model.solve(kappa) for kappa in KAPPA]
+        solutions = [model.solve(kappa) for kappa in wavevectors(question.cell)]
     used = model.resolution
     mesh = f"order {used.order}, {used.foot_rings} rings, {used.steps} x {used.block}"
     frequency, error = (np.array([getattr(s, name) for s in solutions]) for name in ("frequency", "error"))

@@ -275,9 +275,12 @@ def candidate_models(
     ResourceError : the memory does not suffice, or all rungs of the ladder were refused
     """
     what = {"measured": not gaps_only, "many": not gaps_only}
-    spent, reached = 0.0, math.inf
+    spent, reached, refused = 0.0, math.inf, None
     for rung in LADDER[starting_rung(accuracy) :] if resolution is None else (resolution,):
-        tried = rung
+        plan = rung.for_bands(count).plan(cell)
+        if plan == refused:  # without a pillar rings make no difference
+            continue
+        tried, refused = rung, plan
         for growth in range(1 + MOST_GROWTH):
             check_memory(cell, tried, accuracy, reached)
             if resolution is None:

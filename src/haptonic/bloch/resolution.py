@@ -8,6 +8,7 @@ from dataclasses import dataclass, replace
 import psutil
 
 from haptonic.cell import MeshPlan, UnitCell
+from haptonic.cell.plan import USUAL_BANDS
 from haptonic.errors import ResourceError
 
 MEASURED = {
@@ -28,23 +29,26 @@ class Resolution:
     order : polynomial order of the elements; see `MeshPlan.suited`
     foot_rings : thin rings on either side of the pillar's foot
     steps, block : number and size of the blocks of the interior's Krylov space
+    bands : how many the mesh has to resolve
     """
 
     order: int
     foot_rings: int
     steps: int = 2
     block: int = 10
+    bands: int = USUAL_BANDS
 
     def for_bands(self, count: int) -> Resolution:
-        """The same with an interior that has room for as many bands."""
-        return replace(self, block=max(self.block, count))
+        """The same for so many bands: a mesh that resolves their waves, and more of the interior."""
+        block = max(self.block, count) if self.bands >= count else self.block * count // self.bands
+        return replace(self, block=block, bands=max(self.bands, count))
 
     def grown(self) -> Resolution:
         """The same with more of the interior: what is left out falls by about ten."""
         return replace(self, steps=self.steps + 1, block=self.block * 3 // 2)
 
     def plan(self, cell: UnitCell) -> MeshPlan:
-        return MeshPlan.suited(cell, self.order, self.foot_rings)
+        return MeshPlan.suited(cell, self.order, self.foot_rings, self.bands)
 
     def _meshed(self, cell: UnitCell) -> MeshPlan:
         """The plan without a prism's shaft, which takes next to nothing."""

@@ -5,6 +5,8 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass, replace
 
+import numpy as np
+
 from haptonic.cell.edges import bridges
 from haptonic.cell.geometry import UnitCell
 from haptonic.cell.pillar import Pillar
@@ -22,6 +24,9 @@ ALONG_MORE = 2
 # Most of the same through the plate, whose strain below the foot dies out over the pillar's width. A plate of
 # 1.8 diameters in one layer lost 0.1 % at orders 3 and 4, which no lower order told; two layers leave 0.03 %.
 PLATE_LAYER = 1.0
+# Bands whose waves the orders of an accuracy were chosen for, and the most that a single element should have
+# around a quarter turn: two of half as much, and one more, cost a third of it.
+USUAL_BANDS, MOST_AROUND = 10, 10
 
 
 @dataclass(frozen=True)
@@ -60,8 +65,11 @@ class MeshPlan:
         object.__setattr__(self, "along", self.along or self.upward)
 
     @classmethod
-    def suited(cls, cell: UnitCell, order: int, foot_rings: int) -> MeshPlan:
+    def suited(cls, cell: UnitCell, order: int, foot_rings: int, bands: int = USUAL_BANDS) -> MeshPlan:
         """Plan of similar errors in all directions, its elements not much longer than the pillar is wide.
+
+        More bands than usual are shorter waves: a polynomial needs pi orders for each wave along it before
+        it resolves anything, and gets as many more.
 
         Around the pillar an element spans a quarter turn and gets two orders more, and still more where a
         neck between round pillars that nearly touch is a small part of it. Cubic elements are too
@@ -70,26 +78,30 @@ class MeshPlan:
         error: there none has less than quintic ones. Along a pillar that is no prism, and so has no shaft,
         all get two orders more: bending of a slender one would err most of all there.
         """
-        if cell.pillar is None and cell.is_sheet:  # in order 4 it lost 1.5 % where one more left 0.6 %
-            return cls(round((order + 2) * SHEET_WAVES), 0, 0, outward=order + 3, upward=order, thin=order)
+        more = math.ceil(math.pi * max(_waves(cell, bands) - math.sqrt(USUAL_BANDS / math.pi), 0.0))
         if cell.pillar is None:
-            return cls(order + 2, 0, 0, outward=order, upward=order, thin=order)
+            sheet = cell.is_sheet  # in order 4 it lost 1.5 % where one more left 0.6 %
+            around, blocks = _divided((round((order + 2) * SHEET_WAVES) if sheet else order + 3) + more)
+            outward = (order + 3 if sheet else order) + more // 2
+            return cls(around, 0, 0, blocks=blocks, outward=outward, upward=order, thin=order)
         if cell.is_sheet:
             return cls._of_sheet(cell, cell.pillar, order, foot_rings)
         thin = cell.thickness < THIN_PLATE * cell.inradius
         turn = (order + 2) * max(1.0, WIDE_NECK / _neck(cell, cell.pillar)) * (SHORT_WAVES if thin else 1.0)
+        around, blocks = _divided(round(turn) + more) if more else (round(turn), 1)
         layers = _layers_along(cell.pillar)
         rings = max(foot_rings, 1) if cell.pillar.fillet else foot_rings  # the arc is an edge of elements
         upward = 4 if order == 3 else order
         return cls(
-            round(turn),
+            around,
             rings,
             layers[0],
             layers[1] if cell.pillar.step else 0,
             step_rings=foot_rings if cell.pillar.step else 0,
             bridges=bridges(cell, rings),
+            blocks=blocks,
             plate_layers=math.ceil(cell.thickness / (PLATE_LAYER * cell.pillar.diameter)),
-            outward=max(order, 5) if thin else 4 if order == 3 else order,
+            outward=(max(order, 5) if thin else 4 if order == 3 else order) + more // 2,
             upward=upward,
             along=upward + ALONG_MORE if _has_no_shaft(cell.pillar) else upward,
             thin=order,
@@ -214,6 +226,20 @@ def _neck(cell: UnitCell, pillar: Pillar, least: float = 0.0) -> float:
     if pillar.section == "square":
         return math.inf
     return math.sqrt(2 * cell.clearance * max(pillar.widest, least)) / cell.inradius
+
+
+def _waves(cell: UnitCell, bands: int) -> float:
+    """Wavelengths along the longer side of the cell that the last of so many bands of a plain plate has.
+
+    As many flexural waves fit into a circle about Gamma whose area is that of as many zones.
+    """
+    sides = np.linalg.norm(cell.lattice.vectors, axis=1)
+    return math.sqrt(bands / math.pi * sides.max() / sides.min())
+
+
+def _divided(order: int) -> tuple[int, int]:
+    """Order and number of the elements that resolve as much as a single one of ``order``."""
+    return (order, 1) if order <= MOST_AROUND else ((order + 1) // 2 + 1, 2)
 
 
 def _has_no_shaft(pillar: Pillar) -> bool:
