@@ -23,6 +23,8 @@ NAMES = (
     "fit_covers_the_truth",
 )  # fmt: skip
 
+WHOLE_SAMPLE = 120  # designs drawn over all classes that count as a proof of the estimates
+
 
 def table(heads: list[str], rows: list[list[Any]]) -> str:
     lines = [heads, ["---"] * len(heads), *rows]
@@ -161,7 +163,18 @@ def estimates(record: dict[str, Any]) -> str:
     ]  # fmt: skip
     heads = ["class", "designs", "answered", "refused", "too long", "frequencies", "estimate below true",
              "designs beyond the accuracy", "ratio: least", "median of designs", "seconds, median"]  # fmt: skip
+    drawn = record["rows"][-1]["designs"]
+    few = (
+        ""
+        if drawn >= WHOLE_SAMPLE
+        else (
+            f" **Only {drawn} designs were run for this record: it shows that the benchmark works and is no proof of the "
+            f"estimates, which takes {WHOLE_SAMPLE}.**"
+        )
+    )
     reasons = "".join(f"- {reason}\n" for reason in record["not_answered"])
+    if reasons:
+        few += " Not answered:"
     return f"""## Estimates hold
 
 Cells drawn over all that a study can say (seed {record["seed"]}; `python benchmarks/estimates_hold.py --seed 7` draws
@@ -169,7 +182,7 @@ others): round and square sections, fillets, drafts, steps, rectangular lattices
 Poisson ratios of -0.3 to 0.49; thickness 0.02 to 0.6, diameter 0.05 to 0.97, height 0.05 to 6 pitches; 10 to 30 bands
 at accuracies of 2.5e-2 to 5e-4, seven wavevectors. Compared with meshes of orders 5 to 7 with an interior space of
 several hundred fields, plain plates with Rayleigh and Lamb's waves. "Ratio" is the estimate over the true error.
-Each design had {record["limit_s"]:g} s of the processor. Not answered:
+Each design had {record["limit_s"]:g} s of the processor.{few}
 
 {reasons}
 {table(heads, rows)}
