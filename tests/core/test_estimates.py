@@ -29,7 +29,7 @@ def hertz(cell, plan: MeshPlan, count: int) -> np.ndarray:
 def test_what_the_interior_leaves_out_is_told_for_many_bands(number):
     """25 bands, among them those of a pillar that hardly moves the cell's sides."""
     cell, resolution, count = drawn(SEED, number).cell, Resolution(2, 1, 3, 24), 25
-    exact = hertz(cell, resolution.plan(cell), count)
+    exact = hertz(cell, resolution.for_bands(count).plan(cell), count)
     model = BlochModel.of(cell, resolution, count, measured=False, many=False)
     while model.omission > TRUSTED_OMISSION:
         model = BlochModel.of(cell, model.resolution.grown(), count, measured=False, many=False)

@@ -15,7 +15,15 @@ from threadpoolctl import threadpool_limits
 
 from haptonic.bloch.centred import CentredPencil, RealPencil
 from haptonic.bloch.pencil import Evaluated, Fields, eigenpairs
-from haptonic.bloch.resolution import LADDER, SHARED, Resolution, check_cost, check_memory, starting_rung
+from haptonic.bloch.resolution import (
+    LADDER,
+    SHARED,
+    Resolution,
+    check_cost,
+    check_memory,
+    check_thickness,
+    starting_rung,
+)
 from haptonic.cell import UnitCell
 from haptonic.errors import ResourceError
 from haptonic.lattice import Lattice
@@ -273,8 +281,10 @@ def candidate_models(
     Raises
     ------
     ResourceError : the memory does not suffice, or all rungs of the ladder were refused
+    GeometryError : a plate too thin to be computed
     """
     what = {"measured": not gaps_only, "many": not gaps_only}
+    check_thickness(cell)
     spent, reached, refused = 0.0, math.inf, None
     for rung in LADDER[starting_rung(accuracy) :] if resolution is None else (resolution,):
         plan = rung.for_bands(count).plan(cell)

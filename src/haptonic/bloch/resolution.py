@@ -9,7 +9,7 @@ import psutil
 
 from haptonic.cell import MeshPlan, UnitCell
 from haptonic.cell.plan import USUAL_BANDS
-from haptonic.errors import ResourceError
+from haptonic.errors import GeometryError, ResourceError
 
 MEASURED = {
     (3, 1): 0.3,
@@ -20,6 +20,10 @@ MEASURED = {
 }  # by order and rings, see `remaining`
 PER_ANSWER = 4e-7  # s, see `seconds`
 SHARED = 2.0  # of the worst band's relative distance to the next lower orders that every band's error gets
+
+# Rounding of a plate's stiffness grows as the fourth power of pitch over thickness: at 1/400 it spoilt the
+# estimates of a plain plate, and at 1/1000 it moved the lowest band by 0.7 %.
+LEAST_THICKNESS = 0.004  # of the longer pitch
 
 
 @dataclass(frozen=True)
@@ -71,11 +75,14 @@ class Resolution:
         order 5 with two rings; that of order 6 was measured on nine while the worst band's share was a
         quarter of this, and stands. With two rings or more the edge never leads up to order 6, which is taken
         to hold beyond. A plain plate has no edge. A step is another re-entrant edge, towards which the mesh
-        is graded as towards the foot.
+        is graded as towards the foot; above a fillet it is not, and
+        the edge is taken to lead from the start: of such designs the worst needed 0.35 of the distance.
         """
         if cell.pillar is None:
             return 0.25 if self.order > 2 else 0.5
         of_the_edge = max(0.5 / float((self.order / (self.order - 1)) ** (4 * 0.5445) - 1.0), 0.5)
+        if cell.pillar.step is not None and cell.pillar.fillet:  # its edge is not graded
+            return of_the_edge
         if self.foot_rings >= 2:
             return MEASURED.get((self.order, 2), MEASURED[6, 2])
         return MEASURED.get((self.order, self.foot_rings), of_the_edge)
@@ -168,6 +175,19 @@ def _rounded_up(value: float) -> float:
     """To two digits, never below it."""
     unit = 10.0 ** (math.floor(math.log10(value)) - 1)
     return math.ceil(value / unit) * unit
+
+
+def check_thickness(cell: UnitCell) -> None:
+    """Refuse a plate that is too thin for its pitch to be computed at all."""
+    longest = max(math.hypot(*cell.lattice.a1), math.hypot(*cell.lattice.a2))
+    if cell.thickness < LEAST_THICKNESS * longest:
+        raise GeometryError(
+            argument="cell.thickness",
+            given=f"{cell.thickness * 1e3:.4g} mm",
+            allowed=f"at least {LEAST_THICKNESS * longest * 1e3:.4g} mm, {LEAST_THICKNESS:g} of the pitch",
+            cause="on a plate as thin as this rounding spoils every frequency",
+            next_step="choose a thicker plate or a smaller pitch",
+        )
 
 
 def check_memory(cell: UnitCell, resolution: Resolution, accuracy: float, reached: float = math.inf) -> None:

@@ -10,9 +10,6 @@ from haptonic.errors import GeometryError
 from haptonic.lattice import Lattice
 from haptonic.materials import Material, is_symmetry
 
-# Rounding of a plate's stiffness grows as the fourth power of pitch over thickness: at 1/400 it spoilt the
-# estimates of a plain plate, and at 1/1000 it moved the lowest band by 0.7 %.
-LEAST_THICKNESS = 0.004  # of the longer pitch
 SHEET = 0.08  # thickness, in half pitches, below which a plate is thin
 SHEET_CLEARANCE = 3.0  # and so narrow a neck, in thicknesses, that it is none
 LEAST_CLEARANCE = 0.01  # of the pitch, between a pillar and the nearest side of its cell
@@ -49,16 +46,6 @@ class UnitCell:
                 allowed="a positive length",
                 cause="a size was left at zero or has the wrong sign",
                 next_step="give a positive length",
-            )
-        longest = max(math.hypot(*self.lattice.a1), math.hypot(*self.lattice.a2))
-        if self.thickness < LEAST_THICKNESS * longest:
-            raise GeometryError(
-                argument="cell.thickness",
-                given=f"{self.thickness * 1e3:.4g} mm",
-                allowed=f"at least {LEAST_THICKNESS * longest * 1e3:.4g} mm, "
-                f"{LEAST_THICKNESS:g} of the pitch",
-                cause="on a plate as thin as this rounding spoils every frequency",
-                next_step="choose a thicker plate or a smaller pitch",
             )
         if self.pillar is not None and self.clearance < LEAST_CLEARANCE * self.lattice.pitch:
             raise _too_wide(self.pillar, self.inradius - LEAST_CLEARANCE * self.lattice.pitch)

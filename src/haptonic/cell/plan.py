@@ -65,7 +65,7 @@ class MeshPlan:
         object.__setattr__(self, "along", self.along or self.upward)
 
     @classmethod
-    def suited(cls, cell: UnitCell, order: int, foot_rings: int, bands: int = USUAL_BANDS) -> MeshPlan:
+    def suited(cls, cell: UnitCell, order: int, foot_rings: int, bands: int | None = None) -> MeshPlan:
         """Plan of similar errors in all directions, its elements not much longer than the pillar is wide.
 
         More bands than usual are shorter waves: a polynomial needs pi orders for each wave along it before
@@ -78,10 +78,12 @@ class MeshPlan:
         error: there none has less than quintic ones. Along a pillar that is no prism, and so has no shaft,
         all get two orders more: bending of a slender one would err most of all there.
         """
-        more = math.ceil(math.pi * max(_waves(cell, bands) - math.sqrt(USUAL_BANDS / math.pi), 0.0))
+        waves = _waves(cell, bands) if bands else 0.0
+        more = math.ceil(math.pi * max(waves - math.sqrt(USUAL_BANDS / math.pi), 0.0))
         if cell.pillar is None:
             sheet = cell.is_sheet  # in order 4 it lost 1.5 % where one more left 0.6 %
-            around, blocks = _divided((round((order + 2) * SHEET_WAVES) if sheet else order + 3) + more)
+            around = round((order + 2) * SHEET_WAVES) if sheet else order + 2
+            around, blocks = _divided(around + more + bool(more))
             outward = (order + 3 if sheet else order) + more // 2
             return cls(around, 0, 0, blocks=blocks, outward=outward, upward=order, thin=order)
         if cell.is_sheet:
@@ -97,7 +99,7 @@ class MeshPlan:
             rings,
             layers[0],
             layers[1] if cell.pillar.step else 0,
-            step_rings=foot_rings if cell.pillar.step else 0,
+            step_rings=foot_rings if cell.pillar.step and not cell.pillar.fillet else 0,
             bridges=bridges(cell, rings),
             blocks=blocks,
             plate_layers=math.ceil(cell.thickness / (PLATE_LAYER * cell.pillar.diameter)),
@@ -137,9 +139,11 @@ class MeshPlan:
         With a single thin ring the order along z stays through the plate and, where the pillar is a prism,
         along it: what the foot leaves is most of the error then, the thin layer sees it, and thicker elements
         of lower order would err by far more. A pillar with draft or a step is meshed along z up to its top,
-        and what that leaves shows at a lower order only.
+        and what that leaves shows at a lower order only. Nor is there a thin layer at a step above a fillet:
+        graded towards both, elements of some designs had no volume at a corner.
         """
-        foot_leads = self.foot_rings == 1 and cell.pillar is not None
+        ungraded = cell.pillar is not None and cell.pillar.step is not None and not self.step_rings
+        foot_leads = self.foot_rings == 1 and cell.pillar is not None and not ungraded
         meshed_up = cell.pillar is not None and _has_no_shaft(cell.pillar)
         return replace(
             self,
