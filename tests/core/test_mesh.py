@@ -8,6 +8,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from strategies import ALUMINIUM, cells, lattices, plans, reference_cell
 
+from haptonic.bloch.model import bloch_model
 from haptonic.cell import HexMesh, MeshPlan, Pillar, UnitCell, mesh_cell
 from haptonic.cell.quadrature import lobatto
 from haptonic.errors import GeometryError
@@ -220,4 +221,4 @@ def test_a_fillet_that_reaches_beyond_the_cell_is_blamed_itself():
 @given(thickness=st.floats(1e-12, 2.39e-5))
 def test_plates_too_thin_for_any_digit_are_refused_at_once(thickness, pillar):
     with pytest.raises(GeometryError, match=r"cell\.thickness: got .*\n  allowed: at least 0\.024 mm"):
-        UnitCell(Lattice.square(6e-3), thickness, ALUMINIUM, pillar)
+        bloch_model(UnitCell(Lattice.square(6e-3), thickness, ALUMINIUM, pillar), 10, 2e-3)
