@@ -1,4 +1,13 @@
-"""All tiles of a plate together: one matrix on the skeleton, modes of the tiles eliminated at every shift."""
+"""All tiles of a plate together: one matrix on the skeleton, modes of the tiles eliminated at every shift.
+
+A tile has a trace b, which lies on the skeleton, and modes m of eigenvalues lambda that no other tile
+touches. At a shift s it adds to the matrix of the skeleton
+
+    D(s) = K_bb - s M_bb - s^2 M_bm (Lambda - s)^-1 M_mb,
+
+and below s lie as many eigenvalues of the plate as the sum of all D(s) has negative ones, plus the modes of
+tiles with lambda < s (Wittrick and Williams 1971, doi 10.1093/qjmam/24.3.263).
+"""
 
 from __future__ import annotations
 

@@ -21,7 +21,8 @@ class PlateModes:
     """Modes in ascending order, of the plate without the finger's stiffness and inertia.
 
     frequency : (k,) Hz; error : (k,) relative, bound from the residual
-    quality : (k,) quality factors with all losses, to first order; the finger's among them
+    quality : (k,) quality factors with all losses, the finger's among them, to first order: a part of loss
+        factor eta_j that stores the share E_j of a mode's strain energy adds eta_j E_j to 1 / Q
     stored : by part (k, blocks) shares of the strain energy
     lost : by part (k,) shares of the loss, supports and finger among them
     vectors : (size, k) of the assembly, modal mass 1

@@ -1,6 +1,14 @@
 """One unit cell, its interior condensed once (Craig and Bampton 1968, doi 10.2514/3.4741).
 
-Inside the cell a field is the static answer to its trace, plus modes that have no trace.
+Inside the cell a field is the static answer to its trace, plus modes that have no trace. With the unknowns
+split into trace b and interior i, and a lumped mass,
+
+    u_i = T u_b + Phi q,    K_ii T = -K_ib,    Phi^T M_ii Phi = 1,    Phi^T K_ii Phi = Lambda (diagonal),
+
+    K = [ K_bb + K_bi T   0      ]      M = [ M_bb + T^T M_ii T   T^T M_ii Phi ]
+        [ 0               Lambda ]          [ Phi^T M_ii T        1            ]
+
+on (u_b, q): static answers do no work on fields without a trace.
 """
 
 from __future__ import annotations
