@@ -196,10 +196,10 @@ class Interface:
         ])  # fmt: skip
         return Scattering(incident, np.arange(1, layers + 1), shares[:, 0], shares[:, 1])
 
-    def mirror(self, omega: float, loss_factor: float = 0.0) -> Mirror:
+    def mirror(self, omega: float, loss_factor: float = 0.0) -> HalfSpace:
         """The half-infinite lattice on the right of the interface."""
         lattice, _ = bloch_waves(self.slab.at(omega, loss_factor), omega)
-        return Mirror(*self.plate_waves(omega), lattice, self.trace)
+        return HalfSpace(*self.plate_waves(omega), lattice, self.trace)
 
     def _number(self, right: PlateWaves, family: str, omega: float) -> int:
         """Which of the waves is the one of a family with the interface's own wavenumber."""
@@ -210,7 +210,7 @@ class Interface:
 
 
 @dataclass(frozen=True)
-class Mirror:
+class HalfSpace:
     """A half-infinite lattice behind a plain plate, at one frequency and tangential wavenumber.
 
     incoming, outgoing : the plate's waves to the right and to the left, p of each

@@ -110,8 +110,8 @@ class Family:
                 thirds = np.stack([on_basis(form) for form in glue.stiffness])
                 bonds[name] = Bond3(glue.thickness, thirds, glue.nominal, on_basis(glue.slope))
         on_skeleton = basis[: model.assembly.free]
-        for bed in model.beds:
-            forms[support(bed.number)] = on_skeleton.T @ (bed.stiffness @ on_skeleton)
+        for foundation in model.foundations:
+            forms[support(foundation.number)] = on_skeleton.T @ (foundation.stiffness @ on_skeleton)
         for name in bonds:
             del forms[bond(name)]
         return cls(

@@ -57,9 +57,10 @@ def modes_between(band: Band, low: float, high: float) -> PlateModes:
             stored[part][:, group.blocks] += twice / values[:, None]
     loss = {part: factors[part].imag * stored[part].sum(axis=1) for part in factors}
     loss[SUPPORTS] = np.zeros(len(values))
-    for bed in model.beds:
-        energy = np.einsum("nk,nk->k", vectors[: assembly.free], bed.stiffness @ vectors[: assembly.free])
-        loss[SUPPORTS] += bed.loss_factor * energy / values
+    for foundation in model.foundations:
+        on_skeleton = vectors[: assembly.free]
+        energy = np.einsum("nk,nk->k", on_skeleton, foundation.stiffness @ on_skeleton)
+        loss[SUPPORTS] += foundation.loss_factor * energy / values
     loss[FINGER] = np.zeros(len(values))
     if (finger := model.plate.finger) is not None:
         motion = ((model.pad @ vectors) ** 2).sum(axis=0) / model.pad.shape[0]

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from threadpoolctl import threadpool_limits
 
 from haptonic.plate.assembly import Shifted
-from haptonic.plate.damping import Reduced, amplitudes, real_times
+from haptonic.plate.damping import ReducedExtra, amplitudes, real_times
 from haptonic.plate.keys import FINGER, PLATE, SUPPORTS, PartKey, dielectric
 from haptonic.plate.krylov import Basis
 from haptonic.plate.model import PlateModel
@@ -97,7 +97,7 @@ class ReducedPlate:
 
     model: PlateModel
     basis: Basis
-    extras: tuple[Reduced, ...]
+    extras: tuple[ReducedExtra, ...]
 
     @classmethod
     def of(cls, model: PlateModel, basis: Basis, omega: float) -> ReducedPlate:
@@ -244,11 +244,11 @@ class _Checker:
         residual = assembly.gathered(pieces)
         supports, lost_in_finger = np.zeros(count), np.zeros(count)
         norm = np.asarray(4 * sum(values.sum(1) for values in stored.values()))
-        for bed in model.beds:
-            force = bed.stiffness @ fields[: assembly.free]
-            residual[: assembly.free] += _times(force, 1 + 1j * bed.loss_factor)
+        for foundation in model.foundations:
+            force = foundation.stiffness @ fields[: assembly.free]
+            residual[: assembly.free] += _times(force, 1 + 1j * foundation.loss_factor)
             energy = (fields[: assembly.free] * force).sum(0).reshape(2, count).sum(0)
-            supports += 0.5 * omega * bed.loss_factor * energy
+            supports += 0.5 * omega * foundation.loss_factor * energy
             norm += energy
         if (finger := model.plate.finger) is not None:
             pad = model.pad

@@ -42,7 +42,7 @@ class Bounded:
 
 
 @dataclass(frozen=True)
-class Reduced:
+class CraigBampton:
     """A body on static answers to its boundary and on some interior modes (Craig and Bampton).
 
     static : (n, b), modes : (n, m) fields inside
@@ -60,7 +60,7 @@ class Reduced:
     omission: Array
 
 
-def reduced(solver: Factorised, body: Bounded, steps: int, block: int) -> Reduced:
+def reduced(solver: Factorised, body: Bounded, steps: int, block: int) -> CraigBampton:
     """Reduce a body whose interior stiffness ``solver`` has factorised; see `interior_modes`.
 
     The inertia F inside leaves a force that the modes Phi do not balance. To first order in what they miss,
@@ -90,7 +90,7 @@ def reduced(solver: Factorised, body: Bounded, steps: int, block: int) -> Reduce
     spread = la.block_diag(dual, np.eye(len(values)))
     omission = spread @ missing @ spread.T
     omission = 0.5 * (omission + omission.T)
-    return Reduced(static, modes, stiffness, mass, values, to_modes, omission)
+    return CraigBampton(static, modes, stiffness, mass, values, to_modes, omission)
 
 
 def _softest(stiffness: Array, mass: Array, count: int) -> tuple[Array, Array]:
