@@ -20,12 +20,12 @@ from haptonic.bloch.resolution import (
     SHARED,
     Resolution,
     check_cost,
-    check_memory,
     check_thickness,
-    starting_rung,
+    first_rung,
 )
 from haptonic.brillouin import IrreducibleZone
 from haptonic.cell import UnitCell
+from haptonic.cell.plan import USUAL_BANDS
 from haptonic.errors import ResourceError
 from haptonic.superelement import Superelement, condense_by_parts, definite, on_each
 
@@ -185,8 +185,8 @@ class BlochModel:
 
         def lowered() -> Evaluated:
             lower = condense_by_parts(cell, plan.lowered(cell), steps, block=block, measured=False)
-            # on a thin plate a first basis told 3 % where 0.06 % were to be told
-            checked = goal if cell.is_thin else np.inf
+            # of a thin plate, or of many bands, a first basis told 3 % where 0.06 % were to be told
+            checked = goal if cell.is_thin or count > USUAL_BANDS else np.inf
             return ReducedCell.of(lower, count, checked).pencil if many else CentredPencil.of(lower)
 
         # these matrices are too small for threads inside the linear algebra; both models share the threads
@@ -285,26 +285,28 @@ def candidate_models(
     """
     what = {"measured": not gaps_only, "many": not gaps_only}
     check_thickness(cell)
-    spent, reached, refused = 0.0, math.inf, None
-    for rung in LADDER[starting_rung(accuracy) :] if resolution is None else (resolution,):
-        plan = rung.for_bands(count).plan(cell)
+    spent, reached, refused, grown = 0.0, math.inf, None, 0
+    for rung in LADDER[first_rung(cell, accuracy) :] if resolution is None else (resolution,):
+        tried = rung.for_bands(count)
+        plan = tried.plan(cell)
         if plan == refused:  # without a pillar rings make no difference
             continue
-        tried, refused = rung, plan
-        for growth in range(1 + MOST_GROWTH):
-            check_memory(cell, tried, accuracy, reached)
-            if resolution is None:
-                spent += check_cost(cell, tried.for_bands(count), accuracy, spent, reached)
+        refused = plan
+        for _ in range(grown):  # what the mesh before lacked inside this one would lack as well
+            tried = tried.grown()
+        while True:
+            spent += check_cost(cell, tried, accuracy, spent, reached, timed=resolution is None)
             model = BlochModel.of(cell, tried, count, **what)
-            given_up = resolution is not None and growth == MOST_GROWTH
+            given_up = resolution is not None and grown == MOST_GROWTH
             if model.omission <= TRUSTED_OMISSION or given_up:
                 yield model
                 reached = min(reached, worst_error(model))
             # refused, or not to be trusted: a finer mesh where the mesh alone is too much, else more inside
-            enough = model.omission <= min(OMISSION_SHARE * accuracy, TRUSTED_OMISSION)
-            if enough or (resolution is None and worst_error(model) - model.omission > accuracy):
+            if model.omission <= min(OMISSION_SHARE * accuracy, TRUSTED_OMISSION) or grown == MOST_GROWTH:
                 break
-            tried = model.resolution.grown()
+            grown, tried = grown + 1, tried.grown()
+            if resolution is None and worst_error(model) - model.omission > accuracy:
+                break
     raise ResourceError(
         argument="bands.accuracy",
         given=f"{accuracy:g}",

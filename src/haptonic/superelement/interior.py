@@ -11,9 +11,9 @@ from numpy.typing import NDArray
 
 Array = NDArray[np.float64]
 
-# motions of the boundary whose inertia the interior's modes have to answer: some, and per direction of a
-# block; with 24 whatever the block, 25 bands lost up to ten times what the omission told
-SOFT_TRACES, SOFT_PER_DIRECTION = 4, 2
+# motions of the boundary whose inertia the interior's modes have to answer: these and as many as it gets
+# directions; with 24 whatever it gets, 25 bands lost up to ten times what the omission told
+SOFT_TRACES = 4
 DEPENDENT = 1e-13  # share of the largest inertia below which a direction repeats others
 EXTRA = 3  # random ones beside them, for modes that hardly touch the trace
 
@@ -78,7 +78,7 @@ def reduced(solver: Factorised, body: Bounded, steps: int, block: int) -> CraigB
         mass += crossed + crossed.T
         inertia += body.mass_coupling
     stiffness = body.outer_stiffness + body.coupling.T @ static
-    soft, dual = _softest(stiffness, mass, SOFT_TRACES + SOFT_PER_DIRECTION * block)
+    soft, dual = _softest(stiffness, mass, SOFT_TRACES + steps * block)
     force = inertia @ soft
     values, modes, dynamic, moved = interior_modes(solver, body.mass, force, steps, block)
     to_modes = inertia.T @ modes
