@@ -9,11 +9,15 @@ from __future__ import annotations
 from dataclasses import dataclass
 from functools import cached_property
 from itertools import pairwise
+from typing import Annotated, Literal
 
 import numpy as np
 from numpy.typing import NDArray
+from pydantic import Field
 
 from haptonic.errors import GeometryError
+from haptonic.fields import described, problem, remade, size
+from haptonic.units import format_quantity
 
 Array = NDArray[np.float64]
 Operation = tuple[tuple[int, int], tuple[int, int]]
@@ -48,54 +52,100 @@ class Path:
 
 
 @dataclass(frozen=True)
-class Lattice:
-    """Two translations ``a1``, ``a2`` in the plane of the plate (m) and what leaves them unchanged.
+class Symmetry:
+    """What leaves a kind of lattice unchanged.
 
-    ``point_group`` holds the operations as integer matrices on lattice coordinates; a cell that has less
-    symmetry than its lattice passes only the operations that it shares. ``zone`` is the irreducible zone
-    as a convex polygon of (label, phases in units of pi), walked in order by the path.
+    point_group : the operations as integer matrices on lattice coordinates
+    zone : the irreducible zone as a convex polygon of (label, phases in units of pi), walked in order by the
+        path
     """
 
-    name: str
-    a1: tuple[float, float]
-    a2: tuple[float, float]
     point_group: tuple[Operation, ...]
     zone: tuple[tuple[str, tuple[float, float]], ...]
 
+
+MIRRORS = (IDENTITY, MIRROR_X, MIRROR_Y, HALF_TURN)
+SYMMETRIES = {
+    "square": Symmetry(
+        (*MIRRORS, DIAGONAL, ((0, -1), (1, 0)), ((0, 1), (-1, 0)), ((0, -1), (-1, 0))),
+        (("Γ", (0.0, 0.0)), ("X", (1.0, 0.0)), ("M", (1.0, 1.0))),
+    ),
+    "rectangular": Symmetry(
+        MIRRORS, (("Γ", (0.0, 0.0)), ("X", (1.0, 0.0)), ("S", (1.0, 1.0)), ("Y", (0.0, 1.0)))
+    ),
+}
+
+
+@described("cell", GeometryError, kw_only=True)
+class Lattice:
+    """Two translations ``a1``, ``a2`` in the plane of the plate (m) and what leaves them unchanged.
+
+    ``pitch`` is also the yardstick of every geometric tolerance.
+
+    Raises
+    ------
+    GeometryError : a period that is not positive, or one too many or too few
+    """
+
+    name: Literal["square", "rectangular"] = Field(
+        alias="lattice", default="square", title="Lattice", description="How the cells repeat in the plane."
+    )
+    pitch: Annotated[float, size(100e-6, 100e-3)] = Field(
+        title="Pitch", description="Period of the lattice; along x for a rectangular one."
+    )
+    pitch_y: Annotated[float, size(100e-6, 100e-3)] | None = Field(
+        default=None, title="Pitch along y", description="Of a rectangular lattice only."
+    )
+
     def __post_init__(self) -> None:
-        if not (np.isfinite(self.vectors).all() and abs(np.linalg.det(self.vectors)) > 0):
-            raise GeometryError(
-                argument="cell.lattice",
-                given=f"a1 = {self.a1}, a2 = {self.a2}",
-                allowed="two finite translations that are not parallel",
-                cause="a pitch is zero or not a number",
-                next_step="give positive pitches",
+        if (self.name == "rectangular") != (self.pitch_y is not None):
+            missing = self.pitch_y is None
+            raise problem(
+                "nothing" if missing else format_quantity(self.pitch_y or 0.0, "m"),
+                "pitch_y for a rectangular lattice, and for no other",
+                "the second period was left out" if missing else f"a {self.name} lattice has one period only",
+                'add pitch_y = "7 mm"' if missing else 'remove pitch_y, or write lattice = "rectangular"',
+                at="pitch_y",
             )
 
     @classmethod
     def square(cls, pitch: float) -> Lattice:
         """Square lattice of period ``pitch`` (m)."""
-        mirrors = (IDENTITY, MIRROR_X, MIRROR_Y, HALF_TURN)
-        turned = (DIAGONAL, ((0, -1), (1, 0)), ((0, 1), (-1, 0)), ((0, -1), (-1, 0)))
-        zone = (("Γ", (0.0, 0.0)), ("X", (1.0, 0.0)), ("M", (1.0, 1.0)))
-        return cls("square", (pitch, 0.0), (0.0, pitch), mirrors + turned, zone)
+        return cls(lattice="square", pitch=pitch)
 
     @classmethod
     def rectangular(cls, pitch: float, pitch_y: float) -> Lattice:
         """Rectangular lattice of periods ``pitch`` along x and ``pitch_y`` along y (m)."""
-        zone = (("Γ", (0.0, 0.0)), ("X", (1.0, 0.0)), ("S", (1.0, 1.0)), ("Y", (0.0, 1.0)))
-        mirrors = (IDENTITY, MIRROR_X, MIRROR_Y, HALF_TURN)
-        return cls("rectangular", (pitch, 0.0), (0.0, pitch_y), mirrors, zone)
+        return cls(lattice="rectangular", pitch=pitch, pitch_y=pitch_y)
+
+    @property
+    def a1(self) -> tuple[float, float]:
+        """First translation, m."""
+        return self.pitch, 0.0
+
+    @property
+    def a2(self) -> tuple[float, float]:
+        """Second translation, m."""
+        return 0.0, self.pitch_y or self.pitch
+
+    @property
+    def point_group(self) -> tuple[Operation, ...]:
+        """The operations that leave the lattice unchanged, as integer matrices on lattice coordinates."""
+        return SYMMETRIES[self.name].point_group
+
+    @property
+    def zone(self) -> tuple[tuple[str, tuple[float, float]], ...]:
+        """(label, phases in units of pi) of each corner of the irreducible zone, in the order of the path."""
+        return SYMMETRIES[self.name].zone
+
+    def scaled(self, factor: float) -> Lattice:
+        """The same lattice with both periods multiplied by ``factor``."""
+        return remade(self, pitch=self.pitch * factor, pitch_y=self.pitch_y and self.pitch_y * factor)
 
     @cached_property
     def vectors(self) -> Array:
         """(2, 2): the rows are a1 and a2, m."""
         return np.array([self.a1, self.a2], dtype=float)
-
-    @property
-    def pitch(self) -> float:
-        """Length of the first translation, m; the yardstick of every geometric tolerance."""
-        return float(np.hypot(*self.a1))
 
     @property
     def area(self) -> float:

@@ -15,10 +15,16 @@ from haptonic.lattice import IDENTITY, Lattice
 phases = st.tuples(st.floats(-7, 7), st.floats(-7, 7))
 
 
+class Oblique(Lattice):
+    """A lattice that no file describes: nothing about wavevectors may need right angles."""
+
+    point_group = (IDENTITY,)
+    a1 = property(lambda self: (self.pitch, 0.2 * self.pitch))
+    a2 = property(lambda self: (-0.3 * self.pitch, 0.8 * self.pitch))
+
+
 def oblique(pitch: float) -> Lattice:
-    """A lattice that no class method makes: nothing about wavevectors may need right angles."""
-    zone = (("Γ", (0.0, 0.0)), ("X", (1.0, 0.0)), ("M", (1.0, 1.0)))
-    return Lattice("oblique", (pitch, 0.2 * pitch), (-0.3 * pitch, 0.8 * pitch), (IDENTITY,), zone)
+    return Oblique(pitch=pitch)
 
 
 @given(lattices() | pitches.map(oblique), phases)
@@ -40,9 +46,9 @@ def test_sizes(pitch, ratio):
 
 @pytest.mark.parametrize("pitch", [0.0, float("nan"), float("inf")])
 def test_a_pitch_that_spans_no_lattice_is_refused(pitch):
-    with pytest.raises(GeometryError, match="not parallel"):
+    with pytest.raises(GeometryError, match=r"cell\.pitch: "):
         Lattice.square(pitch)
-    with pytest.raises(GeometryError, match="not parallel"):
+    with pytest.raises(GeometryError, match=r"cell\.pitch_y: "):
         Lattice.rectangular(1e-3, pitch)
 
 

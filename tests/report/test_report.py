@@ -201,7 +201,7 @@ class TestChaptersLeftOut:
         assert "waveguide" not in chapter[: chapter.index("Comparison with the paper")]
 
     def test_a_plate_without_a_pillar_has_a_report(self):
-        cell = reference_study().cell.model_copy(update={"pillar": None})
+        cell = reference_study().cell.without_pillar()
         made = read(page(results(study=study_with(cell=cell, sweep_settings=()), sweeps=())))
         assert "pitch 7 mm; plate 1.5 mm" in made.text
 

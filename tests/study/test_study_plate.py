@@ -421,7 +421,7 @@ class TestLayout:
         pillars = sum(line.count("o") + line.count("f") for line in lines) * (layout.rows // len(lines))
         assert layout.pillars == pillars
         lattice = sum(layout.area(name) for name in layout.cells)
-        assert lattice == pytest.approx(pillars * cell.pitch * cell.pitch_y, rel=1e-12)
+        assert lattice == pytest.approx(pillars * cell.lattice.area, rel=1e-12)
 
     @settings(deadline=None, max_examples=60)
     @given(plates())
@@ -431,7 +431,7 @@ class TestLayout:
         for j in range(layout.columns):
             names = {LETTERS.get(line[j]) for line in lines}
             wide = [] if names & {"lattice", "fine"} else [widths[name] for name in names if name in widths]
-            expected = wide[0] if wide else study.cell.pitch
+            expected = wide[0] if wide else study.cell.lattice.pitch
             assert layout.x[j + 1] - layout.x[j] == pytest.approx(expected, rel=1e-9)
 
     @settings(deadline=None, max_examples=60)

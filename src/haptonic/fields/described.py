@@ -16,13 +16,15 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import fields
 from functools import wraps
-from typing import Any, TypeVar, cast, dataclass_transform
+from typing import Any, Self, TypeVar, cast, dataclass_transform
 
 from pydantic import BaseModel, ConfigDict, Field, ValidationError
 from pydantic.dataclasses import dataclass
 
 from haptonic.errors import HaptonicError, StudyError
+from haptonic.fields.keys import slots
 from haptonic.fields.problems import refusal
+from haptonic.fields.reading import arranged
 
 T = TypeVar("T")
 
@@ -32,26 +34,39 @@ class Section(BaseModel):
 
     model_config = ConfigDict(frozen=True, extra="forbid")
 
+    def remade(self, **changes: Any) -> Self:
+        """A copy with some fields changed, which checks itself."""
+        given = {slot.key: changes.get(slot.name, getattr(self, slot.name)) for slot in slots(type(self))}
+        try:
+            return type(self).model_validate(given)
+        except ValidationError as error:
+            refused = refusal(error, type(self))
+        raise refused
+
 
 @dataclass_transform(frozen_default=True, field_specifiers=(Field,))
-def described(place: str, family: type[HaptonicError] = StudyError) -> Callable[[type[T]], type[T]]:
+def described(
+    place: str, family: type[HaptonicError] = StudyError, *, kw_only: bool = False
+) -> Callable[[type[T]], type[T]]:
     """Make a class a declared value.
 
     Parameters
     ----------
     place : where the value stands in a study, ``cell.pillar``; errors of a value made in Python begin with it
     family : kind of these errors
+    kw_only : whether fields are given by their names only
     """
 
     def made(kind: type[T]) -> type[T]:
-        value: Any = dataclass(frozen=True, config=ConfigDict(extra="forbid"))(kind)
+        value: Any = dataclass(frozen=True, kw_only=kw_only, config=ConfigDict(extra="forbid"))(kind)
         check: Callable[..., None] = value.__init__
         names = [field.name for field in fields(value) if field.init]
+        inline = any(slot.placed.inline for slot in slots(value))
 
         @wraps(check)
         def checked(self: Any, *given: Any, **named: Any) -> None:
             try:
-                check(self, *given, **named)
+                check(self, *given, **(arranged(value, named) if inline else named))
             except ValidationError as error:
                 refused = refusal(error, value, place=place, family=family, names=names)
             else:
@@ -62,3 +77,11 @@ def described(place: str, family: type[HaptonicError] = StudyError) -> Callable[
         return cast("type[T]", value)
 
     return made
+
+
+def remade(value: T, **changes: Any) -> T:
+    """A copy of a described value with some fields, by their names, changed; it checks itself."""
+    if isinstance(value, Section):
+        return value.remade(**changes)
+    given = {slot.key: changes.get(slot.name, getattr(value, slot.name)) for slot in slots(type(value))}
+    return type(value)(**given)

@@ -69,7 +69,7 @@ class Study(PlateStudy):
         ResourceError : the accuracy needs more memory than there is
         """
         return compute_bands(
-            self.unit_cell(),
+            self.cell,
             self.asked(),
             surface=surface,
             inputs=self.inputs(),
@@ -89,7 +89,7 @@ class Study(PlateStudy):
         rows = [
             Row(
                 sweep.values,
-                [design.unit_cell() for design in self.designs(sweep)],
+                [design.cell for design in self.designs(sweep)],
                 {
                     "expression": sweep.vary,
                     "units": sweep.unit,
@@ -125,16 +125,16 @@ class Study(PlateStudy):
                 cause="the study does not say what may change",
                 next_step='add [[design.vary]] with parameter = "cell.pillar.height", from and to',
             )
-        if section.finger is not None and not isinstance(self.resolved_material(), IsotropicMaterial):
+        if section.finger is not None and not isinstance(self.cell.material, IsotropicMaterial):
             raise StudyError(
                 argument="design.finger_force",
-                given=f"with {self.resolved_material().name}",
+                given=f"with {self.cell.material.name}",
                 allowed="an isotropic material",
                 cause="the formula for a plate under a finger knows no others",
                 next_step="leave the finger out and bound cell.thickness instead",
             )
         return Brief(
-            cell=self.unit_cell(),
+            cell=self.cell,
             carrier=carrier,
             count=self.bands_settings.count,
             bounds={one.parameter: (one.start, one.stop) for one in section.vary},
@@ -206,7 +206,7 @@ class Study(PlateStudy):
                 next_step='add [[tolerance.of]] with parameter = "cell.pillar.diameter", spread = "20 um"',
             )
         return compute_tolerance(
-            self.unit_cell(),
+            self.cell,
             self.asked(),
             [one.frozen() for one in section.of],
             carrier=self.need_carrier(),
@@ -230,7 +230,7 @@ class Study(PlateStudy):
             lowest=section.lowest or LOWEST * carrier,
             highest=section.highest or HIGHEST * carrier,
             points=section.points,
-            incidence=Incidence(section.angle, section.count, self.resolved_material().loss_factor),
+            incidence=Incidence(section.angle, section.count, self.cell.material.loss_factor),
         )
         if question.lowest >= question.highest:
             raise StudyError(
@@ -241,7 +241,7 @@ class Study(PlateStudy):
                 next_step="give both layers.lowest and layers.highest",
             )
         found: Layers = compute_layers(
-            self.unit_cell(),
+            self.cell,
             self.asked(),
             question,
             carrier=carrier,
@@ -280,7 +280,7 @@ class Study(PlateStudy):
         """
         section = self.waveguide_settings
         found: Guides = compute_guides(
-            self.unit_cell(),
+            self.cell,
             self.asked(),
             carrier=self.need_carrier(),
             mode=section.nodal_lines,
@@ -293,9 +293,7 @@ class Study(PlateStudy):
 
     def gap_with(self, values: Mapping[str, float], runner: Runner | None = None) -> Gap | None:
         """The widest complete gap with some parameters (SI, by path) changed."""
-        found = (runner or Runner(Store.default())).gaps(
-            self.without_plate().with_parameters(values).unit_cell(), self.asked()
-        )
+        found = (runner or Runner(Store.default())).gaps(self.cell.with_numbers(values), self.asked())
         return max((gap for gap in found if gap.complete), key=lambda gap: gap.width, default=None)
 
     def tolerance_tasks(self) -> int:

@@ -12,11 +12,7 @@ from types import MappingProxyType
 from typing import Annotated, Any, Self
 
 from pydantic import (
-    AfterValidator,
-    Discriminator,
     Field,
-    Tag,
-    ValidationError,
     ValidationInfo,
     field_validator,
     model_validator,
@@ -26,12 +22,10 @@ from haptonic.bloch.resolution import LADDER, Resolution, starting_rung
 from haptonic.cell import UnitCell
 from haptonic.design.parameters import values_of
 from haptonic.errors import HaptonicError, StudyError
-from haptonic.fields import Quantity, Section, leaves, number_of, problem, table
-from haptonic.fields.problems import refusal
+from haptonic.fields import Quantity, Section, leaves, number_of, numbers, problem, table, with_numbers
 from haptonic.fields.quantity import collected
-from haptonic.fields.writing import toml_of
-from haptonic.lattice import Lattice
-from haptonic.materials import IsotropicMaterial, Material, material
+from haptonic.fields.reading import arranged
+from haptonic.fields.writing import document, toml_of
 from haptonic.plate.parts import Plate
 from haptonic.results import Asked
 from haptonic.study.asking import DesignSection, LayersSection, ToleranceSection, WaveguideSection
@@ -40,21 +34,15 @@ from haptonic.study.fitting import FitSection
 from haptonic.study.plate_tables import PlateSection
 from haptonic.study.plating import built_in, plate_of
 from haptonic.study.scan_tables import ScanSection
-from haptonic.study.sections import BandsSection, CellSection, MeshSection
+from haptonic.study.sections import BandsSection, MeshSection
 from haptonic.study.touch_tables import TouchSection
 from haptonic.study.trial_tables import Trials
 from haptonic.study.vary import Expression, check_names, parse, solve
 from haptonic.units import format_quantity
 
 MOST_SWEEPS = 50
-AFTERWARDS = {
-    "touch",
-    "trials",
-    "protocol_settings",
-    "participants",
-    "scan_settings",
-    "fit_settings",
-}  # they decide no bands, no plate
+# tables that decide no bands and no plate
+AFTERWARDS = {"touch", "trials", "protocol", "participants", "scan", "fit"}
 OF_A_CELL = {"carrier", "material", "cell", "bands"}  # sections whose numbers an expression can name
 
 
@@ -111,18 +99,6 @@ class SweepSection(Section):
         return (self.start, *inner, self.stop)
 
 
-def _material_kind(value: object) -> str | None:
-    if isinstance(value, str):
-        return "name"
-    return "table" if isinstance(value, Mapping | IsotropicMaterial) else None
-
-
-def _in_library(name: str) -> str:
-    with collected():
-        material(name)
-    return name
-
-
 class Description(Section):
     """Everything that one run computes with; immutable. A `Study` also computes.
 
@@ -135,11 +111,7 @@ class Description(Section):
     carrier: Annotated[float, Quantity("Hz", at_least=1.0, at_most=1e9, typical=(10e3, 1e6))] | None = Field(
         None, title="Carrier", description="Frequency of the drive; marked in the diagrams."
     )
-    material: Annotated[
-        Annotated[str, AfterValidator(_in_library), Tag("name")] | Annotated[IsotropicMaterial, Tag("table")],
-        Discriminator(_material_kind),
-    ] = Field(title="Material", description="Of the plate and its pillars: a built-in name or its constants.")
-    cell: CellSection = Field(title="Unit cell", description="One period of the plate.")
+    cell: UnitCell = Field(title="Unit cell", description="One period of the plate.")
     bands_settings: BandsSection = Field(
         BandsSection(), alias="bands", title="Bands", description="What the band diagram shows."
     )
@@ -193,10 +165,14 @@ class Description(Section):
         (), alias="sweep", title="Sweeps", description="Rows of designs to compare.", max_length=MOST_SWEEPS
     )
 
+    @model_validator(mode="before")
+    @classmethod
+    def _in_its_place(cls, given: Any) -> Any:
+        return arranged(cls, given) if isinstance(given, Mapping) else given
+
     @model_validator(mode="after")
     def _every_design_is_possible(self) -> Self:
         try:
-            self.unit_cell()
             plate = None if self.finite_plate is None else self.mounted_plate()
         except HaptonicError as error:
             raise problem(
@@ -208,7 +184,7 @@ class Description(Section):
             self._gives_what_is_named(sweep.expression, f"sweep[{row}].vary")
             for step, value in enumerate(sweep.values, start=1):
                 try:
-                    solve(sweep.expression, value, self)
+                    self.solved(sweep.expression, value)
                 except HaptonicError as error:
                     reached = format_quantity(value, sweep.unit)
                     raise problem(
@@ -231,7 +207,7 @@ class Description(Section):
     def _names_what_the_cell_has(self) -> None:
         """Refuse parameters of a design or a tolerance that this study's cell does not have, and designs that
         could not be written as a study."""
-        there = values_of(self.unit_cell())
+        there = values_of(self.cell)
         named = {
             f"design.vary[{i}]": one.parameter for i, one in enumerate(self.design_settings.vary, start=1)
         }
@@ -264,18 +240,6 @@ class Description(Section):
                         "designs there would not be possible", "choose a narrower range", at=f"{at}.{name}",
                     )  # fmt: skip
 
-    def resolved_material(self) -> Material:
-        """The material as the core computes with it."""
-        return material(self.material) if isinstance(self.material, str) else self.material
-
-    def unit_cell(self) -> UnitCell:
-        """The unit cell as the core computes with it, in SI units."""
-        cell = self.cell
-        lattice = (
-            Lattice.rectangular(cell.pitch, cell.pitch_y) if cell.pitch_y else Lattice.square(cell.pitch)
-        )
-        return UnitCell(lattice, cell.thickness, self.resolved_material(), cell.pillar)
-
     def mounted_plate(self) -> Plate:
         """The finite plate as the core computes with it.
 
@@ -283,7 +247,7 @@ class Description(Section):
         ------
         StudyError : the study has no [plate]
         """
-        return plate_of(self)
+        return plate_of(self.finite_plate, self.cell)
 
     def without_plate(self) -> Self:
         """The same study of the lattice alone."""
@@ -303,7 +267,7 @@ class Description(Section):
     def parameters(self) -> dict[str, float]:
         """Value of every numeric parameter that this study gives, by path and in SI units."""
         known = numeric_parameters()
-        return {path: value for path, value, _ in leaves(self, only=OF_A_CELL) if path in known}
+        return {path: value for path, value in numbers(self, names=True).items() if path in known}
 
     def absent_parameters(self) -> dict[str, str]:
         """Why a numeric parameter cannot be named in this study, by path."""
@@ -325,7 +289,8 @@ class Description(Section):
         StudyError : a value is out of bounds, or the design is not possible
         """
         assert values.keys() <= self.parameters().keys(), values.keys()
-        return self._with_numbers(values, {"sweep_settings", "fit_settings"})
+        alone = self.model_copy(update={"sweep_settings": (), "fit_settings": FitSection()})
+        return alone._with_numbers(values)
 
     def with_fitted(self, values: Mapping[str, float]) -> Self:
         """The same study with numbers of [[fit.vary]] (SI, by their names there) changed.
@@ -334,26 +299,28 @@ class Description(Section):
         ------
         StudyError : a value is out of bounds
         """
-        return self._with_numbers(values, set())
+        return self._with_numbers(values)
 
-    def _with_numbers(self, values: Mapping[str, float], without: set[str]) -> Self:
-        data = self.model_dump(by_alias=True, exclude_none=True, exclude=without)
-        for path, value in values.items():
-            *sections, name = path.split(".")
-            target: dict[str, Any] = data
-            for section in sections:
-                key, _, number = section.removesuffix("]").partition("[")
-                target = target[key][int(number) - 1] if number else target[key]
-            target[name] = float(value)
+    def _with_numbers(self, values: Mapping[str, float]) -> Self:
         try:
-            return type(self).model_validate(data)
-        except ValidationError as error:
-            refused = refusal(error, Description)
-        raise refused
+            return with_numbers(self, values)
+        except HaptonicError as error:  # of the family of the value that a number belongs to
+            raise StudyError(**error.parts()) from None
+
+    def solved(self, expression: Expression, value: float) -> Self:
+        """The study in which an expression has a value (SI): its first parameter changed, without sweeps and
+        plate.
+
+        Raises
+        ------
+        StudyError : unknown name, or a design that is not possible
+        """
+        wanted = solve(expression, value, self.parameters(), self.absent_parameters())
+        return self.without_plate().with_parameter(expression.varied, wanted)
 
     def designs(self, sweep: SweepSection) -> tuple[Self, ...]:
         """One study for each step of a sweep, in order."""
-        return tuple(solve(sweep.expression, value, self) for value in sweep.values)
+        return tuple(self.solved(sweep.expression, value) for value in sweep.values)
 
     def unusual(self) -> tuple[str, ...]:
         """A sentence on every value outside its typical range; on those that only a sweep reaches, if no
@@ -364,7 +331,7 @@ class Description(Section):
     def _unusual_sweeps(self) -> Iterator[str]:
         for row, sweep in enumerate(self.sweep_settings, start=1):
             name = sweep.expression.varied
-            ends = (solve(sweep.expression, end, self) for end in (sweep.start, sweep.stop))
+            ends = (self.solved(sweep.expression, end) for end in (sweep.start, sweep.stop))
             words = [text for design in ends for text in design._unusual_values().values()]
             if words:
                 yield f"sweep[{row}]: {name} leaves its usual range; {words[0]}"
@@ -384,13 +351,12 @@ class Description(Section):
         The title and the sections that ask for something of such results decide nothing; a built-in
         material is given by its constants, so that a correction in the library changes the key.
         """
-        data = self.model_dump(mode="json", by_alias=True, exclude={"title", "material"} | AFTERWARDS)
-        if self.finite_plate is None:
-            del data["plate"]
-        else:
+        data = document(self, lambda value, unit: value, absent=True)
+        data = {key: value for key, value in data.items() if key not in {"title"} | AFTERWARDS}
+        if self.finite_plate is not None:
             solids = {name: built_in(name, "").to_dict() for name in self.finite_plate.materials}
             data["plate"]["materials"] = solids
-        return {"material": self.resolved_material().to_dict(), **data}
+        return data | {"material": self.cell.material.to_dict()}
 
 
 @cache
