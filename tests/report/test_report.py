@@ -13,6 +13,7 @@ import pytest
 from matplotlib.figure import Figure
 
 from haptonic.errors import ResourceError
+from haptonic.fields import unchecked
 from haptonic.report import Absent, Chapter, Results, paper, write_report
 from haptonic.report.chapters import IN_ORDER, comparison, dispersion, mirror, sweeps
 from haptonic.report.page import page
@@ -73,7 +74,7 @@ def mirrored(**changes) -> Results:
 
 
 def study_with(**changes: object) -> Study:
-    return reference_study().model_copy(update=changes)
+    return unchecked(reference_study(), **changes)
 
 
 @pytest.fixture

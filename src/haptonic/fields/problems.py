@@ -14,6 +14,7 @@ from haptonic.units import shown
 TAG = "<"  # begins the tags of a union, which pydantic puts into the path
 PARTS = ("given", "allowed", "cause", "next_step")
 UNKNOWN = {"extra_forbidden", "unexpected_keyword_argument"}  # pydantic's names for an undeclared key
+EXTRA = "unexpected_positional_argument"
 MOST_LISTED = 20
 
 
@@ -41,7 +42,7 @@ def refusal(
     for each in details:
         if each["loc"] and isinstance(each["loc"][0], int):  # an argument without a keyword
             number, *rest = each["loc"]
-            each["loc"] = (names[number] if number < len(names) else f"argument {number + 1}", *rest)
+            each["loc"] = (names[number] if number < len(names) else f"argument_{number + 1}", *rest)
         each["path"], each["pattern"] = _path(each["loc"], kind, place)
     slips = {_meant(each["pattern"], keys) for each in details if each["type"] in UNKNOWN}
     details = [each for each in details if each["type"] != "missing" or each["pattern"] not in slips]
@@ -72,6 +73,11 @@ def _in_parts(details: Any, keys: Mapping[str, Key]) -> StudyError:
     if kind == "haptonic":
         where = ".".join(part for part in (path, context["at"]) if part) or "the study"
         return StudyError(argument=where, **{name: context[name] for name in PARTS})
+    if kind == EXTRA:
+        return StudyError(
+            argument=path, given=shown(details["input"], 40), allowed="values for the fields that there are",
+            cause="there are more arguments than fields", next_step="give fields by their names",
+        )  # fmt: skip
     if kind in UNKNOWN:
         return _unknown(path, pattern, details["input"], keys)
     key = key_of(pattern, keys)
@@ -144,7 +150,9 @@ def _unknown(path: str, pattern: str, value: object, keys: Mapping[str, Key]) ->
     section, _, name = pattern.rpartition(".")
     here, guess = _neighbours(section, keys), _guess(pattern, keys)
     elsewhere = [key for key in keys if key.rpartition(".")[2] == name]
-    if guess:
+    if name in here:
+        cause, next_step = "a value that was given holds it already", "leave it out, or change that value"
+    elif guess:
         cause, next_step = "a slip in the name", f'write "{guess}"'
     elif elsewhere:
         table_name = elsewhere[0].rpartition(".")[0].replace("[]", "")
@@ -220,6 +228,6 @@ def _cause(kind: str, message: str, listed: bool) -> str:
         return "it is not a text"
     if kind == "tuple_type" and listed:
         return "it is not a list"
-    if kind in {"model_type", "model_attributes_type", "tuple_type", "union_tag_not_found", "dict_type"}:
+    if kind in {"dataclass_type", "model_attributes_type", "tuple_type", "union_tag_not_found", "dict_type"}:
         return "something else stands where a table belongs"
     return message[:1].lower() + message[1:]

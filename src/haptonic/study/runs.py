@@ -5,12 +5,12 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 
 import xarray as xr
-from pydantic import ValidationError
 
 from haptonic.bloch import Gap
 from haptonic.bloch.mirrors import Incidence
 from haptonic.design.brief import Brief
 from haptonic.errors import StudyError
+from haptonic.fields import extended, remade
 from haptonic.materials import IsotropicMaterial
 from haptonic.results import (
     Bands,
@@ -39,6 +39,7 @@ from haptonic.units import format_quantity, shown
 LOWEST, HIGHEST = 0.6, 1.4  # of the carrier: ends of a mirror's spectrum where the study gives none
 
 
+@extended
 class Study(PlateStudy):
     """What a study file describes, and all that can be computed from it.
 
@@ -258,10 +259,8 @@ class Study(PlateStudy):
         StudyError : the mode is not written like that
         """
         try:
-            waveguide = type(self.waveguide_settings).model_validate(
-                {**self.waveguide_settings.model_dump(), "mode": mode}
-            )
-        except ValidationError:
+            return remade(self, waveguide_settings=remade(self.waveguide_settings, mode=mode))
+        except StudyError:
             raise StudyError(
                 argument="--mode",
                 given=shown(mode),
@@ -269,7 +268,6 @@ class Study(PlateStudy):
                 cause="it is not written like that",
                 next_step="write it like 0x17",
             ) from None
-        return self.model_copy(update={"waveguide_settings": waveguide})
 
     def guided(self, runner: Runner | None = None) -> Guides:
         """Waveguides between two mirrors, for the mode of the study's [waveguide].

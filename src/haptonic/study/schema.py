@@ -15,17 +15,26 @@ from pydantic import (
     Field,
     ValidationInfo,
     field_validator,
-    model_validator,
 )
 
 from haptonic.bloch.resolution import LADDER, Resolution, starting_rung
 from haptonic.cell import UnitCell
 from haptonic.design.parameters import values_of
 from haptonic.errors import HaptonicError, StudyError
-from haptonic.fields import Quantity, Section, leaves, number_of, numbers, problem, table, with_numbers
+from haptonic.fields import (
+    Quantity,
+    described,
+    leaves,
+    number_of,
+    numbers,
+    problem,
+    table,
+    unchecked,
+    with_numbers,
+)
 from haptonic.fields.quantity import collected
-from haptonic.fields.reading import arranged
 from haptonic.fields.writing import document, toml_of
+from haptonic.materials import IsotropicMaterial, built_in_name
 from haptonic.plate.parts import Plate
 from haptonic.results import Asked
 from haptonic.study.asking import DesignSection, LayersSection, ToleranceSection, WaveguideSection
@@ -38,7 +47,7 @@ from haptonic.study.sections import BandsSection, MeshSection
 from haptonic.study.touch_tables import TouchSection
 from haptonic.study.trial_tables import Trials
 from haptonic.study.vary import Expression, check_names, parse, solve
-from haptonic.units import format_quantity
+from haptonic.units import format_quantity, shown
 
 MOST_SWEEPS = 50
 # tables that decide no bands and no plate
@@ -46,14 +55,15 @@ AFTERWARDS = {"touch", "trials", "protocol", "participants", "scan", "fit"}
 OF_A_CELL = {"carrier", "material", "cell", "bands"}  # sections whose numbers an expression can name
 
 
-class SweepSection(Section):
+@described("sweep", kw_only=True)
+class SweepSection:
     """A row of designs: an expression of parameters taken from one value to another."""
 
     vary: str = Field(title="Expression", description="The first parameter in it changes.", strict=True)
     start: float = Field(alias="from", title="First value", description="With its unit, if it has one.")
     stop: float = Field(alias="to", title="Last value", description="With its unit, if it has one.")
     steps: Annotated[int, Field(ge=2, le=1000, strict=True)] = Field(
-        25, title="Steps", description="Number of designs, both ends included."
+        default=25, title="Steps", description="Number of designs, both ends included."
     )
 
     @field_validator("vary")
@@ -70,8 +80,7 @@ class SweepSection(Section):
             return 0.0
         return number_of(value, parse(info.data["vary"]).unit(numeric_parameters()), info.context)
 
-    @model_validator(mode="after")
-    def _moves(self) -> SweepSection:
+    def __post_init__(self) -> None:
         if self.start == self.stop:
             raise problem(
                 format_quantity(self.stop, self.unit),
@@ -80,7 +89,6 @@ class SweepSection(Section):
                 "change one end of the sweep, or remove it",
                 at="to",
             )
-        return self
 
     @property
     def expression(self) -> Expression:
@@ -99,79 +107,94 @@ class SweepSection(Section):
         return (self.start, *inner, self.stop)
 
 
-class Description(Section):
+@described("", kw_only=True)
+class Description:
     """Everything that one run computes with; immutable. A `Study` also computes.
 
     It is read by `haptonic.study.load`, which gives its errors five parts and warns about unusual values.
     """
 
     title: str = Field(
-        "Study", title="Title", description="Heads the report.", min_length=1, max_length=200, strict=True
+        default="Study",
+        title="Title",
+        description="Heads the report.",
+        min_length=1,
+        max_length=200,
+        strict=True,
     )
     carrier: Annotated[float, Quantity("Hz", at_least=1.0, at_most=1e9, typical=(10e3, 1e6))] | None = Field(
-        None, title="Carrier", description="Frequency of the drive; marked in the diagrams."
+        default=None, title="Carrier", description="Frequency of the drive; marked in the diagrams."
     )
     cell: UnitCell = Field(title="Unit cell", description="One period of the plate.")
     bands_settings: BandsSection = Field(
-        BandsSection(), alias="bands", title="Bands", description="What the band diagram shows."
+        default=BandsSection(), alias="bands", title="Bands", description="What the band diagram shows."
     )
     mesh: MeshSection = Field(
-        MeshSection(), title="Mesh", description="For experts; else the accuracy decides."
+        default=MeshSection(), title="Mesh", description="For experts; else the accuracy decides."
     )
     layers_settings: LayersSection = Field(
-        LayersSection(),
+        default=LayersSection(),
         alias="layers",
         title="Layers",
         description="Rows of cells as a mirror between two plates.",
     )
     waveguide_settings: WaveguideSection = Field(
-        WaveguideSection(),
+        default=WaveguideSection(),
         alias="waveguide",
         title="Waveguide",
         description="A strip of plate between two mirrors.",
     )
     design_settings: DesignSection = Field(
-        DesignSection(),
+        default=DesignSection(),
         alias="design",
         title="Design",
         description="What may change so that the gap holds the carrier.",
     )
     tolerance_settings: ToleranceSection = Field(
-        ToleranceSection(), alias="tolerance", title="Tolerance", description="How much the parts differ."
+        default=ToleranceSection(),
+        alias="tolerance",
+        title="Tolerance",
+        description="How much the parts differ.",
     )
     finite_plate: PlateSection | None = Field(
-        None, alias="plate", title="Plate", description="A finite one, made of cells and of plain plate."
+        default=None,
+        alias="plate",
+        title="Plate",
+        description="A finite one, made of cells and of plain plate.",
     )
-    touch: TouchSection = Field(TouchSection(), title="Touch", description="The finger that feels the plate.")
+    touch: TouchSection = Field(
+        default=TouchSection(), title="Touch", description="The finger that feels the plate."
+    )
     trials: Trials = Field(
-        Trials(), title="Trials", description="How force records are processed, and which count."
+        default=Trials(), title="Trials", description="How force records are processed, and which count."
     )
     protocol_settings: ProtocolSection = Field(
-        ProtocolSection(),
+        default=ProtocolSection(),
         alias="protocol",
         title="Protocol",
         description="Trials with people: how many, in which order.",
     )
     participants: ParticipantsSection = Field(
-        ParticipantsSection(), title="Participants", description="What is assumed of people."
+        default=ParticipantsSection(), title="Participants", description="What is assumed of people."
     )
     scan_settings: ScanSection = Field(
-        ScanSection(), alias="scan", title="Scan", description="How a laser vibrometer scans the plate."
+        default=ScanSection(),
+        alias="scan",
+        title="Scan",
+        description="How a laser vibrometer scans the plate.",
     )
     fit_settings: FitSection = Field(
-        FitSection(), alias="fit", title="Fit", description="What a measurement of the plate tells."
+        default=FitSection(), alias="fit", title="Fit", description="What a measurement of the plate tells."
     )
     sweep_settings: tuple[SweepSection, ...] = Field(
-        (), alias="sweep", title="Sweeps", description="Rows of designs to compare.", max_length=MOST_SWEEPS
+        default=(),
+        alias="sweep",
+        title="Sweeps",
+        description="Rows of designs to compare.",
+        max_length=MOST_SWEEPS,
     )
 
-    @model_validator(mode="before")
-    @classmethod
-    def _in_its_place(cls, given: Any) -> Any:
-        return arranged(cls, given) if isinstance(given, Mapping) else given
-
-    @model_validator(mode="after")
-    def _every_design_is_possible(self) -> Self:
+    def __post_init__(self) -> None:
         try:
             plate = None if self.finite_plate is None else self.mounted_plate()
         except HaptonicError as error:
@@ -194,7 +217,6 @@ class Description(Section):
                         "narrow the range between from and to",
                         at=f"sweep[{row}]",
                     ) from None
-        return self
 
     def _gives_what_is_named(self, expression: Expression, at: str) -> None:
         """Refuse an expression that has no value for the study's own parameters."""
@@ -251,7 +273,7 @@ class Description(Section):
 
     def without_plate(self) -> Self:
         """The same study of the lattice alone."""
-        return self.model_copy(update={"finite_plate": None})
+        return unchecked(self, finite_plate=None)
 
     def asked(self) -> Asked:
         """What is asked of the bands."""
@@ -289,7 +311,7 @@ class Description(Section):
         StudyError : a value is out of bounds, or the design is not possible
         """
         assert values.keys() <= self.parameters().keys(), values.keys()
-        alone = self.model_copy(update={"sweep_settings": (), "fit_settings": FitSection()})
+        alone = unchecked(self, sweep_settings=(), fit_settings=FitSection())
         return alone._with_numbers(values)
 
     def with_fitted(self, values: Mapping[str, float]) -> Self:
@@ -342,7 +364,21 @@ class Description(Section):
         return {path: text for path, text in words.items() if text}
 
     def to_toml(self) -> str:
-        """A study file that loads to an equal study."""
+        """A study file that loads to an equal study.
+
+        Raises
+        ------
+        StudyError : a material, given in Python, that no file describes
+        """
+        solid = self.cell.material
+        if built_in_name(solid) is None and not isinstance(solid, IsotropicMaterial):
+            raise StudyError(
+                argument="material",
+                given=shown(solid.name),
+                allowed="a built-in material, or an isotropic one",
+                cause="a study file has no table for others",
+                next_step="keep the study in Python",
+            )
         return toml_of(self)
 
     def inputs(self) -> dict[str, Any]:
@@ -352,7 +388,8 @@ class Description(Section):
         material is given by its constants, so that a correction in the library changes the key.
         """
         data = document(self, lambda value, unit: value, absent=True)
-        data = {key: value for key, value in data.items() if key not in {"title"} | AFTERWARDS}
+        left = {"title"} | AFTERWARDS | ({"plate"} if self.finite_plate is None else set())
+        data = {key: value for key, value in data.items() if key not in left}
         if self.finite_plate is not None:
             solids = {name: built_in(name, "").to_dict() for name in self.finite_plate.materials}
             data["plate"]["materials"] = solids
