@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 
 from haptonic.errors import StudyError
 from haptonic.study import Study, loads
-from haptonic.study.schema import numeric_parameters
+from haptonic.study.sweeps import numeric_parameters
 from haptonic.study.vary import parse
 
 STUDY = loads("""

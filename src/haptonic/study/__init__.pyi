@@ -2,8 +2,8 @@ from .loading import load, load_trials, loads
 from .plate_tables import PlateSection
 from .runs import Study
 from .scan_tables import ScanSection
-from .schema import SweepSection
 from .sections import BandsSection, MeshSection
+from .sweeps import SweepSection
 from .trial_tables import Trials
 
 __all__ = [

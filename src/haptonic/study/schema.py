@@ -7,14 +7,10 @@ labels and the written file follow from it.
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from functools import cache
-from types import MappingProxyType
 from typing import Annotated, Any, Self
 
 from pydantic import (
     Field,
-    ValidationInfo,
-    field_validator,
 )
 
 from haptonic.bloch.resolution import LADDER, Resolution, starting_rung
@@ -22,17 +18,14 @@ from haptonic.cell import UnitCell
 from haptonic.design.parameters import values_of
 from haptonic.errors import HaptonicError, StudyError
 from haptonic.fields import (
-    Quantity,
     described,
     leaves,
-    number_of,
     numbers,
     problem,
     table,
     unchecked,
     with_numbers,
 )
-from haptonic.fields.quantity import collected
 from haptonic.fields.writing import document, toml_of
 from haptonic.materials import IsotropicMaterial, built_in_name
 from haptonic.plate.parts import Plate
@@ -43,68 +36,16 @@ from haptonic.study.fitting import FitSection
 from haptonic.study.plate_tables import PlateSection
 from haptonic.study.plating import built_in, plate_of
 from haptonic.study.scan_tables import ScanSection
-from haptonic.study.sections import BandsSection, MeshSection
+from haptonic.study.sections import CARRIER, BandsSection, MeshSection
+from haptonic.study.sweeps import SweepSection, numeric_parameters
 from haptonic.study.touch_tables import TouchSection
 from haptonic.study.trial_tables import Trials
-from haptonic.study.vary import Expression, check_names, parse, solve
+from haptonic.study.vary import Expression, check_names, solve
 from haptonic.units import format_quantity, shown
 
 MOST_SWEEPS = 50
 # tables that decide no bands and no plate
 AFTERWARDS = {"touch", "trials", "protocol", "participants", "scan", "fit"}
-OF_A_CELL = {"carrier", "material", "cell", "bands"}  # sections whose numbers an expression can name
-
-
-@described("sweep", kw_only=True)
-class SweepSection:
-    """A row of designs: an expression of parameters taken from one value to another."""
-
-    vary: str = Field(title="Expression", description="The first parameter in it changes.", strict=True)
-    start: float = Field(alias="from", title="First value", description="With its unit, if it has one.")
-    stop: float = Field(alias="to", title="Last value", description="With its unit, if it has one.")
-    steps: Annotated[int, Field(ge=2, le=1000, strict=True)] = Field(
-        default=25, title="Steps", description="Number of designs, both ends included."
-    )
-
-    @field_validator("vary")
-    @classmethod
-    def _names_parameters(cls, text: str) -> str:
-        with collected():
-            check_names(parse(text), numeric_parameters(), {})
-        return text
-
-    @field_validator("start", "stop", mode="plain")
-    @classmethod
-    def _has_dimension(cls, value: object, info: ValidationInfo) -> float:
-        if "vary" not in info.data:  # refused already; without it the dimension is not known
-            return 0.0
-        return number_of(value, parse(info.data["vary"]).unit(numeric_parameters()), info.context)
-
-    def __post_init__(self) -> None:
-        if self.start == self.stop:
-            raise problem(
-                format_quantity(self.stop, self.unit),
-                "a last value that differs from the first",
-                "all designs would be the same",
-                "change one end of the sweep, or remove it",
-                at="to",
-            )
-
-    @property
-    def expression(self) -> Expression:
-        return parse(self.vary)
-
-    @property
-    def unit(self) -> str:
-        """SI unit of ``start``, ``stop`` and ``values``; empty when they are dimensionless."""
-        return self.expression.unit(numeric_parameters())
-
-    @property
-    def values(self) -> tuple[float, ...]:
-        """Value of the expression at every step, in SI units, both ends included."""
-        last = self.steps - 1
-        inner = ((self.start * (last - step) + self.stop * step) / last for step in range(1, last))
-        return (self.start, *inner, self.stop)
 
 
 @described("", kw_only=True)
@@ -122,7 +63,7 @@ class Description:
         max_length=200,
         strict=True,
     )
-    carrier: Annotated[float, Quantity("Hz", at_least=1.0, at_most=1e9, typical=(10e3, 1e6))] | None = Field(
+    carrier: Annotated[float, CARRIER] | None = Field(
         default=None, title="Carrier", description="Frequency of the drive; marked in the diagrams."
     )
     cell: UnitCell = Field(title="Unit cell", description="One period of the plate.")
@@ -394,15 +335,3 @@ class Description:
             solids = {name: built_in(name, "").to_dict() for name in self.finite_plate.materials}
             data["plate"]["materials"] = solids
         return data | {"material": self.cell.material.to_dict()}
-
-
-@cache
-def numeric_parameters() -> Mapping[str, str]:
-    """SI unit of every parameter that an expression can name, by path."""
-    return MappingProxyType(
-        {
-            path: key.unit
-            for path, key in table(Description).items()
-            if key.quantity and "[]" not in path and path.split(".")[0] in OF_A_CELL
-        }
-    )

@@ -8,6 +8,8 @@ from pydantic import Field
 
 from haptonic.fields import Quantity, described
 
+CARRIER = Quantity("Hz", at_least=1.0, at_most=1e9, typical=(10e3, 1e6))
+
 
 @described("bands", kw_only=True)
 class BandsSection:
