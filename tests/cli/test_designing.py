@@ -289,7 +289,7 @@ class TestTolerance:
         ("name", "spread", "words"),
         [
             ("cell.pillar.diameter", "2 mm", "wider than the cell"),
-            ("cell.thickness", "0.6 mm", "wrong sign"),
+            ("cell.thickness", "0.6 mm", "cannot be negative"),
             ("material.youngs_modulus", "40 GPa", "outside the range"),
         ],
     )

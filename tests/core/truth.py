@@ -94,7 +94,7 @@ def _cell(rng: np.random.Generator, kind: str) -> UnitCell:
 
 def wavevectors(cell: UnitCell) -> Array:
     """`KAPPA` within the irreducible zone, the only one that a model answers for: a square's is an eighth."""
-    return np.sort(KAPPA)[:, ::-1] if DIAGONAL in cell.lattice.point_group else KAPPA
+    return np.sort(KAPPA)[:, ::-1] if DIAGONAL in cell.point_group else KAPPA
 
 
 @dataclass(frozen=True)

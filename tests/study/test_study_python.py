@@ -58,7 +58,6 @@ REFUSED = {
     "too many": (lambda: UnitCell(CELL.lattice, 1e-3, "steel", None, 5), "cell.argument_5", "names"),
     "no number": (lambda: Lattice.square("wide"), "cell.pitch", ""),
     "a wide pillar": (lambda: UnitCell(CELL.lattice, 1e-3, "steel", WIDE), "cell.pillar.diameter", "thinner"),
-    "a turned material": (lambda: UnitCell(CELL.lattice, 1e-3, PLY), "cell.lattice", "rectangular"),
 }
 
 

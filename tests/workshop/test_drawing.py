@@ -236,11 +236,7 @@ def test_tolerances_that_mean_nothing_are_refused(tolerances, message):
 
 
 def test_a_cell_that_is_no_rectangle_is_refused():
-    class Oblique(Lattice):
-        a2 = (2 * MM, 7 * MM)
-        point_group = (((1, 0), (0, 1)),)
-
-    oblique = Oblique(pitch=7 * MM)
+    oblique = Lattice.oblique((7 * MM, 0.0), (2 * MM, 7 * MM))
     with pytest.raises(GeometryError, match="rectangular lattice"):
         cell_drawing(UnitCell(oblique, 1.5 * MM, METAL), "Plate")
 

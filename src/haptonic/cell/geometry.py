@@ -5,14 +5,16 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping
 from dataclasses import replace
+from functools import cached_property
 from typing import Annotated
 
 from pydantic import Field
 
+from haptonic.brillouin import IrreducibleZone
 from haptonic.cell.pillar import Pillar
 from haptonic.errors import GeometryError
 from haptonic.fields import INLINE, TOP, described, numbers, problem, size, with_numbers
-from haptonic.lattice import Lattice
+from haptonic.lattice import HALF_TURN, Lattice, PointGroup
 from haptonic.materials import GIVEN, Material, is_symmetry
 
 SHEET = 0.08  # thickness, in half pitches, below which a plate is thin
@@ -27,7 +29,7 @@ class UnitCell:
     Raises
     ------
     GeometryError : sizes that are not positive, a pillar that does not fit into the period, or a material
-        with less symmetry than the lattice
+        that half a turn about the normal does not leave as it is
     """
 
     lattice: Annotated[Lattice, INLINE] = Field(title="Lattice", description="How the cells repeat.")
@@ -42,16 +44,31 @@ class UnitCell:
     )
 
     def __post_init__(self) -> None:
-        if not all(is_symmetry(self.material.stiffness, op) for op in self.lattice.operations()):
+        if HALF_TURN not in self.point_group:
             raise problem(
-                f"{self.lattice.name}, of {self.material.name}",
-                "a lattice whose turns and mirrors leave the material as it is",
-                "the material is stiffer along one axis than along the other",
-                'write lattice = "rectangular" with pitch_y = pitch: it does without the diagonal',
-                at="lattice",
+                self.material.name,
+                "a material that half a turn about the plate's normal leaves as it is",
+                "its constants couple motion in the plane with motion out of it",
+                "turn the material so that one of its axes is normal to the plate",
+                at="material",
             )
         if self.pillar is not None and self.clearance < LEAST_CLEARANCE * self.lattice.pitch:
             raise _too_wide(self.pillar, self.inradius - LEAST_CLEARANCE * self.lattice.pitch)
+
+    @cached_property
+    def point_group(self) -> PointGroup:
+        """The turns and mirrors that leave lattice, pillar and material as they are."""
+        return self.lattice.point_group.kept(
+            lambda turn: (
+                is_symmetry(self.material.stiffness, turn)
+                and (self.pillar is None or self.pillar.has_symmetry(turn))
+            )
+        )
+
+    @cached_property
+    def zone(self) -> IrreducibleZone:
+        """The part of the Brillouin zone that these operations and time reversal do not repeat."""
+        return IrreducibleZone.of(self.lattice, self.point_group)
 
     @property
     def inradius(self) -> float:

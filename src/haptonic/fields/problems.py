@@ -44,6 +44,9 @@ def refusal(
             number, *rest = each["loc"]
             each["loc"] = (names[number] if number < len(names) else f"argument_{number + 1}", *rest)
         each["path"], each["pattern"] = _path(each["loc"], kind, place)
+        below = each.get("ctx", {}).get("at", "").split(".")[0]
+        if below and _path((*each["loc"], below), kind, place)[0] == below:
+            each["path"] = ""  # the key that is blamed stands at the top
     slips = {_meant(each["pattern"], keys) for each in details if each["type"] in UNKNOWN}
     details = [each for each in details if each["type"] != "missing" or each["pattern"] not in slips]
     details.sort(key=lambda each: each["type"] not in UNKNOWN)  # a slip in a name explains what follows
