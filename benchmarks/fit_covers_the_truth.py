@@ -19,7 +19,7 @@ from haptonic.plate.damping import real_times
 from haptonic.results.plate.question import grid_points, unit_drives
 from haptonic.study import loads
 from haptonic.updating.fit import Fit, SmallModel, fitted
-from haptonic.updating.match import Measured
+from haptonic.updating.match import MeasuredResponse
 from haptonic.vibrometry.chirp import drive
 
 STUDY = """
@@ -91,7 +91,11 @@ class Bench:
 
     def __init__(self) -> None:
         study = loads(STUDY)
-        self.plate, self.unknowns, self.fineness = study.plate(), study.fit.unknowns, study.fineness()
+        self.plate, self.unknowns, self.fineness = (
+            study.mounted_plate(),
+            study.fit_settings.unknowns,
+            study.fineness(),
+        )
         self.points, _ = grid_points(self.plate, GRID)
         self.drive = drive(low=BAND[0], high=BAND[1], sample_rate=RATE, duration=PERIOD)
         lines = np.fft.rfftfreq(len(self.drive.samples), 1 / RATE)
@@ -102,7 +106,7 @@ class Bench:
             self.fineness,
         )  # fmt: skip
 
-    def scan(self, x: np.ndarray, chance: np.random.Generator) -> tuple[Measured, np.ndarray]:
+    def scan(self, x: np.ndarray, chance: np.random.Generator) -> tuple[MeasuredResponse, np.ndarray]:
         """Of the plate with numbers given as logarithms over the start; also the points that were spoiled."""
         plate = self.small.space.plate_at(x)
         model = PlateModel.of(plate, BAND[1], self.fineness)
@@ -118,7 +122,7 @@ class Bench:
         velocity[spoiled[:LOST], len(self.drive.samples) // 2 :] = 0.0
         step = FULL_SCALE * np.abs(velocity).max() / 2 ** (BITS - 1)
         response = (np.fft.rfft(step * np.round(velocity / step)) / volts)[:, self.inside].T
-        data = Measured.of(self.frequency, self.points, response, True, unit_drives(plate))
+        data = MeasuredResponse.of(self.frequency, self.points, response, True, unit_drives(plate))
         return data.without(spoiled[LOST:]), spoiled[:LOST]
 
     def fit(self, seed: int) -> tuple[Fit, np.ndarray, np.ndarray]:

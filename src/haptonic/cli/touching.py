@@ -16,7 +16,7 @@ from haptonic.cli.options import Json, Out, Overwrite, Workers, folder_for, pict
 from haptonic.friction.lubrication import WEBER_FRACTION
 from haptonic.friction.recordings import Sensor
 from haptonic.friction.signals.record import EVERYBODY
-from haptonic.friction.statistics import Estimate, Test
+from haptonic.friction.statistics import IntervalEstimate, Test
 from haptonic.friction.statistics.summary import Condition
 from haptonic.friction.words import averages, change
 from haptonic.paths import source
@@ -82,7 +82,7 @@ def _asked(path: Path, study: Path | None) -> tuple[Trials, Study | None]:
 
 def _driven(loaded: Study | None) -> str | None:
     """The waveguide that a whole study drives."""
-    return driven_region(loaded.plate()) if loaded is not None and loaded.plate_section else None
+    return driven_region(loaded.mounted_plate()) if loaded is not None and loaded.finite_plate else None
 
 
 def _write(
@@ -215,6 +215,6 @@ def _spread(pair: tuple[float, float], digits: int) -> str:
     return mean if mean == "-" else f"{mean} ± {deviation}"
 
 
-def _percent(one: Estimate) -> str:
+def _percent(one: IntervalEstimate) -> str:
     interval = f", 95 % interval {one.low:.1%} to {one.high:.1%}" if math.isfinite(one.low) else ""
     return f"{one.value:.1%}{interval}{f' ({one.note})' if one.note else ''}"
