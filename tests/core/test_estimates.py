@@ -45,7 +45,7 @@ def test_what_the_interior_leaves_out_is_told_for_many_bands(number):
 
 @pytest.mark.slow
 def test_what_more_of_the_interior_mends_is_not_laid_on_the_mesh():
-    """A slender pillar has many modes of its own; finer meshes with as short an interior tell none of them."""
+    """A slender pillar has many modes of its own; finer meshes with as short an interior tell none."""
     pillar = Pillar(1.5e-3, 38e-3)
     cell = UnitCell(Lattice.rectangular(7e-3, 8.9e-3), 0.7e-3, material("aluminium-2017a"), pillar)
     model = bloch_model(cell, 24, 5e-3)

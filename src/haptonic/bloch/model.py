@@ -39,8 +39,8 @@ TIGHTER = 0.1  # factor on that share where it was too coarse: little inertia ma
 # Relative error up to which what the interior leaves out is what its first order tells: where 1.4e-2 was told
 # 4.7e-2 was lost, and bands had changed places; up to the share of the accuracy the interior need not grow.
 TRUSTED_OMISSION, OMISSION_SHARE = 1e-3, 0.25
-# What the lower orders' interior leaves out, as a multiple: of a pillar of 25 diameters 2.5e-3 was left out and
-# the distance was 1.1e-2; with more inside 7e-4.
+# What the lower orders' interior leaves out, as a multiple: of a pillar of 25 diameters 2.5e-3 was left out,
+# and the distance was 1.1e-2; with more inside 7e-4.
 LOWER_OMISSION = 4.4
 FIRST_ORDER = 1.5  # what was lost was at most that many times what first order told, below the trusted one
 MOST_GROWTH = 4  # of the interior at one mesh
