@@ -32,7 +32,7 @@ THEIRS = (
 
 def ours(resolution: Resolution) -> dict[str, float]:
     cell = haptonic.load(STUDY).unit_cell()
-    path = cell.lattice.path(POINTS).kappa
+    path = cell.zone.path(POINTS).kappa
 
     def whole() -> BlochModel:
         model = BlochModel.of(fresh(cell), resolution, 10, measured=False)

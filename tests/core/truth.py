@@ -99,7 +99,7 @@ def _cell(rng: np.random.Generator, kind: str) -> UnitCell:
 
 def wavevectors(cell: UnitCell) -> Array:
     """`KAPPA` within the irreducible zone, the only one that a model answers for: a square's is an eighth."""
-    within = np.sort(KAPPA)[:, ::-1] if DIAGONAL in cell.lattice.point_group else KAPPA
+    within = np.sort(KAPPA)[:, ::-1] if DIAGONAL in cell.point_group else KAPPA
     return np.unique(within, axis=0)
 
 

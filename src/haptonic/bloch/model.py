@@ -24,9 +24,9 @@ from haptonic.bloch.resolution import (
     check_thickness,
     starting_rung,
 )
+from haptonic.brillouin import IrreducibleZone
 from haptonic.cell import UnitCell
 from haptonic.errors import ResourceError
-from haptonic.lattice import Lattice
 from haptonic.superelement import Superelement, condense_by_parts, definite, on_each
 
 Array = NDArray[np.float64]
@@ -79,7 +79,7 @@ class ReducedCell:
         rest = _orthonormal(full.near_rest(), mass)
         snapshots: list[Array] = []
         error, small, basis, lost = np.inf, None, rest, LOST_DIRECTION
-        for wavevectors in _training(superelement.cell.lattice):
+        for wavevectors in _training(superelement.cell.zone):
             values, modes = zip(
                 *(eigenpairs(full, kappa, count + SPARE_MODES) for kappa in wavevectors), strict=True
             )
@@ -107,11 +107,11 @@ class ReducedCell:
         return self.centred.periodic.expanded(self.centred.free(self.basis @ modes, kappa), kappa)
 
 
-def _training(lattice: Lattice) -> Iterator[Array]:
+def _training(zone: IrreducibleZone) -> Iterator[Array]:
     """Wavevectors of the irreducible zone in ever denser batches, each only once."""
     seen = np.empty((0, 2))
     for divisions in TRAINING_DIVISIONS:
-        vertices, triangles = lattice.zone_triangles(divisions)
+        vertices, triangles = zone.triangles(divisions)
         for batch in (vertices, vertices[triangles].mean(axis=1)):
             apart = np.linalg.norm(batch[:, None] - seen, axis=2).min(axis=1, initial=np.inf)
             new = batch[apart > 1e-6]
@@ -234,7 +234,7 @@ class BlochModel:
     def omission(self) -> float:
         """Largest relative error that the interior's short space adds at the corners of the zone."""
         worst = 0.0
-        for kappa in self.cell.lattice.corner_phases.values():
+        for kappa in self.cell.zone.corner_phases.values():
             values, modes = eigenpairs(self.fine.pencil, kappa, self.count)
             moving = values > (2 * np.pi * REST * self.highest) ** 2
             lost = self._omitted(values, self.fine.expanded(modes, kappa))[moving] / _hertz(values)[moving]
@@ -244,7 +244,7 @@ class BlochModel:
     @cached_property
     def worst_error(self) -> float:
         """Largest relative error estimate over a coarse sampling of the irreducible zone, rest left out."""
-        wavevectors, _ = self.cell.lattice.zone_triangles(ERROR_DIVISIONS)
+        wavevectors, _ = self.cell.zone.triangles(ERROR_DIVISIONS)
         worst = 0.0
         for kappa in wavevectors:
             solution = self.solve(kappa)

@@ -4,10 +4,12 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass, replace
+from functools import cached_property
 
+from haptonic.brillouin import IrreducibleZone
 from haptonic.cell.pillar import Pillar
 from haptonic.errors import GeometryError
-from haptonic.lattice import Lattice
+from haptonic.lattice import HALF_TURN, Lattice, PointGroup
 from haptonic.materials import Material, is_symmetry
 
 SHEET = 0.08  # thickness, in half pitches, below which a plate is thin
@@ -22,7 +24,7 @@ class UnitCell:
     Raises
     ------
     GeometryError : sizes that are not positive, a pillar that does not fit into the period, or a material
-        with less symmetry than the lattice
+        that half a turn about the normal does not leave as it is
     """
 
     lattice: Lattice
@@ -31,13 +33,13 @@ class UnitCell:
     pillar: Pillar | None = None
 
     def __post_init__(self) -> None:
-        if not all(is_symmetry(self.material.stiffness, op) for op in self.lattice.operations()):
+        if HALF_TURN not in self.point_group:
             raise GeometryError(
-                argument="cell.lattice",
-                given=f"{self.lattice.name}, of {self.material.name}",
-                allowed="a lattice whose turns and mirrors leave the material as it is",
-                cause="the material is stiffer along one axis than along the other",
-                next_step='write lattice = "rectangular" with pitch_y = pitch: it does without the diagonal',
+                argument="material",
+                given=self.material.name,
+                allowed="a material that half a turn about the plate's normal leaves as it is",
+                cause="its constants couple motion in the plane with motion out of it",
+                next_step="turn the material so that one of its axes is normal to the plate",
             )
         if not (math.isfinite(self.thickness) and self.thickness > 0):
             raise GeometryError(
@@ -49,6 +51,21 @@ class UnitCell:
             )
         if self.pillar is not None and self.clearance < LEAST_CLEARANCE * self.lattice.pitch:
             raise _too_wide(self.pillar, self.inradius - LEAST_CLEARANCE * self.lattice.pitch)
+
+    @cached_property
+    def point_group(self) -> PointGroup:
+        """The turns and mirrors that leave lattice, pillar and material as they are."""
+        return self.lattice.point_group.kept(
+            lambda turn: (
+                is_symmetry(self.material.stiffness, turn)
+                and (self.pillar is None or self.pillar.has_symmetry(turn))
+            )
+        )
+
+    @cached_property
+    def zone(self) -> IrreducibleZone:
+        """The part of the Brillouin zone that these operations and time reversal do not repeat."""
+        return IrreducibleZone.of(self.lattice, self.point_group)
 
     @property
     def inradius(self) -> float:
