@@ -36,7 +36,7 @@ def lattices(draw: st.DrawFn) -> Lattice:
     vectors = np.array([(pitch, 0.0), (lean, np.sqrt(other**2 - lean**2))])
     c, s = np.cos(turn), np.sin(turn)
     (x1, y1), (x2, y2) = (vectors @ np.array([(c, s), (-s, c)])).tolist()
-    return Lattice("oblique", (x1, y1), (x2, y2))
+    return Lattice.oblique((x1, y1), (x2, y2))
 
 
 @st.composite
