@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from importlib.metadata import version
 from pathlib import Path
 
+from haptonic.progress import Progress, silent
 from haptonic.report.chapter import Picture, Table
 from haptonic.report.page import filled
 from haptonic.results import FrictionResult
@@ -14,14 +14,14 @@ TEMPLATE = "quality.html"
 MOST_LISTED = 500  # excluded trials; trials.csv has them all
 
 
-def quality(result: FrictionResult, told: Callable[[int, int, bool], None]) -> str:
-    """The page as text; ``told`` is called with (done, planned, False) in sheets."""
+def quality(result: FrictionResult, progress: Progress = silent) -> str:
+    """The page as text; ``progress`` is called with the sheets done and all of them."""
     blocks, more = result.blocks()
     pictures = []
     for person, block, figure in result.sheets(blocks):
         name = f"Participant {person}, block {block}"
         pictures.append(Picture(figure, name, f"{name}: the forces of every trial"))
-        told(len(pictures), len(blocks), False)
+        progress(len(pictures), len(blocks))
     return filled(
         TEMPLATE,
         origin=result.origin,
@@ -37,9 +37,9 @@ def quality(result: FrictionResult, told: Callable[[int, int, bool], None]) -> s
     )
 
 
-def write_quality(result: FrictionResult, path: Path, told: Callable[[int, int, bool], None]) -> None:
+def write_quality(result: FrictionResult, path: Path, progress: Progress = silent) -> None:
     """Write the page, UTF-8: pictures and style inside, no script, nothing from elsewhere."""
-    path.write_text(quality(result, told), encoding="utf-8")
+    path.write_text(quality(result, progress), encoding="utf-8")
 
 
 def _excluded(result: FrictionResult) -> Table:

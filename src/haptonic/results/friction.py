@@ -22,11 +22,10 @@ from haptonic.friction.statistics.summary import Condition, Summary, summary
 from haptonic.friction.words import AVERAGES
 from haptonic.names import cell
 from haptonic.paths import source as checked
+from haptonic.progress import Progress, silent
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
-
-Told = Callable[[int, int, bool], None]
 
 PARTS = ("mean", "sd")
 MOST_SHEETS = 60  # blocks that are drawn trial by trial
@@ -164,7 +163,7 @@ def compute_friction(
     *,
     driven: str | None = None,
     workers: int = 0,
-    told: Told = lambda done, planned, stored: None,
+    progress: Progress = silent,
 ) -> FrictionResult:
     """Read and measure all trials, and say what they prove.
 
@@ -179,7 +178,7 @@ def compute_friction(
     FrictionError : a table that is wrong, no trial that counts, or no waveguide of that name
     """
     source = checked(source, "folder of trials")
-    read = analysed(source, sensor, rules, excluded, workers=workers, told=told)
+    read = analysed(source, sensor, rules, excluded, workers=workers, progress=progress)
     return FrictionResult(source, sensor, rules, read.trials, read.remarks, summary(read.trials, driven))
 
 

@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 from haptonic import plots
 from haptonic.bloch import Gap
 from haptonic.bloch.exact import exact_modes
+from haptonic.bloch.gaps import need_gap_at
 from haptonic.bloch.pencil import eigenpairs
 from haptonic.cell import UnitCell
 from haptonic.design.parameters import values_of
@@ -31,7 +32,6 @@ from haptonic.design.tolerance import (
 )
 from haptonic.errors import HaptonicError, StudyError
 from haptonic.jobs import Task
-from haptonic.results.carrier import gap_holding
 from haptonic.results.common import Asked, stamped
 from haptonic.results.runner import Runner
 
@@ -126,7 +126,7 @@ def compute_tolerance(
             cause=f"a quadratic in so many parameters has {needed} coefficients",
             next_step="compute more samples, or leave spreads out that hardly matter",
         )
-    gap = gap_holding(cell, asked, carrier, runner)
+    gap = need_gap_at(runner.gaps(cell, asked), carrier)
     try:
         designs = samples(cell, spreads, count)
     except HaptonicError as error:

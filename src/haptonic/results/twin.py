@@ -21,6 +21,7 @@ from haptonic.friction.twin.files import SIMULATED, WRITERS
 from haptonic.friction.twin.gauges import GAUGES, calibration, voltages
 from haptonic.friction.twin.strokes import AXES, RATE, samples_of
 from haptonic.paths import inside
+from haptonic.progress import Progress, silent
 from haptonic.store import write_atomically
 
 NOTHING = 1e-6  # a reduction that is none
@@ -88,12 +89,12 @@ class FrictionTwin:
             "speed_m_per_s": list(truth.speed),
         }
 
-    def write(self, folder: Path, told: Callable[[int, int, bool], None]) -> None:
+    def write(self, folder: Path, progress: Progress = silent) -> None:
         """Write all files, one after the other; the list of trials comes last.
 
         Parameters
         ----------
-        told : is called with the number of trials written, the number of all, and False
+        progress : called with the trials written and all of them
         """
         labels = self.protocol.order(len(self.group))
         matrix = calibration() if self.raw else None
@@ -105,7 +106,7 @@ class FrictionTwin:
             many = list(shared)
             write_atomically(inside(folder, name), partial(WRITERS[self.suffix[1:]], _channels(many, matrix)))
             done += len(many)
-            told(done, len(labels), False)
+            progress(done, len(labels))
         write_atomically(folder / STUDY, lambda path: path.write_text(self.study, encoding="utf-8"))
         text = json.dumps(self.to_json(), indent=1) + "\n"
         write_atomically(folder / TRUTH, lambda path: path.write_text(text, encoding="utf-8"))

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -13,6 +13,7 @@ from haptonic.gate import WORD
 from haptonic.materials import Material
 from haptonic.plate import Band, Fineness, Layout, Plate, PlateModel, modes_between
 from haptonic.plate.keys import PLATE
+from haptonic.progress import Progress, silent
 from haptonic.response import contrast, rms
 from haptonic.results.plate.answer import responded
 from haptonic.results.plate.datasets import mode_names
@@ -93,7 +94,7 @@ def mode_shifts(
     look: Look,
     store: Store,
     inputs: Mapping[str, object],
-    told: Callable[[], None] = lambda: None,
+    progress: Progress = silent,
 ) -> xr.Dataset:
     """The mode of a guide in several plates, by what is said of each."""
     # the order counts: the first plate is the one that the others are compared with
@@ -102,9 +103,9 @@ def mode_shifts(
     if (known := store.get(key)) is not None:
         return known
     frequencies = []
-    for plate, fineness in plates.values():
+    for done, (label, (plate, fineness)) in enumerate(plates.items()):
+        progress(done, len(plates), label)
         frequencies.append(guide_mode(plate, region, look, fineness))
-        told()
     found = xr.Dataset(
         {"mode_frequency": ("plate", np.array(frequencies), {"units": "Hz", WORD: "no such mode"})},
         coords={"plate": list(plates)},

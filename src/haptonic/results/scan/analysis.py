@@ -17,6 +17,7 @@ from haptonic.bloch import Gap
 from haptonic.errors import HaptonicError, ResponseError, ScanError
 from haptonic.plate import Plate
 from haptonic.plate.layout import Layout
+from haptonic.progress import Progress, silent
 from haptonic.response import FrequencyResponse, average_spectrum
 from haptonic.response.measures import sides
 from haptonic.results.common import Asked
@@ -52,7 +53,6 @@ from haptonic.vibrometry.estimation.quality import judged
 from haptonic.vibrometry.estimation.spectra import Estimator, WindowName
 
 Array = NDArray[np.float64]
-Progress = Callable[[int, int], object]
 
 # name of all points on lattices while the gap is looked for; longer than any name of a study
 LATTICE = "the points on the lattices of the plate, all together"
@@ -104,7 +104,7 @@ def compute_scan(
     *,
     at: float | None = None,
     store: Store,
-    progress: Progress | None = None,
+    progress: Progress = silent,
 ) -> ScanResult:
     """All that a scan tells.
 
@@ -180,7 +180,7 @@ def _joined(read: ReadReport, estimated: ReadReport) -> ReadReport:
     )  # fmt: skip
 
 
-def _estimated(scan: Scan, how: Estimation, on: OnPlate | None, progress: Progress | None) -> Estimate:
+def _estimated(scan: Scan, how: Estimation, on: OnPlate | None, progress: Progress) -> Estimate:
     """The response of a scan and the quality of its points, estimated where the scan has time records."""
     if isinstance(scan.content, FrequencyResponse):
         response = scan.content

@@ -1,0 +1,71 @@
+"""Waveguides that fit between two mirrors."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from pydantic import ValidationError
+
+from haptonic.analyses.analysis import Analysis, option
+from haptonic.errors import StudyError
+from haptonic.results.guides import Guides, compute_guides
+from haptonic.results.runner import Runner
+from haptonic.study.asking import WaveguideSection
+from haptonic.study.schema import Description
+from haptonic.units import shown
+
+
+@dataclass(frozen=True)
+class Options:
+    """What may be chosen."""
+
+    mode: str | None = option(
+        None, "Nodal lines across, intervals along; else the study's.", metavar="MxN"
+    )
+
+
+def asked(study: Description, options: Options) -> WaveguideSection:
+    """What the study asks for, with the mode that was chosen.
+
+    Raises
+    ------
+    StudyError : the mode is not written like ``0x17``
+    """
+    own = study.waveguide_settings
+    if options.mode is None:
+        return own
+    try:
+        return type(own).model_validate({**own.model_dump(), "mode": options.mode})
+    except ValidationError:
+        raise StudyError(
+            argument="--mode",
+            given=shown(options.mode),
+            allowed="nodal lines across, an x, and intervals between nodal lines along, such as 0x17",
+            cause="it is not written like that",
+            next_step="write it like 0x17",
+        ) from None
+
+
+def compute(study: Description, options: Options, runner: Runner) -> Guides:
+    """Width, length and frequency of waveguides whose mode lies in the gap that holds the carrier.
+
+    Raises
+    ------
+    StudyError : no carrier, no gap that holds it, or no such waveguide
+    """
+    section = asked(study, options)
+    found: Guides = compute_guides(
+        study.unit_cell(), study.asked(), carrier=study.need_carrier(), mode=section.nodal_lines,
+        width=section.width, rows=section.rows, ends=section.ends, inputs=study.inputs(), runner=runner,
+    )  # fmt: skip
+    return found
+
+
+ANALYSIS = Analysis(
+    name="waveguide",
+    help="Width, length and frequency of a waveguide between two such mirrors.",
+    result=Guides,
+    compute=compute,
+    options=Options,
+    check=asked,
+)
