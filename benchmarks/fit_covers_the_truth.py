@@ -91,7 +91,11 @@ class Bench:
 
     def __init__(self) -> None:
         study = loads(STUDY)
-        self.plate, self.unknowns, self.fineness = study.plate(), study.fit.unknowns, study.fineness()
+        self.plate, self.unknowns, self.fineness = (
+            study.mounted_plate(),
+            study.fit_settings.unknowns,
+            study.fineness(),
+        )
         self.points, _ = grid_points(self.plate, GRID)
         self.drive = drive(low=BAND[0], high=BAND[1], sample_rate=RATE, duration=PERIOD)
         lines = np.fft.rfftfreq(len(self.drive.samples), 1 / RATE)

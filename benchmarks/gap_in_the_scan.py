@@ -53,8 +53,8 @@ def main() -> None:
 def told(name: str, study: haptonic.Study, kept: Path | None) -> dict[str, Any]:
     """Computed and told edges, Hz, and the error of the contrast of a twin with the default instrument."""
     store = Store.default()
-    asked = study.scan.frozen().of_plate(
-        study.plate_section.response.tolerance, study.scan.frozen().drive(study.plate())
+    asked = study.scan_settings.frozen().of_plate(
+        study.finite_plate.response.tolerance, study.scan_settings.frozen().drive(study.mounted_plate())
     )
     response: FrequencyResponse
     if kept is not None:

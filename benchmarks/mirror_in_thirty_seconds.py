@@ -19,9 +19,14 @@ BOUNDS = {"cell.pillar.diameter": (2e-3, 5e-3), "cell.pillar.height": (5e-3, 18e
 
 def main() -> None:
     study = haptonic.load(STUDY)
-    section = study.design
+    section = study.design_settings
     brief = Brief(
-        study.unit_cell(), study.need_carrier(), study.bands_section.count, BOUNDS, slenderness=5.0, tool=2e-3
+        study.unit_cell(),
+        study.need_carrier(),
+        study.bands_settings.count,
+        BOUNDS,
+        slenderness=5.0,
+        tool=2e-3,
     )
     with tempfile.TemporaryDirectory() as folder:
         start = time.perf_counter()

@@ -26,7 +26,7 @@ TOLERANCE = 1e-3
 
 def plate_of(rows: int) -> Plate:
     """The prototype with so many rows of tiles, its patch where it was."""
-    plate = haptonic.load(STUDY).plate()
+    plate = haptonic.load(STUDY).mounted_plate()
     layout = plate.layout
     pitch = layout.y[1]
     y = tuple((pitch * np.arange(rows + 1)).tolist())

@@ -17,7 +17,7 @@ BETWEEN = (54.5e3, 58.5e3)  # Hz, in the gap
 
 def main() -> None:
     study = haptonic.load(STUDY)
-    plate, section = study.plate(), study.plate_section
+    plate, section = study.mounted_plate(), study.finite_plate
     assert section is not None
     first, second = plate.layout.regions
     asked = section.response

@@ -49,10 +49,10 @@ print(time.process_time(), status("VmHWM"), own[0])
 def main() -> None:
     warnings.simplefilter("ignore", haptonic.HaptonicWarning)  # the period is shorter than the ring-down
     study, store = haptonic.load(STUDY), Store.default()
-    question = study.scan.frozen()
-    section = study.plate_section
+    question = study.scan_settings.frozen()
+    section = study.finite_plate
     assert section is not None
-    asked = question.of_plate(section.response.tolerance, question.drive(study.plate()))
+    asked = question.of_plate(section.response.tolerance, question.drive(study.mounted_plate()))
     start = time.perf_counter()
     response = study.vibrating(asked=asked, store=store).response
     computing = time.perf_counter() - start
@@ -99,7 +99,7 @@ def stream(response: FrequencyResponse) -> dict[str, Any]:
         path = place / "study.toml"
         path.write_text(STUDY.read_text("utf-8").replace("# Wider and narrower pillars", LONG), "utf-8")
         study = haptonic.load(path)
-        cut = response.between(study.scan.lowest, study.scan.highest)
+        cut = response.between(study.scan_settings.lowest, study.scan_settings.highest)
         start = time.perf_counter()
         write_files(place, scanning.twin_scan(study, response=cut).files("h5", "time"), overwrite=False)
         writing = time.perf_counter() - start
@@ -119,7 +119,10 @@ def stream(response: FrequencyResponse) -> dict[str, Any]:
                 "anonymous_bytes": 1024 * anonymous, "load_before": load,
             })  # fmt: skip
         records = read_scan(place / "scan.h5").records
-        band, period = (study.scan.lowest, study.scan.highest), round(study.scan.record * study.scan.rate)
+        band, period = (
+            (study.scan_settings.lowest, study.scan_settings.highest),
+            round(study.scan_settings.record * study.scan_settings.rate),
+        )
         start, spent = time.perf_counter(), time.process_time()
         estimate(records, band=band, segment=period, workers=2)
         return {

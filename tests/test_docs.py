@@ -64,4 +64,4 @@ def test_the_images_and_pages_that_documents_name_exist():
 def test_the_reference_study_loads_without_a_warning():
     study = load(ROOT / "studies" / "touchpad.toml")
     assert study.carrier == 60e3
-    assert len(study.sweep) == 2
+    assert len(study.sweep_settings) == 2

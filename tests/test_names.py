@@ -140,7 +140,7 @@ def with_names(region, other, actuator):
 @given(st.lists(names.filter(lambda name: name != "lattice"), min_size=2, max_size=2, unique=True), names)
 def test_a_study_takes_every_allowed_name_and_keeps_it(regions, actuator):
     study = loads(with_names(*regions, actuator))
-    plate = study.plate()
+    plate = study.mounted_plate()
     assert set(plate.layout.regions) == set(regions)
     assert [one.name for one in plate.actuators] == [actuator]
     again = loads(study.to_toml())

@@ -93,8 +93,8 @@ class TestDesign:
         assert answer["study"] == (out / "design.toml").read_text("utf-8")
         own = package.load(question)
         assert found == own.with_parameters(answer["values"])
-        assert found.design == own.design
-        bounds = {one.parameter: (one.start, one.stop) for one in own.design.vary}
+        assert found.design_settings == own.design_settings
+        bounds = {one.parameter: (one.start, one.stop) for one in own.design_settings.vary}
         assert answer["values"].keys() == bounds.keys()
         for path, (low, high) in bounds.items():
             assert low <= answer["values"][path] <= high

@@ -45,9 +45,9 @@ def folder(tmp_path_factory, store_folder):
     (out / "plain.toml").write_text(TINY, "utf-8")
     (out / "cell.toml").write_text(TINY[: TINY.index("[plate]")], "utf-8")
     study = load(out / "true.toml")
-    question = study.scan.frozen()
+    question = study.scan_settings.frozen()
     with pytest.warns(HaptonicWarning, match="ring-down"):
-        drive = question.drive(study.plate())
+        drive = question.drive(study.mounted_plate())
     computed = study.vibrating(asked=question.of_plate(1e-3, drive), store=store).response
     with pytest.warns(HaptonicWarning, match="ring-down"):
         made = scanning.twin_scan(study, seed=5, response=computed, store=store)
@@ -83,7 +83,7 @@ def test_one_command_gives_maps_gap_and_verdict(inside, folder, tmp_path):
     assert loss["value"] == pytest.approx(TRUE, rel=0.02)
     before, after = (data["agreement"][name]["unexplained"] for name in ("model as given", "model fitted"))
     assert after < 1e-2 < 3e-2 < before
-    assert load(out / "fitted.toml").plate_section.loss_factor == pytest.approx(TRUE, rel=0.02)
+    assert load(out / "fitted.toml").finite_plate.loss_factor == pytest.approx(TRUE, rel=0.02)
     # what the scan has given is judged once more, by the same measure
     again = inside(
         "verdict", out / "response.nc", folder / "plain.toml", "--computed", out / "model.nc", "--json"

@@ -60,7 +60,9 @@ def store(store_folder):
 def truth(study, store):
     """The plate's response at the points and lines of the scan."""
     with pytest.warns(HaptonicWarning, match="ring-down"):
-        asked = study.scan.frozen().of_plate(1e-3, study.scan.frozen().drive(study.plate()))
+        asked = study.scan_settings.frozen().of_plate(
+            1e-3, study.scan_settings.frozen().drive(study.mounted_plate())
+        )
     return study.vibrating(asked=asked, store=store).response
 
 
@@ -170,10 +172,10 @@ class TestChirp:
         assert_five_parts(inside("chirp", path, "--json"), argument)
 
     def test_a_region_is_skipped(self, study):
-        both = study.scan.frozen()
-        half = study.scan.model_copy(update={"skip": "WG2"}).frozen()
-        layout = study.plate().layout
-        everywhere, some = (question.plan(study.plate()).points for question in (both, half))
+        both = study.scan_settings.frozen()
+        half = study.scan_settings.model_copy(update={"skip": "WG2"}).frozen()
+        layout = study.mounted_plate().layout
+        everywhere, some = (question.plan(study.mounted_plate()).points for question in (both, half))
         inside = (some[:, 0] > layout.x[5]) & (some[:, 0] < layout.x[7])
         assert not inside.any()
         assert (
@@ -217,7 +219,9 @@ class TestTwin:
     def test_a_noisy_vibrometer_hides_levels_and_what_is_told_is_right(self, study, truth, on, store):
         shares = []
         for noise in (5e-5, 2e-3, 8e-3):
-            loud = study.model_copy(update={"scan": study.scan.model_copy(update={"noise": noise})})
+            loud = study.model_copy(
+                update={"scan_settings": study.scan_settings.model_copy(update={"noise": noise})}
+            )
             with pytest.warns(HaptonicWarning, match="ring-down"):
                 made = scanning.twin_scan(loud, response=truth, store=store)
             result = compute_scan(_as_scan(made), Estimation(), on, store=store)
@@ -242,7 +246,7 @@ class TestTwin:
         assert known["origin"] == "simulated"
         assert known["seed"] == 3
         # contrast by hand, of the points that are scanned
-        plan = study.scan.frozen().plan(study.plate()).points
+        plan = study.scan_settings.frozen().plan(study.mounted_plate()).points
         name = {
             tuple(np.round(p, 6)): str(r)
             for p, r in zip(truth.points, truth.dataset["region"].values, strict=True)
@@ -379,7 +383,9 @@ class TestScan:
         assert np.array_equal(again.response.values, at_once.response.values)
 
     def test_bad_points_are_replaced_and_marked(self, study, truth, on, store):
-        lost = study.model_copy(update={"scan": study.scan.model_copy(update={"dropouts": 0.1})})
+        lost = study.model_copy(
+            update={"scan_settings": study.scan_settings.model_copy(update={"dropouts": 0.1})}
+        )
         with pytest.warns(HaptonicWarning, match="ring-down"):
             made = scanning.twin_scan(lost, seed=1, response=truth, store=store)
         plain = compute_scan(_as_scan(made), Estimation(), on, store=store)

@@ -30,7 +30,7 @@ def store(store_folder):
 
 class TestPlaces:
     def test_the_mirror_lies_between_the_guides(self, study):
-        layout = study.plate().layout
+        layout = study.mounted_plate().layout
         mirror = mirror_beside(layout, "WG1")
         assert (mirror.depth, mirror.inwards, mirror.rows) == ("x", 1, 2)
         assert (mirror.start, mirror.pitch) == pytest.approx((21e-3, 7e-3))
@@ -41,14 +41,14 @@ class TestPlaces:
         assert np.array_equal(mirror.area.holds(points), back.area.holds(points))
 
     def test_rows_of_the_same_lattice_lie_beside_every_guide(self, study):
-        strips = strips_of(study.plate().layout, "WG1")
+        strips = strips_of(study.mounted_plate().layout, "WG1")
         assert sorted((one.start, one.inwards, one.rows) for one in strips) == [
             (pytest.approx(7e-3), -1, 1), (pytest.approx(35e-3), -1, 2), (pytest.approx(49e-3), 1, 1),
         ]  # fmt: skip
         assert [one.period for one in strips] == pytest.approx([7e-3] * 3)
 
     def test_guides_run_along_their_longer_side(self, study):
-        one, two = guides_of(study.plate().layout)
+        one, two = guides_of(study.mounted_plate().layout)
         assert (one.region, one.along, one.width, one.lattice) == (
             "WG1",
             "y",
@@ -66,10 +66,10 @@ class TestPlaces:
             assert old in text
             text = text.replace(old, new)
         turned = loads(text)
-        guides = {guide.region: guide for guide in guides_of(turned.plate().layout)}
+        guides = {guide.region: guide for guide in guides_of(turned.mounted_plate().layout)}
         assert (guides["WG1"].along, guides["WG1"].lattice) == ("x", None)
         # above WG1 there is a whole row of the lattice, below there is not
-        mirror = mirror_beside(turned.plate().layout, "WG1")
+        mirror = mirror_beside(turned.mounted_plate().layout, "WG1")
         assert (mirror.depth, mirror.inwards, mirror.rows) == ("y", 1, 1)
 
 
@@ -77,7 +77,7 @@ class TestWaves:
     def test_the_guide_s_mode_is_that_of_a_strip_as_long_as_it_needs(self, study, store):
         """The mode at a wavenumber is that of a strip with free ends whose length fits it."""
         layout, gap = (
-            study.plate().layout,
+            study.mounted_plate().layout,
             Gap((6, 7), 56e3, 62e3, 0.0, 0.0, (0.0, 0.0), (0.0, 0.0), True, "", 9),
         )
         guides = [replace(one, along="y", width=32e-3, lattice="lattice") for one in guides_of(layout)]

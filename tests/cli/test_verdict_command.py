@@ -89,7 +89,7 @@ def scan(plated, exact, tmp_path):
     def make(**others):
         if not exact:
             described = load(plated())
-            of = changed(described.plate(), TRUE)
+            of = changed(described.mounted_plate(), TRUE)
             points, regions = grid_points(of, 3e-3)
             lines = np.linspace(0, 22e3, 221)
             found = responded(of, lines[10:], points, regions, 1e-3, fineness=described.fineness())
@@ -143,7 +143,7 @@ def test_verdict_finds_the_numbers_and_writes_its_files(haptonic, plated, scan, 
     assert updated.resolved_material().youngs_modulus == pytest.approx(
         found["material.youngs_modulus"], rel=1e-12
     )
-    assert updated.plate_section.loss_factor == pytest.approx(found["plate.loss_factor"], rel=1e-12)
+    assert updated.finite_plate.loss_factor == pytest.approx(found["plate.loss_factor"], rel=1e-12)
     assert read(out / "model.nc").dataset.attrs["origin"] == "simulated"
 
 

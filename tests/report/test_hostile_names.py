@@ -130,9 +130,9 @@ def test_pages_of_a_plate_and_its_scan_hold_text_only(tmp_path, monkeypatch):
     for plain, name in zip(("WG1", "WG2"), regions, strict=True):
         text = text.replace(f'"{plain}"', f'"{name}"')
     study, store = loads(text), Store(tmp_path)
-    question = study.scan.frozen()
+    question = study.scan_settings.frozen()
     with pytest.warns(HaptonicWarning, match="ring-down"):
-        drive = question.drive(study.plate())
+        drive = question.drive(study.mounted_plate())
     asked = replace(question.of_plate(1e-3, drive), points=126)
     plate = study.vibrating(asked=asked, store=store)
     scan = scanning.rescanned(study, plate, seed=2, store=store)

@@ -168,7 +168,7 @@ class TestChaptersLeftOut:
         assert "Left out: Sweeps, because they were not computed in this run." in reader.text
 
     def test_a_study_without_sweeps_is_told_from_one_that_was_not_run(self):
-        text = read(page(results(study=study_with(sweep=()), sweeps=()))).text
+        text = read(page(results(study=study_with(sweep_settings=()), sweeps=()))).text
         assert "because the study describes none" in text
 
     def test_without_mode_shapes(self):
@@ -202,7 +202,7 @@ class TestChaptersLeftOut:
 
     def test_a_plate_without_a_pillar_has_a_report(self):
         cell = reference_study().cell.model_copy(update={"pillar": None})
-        made = read(page(results(study=study_with(cell=cell, sweep=()), sweeps=())))
+        made = read(page(results(study=study_with(cell=cell, sweep_settings=()), sweeps=())))
         assert "pitch 7 mm; plate 1.5 mm" in made.text
 
     def test_every_chapter_is_a_chapter_or_says_why_not(self):
@@ -210,7 +210,7 @@ class TestChaptersLeftOut:
         without = ["Plate", "The scan, from a twin", "What a finger feels", "Friction trials"]
         assert left_out == without, "no plate was computed here"
         for chapter in IN_ORDER:
-            made = chapter(results(study=study_with(sweep=()), sweeps=()))
+            made = chapter(results(study=study_with(sweep_settings=()), sweeps=()))
             assert isinstance(made, Chapter | Absent)
 
 

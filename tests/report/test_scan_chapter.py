@@ -31,9 +31,9 @@ def study():
 @pytest.fixture(scope="module")
 def plate(study, store):
     """Computed at 126 lines 400 Hz apart: others than those of the study's own scan."""
-    question = study.scan.frozen()
+    question = study.scan_settings.frozen()
     with pytest.warns(HaptonicWarning, match="ring-down"):
-        drive = question.drive(study.plate())
+        drive = question.drive(study.mounted_plate())
     asked = replace(question.of_plate(1e-3, drive), points=126)
     return study.vibrating(asked=asked, store=store)
 

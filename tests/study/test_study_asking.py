@@ -169,22 +169,22 @@ class TestRefusals:
         error = refused(text)
         assert error.argument == "study: design.vary[1].parameter"
         assert "[material] table" in error.cause
-        assert loads(PLAIN + of("material.density", '"10 kg/m^3"')).tolerance.of[0].spread == 10
+        assert loads(PLAIN + of("material.density", '"10 kg/m^3"')).tolerance_settings.of[0].spread == 10
 
 
 class TestReading:
     def test_every_value_is_in_si_units(self, every_key_text):
         study = loads(every_key_text)
         assert study.cell.pillar.draft == pytest.approx(math.radians(2), rel=1e-15)
-        assert study.layers.angle == pytest.approx(math.radians(30), rel=1e-15)
-        assert (study.layers.lowest, study.layers.highest) == (40e3, 80e3)
-        assert study.waveguide.nodal_lines == (1, 12)
-        angle, ratio = study.design.vary
+        assert study.layers_settings.angle == pytest.approx(math.radians(30), rel=1e-15)
+        assert (study.layers_settings.lowest, study.layers_settings.highest) == (40e3, 80e3)
+        assert study.waveguide_settings.nodal_lines == (1, 12)
+        angle, ratio = study.design_settings.vary
         assert (angle.start, angle.unit) == (0.0, "rad")
         assert angle.stop == pytest.approx(math.radians(3), rel=1e-15)
         assert (ratio.start, ratio.stop, ratio.unit) == (0.3, 0.35, "")
-        assert study.design.finger == Finger(5.0, 0.02, 20e-6)
-        size, stiffness = (one.frozen() for one in study.tolerance.of)
+        assert study.design_settings.finger == Finger(5.0, 0.02, 20e-6)
+        size, stiffness = (one.frozen() for one in study.tolerance_settings.of)
         assert (size.path, size.width, size.distribution, size.per) == (
             "cell.pillar.diameter", 20e-6, "uniform", "pillar",
         )  # fmt: skip
@@ -206,9 +206,9 @@ class TestReading:
 
     def test_what_is_left_out(self):
         study = loads(BASE)
-        assert study.design.vary == study.tolerance.of == ()
-        assert study.design.finger is None
-        assert study.waveguide.nodal_lines == (0, 17)
+        assert study.design_settings.vary == study.tolerance_settings.of == ()
+        assert study.design_settings.finger is None
+        assert study.waveguide_settings.nodal_lines == (0, 17)
         for asking, path in ((study.brief, "design.vary"), (study.toleranced, "tolerance.of")):
             with pytest.raises(StudyError) as caught:
                 asking()
@@ -220,7 +220,7 @@ class TestReading:
         text = BASE.replace('carrier = "60 kHz"', "") + table
         study = loads(text)
         with pytest.raises(StudyError) as caught:
-            (study.designed if study.design.vary else study.toleranced)()
+            (study.designed if study.design_settings.vary else study.toleranced)()
         assert caught.value.argument == "carrier"
         assert all(caught.value.parts().values())
 
@@ -233,7 +233,7 @@ class TestReading:
         for path, unit in UNITS.items():
             written = f'"{0.01 * own[path]!r} {unit}"' if unit else repr(0.01 * own[path])
             text = every_key_text[:start] + of(path, written) + every_key_text[end:]
-            assert loads(text).tolerance.of[0].spread == pytest.approx(0.01 * own[path], rel=1e-12)
+            assert loads(text).tolerance_settings.of[0].spread == pytest.approx(0.01 * own[path], rel=1e-12)
 
 
 class TestManyParametersAtOnce:
@@ -253,8 +253,16 @@ class TestManyParametersAtOnce:
         values = {"cell.pillar.step.height": 0.007, "material.density": 2650.0, "cell.pillar.draft": 0.0}
         changed = study.with_parameters(values)
         assert changed.parameters() == {**study.parameters(), **values}
-        assert changed.sweep == ()
-        for name in ("title", "bands_section", "mesh", "layers", "waveguide", "design", "tolerance"):
+        assert changed.sweep_settings == ()
+        for name in (
+            "title",
+            "bands_settings",
+            "mesh",
+            "layers_settings",
+            "waveguide_settings",
+            "design_settings",
+            "tolerance_settings",
+        ):
             assert getattr(changed, name) == getattr(study, name)
 
     def test_an_impossible_design_is_refused(self, every_key_text):

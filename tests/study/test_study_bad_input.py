@@ -175,7 +175,7 @@ def test_list_of_problems_is_cut():
 def test_number_of_sweeps_is_limited(reference_text):
     row = '[[sweep]]\nvary = "cell.pitch"\nfrom = "7 mm"\nto = "8 mm"\nsteps = 2\n'
     assert "at most 50 of them" in refused(reference_text + row * 49).allowed
-    assert len(loads(reference_text + row * 48).sweep) == 50
+    assert len(loads(reference_text + row * 48).sweep_settings) == 50
 
 
 def test_unknown_library_material_suggests_the_nearest():

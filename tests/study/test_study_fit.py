@@ -8,8 +8,8 @@ BOND, LOSS = "plate.actuator[1].bond.thickness", "plate.loss_factor"
 def test_a_study_takes_fitted_numbers_and_nothing_else(every_key_text):
     study = loads(every_key_text)
     other = study.with_fitted({BOND: 72e-6, LOSS: 4e-3})
-    assert other.plate_section.actuator[0].bond.thickness == 72e-6
-    assert other.plate_section.loss_factor == 4e-3
+    assert other.finite_plate.actuator[0].bond.thickness == 72e-6
+    assert other.finite_plate.loss_factor == 4e-3
     assert other.with_fitted({BOND: 50e-6, LOSS: 2e-3}) == study
     assert loads(other.to_toml()) == other
 
@@ -17,8 +17,8 @@ def test_a_study_takes_fitted_numbers_and_nothing_else(every_key_text):
 def test_a_loss_of_the_material_becomes_one_of_the_plate(edited):
     unknown = '[[fit.vary]]\nparameter = "plate.loss_factor"\nfrom = 1e-4\nto = 1e-2\n\n[[sweep]]'
     study = loads(edited(("loss_factor = 2e-3", ""), ("[[sweep]]", unknown)))
-    assert study.plate().loss_factor == 1e-3
-    assert study.with_fitted({LOSS: 3e-3}).plate().loss_factor == 3e-3
+    assert study.mounted_plate().loss_factor == 1e-3
+    assert study.with_fitted({LOSS: 3e-3}).mounted_plate().loss_factor == 3e-3
 
 
 def test_designs_beyond_the_bounds_of_a_fit_are_designs(edited):

@@ -33,27 +33,27 @@ def test_reference_study_holds_the_prototype(reference_path):
     solid = cell.material
     assert (solid.youngs_modulus, solid.poisson_ratio, solid.density) == (70e9, 0.33, 2700.0)
     assert solid.loss_factor == 1e-3
-    assert (study.bands_section.count, study.bands_section.points, study.bands_section.accuracy) == (
+    assert (study.bands_settings.count, study.bands_settings.points, study.bands_settings.accuracy) == (
         10,
         66,
         2e-3,
     )
-    first, second = study.sweep
+    first, second = study.sweep_settings
     assert (first.start, first.stop, first.steps) == (0.2, 0.8, 25)
     assert (second.start, second.stop, second.steps) == (1.0, 3.0, 25)
 
 
 def test_designs_of_the_reference_sweeps(reference_path):
     study = load(reference_path)
-    widths = [design.unit_cell().pillar.diameter for design in study.designs(study.sweep[0])]
+    widths = [design.unit_cell().pillar.diameter for design in study.designs(study.sweep_settings[0])]
     assert len(widths) == 25
     assert widths[0] == pytest.approx(0.2 * 0.007, rel=1e-15)
     assert widths[12] == pytest.approx(0.5 * 0.007, rel=1e-15)
     assert widths[-1] == pytest.approx(0.8 * 0.007, rel=1e-15)
-    heights = [design.unit_cell().pillar.height for design in study.designs(study.sweep[1])]
+    heights = [design.unit_cell().pillar.height for design in study.designs(study.sweep_settings[1])]
     assert heights[0] == pytest.approx(0.007, rel=1e-15)
     assert heights[-1] == pytest.approx(0.021, rel=1e-15)
-    assert {design.sweep for design in study.designs(study.sweep[1])} == {()}
+    assert {design.sweep_settings for design in study.designs(study.sweep_settings[1])} == {()}
 
 
 def test_short_study_has_the_documented_defaults():
@@ -61,13 +61,13 @@ def test_short_study_has_the_documented_defaults():
     assert study.carrier is None
     assert study.unit_cell().pillar is None
     assert study.unit_cell().material == material("steel")
-    assert (study.bands_section.count, study.bands_section.points, study.bands_section.accuracy) == (
+    assert (study.bands_settings.count, study.bands_settings.points, study.bands_settings.accuracy) == (
         10,
         66,
         2e-3,
     )
     assert (study.mesh.order, study.mesh.foot_rings) == (None, None)
-    assert study.sweep == ()
+    assert study.sweep_settings == ()
 
 
 def test_rectangular_lattice_has_two_periods():
@@ -139,7 +139,10 @@ def test_inputs_ignore_how_a_value_was_written(edited, reference_path):
 
 def test_inputs_of_a_design_do_not_tell_which_sweep_led_to_it(edited):
     study = loads(edited(("to = 0.8", "to = 0.5"), ("from = 1.0", "from = 2.1")))
-    by_width, by_height = study.designs(study.sweep[0])[-1], study.designs(study.sweep[1])[0]
+    by_width, by_height = (
+        study.designs(study.sweep_settings[0])[-1],
+        study.designs(study.sweep_settings[1])[0],
+    )
     assert math.isclose(by_width.cell.pillar.height, by_height.cell.pillar.height)
     assert by_width.inputs().keys() == by_height.inputs().keys()
     assert by_width.inputs()["sweep"] == by_height.inputs()["sweep"] == []

@@ -283,11 +283,11 @@ class TestRefusals:
         assert [word for word in words if word not in str(error)] == []
 
     def test_the_study_that_they_change_is_in_order(self):
-        assert isinstance(loads(TEXT).plate(), Plate)
+        assert isinstance(loads(TEXT).mounted_plate(), Plate)
 
     def test_a_study_without_a_plate_says_how_to_add_one(self):
         with pytest.raises(StudyError) as caught:
-            loads(CELL).plate()
+            loads(CELL).mounted_plate()
         assert caught.value.argument == "plate"
         assert "[plate.tiles]" in caught.value.next_step
         assert all(caught.value.parts().values())
@@ -311,7 +311,7 @@ class TestTouchpad:
     """The reference prototype, from the published drawing."""
 
     def test_sizes_and_pillars(self):
-        plate = load(STUDIES / "touchpad.toml").plate()
+        plate = load(STUDIES / "touchpad.toml").mounted_plate()
         layout = plate.layout
         assert (layout.columns, layout.rows, layout.pillars) == (17, 20, 180)
         assert (layout.x[-1], layout.y[-1]) == pytest.approx((0.127, 0.140), rel=1e-12)
@@ -326,7 +326,7 @@ class TestTouchpad:
         assert not plate.rigid
 
     def test_patch(self):
-        (patch,) = load(STUDIES / "touchpad.toml").plate().actuators
+        (patch,) = load(STUDIES / "touchpad.toml").mounted_plate().actuators
         assert (patch.name, patch.size, patch.voltage) == ("A1", (0.0115, 0.008, 0.0007), 60)
         assert patch.centre == pytest.approx((0.037, 0.035), rel=1e-12)
         assert patch.bond.thickness == 50e-6
@@ -334,7 +334,7 @@ class TestTouchpad:
 
 class TestTwoCarriers:
     def test_two_lattices_around_an_l(self):
-        plate = load(STUDIES / "two_carriers.toml").plate()
+        plate = load(STUDIES / "two_carriers.toml").mounted_plate()
         layout = plate.layout
         assert {name: cell.pillar.height for name, cell in layout.cells.items()} == {
             "lattice": 0.0147, "short": 0.012,
@@ -343,7 +343,7 @@ class TestTwoCarriers:
         assert set(layout.tiles[1]) == {"lattice", "L"}  # the foot of the L lies below
 
     def test_antiphase_is_exact(self):
-        arm, foot = load(STUDIES / "two_carriers.toml").plate().actuators
+        arm, foot = load(STUDIES / "two_carriers.toml").mounted_plate().actuators
         assert (arm.voltage, foot.voltage) == (60, -60)
 
 
@@ -395,17 +395,17 @@ class TestLayout:
     @given(plates())
     def test_tiles_are_where_the_map_has_them(self, drawing):
         study, lines = drawing
-        layout = study.plate().layout
-        letters = {name: letter for letter, name in study.plate_section.tiles.items()} | {None: "."}
+        layout = study.mounted_plate().layout
+        letters = {name: letter for letter, name in study.finite_plate.tiles.items()} | {None: "."}
         again = ["".join(letters[name] for name in row) for row in reversed(layout.tiles)]
         assert again == lines * (layout.rows // len(lines))
-        assert study.plate_section.map == "\n".join([*lines, ""])
+        assert study.finite_plate.map == "\n".join([*lines, ""])
 
     @settings(deadline=None, max_examples=60)
     @given(plates())
     def test_lines_ascend_and_areas_add_up(self, drawing):
         study, lines = drawing
-        layout, cell = study.plate().layout, study.cell
+        layout, cell = study.mounted_plate().layout, study.cell
         assert layout.x[0] == layout.y[0] == 0.0
         assert all(a < b for a, b in zip(layout.x, layout.x[1:], strict=False))
         assert all(a < b for a, b in zip(layout.y, layout.y[1:], strict=False))
@@ -427,7 +427,7 @@ class TestLayout:
     @given(plates())
     def test_columns_are_as_wide_as_the_study_says(self, drawing):
         study, lines = drawing
-        layout, widths = study.plate().layout, study.plate_section.widths
+        layout, widths = study.mounted_plate().layout, study.finite_plate.widths
         for j in range(layout.columns):
             names = {LETTERS.get(line[j]) for line in lines}
             wide = [] if names & {"lattice", "fine"} else [widths[name] for name in names if name in widths]
@@ -438,7 +438,7 @@ class TestLayout:
     @given(plates())
     def test_every_side_face_closes_the_outline(self, drawing):
         """What looks left is as long as what looks right, and the tiles at the rim are their own."""
-        layout = drawing[0].plate().layout
+        layout = drawing[0].mounted_plate().layout
         heights = {
             side: math.fsum(layout.bounds(tile)[3] - layout.bounds(tile)[1] for tile in layout.edge(side))
             for side in ("left", "right")
@@ -458,12 +458,12 @@ class TestLayout:
         assert hash(again) == hash(study)
         assert again.inputs() == study.inputs()
         assert again.to_toml() == study.to_toml()
-        assert again.plate() == study.plate()
+        assert again.mounted_plate() == study.mounted_plate()
 
     @staticmethod
     def laid(*lines: str) -> Layout:
         study = loads(drawn("\n".join(lines)))
-        return study.plate().layout
+        return study.mounted_plate().layout
 
     def test_the_first_line_is_the_top(self):
         layout = self.laid("oo", "1o")
@@ -491,7 +491,7 @@ class TestLayout:
         study = loads(
             drawn("o1111\no1111\nooo11", tiles='o = "lattice"\n1 = "WG1"\n[plate.widths]\nWG1 = "9 mm"')
         )
-        layout = study.plate().layout
+        layout = study.mounted_plate().layout
         assert [round(1e3 * (b - a), 9) for a, b in zip(layout.x, layout.x[1:], strict=False)] == [
             7,
             7,
@@ -506,14 +506,14 @@ class TestLayout:
         text += (
             '[[plate.cell]]\nname = "fine"\nchange = { cell.pitch = "5 mm", "cell.pillar.height" = "9 mm" }\n'
         )
-        layout = loads(text).plate().layout
+        layout = loads(text).mounted_plate().layout
         assert layout.x == pytest.approx((0, 7e-3, 12e-3, 19e-3), rel=1e-12)
         assert layout.y == (0.0, 6e-3)
         assert layout.cells["fine"].pillar.height == 9e-3
         assert layout.cells["fine"].material == layout.material
 
     def test_plain_plate_needs_no_pillar(self):
-        layout = loads(CELL + '[plate]\nmap = "11\\n11"\ntiles = { 1 = "all" }\n').plate().layout
+        layout = loads(CELL + '[plate]\nmap = "11\\n11"\ntiles = { 1 = "all" }\n').mounted_plate().layout
         assert (dict(layout.cells), layout.pillars, layout.regions) == ({}, 0, ("all",))
 
 
@@ -526,7 +526,7 @@ class TestPieces:
 
 class TestWhatIsFixedToIt:
     def test_positions_count_from_the_corner_of_the_region(self):
-        plate = loads(TEXT).plate()
+        plate = loads(TEXT).mounted_plate()
         for one in (*plate.actuators, *plate.forces, plate.finger):
             assert one.centre == pytest.approx((0.033, 0.010), rel=1e-12)
         assert plate.forces[0].amplitude == 1
@@ -537,19 +537,24 @@ class TestWhatIsFixedToIt:
 
     @pytest.mark.parametrize(("phase", "factor"), [(0, 1), (90, 1j), (-90, -1j), (270, -1j), (360, 1)])
     def test_phase(self, phase, factor):
-        plate = loads(edited(('voltage = "60 V"', f'voltage = "60 V"\nphase = "{phase} deg"'))).plate()
+        plate = loads(
+            edited(('voltage = "60 V"', f'voltage = "60 V"\nphase = "{phase} deg"'))
+        ).mounted_plate()
         assert plate.actuators[0].voltage == 60 * factor
 
     def test_phase_in_between(self):
-        plate = loads(edited(('voltage = "60 V"', 'voltage = "60 V"\nphase = "30 deg"'))).plate()
+        plate = loads(edited(('voltage = "60 V"', 'voltage = "60 V"\nphase = "30 deg"'))).mounted_plate()
         assert plate.actuators[0].voltage == pytest.approx(60 * (math.sqrt(0.75) + 0.5j), rel=1e-12)
 
     def test_a_patch_may_fill_its_region_and_touch_another(self):
         size = 'size = ["24 mm", "21 mm", "0.7 mm"]'
-        plate = loads(edited((PATCH, size), (CENTRE, 'centre = ["12 mm", "10.5 mm"]'))).plate()
+        plate = loads(edited((PATCH, size), (CENTRE, 'centre = ["12 mm", "10.5 mm"]'))).mounted_plate()
         assert plate.actuators[0].size == (0.024, 0.021, 0.0007)
         side_by_side = edited((A1, SECOND.format("A0", "2 mm")), (PATCH, PATCH.replace("11.5", "16")))
-        assert len(loads(side_by_side.replace(CENTRE, 'centre = ["12 mm", "10 mm"]')).plate().actuators) == 2
+        assert (
+            len(loads(side_by_side.replace(CENTRE, 'centre = ["12 mm", "10 mm"]')).mounted_plate().actuators)
+            == 2
+        )
 
     def test_a_patch_fits_into_an_l_or_not(self):
         """It may cross from one arm into the other, and not the notch between them."""
@@ -561,21 +566,21 @@ class TestWhatIsFixedToIt:
         with pytest.raises(StudyError, match='lattice "lattice"'):
             loads(guide + patch.format(7, 7))
         wide = drawn("11o\n11o\n111")
-        assert loads(wide + patch.format(7, 7)).plate().actuators[0].centre == (7e-3, 7e-3)
+        assert loads(wide + patch.format(7, 7)).mounted_plate().actuators[0].centre == (7e-3, 7e-3)
 
     def test_a_force_at_the_border_of_its_region(self):
         point = FORCE.replace("12 mm", "0 mm").replace("10 mm", "0 mm")
-        plate = loads(edited((FORCE, point), ('size = ["4 mm", "4 mm"]', ""))).plate()
+        plate = loads(edited((FORCE, point), ('size = ["4 mm", "4 mm"]', ""))).mounted_plate()
         assert (plate.forces[0].centre, plate.forces[0].size) == ((0.021, 0.0), None)
 
     def test_a_force_on_the_lattice(self):
         force = '[[plate.force]]\nname = "F"\nregion = "lattice"\ncentre = ["3 mm", "3 mm"]\nforce = "2 N"\n'
-        assert loads(drawn("o11") + force).plate().forces[0].amplitude == 2
+        assert loads(drawn("o11") + force).mounted_plate().forces[0].amplitude == 2
 
     def test_a_finger_at_the_rim_and_over_a_hole(self):
         finger = '[plate.finger]\nregion = "{}"\ncentre = {}\ndiameter = "14 mm"\nstiffness = "1 N/m"\n'
         inside = '["7 mm", "7 mm"]'
-        assert loads(drawn("ooo\noo1") + finger.format("lattice", inside)).plate().finger.centre == (
+        assert loads(drawn("ooo\noo1") + finger.format("lattice", inside)).mounted_plate().finger.centre == (
             7e-3,
             7e-3,
         )
@@ -589,16 +594,18 @@ class TestWhatIsFixedToIt:
         with pytest.raises(StudyError, match="beyond the plate"):
             loads(cut + rim)
         far = finger.replace("14 mm", "9 mm").format("lattice", '["10.4 mm", "10.4 mm"]')
-        assert loads(cut + far).plate().finger.diameter == 9e-3
+        assert loads(cut + far).mounted_plate().finger.diameter == 9e-3
 
     def test_a_material_of_any_spelling(self):
         for name in ("pzt-4", "PZT_4", " Pzt 4 "):
-            assert loads(edited(('"PZT 4"', f'"{name}"'))).plate().actuators[0].material.name == "pzt-4"
+            assert (
+                loads(edited(('"PZT 4"', f'"{name}"'))).mounted_plate().actuators[0].material.name == "pzt-4"
+            )
 
 
 class TestSupports:
     def supports(self, more: str) -> Plate:
-        return loads(drawn("oo1\noo1", tiles='o = "lattice"\n1 = "WG1"\n' + more)).plate()
+        return loads(drawn("oo1\noo1", tiles='o = "lattice"\n1 = "WG1"\n' + more)).mounted_plate()
 
     def test_every_edge_and_the_corners(self):
         plate = self.supports(
@@ -641,7 +648,7 @@ class TestSupports:
 class TestInAStudy:
     def test_a_plate_that_is_not_there_leaves_no_trace(self):
         study = loads(CELL)
-        assert study.plate_section is None
+        assert study.finite_plate is None
         assert "[plate" not in study.to_toml()
         assert "plate" not in study.inputs()
 
@@ -655,7 +662,7 @@ class TestInAStudy:
     def test_every_key_comes_back(self, every_key_text):
         study = loads(every_key_text)
         again = loads(study.to_toml())
-        assert (again, again.plate()) == (study, study.plate())
+        assert (again, again.mounted_plate()) == (study, study.mounted_plate())
         assert pickle.loads(pickle.dumps(study)) == study
         assert '"""\no11f\no11f\n2222\n"""' in study.to_toml()
 
@@ -667,10 +674,10 @@ class TestInAStudy:
     def test_a_changed_study_keeps_its_plate_and_a_sweep_does_not(self):
         study = loads(TEXT + '[[sweep]]\nvary = "cell.pitch"\nfrom = "4 mm"\nto = "8 mm"\nsteps = 3\n')
         thicker = study.with_parameter("cell.thickness", 1.6e-3)
-        assert thicker.plate().layout.thickness == 1.6e-3
-        assert thicker.plate().actuators == study.plate().actuators
+        assert thicker.mounted_plate().layout.thickness == 1.6e-3
+        assert thicker.mounted_plate().actuators == study.mounted_plate().actuators
         # with a pitch of 4 mm the patch would not fit on the plate
-        assert [design.plate_section for design in study.designs(study.sweep[0])] == [None] * 3
+        assert [design.finite_plate for design in study.designs(study.sweep_settings[0])] == [None] * 3
         with pytest.raises(StudyError, match=r"plate\.actuator"):
             study.with_parameter("cell.pitch", 4e-3)
 

@@ -128,7 +128,7 @@ def test_dimensional_sweep_reads_units(edited):
         ("to = 3.0", 'to = "30 GPa*m^3/Mg"'),
     )
     study = loads(text)
-    designs = study.designs(study.sweep[1])
+    designs = study.designs(study.sweep_settings[1])
     assert designs[0].parameters()["material.youngs_modulus"] == pytest.approx(2e7 * 2700, rel=1e-14)
     assert designs[-1].parameters()["material.youngs_modulus"] == pytest.approx(3e7 * 2700, rel=1e-14)
     assert loads(study.to_toml()) == study
@@ -249,7 +249,7 @@ def test_zero_itself_can_be_swept(edited):
         ("to = 0.8", 'to = "4 deg"'),
     )  # fmt: skip
     study = loads(text)
-    drafts = [design.unit_cell().pillar.draft for design in study.designs(study.sweep[0])]
+    drafts = [design.unit_cell().pillar.draft for design in study.designs(study.sweep_settings[0])]
     assert drafts[0] == 0
     assert drafts[-1] == pytest.approx(math.radians(4), rel=1e-15)
 

@@ -70,7 +70,7 @@ def test_sweep_with_units(edited):
         ("to = 3.0", 'to = "21 mm"'),
     )
     study = loads(text)
-    assert (study.sweep[1].start, study.sweep[1].stop) == (0.01, 0.021)
+    assert (study.sweep_settings[1].start, study.sweep_settings[1].stop) == (0.01, 0.021)
     assert loads(study.to_toml()) == study
 
 

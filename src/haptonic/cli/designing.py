@@ -54,7 +54,7 @@ def design(
         names = ["search", *["front"] * pareto]
         files = ["design.toml", *(f"{name}.nc" for name in names), *pictures(names)]
         refuse_taken(folder, files, overwrite=overwrite)
-        section = loaded.design
+        section = loaded.design_settings
         with voice.counted("design", 0) as progress:
             result = loaded.designed(Runner(Store.default(), workers, scheduler, progress))
         found = loaded.without_plate().with_parameters(result.values)
@@ -160,7 +160,7 @@ def export(
         written = [str(folder / name) for name in files]
         for path in written:
             voice.tell(f"written: {path}")
-        if why_none and loaded.tolerance.of:
+        if why_none and loaded.tolerance_settings.of:
             voice.warn(f"the drawing has no tolerances: {why_none}")
         told = {"tolerances": tolerances, "why_no_tolerances": why_none or None} if drawings else {}
         voice.answer({"files": written, **told})
@@ -175,10 +175,10 @@ def drawn_tolerances(study: Study) -> tuple[dict[str, float], str]:
     -------
     the half-widths, and why there are none, if there are none
     """
-    if not study.tolerance.of:
+    if not study.tolerance_settings.of:
         return {}, "the study gives no spreads, [tolerance] of"
-    result, confidence = study.toleranced(), study.tolerance.confidence
-    spreads, shown = [one.frozen() for one in study.tolerance.of], dimensions_of(study.unit_cell())
+    result, confidence = study.toleranced(), study.tolerance_settings.confidence
+    spreads, shown = [one.frozen() for one in study.tolerance_settings.of], dimensions_of(study.unit_cell())
     drawn = {s.path: result.loosest * s.half_range for s in spreads if s.path in shown}
     if not drawn:
         return {}, "the study gives spreads of the material or of what is not drawn only"
@@ -245,7 +245,7 @@ def tolerance_table(result: Tolerance) -> Table:
 
 def in_words(study: Study, result: Tolerance) -> str:
     """The chances as sentences."""
-    section = study.tolerance
+    section = study.tolerance_settings
     lower, upper = result.dataset["deviation"].values
     margin = f" with a margin of {section.margin:g} Hz" if section.margin else ""
     lines = [

@@ -66,7 +66,7 @@ def sweep(
         loaded = load(study)
         loaded.need_sweeps()
         folder = folder_for(study, out, json, "sweep")
-        names = [f"sweep_{i + 1}" for i in range(len(loaded.sweep))]
+        names = [f"sweep_{i + 1}" for i in range(len(loaded.sweep_settings))]
         refuse_taken(folder, [*pictures(names), *(f"{n}.nc" for n in names)], overwrite=overwrite)
         results = swept(loaded, voice, workers, scheduler)
         if folder:
@@ -123,9 +123,9 @@ def sweep_table(result: Sweep) -> Table:
 
 
 def swept(loaded: Study, voice: Voice, workers: int, scheduler: str | None) -> tuple[Sweep, ...]:
-    if not loaded.sweep:
+    if not loaded.sweep_settings:
         return ()
-    with voice.counted("sweeps", sum(section.steps for section in loaded.sweep)) as progress:
+    with voice.counted("sweeps", sum(section.steps for section in loaded.sweep_settings)) as progress:
         return loaded.swept(workers=workers, scheduler=scheduler, on_progress=progress)
 
 

@@ -44,7 +44,7 @@ def layers(
         loaded = load(study)
         folder = folder_for(study, out, json, "layers")
         refuse_taken(folder, LAYER_FILES, overwrite=overwrite)
-        with voice.counted("frequencies", layer_tasks(loaded.layers.points)) as progress:
+        with voice.counted("frequencies", layer_tasks(loaded.layers_settings.points)) as progress:
             result = loaded.layered(Runner(Store.default(), workers, scheduler, progress))
         if folder:
             with whole_set(folder, overwrite=overwrite) as draft:

@@ -38,10 +38,12 @@ def plate(
         loaded = load(study)
         frequency = None if at is None else float(to_si(at, "Hz", "--at"))
         folder = folder_for(study, out, json, "plate")
-        files = plate_files(loaded.plate())
+        files = plate_files(loaded.mounted_plate())
         refuse_taken(folder, files, overwrite=overwrite)
-        if loaded.plate().rigid:
-            voice.warn(f"nothing holds the plate: {loaded.plate().rigid_modes} rigid-body motions are free")
+        if loaded.mounted_plate().rigid:
+            voice.warn(
+                f"nothing holds the plate: {loaded.mounted_plate().rigid_modes} rigid-body motions are free"
+            )
         with voice.counted("shifts", 0) as progress:
             result = loaded.vibrating(at=frequency, on_progress=progress)
         if folder:

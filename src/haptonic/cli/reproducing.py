@@ -67,12 +67,12 @@ def reproduce(
         loaded = load(study)
         folder = folder_for(study, out, False, "report")
         assert folder is not None
-        sweeps = [f"sweep_{i + 1}" for i in range(len(loaded.sweep))]
+        sweeps = [f"sweep_{i + 1}" for i in range(len(loaded.sweep_settings))]
         refuse_taken(folder, _names(loaded, sweeps), overwrite=overwrite)
         started, timings = datetime.now(UTC), dict[str, float]()
         with _timed(timings, "bands, zone and modes"), voice.busy("bands, zone and modes"):
             bands = loaded.bands(surface=True)
-        with _timed(timings, "sweeps", loaded.sweep):
+        with _timed(timings, "sweeps", loaded.sweep_settings):
             rows = swept(loaded, voice, workers, scheduler)
         with _timed(timings, "mirror and waveguide", _has_mirror(loaded)):
             mirror, guides = _mirror(loaded, voice, workers, scheduler)
@@ -132,7 +132,7 @@ def _names(loaded: Study, sweeps: list[str]) -> list[str]:
     if _has_mirror(loaded):
         names += LAYER_FILES
     if _has_plate(loaded):
-        names += [*plate_files(loaded.plate()), *FEEL_FILES]
+        names += [*plate_files(loaded.mounted_plate()), *FEEL_FILES]
     return names
 
 
@@ -183,7 +183,7 @@ def _tried(loaded: Study, felt: Feel, voice: Voice) -> FrictionResult | None:
     except (StudyError, FrictionError) as error:
         voice.warn(f"no trials were made up: {error.cause}")
         return None
-    count = loaded.protocol.participants
+    count = loaded.protocol_settings.participants
     made = friction_twin(truth, protocol, count, seed=0, study=loaded.to_toml(), suffix=".h5", per="block")
     with TemporaryDirectory() as name:
         folder, section = Path(name), loaded.trials
@@ -195,7 +195,7 @@ def _tried(loaded: Study, felt: Feel, voice: Voice) -> FrictionResult | None:
 
 def _alarms(loaded: Study, voice: Voice) -> dict[str, Alarms]:
     """How often each test cries wolf in trials like those of the study."""
-    section, people = loaded.protocol, loaded.participants
+    section, people = loaded.protocol_settings, loaded.participants
     if section.participants < 2:
         return {}
     population = Population(0.0, people.effect_between, people.within, people.between)
@@ -206,7 +206,7 @@ def _alarms(loaded: Study, voice: Voice) -> dict[str, Alarms]:
 
 def _has_plate(loaded: Study) -> bool:
     """Whether a finite plate can be asked for."""
-    return loaded.plate_section is not None and loaded.carrier is not None
+    return loaded.finite_plate is not None and loaded.carrier is not None
 
 
 def _has_mirror(loaded: Study) -> bool:
@@ -220,7 +220,7 @@ def _mirror(
     """Layers and waveguides for the report, the latter if the gap holds the carrier."""
     if not _has_mirror(loaded):
         return None, None
-    with voice.counted("mirror", layer_tasks(loaded.layers.points)) as progress:
+    with voice.counted("mirror", layer_tasks(loaded.layers_settings.points)) as progress:
         layered = loaded.layered(Runner(Store.default(), workers, scheduler, progress))
     try:
         with voice.busy("waveguide"):

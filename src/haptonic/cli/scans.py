@@ -38,9 +38,9 @@ def chirp(study: StudyFile, out: Out = None, json: Json = False, overwrite: Over
     with speaking(json) as voice:
         loaded = load(study)
         folder = folder_for(study, out, json, "chirp")
-        plate = loaded.plate() if loaded.plate_section else None
+        plate = loaded.mounted_plate() if loaded.finite_plate else None
         refuse_taken(folder, Excitation.file_names(plate), overwrite=overwrite)
-        result = Excitation.of(loaded.scan.frozen(), plate)
+        result = Excitation.of(loaded.scan_settings.frozen(), plate)
         if folder:
             with voice.busy("files"), whole_set(folder, overwrite=overwrite) as draft:
                 write_files(draft, result.files(), overwrite=overwrite)
@@ -233,9 +233,9 @@ def _model(study: Path | None, against: Path | None) -> tuple[Study | None, Freq
 
 def _names(study: Study | None, *, judging: bool) -> list[str]:
     """Of all files that a scan may give."""
-    plate = study.plate() if study and study.plate_section else None
+    plate = study.mounted_plate() if study and study.finite_plate else None
     names = ["response.nc", "scan.nc", "points.csv", ANIMATION, *pictures(ScanResult.figure_names(plate))]
-    return [*names, *verdict_files(bool(study.fit.vary))] if study and judging else names
+    return [*names, *verdict_files(bool(study.fit_settings.vary))] if study and judging else names
 
 
 def _on_plate(study: Study | None, corners: str | None, mirrored: bool, voice: Voice) -> OnPlate | None:
@@ -248,7 +248,7 @@ def _on_plate(study: Study | None, corners: str | None, mirrored: bool, voice: V
                 next_step="name the study behind the scan",
             )  # fmt: skip
         return None
-    if study.plate_section is None:
+    if study.finite_plate is None:
         raise StudyError(
             argument="plate", given="nothing", allowed="a study with a [plate]",
             cause="the study describes a lattice, and no plate that was scanned",

@@ -82,7 +82,7 @@ def _asked(path: Path, study: Path | None) -> tuple[Trials, Study | None]:
 
 def _driven(loaded: Study | None) -> str | None:
     """The waveguide that a whole study drives."""
-    return driven_region(loaded.plate()) if loaded is not None and loaded.plate_section else None
+    return driven_region(loaded.mounted_plate()) if loaded is not None and loaded.finite_plate else None
 
 
 def _write(

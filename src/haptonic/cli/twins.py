@@ -69,7 +69,7 @@ def friction(
         folder = folder_for(study, out, False, "twin-friction")
         assert folder is not None
         given = None if amplitudes is None else read_amplitudes(amplitudes)
-        count = loaded.protocol.participants if participants is None else participants
+        count = loaded.protocol_settings.participants if participants is None else participants
         protocol = protocol_of(loaded)
         protocol.order(count)
         with voice.busy("friction by load sharing"):

@@ -40,7 +40,7 @@ def verdict(
     with speaking(json) as voice:
         loaded = load(study)
         folder = folder_for(study, out, json, "verdict")
-        refuse_taken(folder, verdict_files(bool(loaded.fit.vary)), overwrite=overwrite)
+        refuse_taken(folder, verdict_files(bool(loaded.fit_settings.vary)), overwrite=overwrite)
         measured = read(response)
         model = None if computed is None else read(computed)
         with voice.busy("model") as said:

@@ -21,11 +21,11 @@ AS_IT_IS, DRIVEN = "without the patch", "with the patch on this guide"
 
 def guide_shifts(study: Study, store: Store, told: Callable[[], None] = lambda: None) -> xr.Dataset:
     """Frequency of the mode `paper.GUIDE_MODE` in the driven guide of each variant of a study's plate."""
-    plate, section = study.plate(), study.plate_section
+    plate, section = study.mounted_plate(), study.finite_plate
     assert section is not None
     region = section.actuator[0].region
     bare, usual = replace(plate, actuators=()), study.fineness()
-    thicker = study.with_parameters({"cell.thickness": plate.layout.thickness + THICKER}).plate()
+    thicker = study.with_parameters({"cell.thickness": plate.layout.thickness + THICKER}).mounted_plate()
     plates: dict[str, tuple[Plate, Fineness | None]] = {
         AS_IT_IS: (bare, usual),
         DRIVEN: (plate, usual),

@@ -23,7 +23,7 @@ def protocol_of(study: Study) -> Protocol:
     ------
     StudyError : no two waveguides to compare
     """
-    section = study.protocol
+    section = study.protocol_settings
     balanced = section.order == "balanced"
     return Protocol(
         section.blocks,
@@ -41,7 +41,7 @@ def waveguides_of(study: Study) -> tuple[str, str]:
     ------
     StudyError : a name that the plate does not have, or a plate with fewer than two regions
     """
-    section, plate = study.protocol, study.plate_section
+    section, plate = study.protocol_settings, study.finite_plate
     known = plate.regions if plate else []
     for key in ("driven", "idle"):
         name = getattr(section, key)
@@ -76,7 +76,7 @@ def planned(study: Study) -> Plan:
     ------
     StudyError : no two waveguides to compare, or strokes that last too short or too long
     """
-    section, people = study.protocol, study.participants
+    section, people = study.protocol_settings, study.participants
     protocol = protocol_of(study)
     populations = {
         name: Population(reduction, people.effect_between, people.within, people.between)
@@ -103,7 +103,7 @@ def task_of(study: Study) -> Task:
     ------
     StudyError : strokes that last too short or too long
     """
-    section, touch = study.protocol, study.touch
+    section, touch = study.protocol_settings, study.touch
     task = Task(touch.speed, touch.force, section.stroke, section.pause)
     if not SHORTEST <= task.lasting <= LONGEST:
         raise StudyError(

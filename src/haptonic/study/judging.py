@@ -31,7 +31,7 @@ def judged(
     StudyError : no [plate], or nothing that drives it
     ScanError : a measurement that cannot be of this plate, or that no fit explains
     """
-    plate, section, asked = study.plate(), study.plate_section, study.fit
+    plate, section, asked = study.mounted_plate(), study.finite_plate, study.fit_settings
     assert section is not None
     question = VerdictQuestion(
         asked.lowest, asked.highest, section.response.tolerance, asked.unknowns, asked.points

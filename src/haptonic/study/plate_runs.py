@@ -60,7 +60,7 @@ class PlateStudy(Description):
         StudyError : no [plate], no carrier, or nothing that drives the plate
         ResourceError : a grid or a plate that this machine cannot hold, found before anything is computed
         """
-        plate, own = self.plate(), self._response
+        plate, own = self.mounted_plate(), self._response
         carrier = self.need_carrier() if at is None else at
         question = asked or PlateQuestion(own.lowest, own.highest, own.points, own.tolerance, own.grid)
         if at is not None:
@@ -101,7 +101,7 @@ class PlateStudy(Description):
         StudyError : no [plate], no carrier, nothing that drives the plate, or a voltage for a force
         ResourceError : a grid or a plate that this machine cannot hold, found before anything is computed
         """
-        plate, carrier, store = self.plate(), self.need_carrier(), store or Store.default()
+        plate, carrier, store = self.mounted_plate(), self.need_carrier(), store or Store.default()
         drive = _drive(plate, self.touch.voltage if voltage is None else voltage)
         touch = Touch(carrier if at is None else at, self.touch.force, self.touch.speed)
         check_cost(plate, highest(carrier if at is None else at))
@@ -126,8 +126,8 @@ class PlateStudy(Description):
 
     @property
     def _response(self) -> ResponseSection:
-        assert self.plate_section is not None
-        return self.plate_section.response
+        assert self.finite_plate is not None
+        return self.finite_plate.response
 
     def _gap(self, plate: Plate, carrier: float, store: Store) -> Gap | None:
         """The gap of the plate's lattice that holds the carrier."""

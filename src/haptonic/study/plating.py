@@ -30,7 +30,7 @@ def plate_of(study: Description) -> Plate:
     ------
     StudyError : the study has no plate, or one that cannot be built; the argument is the path of the key
     """
-    section = study.plate_section
+    section = study.finite_plate
     if section is None:
         raise _refused(
             "plate", "nothing", "a [plate] table with map and tiles",

@@ -47,7 +47,7 @@ class Study(PlateStudy):
 
     def need_sweeps(self) -> None:
         """Raise StudyError if the study has no sweep."""
-        if not self.sweep:
+        if not self.sweep_settings:
             raise StudyError(
                 argument="sweep",
                 given="nothing",
@@ -97,7 +97,7 @@ class Study(PlateStudy):
                     "carrier_hz": self.carrier,
                 },
             )
-            for sweep in self.sweep
+            for sweep in self.sweep_settings
         ]
         return compute_sweeps(
             rows,
@@ -116,7 +116,7 @@ class Study(PlateStudy):
         ------
         StudyError : no carrier, or nothing that may change
         """
-        section, carrier = self.design, self.need_carrier()
+        section, carrier = self.design_settings, self.need_carrier()
         if not section.vary:
             raise StudyError(
                 argument="design.vary",
@@ -136,7 +136,7 @@ class Study(PlateStudy):
         return Brief(
             cell=self.unit_cell(),
             carrier=carrier,
-            count=self.bands_section.count,
+            count=self.bands_settings.count,
             bounds={one.parameter: (one.start, one.stop) for one in section.vary},
             slenderness=section.slenderness,
             tool=section.tool,
@@ -151,7 +151,7 @@ class Study(PlateStudy):
         ------
         StudyError : bounds that contradict each other, or a carrier that no allowed design reaches
         """
-        section = self.design
+        section = self.design_settings
         return compute_design(
             self.brief(),
             self.asked(),
@@ -164,7 +164,7 @@ class Study(PlateStudy):
 
     def need_pitches(self) -> None:
         """Raise StudyError unless the pitch and something else may change, which `front` needs."""
-        names = [one.parameter for one in self.design.vary]
+        names = [one.parameter for one in self.design_settings.vary]
         if "cell.pitch" not in names or len(names) < 2:
             raise StudyError(
                 argument="design.vary",
@@ -182,11 +182,11 @@ class Study(PlateStudy):
         StudyError : the pitch does not change, or nothing else does
         """
         self.need_pitches()
-        brief, count = self.brief(), self.design.pitches
+        brief, count = self.brief(), self.design_settings.pitches
         low, high = brief.bounds["cell.pitch"]
         pitches = [low + (high - low) * i / (count - 1) for i in range(count)]
         runner = runner or Runner(Store.default())
-        front = compute_front(brief, best.values, pitches, steps=self.design.steps, runner=runner)
+        front = compute_front(brief, best.values, pitches, steps=self.design_settings.steps, runner=runner)
         return stamped(front, self.inputs())
 
     def toleranced(self, runner: Runner | None = None) -> Tolerance:
@@ -196,7 +196,7 @@ class Study(PlateStudy):
         ------
         StudyError : no carrier, no spreads, or a gap that does not hold the carrier as drawn
         """
-        section = self.tolerance
+        section = self.tolerance_settings
         if not section.of:
             raise StudyError(
                 argument="tolerance.of",
@@ -225,7 +225,7 @@ class Study(PlateStudy):
         ------
         StudyError : no carrier, or no wave that propagates towards the rows
         """
-        section, carrier = self.layers, self.need_carrier()
+        section, carrier = self.layers_settings, self.need_carrier()
         question = Question(
             lowest=section.lowest or LOWEST * carrier,
             highest=section.highest or HIGHEST * carrier,
@@ -258,7 +258,9 @@ class Study(PlateStudy):
         StudyError : the mode is not written like that
         """
         try:
-            waveguide = type(self.waveguide).model_validate({**self.waveguide.model_dump(), "mode": mode})
+            waveguide = type(self.waveguide_settings).model_validate(
+                {**self.waveguide_settings.model_dump(), "mode": mode}
+            )
         except ValidationError:
             raise StudyError(
                 argument="--mode",
@@ -267,7 +269,7 @@ class Study(PlateStudy):
                 cause="it is not written like that",
                 next_step="write it like 0x17",
             ) from None
-        return self.model_copy(update={"waveguide": waveguide})
+        return self.model_copy(update={"waveguide_settings": waveguide})
 
     def guided(self, runner: Runner | None = None) -> Guides:
         """Waveguides between two mirrors, for the mode of the study's [waveguide].
@@ -276,7 +278,7 @@ class Study(PlateStudy):
         ------
         StudyError : no carrier, no gap around it, or no such waveguide
         """
-        section = self.waveguide
+        section = self.waveguide_settings
         found: Guides = compute_guides(
             self.unit_cell(),
             self.asked(),
@@ -298,4 +300,4 @@ class Study(PlateStudy):
 
     def tolerance_tasks(self) -> int:
         """How many tasks `toleranced` has."""
-        return -(-self.tolerance.samples // BATCH) + 2
+        return -(-self.tolerance_settings.samples // BATCH) + 2

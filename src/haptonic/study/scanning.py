@@ -36,13 +36,13 @@ def scanned(
     ------
     StudyError : no [plate], or no carrier
     """
-    plate, carrier = study.plate(), study.need_carrier()
+    plate, carrier = study.mounted_plate(), study.need_carrier()
     cells = list(plate.layout.cells.values())
     runner = Runner(store or Store.default())
     gap = gap_around(cells[0], study.asked(), carrier, runner) if cells else None
     if gap is not None and not gap.lower < carrier < gap.upper:
         gap = None
-    return OnPlate(plate, study.scan.frozen(), carrier, gap, study.asked(), corners, mirrored)
+    return OnPlate(plate, study.scan_settings.frozen(), carrier, gap, study.asked(), corners, mirrored)
 
 
 def twin_scan(
@@ -64,12 +64,12 @@ def twin_scan(
     StudyError : no [plate], no carrier, or nothing that drives the plate
     ScanError : settings of [scan] that do not fit together, or a response at other lines or points
     """
-    plate, question = study.plate(), study.scan.frozen()
+    plate, question = study.mounted_plate(), study.scan_settings.frozen()
     signal = question.drive(plate)
     if response is not None:
         gap = scanned(study, store=store).gap
         return Twin.of(plate, question, signal, response, gap=gap, seed=seed)
-    section = study.plate_section
+    section = study.finite_plate
     assert section is not None
     asked = question.of_plate(section.response.tolerance, signal)
     result = study.vibrating(asked=asked, store=store, on_progress=on_progress)
@@ -113,7 +113,7 @@ def rescanned(
 
 def _periodic(lines: Array, study: Study) -> ScanQuestion:
     """The study's scan with a drive that has these lines, evenly spaced, Hz, at the points of the plate."""
-    section = study.plate_section
+    section = study.finite_plate
     assert section is not None
     spacing = float(lines[-1] - lines[0]) / max(len(lines) - 1, 1)
     first = round(lines[0] / spacing) if spacing else 0
@@ -125,8 +125,8 @@ def _periodic(lines: Array, study: Study) -> ScanQuestion:
             cause="the lowest frequency is no multiple of the distance of the lines",
             next_step="choose lowest, highest and points of [plate.response] so that it is",
         )
-    rate = np.ceil(max(study.scan.rate, 2 * lines[-1]) / spacing) * spacing
+    rate = np.ceil(max(study.scan_settings.rate, 2 * lines[-1]) / spacing) * spacing
     return replace(
-        study.scan.frozen(), lowest=first * spacing, highest=(first + len(lines) - 1) * spacing,
+        study.scan_settings.frozen(), lowest=first * spacing, highest=(first + len(lines) - 1) * spacing,
         rate=float(rate), record=1 / spacing, grid=section.response.grid,
     )  # fmt: skip

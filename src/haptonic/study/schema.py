@@ -47,7 +47,14 @@ from haptonic.study.vary import Expression, check_names, parse, solve
 from haptonic.units import format_quantity
 
 MOST_SWEEPS = 50
-AFTERWARDS = {"touch", "trials", "protocol", "participants", "scan", "fit"}  # they decide no bands, no plate
+AFTERWARDS = {
+    "touch",
+    "trials",
+    "protocol_settings",
+    "participants",
+    "scan_settings",
+    "fit_settings",
+}  # they decide no bands, no plate
 OF_A_CELL = {"carrier", "material", "cell", "bands"}  # sections whose numbers an expression can name
 
 
@@ -133,57 +140,71 @@ class Description(Section):
         Discriminator(_material_kind),
     ] = Field(title="Material", description="Of the plate and its pillars: a built-in name or its constants.")
     cell: CellSection = Field(title="Unit cell", description="One period of the plate.")
-    bands_section: BandsSection = Field(
+    bands_settings: BandsSection = Field(
         BandsSection(), alias="bands", title="Bands", description="What the band diagram shows."
     )
     mesh: MeshSection = Field(
         MeshSection(), title="Mesh", description="For experts; else the accuracy decides."
     )
-    layers: LayersSection = Field(
-        LayersSection(), title="Layers", description="Rows of cells as a mirror between two plates."
+    layers_settings: LayersSection = Field(
+        LayersSection(),
+        alias="layers",
+        title="Layers",
+        description="Rows of cells as a mirror between two plates.",
     )
-    waveguide: WaveguideSection = Field(
-        WaveguideSection(), title="Waveguide", description="A strip of plate between two mirrors."
+    waveguide_settings: WaveguideSection = Field(
+        WaveguideSection(),
+        alias="waveguide",
+        title="Waveguide",
+        description="A strip of plate between two mirrors.",
     )
-    design: DesignSection = Field(
-        DesignSection(), title="Design", description="What may change so that the gap holds the carrier."
+    design_settings: DesignSection = Field(
+        DesignSection(),
+        alias="design",
+        title="Design",
+        description="What may change so that the gap holds the carrier.",
     )
-    tolerance: ToleranceSection = Field(
-        ToleranceSection(), title="Tolerance", description="How much the parts differ."
+    tolerance_settings: ToleranceSection = Field(
+        ToleranceSection(), alias="tolerance", title="Tolerance", description="How much the parts differ."
     )
-    plate_section: PlateSection | None = Field(
+    finite_plate: PlateSection | None = Field(
         None, alias="plate", title="Plate", description="A finite one, made of cells and of plain plate."
     )
     touch: TouchSection = Field(TouchSection(), title="Touch", description="The finger that feels the plate.")
     trials: Trials = Field(
         Trials(), title="Trials", description="How force records are processed, and which count."
     )
-    protocol: ProtocolSection = Field(
-        ProtocolSection(), title="Protocol", description="Trials with people: how many, in which order."
+    protocol_settings: ProtocolSection = Field(
+        ProtocolSection(),
+        alias="protocol",
+        title="Protocol",
+        description="Trials with people: how many, in which order.",
     )
     participants: ParticipantsSection = Field(
         ParticipantsSection(), title="Participants", description="What is assumed of people."
     )
-    scan: ScanSection = Field(
-        ScanSection(), title="Scan", description="How a laser vibrometer scans the plate."
+    scan_settings: ScanSection = Field(
+        ScanSection(), alias="scan", title="Scan", description="How a laser vibrometer scans the plate."
     )
-    fit: FitSection = Field(FitSection(), title="Fit", description="What a measurement of the plate tells.")
-    sweep: tuple[SweepSection, ...] = Field(
-        (), title="Sweeps", description="Rows of designs to compare.", max_length=MOST_SWEEPS
+    fit_settings: FitSection = Field(
+        FitSection(), alias="fit", title="Fit", description="What a measurement of the plate tells."
+    )
+    sweep_settings: tuple[SweepSection, ...] = Field(
+        (), alias="sweep", title="Sweeps", description="Rows of designs to compare.", max_length=MOST_SWEEPS
     )
 
     @model_validator(mode="after")
     def _every_design_is_possible(self) -> Self:
         try:
             self.unit_cell()
-            plate = None if self.plate_section is None else self.plate()
+            plate = None if self.finite_plate is None else self.mounted_plate()
         except HaptonicError as error:
             raise problem(
                 error.given, error.allowed, error.cause, error.next_step, at=error.argument
             ) from None
         self._names_what_the_cell_has()
-        self.fit.check(plate, self.absent_parameters())
-        for row, sweep in enumerate(self.sweep, start=1):
+        self.fit_settings.check(plate, self.absent_parameters())
+        for row, sweep in enumerate(self.sweep_settings, start=1):
             self._gives_what_is_named(sweep.expression, f"sweep[{row}].vary")
             for step, value in enumerate(sweep.values, start=1):
                 try:
@@ -211,8 +232,12 @@ class Description(Section):
         """Refuse parameters of a design or a tolerance that this study's cell does not have, and designs that
         could not be written as a study."""
         there = values_of(self.unit_cell())
-        named = {f"design.vary[{i}]": one.parameter for i, one in enumerate(self.design.vary, start=1)}
-        named |= {f"tolerance.of[{i}]": one.parameter for i, one in enumerate(self.tolerance.of, start=1)}
+        named = {
+            f"design.vary[{i}]": one.parameter for i, one in enumerate(self.design_settings.vary, start=1)
+        }
+        named |= {
+            f"tolerance.of[{i}]": one.parameter for i, one in enumerate(self.tolerance_settings.of, start=1)
+        }
         for at, path in named.items():
             if path not in there:
                 raise problem(
@@ -223,7 +248,7 @@ class Description(Section):
                     at=f"{at}.parameter",
                 )
         absent, keys = self.absent_parameters(), table(Description)
-        for i, one in enumerate(self.design.vary, start=1):
+        for i, one in enumerate(self.design_settings.vary, start=1):
             at, path = f"design.vary[{i}]", one.parameter
             if path in absent:
                 raise problem(
@@ -251,7 +276,7 @@ class Description(Section):
         )
         return UnitCell(lattice, cell.thickness, self.resolved_material(), cell.pillar)
 
-    def plate(self) -> Plate:
+    def mounted_plate(self) -> Plate:
         """The finite plate as the core computes with it.
 
         Raises
@@ -262,11 +287,11 @@ class Description(Section):
 
     def without_plate(self) -> Self:
         """The same study of the lattice alone."""
-        return self.model_copy(update={"plate_section": None})
+        return self.model_copy(update={"finite_plate": None})
 
     def asked(self) -> Asked:
         """What is asked of the bands."""
-        bands, mesh = self.bands_section, self.mesh
+        bands, mesh = self.bands_settings, self.mesh
         resolution = None
         if mesh.order is not None or mesh.foot_rings is not None:
             rung = LADDER[starting_rung(bands.accuracy)]
@@ -300,7 +325,7 @@ class Description(Section):
         StudyError : a value is out of bounds, or the design is not possible
         """
         assert values.keys() <= self.parameters().keys(), values.keys()
-        return self._with_numbers(values, {"sweep", "fit"})
+        return self._with_numbers(values, {"sweep_settings", "fit_settings"})
 
     def with_fitted(self, values: Mapping[str, float]) -> Self:
         """The same study with numbers of [[fit.vary]] (SI, by their names there) changed.
@@ -337,7 +362,7 @@ class Description(Section):
         return found or tuple(self._unusual_sweeps())
 
     def _unusual_sweeps(self) -> Iterator[str]:
-        for row, sweep in enumerate(self.sweep, start=1):
+        for row, sweep in enumerate(self.sweep_settings, start=1):
             name = sweep.expression.varied
             ends = (solve(sweep.expression, end, self) for end in (sweep.start, sweep.stop))
             words = [text for design in ends for text in design._unusual_values().values()]
@@ -346,7 +371,7 @@ class Description(Section):
 
     def _unusual_values(self) -> dict[str, str]:
         words = {path: quantity.unusual(value) for path, value, quantity in leaves(self) if quantity}
-        words |= self.plate_section.doubtful() if self.plate_section else {}
+        words |= self.finite_plate.doubtful() if self.finite_plate else {}
         return {path: text for path, text in words.items() if text}
 
     def to_toml(self) -> str:
@@ -360,10 +385,10 @@ class Description(Section):
         material is given by its constants, so that a correction in the library changes the key.
         """
         data = self.model_dump(mode="json", by_alias=True, exclude={"title", "material"} | AFTERWARDS)
-        if self.plate_section is None:
+        if self.finite_plate is None:
             del data["plate"]
         else:
-            solids = {name: built_in(name, "").to_dict() for name in self.plate_section.materials}
+            solids = {name: built_in(name, "").to_dict() for name in self.finite_plate.materials}
             data["plate"]["materials"] = solids
         return {"material": self.resolved_material().to_dict(), **data}
 

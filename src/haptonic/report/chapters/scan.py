@@ -55,7 +55,7 @@ def chapter(results: Results) -> Chapter | Absent:
 
 
 def _what(results: Results, scan: ScanResult) -> str:
-    asked, lines = results.study.scan, scan.response.frequency
+    asked, lines = results.study.scan_settings, scan.response.frequency
     flags = scan.to_json()["flags"]
     return (
         "Nobody measured this: the records are simulated. A twin of the instrument takes the velocity of the "

@@ -21,7 +21,7 @@ FIGURES = {
 
 def chapter(results: Results) -> Chapter | Absent:
     """Complete gaps of every sweep, and how they move."""
-    if not results.study.sweep:
+    if not results.study.sweep_settings:
         return Absent(TITLE, "the study describes none")
     if not results.sweeps:
         return Absent(TITLE, "they were not computed in this run")
