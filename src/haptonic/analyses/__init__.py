@@ -13,7 +13,24 @@ from haptonic.errors import StudyError, nearest
 from haptonic.units import shown
 
 # in the order of the help; "twin scan" is the module twin_scan
-NAMES = ("bands", "sweep", "layers", "waveguide")
+NAMES = (
+    "bands",
+    "sweep",
+    "layers",
+    "waveguide",
+    "design",
+    "tolerance",
+    "export",
+    "plate",
+    "feel",
+    "chirp",
+    "scan",
+    "protocol",
+    "friction",
+    "verdict",
+    "twin friction",
+    "twin scan",
+)
 
 
 def analysis(name: str) -> Analysis:

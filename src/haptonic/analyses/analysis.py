@@ -116,9 +116,10 @@ class Analysis:
         self.check(study, options)
         return self.compute(study, options, runner)
 
-    def files(self, stem: str) -> list[str]:
-        """Names of what it may write about the study of this name."""
-        return [name.replace("STUDY", stem) for name in self.result.names()]
+    def names(self, options: Any, stem: str) -> list[Any]:
+        """Of the files that it may write about a study of this name; see `Result.names`."""
+        names = self.result.names(options)
+        return [one.replace("STUDY", stem) if isinstance(one, str) else one for one in names]
 
 
 def option_of(one: Any) -> Option | None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from haptonic.analyses.analysis import KEPT, Analysis, NoOptions
+from haptonic.analyses.needs import need_carrier
 from haptonic.bloch.mirrors import Incidence
 from haptonic.errors import StudyError
 from haptonic.results.layers import Layers, Question, compute_layers
@@ -20,7 +21,7 @@ def compute(study: Description, options: NoOptions, runner: Runner) -> Layers:
     ------
     StudyError : no carrier, or no wave that propagates towards the rows
     """
-    section, carrier = study.layers_settings, study.need_carrier()
+    section, carrier = study.layers_settings, need_carrier(study)
     question = Question(
         lowest=section.lowest or LOWEST * carrier,
         highest=section.highest or HIGHEST * carrier,

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from pydantic import ValidationError
 
 from haptonic.analyses.analysis import Analysis, option
+from haptonic.analyses.needs import need_carrier
 from haptonic.errors import StudyError
 from haptonic.results.guides import Guides, compute_guides
 from haptonic.results.runner import Runner
@@ -55,7 +56,7 @@ def compute(study: Description, options: Options, runner: Runner) -> Guides:
     """
     section = asked(study, options)
     found: Guides = compute_guides(
-        study.unit_cell(), study.asked(), carrier=study.need_carrier(), mode=section.nodal_lines,
+        study.unit_cell(), study.asked(), carrier=need_carrier(study), mode=section.nodal_lines,
         width=section.width, rows=section.rows, ends=section.ends, inputs=study.inputs(), runner=runner,
     )  # fmt: skip
     return found

@@ -9,7 +9,7 @@ a chapter of the report: all follow from these.
 from __future__ import annotations
 
 import html
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from fnmatch import fnmatchcase
 from functools import partial
@@ -59,24 +59,25 @@ def figure(
     name: str, caption: str = "", *, when: Callable[[Any], object] = _always
 ) -> Callable[[Callable[..., Any]], Any]:
     """Mark a method that draws the picture of this name; of ``name-*`` one that gives drawers by name."""
-    return lambda make: _Marked(Part(name, make, when, caption), "_pictures")
+    return lambda make: _Marked((Part(name, make, when, caption),), "_pictures")
 
 
-def file(name: str, *, when: Callable[[Any], object] = _always) -> Callable[[Callable[..., Any]], Any]:
-    """Mark a method that writes the file of this name to a path; of ``name-*`` one that gives writers."""
-    return lambda make: _Marked(Part(name, make, when), "_writers")
+def file(*names: str, when: Callable[[Any], object] = _always) -> Callable[[Callable[..., Any]], Any]:
+    """Mark a method that writes the file of this name to a path, or several, each in the form that its ending
+    says; of ``name-*`` one that gives writers by name."""
+    return lambda make: _Marked(tuple(Part(name, make, when) for name in names), "_writers")
 
 
 @dataclass(frozen=True)
 class _Marked:
-    part: Part
+    parts: tuple[Part, ...]
     kind: str
 
     def __set_name__(self, owner: type[Result], name: str) -> None:
         # a class has the parts of those above it, and its own
         known: tuple[Part, ...] = getattr(owner, self.kind)
-        setattr(owner, self.kind, (*known, self.part))
-        setattr(owner, name, self.part.make)
+        setattr(owner, self.kind, (*known, *self.parts))
+        setattr(owner, name, self.parts[0].make)
 
 
 class Figures(Mapping[str, "Figure"]):
@@ -160,8 +161,11 @@ class Result:
         return self.tables()[0].to_dataframe()
 
     @classmethod
-    def names(cls) -> list[str]:
-        """Of all files that a result of this kind may write; some with a "*"."""
+    def names(cls, options: Any = None) -> list[Any]:
+        """Of all files that a result of this kind may write, some with a "*"; ``options`` may leave out some.
+
+        "STUDY" in a name stands for that of the study's file.
+        """
         data = [f"{cls.data_file}.nc"] if cls.data_file else []
         pictures = [f"{part.name}.{kind}" for part in cls._pictures for kind in KINDS]
         return [*data, *(part.name for part in cls._writers), *pictures]
@@ -186,6 +190,10 @@ class Result:
             progress(done, len(figures), "pictures")
             plots.save(figures[name], draft, name)
 
+    def located(self, folder: Path) -> dict[str, Any]:
+        """What the JSON says besides, of a result that is always written into a folder."""
+        return {}
+
     def __repr__(self) -> str:
         said = self.summary()
         return f"<{type(self).__name__}{': ' if said else ''}{said[0] if said else ''}>"
@@ -195,8 +203,9 @@ class Result:
         return said + "".join(table.to_html() for table in self.tables())
 
 
-def taken(folder: Path | None, names: list[str]) -> list[str]:
+def taken(folder: Path | None, names: Sequence[Any]) -> list[Any]:
     """The names themselves, those with a "*" replaced by the names of files in the folder that they match."""
     there = [path.name for path in folder.iterdir()] if folder is not None and folder.is_dir() else []
-    plain = [name for name in names if "*" not in name]
-    return plain + [name for name in there if any("*" in p and fnmatchcase(name, p) for p in names)]
+    plain = [name for name in names if "*" not in str(name)]
+    patterns = [str(name) for name in names if "*" in str(name)]
+    return plain + [name for name in there if any(fnmatchcase(name, one) for one in patterns)]

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
+from pathlib import Path
 from typing import Any
 
 import xarray as xr
@@ -18,12 +19,18 @@ from haptonic.store import Store
 
 @dataclass(frozen=True)
 class Runner:
-    """How and where the tasks of a search are computed; see `haptonic.jobs.run_all`."""
+    """How and where something is computed; see `haptonic.jobs.run_all` for tasks.
+
+    about : the file that is analysed, of a study or of a measurement, if there is one
+    folder : where the result will be written, if it will; what was begun may wait there to be gone on with
+    """
 
     store: Store = field(default_factory=Store.default)
     workers: int = 0
     scheduler: str | None = None
     progress: Progress = silent
+    about: Path | None = None
+    folder: Path | None = None
 
     def run(
         self, function: Callable[[Any], xr.Dataset], tasks: Sequence[Task], done: int

@@ -6,7 +6,7 @@ import re
 import tomllib
 import warnings
 from pathlib import Path
-from typing import Any
+from typing import Any, TypeVar
 
 from pydantic import ValidationError
 
@@ -14,9 +14,11 @@ from haptonic.errors import HaptonicWarning, StudyError, nearest
 from haptonic.fields import FROM_FILE
 from haptonic.fields.problems import refusal
 from haptonic.paths import source
-from haptonic.study.runs import Study
+from haptonic.study.schema import Description
 from haptonic.study.trial_tables import Trials, TrialsFile
 from haptonic.units import shown
+
+S = TypeVar("S", bound=Description)
 
 LARGEST_FILE = 1_000_000  # bytes; a study needs a few thousand
 DEEPEST = 20  # brackets within brackets; a study needs two
@@ -26,8 +28,12 @@ _PLACE = re.compile(r"\(at line (?P<line>\d+), column \d+\)$")
 _BARE_QUANTITY = re.compile(r"=\s*[+-]?[0-9.]+(?:[eE][+-]?[0-9]+)?\s*[A-Za-zµ]")
 
 
-def load(path: str | Path) -> Study:
+def load_as(path: str | Path, kind: type[S]) -> S:
     """Read a study file.
+
+    Parameters
+    ----------
+    kind : `Description`, or `haptonic.study.Study`, which can be asked to compute as well
 
     Raises
     ------
@@ -39,27 +45,27 @@ def load(path: str | Path) -> Study:
     HaptonicWarning : a value outside its typical range
     """
     checked = source(path, "study", StudyError)
-    return loads(_read(checked), str(path))
+    return loads_as(_read(checked), kind, str(path))
 
 
-def loads(text: str, origin: str = "study") -> Study:
-    """Read a study from text; ``origin`` is how errors and warnings call it. Otherwise as `load`."""
-    study = _checked(_parsed(text, origin), origin)
+def loads_as(text: str, kind: type[S], origin: str = "study") -> S:
+    """Read a study from text; ``origin`` is how errors and warnings call it. Otherwise as `load_as`."""
+    study = _checked(_parsed(text, origin), kind, origin)
     for words in study.unusual():
         warnings.warn(f"{origin}: {words}", HaptonicWarning, stacklevel=2)
     return study
 
 
-def load_trials(path: str | Path) -> tuple[Trials, Study | None]:
+def load_trials_as(path: str | Path, kind: type[S]) -> tuple[Trials, S | None]:
     """The table [trials] of a study file, and the study; of a file with nothing else there is no study.
 
     Raises
     ------
-    StudyError : as `load`
+    StudyError : as `load_as`
     """
     data = _parsed(_read(source(path, "study", StudyError)), str(path))
     if not data.keys() <= TrialsFile.model_fields.keys():
-        study = load(path)
+        study = load_as(path, kind)
         return study.trials, study
     try:
         return TrialsFile.model_validate(data, context=FROM_FILE).trials, None
@@ -68,11 +74,11 @@ def load_trials(path: str | Path) -> tuple[Trials, Study | None]:
     raise refused
 
 
-def _checked(data: dict[str, Any], origin: str) -> Study:
+def _checked(data: dict[str, Any], kind: type[S], origin: str) -> S:
     try:
-        return Study.model_validate(data, context=FROM_FILE)
+        return kind.model_validate(data, context=FROM_FILE)
     except ValidationError as error:
-        refused = refusal(error, Study, origin=origin)
+        refused = refusal(error, kind, origin=origin)
     raise refused  # out here it does not drag the whole file along as its context when it is pickled
 
 

@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 from importlib.metadata import version
-from pathlib import Path
+from typing import TYPE_CHECKING
 
+from haptonic.pages import Picture, filled
 from haptonic.progress import Progress, silent
-from haptonic.report.chapter import Picture, Table
-from haptonic.report.page import filled
-from haptonic.results import FrictionResult
+from haptonic.results.table import Table
+
+if TYPE_CHECKING:
+    from haptonic.results.friction import FrictionResult
 
 TEMPLATE = "quality.html"
 MOST_LISTED = 500  # excluded trials; trials.csv has them all
@@ -25,7 +27,7 @@ def quality(result: FrictionResult, progress: Progress = silent) -> str:
     return filled(
         TEMPLATE,
         origin=result.origin,
-        remarks=result.remarks,
+        remarks=result.guessed,
         omissions=result.found.omissions,
         counts=result.excluded,
         total=result.trials.sizes["stroke"],
@@ -35,11 +37,6 @@ def quality(result: FrictionResult, progress: Progress = silent) -> str:
         more=more,
         version=version("haptonic"),
     )
-
-
-def write_quality(result: FrictionResult, path: Path, progress: Progress = silent) -> None:
-    """Write the page, UTF-8: pictures and style inside, no script, nothing from elsewhere."""
-    path.write_text(quality(result, progress), encoding="utf-8")
 
 
 def _excluded(result: FrictionResult) -> Table:

@@ -1,22 +1,22 @@
-"""From [protocol] and [participants] of a study to an order of trials, a plan, and the truth of a twin."""
+"""From [protocol] and [participants] of a study to an order of trials, and the truth of a twin."""
 
 from __future__ import annotations
 
 from collections.abc import Mapping
 
+from haptonic.analyses.needs import need_carrier
 from haptonic.errors import StudyError, nearest
 from haptonic.friction.protocol import Protocol
-from haptonic.friction.statistics import Population
 from haptonic.friction.twin import Truth, explaining, film_of
-from haptonic.results import Plan, Task, compute_plan
-from haptonic.study.runs import Study
+from haptonic.results.protocol import Task
+from haptonic.study.schema import Description
 from haptonic.units import format_quantity, shown
 
 SHORTEST, LONGEST = 0.4, 10.0  # s that a stroke may last: touching down and lifting take a third of one
 PUBLISHED = ("WG1", "WG2")  # names of the waveguides where the study has no plate [daunizeau-haptics]
 
 
-def protocol_of(study: Study) -> Protocol:
+def protocol_of(study: Description) -> Protocol:
     """The order of trials that a study asks for.
 
     Raises
@@ -34,7 +34,7 @@ def protocol_of(study: Study) -> Protocol:
     )
 
 
-def waveguides_of(study: Study) -> tuple[str, str]:
+def waveguides_of(study: Description) -> tuple[str, str]:
     """Names of the driven and of the idle waveguide.
 
     Raises
@@ -69,34 +69,7 @@ def waveguides_of(study: Study) -> tuple[str, str]:
     return driven, idle
 
 
-def planned(study: Study) -> Plan:
-    """The order of a study's trials, what people are asked to do, and how many of them are needed.
-
-    Raises
-    ------
-    StudyError : no two waveguides to compare, or strokes that last too short or too long
-    """
-    section, people = study.protocol_settings, study.participants
-    protocol = protocol_of(study)
-    populations = {
-        name: Population(reduction, people.effect_between, people.within, people.between)
-        for name, reduction in zip(protocol.waveguides, (people.driven, people.idle), strict=True)
-    }
-    task = task_of(study)
-    return compute_plan(
-        protocol,
-        section.participants,
-        populations,
-        task,
-        title=study.title,
-        order=section.order,
-        wanted=section.power,
-        seed=section.seed,
-        inputs=study.inputs(),
-    )
-
-
-def task_of(study: Study) -> Task:
+def task_of(study: Description) -> Task:
     """What people are asked to do: force and speed of [touch], the rest of [protocol].
 
     Raises
@@ -117,7 +90,7 @@ def task_of(study: Study) -> Task:
     return task
 
 
-def truth_of(study: Study, amplitudes: Mapping[str, float] | None = None) -> Truth:
+def truth_of(study: Description, amplitudes: Mapping[str, float] | None = None) -> Truth:
     """What is true of the people of a twin.
 
     Parameters
@@ -129,7 +102,7 @@ def truth_of(study: Study, amplitudes: Mapping[str, float] | None = None) -> Tru
     StudyError : no carrier, no two waveguides, or one without an amplitude
     FrictionError : amplitudes or reductions that load sharing does not explain
     """
-    people, carrier, names = study.participants, study.need_carrier(), waveguides_of(study)
+    people, carrier, names = study.participants, need_carrier(study), waveguides_of(study)
     task, skin = task_of(study), study.touch.finger()
     force = (task.force, people.force_spread)
     if amplitudes is None:

@@ -4,11 +4,13 @@ from __future__ import annotations
 
 from importlib.metadata import version
 from itertools import groupby
-from pathlib import Path
+from typing import TYPE_CHECKING
 
-from haptonic.report.page import filled
-from haptonic.results import Plan
+from haptonic.pages import filled
 from haptonic.units import format_quantity
+
+if TYPE_CHECKING:
+    from haptonic.results.protocol import Plan
 
 TEMPLATE = "sheet.html"
 
@@ -40,7 +42,3 @@ def sheet(plan: Plan) -> str:
         version=version("haptonic"),
     )
 
-
-def write_sheet(plan: Plan, path: Path) -> None:
-    """Write the sheet, UTF-8."""
-    path.write_text(sheet(plan), encoding="utf-8")

@@ -1,0 +1,2 @@
+class References:
+    read = None
