@@ -19,7 +19,7 @@ from haptonic.plate.damping import real_times
 from haptonic.results.plate.question import grid_points, unit_drives
 from haptonic.study import loads
 from haptonic.updating.fit import Fit, SmallModel, fitted
-from haptonic.updating.match import Measured
+from haptonic.updating.match import MeasuredResponse
 from haptonic.vibrometry.chirp import drive
 
 STUDY = """
@@ -106,7 +106,7 @@ class Bench:
             self.fineness,
         )  # fmt: skip
 
-    def scan(self, x: np.ndarray, chance: np.random.Generator) -> tuple[Measured, np.ndarray]:
+    def scan(self, x: np.ndarray, chance: np.random.Generator) -> tuple[MeasuredResponse, np.ndarray]:
         """Of the plate with numbers given as logarithms over the start; also the points that were spoiled."""
         plate = self.small.space.plate_at(x)
         model = PlateModel.of(plate, BAND[1], self.fineness)
@@ -122,7 +122,7 @@ class Bench:
         velocity[spoiled[:LOST], len(self.drive.samples) // 2 :] = 0.0
         step = FULL_SCALE * np.abs(velocity).max() / 2 ** (BITS - 1)
         response = (np.fft.rfft(step * np.round(velocity / step)) / volts)[:, self.inside].T
-        data = Measured.of(self.frequency, self.points, response, True, unit_drives(plate))
+        data = MeasuredResponse.of(self.frequency, self.points, response, True, unit_drives(plate))
         return data.without(spoiled[LOST:]), spoiled[:LOST]
 
     def fit(self, seed: int) -> tuple[Fit, np.ndarray, np.ndarray]:

@@ -103,6 +103,18 @@ def test_positions_come_out_for_any_cell_any_mesh_and_any_point(data):
     assert np.abs(weights @ mesh.points[:, :2] - where).max() < 1e-12 * size
 
 
+@given(
+    st.floats(0.02, 0.2), st.floats(0.3, 0.9), st.integers(2, 6), st.integers(1, 3), st.floats(0, 2 * np.pi)
+)
+def test_points_at_the_foot_of_a_pillar_on_a_thin_plate_are_found(plate, width, order, rings, turn):
+    """Rings there are much thinner than they are long, and the circle lies just beside their borders."""
+    cell = UnitCell(SQUARE, plate * 7e-3, ALUMINIUM, Pillar(width * 7e-3, 7e-3))
+    mesh = mesh_cell(cell, MeshPlan.suited(cell, order, rings))
+    where = 0.5 * width * 7e-3 * np.array([[np.cos(turn), np.sin(turn)]])
+    weights = surface_weights(mesh.points, flat_faces(mesh), where)
+    assert np.abs(weights @ mesh.points[:, :2] - where).max() < 1e-12 * 7e-3
+
+
 def test_polynomials_on_straight_elements_are_exact():
     """Up to the order of the elements, four here, in either direction; one more is not."""
     cell = UnitCell(SQUARE, 1.5e-3, ALUMINIUM, Pillar(3.5e-3, 14.7e-3, section="square"))

@@ -10,7 +10,7 @@ import scipy.linalg as la
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from small import COARSE, LOSS, PITCH, busy_plate, drawn, glued, plain_plate
-from whole import answered, beds, dynamic, energy, finger_impedance, forms, lossless
+from whole import answered, dynamic, energy, finger_impedance, forms, foundations, lossless
 
 from haptonic.errors import GeometryError, HaptonicError, ResourceError
 from haptonic.plate import krylov, sweep
@@ -106,8 +106,8 @@ def test_losses_of_all_kinds_on_one_basis(plate_loss, glue_loss, spring_loss, da
         supports=(replace(left, loss_factor=spring_loss), right),
         finger=replace(plate.finger, damping=damping, mass=mass),
     )
-    beds = tuple(replace(bed, loss_factor=spring_loss) for bed in busy().beds)
-    model = replace(busy(), plate=plate, beds=beds)
+    foundations = tuple(replace(foundation, loss_factor=spring_loss) for foundation in busy().foundations)
+    model = replace(busy(), plate=plate, foundations=foundations)
     reduced = ReducedPlate.of(model, busy_band().reduced.basis, HZ * 16e3)
     lines = HZ * LINES[::4]
     vibration = reduced.answer(BOTH, lines)
@@ -119,7 +119,7 @@ def test_losses_of_all_kinds_on_one_basis(plate_loss, glue_loss, spring_loss, da
 
 
 def test_a_clamp_of_corners_and_a_patch_reach_the_tolerance():
-    """The clamp is a bed a hundred times as stiff as the plate, without its loss."""
+    """The clamp is a foundation a hundred times as stiff as the plate, without its loss."""
     plate = replace(busy_plate(), supports=(Support("corners", "clamped", 3e-3),), finger=None)
     model, lines = PlateModel.of(plate, 40e3, COARSE), np.linspace(5e3, 30e3, 26)
     band, vibration = Band.of(model, 5e3, 30e3).answer({"F": 1.0}, lines, 1e-3)
@@ -152,14 +152,14 @@ def test_modes_have_the_quality_of_the_complex_eigenvalues():
     lossy = K.astype(complex)
     for part, form in stiffness.items():
         lossy += 1j * small * factors[part].imag * form
-    (bed,) = beds(bare)
-    lossy += 1j * small * 0.08 * bed
+    (foundation,) = foundations(bare)
+    lossy += 1j * small * 0.08 * foundation
     complex_values = la.eigvals(np.linalg.solve(M, lossy))
     for frequency, quality in zip(modes.frequency, modes.quality, strict=True):
         near = complex_values[np.abs(complex_values.real - (HZ * frequency) ** 2).argmin()]
         assert near.imag / near.real / small == pytest.approx(1 / quality, rel=1e-3)
     assert sum(modes.lost.values()) == pytest.approx(1.0)
-    held = np.einsum("nk,nk->k", modes.vectors, beds(bare)[0] @ modes.vectors) / values
+    held = np.einsum("nk,nk->k", modes.vectors, foundations(bare)[0] @ modes.vectors) / values
     assert sum(part.sum(1) for part in modes.stored.values()) + held == pytest.approx(1.0)
 
 
@@ -397,9 +397,9 @@ def test_powers_and_energies_are_those_of_the_direct_solution():
         assert vibration.stored[part].sum(1) == pytest.approx(twice(form) / 2, rel=2e-3)
     assert vibration.moving.sum(1) == pytest.approx(omega**2 * twice(mass) / 2, rel=2e-3)
     assert vibration.dissipated[PLATE] == pytest.approx(omega * LOSS * twice(stiffness[PLATE]), rel=2e-3)
-    (bed,) = model.beds
+    (foundation,) = model.foundations
     form = np.zeros_like(mass)
-    form[: model.assembly.free, : model.assembly.free] = bed.stiffness.toarray()
+    form[: model.assembly.free, : model.assembly.free] = foundation.stiffness.toarray()
     assert vibration.dissipated[SUPPORTS] == pytest.approx(omega * 0.08 * twice(form), rel=2e-3)
     pad, finger = model.pad.toarray(), model.plate.finger
     felt = np.array([finger_impedance(finger, w) for w in omega])
@@ -445,9 +445,9 @@ def test_the_virial_theorem_ties_both_energies_to_the_work_of_the_force():
     reduced = ReducedPlate.of(model, reduced.basis, HZ * 16e3)
     vibration = reduced.answer({"F": 1.0}, HZ * LINES)
     strain = sum(values.sum(1) for values in vibration.stored.values())
-    bed = vibration.dissipated[SUPPORTS] / (2 * vibration.omega * 0.08)
+    foundation = vibration.dissipated[SUPPORTS] / (2 * vibration.omega * 0.08)
     field_factor = (1 / (1 - 1j * plate.actuators[0].material.dielectric_loss)).real
-    strain = strain + bed + (field_factor - 1) * vibration.stored[electric("A")].sum(1)
+    strain = strain + foundation + (field_factor - 1) * vibration.stored[electric("A")].sum(1)
     motion = (model.drives["F"] @ vibration.vectors) @ vibration.amplitudes
     assert 2 * (strain - vibration.moving.sum(1)) == pytest.approx(0.5 * motion.real, rel=1e-4)
 

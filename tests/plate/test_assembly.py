@@ -9,7 +9,7 @@ import scipy.linalg as la
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from small import ALUMINIUM, COARSE, PITCH, THICKNESS, busy_plate, drawn, plain_plate
-from whole import answered, beds, forms, lossless
+from whole import answered, forms, foundations, lossless
 
 from haptonic.cell.quadrature import lobatto
 from haptonic.plate import model as model_module
@@ -95,12 +95,12 @@ def skeleton(text="ppp pp.", shear=0):
 def test_springs_store_what_a_rigid_motion_takes(where, edges, shear):
     """An edge of the L that looks to a side counts, on the rim of the map or not."""
     places = skeleton(shear=shear)
-    held, (bed,) = supported(places, [Support(where, "spring", stiffness=3e9, loss_factor=0.1)])
+    held, (foundation,) = supported(places, [Support(where, "spring", stiffness=3e9, loss_factor=0.1)])
     area = edges * PITCH * THICKNESS
     assert not len(held)
-    assert bed.loss_factor == 0.1
+    assert foundation.loss_factor == 0.1
     moves = rigid(places)
-    energy = moves.T @ (bed.stiffness @ moves)
+    energy = moves.T @ (foundation.stiffness @ moves)
     assert energy[:3, :3] == pytest.approx(3e9 * area * np.eye(3), abs=1e-6 * 3e9 * area)
     # turned about the x axis by one radian: z and y squared over the faces
     faces = [edge for edge in places.outer_edges if edge.side == where]
@@ -118,18 +118,18 @@ def _integral(edge, axis):
 def test_corners_are_held_on_their_length_from_the_corners_of_the_map():
     places = skeleton()
     moves = rigid(places)
-    held, (bed,) = supported(places, [Support("corners", "spring", length=3e-3, stiffness=1e9)])
+    held, (foundation,) = supported(places, [Support("corners", "spring", length=3e-3, stiffness=1e9)])
     assert not len(held)
     # the L has three corners of the map, each with two edges
     expected = 1e9 * 6 * 3e-3 * THICKNESS
-    assert moves[:, 2] @ bed.stiffness @ moves[:, 2] == pytest.approx(expected, rel=1e-9)
-    touched = np.flatnonzero(np.diff(bed.stiffness.indptr))
+    assert moves[:, 2] @ foundation.stiffness @ moves[:, 2] == pytest.approx(expected, rel=1e-9)
+    touched = np.flatnonzero(np.diff(foundation.stiffness.indptr))
     points = places.points[np.unique(touched // places.orders.per_node)]
     ends = np.array([(x, y) for x in (0, 3 * PITCH) for y in (0, 2 * PITCH)])
     assert (np.abs(points[:, None] - ends).sum(-1).min(1) <= PITCH + 1e-9).all()
     _, (clamp,) = supported(places, [Support("corners", "clamped", length=3e-3)])
     stiff = CLAMPED * ALUMINIUM.stiffness[0, 0] / THICKNESS
-    assert clamp.stiffness.toarray() == pytest.approx(bed.stiffness.toarray() * stiff / 1e9)
+    assert clamp.stiffness.toarray() == pytest.approx(foundation.stiffness.toarray() * stiff / 1e9)
 
 
 def test_a_corner_as_long_as_its_edge_is_held_for_good():
@@ -161,11 +161,13 @@ def test_a_clamp_holds_the_further_profile_and_a_simple_support_that_along_the_f
     further = clamped[clamped >= first]
     assert len(further) == 2 * (2 * 2 + 1)
     assert np.array_equal(simple[simple >= first], further[(further - first) % 2 == 1])
-    held, (bed,) = supported(places, [Support("left", "spring", stiffness=2e9)])
+    held, (foundation,) = supported(places, [Support("left", "spring", stiffness=2e9)])
     assert not len(held)
     along = np.zeros(places.size)
     along[further[(further - first) % 2 == 0]] = 1.0  # the profile 3 z (1 - z^2), whose mean square is 24/35
-    assert along @ bed.stiffness @ along == pytest.approx(2e9 * 2 * PITCH * THICKNESS * 24 / 35, rel=1e-12)
+    assert along @ foundation.stiffness @ along == pytest.approx(
+        2e9 * 2 * PITCH * THICKNESS * 24 / 35, rel=1e-12
+    )
 
 
 def test_a_plate_has_the_free_motions_that_its_supports_leave():
@@ -183,14 +185,14 @@ def test_a_plate_has_the_free_motions_that_its_supports_leave():
         assert plate.rigid_modes == count
         values = la.eigh(*lossless(PlateModel.of(plate, 40e3, COARSE)), eigvals_only=True)
         assert (np.abs(values[:count]) < 1e-6 * values[count]).all()
-        assert values[count] > (HZ * 20) ** 2  # the bed is soft
+        assert values[count] > (HZ * 20) ** 2  # the foundation is soft
 
 
 def test_separate_beds_of_one_model_add_to_the_stiffness():
     model = busy()
     stiffness, _ = forms(model.assembly)
     K, _ = dense()
-    assert pytest.approx(sum(stiffness.values()) + sum(beds(model))) == K
+    assert pytest.approx(sum(stiffness.values()) + sum(foundations(model))) == K
     soft = replace(busy_plate(), supports=(Support("right", "clamped"),))
     bare = lossless(PlateModel.of(soft, 40e3, COARSE))[0]
     assert np.linalg.norm(K - bare) > 1e-3 * np.linalg.norm(bare[:50])
@@ -204,7 +206,7 @@ def test_free_edges_that_are_condensed_into_their_tiles_change_no_mode(monkeypat
     monkeypatch.setattr(model_module, "OPEN_FROM", 0)
     opened = PlateModel.of(plate, 40e3, COARSE)
     assert opened.assembly.free < closed.assembly.free - 100
-    for one, other in zip(opened.beds, closed.beds, strict=True):
+    for one, other in zip(opened.foundations, closed.foundations, strict=True):
         assert np.array_equal(np.sort(one.stiffness.data), np.sort(other.stiffness.data))
     one, other = (
         la.eigh(*lossless(model), eigvals_only=True, subset_by_value=(0, (HZ * 40e3) ** 2))

@@ -116,7 +116,7 @@ def whole_stiffness(vectors):
         pieces.append(np.einsum("ij,jbk->ibk", sum(parts.values()), share))
     found = assembly.gathered(pieces)
     ratio = plate.supports[0].stiffness / model().plate.supports[0].stiffness
-    found[: assembly.free] += ratio * (assembly.beds @ vectors[: assembly.free])
+    found[: assembly.free] += ratio * (assembly.foundations @ vectors[: assembly.free])
     return found
 
 

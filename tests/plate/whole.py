@@ -24,19 +24,19 @@ def forms(assembly):
     return stiffness, mass
 
 
-def beds(model: PlateModel):
+def foundations(model: PlateModel):
     """(size, size) of every support."""
     found = []
-    for bed in model.beds:
+    for foundation in model.foundations:
         found.append(np.zeros((model.assembly.size,) * 2))
-        found[-1][: model.assembly.free, : model.assembly.free] = bed.stiffness.toarray()
+        found[-1][: model.assembly.free, : model.assembly.free] = foundation.stiffness.toarray()
     return found
 
 
 def lossless(model: PlateModel):
     """Stiffness, supports included, and mass."""
     stiffness, mass = forms(model.assembly)
-    return sum(stiffness.values()) + sum(beds(model)), mass
+    return sum(stiffness.values()) + sum(foundations(model)), mass
 
 
 def finger_impedance(finger, omega):
@@ -59,12 +59,12 @@ def dynamic(model: PlateModel, omega):
         total += stiffness[electric(name)] / (1 - 1j * solid.dielectric_loss)
         if actuator.bond is not None:
             total += (1 + 1j * actuator.bond.material.loss_factor) * stiffness[bond(name)]
-    for support, bed in zip(
+    for support, foundation in zip(
         [support for support in plate.supports if support.hold == "spring" or support.where == "corners"],
-        beds(model),
+        foundations(model),
         strict=True,
     ):
-        total += (1 + 1j * support.loss_factor) * bed
+        total += (1 + 1j * support.loss_factor) * foundation
     if plate.finger is not None:
         pad = model.pad.toarray()
         total += finger_impedance(plate.finger, omega) / len(pad) * pad.T @ pad

@@ -19,7 +19,7 @@ from haptonic import plots
 from haptonic.bloch import Resolution, bands_dataset
 from haptonic.errors import ResourceError
 from haptonic.plots import style
-from haptonic.plots.bands import RIGID, STROKES
+from haptonic.plots.bands import CURVE_STYLES, RIGID
 from haptonic.plots.modes import drawing_cells, outer_faces, outline_edges
 from made_up import made_up_sweep, reference_bands, reference_study
 
@@ -148,7 +148,7 @@ class TestDispersion:
         points = {}
         for line in lines:
             _, number, name = line.get_gid().split(" ", 2)
-            assert line.get_color() == STROKES[name].colour
+            assert line.get_color() == CURVE_STYLES[name].colour
             for x, y in zip(*line.get_data(), strict=True):
                 points.setdefault((int(number), round(float(x), 6), round(float(y), 6)), set()).add(name)
         branch, kind = bands["branch"].values, bands["character"].values
@@ -192,21 +192,21 @@ class TestColours:
 
     @pytest.mark.parametrize("vision", VISION)
     def test_any_two_curves_can_be_told_apart(self, vision):
-        for (one, a), (other, b) in combinations(STROKES.items(), 2):
+        for (one, a), (other, b) in combinations(CURVE_STYLES.items(), 2):
             difference = np.linalg.norm(self.lab(a.colour, vision) - self.lab(b.colour, vision))
             assert difference > (30 if a.dashes == b.dashes else 10), (one, other, difference)
 
     def test_in_grey_dashes_and_markers_tell_curves_apart(self):
-        assert len({(stroke.dashes, stroke.marker) for stroke in STROKES.values()}) == len(STROKES)
+        assert len({(stroke.dashes, stroke.marker) for stroke in CURVE_STYLES.values()}) == len(CURVE_STYLES)
 
     def test_every_curve_stands_out_from_the_paper(self):
-        for name, stroke in STROKES.items():
+        for name, stroke in CURVE_STYLES.items():
             luminance = (self.XYZ @ self.linear(stroke.colour, "usual"))[1]
             assert 1.05 / (luminance + 0.05) > 2.0, name
 
     def test_every_character_has_a_stroke(self):
         names = json.loads(reference_bands().attrs["character_names"])
-        assert set(names) == set(STROKES) | {RIGID}
+        assert set(names) == set(CURVE_STYLES) | {RIGID}
 
 
 class TestSweep:

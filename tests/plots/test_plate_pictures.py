@@ -335,7 +335,7 @@ class TestPlan:
         }
         common = {"region of plain plate", "pillars on the back (180)"}
         assert written["plan"] == common | {"clamped", "actuator on the back"}
-        rest = {"simple support", "bed of springs", "normal force", "finger"}
+        rest = {"simple support", "elastic foundation", "normal force", "finger"}
         assert written["plan, busy"] == written["plan"] | rest
         assert written["plan, low"] == {"region of plain plate", "pillars on the back (18)"}
 

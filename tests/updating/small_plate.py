@@ -11,7 +11,7 @@ from haptonic.plate import Fineness, Force, Layout, Plate, Support
 from haptonic.results.plate.answer import responded
 from haptonic.results.plate.question import grid_points
 from haptonic.updating.fit import SmallModel
-from haptonic.updating.match import Measured, Unknown
+from haptonic.updating.match import MeasuredResponse, Unknown
 from haptonic.updating.parameters import changed
 
 YOUNG, LOSS, EDGES = "material.youngs_modulus", "plate.loss_factor", "plate.edges.spring"
@@ -58,4 +58,4 @@ def noise(values, share, seed):
 
 def measured(young=70e9, loss=6e-3, springs=3e11, share=0.01, seed=0):
     values = response(young, loss, springs).values[..., 0]
-    return Measured.of(LINES, POINTS, values + noise(values, share, seed), True, {"F": 1.0})
+    return MeasuredResponse.of(LINES, POINTS, values + noise(values, share, seed), True, {"F": 1.0})

@@ -10,7 +10,7 @@ from haptonic.errors import ScanError
 from haptonic.materials import material
 from haptonic.plate import Actuator, Bond
 from haptonic.updating.fit import SmallModel, fitted
-from haptonic.updating.match import Match, Measured, Unknown
+from haptonic.updating.match import Match, MeasuredResponse, Unknown
 from haptonic.updating.parameters import bonds_of, changed, unit_of, values_of
 
 TRUE = {YOUNG: 73e9, LOSS: 9e-3, EDGES: 8e11}
@@ -64,7 +64,7 @@ def test_a_spring_that_holds_like_a_wall_is_not_told():
     of = small()
     model = SmallModel.of(stiff, unknowns, of.frequency, of.points, of.drives, 1e-3, of.model.fineness)
     exact = model.anchors[0].displacement
-    data = Measured.of(of.frequency, of.points, exact * (1 + 1e-3j), False, of.drives)
+    data = MeasuredResponse.of(of.frequency, of.points, exact * (1 + 1e-3j), False, of.drives)
     fit = fitted(model, data)
     young, edges = fit.numbers
     assert young.interval is not None
@@ -96,7 +96,7 @@ def test_noise_is_weighed_by_line_and_by_point():
     lines, points = chance.uniform(0.5, 2, len(data.frequency)), chance.uniform(0.5, 2, len(data.points))
     noise = 0.1 * np.abs(data.response).mean() * np.outer(lines, points)
     power = np.abs(data.response) ** 2
-    found = Measured.of(
+    found = MeasuredResponse.of(
         data.frequency, data.points, data.response, True, data.drives, power / (power + noise**2)
     ).weight
     assert found * noise == pytest.approx(np.full(noise.shape, (found * noise).mean()), rel=1e-3)

@@ -16,8 +16,8 @@ from haptonic.gate import passed
 from haptonic.response import FrequencyResponse, Reference
 from haptonic.vibrometry import (
     InMemory,
+    LatticeRows,
     Rectangle,
-    Strip,
     TimeScan,
     clean_contrast,
     clean_rms,
@@ -36,7 +36,7 @@ X, Y = (
         np.arange(25) * 2e-3, 1e-3 + np.arange(42) * 2e-3
     )  # the lattice, and plate on both sides
 )
-STRIP = Strip(Rectangle(14e-3, 0.0, ROWS * PITCH, CELLS * PITCH), "x", 14e-3, 1, PITCH, PITCH, ROWS)
+STRIP = LatticeRows(Rectangle(14e-3, 0.0, ROWS * PITCH, CELLS * PITCH), "x", 14e-3, 1, PITCH, PITCH, ROWS)
 WAVES = np.pi * np.arange(1, CELLS) / CELLS
 
 
@@ -99,7 +99,7 @@ class TestEdges:
             plain.values, frequency=LINES, x=Y, y=-X, reference="A1, V", origin="simulated",
         )  # fmt: skip
         area = Rectangle(0.0, -STRIP.start - ROWS * PITCH, CELLS * PITCH, ROWS * PITCH)
-        strip = Strip(area, "y", -STRIP.start, -1, PITCH, PITCH, ROWS)
+        strip = LatticeRows(area, "y", -STRIP.start, -1, PITCH, PITCH, ROWS)
         assert fading(turned, [strip]).values == pytest.approx(fading(plain, [STRIP]).values, abs=1e-6)
 
     @pytest.mark.parametrize("small", [True, False])
@@ -130,7 +130,7 @@ class TestEdges:
         assert "noise" in nothing.reasons[0]
 
     def test_what_cannot_be_done_is_refused(self):
-        two = Strip(Rectangle(14e-3, 0.0, 2 * PITCH, CELLS * PITCH), "x", 14e-3, 1, PITCH, PITCH, 2)
+        two = LatticeRows(Rectangle(14e-3, 0.0, 2 * PITCH, CELLS * PITCH), "x", 14e-3, 1, PITCH, PITCH, 2)
         with pytest.raises(ScanError) as caught:
             fading(field(whole), [two])
         assert_five_parts(caught.value, "fewer than three rows")

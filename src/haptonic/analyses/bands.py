@@ -11,13 +11,13 @@ from haptonic.study.schema import Description
 
 
 @dataclass(frozen=True)
-class Options:
+class BandsOptions:
     """What may be chosen."""
 
     surface: bool = option(False, "Also contours over the zone and the density of states.")
 
 
-def compute(study: Description, options: Options, runner: Runner) -> Bands:
+def compute(study: Description, options: BandsOptions, runner: Runner) -> Bands:
     """Band diagram, gaps and mode shapes.
 
     Raises
@@ -35,5 +35,5 @@ ANALYSIS = Analysis(
     help="Band diagram, gaps and mode shapes of the unit cell.",
     result=Bands,
     compute=compute,
-    options=Options,
+    options=BandsOptions,
 )

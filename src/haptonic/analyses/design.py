@@ -18,13 +18,13 @@ from haptonic.study.schema import Description
 
 
 @dataclass(frozen=True)
-class Options:
+class DesignOptions:
     """What may be chosen."""
 
     pareto: bool = option(False, "Also the widest gap against the pitch.")
 
 
-def check(study: Description, options: Options) -> None:
+def check(study: Description, options: DesignOptions) -> None:
     """Raise StudyError if the front is asked for, unless the pitch and something else may change."""
     names = [one.parameter for one in study.design_settings.vary]
     if options.pareto and ("cell.pitch" not in names or len(names) < 2):
@@ -73,7 +73,7 @@ def brief(study: Description) -> Brief:
     )
 
 
-def compute(study: Description, options: Options, runner: Runner) -> Design:
+def compute(study: Description, options: DesignOptions, runner: Runner) -> Design:
     """The design, as a study of its own, and if it is asked for the widest margin of each pitch.
 
     Raises
@@ -108,7 +108,7 @@ ANALYSIS = Analysis(
     help="The cell whose gap holds the carrier with the widest margin, within the study's [design].",
     result=Design,
     compute=compute,
-    options=Options,
+    options=DesignOptions,
     check=check,
     parallel=True,
     kept=KEPT,

@@ -23,7 +23,7 @@ KINDS = ("step", "dxf", "stl", "drawing")
 
 
 @dataclass(frozen=True)
-class Options:
+class ExportOptions:
     """What may be chosen; all kinds of files are made if none is named."""
 
     step: bool = option(False, "Solid, for CAD (needs haptonic[cad]).")
@@ -59,7 +59,7 @@ class Workshop(Result):
     cell: UnitCell
     study: str
     stem: str
-    options: Options
+    options: ExportOptions
     tolerances: dict[str, float]
     why_none: str
     asked: bool
@@ -77,7 +77,7 @@ class Workshop(Result):
 
     @classmethod
     def names(cls, options: Any = None) -> list[str]:
-        return (options or Options()).names("STUDY")
+        return (options or ExportOptions()).names("STUDY")
 
     def put(self, draft: Path, *_: object) -> None:
         asked = self.options
@@ -109,12 +109,12 @@ class Workshop(Result):
         return {"files": [str(folder / name) for name in self.options.names(self.stem)]}
 
 
-def check(study: Description, options: Options) -> None:
+def check(study: Description, options: ExportOptions) -> None:
     """Refuse impossible numbers of cells before anything is computed."""
     in_mm(study.unit_cell(), options.columns, options.rows)
 
 
-def compute(study: Description, options: Options, runner: Runner) -> Workshop:
+def compute(study: Description, options: ExportOptions, runner: Runner) -> Workshop:
     """The files; the drawing has the tolerances found, or says why not."""
     found: tuple[dict[str, float], str] = ({}, "")
     if "drawing" in options.kinds:
@@ -155,7 +155,7 @@ ANALYSIS = Analysis(
     "why not.",
     result=Workshop,
     compute=compute,
-    options=Options,
+    options=ExportOptions,
     check=check,
     doing="files for the workshop",
     writes=True,

@@ -21,7 +21,7 @@ from haptonic.units import format_quantity
 
 
 @dataclass(frozen=True)
-class Options:
+class FeelOptions:
     """What may be chosen."""
 
     voltage: float | None = option(
@@ -35,13 +35,13 @@ class Options:
     )
 
 
-def check(study: Description, options: Options) -> None:
+def check(study: Description, options: FeelOptions) -> None:
     """Raise StudyError for a reduction that is no share of friction."""
     if options.reduction is not None:
         check_reduction(options.reduction)
 
 
-def compute(study: Description, options: Options, runner: Runner) -> Feel:
+def compute(study: Description, options: FeelOptions, runner: Runner) -> Feel:
     """Friction wherever the finger lies, by the study's [touch].
 
     Without a frequency it is the resonance of the driven region that is loudest near the carrier; without a
@@ -112,7 +112,7 @@ ANALYSIS = Analysis(
     help="What a finger feels of the plate: a map of friction, reductions, whether they are noticed.",
     result=Feel,
     compute=compute,
-    options=Options,
+    options=FeelOptions,
     check=check,
     doing="shifts",
 )

@@ -21,7 +21,7 @@ STUDY = "study.toml"  # beside the trials
 
 
 @dataclass(frozen=True)
-class Options:
+class FrictionOptions:
     """What is read, and how it is processed."""
 
     path: Path = option(
@@ -35,12 +35,12 @@ class Options:
     )
 
 
-def check(study: None, options: Options) -> None:
+def check(study: None, options: FrictionOptions) -> None:
     """Refuse what is no folder of trials."""
     source(options.path, "folder of trials")
 
 
-def compute(study: None, options: Options, runner: Runner) -> FrictionResult:
+def compute(study: None, options: FrictionOptions, runner: Runner) -> FrictionResult:
     """All trials, measured, and what they prove.
 
     Raises
@@ -75,7 +75,7 @@ ANALYSIS = Analysis(
     help="Coefficients of friction from force records, and what they prove.",
     result=FrictionResult,
     compute=compute,
-    options=Options,
+    options=FrictionOptions,
     check=check,
     study="none",
     parallel=True,

@@ -15,7 +15,7 @@ from haptonic.study.schema import Description
 
 
 @dataclass(frozen=True)
-class Options:
+class PlateOptions:
     """What may be chosen.
 
     asked : other lines and points than those of [plate.response], in Python only
@@ -27,12 +27,12 @@ class Options:
     asked: PlateQuestion | None = field(default=None)
 
 
-def check(study: Description, options: Options) -> None:
+def check(study: Description, options: PlateOptions) -> None:
     """Raise StudyError if the study has no plate."""
     study.mounted_plate()
 
 
-def compute(study: Description, options: Options, runner: Runner) -> PlateResult:
+def compute(study: Description, options: PlateOptions, runner: Runner) -> PlateResult:
     """How the plate answers its drives over the band of [plate.response], or at a single frequency.
 
     Raises
@@ -65,7 +65,7 @@ ANALYSIS = Analysis(
     help="How the finite plate vibrates: response, localisation, energies, impedance, modes.",
     result=PlateResult,
     compute=compute,
-    options=Options,
+    options=PlateOptions,
     check=check,
     doing="shifts",
 )

@@ -82,7 +82,7 @@ def flags_of(text: str) -> tuple[str, ...]:
 
 
 @dataclass(frozen=True)
-class Options:
+class ScanOptions:
     """What is read, and how it is analysed."""
 
     path: Path = option(help="Scan file, or a folder with one CSV a point.", metavar="PATH", place="before")
@@ -131,7 +131,7 @@ class Options:
         return self.against is not None and self.against.suffix != ".nc"
 
 
-def check(study: Description | None, options: Options) -> None:
+def check(study: Description | None, options: ScanOptions) -> None:
     """Refuse a scan that is no file, and what only a study or only a plate could tell."""
     source(options.path, "scan")
     against = options.against
@@ -158,7 +158,7 @@ def check(study: Description | None, options: Options) -> None:
         )  # fmt: skip
 
 
-def compute(study: Description | None, options: Options, runner: Runner) -> ScanResult:
+def compute(study: Description | None, options: ScanOptions, runner: Runner) -> ScanResult:
     """All that a scan tells, alone or on the plate of a study; and a verdict on a model of the plate.
 
     Raises
@@ -191,7 +191,7 @@ def compute(study: Description | None, options: Options, runner: Runner) -> Scan
     return replace(found, verdict=verdict, state=state)
 
 
-def _on(study: Description, options: Options, runner: Runner) -> OnPlate:
+def _on(study: Description, options: ScanOptions, runner: Runner) -> OnPlate:
     """What the study says of the plate that was scanned."""
     if study.finite_plate is None:
         raise StudyError(
@@ -207,7 +207,7 @@ ANALYSIS = Analysis(
     help="Analyse a scan: responses, maps, contrast, the gap in it, waves; and how well a model fits.",
     result=ScanResult,
     compute=compute,
-    options=Options,
+    options=ScanOptions,
     check=check,
     study="optional",
     doing="points",

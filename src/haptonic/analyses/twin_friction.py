@@ -54,7 +54,7 @@ def read_amplitudes(given: str | Path) -> dict[str, float]:
 
 
 @dataclass(frozen=True)
-class Options:
+class TwinFrictionOptions:
     """What may be chosen."""
 
     participants: int | None = option(None, "How many; else the study's.", metavar="N")
@@ -68,7 +68,7 @@ class Options:
     )  # fmt: skip
 
 
-def compute(study: Description, options: Options, runner: Runner) -> FrictionTwin:
+def compute(study: Description, options: TwinFrictionOptions, runner: Runner) -> FrictionTwin:
     """The people and the order of their strokes, which are made when they are written.
 
     Raises
@@ -92,7 +92,7 @@ ANALYSIS = Analysis(
     help="Made-up strokes of made-up people, as a folder that `haptonic friction` reads; all simulated.",
     result=FrictionTwin,
     compute=compute,
-    options=Options,
+    options=TwinFrictionOptions,
     doing="strokes",
     folder="twin-friction",
     writes=True,

@@ -16,7 +16,7 @@ from haptonic.study.schema import Description
 
 
 @dataclass(frozen=True)
-class Options:
+class TwinScanOptions:
     """What may be chosen."""
 
     form: Literal["h5", "nc", "uff", "mat", "csv", "tdms"] = option(
@@ -37,12 +37,12 @@ class Options:
         return kind_of(self.form, None if self.time is None else "time" if self.time else "frf")
 
 
-def check(study: Description, options: Options) -> None:
+def check(study: Description, options: TwinScanOptions) -> None:
     """Refuse a form of file that does not hold what is asked for."""
     _ = options.kind
 
 
-def compute(study: Description, options: Options, runner: Runner) -> Twin:
+def compute(study: Description, options: TwinScanOptions, runner: Runner) -> Twin:
     """The scan; the plate's response is computed at the lines of the drive, or given at them.
 
     Raises
@@ -56,7 +56,7 @@ def compute(study: Description, options: Options, runner: Runner) -> Twin:
         gap, response = on_plate(study, store=runner.store).gap, options.response
     else:
         asked = question.of_plate(response_settings(study).tolerance, signal)
-        result = plate.compute(study, plate.Options(asked=asked), runner)
+        result = plate.compute(study, plate.PlateOptions(asked=asked), runner)
         gap, response = result.gap, result.response
     made = Twin.of(body, question, signal, response, gap=gap, seed=options.seed)
     return replace(made, form=options.form, kind=options.kind)
@@ -67,7 +67,7 @@ ANALYSIS = Analysis(
     help="What a laser vibrometer would record of the study's plate. Everything is marked as simulated.",
     result=Twin,
     compute=compute,
-    options=Options,
+    options=TwinScanOptions,
     check=check,
     doing="shifts",
     writes=True,

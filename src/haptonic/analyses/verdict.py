@@ -23,7 +23,7 @@ def response_in(given: str) -> FrequencyResponse:
 
 
 @dataclass(frozen=True)
-class Options:
+class VerdictOptions:
     """What is compared: responses, or in Python also the paths of their files as text."""
 
     response: Any = option(
@@ -34,7 +34,7 @@ class Options:
     )
 
 
-def compute(study: Description, options: Options, runner: Runner) -> Verdict:
+def compute(study: Description, options: VerdictOptions, runner: Runner) -> Verdict:
     """The measurement beside its model, and the numbers of [[fit.vary]] fitted to it.
 
     Raises
@@ -80,6 +80,6 @@ ANALYSIS = Analysis(
     help="A response that a scan has given, once more against its plate's model: new unknowns, no records.",
     result=Verdict,
     compute=compute,
-    options=Options,
+    options=VerdictOptions,
     doing="model",
 )

@@ -17,7 +17,7 @@ from haptonic.units import shown
 
 
 @dataclass(frozen=True)
-class Options:
+class WaveguideOptions:
     """What may be chosen."""
 
     mode: str | None = option(
@@ -25,7 +25,7 @@ class Options:
     )
 
 
-def asked(study: Description, options: Options) -> WaveguideSection:
+def asked(study: Description, options: WaveguideOptions) -> WaveguideSection:
     """What the study asks for, with the mode that was chosen.
 
     Raises
@@ -47,7 +47,7 @@ def asked(study: Description, options: Options) -> WaveguideSection:
         ) from None
 
 
-def compute(study: Description, options: Options, runner: Runner) -> Guides:
+def compute(study: Description, options: WaveguideOptions, runner: Runner) -> Guides:
     """Width, length and frequency of waveguides whose mode lies in the gap that holds the carrier.
 
     Raises
@@ -67,6 +67,6 @@ ANALYSIS = Analysis(
     help="Width, length and frequency of a waveguide between two such mirrors.",
     result=Guides,
     compute=compute,
-    options=Options,
+    options=WaveguideOptions,
     check=asked,
 )

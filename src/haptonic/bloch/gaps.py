@@ -96,11 +96,14 @@ class ZoneSampling:
     def edge(self, band: int, sign: int) -> tuple[float, Array, float]:
         """Highest (sign = +1) or lowest (-1) frequency of a band over the zone.
 
-        Inside a triangle a band stays below the lowest of the planes that touch it at the corners, if those
-        rise a little more than the band does; that also holds where it is the lower of two bands that
-        cross. A corner where the band is level, as symmetry makes it at some, is asked only if it is the
-        highest of its triangle. Triangles that could beat the best value found are halved until none can
-        by more than the goal.
+        Inside a triangle with corners kappa_v a band f, of gradient g_v there, is taken to stay below
+
+            min over v of  f(kappa_v) + g_v . (kappa - kappa_v) + DOUBT |g_v . (kappa - kappa_v)|,
+
+        planes that touch it and rise a little more than it does; that also holds where it is the lower of
+        two bands that cross. A corner where the band is level, as symmetry makes it at some, is asked only
+        if it is the highest of its triangle. Triangles that could beat the best value found are halved until
+        none can by more than the goal.
 
         Returns
         -------

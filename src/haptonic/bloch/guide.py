@@ -76,8 +76,10 @@ class Wall:
     def phase(self, width: float, nodal_lines: int) -> float:
         """Phase (rad) that the flexural wave gathers on its way across a strip and at one of its walls.
 
-        A mode has a multiple of pi, ``nodal_lines + 1`` of them. Evanescent waves reach across, too; they
-        are eliminated for fields as even or odd as the mode. No other wave may propagate.
+        A wave that leaves one wall has to come back as it was. Between mirrors that reflect all of it this
+        is a condition on the phase alone, ``k w + delay = (n + 1) pi`` for n nodal lines across the width w.
+        Evanescent waves reach across, too; they are eliminated for fields as even or odd as the mode, and
+        add to the phase. No other wave may propagate.
         """
         round_trip, _ = self._closing(width, nodal_lines)
         alone = self.reflection[self.lead, self.lead] * np.exp(-1j * self.wavenumber * width)

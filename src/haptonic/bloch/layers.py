@@ -42,7 +42,10 @@ def scattered(
 
     The half-space on the left has waves to the right (``incoming``, i of them) and to the left
     (``reflected``), the one on the right has waves to the right (``transmitted``); all on the slab's n face
-    unknowns.
+    unknowns. Motion and force are continuous at both faces of the slab of dynamic stiffness D:
+
+        D [ u_in + u_r r ]   [  f_in + f_r r ]
+          [ u_t t        ] = [ -f_t t        ]
     """
     back, ahead = reflected.displacement, transmitted.displacement
     answer = np.block([
@@ -55,7 +58,10 @@ def scattered(
 
 
 def reflected_by(impedance: Complex, incoming: Waves, reflected: Waves) -> Complex:
-    """(n, i) amplitudes reflected by a half-space of given impedance (n, n), see `Waves.impedance`."""
+    """(n, i) amplitudes r reflected by a half-space of given impedance Z (n, n), see `Waves.impedance`.
+
+    Motion and force are continuous at its face: ``Z (u_in + u_r r) = f_in + f_r r``.
+    """
     answer = impedance @ reflected.displacement - reflected.force
     return np.asarray(la.solve(answer, incoming.force - impedance @ incoming.displacement))
 
@@ -190,10 +196,10 @@ class Interface:
         ])  # fmt: skip
         return Scattering(incident, np.arange(1, layers + 1), shares[:, 0], shares[:, 1])
 
-    def mirror(self, omega: float, loss_factor: float = 0.0) -> Mirror:
+    def mirror(self, omega: float, loss_factor: float = 0.0) -> HalfSpace:
         """The half-infinite lattice on the right of the interface."""
         lattice, _ = bloch_waves(self.slab.at(omega, loss_factor), omega)
-        return Mirror(*self.plate_waves(omega), lattice, self.trace)
+        return HalfSpace(*self.plate_waves(omega), lattice, self.trace)
 
     def _number(self, right: PlateWaves, family: str, omega: float) -> int:
         """Which of the waves is the one of a family with the interface's own wavenumber."""
@@ -204,7 +210,7 @@ class Interface:
 
 
 @dataclass(frozen=True)
-class Mirror:
+class HalfSpace:
     """A half-infinite lattice behind a plain plate, at one frequency and tangential wavenumber.
 
     incoming, outgoing : the plate's waves to the right and to the left, p of each

@@ -105,7 +105,8 @@ def diagram(model: BlochModel, path: Path) -> Diagram:
 def group_velocity(model: BlochModel, solution: Solution) -> Array:
     """(k, 2) analytic group velocity d omega / d k, m/s.
 
-    With kappa_j = k . a_j the gradient in k is the sum of a_j times the slope in kappa_j.
+    ``d omega / d kappa_j = u* (dK/d kappa_j - omega^2 dM/d kappa_j) u / (2 omega)`` for a mode u of unit mass
+    (Hellmann and Feynman); with kappa_j = k . a_j the gradient in k is the sum of a_j times these slopes.
     """
     slopes = model.gradient(solution.kappa, solution.modes)
     return np.asarray(2 * np.pi * slopes @ model.cell.lattice.vectors)

@@ -1,4 +1,13 @@
-"""All tiles of a plate together: one matrix on the skeleton, modes of the tiles eliminated at every shift."""
+"""All tiles of a plate together: one matrix on the skeleton, modes of the tiles eliminated at every shift.
+
+A tile has a trace b, which lies on the skeleton, and modes m of eigenvalues lambda that no other tile
+touches. At a shift s it adds to the matrix of the skeleton
+
+    D(s) = K_bb - s M_bb - s^2 M_bm (Lambda - s)^-1 M_mb,
+
+and below s lie as many eigenvalues of the plate as the sum of all D(s) has negative ones, plus the modes of
+tiles with lambda < s (Wittrick and Williams 1971, doi 10.1093/qjmam/24.3.263).
+"""
 
 from __future__ import annotations
 
@@ -26,7 +35,7 @@ AT_ONCE = 64  # vectors that a product takes on at once
 
 
 @dataclass(frozen=True, eq=False)
-class Group:
+class TileGroup:
     """All blocks that are the same tile.
 
     blocks : (k,) their numbers
@@ -48,15 +57,15 @@ class Assembly:
         condensed into a tile, have number ``size``
     free : how many of them are left
     groups : the tiles; size : of a vector
-    beds : stiffness of the supports (free, free), sparse, N/m
+    foundations : stiffness of the supports (free, free), sparse, N/m
     """
 
     skeleton: Skeleton
     number: Ints
     free: int
-    groups: tuple[Group, ...]
+    groups: tuple[TileGroup, ...]
     size: int
-    beds: sp.csr_array
+    foundations: sp.csr_array
 
     @classmethod
     def of(
@@ -65,14 +74,14 @@ class Assembly:
         tiles: Sequence[Tile],
         which: Sequence[int],
         held: Ints,
-        beds: sp.csr_array,
+        foundations: sp.csr_array,
         opened: Sequence[Ints],
     ) -> Assembly:
         """Assemble blocks.
 
         Parameters
         ----------
-        which : the tile of each block; held : unknowns at rest; beds : on all unknowns of the skeleton
+        which : the tile of each block; held : unknowns at rest; foundations : on all unknowns of the skeleton
         opened : for each block, what of its trace is condensed into its tile
         """
         is_free = np.ones(skeleton.size, dtype=bool)
@@ -92,9 +101,9 @@ class Assembly:
             traces = np.stack([number[np.delete(skeleton.traces[k], opened[k])] for k in blocks.tolist()])
             modes = start + np.arange(len(blocks) * len(tile.values)).reshape(len(blocks), -1)
             start += modes.size
-            groups.append(Group(tile, blocks, np.hstack([traces, modes])))
+            groups.append(TileGroup(tile, blocks, np.hstack([traces, modes])))
         inside = np.flatnonzero(is_free)
-        return cls(skeleton, number, free, tuple(groups), size, sp.csr_array(beds[inside][:, inside]))
+        return cls(skeleton, number, free, tuple(groups), size, sp.csr_array(foundations[inside][:, inside]))
 
     @property
     def is_free(self) -> NDArray[np.bool_]:
@@ -103,7 +112,7 @@ class Assembly:
 
     # -- products ---------------------------------------------------------------------------------
 
-    def shares(self, vectors: NDArray[Any]) -> Iterator[tuple[Group, NDArray[Any]]]:
+    def shares(self, vectors: NDArray[Any]) -> Iterator[tuple[TileGroup, NDArray[Any]]]:
         """(n, blocks, k) the part of vectors (size, k) on the tiles of each group."""
         padded = np.concatenate([vectors, np.zeros((1, vectors.shape[1]), vectors.dtype)])
         for group in self.groups:
@@ -136,7 +145,7 @@ class Assembly:
         def product(part: Array) -> Array:
             pieces = [group.tile.stiffness_times(share) for group, share in self.shares(part)]
             found = self.gathered(pieces)
-            found[: self.free] += self.beds @ part[: self.free]
+            found[: self.free] += self.foundations @ part[: self.free]
             return found
 
         return self._times(vectors, out, product)
@@ -164,15 +173,16 @@ class Assembly:
     @cached_property
     def _places(self) -> tuple[Pattern, list[tuple[Ints, Ints]], tuple[Ints, Array]]:
         """Pattern of the upper triangle; for each block, in the order of the groups, which entries of its
-        matrix (trace, trace) count and where they go; where the beds' upper triangle goes, and its entries.
+        matrix (trace, trace) count and where they go; where the foundations' upper triangle goes, and its
+        entries.
         """
         blocks = []  # their unknowns that are not held, ascending, and where these lie in the trace
         for group in self.groups:
             for trace in group.unknowns[:, : group.tile.trace_size]:
                 order = np.argsort(trace)[: int((trace < self.size).sum())]
                 blocks.append((trace[order], order, len(trace)))
-        bed = sp.coo_array(sp.triu(self.beds))
-        rows, columns = [bed.row, np.arange(self.free)], [bed.col, np.arange(self.free)]
+        foundation = sp.coo_array(sp.triu(self.foundations))
+        rows, columns = [foundation.row, np.arange(self.free)], [foundation.col, np.arange(self.free)]
         for unknowns, _, _ in blocks:
             first, second = np.triu_indices(len(unknowns))
             rows.append(unknowns[first])
@@ -186,12 +196,13 @@ class Assembly:
             first, second = np.triu_indices(len(unknowns))
             own = number[unknowns][:, unknowns].toarray()
             places.append((order[first] * trace + order[second], own[first, second]))
-        entries = number[np.unique(bed.row)].tocoo()
-        keys = np.unique(bed.row)[entries.row] * self.free + entries.col  # ascending
-        of_beds = entries.data[np.searchsorted(keys, bed.row.astype(np.int64) * self.free + bed.col)]
+        entries = number[np.unique(foundation.row)].tocoo()
+        keys = np.unique(foundation.row)[entries.row] * self.free + entries.col  # ascending
+        on_them = foundation.row.astype(np.int64) * self.free + foundation.col
+        of_foundations = entries.data[np.searchsorted(keys, on_them)]
         order = elimination_order(self.free, [unknowns for unknowns, _, _ in blocks])
         pattern = Pattern(*(one.astype(np.int32) for one in (number.indptr, number.indices, order)))
-        return pattern, places, (of_beds, bed.data)
+        return pattern, places, (of_foundations, foundation.data)
 
     def prepare(self) -> None:
         """Do the index work before threads ask for it at once."""
@@ -204,10 +215,10 @@ class Assembly:
         return self._places[0]
 
     def numbers(self, parts: Sequence[Array]) -> Array:
-        """Numbers on the pattern from one symmetric matrix (trace, trace) for each group, and the beds."""
-        pattern, places, (of_beds, beds) = self._places
+        """Numbers on the pattern from one symmetric matrix (trace, trace) for each group, and foundations."""
+        pattern, places, (of_foundations, foundations) = self._places
         data = np.zeros(len(pattern.indices))
-        data[of_beds] = beds
+        data[of_foundations] = foundations
         block = iter(places)
         for group, part in zip(self.groups, parts, strict=True):
             flat = part.ravel()

@@ -49,7 +49,7 @@ class Extra:
         axes = axes[:, kept] * np.sqrt(sizes[kept])
         return cls(rows, axes, lambda omega: np.full(len(omega), weight))
 
-    def on(self, basis: Basis, omega: float) -> Reduced:
+    def on(self, basis: Basis, omega: float) -> ReducedExtra:
         """On a basis; ``omega`` is a typical frequency, rad/s."""
         scale = np.sqrt(np.abs(basis.values) + omega**2)[:, None]
         seen = basis.turn.T @ (basis.raw[self.rows].T @ self.axes)
@@ -57,11 +57,11 @@ class Extra:
         directions = scale * left * sizes
         counts = abs(self.impedance(np.array([omega]))[0]) * sizes**2 > NEGLIGIBLE
         rest = (directions[:, ~counts] ** 2).sum(axis=1, keepdims=True)
-        return Reduced(self, seen, directions[:, counts], rest)
+        return ReducedExtra(self, seen, directions[:, counts], rest)
 
 
 @dataclass(frozen=True, eq=False)
-class Reduced:
+class ReducedExtra:
     """What adds ``impedance(omega) U U^T`` on a basis.
 
     extra : from which; whole : (r, m) the U of its axes
@@ -88,7 +88,7 @@ def real_times(matrix: Array, columns: NDArray[Any]) -> Complex:
 
 
 def amplitudes(
-    values: Array, loss: complex, extras: Sequence[Reduced], loads: NDArray[Any], omega: Array
+    values: Array, loss: complex, extras: Sequence[ReducedExtra], loads: NDArray[Any], omega: Array
 ) -> tuple[Complex, Complex]:
     """Amplitudes of Ritz vectors, and small forces on them with which they would be exact.
 

@@ -1,8 +1,12 @@
 """The answer of a plate at one frequency without any basis: complex, all losses included.
 
-The complex equations are solved by GMRES (Saad and Schultz 1986, doi 10.1137/0907058) on those of the plate
-without loss, which are factorised. Losses are small or touch few directions, so that what is left lies near
-the identity but for some resonances: a dozen steps do.
+The complex equations
+
+    [ (1 + i eta) K - omega^2 M + sum_j Z_j(omega) A_j A_j^T ] u = f
+
+are solved by GMRES (Saad and Schultz 1986, doi 10.1137/0907058), preconditioned with the real matrix
+``K - s M`` of the plate without loss, which is factorised at an s close to omega^2. Losses are small or touch
+few directions, so that the product lies near the identity but for some resonances: a dozen steps do.
 """
 
 from __future__ import annotations

@@ -1,8 +1,12 @@
 """A plate on a small basis for a whole range of its numbers: each answer costs milliseconds.
 
-The dynamic stiffness is a sum of forms that do not change, each with a weight that follows from the numbers:
-Young's modulus, loss factors, springs, and three forms for each bond. A basis that holds the plate's answers
-for some sets of numbers nearly holds those in between (reduced basis method).
+The dynamic stiffness is a sum of forms that do not change, each with a weight that follows from numbers p,
+
+    A(omega, p) = sum_j w_j(p) K_j - omega^2 sum_j v_j(p) M_j:
+
+Young's modulus, loss factors, springs, and three forms for each bond. A basis V that holds the plate's
+answers for some sets of numbers nearly holds those in between (reduced basis method; Rozza, Huynh and Patera
+2008, doi 10.1007/s11831-008-9019-9), and V^T A V is made from the small matrices V^T K_j V alone.
 """
 
 from __future__ import annotations
@@ -106,8 +110,8 @@ class Family:
                 thirds = np.stack([on_basis(form) for form in glue.stiffness])
                 bonds[name] = Bond3(glue.thickness, thirds, glue.nominal, on_basis(glue.slope))
         on_skeleton = basis[: model.assembly.free]
-        for bed in model.beds:
-            forms[support(bed.number)] = on_skeleton.T @ (bed.stiffness @ on_skeleton)
+        for foundation in model.foundations:
+            forms[support(foundation.number)] = on_skeleton.T @ (foundation.stiffness @ on_skeleton)
         for name in bonds:
             del forms[bond(name)]
         return cls(

@@ -20,7 +20,7 @@ from haptonic.plate.parts import Finger, Plate
 from haptonic.plate.recipes import Fineness, recipe_of, tiles_of
 from haptonic.plate.resolved import check_resolved
 from haptonic.plate.skeleton import Skeleton
-from haptonic.plate.supports import Bed, supported
+from haptonic.plate.supports import Foundation, supported, total_stiffness
 
 Array = NDArray[np.float64]
 Ints = NDArray[np.int64]
@@ -37,7 +37,7 @@ class PlateModel:
     plate : what it was made from; fineness : how
     highest : frequency up to which tiles were reduced, Hz
     assembly : stiffness and mass without losses
-    beds : of the supports, on the free unknowns of the skeleton
+    foundations : of the supports, on the free unknowns of the skeleton
     drives : by name of actuators and forces, (size,) force per volt or newton
     capacitance : by actuator, F
     """
@@ -46,7 +46,7 @@ class PlateModel:
     fineness: Fineness
     highest: float
     assembly: Assembly
-    beds: tuple[Bed, ...]
+    foundations: tuple[Foundation, ...]
     drives: Mapping[str, Array]
     capacitance: Mapping[str, float]
 
@@ -75,8 +75,8 @@ class PlateModel:
             check_resolved(layout, fineness.trace, highest)
         blocks = blocks_of(plate)
         skeleton = Skeleton.of(layout, list(blocks), fineness.trace)
-        held, beds = supported(skeleton, plate.supports)
-        total = sp.csr_array(sum((bed.stiffness for bed in beds), start=sp.csr_array((skeleton.size,) * 2)))
+        held, foundations = supported(skeleton, plate.supports)
+        total = total_stiffness(foundations, skeleton.size)
         pays = skeleton.size >= OPEN_FROM
         needed = np.union1d(held, total.indices) if pays else np.arange(skeleton.size)
         opened = skeleton.alone(needed, [block for block, attached in blocks.items() if attached])
@@ -93,7 +93,7 @@ class PlateModel:
             fineness=fineness,
             highest=highest,
             assembly=assembly,
-            beds=tuple(bed.on(assembly.is_free) for bed in beds),
+            foundations=tuple(foundation.on(assembly.is_free) for foundation in foundations),
             drives=drives_on(assembly),
             capacitance={name: c for tile in tiles for name, c in tile.capacitance.items()},
         )
@@ -176,10 +176,10 @@ class PlateModel:
                         free = unknowns < assembly.size
                         rows, form = unknowns[free], whole[np.ix_(free, free)]
                         found.append(Extra.of_form(rows, form, factors[part] - plain))
-        for bed in self.beds:
-            rows = np.flatnonzero(np.diff(bed.stiffness.indptr))
-            form = bed.stiffness[rows][:, rows].toarray()
-            found.append(Extra.of_form(rows, form, 1 + 1j * bed.loss_factor - plain))
+        for foundation in self.foundations:
+            rows = np.flatnonzero(np.diff(foundation.stiffness.indptr))
+            form = foundation.stiffness[rows][:, rows].toarray()
+            found.append(Extra.of_form(rows, form, 1 + 1j * foundation.loss_factor - plain))
         if (finger := self.plate.finger) is not None:
             rows = np.unique(self.pad.indices)
             share = 1 / self.pad.shape[0]

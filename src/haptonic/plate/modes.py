@@ -21,7 +21,8 @@ class PlateModes:
     """Modes in ascending order, of the plate without the finger's stiffness and inertia.
 
     frequency : (k,) Hz; error : (k,) relative, bound from the residual
-    quality : (k,) quality factors with all losses, to first order; the finger's among them
+    quality : (k,) quality factors with all losses, the finger's among them, to first order: a part of loss
+        factor eta_j that stores the share E_j of a mode's strain energy adds eta_j E_j to 1 / Q
     stored : by part (k, blocks) shares of the strain energy
     lost : by part (k,) shares of the loss, supports and finger among them
     vectors : (size, k) of the assembly, modal mass 1
@@ -56,9 +57,10 @@ def modes_between(band: Band, low: float, high: float) -> PlateModes:
             stored[part][:, group.blocks] += twice / values[:, None]
     loss = {part: factors[part].imag * stored[part].sum(axis=1) for part in factors}
     loss[SUPPORTS] = np.zeros(len(values))
-    for bed in model.beds:
-        energy = np.einsum("nk,nk->k", vectors[: assembly.free], bed.stiffness @ vectors[: assembly.free])
-        loss[SUPPORTS] += bed.loss_factor * energy / values
+    for foundation in model.foundations:
+        on_skeleton = vectors[: assembly.free]
+        energy = np.einsum("nk,nk->k", on_skeleton, foundation.stiffness @ on_skeleton)
+        loss[SUPPORTS] += foundation.loss_factor * energy / values
     loss[FINGER] = np.zeros(len(values))
     if (finger := model.plate.finger) is not None:
         motion = ((model.pad @ vectors) ** 2).sum(axis=0) / model.pad.shape[0]

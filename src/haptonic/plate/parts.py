@@ -21,10 +21,10 @@ class Support:
 
     where : the faces that look to one side, or what of them lies next to the corners of the map
     hold : "clamped" no motion; "simple" no motion along the face (hard simple support), normal motion free;
-        "spring" a bed of springs
+        "spring" an elastic foundation
     length : of the held part of each face from the corner on, m; only for "corners"
-    stiffness : of the bed, per area of side face and alike in all directions, N/m^3; only for "spring"
-    loss_factor : of the bed
+    stiffness : of the foundation, per area of side face and alike in all directions, N/m^3; only for "spring"
+    loss_factor : of the foundation
     """
 
     where: Place
@@ -77,8 +77,8 @@ class Force:
 class Finger:
     """A mass on a spring and damper, spread over a disc of the flat face; it meets normal motion only.
 
-    The pad is a bed of springs and dampers whose other ends carry a mass each, so that every point of the
-    disc feels the same impedance per area. Totals over the disc:
+    The pad is a foundation of springs and dampers whose other ends carry a mass each, so that every point of
+    the disc feels the same impedance per area. Totals over the disc:
 
     centre : (x, y), m; diameter : m
     mass : kg; stiffness : N/m; damping : N s/m; mass inf means that the other ends are at rest

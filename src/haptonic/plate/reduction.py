@@ -37,8 +37,14 @@ STEPS, BLOCK = 3, 20  # of the Krylov space of the interior, see `haptonic.super
 def few_modes(stiffness: Array, mass: Array, trace: int, loads: Array, highest: float) -> Array:
     """The few modes that answer a smooth trace and given loads up to a highest frequency.
 
-    Modes of the band itself are kept; of the others only what the trace's inertia and the loads excite
-    (proper orthogonal decomposition of their answers at some frequencies).
+    Modes of the band itself are kept. The others, of eigenvalues lambda, answer a motion u of the trace and
+    loads f at ``s = omega^2`` with ``q = (s C^T u + f) / (lambda - s)``, C being their mass coupling to the
+    trace. Of these answers the main directions are kept (proper orthogonal decomposition): eigenvectors of
+
+        G = sum over s of  g_s g_s^T * (s^2 C^T W^-1 C + f f^T),    g_s = sqrt(lambda) / (lambda - s),
+
+    where * is entry by entry. The factor sqrt(lambda) measures answers by their strain energy, and
+    ``W = K + omega_max^2 M`` of the trace lets every motion of unit energy count alike.
 
     Parameters
     ----------
@@ -56,7 +62,7 @@ def few_modes(stiffness: Array, mass: Array, trace: int, loads: Array, highest: 
     unit_energy = la.cholesky(stiffness[:trace, :trace] + top * mass[:trace, :trace])
     coupling = la.solve_triangular(unit_energy, mass[:trace, trace:], trans=1).T
     force = loads / np.linalg.norm(loads / weights[:, None], axis=0)
-    # Gram matrix of all answers: a frequency only scales the rows of the coupling and the forces
+    # a frequency only scales the rows of the coupling and of the forces, so the products are made once
     of_trace, of_loads = coupling @ coupling.T, force @ force.T
     gram = of_loads / np.outer(weights, weights)
     for share in SAMPLED:
@@ -235,8 +241,8 @@ def _rim_of_body(
 def _main_directions(fields: Array, pushed: Array, mass: Array, least: Array) -> tuple[Array, Array]:
     """Few fields that nearly span given ones (proper orthogonal decomposition in the energy norm).
 
-    All given fields (size, k) count alike, but those smaller than ``least`` (k,). ``pushed`` is the stiffness
-    times them.
+    With the norm ``|x|^2 = x^T K x`` they are the main eigenvectors of ``x_a^T K x_b / (|x_a| |x_b|)``. So
+    all given fields (size, k) count alike, but those smaller than ``least`` (k,). ``pushed`` is K times them.
 
     Returns
     -------

@@ -7,14 +7,13 @@ from typing import Any
 
 import numpy as np
 import scipy.linalg as la
-import scipy.sparse as sp
 from numpy.typing import NDArray
 
 from haptonic.plate.bonds import Bond3
 from haptonic.plate.keys import PLATE, bond
 from haptonic.plate.model import PlateModel, drives_on
 from haptonic.plate.parts import Plate
-from haptonic.plate.supports import Bed, bed_stiffness
+from haptonic.plate.supports import Foundation, foundation_stiffness, total_stiffness
 from haptonic.plate.tile import Tile, Turned
 
 Array = NDArray[np.float64]
@@ -54,14 +53,14 @@ def retuned(model: PlateModel, plate: Plate) -> Retuned:
         tile, turn = _retuned(group.tile, scale, thickness)
         groups.append(replace(group, tile=tile))
         turns.append(turn)
-    beds = tuple(
-        Bed(support_ratio(model.plate, plate, bed.number) * bed.stiffness,
-            plate.supports[bed.number].loss_factor, bed.number)
-        for bed in model.beds
+    foundations = tuple(
+        Foundation(support_ratio(model.plate, plate, foundation.number) * foundation.stiffness,
+            plate.supports[foundation.number].loss_factor, foundation.number)
+        for foundation in model.foundations
     )  # fmt: skip
-    total = sp.csr_array(sum((bed.stiffness for bed in beds), start=sp.csr_array(model.assembly.beds.shape)))
-    assembly = replace(model.assembly, groups=tuple(groups), beds=total)
-    made = replace(model, plate=plate, assembly=assembly, beds=beds, drives=drives_on(assembly))
+    total = total_stiffness(foundations, model.assembly.free)
+    assembly = replace(model.assembly, groups=tuple(groups), foundations=total)
+    made = replace(model, plate=plate, assembly=assembly, foundations=foundations, drives=drives_on(assembly))
     return Retuned(made, tuple(turns))
 
 
@@ -72,7 +71,7 @@ def stiffness_ratio(old: Plate, new: Plate) -> float:
 
 def support_ratio(old: Plate, new: Plate, number: int) -> float:
     """Of the stiffness of the springs of a support."""
-    first, second = (bed_stiffness(plate.layout, plate.supports[number]) for plate in (old, new))
+    first, second = (foundation_stiffness(plate.layout, plate.supports[number]) for plate in (old, new))
     return second / first
 
 

@@ -1,8 +1,8 @@
-"""What holds a plate: unknowns at rest, and beds of springs on its outer side faces."""
+"""What holds a plate: unknowns at rest, and elastic foundations on its outer side faces."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -22,27 +22,27 @@ CLAMPED = 100.0  # stiffness of a clamp on a part of an edge, in those of a laye
 
 
 @dataclass(frozen=True, eq=False)
-class Bed:
+class Foundation:
     """Springs. stiffness : sparse, N/m; loss_factor : of theirs; number : of the support that they are"""
 
     stiffness: sp.csr_array
     loss_factor: float
     number: int
 
-    def on(self, kept: NDArray[np.bool_]) -> Bed:
-        """The bed on some of the unknowns only."""
+    def on(self, kept: NDArray[np.bool_]) -> Foundation:
+        """The foundation on some of the unknowns only."""
         inside = np.flatnonzero(kept)
-        return Bed(sp.csr_array(self.stiffness[inside][:, inside]), self.loss_factor, self.number)
+        return Foundation(sp.csr_array(self.stiffness[inside][:, inside]), self.loss_factor, self.number)
 
 
-def supported(skeleton: Skeleton, supports: Sequence[Support]) -> tuple[Ints, list[Bed]]:
-    """Unknowns of the skeleton at rest, and beds on all of its unknowns.
+def supported(skeleton: Skeleton, supports: Sequence[Support]) -> tuple[Ints, list[Foundation]]:
+    """Unknowns of the skeleton at rest, and foundations on all of its unknowns.
 
     What holds an edge of a tile from end to end holds its unknowns. A clamp on a part of an edge, whose end
-    the polynomials along the edge cannot follow, is a bed of springs much stiffer than the plate.
+    the polynomials along the edge cannot follow, is a foundation of springs much stiffer than the plate.
     """
     held: list[Ints] = []
-    beds = []
+    foundations = []
     for number, support in enumerate(supports):
         spans = _corner_spans(skeleton, support) if support.where == "corners" else [
             (edge, (0.0, 1.0)) for edge in skeleton.outer_edges if edge.side == support.where
@@ -54,12 +54,18 @@ def supported(skeleton: Skeleton, supports: Sequence[Support]) -> tuple[Ints, li
             else:
                 held.append(_held(skeleton, edge, support))
         if springs:
-            stiffness = bed_stiffness(skeleton.layout, support)
-            beds.append(Bed(_bed(skeleton, springs, stiffness), support.loss_factor, number))
-    return np.unique(np.concatenate([np.zeros(0, dtype=np.int64), *held])), beds
+            stiffness = foundation_stiffness(skeleton.layout, support)
+            form = _foundation(skeleton, springs, stiffness)
+            foundations.append(Foundation(form, support.loss_factor, number))
+    return np.unique(np.concatenate([np.zeros(0, dtype=np.int64), *held])), foundations
 
 
-def bed_stiffness(layout: Layout, support: Support) -> float:
+def total_stiffness(foundations: Iterable[Foundation], size: int) -> sp.csr_array:
+    """(size, size) sparse stiffness of all foundations together, N/m."""
+    return sp.csr_array(sum((one.stiffness for one in foundations), start=sp.csr_array((size, size))))
+
+
+def foundation_stiffness(layout: Layout, support: Support) -> float:
     """Of the springs of a support, N/m^3."""
     if support.stiffness is not None:
         return support.stiffness
@@ -90,7 +96,7 @@ def _corner_spans(skeleton: Skeleton, support: Support) -> list[tuple[OuterEdge,
     return found
 
 
-def _bed(
+def _foundation(
     skeleton: Skeleton, spans: Sequence[tuple[OuterEdge, tuple[float, float]]], stiffness: float
 ) -> sp.csr_array:
     """Springs on parts of edges, over the whole thickness and alike in all directions."""

@@ -121,10 +121,24 @@ def _local_coordinates(corners: Array, element: Ints, target: Array) -> Array:
         longest = np.abs(step).max(axis=1, keepdims=True)
         step *= np.minimum(1.0, LONGEST / np.maximum(longest, LONGEST))
         going = better | (error > FLAT)
-        local[todo[going]] = np.clip(local[todo] + step, -FARTHEST, FARTHEST)[going]
+        local[todo[going]] += _held_back(local[todo], step, (along[1], along[2]), rest)[going]
         todo = todo[going]
     local[missed > FLAT] = np.inf
     return local
+
+
+def _held_back(local: Array, step: Array, slopes: tuple[Array, Array], rest: Array) -> Array:
+    """(m, 2) steps that end within `FARTHEST`: where one coordinate is held back, the other one goes to the
+    nearest point of what is left. In a thin curved ring it would take dozens of steps otherwise."""
+    room = np.clip(local + step, -FARTHEST, FARTHEST) - local
+    held = np.abs(local + step) > FARTHEST
+    for own, other in ((0, 1), (1, 0)):
+        left = rest - room[:, own, None] * slopes[own]
+        nearest = (left * slopes[other]).sum(axis=1) / (slopes[other] ** 2).sum(axis=1)
+        alone = held[:, own] & ~held[:, other]
+        reach = np.clip(nearest, -LONGEST, LONGEST)
+        room[alone, other] = (np.clip(local[:, other] + reach, -FARTHEST, FARTHEST) - local[:, other])[alone]
+    return np.asarray(room)
 
 
 def _shape_functions(orders: tuple[int, ...], local: Array) -> list[tuple[Array, Array]]:

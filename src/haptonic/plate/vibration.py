@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from threadpoolctl import threadpool_limits
 
 from haptonic.plate.assembly import Shifted
-from haptonic.plate.damping import Reduced, amplitudes, real_times
+from haptonic.plate.damping import ReducedExtra, amplitudes, real_times
 from haptonic.plate.keys import FINGER, PLATE, SUPPORTS, PartKey, dielectric
 from haptonic.plate.krylov import Basis
 from haptonic.plate.model import PlateModel
@@ -97,7 +97,7 @@ class ReducedPlate:
 
     model: PlateModel
     basis: Basis
-    extras: tuple[Reduced, ...]
+    extras: tuple[ReducedExtra, ...]
 
     @classmethod
     def of(cls, model: PlateModel, basis: Basis, omega: float) -> ReducedPlate:
@@ -165,8 +165,12 @@ class ReducedPlate:
 def amplification(loss: float, omega: Array, sigma: float, complete: tuple[float, float]) -> Array:
     """Largest (lambda + sigma) / |lambda (1 + i loss) - omega^2| over all lambda of modes not in the basis.
 
-    By it a residual, measured with the inverse of K + sigma M, bounds the error in the energy norm. A basis
-    that holds all modes between the two ends of ``complete`` leaves a residual only for those beyond.
+    A residual r of ``((1 + i loss) K - omega^2 M) u = f`` makes an error e that is, mode by mode,
+    ``r_k / (lambda_k (1 + i loss) - omega^2)``. In the norm of ``N = K + sigma M`` therefore
+
+        e* N e <= amplification^2  r* N^-1 r.
+
+    A basis that holds all modes between the two ends of ``complete`` leaves a residual only for those beyond.
     """
     square = omega**2
     low, high = complete
@@ -240,11 +244,11 @@ class _Checker:
         residual = assembly.gathered(pieces)
         supports, lost_in_finger = np.zeros(count), np.zeros(count)
         norm = np.asarray(4 * sum(values.sum(1) for values in stored.values()))
-        for bed in model.beds:
-            force = bed.stiffness @ fields[: assembly.free]
-            residual[: assembly.free] += _times(force, 1 + 1j * bed.loss_factor)
+        for foundation in model.foundations:
+            force = foundation.stiffness @ fields[: assembly.free]
+            residual[: assembly.free] += _times(force, 1 + 1j * foundation.loss_factor)
             energy = (fields[: assembly.free] * force).sum(0).reshape(2, count).sum(0)
-            supports += 0.5 * omega * bed.loss_factor * energy
+            supports += 0.5 * omega * foundation.loss_factor * energy
             norm += energy
         if (finger := model.plate.finger) is not None:
             pad = model.pad

@@ -21,7 +21,7 @@ MARK_EVERY = 5  # wavevectors between two markers on a curve
 
 
 @dataclass(frozen=True)
-class Stroke:
+class CurveStyle:
     """How the curves of one character are drawn."""
 
     colour: str
@@ -29,15 +29,15 @@ class Stroke:
     marker: str
 
 
-STROKES = {
-    "pillar bending 1": Stroke(style.BLUE, style.SOLID, "o"),
-    "pillar bending 2": Stroke(style.RED, style.SOLID, "s"),
-    "pillar bending 3": Stroke(style.SKY, style.DASHED, "v"),
-    "pillar bending 4+": Stroke("#7a4b00", style.DASH_DOT_DOTTED, "P"),
-    "torsion": Stroke(style.GREEN, style.DASH_DOTTED, "D"),
-    "traction": Stroke(style.PURPLE, style.DOTTED, "^"),
-    "plate flexural": Stroke(style.INK, style.SOLID, ""),
-    "plate in-plane": Stroke(style.ORANGE, style.DASHED, "X"),
+CURVE_STYLES = {
+    "pillar bending 1": CurveStyle(style.BLUE, style.SOLID, "o"),
+    "pillar bending 2": CurveStyle(style.RED, style.SOLID, "s"),
+    "pillar bending 3": CurveStyle(style.SKY, style.DASHED, "v"),
+    "pillar bending 4+": CurveStyle("#7a4b00", style.DASH_DOT_DOTTED, "P"),
+    "torsion": CurveStyle(style.GREEN, style.DASH_DOTTED, "D"),
+    "traction": CurveStyle(style.PURPLE, style.DOTTED, "^"),
+    "plate flexural": CurveStyle(style.INK, style.SOLID, ""),
+    "plate in-plane": CurveStyle(style.ORANGE, style.DASHED, "X"),
 }
 RIGID = "rigid body"
 
@@ -68,7 +68,7 @@ def dispersion(dataset: xr.Dataset, carrier_hz: float | None = None, title: str 
     if title:
         axes.set_title(title, parse_math=False)
     for name in present:
-        stroke = STROKES[name]
+        stroke = CURVE_STYLES[name]
         axes.plot([], [], color=stroke.colour, ls=stroke.dashes, marker=stroke.marker, ms=3.5, label=name)
     figure.legend(loc="outside lower center", ncols=min(3, max(1, len(present))), handlelength=3.4)
     labels = [(centre, text, style.GAP_EDGE) for centre, text in _gap_labels(dataset)]
@@ -126,13 +126,13 @@ def _draw_branches(axes: Axes, dataset: xr.Dataset, distance: Array, frequency: 
                     continue
                 seen.add(name)
                 x, y = _stretched(distance[i], frequency[i, j], start, stop)
-                stroke = STROKES[name]
+                stroke = CURVE_STYLES[name]
                 marked = np.flatnonzero(i[start:stop] % MARK_EVERY == 2) + (start > 0)
                 axes.plot(
                     x, y, color=stroke.colour, ls=stroke.dashes, marker=stroke.marker, ms=2.8,
                     markevery=marked.tolist(), gid=f"branch {number} {name}", zorder=3,
                 )  # fmt: skip
-    return [name for name in STROKES if name in seen]
+    return [name for name in CURVE_STYLES if name in seen]
 
 
 def _without_rigid(kind: Ints, rigid: int) -> Ints:

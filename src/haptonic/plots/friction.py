@@ -15,7 +15,7 @@ from matplotlib.patches import Patch, Rectangle
 from numpy.typing import NDArray
 
 from haptonic.friction.signals.record import EVERYBODY
-from haptonic.friction.statistics import Estimate
+from haptonic.friction.statistics import IntervalEstimate
 from haptonic.friction.statistics.summary import Condition
 from haptonic.plots import style
 from haptonic.plots.words import label
@@ -32,8 +32,8 @@ STEADY: dict[str, Any] = {"color": style.GREEN, "alpha": 0.18, "lw": 0, "zorder"
 @style.drawn
 def conditions(
     found: Sequence[Condition],
-    reductions: Mapping[str, Estimate],
-    stopped: Mapping[str, Estimate],
+    reductions: Mapping[str, IntervalEstimate],
+    stopped: Mapping[str, IntervalEstimate],
     *,
     driven: str | None,
     published: Mapping[str, float] | None,
@@ -94,8 +94,8 @@ def conditions(
 
 
 def _said(
-    reductions: Mapping[str, Estimate],
-    stopped: Mapping[str, Estimate],
+    reductions: Mapping[str, IntervalEstimate],
+    stopped: Mapping[str, IntervalEstimate],
     driven: str | None,
     published: Mapping[str, float] | None,
 ) -> list[str]:
@@ -110,14 +110,17 @@ def _said(
     return lines
 
 
-def _percent(one: Estimate) -> str:
+def _percent(one: IntervalEstimate) -> str:
     interval = f" [{one.low:.0%}, {one.high:.0%}]" if np.isfinite(one.low) else ", no interval"
     return f"{one.value:.0%}{interval}"
 
 
 @style.drawn
 def reductions(
-    population: Mapping[str, Estimate], own: Mapping[tuple[str, str], Estimate], *, origin: str
+    population: Mapping[str, IntervalEstimate],
+    own: Mapping[tuple[str, str], IntervalEstimate],
+    *,
+    origin: str,
 ) -> Figure:
     """Reduction of every participant and of the population, with 95 % intervals.
 

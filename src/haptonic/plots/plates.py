@@ -29,7 +29,7 @@ LATTICE = "#f3f3f3"
 HOLDS: dict[Hold, tuple[str, str, style.Dashes]] = {
     "clamped": ("clamped", style.CARRIER, style.SOLID),
     "simple": ("simple support", style.GREEN, style.DASHED),
-    "spring": ("bed of springs", style.PURPLE, style.DOTTED),
+    "spring": ("elastic foundation", style.PURPLE, style.DOTTED),
 }
 
 

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, TypeVar
 
 from haptonic.friction.lubrication import WEBER_FRACTION
 from haptonic.friction.signals.record import EVERYBODY
-from haptonic.friction.statistics import Estimate, Test
+from haptonic.friction.statistics import IntervalEstimate, Test
 from haptonic.friction.statistics.summary import Condition
 from haptonic.friction.words import averages, change
 from haptonic.results.table import Cell, Table
@@ -137,6 +137,6 @@ def _spread(pair: tuple[float, float], digits: int) -> str:
     return mean if mean == "-" else f"{mean} ± {deviation}"
 
 
-def _percent(one: Estimate) -> str:
+def _percent(one: IntervalEstimate) -> str:
     interval = f", 95 % interval {one.low:.1%} to {one.high:.1%}" if math.isfinite(one.low) else ""
     return f"{one.value:.1%}{interval}{f' ({one.note})' if one.note else ''}"

@@ -19,7 +19,7 @@ from haptonic.results.scan.analysis import contrast_range
 from haptonic.results.verdict import AFTER, BEFORE, MEASURED, Verdict
 from haptonic.updating.agreement import agreement, normal_of, together
 from haptonic.updating.fit import Fit, SmallModel, fitted
-from haptonic.updating.match import Measured, Unknown
+from haptonic.updating.match import MeasuredResponse, Unknown
 from haptonic.updating.shapes import How, can_identify, even
 from haptonic.vibrometry.maps.gap import MeasuredGap
 
@@ -171,7 +171,7 @@ def _fit(
     progress: Progress,
 ) -> Fit:
     coherence = scan.dataset["coherence"].values[:, picked] if "coherence" in scan.dataset else None
-    data = Measured.of(
+    data = MeasuredResponse.of(
         scan.frequency, scan.points[picked], normal_of(scan)[:, picked],
         scan.dataset.attrs["quantity"] == "velocity", unit_drives(plate), coherence,
     )  # fmt: skip

@@ -1,6 +1,14 @@
 """One unit cell, its interior condensed once (Craig and Bampton 1968, doi 10.2514/3.4741).
 
-Inside the cell a field is the static answer to its trace, plus modes that have no trace.
+Inside the cell a field is the static answer to its trace, plus modes that have no trace. With the unknowns
+split into trace b and interior i, and a lumped mass,
+
+    u_i = T u_b + Phi q,    K_ii T = -K_ib,    Phi^T M_ii Phi = 1,    Phi^T K_ii Phi = Lambda (diagonal),
+
+    K = [ K_bb + K_bi T   0      ]      M = [ M_bb + T^T M_ii T   T^T M_ii Phi ]
+        [ 0               Lambda ]          [ Phi^T M_ii T        1            ]
+
+on (u_b, q): static answers do no work on fields without a trace.
 """
 
 from __future__ import annotations
@@ -17,7 +25,7 @@ from haptonic.cell import HexMesh, MeshPlan, UnitCell
 from haptonic.lattice import Operation
 from haptonic.solvers import Solver, definite
 from haptonic.superelement.folded import FoldedMesh
-from haptonic.superelement.interior import Reduced, reduced
+from haptonic.superelement.interior import CraigBampton, reduced
 from haptonic.superelement.lifting import DiagonalImage, Lifting, Part, lifted
 from haptonic.superelement.measures import ENERGIES, ClassMeasures, Measures
 from haptonic.superelement.parallel import for_each_class
@@ -147,7 +155,7 @@ def whole(pieces: Sequence[CondensedClass], name: str) -> Array:
 
 
 @dataclass(frozen=True)
-class Form:
+class ClassForm:
     """Quadratic form of one class: on the whole trace, between this and the class's modes, among these."""
 
     corner: Array
@@ -155,18 +163,18 @@ class Form:
     modal: Array
 
     @classmethod
-    def unfolded(cls, trace: FoldedTrace, corner: Array, side: Array, modal: Array) -> Form:
+    def unfolded(cls, trace: FoldedTrace, corner: Array, side: Array, modal: Array) -> ClassForm:
         """From its parts on the class's own share of the trace."""
         return cls(trace.unfold_form(corner), trace.unfold_rows(side), modal)
 
     @classmethod
-    def split(cls, trace: FoldedTrace, form: Array) -> Form:
+    def split(cls, trace: FoldedTrace, form: Array) -> ClassForm:
         """From a form (b + m, b + m) on the class's share of the trace and its modes."""
         count = len(trace.kept)
         return cls.unfolded(trace, form[:count, :count], form[:count, count:], form[count:, count:])
 
-    def mirrored(self, mirror: TraceMirror) -> Form:
-        return Form(mirror.form(self.corner), mirror.applied(self.side), self.modal)
+    def mirrored(self, mirror: TraceMirror) -> ClassForm:
+        return ClassForm(mirror.form(self.corner), mirror.applied(self.side), self.modal)
 
 
 @dataclass(frozen=True)
@@ -178,24 +186,24 @@ class CondensedClass:
     """
 
     part: Lifting
-    forms: dict[str, Form]
+    forms: dict[str, ClassForm]
     momenta_of_trace: Array
     momenta_of_modes: Array
 
     @classmethod
-    def of(cls, part: Lifting, own: Reduced, measured: ClassMeasures | None) -> CondensedClass:
+    def of(cls, part: Lifting, own: CraigBampton, measured: ClassMeasures | None) -> CondensedClass:
         """From forms on the class's share of the trace, and its modes."""
         trace, count = part.trace, len(own.mass)
         # static answers do no work on fields without a trace
         apart = np.zeros_like(own.to_modes)
         forms = {
-            "stiffness": Form.unfolded(trace, own.stiffness, apart, np.diag(own.values)),
-            "mass": Form.unfolded(trace, own.mass, own.to_modes, np.eye(part.count)),
-            "omission": Form.split(trace, own.omission),
+            "stiffness": ClassForm.unfolded(trace, own.stiffness, apart, np.diag(own.values)),
+            "mass": ClassForm.unfolded(trace, own.mass, own.to_modes, np.eye(part.count)),
+            "omission": ClassForm.split(trace, own.omission),
         }
         momenta = np.zeros((0, count + part.count))
         if measured is not None:
-            forms |= {name: Form.split(trace, form) for name, form in measured.energies.items()}
+            forms |= {name: ClassForm.split(trace, form) for name, form in measured.energies.items()}
             momenta = measured.momenta
         return cls(part, forms, trace.unfold_rows(momenta[:, :count].T).T, momenta[:, count:])
 

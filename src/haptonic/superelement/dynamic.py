@@ -1,9 +1,16 @@
 """Exact dynamic condensation of a cell's mesh: nothing of a reduced model enters.
 
-It counts eigenvalues without computing them, so that none can be missed. Wittrick and Williams (1971,
-doi 10.1093/qjmam/24.3.263): below a frequency lie as many eigenvalues as the interior with its trace held has
-there, plus the negative ones of the dynamic stiffness seen by the trace. By Sylvester's law both counts are
-signs of pivots. It also gives modes of the mesh itself, see `haptonic.bloch.exact`.
+At an angular frequency omega the trace b feels, with the interior i eliminated,
+
+    D(omega) = K_bb - omega^2 M_bb - K_bi (K_ii - omega^2 M_ii)^-1 K_ib.
+
+It counts eigenvalues without computing them, so that none can be missed. Below omega lie
+
+    J(omega) = J_held(omega) + s(D(omega))
+
+of them (Wittrick and Williams 1971, doi 10.1093/qjmam/24.3.263): those of the interior with its trace held,
+plus the negative eigenvalues of D. By Sylvester's law of inertia both are counts of negative pivots. D also
+gives modes of the mesh itself, see `haptonic.bloch.exact`.
 """
 
 from __future__ import annotations

@@ -42,7 +42,7 @@ class Bounded:
 
 
 @dataclass(frozen=True)
-class Reduced:
+class CraigBampton:
     """A body on static answers to its boundary and on some interior modes (Craig and Bampton).
 
     static : (n, b), modes : (n, m) fields inside
@@ -60,12 +60,15 @@ class Reduced:
     omission: Array
 
 
-def reduced(solver: Factorised, body: Bounded, steps: int, block: int) -> Reduced:
+def reduced(solver: Factorised, body: Bounded, steps: int, block: int) -> CraigBampton:
     """Reduce a body whose interior stiffness ``solver`` has factorised; see `interior_modes`.
 
-    A field Z of boundary and modes leaves a force ``lambda M Z`` inside that the modes do not balance. To
-    first order the eigenvalue lambda is too high by the work of that force on its own answer, a quadratic
-    form.
+    The inertia F inside leaves a force that the modes Phi do not balance. To first order in what they miss,
+    an eigenvalue lambda of a field u of unit mass is too high by the work of that force on its own answer,
+
+        lambda - lambda_exact = lambda^2 u* Omega u,    Omega = F^T (K_ii^-1 - Phi Lambda^-1 Phi^T) F,
+
+    with ``F = M_ii [T, Phi]``. Of the static answers T only the softest motions of the boundary enter Omega.
     """
     static = solver.solve(-body.coupling)
     inertia = body.mass[:, None] * static
@@ -87,7 +90,7 @@ def reduced(solver: Factorised, body: Bounded, steps: int, block: int) -> Reduce
     spread = la.block_diag(dual, np.eye(len(values)))
     omission = spread @ missing @ spread.T
     omission = 0.5 * (omission + omission.T)
-    return Reduced(static, modes, stiffness, mass, values, to_modes, omission)
+    return CraigBampton(static, modes, stiffness, mass, values, to_modes, omission)
 
 
 def _softest(stiffness: Array, mass: Array, count: int) -> tuple[Array, Array]:
@@ -104,9 +107,10 @@ def interior_modes(
 ) -> tuple[Array, Array, Array, Array]:
     """Rayleigh-Ritz modes of the interior on a short Krylov space.
 
-    The space starts with what the inertia of the static answers excites most. It therefore holds the
-    dynamic answer to the trace to several orders in frequency, which far fewer vectors do than exact
-    modes would; all its Ritz modes are kept, converged or not.
+    The space is ``span(A X, ..., A^steps X)`` with ``A = K^-1 M`` and X the main directions of ``A T``, the
+    answer to the inertia of the static answers T. The dynamic answer to the trace is the series
+    ``(1 + omega^2 A + omega^4 A^2 + ...) T``. The space follows it to several orders in frequency with far
+    fewer vectors than exact modes would take; all its Ritz modes are kept, converged or not.
 
     Parameters
     ----------

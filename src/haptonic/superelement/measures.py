@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from haptonic.superelement.folded import FoldedCell, FoldedMesh
-from haptonic.superelement.interior import Reduced
+from haptonic.superelement.interior import CraigBampton
 from haptonic.superelement.sections import PillarSections, momentum_forms
 
 Array = NDArray[np.float64]
@@ -42,7 +42,7 @@ class ClassMeasures:
 
     @classmethod
     def of(
-        cls, shared: FoldedMesh, q: int, folded: FoldedCell, own: Reduced, on_top: Array | None = None
+        cls, shared: FoldedMesh, q: int, folded: FoldedCell, own: CraigBampton, on_top: Array | None = None
     ) -> ClassMeasures:
         """Measures of a reduced class; ``on_top`` as for `FoldedMesh.symmetry_class`."""
         trace, body = folded.trace, folded.body

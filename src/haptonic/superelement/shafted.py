@@ -19,9 +19,9 @@ from haptonic.cell import HexMesh, MeshPlan, UnitCell, mesh_cell
 from haptonic.cell.edges import FOOT_LAYER
 from haptonic.cell.topology import Topology, topology_of
 from haptonic.solvers import Solver, definite
-from haptonic.superelement.condense import CondensedClass, Form, Superelement, assembled, condensed
+from haptonic.superelement.condense import ClassForm, CondensedClass, Superelement, assembled, condensed
 from haptonic.superelement.folded import FoldedMesh, mirrors_of
-from haptonic.superelement.interior import Bounded, Reduced, reduced
+from haptonic.superelement.interior import Bounded, CraigBampton, reduced
 from haptonic.superelement.lifting import DiagonalImage, Fields, unfolded
 from haptonic.superelement.measures import ENERGIES, ClassMeasures
 from haptonic.superelement.parallel import KEPT_ENTRIES, for_each_class
@@ -93,7 +93,7 @@ class _FootClass:
     trace: FoldedTrace
     parities: tuple[Parity, ...]
     on_top: Array
-    own: Reduced
+    own: CraigBampton
     measures: ClassMeasures | None
 
 
@@ -220,7 +220,7 @@ def _joined(
     part = ShaftedPart(foot, shaft, mesh, through, static, dynamic)
     piece = CondensedClass.of(part, found, _measured(foot, shaft, stiff, of_foot, of_shaft))
     omission = of_foot.T @ own.omission @ of_foot + found.omission
-    return replace(piece, forms=piece.forms | {"omission": Form.split(foot.trace, omission)})
+    return replace(piece, forms=piece.forms | {"omission": ClassForm.split(foot.trace, omission)})
 
 
 def _measured(

@@ -18,7 +18,7 @@ from haptonic.plate.family import Anchor, Family, anchored
 from haptonic.progress import Progress, silent
 from haptonic.units import format_quantity
 from haptonic.updating.intervals import Told, told
-from haptonic.updating.match import Match, Measured, Space, Unknown
+from haptonic.updating.match import Match, MeasuredResponse, Space, Unknown
 from haptonic.updating.parameters import LOSS, bonds_of, unit_of
 
 Array = NDArray[np.float64]
@@ -146,12 +146,12 @@ class SmallModel:
         model = PlateModel.of(plate, float(lines[-1]), self.model.fineness)
         return anchored(model, plate, self.drives, lines, self.tolerance, self.points).displacement
 
-    def match(self, data: Measured) -> Match:
+    def match(self, data: MeasuredResponse) -> Match:
         """Against a measurement at the same lines and points."""
         return Match(self.space, Family.spanned(self.model, self.anchors, self.drives, self.points), data)
 
 
-def fitted(small: SmallModel, data: Measured, progress: Progress = silent) -> Fit:
+def fitted(small: SmallModel, data: MeasuredResponse, progress: Progress = silent) -> Fit:
     """Fit the unknown numbers of a plate to a measurement at the lines and points of its small model.
 
     Raises

@@ -45,7 +45,7 @@ class Unknown:
 
 
 @dataclass(frozen=True, eq=False)
-class Measured:
+class MeasuredResponse:
     """What a plate is fitted to.
 
     frequency : (lines,) Hz; points : (points, 2) of the flat face, m
@@ -71,7 +71,7 @@ class Measured:
         velocity: bool,
         drives: Mapping[str, complex],
         coherence: Array | None = None,
-    ) -> Measured:
+    ) -> MeasuredResponse:
         """With weights from the coherence (lines, points), if it was measured; else all alike.
 
         The noise of single values is known too badly to weigh them: that of a line times that of a point is
@@ -99,7 +99,7 @@ class Measured:
         """(lines, points) computed displacement, m, as what was measured."""
         return np.asarray(1j * self.omega[:, None] * displacement if self.velocity else displacement)
 
-    def without(self, points: Ints) -> Measured:
+    def without(self, points: Ints) -> MeasuredResponse:
         """Without some points, which get no weight."""
         weight = self.weight.copy()
         weight[:, points] = 0.0
@@ -156,7 +156,7 @@ class Match:
 
     space: Space
     family: Family
-    data: Measured
+    data: MeasuredResponse
     defect: Complex | float = 0.0
 
     def response(self, x: Array) -> Complex:

@@ -19,7 +19,7 @@ from haptonic.plots.style import DOTS_PER_INCH, styled
 from haptonic.store import refuse_overwrite, write_atomically
 from haptonic.workshop.dimensions import checked_tolerances, number
 from haptonic.workshop.dxf import outlines, reproducible
-from haptonic.workshop.shape import Body, in_mm
+from haptonic.workshop.shape import PillarShape, in_mm
 from haptonic.workshop.sheet import A4, SIZE, SMALL, Sheet, shortened
 from haptonic.workshop.views import Box, draw_isometric, draw_plan, draw_plate, draw_section
 
@@ -172,7 +172,7 @@ def _advice(cell: UnitCell) -> list[str]:
     pillar = cell.pillar
     if pillar is None:
         return notes
-    body = Body.of(pillar)
+    body = PillarShape.of(pillar)
     room = cell.inradius - body.widest
     notes.append(
         f"Between two pillars, side to side, {number(2 * room, 3)}: tool radius at most {number(room, 3)}."

@@ -12,7 +12,7 @@ from ezdxf.layouts import BaseLayout
 
 from haptonic.cell import UnitCell
 from haptonic.store import refuse_overwrite, write_atomically
-from haptonic.workshop.shape import Array, Body, Form, centres, corner_grid, in_mm, plate_outline
+from haptonic.workshop.shape import Array, Form, PillarShape, centres, corner_grid, in_mm, plate_outline
 
 MILLIMETRES = 4  # code of the header variable $INSUNITS
 MARK = 0.1  # half the length of a centre mark, in diameters of the pillar
@@ -64,7 +64,7 @@ def outlines(cell: UnitCell, columns: int, rows: int) -> Drawing:
     for line in [*corners, *corners.swapaxes(0, 1)]:  # whole lines: two cells share their border
         space.add_line(line[0].tolist(), line[-1].tolist(), dxfattribs={"layer": "CELL"})
     if cell.pillar is not None:
-        body, arm = Body.of(cell.pillar), MARK * cell.pillar.diameter
+        body, arm = PillarShape.of(cell.pillar), MARK * cell.pillar.diameter
         for x, y in centres(cell, columns, rows).tolist():
             for layer, half_width in body.outlines.items():
                 add_outline(space, body.form, (x, y), half_width, layer)

@@ -2,8 +2,8 @@
 
 A plate of ``columns`` x ``rows`` cells is centred on the origin; its columns follow the lattice's first
 translation. Files are in millimetres, so lengths here are too (`in_mm`). A place on a pillar is (half-width,
-height above the plate's top). A new number of the cell is added here, to `Body.of` and `dimensions_of`; a new
-section is a row of `FORMS`: the files follow.
+height above the plate's top). A new number of the cell is added here, to `PillarShape.of` and
+`dimensions_of`; a new section is a row of `FORMS`: the files follow.
 """
 
 from __future__ import annotations
@@ -58,7 +58,7 @@ FORMS: Mapping[Section, Form] = {
 
 
 @dataclass(frozen=True)
-class Body:
+class PillarShape:
     """What stands on every cell: a form whose half-width follows a profile.
 
     side : (n, 2) places from the foot, or the end of its fillet, to the top's edge, straight in between
@@ -72,7 +72,7 @@ class Body:
     outlines: Mapping[str, float]
 
     @classmethod
-    def of(cls, pillar: Pillar) -> Body:
+    def of(cls, pillar: Pillar) -> PillarShape:
         side = [pillar.arc.at(1.0) if pillar.arc else (pillar.radius, 0.0)]
         outlines = {"PILLAR": pillar.radius}
         if pillar.arc:
@@ -141,7 +141,7 @@ def dimensions(cell: UnitCell) -> list[Dimension]:
     pillar = cell.pillar
     if pillar is None:
         return found
-    body, at = Body.of(pillar), "cell.pillar."
+    body, at = PillarShape.of(pillar), "cell.pillar."
     found.append(Dimension(f"{at}diameter", pillar.diameter, "width", place=(pillar.radius, 0.0)))
     found.append(Dimension(f"{at}height", pillar.height, "left", high=pillar.height))
     if pillar.arc is not None:

@@ -249,7 +249,8 @@ def shortened(text: str, width: float, size: float, bold: bool = False) -> str:
 
 def _literal(text: str) -> str:
     """One line in which a caret and two per cent signs, codes of DXF, mean themselves."""
-    return visible(text).translate({ord("\t"): " ", ord("\n"): " ", ord("^"): "^ "}).replace("%%", "% %")
+    line = visible(text).translate({ord("\t"): " ", ord("\n"): " ", ord("^"): "^ "}).replace("%%", "% %")
+    return line + "\N{NO-BREAK SPACE}" * line.endswith("^ ")  # readers take a caret at the end away
 
 
 class _Measured(BaseDimensionRenderer):

@@ -18,7 +18,7 @@ import numpy as np
 from haptonic.cell import UnitCell
 from haptonic.errors import ResourceError
 from haptonic.store import refuse_overwrite, write_atomically
-from haptonic.workshop.shape import MM, Body, centres, in_mm, plate_outline
+from haptonic.workshop.shape import MM, PillarShape, centres, in_mm, plate_outline
 
 # OpenCascade, as NETGEN calls it, puts its own name where the product's and the author's belong.
 _HEADER = re.compile(r"FILE_NAME\(.*?\);", re.DOTALL)
@@ -40,7 +40,7 @@ def solid(cell: UnitCell, columns: int = 1, rows: int = 1) -> Any:
     plate = occ.Prism(occ.Face(occ.Wire(edges)), occ.Vec(0.0, 0.0, cell.thickness))
     if cell.pillar is None:
         return plate
-    pillar = _pillar(occ, Body.of(cell.pillar))
+    pillar = _pillar(occ, PillarShape.of(cell.pillar))
     places = [occ.Vec(x, y, cell.thickness) for x, y in centres(cell, columns, rows)]
     return plate + occ.Compound([pillar.Move(place) for place in places])
 
@@ -119,7 +119,7 @@ def _occ() -> ModuleType:
     return module
 
 
-def _pillar(occ: ModuleType, body: Body) -> Any:
+def _pillar(occ: ModuleType, body: PillarShape) -> Any:
     """Its profile turned about the axis, or what the bars across each pair of a polygon's sides share."""
 
     def line(*places: tuple[float, float]) -> list[Any]:

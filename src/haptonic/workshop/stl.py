@@ -19,7 +19,7 @@ from numpy.typing import NDArray
 from haptonic.cell import UnitCell
 from haptonic.errors import GeometryError
 from haptonic.store import refuse_overwrite, write_atomically
-from haptonic.workshop.shape import MM, Array, Body, centres, corner_grid, in_mm
+from haptonic.workshop.shape import MM, Array, PillarShape, centres, corner_grid, in_mm
 
 Triangles = NDArray[np.int64]
 
@@ -56,7 +56,9 @@ def surface(cell: UnitCell, columns: int = 1, rows: int = 1, *, chord: float = C
         triangles.append(_halved(quads + up))
     else:
         middle = centres(scaled, columns, rows)
-        standing, side, top = _pillar(Body.of(scaled.pillar), points[1][quads[0], :2] - middle[0], chord * MM)
+        standing, side, top = _pillar(
+            PillarShape.of(scaled.pillar), points[1][quads[0], :2] - middle[0], chord * MM
+        )
         for k, (centre, quad) in enumerate(zip(middle, quads, strict=True)):
             points.append(standing + np.append(centre, scaled.thickness))
             first = 2 * up + k * len(standing)
@@ -87,7 +89,7 @@ def write_stl(
     return path
 
 
-def _pillar(body: Body, cell: Array, chord: float) -> tuple[Array, Triangles, Triangles]:
+def _pillar(body: PillarShape, cell: Array, chord: float) -> tuple[Array, Triangles, Triangles]:
     """A pillar that stands at the origin, on a cell with these (4, 2) corners.
 
     Returns

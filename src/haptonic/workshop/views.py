@@ -13,7 +13,7 @@ import numpy as np
 from haptonic.cell import UnitCell
 from haptonic.workshop.dimensions import style_of, text_of
 from haptonic.workshop.dxf import MARK, add_outline
-from haptonic.workshop.shape import MM, Body, Dimension, dimensions
+from haptonic.workshop.shape import MM, Dimension, PillarShape, dimensions
 from haptonic.workshop.sheet import APART, ARROW, SHELF, SIZE, Sheet, View, text_width
 from haptonic.workshop.sight import seen_edges
 from haptonic.workshop.stl import surface
@@ -48,7 +48,7 @@ def draw_plan(sheet: Sheet, box: Box, cell: UnitCell, tolerances: Mapping[str, f
     sheet.line(corners, "OUTLINE" if alone else "PERIOD", close=True)
     centre = view.place(0, 0.5 * depth)
     if cell.pillar is not None:
-        _draw_edges(sheet, Body.of(cell.pillar), centre, view.scale)
+        _draw_edges(sheet, PillarShape.of(cell.pillar), centre, view.scale)
     sheet.line([(left - 3, centre[1]), (right + 3, centre[1])], "AXIS")
     sheet.line([(centre[0], low - 3), (centre[0], high + 3)], "AXIS")
     for x, out in ((left - 3, -1), (right + 3, 1)):  # the cutting plane
@@ -69,7 +69,7 @@ def draw_section(
     sheet: Sheet, box: Box, cell: UnitCell, tolerances: Mapping[str, float], alone: bool
 ) -> View:
     """Draw the section A-A of a cell (lengths in mm); ``alone``: its sides are edges of the plate."""
-    body = Body.of(cell.pillar) if cell.pillar else None
+    body = PillarShape.of(cell.pillar) if cell.pillar else None
     width, total = cell.lattice.a1[0], cell.thickness + (body.height if body else 0.0)
     whole = fitting(width, total, box, (36.0, 17.0, 41.0, 33.0))
     view = View(whole.place(0, cell.thickness), whole.scale)  # heights count from the plate's top
@@ -103,7 +103,7 @@ def draw_plate(sheet: Sheet, box: Box, cell: UnitCell, columns: int, rows: int) 
     (left, low), (right, high) = view.place(-0.5 * width, 0), view.place(0.5 * width, depth)
     widths = {"CELL": min(cell.lattice.a1[0], cell.lattice.a2[1])}
     if cell.pillar is not None:
-        body = Body.of(cell.pillar)
+        body = PillarShape.of(cell.pillar)
         widths |= {layer: 2 * half_width for layer, half_width in body.outlines.items()}
         widths["CENTRE"] = 2 * MARK * cell.pillar.diameter
     small = [layer for layer, size in widths.items() if view.scale * size < LEGIBLE]
@@ -124,7 +124,7 @@ class _Section:
     view: View
     half: float
     cell: UnitCell
-    body: Body | None
+    body: PillarShape | None
     tolerances: Mapping[str, float]
 
     def shown(self, kind: str) -> list[Dimension]:
@@ -173,7 +173,7 @@ class _Section:
         labels = [self.height(one, edge - LANE, -1) for one in self.shown("left")]
         self.sheet.beside(labels, face + 0.5, ceiling)
 
-    def draw_right(self, body: Body) -> float:
+    def draw_right(self, body: PillarShape) -> float:
         """Radii, heights, angles, and what cannot be dimensioned from above; the height they stay below."""
         column, face = self.view.place(self.half, -self.cell.thickness)
         column += LANE
@@ -191,7 +191,7 @@ class _Section:
         self.sheet.beside(labels, lowest, ceiling)
         return ceiling
 
-    def radius(self, body: Body, one: Dimension, column: float) -> Label:
+    def radius(self, body: PillarShape, one: Dimension, column: float) -> Label:
         assert body.arc is not None
         centre, tip = self.view.place(*body.arc.centre), self.view.place(*one.place)
         style = style_of(one, self.tolerances.get(one.name or ""), "R")
@@ -205,7 +205,7 @@ class _Section:
         text = text_of(one, self.tolerances.get(one.name or ""), sign)
         return tip[1] + 4, lambda y: self.sheet.leader(tip, (column, y), text, 1)
 
-    def draw_widths(self, body: Body, ceiling: float) -> None:
+    def draw_widths(self, body: PillarShape, ceiling: float) -> None:
         """Above ``ceiling``, the narrowest lowest; below the foot if it is narrower than what is above."""
         free = [one for one in self.shown("width") if body.is_free_above(*one.place)]
         beyond = self.view.place(max([one.place[0] for one in free], default=0.0), 0)[0]
@@ -218,7 +218,7 @@ class _Section:
             if one.place[1] <= 0 and one not in free:
                 self.width(body, one, 0.0, face - LANE - 2, self.view.place(one.place[0], 0)[0])
 
-    def width(self, body: Body, one: Dimension, start: float, line: float, beyond: float) -> None:
+    def width(self, body: PillarShape, one: Dimension, start: float, line: float, beyond: float) -> None:
         left, right = (self.view.place(side * one.place[0], start) for side in (-1, 1))
         half_width = self.tolerances.get(one.name or "")
         fits = text_width(text_of(one, half_width, body.form.sign)) + 2 * ARROW < right[0] - left[0]
@@ -228,7 +228,7 @@ class _Section:
         )
 
 
-def _draw_edges(sheet: Sheet, body: Body, centre: tuple[float, float], scale: float) -> None:
+def _draw_edges(sheet: Sheet, body: PillarShape, centre: tuple[float, float], scale: float) -> None:
     """Every edge as seen from above; thin where a fillet runs out smoothly, dashed where it is hidden."""
     side = body.flank(1)
     smooth = 2 if body.arc else 0  # edges at the ends of the fillet

@@ -12,7 +12,7 @@ from haptonic.friction.statistics.comparison import (
 )
 from haptonic.friction.statistics.effects import (
     Equivalence,
-    Estimate,
+    IntervalEstimate,
     drift,
     equivalence,
     reduction,
@@ -33,7 +33,7 @@ from haptonic.friction.statistics.planning import (
 __all__ = [
     "Alarms",
     "Equivalence",
-    "Estimate",
+    "IntervalEstimate",
     "Pairs",
     "Population",
     "Test",

@@ -84,8 +84,8 @@ def by_participants(pairs: Pairs) -> Test:
 def by_mixed_model(pairs: Pairs) -> Test:
     """Linear mixed model of all trials: a level and an effect of his or her own for every participant.
 
-    friction = level + effect * actuation, +1/2 on and -1/2 off; both have a random part by participant,
-    independent of each other, and trials are nested in participants. Restricted maximum likelihood
+    Trial t of participant i has the friction ``y_it = (m + a_i) + (d + b_i) x_it + e_it`` with x = +1/2 on
+    and -1/2 off; a_i, b_i and e_it are normal and independent of each other. Restricted maximum likelihood
     (statsmodels); the effect over its standard error is compared with Student's t with one degree of freedom
     less than there are participants, as in a balanced design, not with a normal distribution, which would
     reject far too often with few participants.

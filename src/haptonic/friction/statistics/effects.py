@@ -29,7 +29,7 @@ FEWEST_FOR_A_BOOTSTRAP = 15  # pairs of one participant
 
 
 @dataclass(frozen=True)
-class Estimate:
+class IntervalEstimate:
     """A value, the ends of its 95 % interval (NaN where there is none, and `note` says why).
 
     about : whom the interval speaks of
@@ -42,7 +42,7 @@ class Estimate:
     about: About = "people"
 
 
-def reduction(pairs: Pairs) -> Estimate:
+def reduction(pairs: Pairs) -> IntervalEstimate:
     """Reduction of friction, 1 - on / off, with Student's interval for people, over participants.
 
     The ratio of two means over participants, linearised: what a participant contributes to its deviation is
@@ -51,7 +51,7 @@ def reduction(pairs: Pairs) -> Estimate:
     return _among_people(pairs.reduction, _contributions(pairs))
 
 
-def stopped(driven: Pairs, idle: Pairs) -> Estimate:
+def stopped(driven: Pairs, idle: Pairs) -> IntervalEstimate:
     """Share of the driven region's reduction that does not reach the idle one, about 0.8 as published.
 
     Student's interval for people, over participants, linearised as in `reduction`.
@@ -62,25 +62,25 @@ def stopped(driven: Pairs, idle: Pairs) -> Estimate:
     """
     _check_the_same_people(driven, idle)
     if driven.reduction == 0:
-        return Estimate(math.nan, math.nan, math.nan, "nothing is reduced on the driven region")
+        return IntervalEstimate(math.nan, math.nan, math.nan, "nothing is reduced on the driven region")
     shares = idle.reduction / driven.reduction
     value = 1 - shares
     least = reduction(driven)
     if len(driven.people) >= 2 and not (least.low > 0 or least.high < 0):
         note = "the driven region's reduction may be zero: a share of it has no interval"
-        return Estimate(value, math.nan, math.nan, note)
+        return IntervalEstimate(value, math.nan, math.nan, note)
     place = [idle.people.index(name) for name in driven.people]
     apart = shares * _contributions(driven) - _contributions(idle)[place]
     return _among_people(value, apart / driven.reduction)
 
 
-def reduction_here(pairs: Pairs, *, draws: int = DRAWS, seed: int = 0) -> Estimate:
+def reduction_here(pairs: Pairs, *, draws: int = DRAWS, seed: int = 0) -> IntervalEstimate:
     """Reduction of friction with an interval for these participants: pairs are drawn again within each."""
     on, off = _resampled(pairs, draws, np.random.default_rng(seed))
     return _among_these(pairs.reduction, 1 - on / off, pairs)
 
 
-def stopped_here(driven: Pairs, idle: Pairs, *, draws: int = DRAWS, seed: int = 0) -> Estimate:
+def stopped_here(driven: Pairs, idle: Pairs, *, draws: int = DRAWS, seed: int = 0) -> IntervalEstimate:
     """As `stopped`, with an interval for these participants: pairs are drawn again within each.
 
     Raises
@@ -159,7 +159,7 @@ def equivalence(pairs: Pairs, bound: float) -> Equivalence:
     )
 
 
-def drift(trials: xr.Dataset) -> Estimate:
+def drift(trials: xr.Dataset) -> IntervalEstimate:
     """Relative change of friction over a session with the vibration off: learning, moisture, fatigue.
 
     A line through every participant's trials, as a share of their mean; the interval is Student's over
@@ -190,10 +190,10 @@ def drift(trials: xr.Dataset) -> Estimate:
         slopes.append(float(np.polyfit(place[kept], centred, 1)[0] / friction.mean()))
     each = np.array(slopes)
     if len(each) < 2:
-        return Estimate(float(each.mean()), math.nan, math.nan, "one participant only")
+        return IntervalEstimate(float(each.mean()), math.nan, math.nan, "one participant only")
     error = float(each.std(ddof=1)) / math.sqrt(len(each))
     reach = float(scipy.stats.t.ppf(QUANTILES[1], len(each) - 1)) * error
-    return Estimate(float(each.mean()), float(each.mean()) - reach, float(each.mean()) + reach)
+    return IntervalEstimate(float(each.mean()), float(each.mean()) - reach, float(each.mean()) + reach)
 
 
 def _without_guides(friction: Array, guide: NDArray[np.str_]) -> Array:
@@ -219,14 +219,14 @@ def _contributions(pairs: Pairs) -> Array:
     return np.asarray(-(on - (1 - pairs.reduction) * off) / off.mean())
 
 
-def _among_people(value: float, each: Array) -> Estimate:
+def _among_people(value: float, each: Array) -> IntervalEstimate:
     people = len(each)
     if people < 2:
-        return Estimate(value, math.nan, math.nan, "one participant only: no interval for others")
+        return IntervalEstimate(value, math.nan, math.nan, "one participant only: no interval for others")
     error = float(each.std(ddof=1)) / math.sqrt(people)
     reach = float(scipy.stats.t.ppf(QUANTILES[1], people - 1)) * error
     note = "" if people >= 6 else f"{people} participants: the interval is wide, and rests on normality"
-    return Estimate(value, value - reach, value + reach, note)
+    return IntervalEstimate(value, value - reach, value + reach, note)
 
 
 def _resampled(pairs: Pairs, draws: int, rng: np.random.Generator) -> tuple[Array, Array]:
@@ -240,13 +240,13 @@ def _resampled(pairs: Pairs, draws: int, rng: np.random.Generator) -> tuple[Arra
     return sums[0] / len(pairs.people), sums[1] / len(pairs.people)
 
 
-def _among_these(value: float, cloud: Array, pairs: Pairs) -> Estimate:
+def _among_these(value: float, cloud: Array, pairs: Pairs) -> IntervalEstimate:
     fewest = min(int((pairs.participant == name).sum()) for name in pairs.people)
     if fewest < 2:
         note = "a participant with a single pair of trials: their scatter is not known"
-        return Estimate(value, math.nan, math.nan, note, "these participants")
+        return IntervalEstimate(value, math.nan, math.nan, note, "these participants")
     low, high = np.nanquantile(cloud, QUANTILES)
     note = "these participants only, nobody else"
     if fewest < FEWEST_FOR_A_BOOTSTRAP:
         note += f"; {fewest} pairs are few for a bootstrap: the interval is too narrow"
-    return Estimate(value, float(low), float(high), note, "these participants")
+    return IntervalEstimate(value, float(low), float(high), note, "these participants")

@@ -16,7 +16,7 @@ from haptonic.friction.signals.record import EVERYBODY
 from haptonic.friction.statistics.comparison import Test, by_each, compared, conclusion
 from haptonic.friction.statistics.effects import (
     Equivalence,
-    Estimate,
+    IntervalEstimate,
     drift,
     equivalence,
     reduction,
@@ -72,12 +72,12 @@ class Summary:
     conditions: tuple[Condition, ...]
     tests: tuple[Test, ...]
     each: tuple[Test, ...]
-    reductions: dict[str, Estimate]
-    own: dict[tuple[str, str], Estimate]
-    stopped: dict[str, Estimate]
-    stopped_here: dict[str, Estimate]
+    reductions: dict[str, IntervalEstimate]
+    own: dict[tuple[str, str], IntervalEstimate]
+    stopped: dict[str, IntervalEstimate]
+    stopped_here: dict[str, IntervalEstimate]
     equivalences: tuple[Equivalence, ...]
-    drift: Estimate | None
+    drift: IntervalEstimate | None
     conclusions: tuple[str, ...]
     omissions: tuple[str, ...]
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping
 
-from haptonic.friction.statistics import Estimate, Test
+from haptonic.friction.statistics import IntervalEstimate, Test
 from haptonic.friction.words import averages, change
 from haptonic.report import paper
 from haptonic.report.chapter import Absent, Chapter, Picture, Results, Table
@@ -102,6 +102,6 @@ def _tests(tests: tuple[Test, ...], origin: str) -> Table:
     return Table(f"{origin} difference of friction: the test as published, and as it should be.", head, rows)
 
 
-def _percent(one: Estimate) -> str:
+def _percent(one: IntervalEstimate) -> str:
     interval = f" ({100 * one.low:.0f} to {100 * one.high:.0f} %)" if math.isfinite(one.low) else ""
     return f"{100 * one.value:.0f} %{interval}"

@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from haptonic.plate.layout import Layout
-from haptonic.vibrometry import Strip
+from haptonic.vibrometry import LatticeRows
 from haptonic.vibrometry.maps.waves import Axis
 from haptonic.vibrometry.planning import Rectangle
 
@@ -76,7 +76,7 @@ def mirror_beside(layout: Layout, region: str) -> Mirror | None:
     return max(found, key=worth, default=None)
 
 
-def strips_of(layout: Layout, region: str) -> list[Strip]:
+def strips_of(layout: Layout, region: str) -> list[LatticeRows]:
     """Rows of the lattice beside a region, and those of the same lattice along them elsewhere."""
     first = mirror_beside(layout, region)
     if first is None:
@@ -88,7 +88,7 @@ def strips_of(layout: Layout, region: str) -> list[Strip]:
         if (one.name, one.depth) == (first.name, first.depth)
     }
     return [
-        Strip(one.area, one.depth, one.start, one.inwards, one.pitch, _period(layout, one), one.rows)
+        LatticeRows(one.area, one.depth, one.start, one.inwards, one.pitch, _period(layout, one), one.rows)
         for one in alike.values()
     ]
 

@@ -1,6 +1,6 @@
 """What a scan shows of a plate: regions, gap, waves in the guides, decay through the lattice."""
 
-from haptonic.vibrometry.maps.edges import Edge, LatticeGap, Strip, fading, gap_edges
+from haptonic.vibrometry.maps.edges import Edge, LatticeGap, LatticeRows, fading, gap_edges
 from haptonic.vibrometry.maps.gap import MeasuredGap, measured_gap, region_statistics
 from haptonic.vibrometry.maps.noise import clean_contrast, clean_rms
 from haptonic.vibrometry.maps.registration import Registration, register_by_corners, register_by_fit
@@ -9,9 +9,9 @@ from haptonic.vibrometry.maps.waves import lattice_decay, warn_if_aliased, waven
 __all__ = [
     "Edge",
     "LatticeGap",
+    "LatticeRows",
     "MeasuredGap",
     "Registration",
-    "Strip",
     "clean_contrast",
     "clean_rms",
     "fading",

@@ -38,7 +38,7 @@ METHOD = 0.012  # of an edge, its standard error by rows that are few: that of s
 
 
 @dataclass(frozen=True)
-class Strip:
+class LatticeRows:
     """Rows of a lattice, one behind the other.
 
     area : of all of them; depth : axis across the rows; start : where the first one begins, m
@@ -74,7 +74,7 @@ class LatticeGap:
     reasons: tuple[str, ...]
 
 
-def fading(response: FrequencyResponse, strips: Sequence[Strip]) -> xr.DataArray:
+def fading(response: FrequencyResponse, strips: Sequence[LatticeRows]) -> xr.DataArray:
     """By how much waves of a phase fade from row to row, whatever is reflected.
 
     A wave of phase q along the strip and its reflection give neighbouring rows u with u[n-1] + u[n+1] =
@@ -200,11 +200,11 @@ def _crossing(lines: Array, level: Array, first: int, threshold: float) -> float
     return float(np.interp(threshold, level[stop - 1 : stop + 1], lines[stop - 1 : stop + 1]))
 
 
-def _length(strip: Strip) -> float:
+def _length(strip: LatticeRows) -> float:
     return strip.area.height if strip.depth == "x" else strip.area.width
 
 
-def _compared(response: FrequencyResponse, strip: Strip, phases: Array) -> tuple[Complex, Array, Array]:
+def _compared(response: FrequencyResponse, strip: LatticeRows, phases: Array) -> tuple[Complex, Array, Array]:
     """Sums over places and rows, (line, phase): conj(u[n]) (u[n-1] + u[n+1]), 2 |u[n]|^2, and its noise."""
     along: Axis = "y" if strip.depth == "x" else "x"
     points = _near(response, strip)
@@ -236,7 +236,7 @@ def _compared(response: FrequencyResponse, strip: Strip, phases: Array) -> tuple
     return product, energy, noise
 
 
-def _near(response: FrequencyResponse, strip: Strip) -> NDArray[np.int64]:
+def _near(response: FrequencyResponse, strip: LatticeRows) -> NDArray[np.int64]:
     """Points on a strip and a little beside it, which the splines need."""
     points, area = response.points, strip.area
     column = 0 if strip.depth == "x" else 1
