@@ -128,7 +128,7 @@ def test_a_study_without_a_plate_is_refused(inside, study):
 def test_the_report_tells_what_a_finger_feels(plated, monkeypatch, store_folder):
     monkeypatch.setenv("HAPTONIC_STORE", str(store_folder))
     study = load(plated())
-    result = study.felt()
+    result = study.feel()
     made = chapter(Results(study, xr.Dataset(), feel=result))
     assert isinstance(made, Chapter)
     assert len(made.pictures) == 2

@@ -5,12 +5,12 @@ from dataclasses import replace
 import numpy as np
 import pytest
 import xarray as xr
+from haptonic.report.guide_shifts import AS_IT_IS, DRIVEN
 from small import COARSE, LOSS, drawn, glued
 
 from haptonic.materials import material
 from haptonic.plate.parts import Force, Plate
 from haptonic.report.chapters.plate import _shift_findings, _shifts_tables
-from haptonic.report.guide_shifts import AS_IT_IS, DRIVEN
 from haptonic.results.plate.variants import (
     Look,
     guide_mode,

@@ -8,13 +8,14 @@ import numpy as np
 import pytest
 import xarray as xr
 
+from haptonic.analyses import scanning
 from haptonic.errors import HaptonicWarning, ScanError
 from haptonic.report import Absent, Chapter, Results, paper
 from haptonic.report.chapters.scan import chapter
 from haptonic.response import FrequencyResponse
 from haptonic.results.scan import contrast_range
 from haptonic.store import Store
-from haptonic.study import loads, scanning
+from haptonic.study import loads
 from tiny_scan import TINY
 
 
@@ -35,7 +36,7 @@ def plate(study, store):
     with pytest.warns(HaptonicWarning, match="ring-down"):
         drive = question.drive(study.mounted_plate())
     asked = replace(question.of_plate(1e-3, drive), points=126)
-    return study.vibrating(asked=asked, store=store)
+    return study.plate(asked=asked, store=store)
 
 
 @pytest.fixture(scope="module")

@@ -16,6 +16,7 @@ from haptonic.units import shown
 NAMES = (
     "bands",
     "sweep",
+    "reproduce",
     "layers",
     "waveguide",
     "design",

@@ -70,6 +70,7 @@ class Analysis:
     study : whether it is asked of a study ("needed"), may be ("optional"), or of something else ("none")
     parallel : whether it is many computations, which may go to several processes or to a scheduler
     doing : what is said while it computes; kept : what is left of it if it is interrupted
+    reported : options with which the report of a study has it; None for a study whose report has not
     folder : ending of the folder for its files; by default its name
     writes : whether it gives files only, and so always has a folder
     """
@@ -84,6 +85,7 @@ class Analysis:
     parallel: bool = False
     doing: str = ""
     kept: str = ""
+    reported: Callable[[Any], Any] | None = None
     folder: str = ""
     writes: bool = False
 

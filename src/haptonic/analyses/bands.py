@@ -35,5 +35,6 @@ ANALYSIS = Analysis(
     help="Band diagram, gaps and mode shapes of the unit cell.",
     result=Bands,
     compute=compute,
+    reported=lambda study: BandsOptions(surface=True),
     options=BandsOptions,
 )

@@ -50,7 +50,7 @@ class Workshop(Result):
     """A piece of plate as files for the workshop.
 
     cell, study, stem : what is made, the title of its study, and the beginning of the files' names
-    tolerances : half-widths (SI) of the sizes in the drawing; why_none : why there are none, if there are none
+    tolerances : half-widths (SI) of the sizes in the drawing; why_none : why there are none, if so
     asked : whether the study asks for tolerances
     """
 
@@ -71,7 +71,10 @@ class Workshop(Result):
         half = [self.tolerances.get(name, float("nan")) for name in sizes]
         meaning = {"units": "SI", "nan_means": "the drawing gives no tolerance"}
         return xr.Dataset(
-            {"size": ("dimension", list(sizes.values()), {"units": "SI"}), "half_width": ("dimension", half, meaning)},
+            {
+                "size": ("dimension", list(sizes.values()), {"units": "SI"}),
+                "half_width": ("dimension", half, meaning),
+            },
             coords={"dimension": list(sizes)},
         )
 
@@ -151,8 +154,8 @@ def drawn_tolerances(study: Description, runner: Runner) -> tuple[dict[str, floa
 
 ANALYSIS = Analysis(
     name="export",
-    help="Files for the workshop; all of them if none is named. The drawing has the tolerances found, or says "
-    "why not.",
+    help="Files for the workshop; all of them if none is named. The drawing has the tolerances found, or "
+    "says why not.",
     result=Workshop,
     compute=compute,
     options=ExportOptions,

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 
 from haptonic.analyses.analysis import Analysis, option
-from haptonic.analyses.needs import fineness, gap_of_plate, need_carrier, response_settings
+from haptonic.analyses.needs import fineness, gap_of_plate, has_plate, need_carrier, response_settings
 from haptonic.errors import StudyError
 from haptonic.friction.lubrication import Touch
 from haptonic.plate import Plate
@@ -30,9 +30,7 @@ class FeelOptions:
     at: float | None = option(
         None, "Of the drive; else the loudest resonance.", unit="Hz", metavar="FREQUENCY"
     )
-    reduction: float | None = option(
-        None, "Also say which drive gives it, 0.5 for 50 %.", metavar="SHARE"
-    )
+    reduction: float | None = option(None, "Also say which drive gives it, 0.5 for 50 %.", metavar="SHARE")
 
 
 def check(study: Description, options: FeelOptions) -> None:
@@ -52,7 +50,12 @@ def compute(study: Description, options: FeelOptions, runner: Runner) -> Feel:
     StudyError : no [plate], no carrier, nothing that drives the plate, or a voltage for a force
     ResourceError : a grid or a plate that this machine cannot hold, found before anything is computed
     """
-    plate, carrier, own, finger = study.mounted_plate(), need_carrier(study), response_settings(study), study.touch
+    plate, carrier, own, finger = (
+        study.mounted_plate(),
+        need_carrier(study),
+        response_settings(study),
+        study.touch,
+    )
     drive = amplitude(plate, finger.voltage if options.voltage is None else options.voltage)
     middle = carrier if options.at is None else options.at
     touch = Touch(middle, finger.force, finger.speed)
@@ -112,6 +115,7 @@ ANALYSIS = Analysis(
     help="What a finger feels of the plate: a map of friction, reductions, whether they are noticed.",
     result=Feel,
     compute=compute,
+    reported=lambda study: FeelOptions() if has_plate(study) else None,
     options=FeelOptions,
     check=check,
     doing="shifts",

@@ -27,11 +27,12 @@ class FrictionOptions:
     path: Path = option(
         help="Folder with trials.csv, or a single table of all samples.", metavar="PATH", place="before"
     )
-    study: Path | None = option(
-        None, "Its [trials] decides; else study.toml in the folder.", metavar="FILE"
-    )
+    study: Path | None = option(None, "Its [trials] decides; else study.toml in the folder.", metavar="FILE")
     references: Any = option(
-        None, "Reference values that stand beside these in the pictures.", read=References.read, metavar="FILE"
+        None,
+        "Reference values that stand beside these in the pictures.",
+        read=References.read,
+        metavar="FILE",
     )
 
 
@@ -55,7 +56,7 @@ def compute(study: None, options: FrictionOptions, runner: Runner) -> FrictionRe
         path, sensor, section, section.exclude, driven=section.driven or _driven(whole),
         workers=runner.workers, progress=runner.progress,
     )  # fmt: skip
-    return replace(found, published=options.references.numbers("friction") if options.references else {})
+    return replace(found, published=options.references.friction if options.references else {})
 
 
 def _asked(path: Path, study: Path | None) -> tuple[Trials, Description | None]:

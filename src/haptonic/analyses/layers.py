@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from haptonic.analyses.analysis import KEPT, Analysis, NoOptions
-from haptonic.analyses.needs import need_carrier
+from haptonic.analyses.needs import has_mirror, need_carrier
 from haptonic.bloch.mirrors import Incidence
 from haptonic.errors import StudyError
 from haptonic.results.layers import Layers, Question, compute_layers
@@ -47,6 +47,7 @@ ANALYSIS = Analysis(
     help="What rows of cells let through between two plain plates, and how many of them the carrier needs.",
     result=Layers,
     compute=compute,
+    reported=lambda study: NoOptions() if has_mirror(study) else None,
     parallel=True,
     kept=KEPT,
 )

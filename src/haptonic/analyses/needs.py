@@ -1,4 +1,4 @@
-"""What several analyses need of a study: its carrier, its plate's mesh, and the gap of the plate's lattice."""
+"""What several analyses need of a study: its carrier, its plate's mesh, the gap of the plate's lattice."""
 
 from __future__ import annotations
 
@@ -49,3 +49,13 @@ def gap_of_plate(study: Description, plate: Plate, carrier: float, runner: Runne
     """The gap of the plate's lattice that holds the carrier (Hz), if there is one."""
     cells = list(plate.layout.cells.values())
     return gap_at(Runner(runner.store).gaps(cells[0], study.asked()), carrier) if cells else None
+
+
+def has_mirror(study: Description) -> bool:
+    """Whether a mirror can be asked for: there is a carrier, and something that reflects."""
+    return study.carrier is not None and study.cell.pillar is not None
+
+
+def has_plate(study: Description) -> bool:
+    """Whether a finite plate can be asked for."""
+    return study.finite_plate is not None and study.carrier is not None

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass, field, replace
 
 from haptonic.analyses.analysis import Analysis, option
-from haptonic.analyses.needs import fineness, gap_of_plate, need_carrier, response_settings
+from haptonic.analyses.needs import fineness, gap_of_plate, has_plate, need_carrier, response_settings
 from haptonic.plate.sweep import check_cost
 from haptonic.results.plate.compute import compute_plate
 from haptonic.results.plate.question import PlateQuestion, check_grid
@@ -21,9 +21,7 @@ class PlateOptions:
     asked : other lines and points than those of [plate.response], in Python only
     """
 
-    at: float | None = option(
-        None, 'One frequency only, such as "58.8 kHz".', unit="Hz", metavar="FREQUENCY"
-    )
+    at: float | None = option(None, 'One frequency only, such as "58.8 kHz".', unit="Hz", metavar="FREQUENCY")
     asked: PlateQuestion | None = field(default=None)
 
 
@@ -65,6 +63,7 @@ ANALYSIS = Analysis(
     help="How the finite plate vibrates: response, localisation, energies, impedance, modes.",
     result=PlateResult,
     compute=compute,
+    reported=lambda study: PlateOptions() if has_plate(study) else None,
     options=PlateOptions,
     check=check,
     doing="shifts",

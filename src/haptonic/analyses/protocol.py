@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from haptonic.analyses.analysis import Analysis, NoOptions
+from haptonic.analyses.experiments import protocol_of, task_of
 from haptonic.friction.statistics import Population
 from haptonic.results.protocol import Plan, compute_plan
 from haptonic.results.runner import Runner
-from haptonic.analyses.experiments import protocol_of, task_of
 from haptonic.study.schema import Description
 
 

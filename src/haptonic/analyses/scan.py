@@ -1,4 +1,4 @@
-"""A scan with a laser vibrometer: responses, maps, contrast, the gap in it, waves; and how well a model fits."""
+"""A scan with a laser vibrometer: responses, maps, contrast, gap, waves; and how well a model fits."""
 
 from __future__ import annotations
 
@@ -94,9 +94,7 @@ class ScanOptions:
     window: Literal["none", "hann", "exponential"] = option(
         "none", "none for periodic chirps, exponential for bursts, hann for noise."
     )
-    decay: float | None = option(
-        None, 'Of the exponential window, such as "5 ms".', unit="s", metavar="TIME"
-    )
+    decay: float | None = option(None, 'Of the exponential window, such as "5 ms".', unit="s", metavar="TIME")
     segment: float | None = option(
         None, "One transform; else the study's period, or a record.", unit="s", metavar="TIME"
     )
@@ -114,9 +112,7 @@ class ScanOptions:
     )  # fmt: skip
     mirrored: bool = option(False, "The scan saw the plate's map from behind.")
     unit: str = option("m/s/V", "Of responses or records in files that give none.")
-    length_unit: str | None = option(
-        None, 'Of coordinates, where it is not the file\'s, such as "mm".'
-    )
+    length_unit: str | None = option(None, 'Of coordinates, where it is not the file\'s, such as "mm".')
     frequency_unit: str | None = option(None, 'Of frequencies in files that give none, such as "kHz".')
     variables: Any = option(
         None, "Names in a MATLAB file: response=FRF,frequency=fkHz,x=Xmm,y=Ymm.", read=names_of,
@@ -182,9 +178,7 @@ def compute(study: Description | None, options: ScanOptions, runner: Runner) -> 
         origin="simulated" if options.simulated else "measured", length_unit=options.length_unit,
         frequency_unit=options.frequency_unit, variables=options.variables or {},
     )  # fmt: skip
-    found = compute_scan(
-        content, how, on, at=options.at, store=runner.store, progress=runner.progress
-    )
+    found = compute_scan(content, how, on, at=options.at, store=runner.store, progress=runner.progress)
     verdict = None
     if study is not None and options.against:
         verdict = judged(study, found.response, computed, runner)

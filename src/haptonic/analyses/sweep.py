@@ -44,6 +44,7 @@ ANALYSIS = Analysis(
     help="Complete gaps along the study's sweeps.",
     result=Sweeps,
     compute=compute,
+    reported=lambda study: NoOptions() if study.sweep_settings else None,
     check=check,
     parallel=True,
     kept=KEPT,

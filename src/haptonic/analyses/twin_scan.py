@@ -22,9 +22,7 @@ class TwinScanOptions:
     form: Literal["h5", "nc", "uff", "mat", "csv", "tdms"] = option(
         "h5", "Of the scan's file.", flag="--format"
     )
-    time: bool | None = option(
-        None, "Records, or responses; else what the format has.", flag="--time/--frf"
-    )
+    time: bool | None = option(None, "Records, or responses; else what the format has.", flag="--time/--frf")
     seed: int = option(0, "Of noise and dropouts.", least=0)
     response: Any = option(
         None, "The plate's response, instead of computing it.", read=response_in, flag="--from",

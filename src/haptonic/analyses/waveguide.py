@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from pydantic import ValidationError
 
 from haptonic.analyses.analysis import Analysis, option
-from haptonic.analyses.needs import need_carrier
+from haptonic.analyses.needs import has_mirror, need_carrier
 from haptonic.errors import StudyError
 from haptonic.results.guides import Guides, compute_guides
 from haptonic.results.runner import Runner
@@ -20,9 +20,7 @@ from haptonic.units import shown
 class WaveguideOptions:
     """What may be chosen."""
 
-    mode: str | None = option(
-        None, "Nodal lines across, intervals along; else the study's.", metavar="MxN"
-    )
+    mode: str | None = option(None, "Nodal lines across, intervals along; else the study's.", metavar="MxN")
 
 
 def asked(study: Description, options: WaveguideOptions) -> WaveguideSection:
@@ -67,6 +65,7 @@ ANALYSIS = Analysis(
     help="Width, length and frequency of a waveguide between two such mirrors.",
     result=Guides,
     compute=compute,
+    reported=lambda study: WaveguideOptions() if has_mirror(study) else None,
     options=WaveguideOptions,
     check=asked,
 )

@@ -200,7 +200,9 @@ def need_gap_at(gaps: Sequence[Gap], carrier: float) -> Gap:
     """
     gap, widest = gap_at(gaps, carrier), widest_gap(gaps)
     if gap is None:
-        nearest = f"; the widest is {widest.lower / 1e3:.2f} to {widest.upper / 1e3:.2f} kHz" if widest else ""
+        nearest = (
+            f"; the widest is {widest.lower / 1e3:.2f} to {widest.upper / 1e3:.2f} kHz" if widest else ""
+        )
         raise StudyError(
             argument="carrier",
             given=format_quantity(carrier, "Hz"),

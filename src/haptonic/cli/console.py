@@ -114,7 +114,8 @@ class Voice:
         While nothing is planned, only the time that has gone by moves.
         """
         columns = (
-            SpinnerColumn(), TextColumn("{task.description}", markup=False), BarColumn(), MofNCompleteColumn(),
+            SpinnerColumn(), TextColumn("{task.description}", markup=False), BarColumn(),
+            MofNCompleteColumn(),
             TextColumn("elapsed"), TimeElapsedColumn(), TextColumn("left"), TimeRemainingColumn(),
         )  # fmt: skip
         with Bar(*columns, console=self.err, transient=True) as bar:

@@ -1,15 +1,15 @@
-"""Commands made of the table of analyses when they are asked for, and texts of ``--help`` as they are written."""
+"""Commands made of the table of analyses when they are asked for; texts of ``--help`` as they are written."""
 
 from __future__ import annotations
 
 from typing import Any
 
-import click
 import typer
 from rich.markup import escape
 from typer.core import TyperArgument, TyperCommand, TyperGroup, TyperOption
 
-from haptonic.analyses import NAMES, analysis
+from haptonic import analyses
+from haptonic.analyses import analysis
 from haptonic.cli.running import command
 
 GROUPS = {"twin": "Simulate a measurement whose truth is known."}  # first words of names of two words
@@ -27,16 +27,14 @@ class Analyses(Worded):
     """The commands of the program; that of an analysis is made when it is asked for, as its module is loaded
     only then."""
 
-    names: tuple[str, ...] = NAMES
-
-    def list_commands(self, ctx: click.Context) -> list[str]:
-        first = (name.split()[0] for name in self.names)
+    def list_commands(self, ctx: Any) -> list[str]:
+        first = (name.split()[0] for name in analyses.NAMES)
         return list(dict.fromkeys([*first, *super().list_commands(ctx)]))
 
-    def get_command(self, ctx: click.Context, cmd_name: str) -> click.Command | None:
-        if cmd_name in self.names:
+    def get_command(self, ctx: Any, cmd_name: str) -> Any:
+        if cmd_name in analyses.NAMES:
             return made(cmd_name)
-        inner = [name for name in self.names if name.split()[0] == cmd_name]
+        inner = [name for name in analyses.NAMES if name.split()[0] == cmd_name]
         if not inner:
             return super().get_command(ctx, cmd_name)
         commands = {name.split()[1]: made(name) for name in inner}

@@ -61,7 +61,7 @@ def command(analysis: Analysis) -> Callable[..., None]:
 
 
 def parameters(analysis: Analysis) -> list[inspect.Parameter]:
-    """Of the command: what it takes by place, the study among it, then the options that the record declares."""
+    """Of the command: what it takes by place, the study among it, then the options of the record."""
     kinds = get_type_hints(analysis.options)
     placed: dict[str, list[inspect.Parameter]] = {"before": [], "behind": [], "option": []}
     for one in fields(analysis.options):
@@ -72,9 +72,7 @@ def parameters(analysis: Analysis) -> list[inspect.Parameter]:
         metavar = known.metavar or (one.name.upper() if known.place != "option" else None)
         words: dict[str, Any] = {"help": known.help, "metavar": metavar, "min": known.least}
         made = (
-            typer.Option(*known.flag.split(), **words)
-            if known.place == "option"
-            else typer.Argument(**words)
+            typer.Option(*known.flag.split(), **words) if known.place == "option" else typer.Argument(**words)
         )
         default = inspect.Parameter.empty if one.default is MISSING else one.default
         placed[known.place].append(
@@ -85,8 +83,8 @@ def parameters(analysis: Analysis) -> list[inspect.Parameter]:
     study: list[inspect.Parameter] = []
     if analysis.study != "none":
         needed = analysis.study == "needed"
-        words = "Study file (TOML)." if needed else "Study of the plate that was scanned."
-        argument: Any = typer.Argument(metavar="STUDY", help=words)
+        about = "Study file (TOML)." if needed else "Study of the plate that was scanned."
+        argument: Any = typer.Argument(metavar="STUDY", help=about)
         study = [
             inspect.Parameter(
                 "study_file", inspect.Parameter.KEYWORD_ONLY,

@@ -124,8 +124,8 @@ class Band:
         """Answer to drives at frequencies, Hz, each line with an error of at most ``tolerance``.
 
         If many lines of the reduced plate are not good enough, the basis gets further shifts, or all modes
-        below the band if it lacks them. Those that are left are answered directly; ``progress`` is called with
-        how many of these are done, and with their number.
+        below the band if it lacks them. Those that are left are answered directly; ``progress`` is called
+        with how many of these are done, and with their number.
 
         Returns
         -------
@@ -181,9 +181,7 @@ class Band:
         except ResourceError:
             return None
 
-    def _directly(
-        self, drives: Mapping[str, complex], omega: Array, progress: Progress
-    ) -> Vibration:
+    def _directly(self, drives: Mapping[str, complex], omega: Array, progress: Progress) -> Vibration:
         """The direct answer at some angular frequencies, rad/s."""
         model = self.reduced.model
         load = model.load(drives)[:, None]

@@ -65,7 +65,9 @@ class Bands(Result):
                 "everywhere (complete)" if gap.complete else f"{gap.direction} only",
                 Uncertain(gap.lower, gap.lower_error),
                 Uncertain(gap.upper, gap.upper_error),
-                Uncertain(gap.width, gap.lower_error + gap.upper_error, "" if gap.certain else " (uncertain)"),
+                Uncertain(
+                    gap.width, gap.lower_error + gap.upper_error, "" if gap.certain else " (uncertain)"
+                ),
                 gap.samples,
             )
             for gap in gaps
@@ -98,7 +100,10 @@ class Bands(Result):
                 f"{name}_hz": [f"{getattr(gap, name):.3f}" for gap in self.gaps]
                 for name in ("lower", "upper", "lower_error", "upper_error")
             },
-            **{name: [getattr(gap, name) for gap in self.gaps] for name in ("complete", "direction", "samples")},
+            **{
+                name: [getattr(gap, name) for gap in self.gaps]
+                for name in ("complete", "direction", "samples")
+            },
         }
         pd.DataFrame(columns).to_csv(path, index=False)
 
@@ -109,6 +114,9 @@ class Bands(Result):
     @property
     def _counts(self) -> dict[str, int]:
         return {name: int(self.dataset.attrs[f"counts_{name}"]) for name in ("checked", "missed")}
+
+    def facts(self) -> dict[str, Any]:
+        return self.to_json() | {"modes": mode_names(self.dataset)}
 
     def to_json(self) -> dict[str, Any]:
         data = self.dataset
@@ -135,6 +143,14 @@ class Bands(Result):
             "inputs": json.loads(data.attrs["inputs"]),
             "version": data.attrs["haptonic_version"],
         }
+
+
+def mode_names(data: xr.Dataset) -> list[str]:
+    """Names of the modes at the one wavevector where they are known, in order of frequency."""
+    if "mode_name" not in data:
+        return []
+    names = json.loads(data.attrs["character_names"])
+    return [names[int(number)] for number in data["mode_name"].values]
 
 
 def counted(checked: int, missed: int) -> str:

@@ -19,7 +19,6 @@ from haptonic.names import variable
 from haptonic.paths import inside
 from haptonic.store import draft_for, fingerprint, refuse_overwrite, write_atomically
 
-
 Writer = Callable[[Path], object]
 
 

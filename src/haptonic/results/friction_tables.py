@@ -23,8 +23,8 @@ Row = TypeVar("Row", Condition, Test)
 
 def told(result: FrictionResult) -> list[str]:
     """What may be concluded, then reductions and what reaches the idle waveguide, then what to know of it."""
-    found, said = result.found, []
-    said += found.conclusions
+    found = result.found
+    said = list(found.conclusions)
     for guide, one in found.reductions.items():
         note = f" ({one.note})" if one.note else ", 95 % interval" * math.isfinite(one.low)
         said.append(f"{guide}: {change(one.value, one.low, one.high, digits=1)}{note}.")
@@ -38,7 +38,9 @@ def told(result: FrictionResult) -> list[str]:
             f"90 % interval {same.low:.1%} to {same.high:.1%}; one-sided test against the "
             f"{WEBER_FRACTION:.0%} that people feel: p = {same.p_above:.2g}"
         )
-        said.append(f"{same.waveguide}, idle: reduction {same.mean:.1%} as the mean of participants; {proof}.")
+        said.append(
+            f"{same.waveguide}, idle: reduction {same.mean:.1%} as the mean of participants; {proof}."
+        )
     if found.equivalences:
         said.append(averages())
     if found.drift:
@@ -62,9 +64,7 @@ def excluded_table(result: FrictionResult) -> Table:
         first = " ".join(f"{name} {trials[name].values[row]}" for name in ("participant", "block", "trial"))
         detail = str(trials["detail"].values[row])
         rows.append((reason, str(count), f"{first}: {detail}" if detail else first))
-    return Table(
-        f"{total} trials, {left_out} of them left out", ("reason", "trials", "the first"), rows
-    )
+    return Table(f"{total} trials, {left_out} of them left out", ("reason", "trials", "the first"), rows)
 
 
 def conditions_table(result: FrictionResult) -> Table:

@@ -176,7 +176,14 @@ def _fit(
         scan.dataset.attrs["quantity"] == "velocity", unit_drives(plate), coherence,
     )  # fmt: skip
     small = SmallModel.of(
-        plate, question.unknowns, data.frequency, data.points, data.drives, question.tolerance, fineness, progress
+        plate,
+        question.unknowns,
+        data.frequency,
+        data.points,
+        data.drives,
+        question.tolerance,
+        fineness,
+        progress,
     )
     return fitted(small, data, progress)
 

@@ -93,9 +93,7 @@ class Layers(Result):
         """Hz."""
         return float(self.dataset.attrs["carrier_hz"])
 
-    @figure(
-        "layers", "Simulated energy that rows of cells let through between two plain plates."
-    )
+    @figure("layers", "Simulated energy that rows of cells let through between two plain plates.")
     def _layers(self) -> Figure:
         return plots.layers(self.dataset)
 
@@ -110,7 +108,8 @@ class Layers(Result):
     def summary(self) -> list[str]:
         decay, rows = float(self.dataset.attrs["carrier_attenuation_db"]), self.dataset.sizes["rows"]
         passed = [
-            f"incident {family}: {rows} rows let {-self.insulation(family)[rows - 1]:.0f} dB through at the carrier"
+            f"incident {family}: {rows} rows let "
+            f"{-self.insulation(family)[rows - 1]:.0f} dB through at the carrier"
             for family in self.families
         ]
         return [
@@ -137,7 +136,10 @@ class Layers(Result):
             Table(
                 "rows needed: from which on less energy than so many dB below the incident wave passes",
                 ("incident", *goals),
-                [(family, *(str(n) if n else many for n in found.values())) for family, found in needed.items()],
+                [
+                    (family, *(str(n) if n else many for n in found.values()))
+                    for family, found in needed.items()
+                ],
             ),
         ]
 

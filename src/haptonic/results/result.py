@@ -13,7 +13,7 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from fnmatch import fnmatchcase
 from functools import partial
-from pathlib import Path, PurePosixPath
+from pathlib import Path
 from typing import TYPE_CHECKING, Any, ClassVar
 
 from haptonic import plots
@@ -132,10 +132,14 @@ class Result:
         """Plain values for machines."""
         raise NotImplementedError
 
+    def facts(self) -> dict[str, Any]:
+        """What reference values may be compared with: the JSON, and what else is told by name."""
+        return self.to_json()
+
     @property
     def figures(self) -> Figures:
         """Pictures by name, drawn when asked for."""
-        drawers, captions = {}, {}
+        drawers, captions = dict[str, Callable[[], Any]](), dict[str, str]()
         for part in self._pictures:
             found = part.of(self)
             drawers |= found

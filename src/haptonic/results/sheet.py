@@ -41,4 +41,3 @@ def sheet(plan: Plan) -> str:
         pause=format_quantity(task.pause, "s", prefer="s"),
         version=version("haptonic"),
     )
-

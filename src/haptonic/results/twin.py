@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Callable
 from dataclasses import dataclass
 from functools import partial
 from importlib.metadata import version
@@ -145,7 +144,6 @@ class FrictionTwin(Result):
         )
         write_atomically(draft / NAME, listed)
 
-
     def summary(self) -> list[str]:
         return ["Simulated: nobody stroked anything. The truth is in truth.json."]
 
@@ -156,7 +154,11 @@ class FrictionTwin(Result):
             (name, row["friction"], *(row["reduction"][guide] for guide in guides))
             for name, row in {"population": truth["population"], **truth["participants"]}.items()
         ]
-        columns = (Column("who"), Column("friction", form=".3f"), *(Column(g, "", "%", ".1f") for g in guides))
+        columns = (
+            Column("who"),
+            Column("friction", form=".3f"),
+            *(Column(g, "", "%", ".1f") for g in guides),
+        )
         return [Table("true reductions (simulated)", columns, rows)]
 
     def located(self, folder: Path) -> dict[str, Any]:

@@ -110,9 +110,7 @@ class Verdict(Result):
             pair: {labels[name]: level for name, level in levels.items()}
             for pair, levels in self.contrasts().items()
         }
-        return plots.before_after(
-            self.measured.frequency, spectra, contrasts, units=self.measured.units
-        )
+        return plots.before_after(self.measured.frequency, spectra, contrasts, units=self.measured.units)
 
     @figure("frac", "Agreement of measurement and model at every point.")
     def _frac(self) -> Figure:
@@ -148,8 +146,8 @@ class Verdict(Result):
             kind = "look independent" if fit.told.independent else "are alike at neighbouring points or lines"
             said.append(
                 f"Residuals {kind}: {fit.told.data} numbers count as {fit.told.effective:.0f}. The response "
-                f"of the fit is {self.recomputed:.1e} off the plate computed anew. {len(fit.left_out)} points "
-                "of strange residuals were left out."
+                f"of the fit is {self.recomputed:.1e} off the plate computed anew. {len(fit.left_out)} "
+                "points of strange residuals were left out."
             )
         if self.left_out:
             said.append(f"{self.left_out} points do not lie on the plate and were left out.")

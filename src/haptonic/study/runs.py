@@ -6,7 +6,8 @@ from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from haptonic.analyses import NAMES, analysis
+from haptonic import analyses
+from haptonic.analyses import analysis
 from haptonic.progress import Progress, silent
 from haptonic.results.result import Result
 from haptonic.results.runner import Runner
@@ -53,12 +54,12 @@ class Study(Description):
     if not TYPE_CHECKING:  # a checker is to know no method that is not there
 
         def __getattr__(self, name: str) -> Any:
-            if name.replace("_", " ") in NAMES:
+            if name.replace("_", " ") in analyses.NAMES:
                 return partial(self.run, name.replace("_", " "))
             return super().__getattr__(name)
 
     def __dir__(self) -> list[str]:
-        return [*super().__dir__(), *(name.replace(" ", "_") for name in NAMES)]
+        return [*super().__dir__(), *(name.replace(" ", "_") for name in analyses.NAMES)]
 
 
 def load(path: str | Path) -> Study:

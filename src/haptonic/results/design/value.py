@@ -101,6 +101,7 @@ class Design(Result):
 
     @figure("front", "The widest gap against the pitch.", when=_has_front)
     def _front(self) -> Figure:
+        assert self.front is not None
         return plots.front(self.front)
 
     @file("front.nc", when=_has_front)

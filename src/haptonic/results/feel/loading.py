@@ -90,7 +90,9 @@ def compute_loaded(
     )  # fmt: skip
     found = store.get(key)
     if found is None:
-        found = stamped(_computed(alone, pad, carrier, at, edges, grid, tolerance, fineness, progress), inputs)
+        found = stamped(
+            _computed(alone, pad, carrier, at, edges, grid, tolerance, fineness, progress), inputs
+        )
         store.put(key, found)
     return found
 

@@ -284,7 +284,8 @@ class Feel(Result):
         marked = [name for name, one in self.skin.assumptions().items() if one["mark"] == "assumed"]
         said.append(
             f"Assumed, not measured: {', '.join(name.replace('_', ' ') for name in marked)}, damping of the "
-            "finger. Values by load sharing; intervals over both models and all plausible parameters. Simulated."
+            "finger. Values by load sharing; intervals over both models and all plausible parameters. "
+            "Simulated."
         )
         return said
 
@@ -312,7 +313,8 @@ class Feel(Result):
             for name in self.regions
         ]
         felt = Table(
-            f"below a finger of {self.touch.force:g} N at {self.frequency / 1e3:.2f} kHz and {drive}, simulated",
+            f"below a finger of {self.touch.force:g} N at {self.frequency / 1e3:.2f} kHz and {drive}, "
+            "simulated",
             ("region", *amplitude, "reduction", "noticed from"),
             rows,
         )

@@ -58,7 +58,7 @@ def modes_table(result: PlateResult) -> Table:
     modes = result.modes
     regions = modes["region"].values.tolist()
     regions += [f"patch {name}" for name in modes["actuator"].values.tolist()]
-    columns = [
+    columns: list[Column | str] = [
         Column("frequency", "Hz", "kHz", ".3f"), Column("solver's error", form=".0e"), "name",
         Column("Q", form=".0f"), Column("rise", "s", "ms", ".2f"),
         *(Column(name, "", "%", ".1f") for name in regions),

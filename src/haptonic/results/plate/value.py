@@ -114,9 +114,7 @@ class PlateResult(Result):
     @figure("contrast", "Simulated contrast of the driven region.", when=_compares)
     def _contrast(self) -> Figure:
         curves = {name: level.values for name, level in self.contrasts(self.response).items()}
-        return plots.contrast_spectrum(
-            self.response.frequency, curves, self._gap_edges, origin=self._origin
-        )
+        return plots.contrast_spectrum(self.response.frequency, curves, self._gap_edges, origin=self._origin)
 
     @figure("impedance-*", "Simulated electrical impedance of an actuator.", when=_has_spectrum)
     def _impedances(self) -> dict[str, Callable[[], Figure]]:
@@ -151,7 +149,9 @@ class PlateResult(Result):
     def summary(self) -> list[str]:
         line = self.told(self.marked.at(self.resonance))
         levels = "; ".join(f"{name} by {level:.1f} dB" for name, level in line["contrast_db"].items())
-        said = [f"At {line['frequency_hz'] / 1e3:.3f} kHz {self.driven} vibrates more: {levels}."] * bool(levels)
+        said = [f"At {line['frequency_hz'] / 1e3:.3f} kHz {self.driven} vibrates more: {levels}."] * bool(
+            levels
+        )
         return [
             *said,
             f"Largest solver's error of the field at any line: {float(self.lines['error'].max()):.1e} "
@@ -207,6 +207,20 @@ class PlateResult(Result):
     def map_lines(self) -> list[FrequencyResponse]:
         """The response at each frequency of the maps."""
         return [self.marked.at(float(f)) for f in self.marked.frequency]
+
+    def facts(self) -> dict[str, Any]:
+        return self.to_json() | {"guide_modes": self._guide_modes()}
+
+    def _guide_modes(self) -> dict[str, dict[str, float]]:
+        """By region and name, the frequency (Hz) of the mode with most of its energy there."""
+        modes, found = self.modes, dict[str, dict[str, float]]()
+        names, frequency = modes["name"].values.tolist(), modes["mode_frequency"].values
+        for region in self.plate.layout.regions:
+            share = modes["stored"].sel(region=region).values
+            best = {name: max((k for k, n in enumerate(names) if n == name), key=share.__getitem__)
+                    for name in names if name}  # fmt: skip
+            found[region] = {name: float(frequency[k]) for name, k in best.items()}
+        return found
 
     def to_json(self) -> dict[str, Any]:
         """Plain values for machines."""

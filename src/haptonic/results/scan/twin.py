@@ -18,9 +18,9 @@ from haptonic.bloch import Gap
 from haptonic.errors import HaptonicError, ScanError
 from haptonic.plate import Plate
 from haptonic.response import FrequencyResponse, write
+from haptonic.results.common import Writer
 from haptonic.results.plate.question import driven_region
 from haptonic.results.plate.value import contrasts
-from haptonic.results.common import Writer
 from haptonic.results.result import Result
 from haptonic.results.scan.analysis import contrast_range
 from haptonic.results.scan.question import ScanQuestion

@@ -19,8 +19,8 @@ from haptonic.bloch import Gap
 from haptonic.names import cell, file_parts
 from haptonic.plate import Plate
 from haptonic.plate.layout import Layout
-from haptonic.response import FrequencyResponse, write
 from haptonic.progress import Progress, silent
+from haptonic.response import FrequencyResponse, write
 from haptonic.results.common import write_netcdf
 from haptonic.results.result import Result, figure, file
 from haptonic.results.scan.computed import guided
@@ -176,6 +176,7 @@ class ScanResult(Result):
 
     @figure("decay", "Decay into the lattice.", when=_has("decay"))
     def _decay(self) -> Figure:
+        assert self.decay is not None
         return plots.fading(self.decay, self._fading, self._edges, origin=self.origin)
 
     @file("response.nc")
@@ -222,7 +223,9 @@ class ScanResult(Result):
                 f"{x:.3f} and {y:.3f} mm; misfit {found.misfit * 1e3:.3f} mm."
             )
         if self.lattice is not None:
-            computed = f"; computed {self.gap.lower / 1e3:.2f} to {self.gap.upper / 1e3:.2f} kHz" if self.gap else ""
+            computed = (
+                f"; computed {self.gap.lower / 1e3:.2f} to {self.gap.upper / 1e3:.2f} kHz" if self.gap else ""
+            )
             lower, upper = (edge or "not determined" for edge in (self.lattice.lower, self.lattice.upper))
             said.append(f"Gap in the scan: lower edge {lower}, upper edge {upper}{computed}.")
             said += [f"  {text}" for text in self.lattice.reasons]
@@ -284,7 +287,9 @@ class ScanResult(Result):
             "frequency_hz": float(line["frequency"]),
             "rms_of_all": float(line["average"]),
             "rms": {name: _finite(value) for name, value in by_name(line, "rms", "region").items()},
-            "contrast_db": {name: _finite(value) for name, value in by_name(line, "contrast", "pair").items()},
+            "contrast_db": {
+                name: _finite(value) for name, value in by_name(line, "contrast", "pair").items()
+            },
         }
         if "decay" in line:
             decay = {name: float(line[name]) for name in ("decay", "low", "high")}

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import hashlib
 from collections import deque
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from concurrent.futures import Future, ThreadPoolExecutor
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -44,7 +44,6 @@ __all__ = ["Estimate", "Quality", "estimate", "repaired", "window_of"]
 
 WORKING_MEMORY = 192e6  # bytes that the transforms of a portion would take, all at once
 EXCITED = 1e-8  # of the largest power of the drive, below which a line counts as not driven
-
 
 
 @dataclass(frozen=True, eq=False)
