@@ -68,6 +68,10 @@ class FrictionError(HaptonicError):
     """Trials, or the numbers of a model of friction, cannot be used."""
 
 
+class ChannelError(HaptonicError):
+    """A file of signals, or a channel in it, cannot be used."""
+
+
 class ScanError(HaptonicError):
     """A scan file, or what it holds, cannot be used."""
 

@@ -67,7 +67,7 @@ _NAME = r"[A-Za-zµ][A-Za-z0-9_µ]*(?:(?:\^|\*\*)-?[1-9])?"
 _QUANTITY = re.compile(rf"\s*{_NUMBER}\s*(?P<unit>{_NAME}(?:(?:\s*[*/]\s*|\s+){_NAME})*)?\s*")
 _NOT_FINITE = re.compile(r"\s*[+-]?(nan|inf|infinity)\b", re.IGNORECASE)
 _MU = "\u03bc"  # the Greek letter; prefixes are written with the micro sign, and people type either
-_TYPOGRAPHIC = str.maketrans({_MU: "µ", "·": "*", "²": "^2", "³": "^3"})
+TYPOGRAPHIC = str.maketrans({_MU: "µ", "·": "*", "\u00d7": "*", "²": "^2", "³": "^3"})
 
 
 @cache
@@ -199,7 +199,7 @@ def _split(text: str, refused: Callable[[str], HaptonicError]) -> tuple[Fraction
         raise refused(f"the text is {len(text)} characters long; a quantity needs at most {LONGEST_TEXT}")
     if _NOT_FINITE.match(text):
         raise refused("it is not a finite number")
-    match = _QUANTITY.fullmatch(text.translate(_TYPOGRAPHIC))
+    match = _QUANTITY.fullmatch(text.translate(TYPOGRAPHIC))
     if match is None:
         raise refused(_why_not_a_quantity(text))
     if abs(int(match["exponent"] or 0)) > LARGEST_EXPONENT:

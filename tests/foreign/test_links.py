@@ -7,8 +7,8 @@ import numpy as np
 import pandas as pd
 import pytest
 
+from haptonic.channels import opened
 from haptonic.errors import HaptonicError
-from haptonic.friction.recordings.files import opened
 from haptonic.friction.signals.tables import read_columns
 from haptonic.response import FrequencyResponse, Reference, read, write
 from haptonic.vibrometry import InMemory, TimeScan, read_scan, write_records
@@ -106,8 +106,7 @@ def test_recordings_and_tables_of_friction(tmp_path, stolen):
         file["Fz"] = np.zeros(6)
         file.attrs["rate"] = 1e3
     stolen(path, "Fy")
-    with opened(path) as channels_in:
-        assert list(channels_in("").readers) == ["Fz"]
+    assert list(opened(path).group("").signals) == ["Fz"]
     assert list(read_columns(path, ["Fz"])) == ["Fz"]
 
 
@@ -116,8 +115,7 @@ def test_a_group_that_holds_itself(tmp_path):
         file["Fz"] = np.zeros(6)
         file.attrs["rate"] = 1e3
         file.create_group("g")["g"] = file["/"]
-    with opened(tmp_path / "a.h5") as channels_in:
-        assert list(channels_in("").readers) == ["Fz"]
+    assert list(opened(tmp_path / "a.h5").group("").signals) == ["Fz"]
 
 
 def test_tables_keep_their_columns(tmp_path):
@@ -138,5 +136,4 @@ def test_a_type_that_numpy_has_not_is_no_reason_to_refuse_the_rest(tmp_path):
             kind, place = h5py.h5t.UNIX_D32LE, h5py.h5s.create_simple((6,))
             h5py.h5d.create(file.id, b"when", kind, place)
             h5py.h5a.create(file.id, b"since", kind, h5py.h5s.create(h5py.h5s.SCALAR))
-        with opened(tmp_path / name) as channels_in:
-            assert set(channels_in("").readers) == {"Fz"}
+        assert set(opened(tmp_path / name).group("").signals) == {"Fz"}

@@ -11,8 +11,8 @@ import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
-from haptonic.errors import FrictionError, HaptonicError
-from haptonic.friction.recordings.files import opened
+from haptonic.channels import opened
+from haptonic.errors import ChannelError, FrictionError, HaptonicError
 from haptonic.friction.recordings.trial_table import TrialTable
 from haptonic.vibrometry import read_scan
 
@@ -123,5 +123,5 @@ def test_times_of_a_trial(tmp_path, column, given_time):
 def test_names_of_recordings(tmp_path, name, times):
     """The table of trials of others names whatever it likes, also what no system takes for a name."""
     name = name * times
-    with pytest.raises(FrictionError), opened(tmp_path / (name + ".csv").replace("/", "_")):
-        pass
+    with pytest.raises(ChannelError):
+        opened(tmp_path / (name + ".csv").replace("/", "_"))

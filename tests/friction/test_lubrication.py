@@ -10,7 +10,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from scipy.optimize import brentq
 
-from haptonic.errors import FrictionError
+from five_parts import refused
 from haptonic.friction.lubrication import (
     Finger,
     Margin,
@@ -259,15 +259,6 @@ class TestPerception:
         assert margin.stopped == pytest.approx(0.8)
         assert not Margin(0.55, 0.111).localised
         assert not Margin(0.1, 0.05).localised
-
-
-def refused(call, *words):
-    with pytest.raises(FrictionError) as caught:
-        call()
-    parts = caught.value.parts()
-    assert all(parts.values()), parts
-    for word in words:
-        assert word in str(caught.value), (word, str(caught.value))
 
 
 @pytest.mark.parametrize(

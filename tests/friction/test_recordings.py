@@ -4,8 +4,8 @@ import h5py
 import numpy as np
 import pandas as pd
 import pytest
-from test_lubrication import refused
 
+from five_parts import refused
 from haptonic.errors import ResourceError
 from haptonic.friction.recordings import Exclusion, Sensor, analysed, read_calibration, traces
 from haptonic.friction.signals import Record, Rules, exclusions, measure, measured

@@ -6,8 +6,8 @@ import pandas as pd
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from test_lubrication import refused
 
+from five_parts import refused
 from haptonic.errors import ResourceError
 from haptonic.friction.protocol import Protocol
 from haptonic.friction.signals import (

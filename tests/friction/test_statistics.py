@@ -11,8 +11,8 @@ from hypothesis import strategies as st
 from scipy import stats
 from statsmodels.stats.power import TTestPower
 from statsmodels.stats.weightstats import ttost_paired
-from test_lubrication import refused
 
+from five_parts import refused
 from haptonic.friction.lubrication import WEBER_FRACTION
 from haptonic.friction.statistics import (
     Pairs,

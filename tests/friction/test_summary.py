@@ -6,9 +6,9 @@ import numpy as np
 import pytest
 import xarray as xr
 from statsmodels.stats.multitest import multipletests
-from test_lubrication import refused
 from test_statistics import drawn
 
+from five_parts import refused
 from haptonic.friction.protocol import Protocol
 from haptonic.friction.statistics import Test, by_each, compared, corrected, paired
 from haptonic.friction.statistics.sizes import effect_sizes

@@ -6,8 +6,8 @@ from dataclasses import replace
 import numpy as np
 import pytest
 import xarray as xr
-from test_lubrication import refused
 
+from five_parts import refused
 from haptonic.friction.protocol import Protocol, imbalance
 from haptonic.friction.signals import Label, exclusions, measure, measured
 from haptonic.friction.statistics import by_participants, by_trials, drift, paired, reduction, stopped

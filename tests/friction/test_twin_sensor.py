@@ -10,8 +10,9 @@ import pytest
 import scipy.io
 import scipy.io.wavfile
 from nptdms import TdmsFile
-from test_lubrication import refused
 
+from five_parts import refused
+from haptonic.channels import opened
 from haptonic.friction.lubrication import Finger, Touch, amplitude_for, shared_friction
 from haptonic.friction.metronome import END, RATE, START, clicks, write_wav
 from haptonic.friction.protocol import Protocol
@@ -201,3 +202,12 @@ class TestMetronome:
             spectrum = np.abs(np.fft.rfft(track[onset : onset + 800], 16_000))
             assert np.argmax(spectrum) == pytest.approx((START, END)[number % 2], abs=15)
         assert np.abs(track).max() < 2**15 - 1
+
+
+@pytest.mark.parametrize("kind", WRITERS)
+def test_its_files_are_read_and_say_that_they_are_simulated(tmp_path, kind):
+    samples = np.arange(12.0)
+    WRITERS[kind]({"time": samples / 1000, "Fz": samples, "position": -samples}, tmp_path / f"a.{kind}")
+    group = opened(tmp_path / f"a.{kind}").group("")
+    assert group.simulated
+    assert group["Fz"] == pytest.approx(samples)

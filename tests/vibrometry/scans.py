@@ -22,13 +22,6 @@ def noise(*shape: int, seed: int = 3):
 VALUES = noise(8, 12)
 
 
-def assert_five_parts(error, *words: str) -> None:
-    parts = error.parts()
-    assert all(parts.values()), parts
-    for word in words:
-        assert word in str(error), (word, str(error))
-
-
 def response(**changes) -> FrequencyResponse:
     keywords = {"frequency": LINES, "x": X, "y": Y, "reference": "A1, V", "origin": "measured"} | changes
     values = keywords.pop("response", VALUES[..., None])

@@ -10,8 +10,8 @@ import pytest
 import scipy.io.wavfile
 from hypothesis import given
 from hypothesis import strategies as st
-from scans import assert_five_parts
 
+from five_parts import assert_told
 from haptonic.errors import HaptonicWarning, ScanError
 from haptonic.vibrometry import Disc, Rectangle, drive, drive_notes, scan_plan, write_drive
 
@@ -98,7 +98,7 @@ def test_the_band_stays_within_what_was_asked(low, ratio, samples):
 def test_signals_that_cannot_be(change, words):
     with pytest.raises(ScanError) as caught:
         drive(**USUAL | change)
-    assert_five_parts(caught.value, *words)
+    assert_told(caught.value, *words)
 
 
 class TestFiles:
@@ -195,7 +195,7 @@ class TestPlan:
     def test_refused(self, area, step, excluded, words):
         with pytest.raises(ScanError) as caught:
             scan_plan(area, step, excluded)
-        assert_five_parts(caught.value, *words)
+        assert_told(caught.value, *words)
 
 
 def test_a_disc_has_its_rim_and_nothing_beyond():

@@ -7,10 +7,10 @@ import pytest
 import xarray as xr
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from scans import assert_five_parts
 from test_estimation import LINES as HALVES
 from test_estimation import recorded
 
+from five_parts import assert_told
 from haptonic.errors import ScanError
 from haptonic.gate import passed
 from haptonic.response import FrequencyResponse, Reference
@@ -133,12 +133,12 @@ class TestEdges:
         two = LatticeRows(Rectangle(14e-3, 0.0, 2 * PITCH, CELLS * PITCH), "x", 14e-3, 1, PITCH, PITCH, 2)
         with pytest.raises(ScanError) as caught:
             fading(field(whole), [two])
-        assert_five_parts(caught.value, "fewer than three rows")
+        assert_told(caught.value, "fewer than three rows")
         plain = field(whole)
         holes = np.flatnonzero((np.arange(len(X)) % 7 != 3) | (X > 0.05))
         with pytest.raises(ScanError) as caught:
             fading(FrequencyResponse(plain.dataset.isel(point=holes)), [STRIP])
-        assert_five_parts(caught.value, "without a missing point")
+        assert_told(caught.value, "without a missing point")
 
 
 def noisy(level, repeats=6, points=400, seed=2):

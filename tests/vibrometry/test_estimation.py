@@ -10,8 +10,9 @@ import pytest
 import scipy.signal
 from hypothesis import given
 from hypothesis import strategies as st
-from scans import X, Y, assert_five_parts
+from scans import X, Y
 
+from five_parts import assert_told
 from haptonic.errors import ScanError
 from haptonic.response import Reference
 from haptonic.vibrometry import InMemory, TimeScan, estimate
@@ -307,7 +308,7 @@ class TestQuality:
         few = estimate(recorded(drive, np.clip(moved, -1e-3, 1e-3)), band=(19e3, 21e3))
         with pytest.raises(ScanError) as caught:
             few.repaired("saturated")
-        assert_five_parts(caught.value, "at least 4")
+        assert_told(caught.value, "at least 4")
 
 
 class TestStream:
@@ -346,7 +347,7 @@ class TestStream:
         assert found.quality.flags == whole.quality.flags
         with pytest.raises(ScanError) as caught:
             estimate(recorded(drive, moved), band=(2e3, 50e3), state=tmp_path / "state")
-        assert_five_parts(caught.value, "other settings")
+        assert_told(caught.value, "other settings")
         with pytest.raises(ScanError, match="another scan"):
             estimate(recorded(drive, 2 * moved), band=(1e3, 50e3), state=tmp_path / "state")
 
@@ -391,7 +392,7 @@ class TestStream:
 def test_settings_that_do_not_fit(settings, words):
     with pytest.raises(ScanError) as caught:
         estimate(recorded(*periodic()), **settings)
-    assert_five_parts(caught.value, *words)
+    assert_told(caught.value, *words)
 
 
 def test_no_drive_at_all():

@@ -9,18 +9,19 @@ import numpy as np
 import pytest
 import pyuff
 import scipy.io
-from scans import VALUES, X, Y, assert_five_parts, nodes, response, uff, units
+from scans import VALUES, X, Y, nodes, response, uff, units
 
 import haptonic
 import haptonic.foreign.process as process
+from five_parts import assert_told
+from haptonic.channels import Notebook, matlab
+from haptonic.channels.uff import READERS
 from haptonic.errors import ResourceError
 from haptonic.response import Reference
 from haptonic.vibrometry import InMemory, TimeScan, estimate, read_scan, write_records, write_uff_records
 from haptonic.vibrometry import records as module
 from haptonic.vibrometry.exports import csv_files, write_mat, write_mat_records, write_tdms
-from haptonic.vibrometry.readers import matlab
-from haptonic.vibrometry.readers.stored import Stored
-from haptonic.vibrometry.readers.uff import READERS
+from haptonic.vibrometry.readers.tables import Mapped, scan_of, table_of
 
 CHANCE = np.random.default_rng(8)
 MOVED = CHANCE.normal(size=(12, 3, 40))
@@ -68,12 +69,18 @@ def test_records_come_back_from_tdms(tmp_path, monkeypatch, shared):
     assert same.values == pytest.approx(estimate(records(shared)).response.values, rel=1e-4)
 
 
-def test_large_records_of_matlab_stay_in_the_file(tmp_path, monkeypatch):
+def test_large_records_of_matlab_stay_in_the_file(tmp_path):
     write_mat_records(records(False), tmp_path / "a.mat")
-    monkeypatch.setattr(matlab, "LARGE", 1000)
-    found = read_scan(tmp_path / "a.mat", unit="m/s").records
-    parts = [found.source.response, found.source.reference]
-    assert all(isinstance(part, Stored) for part in parts)
+
+    def read():
+        notes = Notebook(tmp_path / "a.mat", "MATLAB")
+        how = Mapped({}, "m/s", 1.0, Reference())
+        every = matlab.read(notes.path, notes, large=1000)[""].channels
+        return scan_of(table_of(every, how, notes), how, notes, "measured", "")
+
+    found = read()
+    assert found.source.response.streamed
+    assert found.source.reference.streamed
     streamed = [piece for _, _, piece in found.chunks(5)]
     assert np.concatenate(streamed) == pytest.approx(1e-3 * MOVED, rel=1e-6)
     # the other way round, with the samples first, it is read whole
@@ -82,7 +89,8 @@ def test_large_records_of_matlab_stay_in_the_file(tmp_path, monkeypatch):
         for name, values in turned.items():
             del file[name]
             file[name] = values
-    again = read_scan(tmp_path / "a.mat", unit="m/s").records
+    again = read()
+    assert not again.source.response.streamed
     assert again.source.load(4, 6)[1][:, 0] == pytest.approx(1e-3 * MOVED[4:6, 0], rel=1e-6)
 
 
@@ -138,7 +146,7 @@ class TestNoFaultOfTheFile:
         monkeypatch.setattr(Path, "open", raising(PermissionError))
         with pytest.raises(ResourceError) as caught:
             read_scan(path)
-        assert_five_parts(caught.value, "you may not read it")
+        assert_told(caught.value, "you may not read it")
 
     @pytest.mark.parametrize("form", ["mat", "h5", "uff"])
     def test_too_little_memory(self, tmp_path, monkeypatch, form):
@@ -158,7 +166,7 @@ class TestNoFaultOfTheFile:
             monkeypatch.setitem(READERS, 2411, hiding(MemoryError))
         with pytest.raises(ResourceError) as caught:
             read_scan(path)
-        assert_five_parts(caught.value, "does not fit into memory")
+        assert_told(caught.value, "does not fit into memory")
 
     def test_records_that_announce_more_than_there_is(self, tmp_path):
         path = self.written(tmp_path, "h5")
@@ -170,7 +178,7 @@ class TestNoFaultOfTheFile:
         for use in (lambda: next(scan.chunks(1)), lambda: estimate(scan)):
             with pytest.raises(ResourceError) as caught:
                 use()
-            assert_five_parts(caught.value, "announces more")
+            assert_told(caught.value, "announces more")
 
     def test_an_interrupt_is_not_swallowed_by_pyuff(self, tmp_path, monkeypatch):
         path = self.written(tmp_path, "uff")

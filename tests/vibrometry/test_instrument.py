@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from scans import assert_five_parts
 
+from five_parts import assert_told
 from haptonic.errors import ScanError
 from haptonic.response import FrequencyResponse
 from haptonic.vibrometry import drive, estimate
@@ -86,4 +86,4 @@ def test_what_goes_wrong_is_flagged():
 def test_a_response_at_other_lines_is_refused():
     with pytest.raises(ScanError) as caught:
         recorded(resonant().between(6e3, 20e3), SIGNAL, Instrument(), averages=1, seed=0)
-    assert_five_parts(caught.value, "76 lines from 5000 to 20000 Hz")
+    assert_told(caught.value, "76 lines from 5000 to 20000 Hz")

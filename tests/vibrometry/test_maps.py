@@ -9,9 +9,9 @@ import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
-from scans import assert_five_parts
 from scipy.stats import linregress
 
+from five_parts import assert_told
 from haptonic.errors import HaptonicWarning, ResponseError, ScanError
 from haptonic.response import FrequencyResponse
 from haptonic.vibrometry import (
@@ -109,7 +109,7 @@ class TestRegistration:
         fit = register_by_corners(moved(CORNERS, 1.0, 0.2, [0, 0]), CORNERS)
         with pytest.raises(ScanError) as caught:
             fit.registered(response)
-        assert_five_parts(caught.value, "11.46 deg")
+        assert_told(caught.value, "11.46 deg")
 
     @pytest.mark.parametrize(
         ("scan", "plate"),
@@ -124,7 +124,7 @@ class TestRegistration:
     def test_bad_corners(self, scan, plate):
         with pytest.raises(ScanError) as caught:
             register_by_corners(scan, plate)
-        assert_five_parts(caught.value, "registration")
+        assert_told(caught.value, "registration")
 
     def test_bad_fits(self):
         line = np.column_stack([np.arange(9.0), np.arange(9.0)])
@@ -170,7 +170,7 @@ class TestGap:
     def test_a_gap_that_is_not_there(self):
         with pytest.raises(ScanError) as caught:
             measured_gap(gapped(depth=2.0), "WG1", "lattice")
-        assert_five_parts(caught.value, "6 dB")
+        assert_told(caught.value, "6 dB")
 
     def test_a_gap_that_ends_outside_of_the_range(self):
         found = measured_gap(gapped(lower=70e3, upper=90e3), "WG1", "lattice")
@@ -181,7 +181,7 @@ class TestGap:
         for bad in ({"smoothing": -1.0}, {"smoothing": np.nan}, {"resamples": 1}):
             with pytest.raises(ScanError) as caught:
                 measured_gap(gapped(), "WG1", "lattice", **bad)
-            assert_five_parts(caught.value)
+            assert_told(caught.value)
         with pytest.raises(ResponseError):
             measured_gap(gapped(), "WG1", "lattic")
         with pytest.raises(ScanError, match="5 lines"):
@@ -241,7 +241,7 @@ class TestWaves:
         with pytest.raises(ScanError) as caught:
             # a column without a point at all is no hole of the rows when the place is not known
             wavenumber_map(response, "WG1", "x")
-        assert_five_parts(caught.value, "0 rows")
+        assert_told(caught.value, "0 rows")
         with pytest.raises(ScanError, match="5 points along y"):
             wavenumber_map(self.guide()[1], "WG1", "y")
 
@@ -320,7 +320,7 @@ class TestDecay:
         settings = {"depth": "x", "start": 0.021, "pitch": 7e-3} | change
         with pytest.raises(ScanError) as caught:
             lattice_decay(self.lattice(), "lattice", **settings)
-        assert_five_parts(caught.value, "lattice_decay")
+        assert_told(caught.value, "lattice_decay")
 
     def test_silence(self):
         response = made(np.zeros((1, 4)), np.array([1.0]), np.arange(4.0), np.zeros(4), region=["L"] * 4)

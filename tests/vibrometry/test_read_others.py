@@ -10,13 +10,13 @@ import numpy as np
 import pytest
 import scipy.io
 from nptdms import ChannelObject, GroupObject, RootObject, TdmsWriter
-from scans import LINES, VALUES, X, Y, assert_five_parts, response
+from scans import LINES, VALUES, X, Y, response
 
+from five_parts import assert_told
+from haptonic.channels import opened
 from haptonic.errors import HaptonicError, HaptonicWarning, ScanError
 from haptonic.response import Reference, write
 from haptonic.vibrometry import InMemory, TimeScan, read_scan, write_records
-from haptonic.vibrometry.findings import Notebook
-from haptonic.vibrometry.readers.matlab import matlab_arrays
 
 TIME = np.arange(50) / 200e3
 RECORDS = np.random.default_rng(5).integers(-30000, 30000, size=(12, 3, 50)).astype(np.int16)
@@ -78,7 +78,7 @@ class TestMatlab:
     def test_arrays_have_the_shape_that_matlab_shows(self, tmp_path, save):
         table = np.arange(6.0).reshape(2, 3)
         save(tmp_path / "a.mat", a=table, z=table * 1j)
-        found = matlab_arrays(tmp_path / "a.mat", Notebook(tmp_path, "MATLAB"))
+        found = opened(tmp_path / "a.mat").group("").channels
         assert np.array_equal(found["a"], table)
         assert np.array_equal(found["z"], table * 1j)
 
@@ -108,7 +108,7 @@ class TestMatlab:
         save(tmp_path / "a.mat", h=VALUES, f=LINES, x=X, y=Y)
         with pytest.raises(HaptonicError) as caught:
             read_scan(tmp_path / "a.mat", length_unit=unit)
-        assert_five_parts(caught.value, "length_unit")
+        assert_told(caught.value, "length_unit")
 
     def test_a_structure(self, tmp_path):
         scipy.io.savemat(tmp_path / "a.mat", {"s": {"h": VALUES.T, "f": LINES}, "x": X, "y": Y})
@@ -157,7 +157,7 @@ class TestMatlab:
         save(tmp_path / "a.mat", **arrays)
         with pytest.raises(ScanError) as caught:
             read_scan(tmp_path / "a.mat")
-        assert_five_parts(caught.value, *words)
+        assert_told(caught.value, *words)
 
     def test_a_wrong_mapping(self, tmp_path, save):
         save(tmp_path / "a.mat", frf=VALUES, f=LINES, x=X, y=Y)
@@ -173,7 +173,7 @@ class TestMatlab:
         (tmp_path / "a.mat").write_bytes(content)
         with pytest.raises(ScanError) as caught:
             read_scan(tmp_path / "a.mat")
-        assert_five_parts(caught.value)
+        assert_told(caught.value)
 
 
 def save_tdms(path, *, rate=200e3, offset=2e-3, lost=(), short=()) -> None:
@@ -213,13 +213,13 @@ class TestTdms:
         monkeypatch.setitem(sys.modules, "nptdms", None)
         with pytest.raises(ScanError) as caught:
             read_scan(tmp_path / "a.tdms")
-        assert_five_parts(caught.value, "haptonic[tdms]")
+        assert_told(caught.value, "haptonic[tdms]")
 
     def test_damaged(self, tmp_path):
         (tmp_path / "a.tdms").write_bytes(b"TDSm" + bytes(40))
         with pytest.raises(ScanError) as caught:
             read_scan(tmp_path / "a.tdms")
-        assert_five_parts(caught.value)
+        assert_told(caught.value)
 
     def test_no_point(self, tmp_path):
         save_tdms(tmp_path / "a.tdms", lost=range(12))
@@ -261,7 +261,7 @@ class TestHdf5:
             del (file.attrs if lost in file.attrs else file)[lost]
         with pytest.raises(ScanError) as caught:
             read_scan(tmp_path / "a.h5")
-        assert_five_parts(caught.value, "missing or damaged")
+        assert_told(caught.value, "missing or damaged")
 
     def test_a_later_form_and_another_motion(self, tmp_path):
         write_records(time_scan(), tmp_path / "a.h5")
@@ -280,7 +280,7 @@ class TestHdf5:
         (tmp_path / "a.h5").write_bytes(content[: len(content) // 2])
         with pytest.raises(ScanError) as caught:
             read_scan(tmp_path / "a.h5")
-        assert_five_parts(caught.value)
+        assert_told(caught.value)
 
 
 def save_folder(path, head="frequency (Hz),real (mm/s/V),imaginary (mm/s/V),coherence", cells=None):
@@ -341,7 +341,7 @@ class TestFolder:
     def test_no_geometry(self, tmp_path):
         with pytest.raises(ScanError) as caught:
             read_scan(tmp_path)
-        assert_five_parts(caught.value, "file,x,y")
+        assert_told(caught.value, "file,x,y")
 
     def test_nothing_left(self, tmp_path):
         path = save_folder(tmp_path / "scan")
@@ -349,7 +349,7 @@ class TestFolder:
             (path / f"p{i}.csv").write_text("")
         with pytest.raises(ScanError) as caught:
             read_scan(path)
-        assert_five_parts(caught.value, "no columns")
+        assert_told(caught.value, "no columns")
 
 
 class TestOtherFiles:
@@ -357,14 +357,14 @@ class TestOtherFiles:
         (tmp_path / "a.svd").write_bytes(bytes(100))
         with pytest.raises(ScanError) as caught:
             read_scan(tmp_path / "a.svd")
-        assert_five_parts(caught.value, "Universal File", "FRF", "geometry")
+        assert_told(caught.value, "Universal File", "FRF", "geometry")
 
     @pytest.mark.parametrize("name", ["a.txt", "a.nc", "a.h5", "a.csv"])
     def test_unknown(self, tmp_path, name):
         (tmp_path / name).write_bytes(b"hello")
         with pytest.raises(ScanError) as caught:
             read_scan(tmp_path / name)
-        assert_five_parts(caught.value, name)
+        assert_told(caught.value, name)
 
     def test_nothing_there(self, tmp_path):
         with pytest.raises(ScanError, match="no such file"):
@@ -376,7 +376,7 @@ class TestTimeScan:
     def test_impossible_scales(self, change):
         with pytest.raises(ScanError) as caught:
             time_scan(**change)
-        assert_five_parts(caught.value, next(iter(change)))
+        assert_told(caught.value, next(iter(change)))
 
     def test_names_and_places_belong_together(self):
         with pytest.raises(ScanError, match="12 and 11 coordinates"):

@@ -15,7 +15,6 @@ from scans import (
     VALUES,
     X,
     Y,
-    assert_five_parts,
     curve,
     nodes,
     noise,
@@ -26,10 +25,11 @@ from scans import (
 )
 from sdypy import EMA
 
+from five_parts import assert_told
+from haptonic.channels.labels import label_of, ratio_of
 from haptonic.errors import ScanError
 from haptonic.response import read, write
 from haptonic.vibrometry import read_scan, uff_contents, write_uff
-from haptonic.vibrometry.labels import label_of, ratio_of
 
 # pyuff's binary writer, which makes some of the files here, leaves them open
 pytestmark = [
@@ -74,7 +74,7 @@ class TestFilesOfOthers:
     def test_what_is_no_scan_is_refused_with_the_reason(self, name):
         with pytest.raises(ScanError) as caught:
             read_scan(DATA / name)
-        assert_five_parts(caught.value, name, REFUSED[name])
+        assert_told(caught.value, name, REFUSED[name])
 
     def test_all_samples_are_tested(self):
         assert {path.name for path in SAMPLES} == set(REFUSED)
@@ -255,7 +255,7 @@ class TestAWholeScan:
         path = uff(tmp_path / "a.uff", units(), nodes(), *curves)
         with pytest.raises(ScanError) as caught:
             read_scan(path)
-        assert_five_parts(caught.value, '"A1, V"', '"A2, V"')
+        assert_told(caught.value, '"A1, V"', '"A2, V"')
         with pytest.raises(ScanError, match="misspelt"):
             read_scan(path, reference="A3")
         assert read_scan(path, reference="A2").response.values[..., 0] == pytest.approx(2 * VALUES)
@@ -284,7 +284,7 @@ class TestBrokenFiles:
             try:
                 scan = read_scan(path)
             except ScanError as error:
-                assert_five_parts(error)
+                assert_told(error)
                 continue
             points = scan.response.dataset.sizes["point"]
             counts.add(points)
@@ -392,7 +392,7 @@ class TestBrokenFiles:
         (tmp_path / "a.uff").write_bytes(content)
         with pytest.raises(ScanError) as caught:
             read_scan(tmp_path / "a.uff")
-        assert_five_parts(caught.value)
+        assert_told(caught.value)
 
     @given(st.binary(max_size=300), st.integers(0, 4000))
     def test_anything_in_the_middle(self, tmp_path_factory, rubbish, at):
@@ -403,7 +403,7 @@ class TestBrokenFiles:
         try:
             scan = read_scan(folder / "a.uff")
         except ScanError as error:
-            assert_five_parts(error)
+            assert_told(error)
         else:
             assert scan.report.points <= 12
 
@@ -441,7 +441,7 @@ class TestTimeRecords:
         path = uff(tmp_path / "a.uff", units(), nodes(), *moving, *driven[:5])
         with pytest.raises(ScanError) as caught:
             read_scan(path)
-        assert_five_parts(caught.value, "reference channel", "5 records")
+        assert_told(caught.value, "reference channel", "5 records")
 
     def test_the_wrong_part_is_asked_for(self, tmp_path):
         _, moving, driven = self.records(tmp_path)
@@ -524,7 +524,7 @@ class TestWriter:
     def test_a_folder_that_is_not_there(self, tmp_path):
         with pytest.raises(ScanError) as caught:
             write_uff(response(), tmp_path / "no" / "a.uff")
-        assert_five_parts(caught.value, "output file")
+        assert_told(caught.value, "output file")
 
 
 @pytest.mark.parametrize(

@@ -5,8 +5,9 @@ from __future__ import annotations
 from pathlib import Path
 
 import numpy as np
-import scipy.io.wavfile
 from numpy.typing import NDArray
+
+from haptonic.channels import wav
 
 RATE = 16_000  # Hz
 START, END = 1760.0, 880.0  # Hz: a high click starts the stroke, a low one ends it
@@ -37,4 +38,4 @@ def clicks(trials: int, lasting: float, pause: float) -> NDArray[np.int16]:
 
 def write_wav(track: NDArray[np.int16], path: Path) -> None:
     """The track as a WAV file of one channel and 16 bits."""
-    scipy.io.wavfile.write(path, RATE, track)
+    wav.write(path, track, RATE)

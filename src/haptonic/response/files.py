@@ -16,8 +16,8 @@ import xarray as xr
 from numpy.typing import NDArray
 
 from haptonic import hdf5
+from haptonic.channels.hdf5 import arrays_of
 from haptonic.errors import ResourceError, ResponseError
-from haptonic.foreign.netcdf import arrays_of
 from haptonic.foreign.process import ForeignError, ask
 from haptonic.gate import passed
 from haptonic.paths import source

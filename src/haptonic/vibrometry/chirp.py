@@ -7,12 +7,10 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, Literal
 
-import h5py
 import numpy as np
-import scipy.io.wavfile
 from numpy.typing import NDArray
 
-from haptonic import hdf5
+from haptonic.channels import Channel, delimited, hdf5, wav
 from haptonic.errors import HaptonicWarning, ScanError, nearest
 
 Array = NDArray[np.float64]
@@ -22,7 +20,6 @@ DriveUnit = Literal["V", "N"]
 KINDS: tuple[Kind, ...] = ("chirp", "multisine")
 RING_DOWNS = 3.0  # a record of 3 Q / f lets a resonance fall by exp(-3 pi), 82 dB
 NYQUIST_MARGIN = 0.8  # of half the rate: above, converters and their filters bend the spectrum
-SIXTEEN_BITS = 32767
 
 
 @dataclass(frozen=True, eq=False)
@@ -144,16 +141,13 @@ def write_drive(signal: Drive, path: Path, *, periods: int = 1) -> None:
     if path.suffix == ".wav":
         if signal.sample_rate != round(signal.sample_rate):
             raise _wrong("sample_rate", f"{signal.sample_rate:g} Hz", "whole Hz in WAV", "use CSV or HDF5")
-        whole = np.rint(samples / np.abs(samples).max() * SIXTEEN_BITS).astype(np.int16)
-        scipy.io.wavfile.write(path, int(signal.sample_rate), whole)
+        wav.write(path, samples, int(signal.sample_rate))
     elif path.suffix == ".csv":
         time = np.arange(len(samples)) / signal.sample_rate
-        rows = "\n".join(f"{t!r},{v!r}" for t, v in zip(time.tolist(), samples.tolist(), strict=True))
-        path.write_text(f"time (s),{signal.quantity} ({signal.unit})\n{rows}\n", encoding="utf-8")
+        delimited.write(path, {"time (s)": time, f"{signal.quantity} ({signal.unit})": samples})
     elif path.suffix in (".h5", ".hdf5"):
-        with hdf5.written(path) as raw, h5py.File(raw, "w") as file:
-            file.attrs.update(kind_of_file="haptonic drive", **drive_notes(signal, periods))
-            file[signal.quantity] = samples
+        notes = {"kind_of_file": "haptonic drive", **drive_notes(signal, periods)}
+        hdf5.write(path, [Channel.of(signal.quantity, samples, signal.unit)], notes)
     else:
         given = path.suffix or "no suffix"
         raise _wrong("path", given, ".wav, .csv, .h5 or .hdf5", "choose one of these suffixes")

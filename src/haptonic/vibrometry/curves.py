@@ -10,10 +10,10 @@ from typing import Any, Literal
 import numpy as np
 from numpy.typing import NDArray
 
+from haptonic.channels import Notebook
+from haptonic.channels.labels import Motion, steps
 from haptonic.errors import ScanError
 from haptonic.response import FrequencyResponse, Reference
-from haptonic.vibrometry.findings import Notebook
-from haptonic.vibrometry.labels import Motion, steps
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]

@@ -9,9 +9,10 @@ from typing import Any, Literal, Protocol
 import numpy as np
 from numpy.typing import NDArray
 
-from haptonic.errors import ResourceError, ScanError
+from haptonic.channels import Channel
+from haptonic.channels.labels import Motion
+from haptonic.errors import ChannelError, ResourceError, ScanError
 from haptonic.response import Reference
-from haptonic.vibrometry.labels import Motion
 
 Array = NDArray[np.float64]
 Samples = NDArray[Any]
@@ -43,6 +44,23 @@ class InMemory:
     def load(self, start: int, stop: int) -> tuple[Samples, Samples]:
         shared = len(self.reference) == 1
         return self.reference if shared else self.reference[start:stop], self.response[start:stop]
+
+
+@dataclass(frozen=True, eq=False)
+class OfChannels:
+    """Records of channels along whose first axis the points are; one of a single row is shared by all."""
+
+    reference: Channel
+    response: Channel
+    repeats: int
+    samples: int
+
+    def load(self, start: int, stop: int) -> tuple[Samples, Samples]:
+        def rows(of: Channel) -> Samples:
+            part = of.rows(0, 1) if of.shape[0] == 1 else of.rows(start, stop)
+            return part.reshape(-1, self.repeats, self.samples)
+
+        return rows(self.reference), rows(self.response)
 
 
 @dataclass(frozen=True, eq=False)
@@ -129,6 +147,8 @@ class TimeScan:
         """
         try:
             return self.source.load(start, stop)
+        except ChannelError as error:
+            raise ScanError(**error.parts()) from error
         except MemoryError as error:
             raise ResourceError(
                 argument="records",

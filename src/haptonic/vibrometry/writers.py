@@ -12,10 +12,10 @@ import numpy as np
 import pyuff
 from numpy.typing import NDArray
 
+from haptonic.channels.labels import UNITS
+from haptonic.channels.uff import SAYS_SIMULATED
 from haptonic.errors import ScanError
 from haptonic.response import FrequencyResponse
-from haptonic.vibrometry.labels import UNITS
-from haptonic.vibrometry.readers import SIMULATED
 from haptonic.vibrometry.records import TimeScan, portions
 
 Array = NDArray[np.float64]
@@ -100,7 +100,7 @@ def _functions(response: FrequencyResponse, names: NDArray[np.int64]) -> Iterato
         "abscissa_spacing": int(even), "x": lines, "abscissa_spec_data_type": 18,
         "abscissa_axis_lab": "Frequency", "abscissa_axis_units_lab": "Hz",
     }  # fmt: skip
-    assert notes["origin"] != "simulated" or common["id5"] == SIMULATED
+    assert notes["origin"] != "simulated" or common["id5"] == SAYS_SIMULATED
     motion = str(notes["quantity"])
     for column, direction in enumerate(response.dataset["direction"].values):
         for row, number in enumerate(names):

@@ -17,9 +17,9 @@ import xarray as xr
 from numpy.typing import NDArray
 from pydantic import Field
 
-from haptonic.errors import FrictionError, HaptonicError
+from haptonic.channels import Group, SignalFile, opened
+from haptonic.errors import ChannelError, FrictionError, HaptonicError
 from haptonic.fields import Name, described, problem
-from haptonic.friction.recordings.files import Channels, opened
 from haptonic.friction.recordings.sensor import Sensor, Wiring, pressing
 from haptonic.friction.recordings.trial_table import Place, TrialTable
 from haptonic.friction.signals.measuring import Columns, channels_of, measure_all, processed
@@ -226,11 +226,11 @@ def _records(folder: Path, wiring: Wiring, portion: Portion) -> Iterator[_Read]:
     for name, places in portion:
         left = list(places)
         try:
-            with opened(folder / name) as channels_in:
-                kept: dict[str, tuple[Channels, float]] = {}
-                while left:
-                    yield _read(name, left[0], channels_in, kept, wiring)
-                    left.pop(0)
+            file = opened(folder / name)
+            kept: dict[str, tuple[Group, float]] = {}
+            while left:
+                yield _read(name, left[0], file, kept, wiring)
+                left.pop(0)
         except HaptonicError as error:
             yield from (_Read(place, None, _why(name, error), False) for place in left)
 
@@ -238,15 +238,15 @@ def _records(folder: Path, wiring: Wiring, portion: Portion) -> Iterator[_Read]:
 def _read(
     name: str,
     place: Place,
-    channels_in: Callable[[str], Channels],
-    kept: dict[str, tuple[Channels, float]],
+    file: SignalFile,
+    kept: dict[str, tuple[Group, float]],
     wiring: Wiring,
 ) -> _Read:
     simulated = False
     try:
         if place.group not in kept:
             kept.clear()  # groups come one after the other
-            channels = channels_in(place.group)
+            channels = file.group(place.group)
             simulated = channels.simulated
             kept[place.group] = channels, wiring.rate_in(channels)
         channels, rate = kept[place.group]
@@ -266,8 +266,7 @@ def _wiring(table: TrialTable, sensor: Sensor) -> Wiring:
     first: HaptonicError | None = None
     for name, places in islice((one for portion in table.portions() for one in portion), TRIED):
         try:
-            with opened(table.folder / name) as channels_in:
-                wiring = sensor.wired(channels_in(places[0].group))
+            wiring = sensor.wired(opened(table.folder / name).group(places[0].group))
         except HaptonicError as error:
             first = first or _of_file(error, name)
             continue
@@ -283,8 +282,11 @@ def _with_sign(table: TrialTable, wiring: Wiring) -> Wiring:
 
 
 def _of_file(error: HaptonicError, name: str) -> HaptonicError:
-    """The same error, with the file that it is about."""
-    return type(error)(**(error.parts() | {"argument": f"{name}: {error.argument}"}))
+    """The same error, with the file that it is about, and where channels get their meaning."""
+    parts = error.parts() | {"argument": f"{name}: {error.argument}"}
+    if isinstance(error, ChannelError) and error.argument.startswith("channel "):
+        parts["next_step"] += " Say so in [trials.sensor]"
+    return FrictionError(**parts) if isinstance(error, ChannelError) else type(error)(**parts)
 
 
 def _why(name: str, error: HaptonicError) -> str:

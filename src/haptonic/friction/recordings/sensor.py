@@ -11,14 +11,15 @@ import numpy as np
 import pandas as pd
 from numpy.typing import NDArray
 
+from haptonic.channels import Group
+from haptonic.channels.labels import factor_of
+from haptonic.channels.signals import Array
 from haptonic.errors import FrictionError, HaptonicError
-from haptonic.friction.recordings.files import Array, Channels
 from haptonic.friction.signals.filters import design_frequency
 from haptonic.friction.signals.measuring import saturated
 from haptonic.friction.signals.record import Record
 from haptonic.friction.signals.tables import rate_of
 from haptonic.paths import source
-from haptonic.units import to_si
 
 AXES = ("Fx", "Fy", "Fz", "Tx", "Ty", "Tz")
 WORST_CONDITION = 1e6  # of a calibration matrix; beyond, two gauges say the same
@@ -65,14 +66,14 @@ class Sensor:
     largest_gauge: float | None = None
     forced: bool = True
 
-    def wired(self, channels: Channels) -> Wiring:
+    def wired(self, channels: Group) -> Wiring:
         """Which channel is which.
 
         Raises
         ------
         FrictionError : a channel that is needed is not there, or its unit is no unit of it
         """
-        names = {_plain(name): name for name in channels.readers}
+        names = {_plain(name): name for name in channels.signals}
         remarks: list[str] = []
         leads: dict[str, Lead] = {}
         matrix: Array | None = None
@@ -104,18 +105,18 @@ class Sensor:
         limits = self.largest_force, self.largest_gauge
         return Wiring(leads, self.rate, gauges, matrix, *limits, tuple(remarks), not self.normal)
 
-    def _lead(self, meaning: str, asked: str, channels: Channels) -> Lead:
+    def _lead(self, meaning: str, asked: str, channels: Group) -> Lead:
         turned = asked.startswith("-")
         name = asked.removeprefix("-").strip()
-        if name not in channels.readers:
-            name = next((known for known in channels.readers if _plain(known) == _plain(name)), name)
+        if name not in channels.signals:
+            name = next((known for known in channels.signals if _plain(known) == _plain(name)), name)
         channels[name]
         kind = {"N": "force", "m": "position", "s": "time"}[DIMENSION[meaning]]
-        unit = getattr(self, f"{kind}_unit") or channels.units.get(name, "")
+        unit = getattr(self, f"{kind}_unit") or channels.signals[name].unit
         factor = 1.0
         if unit:
             try:
-                factor = to_si(f"1 {unit}", DIMENSION[meaning], "")
+                factor = factor_of(unit, DIMENSION[meaning])
             except HaptonicError as error:
                 raise FrictionError(
                     argument=f"unit of the channel {name}",
@@ -168,7 +169,7 @@ class Wiring:
     remarks: tuple[str, ...]
     sign_unknown: bool
 
-    def record(self, channels: Channels, rate: float, start: float | None, stop: float | None) -> Record:
+    def record(self, channels: Group, rate: float, start: float | None, stop: float | None) -> Record:
         """The record between two times, s from the first sample of the file; ``rate`` is from `rate_in`.
 
         Raises
@@ -212,10 +213,10 @@ class Wiring:
         turned = Lead(lead.name, -lead.factor)
         return replace(self, leads={**self.leads, "normal": turned}, remarks=remarks)
 
-    def _any(self, channels: Channels) -> Array:
+    def _any(self, channels: Group) -> Array:
         return channels[self.gauges[0] if self.gauges else self.leads["normal"].name]
 
-    def rate_in(self, channels: Channels) -> float:
+    def rate_in(self, channels: Group) -> float:
         """Sampling rate of a file or group, Hz.
 
         Raises
@@ -297,13 +298,13 @@ def _plain(name: str) -> str:
     return re.sub(r"[_\-\s]+", " ", name).strip().lower()
 
 
-def _guessed_gauges(names: dict[str, str], channels: Channels) -> tuple[str, ...]:
+def _guessed_gauges(names: dict[str, str], channels: Group) -> tuple[str, ...]:
     for six in GAUGES:
         if all(name in names for name in six):
             return tuple(names[name] for name in six)
     raise FrictionError(
         argument="trials.sensor.gauges",
-        given=", ".join(channels.readers) or "no channel of numbers",
+        given=", ".join(channels.signals) or "no channel of numbers",
         allowed="the names of six channels",
         cause="the gauges have other names than g0 ... g5",
         next_step='add gauges = "name, name, name, name, name, name" in [trials.sensor]',

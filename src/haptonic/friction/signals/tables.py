@@ -13,12 +13,12 @@ import xarray as xr
 from numpy.typing import NDArray
 
 from haptonic import hdf5
-from haptonic.errors import FrictionError, ResourceError, nearest
-from haptonic.foreign.netcdf import arrays_of
-from haptonic.foreign.process import ForeignError, ask
+from haptonic.channels import Notebook, delimited
+from haptonic.channels import hdf5 as stored
+from haptonic.errors import ChannelError, FrictionError, ResourceError, nearest
 from haptonic.friction.signals.record import Label, Record
 from haptonic.gate import declared, passed
-from haptonic.names import cell, from_cell, visible
+from haptonic.names import cell, visible
 
 Column = NDArray[Any]
 
@@ -27,7 +27,6 @@ RECORD = (*LABEL, "time", "normal", "tangential")
 TRIALS = (*LABEL, "friction")
 WHOLE = ("block", "trial")
 TEXTS = ("participant", "waveguide", "actuation")
-MISSING = ("", "NA", "N/A", "n/a", "NaN", "nan", "-nan", "<NA>", "NULL", "null", "None", "none")
 JITTER = 0.1  # of a sampling interval, by which times may be off
 FORMATS = {".csv": "CSV", ".nc": "NetCDF", ".h5": "HDF5", ".hdf5": "HDF5"}
 
@@ -118,7 +117,7 @@ def read_columns(path: Path, required: Sequence[str]) -> dict[str, Column]:
         raise _other_format(path, list(FORMATS))
     try:
         columns = _READERS[path.suffix](path)
-    except (OSError, ValueError, MemoryError, ForeignError) as error:
+    except (OSError, MemoryError, ChannelError) as error:
         missing = isinstance(error, FileNotFoundError)
         raise ResourceError(
             argument="table of trials",
@@ -146,36 +145,16 @@ def read_columns(path: Path, required: Sequence[str]) -> dict[str, Column]:
 
 
 def _from_csv(path: Path) -> dict[str, Column]:
-    heads = [str(name) for name in pd.read_csv(path, nrows=0).columns]
-    # "NA" and "None" are missing numbers, but names of people and guides
-    missing = {name: MISSING for name in heads if name not in TEXTS}
-    table = pd.read_csv(path, dtype=dict.fromkeys(TEXTS, str), keep_default_na=False, na_values=missing)
-    for name in set(TEXTS) & set(heads):
-        table[name] = table[name].map(from_cell)
-    return {str(name): table[name].to_numpy() for name in table.columns}
-
-
-def _from_netcdf(path: Path) -> dict[str, Column]:
-    content = ask("hdf5.tree", path, deep=False)
-    return arrays_of(path, content, _columns(content))
+    return delimited.columns(path, TEXTS)
 
 
 def _from_hdf5(path: Path) -> dict[str, Column]:
-    names = _columns(ask("hdf5.tree", path, deep=False))
-    read = ask("hdf5.read", path, names=names)
-    return {
-        name: values if isinstance(values, np.ndarray) else np.array(values, dtype=object)
-        for name, values in zip(names, read, strict=True)
-    }
+    """What may be a column: numbers or texts along one axis."""
+    channels = stored.read(path, Notebook(path, "HDF5"))[""].channels.values()
+    return {one.name: np.asarray(one) for one in channels if len(one.shape) == 1 and one.kind != "complex"}
 
 
-def _columns(content: dict[str, Any]) -> list[str]:
-    """Names of what may be a column: numbers or texts along one axis."""
-    sets = content["sets"].items()
-    return [name for name, form in sets if len(form["shape"]) == 1 and form["kind"] in ("number", "text")]
-
-
-_READERS = {".csv": _from_csv, ".nc": _from_netcdf, ".h5": _from_hdf5, ".hdf5": _from_hdf5}
+_READERS = {".csv": _from_csv, ".nc": _from_hdf5, ".h5": _from_hdf5, ".hdf5": _from_hdf5}
 
 
 def label_of(columns: dict[str, Column], row: int) -> Label:

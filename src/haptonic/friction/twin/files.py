@@ -5,22 +5,18 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from pathlib import Path
 
-import h5py
 import numpy as np
-import pandas as pd
-import scipy.io
-from numpy.typing import NDArray
 
-from haptonic import hdf5
-from haptonic.errors import FrictionError
+from haptonic.channels import Channel, Group, delimited, hdf5, matlab, tdms
+from haptonic.channels.signals import ORIGIN, SIMULATED, Array
 
-Array = NDArray[np.float64]
+__all__ = ["SIMULATED", "WRITERS"]
+
 Channels = Mapping[str, Array]
 
 GROUP = "records"  # of a TDMS file, which cannot do without
 DIGITS = 6  # behind the point, in text: 1 uN, 1 um
 UNITS = {"time": "s", "position": "m"}
-SIMULATED = "simulated"
 
 
 def unit_of(channel: str) -> str:
@@ -30,21 +26,18 @@ def unit_of(channel: str) -> str:
 
 def write_csv(channels: Channels, path: Path) -> None:
     """A line for each sample, below the names; a last column says that it is simulated."""
-    table = pd.DataFrame({name: np.round(values, DIGITS) for name, values in channels.items()})
-    table.assign(origin=SIMULATED).to_csv(path, index=False)
+    table = {name: np.round(values, DIGITS) for name, values in channels.items()}
+    delimited.write(path, {**table, ORIGIN: [SIMULATED] * len(channels["time"])})
 
 
 def write_h5(channels: Channels, path: Path) -> None:
     """A set for each channel, with its unit; the file says that it is simulated."""
-    with hdf5.written(path) as raw, h5py.File(raw, "w") as file:
-        file.attrs["origin"] = SIMULATED
-        for name, values in channels.items():
-            file.create_dataset(name, data=values).attrs["units"] = unit_of(name)
+    hdf5.write(path, _channels(channels), {ORIGIN: SIMULATED})
 
 
 def write_mat(channels: Channels, path: Path) -> None:
     """A variable for each channel, and a text that says that it is simulated (MATLAB, version 5)."""
-    scipy.io.savemat(path, {**channels, "origin": SIMULATED}, oned_as="column", do_compression=True)
+    matlab.write(path, channels, SIMULATED)
 
 
 def write_tdms(channels: Channels, path: Path) -> None:
@@ -52,25 +45,15 @@ def write_tdms(channels: Channels, path: Path) -> None:
 
     Raises
     ------
-    FrictionError : npTDMS is not installed
+    ChannelError : npTDMS is not installed
     """
-    try:
-        from nptdms import ChannelObject, RootObject, TdmsWriter
-    except ImportError as error:
-        raise FrictionError(
-            argument="--format",
-            given="tdms",
-            allowed="csv, h5 or mat, and tdms where the package npTDMS is installed",
-            cause="npTDMS is an optional part of haptonic and is not installed",
-            next_step='pip install "haptonic[tdms]"',
-        ) from error
-    step = float(channels["time"][1] - channels["time"][0])
-    objects = [RootObject({"origin": SIMULATED})]
-    for name, values in channels.items():
-        properties = {"unit_string": unit_of(name), "wf_increment": step, "wf_start_offset": 0.0}
-        objects.append(ChannelObject(GROUP, name, values, properties))
-    with TdmsWriter(path) as file:
-        file.write_segment(objects)
+    every = {channel.name: channel for channel in _channels(channels)}
+    tdms.write(path, {ORIGIN: SIMULATED}, [[Group(GROUP, every)]])
+
+
+def _channels(channels: Channels) -> list[Channel]:
+    rate = 1 / float(channels["time"][1] - channels["time"][0])
+    return [Channel.of(name, values, unit_of(name), rate) for name, values in channels.items()]
 
 
 WRITERS: Mapping[str, Callable[[Channels, Path], None]] = {

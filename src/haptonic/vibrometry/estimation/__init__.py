@@ -13,6 +13,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from haptonic.channels import Notebook
+from haptonic.channels.labels import steps
 from haptonic.errors import ScanError, nearest
 from haptonic.progress import Progress, silent
 from haptonic.response import FrequencyResponse
@@ -36,8 +38,7 @@ from haptonic.vibrometry.estimation.spectra import (
     transformed,
     window_of,
 )
-from haptonic.vibrometry.findings import Notebook, ReadReport
-from haptonic.vibrometry.labels import steps
+from haptonic.vibrometry.findings import ReadReport
 from haptonic.vibrometry.records import Samples, TimeScan
 
 __all__ = ["Estimate", "Quality", "estimate", "repaired", "window_of"]
@@ -292,7 +293,7 @@ def _finished(
         inputs=settings | {"averages": averages, "points": list(names)},
     )  # fmt: skip
     quality = judged(names, measures[:, 0], measures[:, 1], median)
-    return Estimate(made, quality, notes.closed(len(keep)), averages)
+    return Estimate(made, quality, ReadReport.of(notes, len(keep)), averages)
 
 
 def _pieces(samples: int, plan: _Plan) -> int:

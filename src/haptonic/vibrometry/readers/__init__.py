@@ -12,18 +12,20 @@ from typing import Any
 import numpy as np
 
 from haptonic import response
-from haptonic.errors import HaptonicWarning, ResourceError, ScanError
-from haptonic.foreign.process import ForeignError, ask
+from haptonic.channels import Group, Notebook
+from haptonic.channels.formats import Format, format_of
+from haptonic.channels.signals import SIMULATED, Origin
+from haptonic.channels.uff import scaled, uff_contents
+from haptonic.errors import ChannelError, HaptonicWarning, ResourceError, ScanError
 from haptonic.paths import source
 from haptonic.response import FrequencyResponse, Reference
 from haptonic.units import shown, to_si
 from haptonic.vibrometry.curves import assemble
-from haptonic.vibrometry.findings import Notebook, ReadReport
+from haptonic.vibrometry.findings import ReadReport
 from haptonic.vibrometry.readers import hdf5, uff, uff_time
 from haptonic.vibrometry.readers.folder import read_folder
-from haptonic.vibrometry.readers.matlab import matlab_arrays
-from haptonic.vibrometry.readers.tables import ORIGIN, Mapped, Origin, scan_of, table_of
-from haptonic.vibrometry.readers.tdms import read_tdms
+from haptonic.vibrometry.readers.tables import Mapped, scan_of, table_of
+from haptonic.vibrometry.readers.tdms import scan_of_groups
 from haptonic.vibrometry.readers.uff import LARGEST_PLATE
 from haptonic.vibrometry.records import TimeScan
 
@@ -32,10 +34,8 @@ __all__ = ["Scan", "read_scan"]
 FORMATS = (
     "UFF (.uff, .unv), MATLAB (.mat), TDMS, NetCDF and HDF5 in haptonic's layouts, a folder of CSV files"
 )
-UFF_SUFFIXES = (".uff", ".unv", ".uf")
-SIMULATED = "origin: simulated"
-HDF5 = b"\x89HDF\r\n\x1a\n"
-WITHOUT_UNITS = ("MATLAB", "CSV folder")  # what they hold has no unit, or need not have one
+FOLDER = "CSV folder"
+WITHOUT_UNITS = ("MATLAB", FOLDER)  # what they hold has no unit, or need not have one
 LOWEST_TOP = 200.0  # Hz; a scan that ends below is probably in kHz: ultrasonic ones reach some 100 kHz
 EXAMPLES = {"m": "mm", "Hz": "kHz"}
 
@@ -146,35 +146,45 @@ def _read(
     how = Mapped(
         variables or {}, unit, length_unit or 1.0, Reference.parse(reference or ""), frequency_unit or 1.0
     )
-    kind = _kind(path)
-    if frequency_unit is not None and kind not in WITHOUT_UNITS:
+    form = None if path.is_dir() else _format(path)
+    notes = Notebook(path, FOLDER if form is None else form.name)
+    if frequency_unit is not None and notes.format not in WITHOUT_UNITS:
         raise ScanError(
             argument="frequency_unit",
-            given=f"{frequency_unit:g} Hz, for {kind}",
+            given=f"{frequency_unit:g} Hz, for {notes.format}",
             allowed=f"a unit for {' or '.join(WITHOUT_UNITS)}",
             cause="this form says itself in which unit its frequencies are",
             next_step="leave it out",
         )
-    notes = Notebook(path, kind)
     content: FrequencyResponse | TimeScan
-    if kind == "UFF":
-        content, notes = _uff(path, length_unit, reference, origin, title)
-    elif kind == "NetCDF":
-        content = response.read(path)
-    elif kind == "HDF5":
-        content = hdf5.read_records(path, notes)
-    elif kind == "MATLAB":
-        arrays = matlab_arrays(path, notes)
-        origin = "simulated" if arrays.get(ORIGIN) == "simulated" else origin
-        content = scan_of(table_of(arrays, how, notes), how, notes, origin, title)
-    elif kind == "TDMS":
-        content = read_tdms(path, how, notes, origin, title)
-    else:
-        content = read_folder(path, how, notes, origin, title)
-    if kind in WITHOUT_UNITS:
+    try:
+        if form is None:
+            content = read_folder(path, how, notes, origin, title)
+        elif form.name == "UFF":
+            content = _uff(path, notes, length_unit, reference, origin, title)
+        else:
+            content = _of_groups(form.read(path, notes), how, notes, origin, title)
+    except ChannelError as error:
+        raise ScanError(**error.parts()) from error
+    if notes.format in WITHOUT_UNITS:
         _doubt(content, path, length_unit is None, frequency_unit is None)
     points = len(content.x) if isinstance(content, TimeScan) else content.dataset.sizes["point"]
-    return Scan(content, notes.closed(points))
+    return Scan(content, ReadReport.of(notes, points))
+
+
+def _of_groups(
+    groups: Mapping[str, Group], how: Mapped, notes: Notebook, origin: Origin, title: str
+) -> FrequencyResponse | TimeScan:
+    if notes.format == "TDMS":
+        return scan_of_groups(groups, how, notes, origin, title)
+    every = groups[""]
+    if notes.format == "MATLAB":
+        origin = SIMULATED if every.simulated else origin
+        return scan_of(table_of(every.channels, how, notes), how, notes, origin, title)
+    if every.properties.get("kind") == hdf5.KIND:
+        return hdf5.read_records(every, notes)
+    notes.format = "NetCDF"
+    return response.read(notes.path)
 
 
 def _one(unit: float | str | None, si: str, argument: str) -> float | None:
@@ -213,53 +223,37 @@ def _doubt(content: FrequencyResponse | TimeScan, path: Path, lengths: bool, fre
 
 
 def _uff(
-    path: Path, length_unit: float | None, reference: str | None, origin: Origin, title: str
-) -> tuple[FrequencyResponse | TimeScan, Notebook]:
-    contents = uff.uff_contents(path)
+    path: Path, notes: Notebook, length_unit: float | None, reference: str | None, origin: Origin, title: str
+) -> FrequencyResponse | TimeScan:
+    contents = uff_contents(path, notes)
     if length_unit is not None:
-        contents = uff.scaled(contents, length_unit)
-    if any(SIMULATED in line for f in contents.functions for line in f.header.lines):
-        origin = "simulated"
+        contents = scaled(contents, length_unit)
+    origin = SIMULATED if contents.simulated else origin
     title = title or contents.title
     if uff_time.has_records(contents) and not any(f.header.function == 4 for f in contents.functions):
-        return uff_time.time_scan_of(contents, origin, title), contents.notes
+        return uff_time.time_scan_of(contents, origin, title)
     curves, places = uff.curves_of(contents)
     inputs: dict[str, Any] = {"file": path.name, "lines": [line.tolist() for line in contents.lines]}
-    made = assemble(
-        curves, places, contents.notes, reference=reference, origin=origin, title=title, inputs=inputs
-    )
-    return made, contents.notes
+    return assemble(curves, places, notes, reference=reference, origin=origin, title=title, inputs=inputs)
 
 
-def _kind(path: Path) -> str:
-    """The format, by content where that tells, else by the suffix."""
-    if path.is_dir():
-        return "CSV folder"
-    suffix = path.suffix.lower()
-    if suffix in (".svd", ".pvd"):
+def _format(path: Path) -> Format:
+    """The format, if scans are read from files of it.
+
+    Raises
+    ------
+    ScanError : a format that is not read
+    """
+    if path.suffix.lower() in (".svd", ".pvd"):
         raise _refused(
             path,
             "a Polytec file, which only the maker's library can read",
             "the scan was saved in the instrument's own format",
             "in PSV software: File > Export > Universal File (UFF), FFT > FRF, with geometry; read that file",
         )
-    with path.open("rb") as file:
-        head = file.read(4096)
-    if head[:4] == b"TDSm" or suffix == ".tdms":
-        return "TDMS"
-    if suffix == ".mat" or head[:10] == b"MATLAB 5.0":
-        return "MATLAB"
-    if head[:8] == HDF5 or head[512:520] == HDF5:  # behind the block that a MATLAB file begins with
-        try:
-            says = ask("hdf5.tree", path, deep=False)["attributes"]
-        except ForeignError as error:
-            found = f"a damaged HDF5 file ({error})"
-            raise _refused(path, found, "its copy was interrupted", "copy the file again") from error
-        return "HDF5" if says.get("kind") == hdf5.KIND else "NetCDF"
-    if suffix in UFF_SUFFIXES or any(line.rstrip() == b"    -1" for line in head.splitlines()[:40]):
-        return "UFF"
-    if suffix in (".nc", ".h5", ".hdf5"):
-        raise _refused(path, "not an HDF5 file", "the copy was interrupted", "copy the file again")
+    form = format_of(path)
+    if form is not None and form.name != "CSV":
+        return form
     next_step = "choose one of these; a CSV scan is a folder with geometry.csv and one file for each point"
     raise _refused(path, "a file of an unknown format", "another program wrote it", next_step)
 

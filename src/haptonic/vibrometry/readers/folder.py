@@ -15,13 +15,13 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
-from haptonic.errors import ScanError
-from haptonic.paths import source
+from haptonic.channels import Channel, Notebook, delimited
+from haptonic.channels.labels import label_of, ratio_of
+from haptonic.channels.signals import ORIGIN, SIMULATED, Origin
+from haptonic.errors import ChannelError, ScanError
 from haptonic.response import FrequencyResponse, Reference
 from haptonic.vibrometry.curves import Curve, Place, assemble
-from haptonic.vibrometry.findings import Notebook
-from haptonic.vibrometry.labels import ratio_of
-from haptonic.vibrometry.readers.tables import ORIGIN, Mapped, Origin
+from haptonic.vibrometry.readers.tables import Mapped
 
 Array = NDArray[np.float64]
 
@@ -50,13 +50,15 @@ def read_folder(path: Path, how: Mapped, notes: Notebook, origin: Origin, title:
             curves += _curves(name, file, how, notes)
         except FileNotFoundError:
             notes.missing.append(name)
-        except (_UnfitError, OSError, csv.Error) as error:
+        except (_UnfitError, OSError) as error:
             notes.drop(f"file {file.name}", str(error))
+        except ChannelError as error:
+            notes.drop(f"file {file.name}", error.given)
     known = {file.name for file in files.values()} | {GEOMETRY}
     for file in sorted(path.glob("*.csv")):
         if file.name not in known:
             notes.drop(f"file {file.name}", f"it is not in {GEOMETRY}")
-    origin = "simulated" if simulated else origin
+    origin = SIMULATED if simulated else origin
     return assemble(curves, places, notes, origin=origin, title=title, inputs={"folder": path.name})
 
 
@@ -81,18 +83,19 @@ def _geometry(
     files: dict[str, Path] = {}
     simulated = False
     try:
-        rows = list(csv.DictReader(_text(table), skipinitialspace=True))
-    except (_UnfitError, csv.Error) as error:
+        text = io.StringIO(delimited.text_of(table), newline="")
+        rows = list(csv.DictReader(text, skipinitialspace=True))
+    except (ChannelError, csv.Error) as error:
         raise ScanError(
             argument=f"{GEOMETRY} of a scan",
-            given=f"{table}: {error}",
+            given=f"{table}: {error.given if isinstance(error, ChannelError) else error}",
             allowed="a table in UTF-8 with the columns file, x, y",
             cause="the file is no text, or of another encoding",
             next_step="save it again as CSV in UTF-8",
         ) from error
     for number, row in enumerate(rows, start=2):
         name = (row.get("file") or "").strip()
-        simulated |= row.get(ORIGIN) == "simulated"
+        simulated |= row.get(ORIGIN) == SIMULATED
         try:
             place = Place(*(length_unit * float(row.get(axis) or "nan") for axis in "xy"))
         except ValueError:
@@ -109,74 +112,44 @@ def _geometry(
     return places, {name: file for name, file in files.items() if name in places}, simulated
 
 
-def _text(file: Path) -> io.StringIO:
-    """The text of a file, which names or units in the code page of an older program do not spoil.
-
-    Raises
-    ------
-    FileNotFoundError, OSError : no such file, or it cannot be read
-    _UnfitError : it holds bytes that no text has, or is no file that ends
-    """
-    try:
-        content = source(file, "file of a point", ScanError).read_bytes()
-    except ScanError as error:
-        raise _UnfitError(error.cause) from None
-    if b"\0" in content:
-        raise _UnfitError("it holds bytes that no text has; UTF-16, or damaged")
-    try:
-        return io.StringIO(content.decode("utf-8-sig"), newline="")
-    except UnicodeDecodeError:
-        return io.StringIO(content.decode("latin-1"), newline="")
-
-
 def _curves(name: str, file: Path, how: Mapped, notes: Notebook) -> list[Curve]:
-    text = _text(file)
-    first = text.readline()
-    separator = ";" if first.count(";") > first.count(",") else "\t" if "\t" in first else ","
-    heads = [head.strip() for head in first.split(separator)]
-    rows = [row for row in csv.reader(text, delimiter=separator) if any(cell.strip() for cell in row)]
-    columns = {meaning: i for meaning, names in COLUMNS.items() if (i := _column(heads, names)) is not None}
+    group = delimited.read(file, notes)[""]
+    # a unit whose bracket is not closed is none, and no reason to lose the column
+    found = {re.split(r"[\[(]", head)[0].strip().lower(): one for head, one in group.channels.items()}
+    columns = {
+        meaning: next(found[head] for head in heads if head in found)
+        for meaning, heads in COLUMNS.items()
+        if not found.keys().isdisjoint(heads)
+    }
     if "frequency" not in columns or not ({"real", "imaginary"} <= columns.keys()
                                           or {"amplitude", "phase"} <= columns.keys()):  # fmt: skip
         raise _UnfitError("no columns frequency, real, imaginary (or amplitude, phase_deg)")
-    short = [i for i, row in enumerate(rows, start=2) if len(row) != len(heads)]
-    if short:
-        raise _UnfitError(f"line {short[0]} has another number of cells than the header; cut short?")
-    try:
-        table = np.array([[float(cell) for cell in row] for row in rows])
-    except ValueError as error:
-        raise _UnfitError(f"a cell is not a number ({error})") from None
-    if not len(table):
+    if delimited.UNEVEN in group.properties:
+        line = group.properties[delimited.UNEVEN]
+        raise _UnfitError(f"line {line} has another number of cells than the header; cut short?")
+    column = {meaning: _numbers(channel) for meaning, channel in columns.items()}
+    if not column["frequency"].size:
         raise _UnfitError("it holds no values")
-    column = {meaning: table[:, i] for meaning, i in columns.items()}
     if "real" in column and "imaginary" in column:
-        values, head = column["real"] + 1j * column["imaginary"], heads[columns["real"]]
+        values, unit = column["real"] + 1j * column["imaginary"], columns["real"].unit
     else:
         values = column["amplitude"] * np.exp(1j * np.deg2rad(column["phase"]))
-        head = heads[columns["amplitude"]]
-    ratio = ratio_of(_unit(head) or how.unit)
+        unit = columns["amplitude"].unit
+    ratio = ratio_of(unit or how.unit)
     if ratio.over.motion is None:
-        raise _UnfitError(f'"{_unit(head)}" is no displacement, velocity or acceleration')
-    written = _unit(heads[columns["frequency"]])
-    column["frequency"] = {"kHz": 1e3, "Hz": 1.0}.get(written, how.frequency_unit) * column["frequency"]
+        raise _UnfitError(f'"{unit}" is no displacement, velocity or acceleration')
+    written = label_of(columns["frequency"].unit)
+    lines = (written.factor if written.unit == "Hz" else how.frequency_unit) * column["frequency"]
+    source, motion = f"file {file.name}", ratio.over.motion
     reference = how.reference_of(ratio)
-    made = [
-        Curve(f"file {file.name}", name, 3, "response", column["frequency"], ratio.factor * values,
-              ratio.over.motion, reference)
-    ]  # fmt: skip
+    made = [Curve(source, name, 3, "response", lines, ratio.factor * values, motion, reference)]
     if "coherence" in column:
-        made.append(
-            Curve(f"file {file.name}", name, 3, "coherence", column["frequency"], column["coherence"],
-                  ratio.over.motion, Reference())
-        )  # fmt: skip
+        made.append(Curve(source, name, 3, "coherence", lines, column["coherence"], motion, Reference()))
     return made
 
 
-def _column(heads: list[str], names: tuple[str, ...]) -> int | None:
-    plain = [re.sub(r"[\[(].*", "", head).strip().lower() for head in heads]
-    return next((plain.index(name) for name in names if name in plain), None)
-
-
-def _unit(head: str) -> str:
-    found = re.search(r"[\[(](.*)[\])]\s*$", head)
-    return found[1] if found else ""
+def _numbers(channel: Channel) -> Array:
+    try:
+        return np.asarray(channel, dtype=float)
+    except ValueError as error:
+        raise _UnfitError(f"a cell is not a number ({error})") from None

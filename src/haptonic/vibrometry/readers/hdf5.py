@@ -16,38 +16,26 @@ that a stopped scan left is readable.
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from collections.abc import Mapping
+from dataclasses import replace
 from pathlib import Path
-from typing import Any
 
 import h5py
 import numpy as np
 
-from haptonic.errors import ScanError
-from haptonic.foreign.process import ForeignError, ask
+from haptonic.channels import Channel, Group, Notebook
+from haptonic.channels.hdf5 import set_name
+from haptonic.channels.labels import ORDER, Motion
+from haptonic.channels.notes import ELSEWHERE
+from haptonic.channels.signals import SIMULATED
+from haptonic.errors import ChannelError, ScanError
 from haptonic.hdf5 import written
 from haptonic.response import Reference
-from haptonic.vibrometry.findings import ELSEWHERE, Notebook
-from haptonic.vibrometry.labels import ORDER, Motion
-from haptonic.vibrometry.records import Samples, TimeScan
+from haptonic.vibrometry.records import OfChannels, TimeScan
 
 KIND = "haptonic time records"
 FORM = 1
 PORTION = 64  # points that are copied at a time
-
-
-@dataclass(frozen=True, eq=False)
-class _FromFile:
-    path: Path
-
-    def load(self, start: int, stop: int) -> tuple[Samples, Samples]:
-        try:
-            drive, moved = ask(
-                "hdf5.rows", self.path, names=["reference", "response"], start=start, stop=stop
-            )
-        except ForeignError as error:
-            raise _foreign(self.path, f"samples that cannot be read ({error})") from error
-        return drive, moved
 
 
 def write_records(scan: TimeScan, path: Path) -> None:
@@ -74,37 +62,30 @@ def write_records(scan: TimeScan, path: Path) -> None:
         file["response"].attrs["measured"] = len(scan.names)
 
 
-def read_records(path: Path, notes: Notebook) -> TimeScan:
+def read_records(group: Group, notes: Notebook) -> TimeScan:
     """Time records that `write_records` or an instrument's program wrote in this layout.
 
     Raises
     ------
     ScanError : another layout, or no point was measured
     """
+    path, says, sets = notes.path, group.properties, group.channels
     try:
-        content = ask("hdf5.tree", path, deep=False)
-        says, sets = content["attributes"], content["sets"]
-        if says.get("kind") != KIND:
-            raise _foreign(path, "an HDF5 file of another kind")
         if int(says["form"]) > FORM:
             raise _foreign(path, f"form {says['form']}, from a later haptonic")
-        elsewhere = [
-            name for name in ("x", "y", "name", "response", "reference") if name in content["elsewhere"]
-        ]
-        if elsewhere:
-            raise _foreign(path, f"{elsewhere[0]}: {ELSEWHERE}")
-        shape, driven = sets["response"]["shape"], sets["reference"]["shape"]
-        measured = int(sets["response"]["attributes"].get("measured", -1))
+        _none_elsewhere(notes)
+        shape, driven = sets["response"].shape, sets["reference"].shape
         if len(shape) != 3 or driven[1:] != shape[1:] or driven[0] not in (1, shape[0]):
             raise _foreign(path, f"a response of shape {shape} and a reference of shape {driven}")
-        if {sets[name]["kind"] for name in ("response", "reference", "x", "y")} != {"number"}:
+        if {sets[name].kind for name in ("response", "reference", "x", "y")} != {"number"}:
             raise _foreign(path, "text or complex numbers where it should have real ones")
-        if not sets["x"]["shape"] == sets["y"]["shape"] == shape[:1]:
+        if not sets["x"].shape == sets["y"].shape == shape[:1]:
             raise _foreign(path, f"{shape[0]} points, and places of other points")
-        x, y = (np.asarray(one, float) for one in ask("hdf5.read", path, names=["x", "y"]))
-        names = tuple(_names(path, sets, shape[0]))
+        x, y = (np.asarray(sets[name], float) for name in "xy")
+        measured = int(sets["response"].properties.get("measured", -1))
         scan = TimeScan(
-            _FromFile(path), names, x, y, shape[1], shape[2],
+            OfChannels(sets["reference"], sets["response"], shape[1], shape[2]),
+            tuple(_names(sets, shape[0])), x, y, shape[1], shape[2],
             float(says["sample_rate"]), Reference.parse(str(says["reference"])),
             motion=_motion(str(says["motion"]), path),
             reference_scale=float(says["reference_scale"]),
@@ -112,27 +93,33 @@ def read_records(path: Path, notes: Notebook) -> TimeScan:
             full_scale=float(says["full_scale"]) if "full_scale" in says else None,
             direction=str(says["direction"]),
             start=float(says["start"]),
-            origin="simulated" if says["origin"] == "simulated" else "measured",
+            origin=SIMULATED if says["origin"] == SIMULATED else "measured",
             title=str(says["title"]),
         )  # fmt: skip
-    except (ForeignError, KeyError, ValueError, TypeError) as error:
-        found = error if isinstance(error, ForeignError) else type(error).__name__
+    except (ChannelError, KeyError, ValueError, TypeError) as error:
+        found = error.given if isinstance(error, ChannelError) else type(error).__name__
         raise _foreign(path, f"a part is missing or damaged ({found})") from error
-    if 0 <= measured < len(names):
-        for name in names[measured:]:
-            notes.drop(f"point {name}", "the scan stopped before it")
-        if measured == 0:
-            raise _foreign(path, "no point was measured")
-        return replace(scan, names=names[:measured], x=x[:measured], y=y[:measured])
-    return scan
+    if not 0 <= measured < len(scan.names):
+        return scan
+    for name in scan.names[measured:]:
+        notes.drop(f"point {name}", "the scan stopped before it")
+    if measured == 0:
+        raise _foreign(path, "no point was measured")
+    return replace(scan, names=scan.names[:measured], x=x[:measured], y=y[:measured])
 
 
-def _names(path: Path, sets: dict[str, Any], count: int) -> list[str]:
+def _none_elsewhere(notes: Notebook) -> None:
+    dropped = {one.what for one in notes.dropped}
+    for name in ("x", "y", "name", "response", "reference"):
+        if set_name(name) in dropped:
+            raise _foreign(notes.path, f"{name}: {ELSEWHERE}")
+
+
+def _names(sets: Mapping[str, Channel], count: int) -> list[str]:
     """Of the points, as they are numbered where the file has none."""
     if "name" not in sets:
         return [str(number) for number in range(count)]
-    names = ask("hdf5.read", path, names=["name"])[0]
-    return [str(name) for name in names]
+    return [str(name) for name in np.asarray(sets["name"]).ravel()]
 
 
 def _motion(word: str, path: Path) -> Motion:

@@ -4,21 +4,19 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import Any, Literal
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from haptonic.channels import Channel, Notebook
+from haptonic.channels.labels import Ratio, ratio_of
+from haptonic.channels.signals import ORIGIN, Origin
 from haptonic.errors import ScanError, nearest
 from haptonic.response import FrequencyResponse, Reference
 from haptonic.vibrometry.curves import Curve, Place, assemble
-from haptonic.vibrometry.findings import Notebook
-from haptonic.vibrometry.labels import Ratio, ratio_of
-from haptonic.vibrometry.readers.stored import Stored
-from haptonic.vibrometry.records import InMemory, Source, TimeScan
+from haptonic.vibrometry.records import InMemory, OfChannels, Source, TimeScan
 
-Origin = Literal["measured", "simulated"]
-ORIGIN = "origin"  # name of a text in a file that says "simulated"
 # What a variable may be called when nothing else is said; the first that is there is taken.
 GUESSES: dict[str, tuple[str, ...]] = {
     "frequency": ("frequency", "freq", "frequencies", "f", "freqs", "fvec", "f_hz"),
@@ -57,7 +55,7 @@ class Mapped:
         return self.reference or named
 
 
-def table_of(arrays: Mapping[str, Any], how: Mapped, notes: Notebook) -> dict[str, Any]:
+def table_of(arrays: Mapping[str, Channel], how: Mapped, notes: Notebook) -> dict[str, Channel]:
     """The arrays by what they mean.
 
     Raises
@@ -91,7 +89,7 @@ def table_of(arrays: Mapping[str, Any], how: Mapped, notes: Notebook) -> dict[st
 
 
 def scan_of(
-    table: Mapping[str, Any], how: Mapped, notes: Notebook, origin: Origin, title: str
+    table: Mapping[str, Channel], how: Mapped, notes: Notebook, origin: Origin, title: str
 ) -> FrequencyResponse | TimeScan:
     """The arrays of a table as responses, or as time records when they come with a sample rate.
 
@@ -135,10 +133,10 @@ def scan_of(
     return assemble(curves, known, notes, origin=origin, title=title, inputs={"file": notes.path.name})
 
 
-def _places(table: Mapping[str, Any], how: Mapped, notes: Notebook) -> list[Place | None]:
+def _places(table: Mapping[str, Channel], how: Mapped, notes: Notebook) -> list[Place | None]:
     if "x" in table and "y" in table:
         columns = [np.asarray(table[name], dtype=float).ravel() for name in ("x", "y")]
-    elif "points" in table and np.ndim(table["points"]) == 2:
+    elif "points" in table and len(table["points"].shape) == 2:
         both = np.asarray(table["points"], dtype=float)
         both = both.T if both.shape[0] in (2, 3) and both.shape[1] not in (2, 3) else both
         columns = [both[:, 0], both[:, 1]]
@@ -167,7 +165,7 @@ def _points_first(values: NDArray[Any], points: int, lines: int, notes: Notebook
 
 
 def _records(
-    table: Mapping[str, Any],
+    table: Mapping[str, Channel],
     places: list[Place | None],
     how: Mapped,
     notes: Notebook,
@@ -183,12 +181,9 @@ def _records(
             "response", f"{response.shape}, reference {reference.shape}, {len(places)} points", notes
         )
     keep = [i for i, place in enumerate(places) if place is not None]
-    source: Source
-    if len(keep) == count and isinstance(response, Stored):
-        source = _Streamed(reference, response)
-    else:
-        rows = np.asarray(reference).reshape(driven)
-        moved = np.asarray(response).reshape(count, repeats, samples)
+    source: Source = OfChannels(reference, response, repeats, samples)
+    if len(keep) < count:
+        rows, moved = source.load(0, count)
         source = InMemory(rows if driven[0] == 1 else rows[keep], moved[keep])
     for i, place in enumerate(places):
         if place is None:
@@ -206,41 +201,21 @@ def _records(
     )  # fmt: skip
 
 
-@dataclass(frozen=True, eq=False)
-class _Streamed:
-    """Records of which the response, and perhaps the reference, stays in the file."""
-
-    reference: Stored | NDArray[Any]
-    response: Stored
-
-    def load(self, start: int, stop: int) -> tuple[NDArray[Any], NDArray[Any]]:
-        return self._portion(self.reference, start, stop), self._portion(self.response, start, stop)
-
-    def _portion(self, of: Stored | NDArray[Any], start: int, stop: int) -> NDArray[Any]:
-        count, repeats, samples = _shape(of)
-        if count == 1:
-            start, stop = 0, 1
-        rows = of.rows(start, stop) if isinstance(of, Stored) else of[start:stop]
-        return rows.reshape(-1, repeats, samples)
-
-
-def _shape(of: Stored | NDArray[Any]) -> tuple[int, int, int]:
+def _shape(of: Channel) -> tuple[int, int, int]:
     """Points, repeats and samples of records that may lack the middle one."""
     return (of.shape[0], of.shape[1], of.shape[2]) if len(of.shape) == 3 else (of.shape[0], 1, of.shape[1])
 
 
-def _records_first(values: Stored | NDArray[Any], points: int) -> Stored | NDArray[Any]:
-    """(point, repeat, sample) of records that came as (point, sample), (sample, point) or (sample,).
+def _records_first(values: Channel, points: int) -> Channel:
+    """(point, repeat, sample) or (point, sample) of records that came so, as (sample, point) or (sample,).
 
-    What is stored with the points first stays in its file.
+    Those with the points first stay in their file.
     """
-    if isinstance(values, Stored) and values.shape[0] == points and len(values.shape) in (2, 3):
+    if len(values.shape) == 3 or (len(values.shape) == 2 and values.shape[0] == points):
         return values
-    if np.ndim(values) == 3:
-        return np.asarray(values)
-    table = np.atleast_2d(np.squeeze(values))
+    table = np.atleast_2d(np.squeeze(np.asarray(values)))
     turned = table.shape[0] != points and table.shape[1] in (1, points)
-    return np.asarray((table.T if turned else table)[:, None])
+    return Channel.of(values.name, np.asarray((table.T if turned else table)[:, None]))
 
 
 def _unfit(argument: str, given: str, notes: Notebook) -> ScanError:

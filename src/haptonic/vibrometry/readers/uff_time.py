@@ -7,15 +7,14 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from haptonic.channels.labels import Ratio
+from haptonic.channels.signals import Origin
+from haptonic.channels.uff import TIME, Function, UffContents
 from haptonic.errors import ScanError
 from haptonic.response import Reference
 from haptonic.vibrometry.curves import AXES, nothing_left
-from haptonic.vibrometry.labels import Ratio
-from haptonic.vibrometry.readers.blocks import UnreadableError
-from haptonic.vibrometry.readers.uff import Function, UffContents, ratio_in
+from haptonic.vibrometry.readers.uff import ratio_in
 from haptonic.vibrometry.records import Samples, TimeScan
-
-TIME = 1
 
 
 @dataclass(frozen=True, eq=False)
@@ -37,7 +36,7 @@ def has_records(contents: UffContents) -> bool:
     return any(ratio_in(f.header, contents).over.motion for f in times)
 
 
-def time_scan_of(contents: UffContents, origin: str, title: str) -> TimeScan:
+def time_scan_of(contents: UffContents, origin: Origin, title: str) -> TimeScan:
     """The time records as a scan; curves that do not fit are named.
 
     Raises
@@ -84,7 +83,7 @@ def time_scan_of(contents: UffContents, origin: str, title: str) -> TimeScan:
         reference_scale=ratio[id(drives[0][0])].over.factor,
         direction=AXES[abs(like.response_axis) or 3],
         start=like.first,
-        origin="simulated" if origin == "simulated" else "measured",
+        origin=origin,
         title=title,
     )  # fmt: skip
 
@@ -121,13 +120,4 @@ def _paired(
 
 
 def _stacked(rows: list[list[Function]]) -> Samples:
-    try:
-        return np.array([[f.values()[1].real.astype(np.float32) for f in row] for row in rows])
-    except UnreadableError as error:
-        raise ScanError(
-            argument="time record",
-            given=str(error),
-            allowed="records that are whole",
-            cause="the file was cut short or changed",
-            next_step="export the scan again",
-        ) from error
+    return np.array([[f.rows(0, f.header.count).real.astype(np.float32) for f in row] for row in rows])

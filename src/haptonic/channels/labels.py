@@ -6,20 +6,21 @@ import re
 from dataclasses import dataclass
 from typing import Literal
 
+from haptonic.units import PREFIXES, TYPOGRAPHIC, to_si
+
 Motion = Literal["displacement", "velocity", "acceleration"]
 
 GRAVITY = 9.80665  # m/s^2, the standard value: sensors give accelerations in g
 SI: dict[str, Motion] = {"m": "displacement", "m/s": "velocity", "m/s^2": "acceleration"}
 UNITS: dict[Motion, str] = {motion: unit for unit, motion in SI.items()}
 ORDER: tuple[Motion, ...] = ("displacement", "velocity", "acceleration")
-PREFIX = {"p": 1e-12, "n": 1e-9, "u": 1e-6, "µ": 1e-6, "m": 1e-3, "c": 1e-2, "k": 1e3, "M": 1e6, "": 1.0}
+PREFIX = {name: float(f"1e{power}") for name, power in (PREFIXES | {"p": -12, "c": -2, "u": -6}).items()}
 OTHER = {"in": 0.0254, "inch": 0.0254, "ft": 0.3048}
 
-_SUPERSCRIPTS = str.maketrans({"²": "2", "\u03bc": "µ", "·": "*", "\u00d7": "*"})
 _MOTION = re.compile(
     r"(?:(?P<prefix>[pnuµmc]?)m|(?P<other>inch|in|ft))(?P<per>/s(?:ec)?(?P<squared>\^?2|\*\*2|/s)?)?"
 )
-_PLAIN = re.compile(r"(?P<prefix>[pnuµmkM]?)(?P<unit>V|N|A|Pa|W)")
+_PLAIN = re.compile(r"(?P<prefix>[pnuµmkMG]?)(?P<unit>V|N|A|Pa|W|Hz|s)")
 
 
 @dataclass(frozen=True)
@@ -50,7 +51,7 @@ class Ratio:
 
 def label_of(text: str) -> Label:
     """Meaning of one unit without a denominator of its own: "mm/s", "g", "mV"."""
-    plain = re.sub(r"[\s()\[\]]", "", text.translate(_SUPERSCRIPTS))
+    plain = re.sub(r"[\s()\[\]]", "", text.translate(TYPOGRAPHIC))
     if plain.upper() in ("", "NONE", "-"):
         return Label(None, "", 1.0)
     if plain in ("g", "gn", "G"):
@@ -78,6 +79,17 @@ def ratio_of(text: str) -> Ratio:
         if over.motion is not None:
             return Ratio(over, label_of(plain[cut + 1 :]))
     return Ratio(label_of(plain), label_of(""))
+
+
+def factor_of(text: str, si: str) -> float:
+    """One of a written unit in an SI unit: as instruments write it, or else any unit that `to_si` knows.
+
+    Raises
+    ------
+    HaptonicError : no unit of this kind
+    """
+    label = label_of(text)
+    return label.factor if label.unit == si else to_si(f"1 {text}", si, "unit")
 
 
 def steps(source: Motion, target: Motion) -> int:

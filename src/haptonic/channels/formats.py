@@ -1,0 +1,83 @@
+"""The formats that are read, and how a file tells which one it is: to add one, see `haptonic.channels`."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from pathlib import Path
+
+from haptonic.channels import delimited, hdf5, matlab, tdms, uff
+from haptonic.channels.notes import Notebook
+from haptonic.channels.signals import Group, SignalFile
+from haptonic.errors import ChannelError
+
+
+@dataclass(frozen=True)
+class Format:
+    """A format. read : gives the groups of a file; tells : whether a file is one, by its first bytes"""
+
+    name: str
+    suffixes: tuple[str, ...]
+    read: Callable[[Path, Notebook], Mapping[str, Group]]
+    tells: Callable[[bytes], bool] = lambda head: False
+
+
+HEAD = 4096  # bytes that tell
+_HDF5 = b"\x89HDF\r\n\x1a\n"
+_DELIMITER = re.compile(rb"^    -1 *\r?$", re.MULTILINE)
+
+# In this order: a MATLAB file of version 7.3 is HDF5 behind a block of its own.
+FORMATS = (
+    Format("TDMS", (".tdms",), tdms.read, lambda head: head.startswith(b"TDSm")),
+    Format("MATLAB", (".mat",), matlab.read, lambda head: head.startswith(b"MATLAB 5.0")),
+    Format("HDF5", (".h5", ".hdf5", ".nc"), hdf5.read, lambda head: _HDF5 in (head[:8], head[512:520])),
+    Format("CSV", (".csv",), delimited.read),
+    Format("UFF", (".uff", ".unv", ".uf"), uff.read, lambda head: bool(_DELIMITER.search(head))),
+)
+SUFFIXES = sorted(suffix for one in FORMATS for suffix in one.suffixes)
+
+
+def format_of(path: Path) -> Format | None:
+    """The format of a file, by its suffix or its first bytes; None for one that is not known.
+
+    Raises
+    ------
+    OSError : there is no such file, or it may not be read
+    """
+    with path.open("rb") as file:
+        head = file.read(HEAD)
+    suffix = path.suffix.lower()
+    return next((one for one in FORMATS if suffix in one.suffixes or one.tells(head)), None)
+
+
+def opened(path: Path) -> SignalFile:
+    """What is in a file of signals.
+
+    Raises
+    ------
+    ChannelError : there is no such file, it cannot be read, is damaged or of another format
+    """
+    try:
+        if not path.is_file():  # a name that is too long for any file raises an error
+            raise _refused(path, "no such file", "check its name")
+        form = format_of(path)
+        if form is None:
+            raise _refused(path, f'"{path.suffix}" is no ending of a format that is read', "save it as CSV")
+        notes = Notebook(path, form.name)
+        return SignalFile(path, form.read(path, notes), notes)
+    except MemoryError as error:
+        raise _refused(path, "it does not fit into memory, or is damaged", "divide it") from error
+    except OSError as error:
+        found = f"it cannot be read ({type(error).__name__})"
+        raise _refused(path, found, "check your right to read it, and the disk") from error
+
+
+def _refused(path: Path, given: str, next_step: str) -> ChannelError:
+    return ChannelError(
+        argument=path.name,
+        given=given,
+        allowed=f"a readable file that ends in {', '.join(SUFFIXES)}",
+        cause="the file was moved, renamed, cut or saved in another format",
+        next_step=next_step,
+    )

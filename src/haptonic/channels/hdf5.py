@@ -1,0 +1,122 @@
+"""HDF5 files, and NetCDF 4 files, which are HDF5 with conventions, by h5py in the process that reads."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from functools import partial
+from pathlib import Path
+from typing import Any
+
+import h5py
+import numpy as np
+import xarray as xr
+from numpy.typing import NDArray
+
+from haptonic import hdf5
+from haptonic.channels.notes import ELSEWHERE, Notebook
+from haptonic.channels.signals import Channel, Group, Samples, unreadable
+from haptonic.errors import ChannelError
+from haptonic.foreign.process import ForeignError, ask
+
+PACKING = ("scale_factor", "add_offset", "_FillValue", "missing_value", "dtype", "_Unsigned")
+
+
+def read(path: Path, notes: Notebook) -> dict[str, Group]:
+    """Groups, by "group/name" in depth; a channel has the unit of its attribute ``units``.
+
+    Raises
+    ------
+    ChannelError : the file is damaged
+    OSError, MemoryError : it may not be read, or does not fit into memory
+    """
+    try:
+        content = ask("hdf5.tree", path)
+    except ForeignError as error:
+        raise _damaged(path, error) from error
+    for name in content["elsewhere"]:
+        notes.drop(set_name(name), ELSEWHERE)
+    inside: dict[str, dict[str, Channel]] = {name: {} for name in ("", *content["groups"])}
+    for label, form in content["sets"].items():
+        group, _, name = label.rpartition("/")
+        if form["kind"] != "other":
+            inside[group][name] = _channel(path, label, name, form)
+    of_file = content["attributes"]
+    says = {"": of_file} | content["groups"]
+    return {name: Group(name, channels, says[name], of_file) for name, channels in inside.items()}
+
+
+def set_name(name: str) -> str:
+    """What a data set is called among what was dropped."""
+    return f'the data set "{name}"'
+
+
+def _channel(path: Path, label: str, name: str, form: Mapping[str, Any]) -> Channel:
+    says, shape = form["attributes"], tuple(form["shape"])
+    unit = says.get("units")
+    in_parts = form["kind"] == "number" and shape and not any(word in says for word in PACKING)
+    rows = partial(_rows, path, label) if in_parts else partial(_whole, path, label, form)
+    unit = unit if isinstance(unit, str) else ""
+    return Channel(name, shape, rows, form["kind"], unit, properties=says)
+
+
+def _rows(path: Path, name: str, first: int, last: int) -> Samples:
+    try:
+        return np.asarray(ask("hdf5.rows", path, names=[name], start=first, stop=last)[0])
+    except ForeignError as error:
+        raise _damaged(path, error) from error
+
+
+def _whole(path: Path, name: str, form: Mapping[str, Any], first: int, last: int) -> Samples:
+    try:
+        array = arrays_of(path, {"sets": {name: form}}, [name])[name]
+    except ForeignError as error:
+        raise _damaged(path, error) from error
+    return array[first:last] if array.ndim else array
+
+
+def arrays_of(path: Path, content: Mapping[str, Any], names: Sequence[str]) -> dict[str, NDArray[Any]]:
+    """Numbers, unpacked, and texts by name, of a file of which ``content`` is the "hdf5.tree".
+
+    Raises
+    ------
+    ForeignError : the data or what is said of their packing is damaged
+    MemoryError : too large
+    """
+    read = ask("hdf5.read", path, names=list(names))
+    return {
+        name: _unpacked(name, values, content["sets"][name]["attributes"])
+        for name, values in zip(names, read, strict=True)
+    }
+
+
+def _unpacked(name: str, values: Any, says: Mapping[str, Any]) -> NDArray[Any]:
+    array = np.asarray(values, dtype=None if isinstance(values, np.ndarray) else object)
+    packed = {word: says[word] for word in PACKING if word in says}
+    if not packed or array.dtype == object:
+        return array
+    variable = xr.Variable([f"axis {i}" for i in range(array.ndim)], array, packed)
+    try:
+        decoded = xr.conventions.decode_cf_variable(
+            name, variable, concat_characters=False, stack_char_dim=False, decode_times=False
+        )
+        return np.asarray(decoded.values)
+    except (TypeError, ValueError, LookupError, AttributeError, ArithmeticError) as error:
+        raise ForeignError(f"{name}: {', '.join(packed)} make no sense") from error
+
+
+def write(path: Path, channels: Sequence[Channel], properties: Mapping[str, Any]) -> None:
+    """A data set for each channel, with its unit."""
+    with hdf5.written(path) as raw, h5py.File(raw, "w") as file:
+        file.attrs.update(properties)
+        for channel in channels:
+            file.create_dataset(channel.name, data=channel.__array__()).attrs["units"] = channel.unit
+
+
+def _damaged(path: Path, error: ForeignError) -> ChannelError:
+    return unreadable(
+        path,
+        error,
+        "a whole HDF5 or NetCDF 4 file",
+        "it is damaged, or of another kind than its name says",
+        "copy the file again, or open it in another program to see",
+    )

@@ -1,0 +1,117 @@
+"""MATLAB files: version 5, and version 7.3, which is HDF5.
+
+Variables of version 5 are compressed as a whole and read so; large ones of version 7.3 stay in the file.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from functools import partial
+from pathlib import Path
+from typing import Any
+
+import h5py
+import numpy as np
+import scipy.io
+
+from haptonic import hdf5
+from haptonic.channels.notes import ELSEWHERE, Notebook
+from haptonic.channels.signals import ORIGIN, Channel, Group, Samples, unreadable
+from haptonic.errors import ChannelError
+from haptonic.foreign.process import ForeignError, ask
+
+LARGE = 16_000_000  # numbers, from which a variable of version 7.3 stays in the file until it is asked for
+HEADER = b"MATLAB 7.3 MAT-file, written by haptonic"
+USER_BLOCK = 512  # bytes before the HDF5 part of a MATLAB file
+
+
+def read(path: Path, notes: Notebook, large: int = LARGE) -> dict[str, Group]:
+    """Numeric variables. A structure is a group; the group "" has all, its fields as ``structure.field``.
+
+    Single numbers and a text ``origin`` are properties as well.
+
+    Raises
+    ------
+    ChannelError : the file is of neither version, or damaged
+    OSError, MemoryError : it may not be read, or does not fit into memory
+    """
+    try:
+        found = ask("matlab.variables", path, large=large)
+    except ForeignError as error:
+        raise _damaged(path, error) from error
+    for name in found["others"]:
+        notes.remark(f'the variable "{name}" holds no numbers')
+    for name in found["elsewhere"]:
+        notes.drop(f'the variable "{name}"', ELSEWHERE)
+    every = {name: Channel.of(name, array) for name, array in found["arrays"].items()}
+    for name, (inside, shape) in found["stored"].items():
+        every[name] = Channel(name, tuple(shape), partial(_rows, path, inside))
+    said = {} if found[ORIGIN] is None else {ORIGIN: found[ORIGIN]}
+    whole = _group("", every, said)
+    starts = {name[: i + 1] for name in every for i, letter in enumerate(name) if letter == "."}
+    groups = (_group(start, every, whole.properties) for start in sorted(starts))
+    return {"": whole} | {group.name: group for group in groups}
+
+
+def _group(start: str, every: Mapping[str, Channel], of_file: Mapping[str, Any]) -> Group:
+    inside = {name.removeprefix(start): one for name, one in every.items() if name.startswith(start)}
+    single = {name: one.__array__().item() for name, one in inside.items() if one.size == 1}
+    return Group(start.removesuffix("."), inside, single, of_file)
+
+
+def _rows(path: Path, name: str, first: int, last: int) -> Samples:
+    """Of the first axis in MATLAB's order, which is the last one in the file."""
+    try:
+        (part,) = ask("hdf5.rows", path, names=[name], start=first, stop=last, last=True)
+    except ForeignError as error:
+        raise _damaged(path, error) from error
+    return np.asarray(part).T
+
+
+def write(path: Path, variables: Mapping[str, Any], origin: str) -> None:
+    """Arrays and texts as variables of version 5, arrays of one axis as columns."""
+    content = {**variables, ORIGIN: origin}
+    scipy.io.savemat(path, content, appendmat=False, oned_as="column", do_compression=True)
+
+
+def write_rows(
+    path: Path,
+    small: Mapping[str, Samples],
+    shapes: Mapping[str, tuple[int, ...]],
+    portions: Iterable[tuple[int, Mapping[str, Samples]]],
+    origin: str,
+) -> None:
+    """Variables of version 7.3, large ones a few rows of their first axis at a time, in single precision.
+
+    Parameters
+    ----------
+    small : (n,) arrays that are written whole, as columns
+    shapes : of the large ones; portions : number of the first row, and the next rows of some of them
+    """
+    with hdf5.written(path) as raw, h5py.File(raw, "w", userblock_size=USER_BLOCK) as file:
+        for name, values in small.items():
+            file[name] = values[:, None]
+            file[name].attrs["MATLAB_class"] = np.bytes_("double")
+        text = np.frombuffer(origin.encode("utf-16-le"), np.uint16)
+        file[ORIGIN] = text[:, None]
+        file[ORIGIN].attrs["MATLAB_class"] = np.bytes_("char")
+        file[ORIGIN].attrs["MATLAB_int_decode"] = np.int32(2)
+        for name, shape in shapes.items():
+            turned = shape[::-1]  # MATLAB's axes run the other way in HDF5
+            file.create_dataset(name, turned, np.float32, chunks=(*turned[:-1], 1))
+            file[name].attrs["MATLAB_class"] = np.bytes_("single")
+        for first, parts in portions:
+            for name, rows in parts.items():
+                file[name][..., first : first + len(rows)] = rows.T
+    with path.open("rb+") as again:
+        again.write(HEADER.ljust(124) + b"\x00\x02IM")
+
+
+def _damaged(path: Path, error: ForeignError) -> ChannelError:
+    return unreadable(
+        path,
+        error,
+        "a whole .mat file of version 5 (save -v7) or 7.3 (save -v7.3)",
+        "the file is text, or damaged: a copy was interrupted",
+        "save it again in MATLAB: save scan.mat -v7",
+    )

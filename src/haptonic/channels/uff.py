@@ -1,0 +1,256 @@
+"""Universal files (UFF): curves (data sets 58 and 58b), points, shapes, units and lines."""
+
+from __future__ import annotations
+
+import importlib
+import mmap
+from collections import Counter
+from collections.abc import Iterator
+from contextlib import contextmanager
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from haptonic.channels.notes import Notebook
+from haptonic.channels.signals import ORIGIN, SIMULATED, Array, Channel, Group, Samples, unreadable
+from haptonic.channels.uff_blocks import (
+    Block,
+    Buffer,
+    Header,
+    UnreadableError,
+    blocks_of,
+    header_of,
+    values_of,
+)
+
+# Data sets that pyuff reads, each by a function of its text. pyuff.UFF takes the text from a file only: one
+# file for each of thousands of data sets would take half a minute.
+READERS = {
+    kind: getattr(importlib.import_module(f"pyuff.datasets.dataset_{kind}"), f"_extract{kind}")
+    for kind in (15, 55, 82, 151, 164, 2411, 2412)
+}
+PASSED_OVER = {18, 1858, 2400, 2420, 2429, 2467, 58259}  # known, and nothing that a scan needs
+NAMES = {
+    0: "general function", 1: "time record", 2: "auto spectrum", 3: "cross spectrum",
+    4: "frequency response", 5: "transmissibility", 6: "coherence", 7: "auto correlation",
+    9: "power spectral density", 12: "spectrum",
+}  # fmt: skip
+TIME = 1  # the function of a time record
+LARGEST_NUMBER = 1e10  # of a point: a field of ten columns holds no larger one
+SAYS_SIMULATED = "origin: simulated"  # a line of a curve's header
+
+
+@dataclass(frozen=True, eq=False)
+class Function:
+    """A curve of a file. Its numbers stay there, in the units of the file, until `values` reads them."""
+
+    path: Path
+    block: Block
+    header: Header
+    begin: int
+
+    @property
+    def source(self) -> str:
+        return self.block.name
+
+    def values(self) -> tuple[Array, NDArray[Any]]:
+        """Abscissa and ordinate.
+
+        Raises
+        ------
+        UnreadableError : fewer values than announced, or text between them
+        """
+        with _mapped(self.path) as data:
+            return values_of(self.block, self.header, self.begin, data)
+
+    def rows(self, first: int, last: int) -> Samples:
+        """Some of the ordinate.
+
+        Raises
+        ------
+        ChannelError : it cannot be read
+        """
+        try:
+            return self.values()[1][first:last]
+        except UnreadableError as error:
+            cause, step = "the file was cut short or changed", "export the scan again"
+            raise unreadable(
+                self.path, f"{self.source}: {error}", "records that are whole", cause, step
+            ) from None
+
+    @property
+    def kind(self) -> str:
+        return NAMES.get(self.header.function, f"function of type {self.header.function}")
+
+
+@dataclass(frozen=True, eq=False)
+class UffContents:
+    """All that was read of a universal file.
+
+    functions : curves, data sets 58 and 58b
+    nodes : positions, (3,) m, by number; data sets 15 and 2411
+    shapes : as pyuff gives them, data set 55
+    lines : numbers of points to join, data set 82
+    length, force : units of the file in one SI unit, from data set 164; None if it has none
+    notes : what was not read
+    """
+
+    functions: tuple[Function, ...]
+    nodes: dict[int, Array]
+    shapes: tuple[dict[str, Any], ...]
+    lines: tuple[NDArray[np.int64], ...]
+    length: float | None
+    force: float | None
+    title: str
+    notes: Notebook
+
+    @property
+    def simulated(self) -> bool:
+        """Whether a curve says so."""
+        return any(SAYS_SIMULATED in line for one in self.functions for line in one.header.lines)
+
+
+def uff_contents(path: Path, notes: Notebook | None = None) -> UffContents:
+    """Everything that a universal file holds. A data set that cannot be read is named in the notes."""
+    notes = Notebook(path, "UFF") if notes is None else notes
+    functions: list[Function] = []
+    small: dict[int, list[dict[str, Any]]] = {kind: [] for kind in READERS}
+    with _mapped(path) as data:
+        for block in blocks_of(data):
+            try:
+                if block.kind == 58:
+                    header, begin = header_of(block, data)
+                    functions.append(Function(path, block, header, begin))
+                elif block.kind in READERS:
+                    small[block.kind].append(_by_pyuff(block, data))
+                    if not block.closed:
+                        notes.remark(f"{block.name}: its end is missing")
+                elif block.kind not in PASSED_OVER:
+                    notes.drop(block.name, "a type that haptonic does not use")
+            except UnreadableError as error:
+                notes.drop(block.name, str(error))
+    length = force = None
+    for units in small[164]:
+        length, force = float(units["length"]), float(units["force"])
+    if length is not None and not (np.isfinite(length) and length > 0 and force and force > 0):
+        notes.drop("units (type 164)", f"a factor of {length:g} for the length is impossible")
+        length = force = None
+    nodes: dict[int, Array] = {}
+    for table in small[15] + small[2411]:
+        _add_nodes(table, 1.0 if length is None else length, nodes, notes)
+    title = next((str(header.get("model_name", "")) for header in small[151]), "")
+    lines = tuple(line for table in small[82] if (line := _line(table, notes)) is not None)
+    return UffContents(
+        tuple(functions), nodes, tuple(small[55]), lines, length, force, title.replace("NONE", ""), notes
+    )
+
+
+def read(path: Path, notes: Notebook) -> dict[str, Group]:
+    """The time records as channels of the one group "", named by their response or by their data set.
+
+    Raises
+    ------
+    OSError : there is no such file, or it may not be read
+    """
+    contents = uff_contents(path, notes)
+    records = [one for one in contents.functions if one.header.function == TIME and one.header.even]
+    names = [one.header.response_name or one.header.over.label for one in records]
+    single = {name for name, times in Counter(names).items() if times == 1 and name}
+    channels = {}
+    for function, name in zip(records, names, strict=True):
+        header, name = function.header, name if name in single else function.source
+        rate = 1 / header.step if header.step > 0 else 0.0
+        channels[name] = Channel(
+            name, (header.count,), function.rows, unit=header.over.unit, rate=rate, start=header.first
+        )
+    return {"": Group("", channels, {ORIGIN: SIMULATED} if contents.simulated else {})}
+
+
+def scaled(contents: UffContents, length_unit: float) -> UffContents:
+    """The same with coordinates taken in another unit, given in m."""
+    factor = length_unit * (contents.length or 1.0)
+    contents.notes.remark(f"coordinates taken in units of {length_unit:g} m, as asked")
+    return replace(contents, nodes={number: factor * place for number, place in contents.nodes.items()})
+
+
+def _by_pyuff(block: Block, data: Buffer) -> dict[str, Any]:
+    """One small data set, read by pyuff; node by node where pyuff gives up."""
+    if not block.closed and block.kind not in (15, 2411):
+        raise UnreadableError("its end is missing")
+    content = data[block.begin : block.end]
+    text = content.rstrip().decode("utf-8", "replace")
+    try:
+        made = READERS[block.kind](f"    -1\n{block.kind:6d}\n{text}\n")
+    except Exception as error:  # pyuff turns whatever happens to it into a plain Exception
+        _raise_what_no_file_is_to_blame_for(error)
+        if block.kind in (15, 2411):
+            return _nodes_line_by_line(block, content)
+        raise UnreadableError("pyuff cannot read it: it is damaged, or not of the standard form") from error
+    lengths = {len(made[name]) for name in ("node_nums", "x", "y", "z") if name in made}
+    if block.kind in (15, 2411) and len(lengths) > 1:
+        return _nodes_line_by_line(block, content)
+    return dict(made)
+
+
+def _raise_what_no_file_is_to_blame_for(error: BaseException) -> None:
+    """Raise what pyuff's exception hides, if it is no fault of the text that it read."""
+    cause: BaseException | None = error
+    while cause is not None:
+        if isinstance(cause, MemoryError | OSError | KeyboardInterrupt):
+            raise cause
+        cause = cause.__context__
+
+
+def _nodes_line_by_line(block: Block, content: bytes) -> dict[str, Any]:
+    """The nodes that are whole."""
+    words = [line.decode("ascii", "replace").replace("D", "E").split() for line in content.splitlines()]
+    if block.kind == 2411:
+        words = [first + second for first, second in zip(words[::2], words[1::2], strict=False)]
+    rows = []
+    for row in words:
+        try:
+            rows.append((int(row[0]), *(float(part) for part in row[4:7])) if len(row) == 7 else None)
+        except ValueError:
+            rows.append(None)
+    whole = [row for row in rows if row is not None and len(row) == 4]
+    if not whole:
+        raise UnreadableError("no node of it is whole")
+    columns = dict(zip(("node_nums", "x", "y", "z"), zip(*whole, strict=True), strict=True))
+    return columns | {"broken": len(rows) - len(whole)}
+
+
+def _line(table: dict[str, Any], notes: Notebook) -> NDArray[np.int64] | None:
+    """Numbers of the points that a line joins, 0 where it is interrupted."""
+    numbers = np.asarray(table["nodes"], dtype=float)
+    if not (np.abs(numbers) < LARGEST_NUMBER).all():
+        notes.drop("line (type 82)", "it joins points of impossible numbers")
+        return None
+    return numbers.astype(np.int64)
+
+
+def _add_nodes(table: dict[str, Any], length: float, nodes: dict[int, Array], notes: Notebook) -> None:
+    if table.get("broken"):
+        notes.drop("points (geometry)", f"{table['broken']} that are cut short or not numbers")
+    rows = np.column_stack([np.asarray(table[name], dtype=float) for name in ("node_nums", "x", "y", "z")])
+    for number, *place in rows:
+        if not 0 <= number < LARGEST_NUMBER:
+            notes.drop(f"point {number:g} (geometry)", "no number that a point can have")
+        elif not np.isfinite(place).all():
+            notes.drop(f"point {number:g} (geometry)", "coordinates that are not finite")
+        elif int(number) in nodes and not np.allclose(nodes[int(number)], np.array(place) / length):
+            notes.drop(f"point {number:g} (geometry)", "a second place for it; the first is used")
+        else:
+            nodes.setdefault(int(number), np.array(place) / length)
+
+
+@contextmanager
+def _mapped(path: Path) -> Iterator[Buffer]:
+    with path.open("rb") as file:
+        if path.stat().st_size == 0:
+            yield b""
+            return
+        with mmap.mmap(file.fileno(), 0, access=mmap.ACCESS_READ) as data:
+            yield data
