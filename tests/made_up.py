@@ -20,6 +20,7 @@ from haptonic.bloch.plate_waves import FAMILIES
 from haptonic.report import Results
 from haptonic.results import Asked, Guides, Layers, Runner, compute_guides, compute_layers
 from haptonic.results.bands import Bands
+from haptonic.results.common import stamped
 from haptonic.results.layers import Question
 from haptonic.results.references import References
 from haptonic.results.sweeps import Sweep, Sweeps
@@ -44,8 +45,8 @@ def _reference_bands() -> xr.Dataset:
         resolution=Resolution(4, 1),
         surface=True,
     )
-    dataset.attrs |= {"lattice": json.dumps(CELL_AXES), "code_fingerprint": "0" * 64}
-    return dataset
+    dataset.attrs |= {"lattice": json.dumps(CELL_AXES)}
+    return stamped(dataset, {})
 
 
 def reference_bands() -> xr.Dataset:
@@ -192,7 +193,7 @@ def results_of(
     study: Study, bands: xr.Dataset, sweeps: tuple[xr.Dataset, ...] = (), *, alarms: object = None,
     references: References | None = None, timings: object = None, started: object = None, **parts: object,
 ) -> Results:  # fmt: skip
-    """What a report is made of; parts by the names of their analyses, and None for those that are not there."""
+    """What a report is made of; parts by the names of their analyses, None for what is not there."""
     rows = Sweeps(tuple(Sweep(one, {}) for one in sweeps)) if sweeps else None
     every = {"bands": Bands(bands), "sweep": rows, **parts}
     there = {name: one for name, one in every.items() if one is not None}

@@ -113,7 +113,7 @@ def test_the_chapter_of_the_report(plated, monkeypatch, tmp_path):
     monkeypatch.setenv("HAPTONIC_STORE", str(tmp_path / "store"))
     study = load(plated())
     result = study.plate(store=Store(tmp_path / "store"))
-    made = chapter(Results(study, xr.Dataset(), plate=result))
+    made = chapter(Results(study, {"plate": result}))
     assert isinstance(made, Chapter)
     for name in ("velocity", "contrast", "impedance-A1"):
         assert result.figures[name].axes[0].get_title() == "simulated"
@@ -123,4 +123,4 @@ def test_the_chapter_of_the_report(plated, monkeypatch, tmp_path):
     assert ERRORS in words
     assert all(picture.caption.startswith("Simulated") for picture in made.pictures)
     assert all("imulated" in table.caption for table in made.tables)
-    assert isinstance(chapter(Results(study, xr.Dataset())), Absent)
+    assert isinstance(chapter(Results(study, {})), Absent)

@@ -11,7 +11,6 @@ from dataclasses import replace
 
 import pytest
 import xarray as xr
-from haptonic.report.quality import quality
 from test_report import read, results
 
 from haptonic import plots
@@ -27,6 +26,7 @@ from haptonic.report.chapters import scan as scans
 from haptonic.report.chapters.trials import chapter
 from haptonic.report.page import page
 from haptonic.results import compute_friction
+from haptonic.results.quality import quality
 from haptonic.store import Store
 from haptonic.study import loads
 from tiny_scan import TINY
@@ -106,8 +106,8 @@ def test_pictures_and_terminal_show_them(trials, tmp_path):
 def test_pages_hold_text_only(trials, monkeypatch):
     result, people, guides = trials
     monkeypatch.setattr("haptonic.report.page.IN_ORDER", (chapter,))
-    report = read(page(results(trials=result)))
-    sheets = read(quality(result, lambda *_: None))
+    report = read(page(results(friction=result)))
+    sheets = read(quality(result))
     for seen in (report, sheets):
         assert not FORBIDDEN & {tag for tag, _ in seen.tags}
         assert not [key for _, attributes in seen.tags for key in attributes if key.startswith("on")]

@@ -68,13 +68,16 @@ def parameters(analysis: Analysis) -> list[inspect.Parameter]:
         known = option_of(one)
         if known is None:
             continue
-        kind = str | None if known.unit or known.read else kinds[one.name]
+        kind = kinds[one.name]
+        if known.unit or known.read:
+            kind = str if one.default is MISSING else str | None
         metavar = known.metavar or (one.name.upper() if known.place != "option" else None)
         words: dict[str, Any] = {"help": known.help, "metavar": metavar, "min": known.least}
         made = (
             typer.Option(*known.flag.split(), **words) if known.place == "option" else typer.Argument(**words)
         )
-        default = inspect.Parameter.empty if one.default is MISSING else one.default
+        text = known.unit or known.read  # nothing given is told from a text; the record knows its default
+        default = inspect.Parameter.empty if one.default is MISSING else None if text else one.default
         placed[known.place].append(
             inspect.Parameter(
                 one.name, inspect.Parameter.KEYWORD_ONLY, default=default, annotation=Annotated[kind, made]
@@ -102,7 +105,7 @@ def answered(analysis: Analysis, given: dict[str, Any]) -> None:
     file = given.pop("study_file", None)
     with speaking(json, analysis.kept) as voice:
         study = None if file is None else load(file)
-        options = analysis.chosen(given)
+        options = analysis.chosen({name: value for name, value in given.items() if value is not None})
         analysis.check(study, options)
         about = path_of(options) if analysis.study != "needed" else file
         assert about is not None, f"{analysis.name} is asked of nothing"

@@ -120,7 +120,7 @@ class Layers(Result):
     def tables(self) -> list[Table]:
         families, counts = self.families, self.dataset["rows"].values
         passed = Table(
-            f"energy that passes at {self.carrier / 1e3:g} kHz {self.incidence}, dB below the incident wave: "
+            f"transmitted energy at {self.carrier / 1e3:g} kHz {self.incidence}, dB below the incident wave: "
             "all waves, in brackets the same kind alone",
             ("rows", *(f"incident {family}" for family in families)),
             [

@@ -38,8 +38,8 @@ def chapter(results: Results) -> Chapter | Absent:
         paragraphs=(
             "Each column is one design; all its other sizes are those of the study. The lines are bending "
             "resonances of the pillar alone, clamped at its foot: by equation (3) of [daunizeau-haptics], "
-            "which takes it as slender, and with shear and rotary inertia (Timoshenko). In the grey region gaps "
-            "were not looked for.",
+            "which takes it as slender, and with shear and rotary inertia (Timoshenko). In the grey region "
+            "gaps were not looked for.",
         ),
         findings=tuple(said),
         pictures=tuple(
