@@ -22,7 +22,7 @@ def main() -> None:
     study = haptonic.load(STUDY)
     section = study.design_settings
     brief = Brief(
-        study.unit_cell(),
+        study.cell,
         need_carrier(study),
         study.bands_settings.count,
         BOUNDS,

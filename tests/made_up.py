@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 import tempfile
 from dataclasses import replace
 from functools import cache
@@ -27,8 +26,6 @@ from haptonic.results.sweeps import Sweep, Sweeps
 from haptonic.store import Store
 from haptonic.study import Study
 
-CELL_AXES = [0.007, 0.0, 0.0, 0.007]
-
 
 @cache
 def reference_study() -> Study:
@@ -38,14 +35,13 @@ def reference_study() -> Study:
 @cache
 def _reference_bands() -> xr.Dataset:
     dataset = bands_dataset(
-        reference_study().unit_cell(),
+        reference_study().cell,
         count=10,
         points=24,
         accuracy=2e-2,
         resolution=Resolution(4, 1),
         surface=True,
     )
-    dataset.attrs |= {"lattice": json.dumps(CELL_AXES)}
     return stamped(dataset, {})
 
 
@@ -137,7 +133,7 @@ def made_up_tolerance(paths: tuple[str, ...], margin: float = 500.0) -> xr.Datas
 @cache
 def _reference_mirror() -> tuple[Layers, Guides]:
     study = reference_study()
-    cell, carrier, asked = study.unit_cell(), need_carrier(study), Asked(8, 13, 2e-2, Resolution(3, 1))
+    cell, carrier, asked = study.cell, need_carrier(study), Asked(8, 13, 2e-2, Resolution(3, 1))
     with tempfile.TemporaryDirectory() as folder:
         runner = Runner(Store(Path(folder)))
         layers = compute_layers(

@@ -12,7 +12,7 @@ SOURCE = Path(haptonic.__file__).parent
 FILES = sorted(SOURCE.rglob("*.py"))
 
 BASE = {"errors", "fields", "foreign", "gate", "hdf5", "names", "paths", "progress", "units"}
-CORE = BASE | {"materials", "lattice", "cell", "elements", "solvers", "superelement", "bloch"}
+CORE = BASE | {"materials", "lattice", "brillouin", "cell", "elements", "solvers", "superelement", "bloch"}
 LOWER = CORE | {"design", "friction", "plate", "response", "store", "updating", "vibrometry"}
 ALLOWED: dict[str, set[str]] = {
     "names": set(),
@@ -24,15 +24,16 @@ ALLOWED: dict[str, set[str]] = {
     "fields": {"errors", "names", "units"},
     "materials": BASE,
     "lattice": BASE,
+    "brillouin": BASE | {"lattice"},
     "solvers": {"errors"},
     "paths": {"errors", "units"},
     "progress": set(),
     "store": {"errors", "gate", "paths"},
     "jobs": BASE | {"store"},
-    "cell": BASE | {"materials", "lattice"},
+    "cell": BASE | {"materials", "lattice", "brillouin"},
     "elements": {"cell", "materials"},
     "superelement": {"solvers", "elements", "cell", "lattice", "materials"},
-    "bloch": {"superelement", "cell", "lattice", "materials", "errors", "gate", "units"},
+    "bloch": {"superelement", "cell", "lattice", "brillouin", "materials", "errors", "gate", "units"},
     "channels": {"errors", "foreign", "hdf5", "names", "paths", "units"},
     "response": BASE | {"channels"},
     "vibrometry": BASE | {"channels", "response"},
@@ -49,7 +50,7 @@ ALLOWED: dict[str, set[str]] = {
     "description": LOWER - {"store"} | {"results"},
     "report": LOWER | {"description", "pages", "plots", "results"},
     "analyses": LOWER | {"description", "report", "results", "workshop"},
-    "study": {"analyses", "description", "progress", "results", "store"},
+    "study": {"analyses", "description", "fields", "progress", "results", "store"},
     "cli": CORE | {"analyses", "results", "store", "study", "__init__"},
 }
 TOP = {"__init__", "__main__"}

@@ -53,16 +53,16 @@ def brief(study: Description) -> Brief:
             cause="the study does not say what may change",
             next_step='add [[design.vary]] with parameter = "cell.pillar.height", from and to',
         )
-    if section.finger is not None and not isinstance(study.resolved_material(), IsotropicMaterial):
+    if section.finger is not None and not isinstance(study.cell.material, IsotropicMaterial):
         raise StudyError(
             argument="design.finger_force",
-            given=f"with {study.resolved_material().name}",
+            given=f"with {study.cell.material.name}",
             allowed="an isotropic material",
             cause="the formula for a plate under a finger knows no others",
             next_step="leave the finger out and bound cell.thickness instead",
         )
     return Brief(
-        cell=study.unit_cell(),
+        cell=study.cell,
         carrier=carrier,
         count=study.bands_settings.count,
         bounds={one.parameter: (one.start, one.stop) for one in section.vary},

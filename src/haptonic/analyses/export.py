@@ -114,7 +114,7 @@ class Workshop(Result):
 
 def check(study: Description, options: ExportOptions) -> None:
     """Refuse impossible numbers of cells before anything is computed."""
-    in_mm(study.unit_cell(), options.columns, options.rows)
+    in_mm(study.cell, options.columns, options.rows)
 
 
 def compute(study: Description, options: ExportOptions, runner: Runner) -> Workshop:
@@ -124,7 +124,7 @@ def compute(study: Description, options: ExportOptions, runner: Runner) -> Works
         found = drawn_tolerances(study, runner)
     stem = "cell" if runner.about is None else runner.about.stem
     asked = bool(study.tolerance_settings.of)
-    return Workshop(study.unit_cell(), study.title, stem, options, *found, asked)
+    return Workshop(study.cell, study.title, stem, options, *found, asked)
 
 
 def drawn_tolerances(study: Description, runner: Runner) -> tuple[dict[str, float], str]:
@@ -140,7 +140,7 @@ def drawn_tolerances(study: Description, runner: Runner) -> tuple[dict[str, floa
     if not section.of:
         return {}, "the study gives no spreads, [tolerance] of"
     result = tolerance.compute(study, NoOptions(), runner)
-    spreads, shown = [one.frozen() for one in section.of], dimensions_of(study.unit_cell())
+    spreads, shown = [one.frozen() for one in section.of], dimensions_of(study.cell)
     drawn = {s.path: result.loosest * s.half_range for s in spreads if s.path in shown}
     if not drawn:
         return {}, "the study gives spreads of the material or of what is not drawn only"

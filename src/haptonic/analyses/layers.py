@@ -26,7 +26,7 @@ def compute(study: Description, options: NoOptions, runner: Runner) -> Layers:
         lowest=section.lowest or LOWEST * carrier,
         highest=section.highest or HIGHEST * carrier,
         points=section.points,
-        incidence=Incidence(section.angle, section.count, study.resolved_material().loss_factor),
+        incidence=Incidence(section.angle, section.count, study.cell.material.loss_factor),
     )
     if question.lowest >= question.highest:
         raise StudyError(
@@ -37,7 +37,7 @@ def compute(study: Description, options: NoOptions, runner: Runner) -> Layers:
             next_step="give both layers.lowest and layers.highest",
         )
     found: Layers = compute_layers(
-        study.unit_cell(), study.asked(), question, carrier=carrier, inputs=study.inputs(), runner=runner
+        study.cell, study.asked(), question, carrier=carrier, inputs=study.inputs(), runner=runner
     )
     return found
 

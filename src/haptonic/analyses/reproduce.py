@@ -22,7 +22,7 @@ from haptonic.analyses.analysis import KEPT, Analysis, option
 from haptonic.analyses.experiments import protocol_of, truth_of
 from haptonic.analyses.scanning import rescanned
 from haptonic.errors import FrictionError, HaptonicError, HaptonicWarning, ScanError, StudyError
-from haptonic.fields import FROM_FILE
+from haptonic.fields import read, remade
 from haptonic.friction.recordings import Sensor
 from haptonic.friction.statistics import Alarms, Population, false_alarms
 from haptonic.report import Results
@@ -119,7 +119,7 @@ def compute(study: Description, options: ReproduceOptions, runner: Runner) -> Re
     plate, feel, alarms = parts.get("plate"), parts.get("feel"), dict[str, Alarms]()
     if isinstance(plate, PlateResult):
         with _timed(timings, "twin of a scan"):
-            scan = _tried("twin of a scan", lambda: _scan(study, plate, runner))
+            scan = _tried("twin of a scan", partial(_scan, study, plate, runner))
         parts |= {"scan": scan} if scan else {}
     if isinstance(feel, Feel):
         with _timed(timings, "made-up trials"):
@@ -128,12 +128,18 @@ def compute(study: Description, options: ReproduceOptions, runner: Runner) -> Re
         if trials:
             known = references.friction if references else {}
             parts["friction"] = replace(trials, published=known)
-    varied = {}
+    varied: list[tuple[Variant, float | None]] = []
     if references is not None:
         with _timed(timings, "variants"):
-            varied = {one: _varied(study, one, runner) for one in references.variant}
+            varied = [(one, _varied(study, one, runner)) for one in references.variant]
     results = Results(
-        study, parts, alarms=alarms, references=references, variants=varied, timings=timings, started=started
+        study,
+        parts,
+        alarms=alarms,
+        references=references,
+        variants=tuple(varied),
+        timings=timings,
+        started=started,
     )
     return Reproduction(parts, results)
 
@@ -193,7 +199,7 @@ def _alarms(study: Description) -> dict[str, Alarms]:
 
 def _varied(study: Description, variant: Variant, runner: Runner) -> float | None:
     """The value of a variant; None if it has none, or if the study cannot be changed so."""
-    data = tomllib.loads(study.model_copy(update={"sweep_settings": ()}).to_toml())
+    data = tomllib.loads(remade(study, sweep_settings=()).to_toml())
     for key, value in variant.change.items():
         *tables, name = key.split(".")
         table = data
@@ -203,9 +209,9 @@ def _varied(study: Description, variant: Variant, runner: Runner) -> float | Non
     runner.progress(0, 0, variant.label)
     one = analysis(variant.analysis)
     try:
-        changed = type(study).model_validate(data, context=FROM_FILE)
+        changed = read(type(study), data, variant.label)
         found = one.compute(changed, one.options(), Runner(runner.store))
-    except (HaptonicError, ValueError) as error:
+    except HaptonicError as error:
         warnings.warn(f"{variant.table}, {variant.label}: {error}", HaptonicWarning, stacklevel=2)
         return None
     value = found_at(found.facts(), variant.path)

@@ -26,7 +26,7 @@ def compute(study: Description, options: NoOptions, runner: Runner) -> Sweeps:
     rows = [
         Row(
             sweep.values,
-            [design.unit_cell() for design in study.designs(sweep)],
+            [design.cell for design in study.designs(sweep)],
             {
                 "expression": sweep.vary,
                 "units": sweep.unit,

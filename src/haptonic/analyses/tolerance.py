@@ -27,7 +27,7 @@ def compute(study: Description, options: NoOptions, runner: Runner) -> Tolerance
             next_step='add [[tolerance.of]] with parameter = "cell.pillar.diameter", spread = "20 um"',
         )
     return compute_tolerance(
-        study.unit_cell(),
+        study.cell,
         study.asked(),
         [one.frozen() for one in section.of],
         carrier=need_carrier(study),

@@ -4,11 +4,10 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from pydantic import ValidationError
-
 from haptonic.analyses.analysis import Analysis, option
 from haptonic.analyses.needs import has_mirror, need_carrier
 from haptonic.errors import StudyError
+from haptonic.fields import remade
 from haptonic.results.guides import Guides, compute_guides
 from haptonic.results.runner import Runner
 from haptonic.study.asking import WaveguideSection
@@ -34,8 +33,8 @@ def asked(study: Description, options: WaveguideOptions) -> WaveguideSection:
     if options.mode is None:
         return own
     try:
-        return type(own).model_validate({**own.model_dump(), "mode": options.mode})
-    except ValidationError:
+        return remade(own, mode=options.mode)
+    except StudyError:
         raise StudyError(
             argument="--mode",
             given=shown(options.mode),
@@ -54,7 +53,7 @@ def compute(study: Description, options: WaveguideOptions, runner: Runner) -> Gu
     """
     section = asked(study, options)
     found: Guides = compute_guides(
-        study.unit_cell(), study.asked(), carrier=need_carrier(study), mode=section.nodal_lines,
+        study.cell, study.asked(), carrier=need_carrier(study), mode=section.nodal_lines,
         width=section.width, rows=section.rows, ends=section.ends, inputs=study.inputs(), runner=runner,
     )  # fmt: skip
     return found

@@ -37,7 +37,7 @@ class Results:
     parts: Mapping[str, Result]
     alarms: Mapping[str, Alarms] = field(default_factory=dict)
     references: References | None = None
-    variants: Mapping[Variant, float | None] = field(default_factory=dict)
+    variants: tuple[tuple[Variant, float | None], ...] = ()
     timings: Mapping[str, float] = field(default_factory=dict)
     started: datetime | None = None
 

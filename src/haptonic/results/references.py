@@ -22,19 +22,23 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import Annotated, Any
 
-from pydantic import Field, ValidationError
+from pydantic import BaseModel, ConfigDict, Field, ValidationError
 
 from haptonic.errors import StudyError
-from haptonic.fields import Section
-from haptonic.fields.problems import refusal
 from haptonic.paths import source
-from haptonic.units import to_si
+from haptonic.units import shown, to_si
 
 FOLDER = "references"
 Text = Annotated[str, Field(min_length=1, max_length=2000, strict=True)]
 
 
-class Value(Section):
+class Part(BaseModel):
+    """A table of such a file: immutable, without unknown keys."""
+
+    model_config = ConfigDict(frozen=True, extra="forbid")
+
+
+class Value(Part):
     """A value that an analysis is compared with; without a unit it is a text."""
 
     quantity: Text = Field(title="Quantity", description="What it is of.")
@@ -51,14 +55,14 @@ class Value(Section):
         return to_si(self.value, self.unit, self.quantity) if self.unit else None
 
 
-class Remark(Section):
+class Remark(Part):
     """A sentence for a chapter of the report."""
 
     chapter: Text = Field(title="Chapter", description="By its anchor in the page.")
     text: Text = Field(title="Text", description="The sentence.")
 
 
-class Variant(Section):
+class Variant(Part):
     """The study with one thing changed, to see what that moves."""
 
     table: Text = Field(title="Table", description="Variants of one table are compared with its first.")
@@ -68,7 +72,7 @@ class Variant(Section):
     change: dict[str, Any] = Field({}, title="Change", description="New values by key of the study file.")
 
 
-class References(Section):
+class References(Part):
     """All that an example brings."""
 
     title: Text = Field("the reference", title="Title", description="How the report calls it.")
@@ -101,8 +105,12 @@ class References(Section):
         try:
             return cls.model_validate(data)
         except ValidationError as error:
-            refused = refusal(error, cls, origin=str(path))
-        raise refused
+            first = error.errors()[0]
+            raise StudyError(
+                argument=f"{path}: {'.'.join(map(str, first['loc']))}", given=shown(first["input"]),
+                allowed=first["msg"], cause="the file of references has another form there",
+                next_step="see docs/analyses.md",
+            ) from None  # fmt: skip
 
     @classmethod
     def beside(cls, study: Path | None) -> References | None:

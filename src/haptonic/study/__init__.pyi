@@ -1,14 +1,12 @@
 from .plate_tables import PlateSection
 from .runs import Study, load, load_trials, loads
 from .scan_tables import ScanSection
-from .schema import SweepSection
-from .sections import BandsSection, CellSection, MeshSection
+from .sections import BandsSection, MeshSection
+from .sweeps import SweepSection
 from .trial_tables import Trials
-from .vary import solve
 
 __all__ = [
     "BandsSection",
-    "CellSection",
     "MeshSection",
     "PlateSection",
     "ScanSection",
@@ -18,5 +16,4 @@ __all__ = [
     "load",
     "load_trials",
     "loads",
-    "solve",
 ]

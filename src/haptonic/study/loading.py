@@ -8,11 +8,8 @@ import warnings
 from pathlib import Path
 from typing import Any, TypeVar
 
-from pydantic import ValidationError
-
 from haptonic.errors import HaptonicWarning, StudyError, nearest
-from haptonic.fields import FROM_FILE
-from haptonic.fields.problems import refusal
+from haptonic.fields import read, table
 from haptonic.paths import source
 from haptonic.study.schema import Description
 from haptonic.study.trial_tables import Trials, TrialsFile
@@ -50,7 +47,7 @@ def load_as(path: str | Path, kind: type[S]) -> S:
 
 def loads_as(text: str, kind: type[S], origin: str = "study") -> S:
     """Read a study from text; ``origin`` is how errors and warnings call it. Otherwise as `load_as`."""
-    study = _checked(_parsed(text, origin), kind, origin)
+    study = read(kind, _parsed(text, origin), origin)
     for words in study.unusual():
         warnings.warn(f"{origin}: {words}", HaptonicWarning, stacklevel=2)
     return study
@@ -64,22 +61,10 @@ def load_trials_as(path: str | Path, kind: type[S]) -> tuple[Trials, S | None]:
     StudyError : as `load_as`
     """
     data = _parsed(_read(source(path, "study", StudyError)), str(path))
-    if not data.keys() <= TrialsFile.model_fields.keys():
+    if not data.keys() <= table(TrialsFile).keys():
         study = load_as(path, kind)
         return study.trials, study
-    try:
-        return TrialsFile.model_validate(data, context=FROM_FILE).trials, None
-    except ValidationError as error:
-        refused = refusal(error, TrialsFile, origin=str(path))
-    raise refused
-
-
-def _checked(data: dict[str, Any], kind: type[S], origin: str) -> S:
-    try:
-        return kind.model_validate(data, context=FROM_FILE)
-    except ValidationError as error:
-        refused = refusal(error, kind, origin=origin)
-    raise refused  # out here it does not drag the whole file along as its context when it is pickled
+    return read(TrialsFile, data, str(path)).trials, None
 
 
 def _read(path: Path) -> str:

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 from haptonic import analyses
 from haptonic.analyses import analysis
+from haptonic.fields import extended
 from haptonic.progress import Progress, silent
 from haptonic.results.result import Result
 from haptonic.results.runner import Runner
@@ -17,6 +18,7 @@ from haptonic.study.schema import Description
 from haptonic.study.trial_tables import Trials
 
 
+@extended
 class Study(Description):
     """What a study file describes, and all that can be computed from it.
 
@@ -56,7 +58,7 @@ class Study(Description):
         def __getattr__(self, name: str) -> Any:
             if name.replace("_", " ") in analyses.NAMES:
                 return partial(self.run, name.replace("_", " "))
-            return super().__getattr__(name)
+            raise AttributeError(f"{type(self).__name__!r} has no attribute {name!r}")
 
     def __dir__(self) -> list[str]:
         return [*super().__dir__(), *(name.replace(" ", "_") for name in analyses.NAMES)]

@@ -50,8 +50,8 @@ def _row(value: Value, answer: dict[str, Any]) -> tuple[str, str, str, str, str]
 def _variants(results: Results) -> list[Table]:
     """A table for each name of them, its first row being what the others are compared with."""
     made = []
-    for name in dict.fromkeys(one.table for one in results.variants):
-        found = [(one.label, value) for one, value in results.variants.items() if one.table == name]
+    for name in dict.fromkeys(one.table for one, _ in results.variants):
+        found = [(one.label, value) for one, value in results.variants if one.table == name]
         first = next((value for _, value in found if value), None)
         rows = [
             (label, NONE, NONE) if value is None or first is None
