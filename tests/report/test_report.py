@@ -426,23 +426,6 @@ class TestMirror:
             in mirror.chapter(self.mirror(7.0)).pictures[0].alternative
         )
 
-    def test_the_papers_waveguide_stands_beside_it_only_for_the_papers_cell(self):
-        made = mirror.chapter(self.mirror())
-        assert made.tables[2].rows[-1][:4] == ("paper: 32", "140", "58.8", "8")
-        (strip,) = reference_guides().strips
-        ours = strip.frequency / 1e3
-        assert (
-            f"resonates at {ours:.2f} kHz in this model, {ours / 58.8 - 1:+.1%} off the 58.8 kHz"
-            in made.findings[-1]
-        )
-        other = reference_study().with_parameter("material.density", 2710.0)
-        made = mirror.chapter(self.mirror(study=other))
-        assert len(made.tables[2].rows) == 1
-        assert "paper" not in " ".join(made.findings)
-
-    @pytest.mark.parametrize(
-        "change", [{"width": 30e-3}, {"nodal_lines": 1}, {"wavenumber": 16.5 * np.pi / 0.14}]
-    )
     def test_another_waveguide_is_not_called_the_papers(self, change):
         (strip,) = reference_guides().strips
         guides = self.decaying(14.0, mode=replace(strip.mode, **change))
