@@ -20,7 +20,7 @@ from haptonic.errors import GeometryError
 
 Array = NDArray[np.float64]
 Operation = tuple[tuple[int, int], tuple[int, int]]
-Name = Literal["square", "rectangular", "oblique"]
+Name = Literal["square", "rectangular", "triangular", "oblique"]
 
 IDENTITY: Operation = ((1, 0), (0, 1))
 HALF_TURN: Operation = ((-1, 0), (0, -1))
@@ -135,6 +135,11 @@ class Lattice:
         """Rectangular lattice of periods ``pitch`` along x and ``pitch_y`` along y (m)."""
         return cls("rectangular", (pitch, 0.0), (0.0, pitch_y))
 
+    @classmethod
+    def triangular(cls, pitch: float) -> Lattice:
+        """Triangular lattice, also called hexagonal, of period ``pitch`` (m); a1 lies along x."""
+        return cls("triangular", (pitch, 0.0), (0.5 * pitch, 0.5 * math.sqrt(3) * pitch))
+
     @cached_property
     def vectors(self) -> Array:
         """(2, 2): the rows are a1 and a2, m."""
@@ -149,6 +154,21 @@ class Lattice:
     def area(self) -> float:
         """Area of the cell, m^2."""
         return float(abs(np.linalg.det(self.vectors)))
+
+    @cached_property
+    def neighbours(self) -> tuple[tuple[int, int], ...]:
+        """Translations across the sides of the cell, anticlockwise from the lowest side."""
+        return voronoi_cell(self.vectors)[0]
+
+    @cached_property
+    def corners(self) -> Array:
+        """(sides, 2) corners of the cell about the origin, m, each at the beginning of its side."""
+        return voronoi_cell(self.vectors)[1]
+
+    @property
+    def inradius(self) -> float:
+        """Distance from the centre of the cell to its nearest side, m."""
+        return float(0.5 * np.linalg.norm(np.array(self.neighbours) @ self.vectors, axis=1).min())
 
     @cached_property
     def point_group(self) -> PointGroup:
@@ -169,3 +189,28 @@ class Lattice:
     def wavevector(self, kappa: Array) -> Array:
         """(..., 2) wavevectors in rad/m from (..., 2) phases: k . a_j = kappa_j."""
         return np.asarray(kappa) @ np.linalg.inv(self.vectors).T
+
+
+def voronoi_cell(vectors: Array) -> tuple[tuple[tuple[int, int], ...], Array]:
+    """What lies nearer to the origin than to any other point of a lattice: a polygon of four or six sides.
+
+    vectors : (2, 2) translations, as rows
+
+    Returns
+    -------
+    the translations across its sides, anticlockwise from the lowest side on, and (sides, 2) its corners, each
+    at the beginning of its side
+    """
+    counts = [pair for pair in product(range(-2, 3), repeat=2) if pair != (0, 0)]
+    points = np.array(counts) @ vectors
+    apart = np.linalg.norm(0.5 * points[:, None] - points, axis=2)
+    np.fill_diagonal(apart, np.inf)
+    on_border = np.flatnonzero(apart.min(axis=1) > 0.5 * np.linalg.norm(points, axis=1) * (1 + SAME))
+    angle = np.arctan2(points[on_border, 1], points[on_border, 0])
+    order = on_border[np.argsort((angle + 0.5 * np.pi + SAME) % (2 * np.pi))]
+    middles = 0.5 * points[order]
+    corners = [
+        np.linalg.solve(np.stack([one, other]), [one @ one, other @ other])
+        for one, other in zip(np.roll(middles, 1, axis=0), middles, strict=True)
+    ]
+    return tuple(counts[number] for number in order), np.array(corners)

@@ -70,8 +70,7 @@ class UnitCell:
     @property
     def inradius(self) -> float:
         """Distance from the centre of the cell to its nearest side, m."""
-        (x1, y1), (x2, y2) = self.lattice.a1, self.lattice.a2
-        return 0.5 * self.lattice.area / max(math.hypot(x1, y1), math.hypot(x2, y2))
+        return self.lattice.inradius
 
     @property
     def clearance(self) -> float:
