@@ -39,6 +39,9 @@ TIGHTER = 0.1  # factor on that share where it was too coarse: little inertia ma
 # Relative error up to which what the interior leaves out is what its first order tells: where 1.4e-2 was told
 # 4.7e-2 was lost, and bands had changed places; up to the share of the accuracy the interior need not grow.
 TRUSTED_OMISSION, OMISSION_SHARE = 1e-3, 0.25
+# What the lower orders' interior leaves out, as a multiple: of a pillar of 25 diameters 2.5e-3 was left out,
+# and the distance was 1.1e-2; with more inside 7e-4.
+LOWER_OMISSION = 4.4
 FIRST_ORDER = 1.5  # what was lost was at most that many times what first order told, below the trusted one
 MOST_GROWTH = 4  # of the interior at one mesh
 ABOVE = 2  # modes above those asked for that may change places with them
@@ -239,6 +242,27 @@ class BlochModel:
         return worst
 
     @cached_property
+    def worst_error(self) -> float:
+        """Largest relative error estimate over a coarse sampling of the irreducible zone, rest left out."""
+        wavevectors, _ = self.cell.zone.triangles(ERROR_DIVISIONS)
+        worst = 0.0
+        for kappa in wavevectors:
+            solution = self.solve(kappa)
+            moving = solution.frequency > REST * self.highest
+            worst = max(worst, float((solution.error[moving] / solution.frequency[moving]).max()))
+        return worst
+
+    @property
+    def mesh_error(self) -> float:
+        """What of `worst_error` more of the interior would not mend, at least.
+
+        The interior of the lower orders is as short and leaves out more: all that a band's distance to them
+        is may be that.
+        """
+        of_distance = self.resolution.remaining(self.cell) * (1 + SHARED) * LOWER_OMISSION
+        return self.worst_error - (1 + of_distance) * self.omission
+
+    @cached_property
     def highest(self) -> float:
         """Frequency of the last band at rest phase, Hz: the yardstick for what is at rest."""
         return float(self.frequencies(np.zeros(2))[-1])
@@ -299,10 +323,12 @@ def candidate_models(
             given_up = resolution is not None and growth == MOST_GROWTH
             if model.omission <= TRUSTED_OMISSION or given_up:
                 yield model
-                reached = min(reached, worst_error(model))
-            # refused, or not to be trusted: a finer mesh where the mesh alone is too much, else more inside
-            enough = model.omission <= min(OMISSION_SHARE * accuracy, TRUSTED_OMISSION)
-            if enough or (resolution is None and worst_error(model) - model.omission > accuracy):
+                reached = min(reached, model.worst_error)
+            # a mesh is judged by what a trusted interior leaves of its error, and left where that is too much
+            if model.omission <= TRUSTED_OMISSION and (
+                model.omission <= OMISSION_SHARE * accuracy
+                or (resolution is None and model.mesh_error > accuracy)
+            ):
                 break
             tried = model.resolution.grown()
     raise ResourceError(
@@ -322,15 +348,4 @@ def bloch_model(
     Parameters and errors as in `candidate_models`.
     """
     models = candidate_models(cell, count, accuracy, resolution)
-    return next(m for m in models if resolution is not None or worst_error(m) <= accuracy)
-
-
-def worst_error(model: BlochModel) -> float:
-    """Largest relative error estimate over a coarse sampling of the irreducible zone, rest left out."""
-    wavevectors, _ = model.cell.zone.triangles(ERROR_DIVISIONS)
-    worst = 0.0
-    for kappa in wavevectors:
-        solution = model.solve(kappa)
-        moving = solution.frequency > REST * model.highest
-        worst = max(worst, float((solution.error[moving] / solution.frequency[moving]).max()))
-    return worst
+    return next(m for m in models if resolution is not None or m.worst_error <= accuracy)
