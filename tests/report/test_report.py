@@ -426,12 +426,6 @@ class TestMirror:
             in mirror.chapter(self.mirror(7.0)).pictures[0].alternative
         )
 
-    def test_another_waveguide_is_not_called_the_papers(self, change):
-        (strip,) = reference_guides().strips
-        guides = self.decaying(14.0, mode=replace(strip.mode, **change))
-        assert "The paper's waveguide" not in self.said(guides=guides)
-        assert "The paper's waveguide" not in self.said(guides=self.decaying(14.0, length=0.147))
-
 
 class TestTrend:
     @pytest.mark.parametrize("exponent", [1.0, -2.0, 0.37])
