@@ -233,10 +233,10 @@ class _counted:  # noqa: N801
         self.counts, self.told = counts, process._told
 
     def __enter__(self) -> None:
-        def told(error, limits):
+        def told(path, error, limits):
             kind = {"time": "hung", "memory": "large"}.get(error.reason, "crashed")
             setattr(self.counts, kind, getattr(self.counts, kind) + 1)
-            return self.told(error, limits)
+            return self.told(path, error, limits)
 
         process._told = told
 
