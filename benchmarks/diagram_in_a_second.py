@@ -22,14 +22,14 @@ from haptonic.bloch.tracking import diagram
 
 def reference_cell():
     study = haptonic.load(STUDY)
-    return fresh(study.unit_cell()), study.asked()
+    return fresh(study.cell), study.asked()
 
 
 def frequencies_and_errors() -> BlochModel:
     """From the study file to frequencies, errors and group velocities along the path."""
     cell, asked = reference_cell()
     model = bloch_model(cell, asked.count, asked.accuracy)
-    for kappa in cell.lattice.path(asked.points).kappa:
+    for kappa in cell.zone.path(asked.points).kappa:
         solution = model.solve(kappa)
         model.gradient(kappa, solution.modes)
     return model
@@ -39,7 +39,7 @@ def measure() -> dict[str, float]:
     first, model = timed(frequencies_and_errors)
     later, model = timed(frequencies_and_errors, repeats=3)
     cell, asked = reference_cell()
-    path = cell.lattice.path(asked.points)
+    path = cell.zone.path(asked.points)
     tracked, _ = timed(lambda: diagram(model, path), repeats=3)
     searched, gaps = timed(lambda: complete_gaps(model), repeats=3)
     point = np.array([1.0, 0.3])

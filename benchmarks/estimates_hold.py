@@ -20,21 +20,29 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 from record import ROOT, write
 from threadpoolctl import threadpool_limits
 
 sys.path.insert(0, str(ROOT / "tests" / "core"))
-from truth import KINDS, Drawn, Truth, drawn, truth, wavevectors
+from truth import KINDS, STOUT_FROM, Drawn, Truth, drawn, truth, wavevectors
 
 from haptonic.bloch.model import REST, bloch_model
 from haptonic.errors import HaptonicError
 
+Array = NDArray[np.float64]
+
 FOLDER = ROOT / "results" / "estimates_hold"
+REFERENCE_LIMIT = 400.0  # s of the processor
+CLASSES = (*dict.fromkeys(KINDS), "stout")
 
 
 @dataclass
 class Row:
-    """One design: what was asked, what came out; errors are relative, seconds are the processor's."""
+    """One design: what was asked, what came out; errors are relative, seconds are the processor's.
+
+    unsure : largest uncertainty of a reference, as a share of the estimate that it judges
+    """
 
     seed: int
     number: int
@@ -44,56 +52,69 @@ class Row:
     outcome: str = "answered"
     resolution: str = ""
     seconds: float = 0.0
+    reference_seconds: float = 0.0
     frequencies: int = 0
     below: int = 0
     least_ratio: float = float("nan")
     median_ratio: float = float("nan")
     largest_error: float = float("nan")
     largest_estimate: float = float("nan")
+    unsure: float = float("nan")
     route: str = ""
 
 
-def answered(question: Drawn) -> tuple[np.ndarray, np.ndarray, str, float]:
-    """Frequencies and estimates (wavevectors, bands), Hz, as the product gives them; mesh, seconds."""
+@dataclass
+class Answer:
+    """What the product says: frequency, error (wavevectors, bands), Hz, and its mesh; or why none."""
+
+    seconds: float
+    frequency: Array | None = None
+    error: Array | None = None
+    mesh: str = ""
+    refusal: str = ""
+
+
+def answered(question: Drawn) -> Answer:
     start = time.process_time()
-    with threadpool_limits(1):
-        model = bloch_model(question.cell, question.count, question.accuracy)
-        solutions = [model.solve(kappa) for kappa in wavevectors(question.cell)]
+    try:
+        with threadpool_limits(1):
+            model = bloch_model(question.cell, question.count, question.accuracy)
+            solutions = [model.solve(kappa) for kappa in wavevectors(question.cell)]
+    except HaptonicError as refusal:
+        return Answer(time.process_time() - start, refusal=f"{refusal.argument}: {refusal.cause}")
     used = model.resolution
     mesh = f"order {used.order}, {used.foot_rings} rings, {used.steps} x {used.block}"
     frequency, error = (np.array([getattr(s, name) for s in solutions]) for name in ("frequency", "error"))
-    return frequency, error, mesh, time.process_time() - start
+    return Answer(time.process_time() - start, frequency, error, mesh)
 
 
-def compared(row: Row, question: Drawn, exact: Truth) -> Row:
-    """Ask the product and fill the row in."""
-    try:
-        frequency, error, row.resolution, row.seconds = answered(question)
-    except HaptonicError as refusal:
-        row.outcome = f"refused: {refusal.argument}: {refusal.cause}"
-        return row
+def compare(row: Row, frequency: Array, error: Array, exact: Truth) -> None:
+    """Fill the row in."""
     moving = exact.frequency > 2 * REST * exact.frequency.max()
     true, unsure = np.abs(frequency - exact.frequency)[moving], exact.uncertainty[moving]
     error, yardstick = error[moving], exact.frequency[moving]
     ratio = error / np.maximum(true, unsure)
-    row.route, row.frequencies = exact.route, true.size
+    row.route, row.frequencies, row.unsure = exact.route, true.size, float((unsure / error).max())
     row.below = int((error < true - unsure).sum())
     row.least_ratio, row.median_ratio = float(ratio.min()), float(np.median(ratio))
     row.largest_error, row.largest_estimate = (
         float((true / yardstick).max()),
         float((error / yardstick).max()),
     )
-    return row
 
 
-def reference(question: Drawn, kept: Path) -> Truth:
-    """The truth of a question, computed once."""
+def reference(question: Drawn, kept: Path) -> tuple[Truth | None, float]:
+    """The truth of a question, computed once, and the seconds of the processor that it took."""
     if not kept.exists():
+        start = time.process_time()
         with threadpool_limits(1):
             exact = truth(question)
-        np.savez(kept, frequency=exact.frequency, uncertainty=exact.uncertainty, route=exact.route)
+        if exact is None:
+            return None, time.process_time() - start
+        np.savez(kept, **asdict(exact), seconds=time.process_time() - start)
     with np.load(kept) as stored:
-        return Truth(stored["frequency"], stored["uncertainty"], str(stored["route"]))
+        exact = Truth(stored["frequency"], stored["uncertainty"], str(stored["route"]))
+        return exact, float(stored["seconds"])
 
 
 def _sent(pipe: Connection, limit: int, work: Callable[..., Any], *given: Any) -> None:
@@ -108,7 +129,7 @@ def within(limit: float, work: Callable[..., Any], *given: Any) -> Any:
     """
     context = get_context("spawn")
     here, there = context.Pipe(duplex=False)
-    worker = context.Process(target=_sent, args=(there, int(limit), work, *given))
+    worker = context.Process(target=_sent, args=(there, int(limit), work, *given), daemon=True)
     worker.start()
     there.close()
     try:
@@ -157,28 +178,49 @@ def of_class(rows: list[Row], name: str) -> dict[str, Any]:
     }
 
 
-def main(count: int, seed: int, limit: float, first: int) -> None:
+def row_of(seed: int, number: int, limit: float) -> Row:
+    """One design asked and judged."""
+    question = drawn(seed, number)
+    row = Row(seed, number, question.kind, question.count, question.accuracy)
+    answer = within(limit, answered, question)
+    if answer is None:
+        row.outcome = f"longer than {limit:g} s, or out of memory"
+        return row
+    row.seconds, row.resolution = answer.seconds, answer.mesh
+    if answer.refusal:
+        row.outcome = f"refused: {answer.refusal}"
+        return row
+    found = within(REFERENCE_LIMIT, reference, question, FOLDER / f"{seed}-{number}.npz")
+    exact, row.reference_seconds = found or (None, REFERENCE_LIMIT)
+    if exact is None:
+        row.outcome = "no reference: too large"
+        return row
+    compare(row, answer.frequency, answer.error, exact)
+    return row
+
+
+def main(count: int, stout: int, seed: int, limit: float) -> None:
     FOLDER.mkdir(parents=True, exist_ok=True)
     path = FOLDER / "designs.csv"
     done = {(row.seed, row.number) for row in read(path)}
-    for number in range(first, count):
+    apart = range(STOUT_FROM, STOUT_FROM + stout)
+    every = max(count // max(stout, 1), 1)  # so that a run that is stopped has seen every class
+    for number in sorted(
+        (*range(count), *apart), key=lambda n: every * (n - STOUT_FROM) if n in apart else n
+    ):
         if (seed, number) in done:
             continue
-        question = drawn(seed, number)
-        row = Row(seed, number, question.kind, question.count, question.accuracy)
-        exact = within(20 * limit, reference, question, FOLDER / f"{seed}-{number}.npz")
-        if exact is None:
-            row.outcome = "no reference: too large"
-        else:
-            found = within(limit, compared, row, question, exact)
-            row = found or row
-            row.outcome = row.outcome if found else f"longer than {limit:g} s, or out of memory"
+        row = row_of(seed, number, limit)
         append(path, row)
         print(
-            f"{number} {row.kind}: {row.outcome}, {row.below} below, ratio {row.median_ratio:.1f}", flush=True
+            f"{number} {row.kind} {row.count} {row.accuracy:g}: {row.outcome}, {row.below} below, ratio "
+            f"{row.least_ratio:.2f} {row.median_ratio:.1f}, error {row.largest_error:.1e} of "
+            f"{row.largest_estimate:.1e}, {row.resolution}, {row.seconds:.0f} s; {row.route}, unsure "
+            f"{row.unsure:.2f}, {row.reference_seconds:.0f} s",
+            flush=True,
         )
-    rows = [row for row in read(path) if row.seed == seed and first <= row.number < count]
-    classes = [of_class([row for row in rows if row.kind == kind], kind) for kind in dict.fromkeys(KINDS)]
+    rows = [row for row in read(path) if row.seed == seed]
+    classes = [of_class([row for row in rows if row.kind == kind], kind) for kind in CLASSES]
     reasons = sorted({row.outcome for row in rows if not row.frequencies})
     write(
         "estimates_hold",
@@ -188,11 +230,11 @@ def main(count: int, seed: int, limit: float, first: int) -> None:
 
 if __name__ == "__main__":
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--designs", type=int, default=120)
-    parser.add_argument("--first", type=int, default=0, help="number of the first design")
+    parser.add_argument("--designs", type=int, default=120, help="of all classes by turns")
+    parser.add_argument("--stout", type=int, default=20, help="stout pillars on thin plates beside them")
     parser.add_argument("--seed", type=int, default=2)
     parser.add_argument(
         "--limit", type=float, default=90.0, help="seconds of the processor that a design gets"
     )
     given = parser.parse_args()
-    main(given.designs, given.seed, given.limit, given.first)
+    main(given.designs, given.stout, given.seed, given.limit)

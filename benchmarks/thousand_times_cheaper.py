@@ -31,8 +31,8 @@ THEIRS = (
 
 
 def ours(resolution: Resolution) -> dict[str, float]:
-    cell = haptonic.load(STUDY).unit_cell()
-    path = cell.lattice.path(POINTS).kappa
+    cell = haptonic.load(STUDY).cell
+    path = cell.zone.path(POINTS).kappa
 
     def whole() -> BlochModel:
         model = BlochModel.of(fresh(cell), resolution, 10, measured=False)
@@ -55,7 +55,7 @@ def ours(resolution: Resolution) -> dict[str, float]:
 
 def theirs(settings: dict[str, int]) -> dict[str, float]:
     study = haptonic.load(STUDY)
-    cell, material = study.unit_cell(), study.resolved_material()
+    cell, material = study.cell, study.cell.material
     peer = PeerCell(
         cell.lattice.pitch, cell.lattice.pitch, cell.thickness, cell.pillar.diameter, cell.pillar.height,
         material.youngs_modulus, material.poisson_ratio, material.density,

@@ -1,4 +1,4 @@
-"""Bravais lattices of the plate: integer translations, point group, irreducible zone and its path.
+"""Bravais lattices of the plate: integer translations, and point groups.
 
 Wavevectors are given by the phases ``kappa = (k . a1, k . a2)`` in radians, so that everything but the
 physical length of a wavevector is independent of the size of the cell.
@@ -6,86 +6,184 @@ physical length of a wavevector is independent of the size of the cell.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+import math
+from collections.abc import Callable
+from dataclasses import dataclass, replace
 from functools import cached_property
-from itertools import pairwise
+from itertools import product
+from typing import Annotated, Literal
 
 import numpy as np
 from numpy.typing import NDArray
+from pydantic import Field
 
 from haptonic.errors import GeometryError
+from haptonic.fields import described, problem, remade, size
+from haptonic.units import format_quantity
 
 Array = NDArray[np.float64]
 Operation = tuple[tuple[int, int], tuple[int, int]]
 
 IDENTITY: Operation = ((1, 0), (0, 1))
-MIRROR_X: Operation = ((-1, 0), (0, 1))
-MIRROR_Y: Operation = ((1, 0), (0, -1))
 HALF_TURN: Operation = ((-1, 0), (0, -1))
 DIAGONAL: Operation = ((0, 1), (1, 0))
 
+SAME = 1e-9  # relative: lengths, and entries of matrices, that differ by less are equal
+LETTERS = {0: "x", 90: "y", 135: "d"}  # names of mirrors, by the angle of their normals in degrees
+
 
 @dataclass(frozen=True)
-class Path:
-    """Wavevectors along the edge of the irreducible zone.
+class PointGroup:
+    """Turns and mirrors of the plane that take a lattice, and what stands on it, to themselves.
 
-    kappa : (n, 2) phases, rad
-    distance : (n,) arc length of the wavevector from the start, rad/m
-    corners : positions of the labelled corners in the arrays
-    labels : their names, one each
-    segment : (n,) number of the segment that a point belongs to (a corner opens the next one)
+    An operation is an integer matrix W that takes the lattice point ``n1 a1 + n2 a2`` to that of ``W n``.
+    With the translations as rows of V it turns the plane by ``R = V^T W V^-T``, and takes the phases kappa of
+    a wavevector to ``W^-T kappa``.
+
+    vectors : a1 and a2, m; operations : closed under products
     """
 
-    kappa: Array
-    distance: Array
-    corners: tuple[int, ...]
-    labels: tuple[str, ...]
+    vectors: tuple[tuple[float, float], tuple[float, float]]
+    operations: tuple[Operation, ...]
 
-    @cached_property
-    def segment(self) -> NDArray[np.int64]:
-        inner = np.asarray(self.corners[1:-1])
-        return np.searchsorted(inner, np.arange(len(self.kappa)), side="right")
+    def __contains__(self, operation: Operation) -> bool:
+        return operation in self.operations
+
+    def __len__(self) -> int:
+        return len(self.operations)
+
+    def turn(self, operation: Operation) -> Array:
+        """(3, 3) orthogonal map of space that an operation is; it keeps the plate's normal."""
+        translations = np.array(self.vectors).T
+        space = np.eye(3)
+        space[:2, :2] = translations @ np.array(operation) @ np.linalg.inv(translations)
+        near = np.round(space)  # turns by right angles are exact
+        return np.where(np.abs(space - near) < SAME, near, space)
+
+    def kept(self, leaves: Callable[[Array], bool]) -> PointGroup:
+        """The operations whose map of space (3, 3) leaves something else as it is, too."""
+        return replace(self, operations=tuple(op for op in self.operations if leaves(self.turn(op))))
+
+    def little_group(self, kappa: Array) -> PointGroup:
+        """The operations that leave a wavevector unchanged up to a reciprocal lattice vector."""
+        kept = []
+        for op in self.operations:
+            turns = (np.linalg.inv(np.array(op)).T @ kappa - kappa) / (2 * np.pi)
+            if np.allclose(turns, np.round(turns), atol=SAME):
+                kept.append(op)
+        return replace(self, operations=tuple(kept))
+
+    @property
+    def mirrors(self) -> dict[str, Operation]:
+        """All reflections, named after their normals: x, y, d, or an angle from the x axis.
+
+        d is the reflection in the diagonal x = y.
+        """
+        found = {}
+        for op in self.operations:
+            turn = self.turn(op)[:2, :2]
+            if np.linalg.det(turn) < 0:  # 1 - 2 n n^T, so that its angle is twice that of n, and half a turn
+                angle = round(math.degrees(0.5 * (math.atan2(turn[0, 1], turn[0, 0]) + math.pi))) % 180
+                found[LETTERS.get(angle, f"{angle}°")] = op
+        return dict(sorted(found.items(), key=lambda item: ("xyd".find(item[0]) % 4, item[0])))
+
+    @property
+    def distinct_mirrors(self) -> dict[str, Operation]:
+        """Reflections that tell modes apart: those with a letter, and one of each further class of others.
+
+        The others are conjugate: a representation has the same character for them.
+        """
+        mirrors = self.mirrors
+        kept = {name: op for name, op in mirrors.items() if name in LETTERS.values()}
+        for name, op in mirrors.items():
+            if not any(self._conjugate(op, other) for other in kept.values()):
+                kept[name] = op
+        return kept
+
+    def _conjugate(self, one: Operation, other: Operation) -> bool:
+        matrices = [np.array(op) for op in self.operations]
+        return any(np.array_equal(g @ np.array(one), np.array(other) @ g) for g in matrices)
 
 
-@dataclass(frozen=True)
+@described("cell", GeometryError, kw_only=True)
 class Lattice:
-    """Two translations ``a1``, ``a2`` in the plane of the plate (m) and what leaves them unchanged.
+    """Two translations ``a1``, ``a2`` in the plane of the plate, m, the shortest that there are.
 
-    ``point_group`` holds the operations as integer matrices on lattice coordinates; a cell that has less
-    symmetry than its lattice passes only the operations that it shares. ``zone`` is the irreducible zone
-    as a convex polygon of (label, phases in units of pi), walked in order by the path.
+    ``name`` is that of the symmetry that is meant. A rectangle whose sides happen to be equal stays one, so
+    that a sweep of a side meets no other zone there. ``pitch`` is the length of a1, and the yardstick
+    of every geometric tolerance.
+
+    Raises
+    ------
+    GeometryError : a period that is not positive, or one too many or too few
     """
 
-    name: str
-    a1: tuple[float, float]
-    a2: tuple[float, float]
-    point_group: tuple[Operation, ...]
-    zone: tuple[tuple[str, tuple[float, float]], ...]
+    name: Literal["square", "rectangular"] = Field(
+        alias="lattice", default="square", title="Lattice", description="How the cells repeat in the plane."
+    )
+    pitch: Annotated[float, size(100e-6, 100e-3)] = Field(
+        title="Pitch", description="Period of the lattice; along x for a rectangular one."
+    )
+    pitch_y: Annotated[float, size(100e-6, 100e-3)] | None = Field(
+        default=None, title="Pitch along y", description="Of a rectangular lattice only."
+    )
 
     def __post_init__(self) -> None:
-        if not (np.isfinite(self.vectors).all() and abs(np.linalg.det(self.vectors)) > 0):
-            raise GeometryError(
-                argument="cell.lattice",
-                given=f"a1 = {self.a1}, a2 = {self.a2}",
-                allowed="two finite translations that are not parallel",
-                cause="a pitch is zero or not a number",
-                next_step="give positive pitches",
+        if (self.name == "rectangular") != (self.pitch_y is not None):
+            missing = self.pitch_y is None
+            raise problem(
+                "nothing" if missing else format_quantity(self.pitch_y or 0.0, "m"),
+                "pitch_y for a rectangular lattice, and for no other",
+                "the second period was left out" if missing else f"a {self.name} lattice has one period only",
+                'add pitch_y = "7 mm"' if missing else 'remove pitch_y, or write lattice = "rectangular"',
+                at="pitch_y",
             )
 
     @classmethod
     def square(cls, pitch: float) -> Lattice:
         """Square lattice of period ``pitch`` (m)."""
-        mirrors = (IDENTITY, MIRROR_X, MIRROR_Y, HALF_TURN)
-        turned = (DIAGONAL, ((0, -1), (1, 0)), ((0, 1), (-1, 0)), ((0, -1), (-1, 0)))
-        zone = (("Γ", (0.0, 0.0)), ("X", (1.0, 0.0)), ("M", (1.0, 1.0)))
-        return cls("square", (pitch, 0.0), (0.0, pitch), mirrors + turned, zone)
+        return cls(lattice="square", pitch=pitch)
 
     @classmethod
     def rectangular(cls, pitch: float, pitch_y: float) -> Lattice:
         """Rectangular lattice of periods ``pitch`` along x and ``pitch_y`` along y (m)."""
-        zone = (("Γ", (0.0, 0.0)), ("X", (1.0, 0.0)), ("S", (1.0, 1.0)), ("Y", (0.0, 1.0)))
-        mirrors = (IDENTITY, MIRROR_X, MIRROR_Y, HALF_TURN)
-        return cls("rectangular", (pitch, 0.0), (0.0, pitch_y), mirrors, zone)
+        return cls(lattice="rectangular", pitch=pitch, pitch_y=pitch_y)
+
+    @property
+    def a1(self) -> tuple[float, float]:
+        """First translation, m."""
+        return self.pitch, 0.0
+
+    @property
+    def a2(self) -> tuple[float, float]:
+        """Second translation, m."""
+        return 0.0, self.pitch_y or self.pitch
+
+    @staticmethod
+    def oblique(a1: tuple[float, float], a2: tuple[float, float]) -> Oblique:
+        """Lattice of any two translations (m), the shortest that there are."""
+        pitch = math.hypot(*a1)
+        if not (np.isfinite([a1, a2]).all() and abs(np.linalg.det([a1, a2])) > 0):
+            raise GeometryError(
+                argument="cell.lattice",
+                given=f"a1 = {a1}, a2 = {a2}",
+                allowed="two finite translations that are not parallel",
+                cause="a pitch is zero or not a number",
+                next_step="give positive pitches",
+            )
+        (x1, y1), (x2, y2) = a1, a2
+        return Oblique(pitch=pitch, first=(x1 / pitch, y1 / pitch), second=(x2 / pitch, y2 / pitch))
+
+    @staticmethod
+    def spanned(name: str, a1: tuple[float, float], a2: tuple[float, float]) -> Lattice:
+        """The lattice of that name and these translations, m."""
+        if name == "oblique":
+            return Lattice.oblique(a1, a2)
+        return Lattice.square(a1[0]) if name == "square" else Lattice.rectangular(a1[0], a2[1])
+
+    def scaled(self, factor: float) -> Lattice:
+        """The same lattice with both periods multiplied by ``factor``."""
+        return remade(self, pitch=self.pitch * factor, pitch_y=self.pitch_y and self.pitch_y * factor)
 
     @cached_property
     def vectors(self) -> Array:
@@ -93,111 +191,51 @@ class Lattice:
         return np.array([self.a1, self.a2], dtype=float)
 
     @property
-    def pitch(self) -> float:
-        """Length of the first translation, m; the yardstick of every geometric tolerance."""
-        return float(np.hypot(*self.a1))
-
-    @property
     def area(self) -> float:
         """Area of the cell, m^2."""
         return float(abs(np.linalg.det(self.vectors)))
 
-    def operations(self) -> list[Array]:
-        """The point group as orthogonal maps (3, 3) of space that keep the plate's normal."""
-        maps = []
-        for op in self.point_group:
-            space = np.eye(3)
-            space[:2, :2] = self.vectors.T @ np.array(op) @ np.linalg.inv(self.vectors.T)
-            maps.append(space)
-        return maps
+    @cached_property
+    def point_group(self) -> PointGroup:
+        """All operations of the symmetry that is meant, which leave the lattice as it is."""
+        metric = self.vectors @ self.vectors.T
+        found = []
+        for a, b, c, d in product((1, 0, -1), repeat=4):  # enough for the shortest translations
+            matrix = np.array([[a, b], [c, d]])
+            if np.abs(matrix.T @ metric @ matrix - metric).max() < SAME * metric.max():
+                found.append(((a, b), (c, d)))
+        return PointGroup((self.a1, self.a2), tuple(found)).kept(self._is_meant)
+
+    def _is_meant(self, turn: Array) -> bool:
+        return self.name == "square" or bool(turn[0, 1] == 0)
 
     def wavevector(self, kappa: Array) -> Array:
         """(..., 2) wavevectors in rad/m from (..., 2) phases: k . a_j = kappa_j."""
         return np.asarray(kappa) @ np.linalg.inv(self.vectors).T
 
-    def mirrors(self) -> dict[str, Operation]:
-        """The reflections among the point group, by name."""
-        names = {"x": MIRROR_X, "y": MIRROR_Y, "d": DIAGONAL}
-        return {name: op for name, op in names.items() if op in self.point_group}
 
-    def little_group(self, kappa: tuple[float, float]) -> tuple[Operation, ...]:
-        """Operations that leave the wavevector unchanged up to a reciprocal lattice vector."""
-        here = np.asarray(kappa)
-        kept = []
-        for op in self.point_group:
-            turns = (np.linalg.inv(np.array(op)).T @ here - here) / (2 * np.pi)
-            if np.allclose(turns, np.round(turns), atol=1e-9):
-                kept.append(op)
-        return tuple(kept)
+@described("cell", GeometryError, kw_only=True)
+class Oblique(Lattice):
+    """A lattice of any two translations, given in units of the pitch; no study file describes one."""
 
-    @cached_property
-    def corner_phases(self) -> dict[str, Array]:
-        """Phases of the labelled corners of the irreducible zone, rad."""
-        return {label: np.pi * np.array(point) for label, point in self.zone}
+    name: Literal["oblique"] = Field(  # type: ignore[assignment]
+        alias="lattice", default="oblique", title="Lattice", description="How the cells repeat in the plane."
+    )
+    first: tuple[float, float] = Field(title="First translation", description="Over the pitch.")
+    second: tuple[float, float] = Field(title="Second translation", description="Over the pitch.")
 
-    def path(self, points: int) -> Path:
-        """``points`` wavevectors once round the irreducible zone, corners included, ends counted both.
+    def __post_init__(self) -> None:
+        """Of its two periods none is left out."""
 
-        Each segment gets a share in proportion to its length, so the spacing is even in rad/m.
-        """
-        labels = [label for label, _ in self.zone]
-        corners = [self.corner_phases[label] for label in [*labels, labels[0]]]
-        lengths = [float(np.linalg.norm(self.wavevector(b - a))) for a, b in pairwise(corners)]
-        if points < 2 * len(lengths) + 1:
-            raise GeometryError(
-                argument="bands.points",
-                given=points,
-                allowed=f"at least {2 * len(lengths) + 1} for {len(lengths)} segments",
-                cause="too few points to draw the edge of the irreducible zone",
-                next_step="ask for more points",
-            )
-        shares = np.cumsum([0.0, *lengths]) / sum(lengths)
-        marks = np.round(shares * (points - 1)).astype(int)
-        for j in range(1, len(marks)):  # every segment keeps at least one inner point
-            marks[j] = min(max(marks[j], marks[j - 1] + 2), points - 1 - 2 * (len(marks) - 1 - j))
-        pieces, distances, start = [], [], 0.0
-        for j, length in enumerate(lengths):
-            steps = marks[j + 1] - marks[j]
-            t = np.arange(steps + (j == len(lengths) - 1)) / steps
-            pieces.append(corners[j] + t[:, None] * (corners[j + 1] - corners[j]))
-            distances.append(start + t * length)
-            start += length
-        return Path(
-            kappa=np.concatenate(pieces),
-            distance=np.concatenate(distances),
-            corners=tuple(int(m) for m in marks),
-            labels=(*labels, labels[0]),
-        )
+    @property
+    def a1(self) -> tuple[float, float]:
+        """First translation, m."""
+        return self.pitch * self.first[0], self.pitch * self.first[1]
 
-    def zone_triangles(self, divisions: int) -> tuple[Array, NDArray[np.int64]]:
-        """Triangles that tile the irreducible zone exactly.
+    @property
+    def a2(self) -> tuple[float, float]:
+        """Second translation, m."""
+        return self.pitch * self.second[0], self.pitch * self.second[1]
 
-        Returns
-        -------
-        kappa : (n, 2) phases of the vertices, rad
-        triangles : (m, 3) vertex numbers
-        """
-        corners = [self.corner_phases[label] for label, _ in self.zone]
-        kappa: list[Array] = []
-        number: dict[tuple[int, int, int], int] = {}
-        triangles: list[tuple[int, int, int]] = []
-        n = divisions
-        for fan in range(1, len(corners) - 1):
-
-            def vertex(i: int, j: int, fan: int = fan) -> int:
-                # weights (n - i, i - j, j) of the fan's corners; vertices on a shared edge are met twice
-                key = (fan + 1, 0, i) if j == i else (fan, i - j, j)
-                key = (fan, 0, i) if j == 0 else key
-                key = (0, 0, 0) if i == 0 else key
-                if key not in number:
-                    number[key] = len(kappa)
-                    a, b, c = corners[0], corners[fan], corners[fan + 1]
-                    kappa.append(a + (i - j) / n * (b - a) + j / n * (c - a))
-                return number[key]
-
-            for i in range(n):
-                for j in range(i + 1):
-                    triangles.append((vertex(i, j), vertex(i + 1, j), vertex(i + 1, j + 1)))
-                    if j < i:
-                        triangles.append((vertex(i, j), vertex(i + 1, j + 1), vertex(i, j + 1)))
-        return np.array(kappa), np.array(triangles, dtype=np.int64)
+    def _is_meant(self, turn: Array) -> bool:
+        return bool(turn[0, 1] == 0 and turn[0, 0] == turn[1, 1])

@@ -1,5 +1,6 @@
 """Random cells over the design range, extreme ones included."""
 
+import numpy as np
 from hypothesis import strategies as st
 
 from haptonic.cell import MeshPlan, Pillar, UnitCell
@@ -17,7 +18,8 @@ def reference_cell() -> UnitCell:
 
 
 @st.composite
-def lattices(draw: st.DrawFn) -> Lattice:
+def upright_lattices(draw: st.DrawFn) -> Lattice:
+    """Squares and rectangles."""
     pitch = draw(pitches)
     if draw(st.booleans()):
         return Lattice.square(pitch)
@@ -25,9 +27,22 @@ def lattices(draw: st.DrawFn) -> Lattice:
 
 
 @st.composite
+def lattices(draw: st.DrawFn) -> Lattice:
+    """Lattices of every kind; those of oblique ones are the shortest translations."""
+    if draw(st.booleans()):
+        return draw(upright_lattices())
+    pitch, turn = draw(pitches), draw(st.floats(-3, 3))
+    other, lean = pitch * draw(st.floats(1.0, 2.0)), draw(st.floats(0.02, 0.48)) * pitch
+    vectors = np.array([(pitch, 0.0), (lean, np.sqrt(other**2 - lean**2))])
+    c, s = np.cos(turn), np.sin(turn)
+    (x1, y1), (x2, y2) = (vectors @ np.array([(c, s), (-s, c)])).tolist()
+    return Lattice.oblique((x1, y1), (x2, y2))
+
+
+@st.composite
 def cells(draw: st.DrawFn) -> UnitCell:
     """Cells with d/a from 0.1 to 0.95, h/a from 0.2 to 4, e/a from 0.05 to 1; a is the shorter pitch."""
-    lattice = draw(lattices())
+    lattice = draw(upright_lattices())
     short = min(abs(lattice.a1[0]), abs(lattice.a2[1]))
     diameter = short * draw(st.floats(0.1, 0.95) | st.sampled_from([0.1, 0.95]))
     height = short * draw(st.floats(0.2, 4.0) | st.sampled_from([0.2, 4.0]))

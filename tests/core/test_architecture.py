@@ -12,7 +12,7 @@ SOURCE = Path(haptonic.__file__).parent
 FILES = sorted(SOURCE.rglob("*.py"))
 
 BASE = {"errors", "fields", "foreign", "gate", "hdf5", "names", "paths", "units"}
-CORE = BASE | {"materials", "lattice", "cell", "elements", "solvers", "superelement", "bloch"}
+CORE = BASE | {"materials", "lattice", "brillouin", "cell", "elements", "solvers", "superelement", "bloch"}
 ALLOWED: dict[str, set[str]] = {
     "names": set(),
     "hdf5": set(),
@@ -23,14 +23,15 @@ ALLOWED: dict[str, set[str]] = {
     "fields": {"errors", "names", "units"},
     "materials": BASE,
     "lattice": BASE,
+    "brillouin": BASE | {"lattice"},
     "solvers": {"errors"},
     "paths": {"errors", "units"},
     "store": {"errors", "gate", "paths"},
     "jobs": BASE | {"store"},
-    "cell": BASE | {"materials", "lattice"},
+    "cell": BASE | {"materials", "lattice", "brillouin"},
     "elements": {"cell", "materials"},
     "superelement": {"solvers", "elements", "cell", "lattice", "materials"},
-    "bloch": {"superelement", "cell", "lattice", "materials", "errors", "gate"},
+    "bloch": {"superelement", "cell", "lattice", "brillouin", "materials", "errors", "gate"},
     "channels": {"errors", "foreign", "hdf5", "names", "paths", "units"},
     "response": BASE | {"channels"},
     "vibrometry": BASE | {"channels", "response"},

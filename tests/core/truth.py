@@ -1,13 +1,14 @@
 """Cells drawn over all that a study can say, and their frequencies by a route that shares no estimate.
 
-A cell with a pillar is meshed whole, several orders above those that accuracies usually lead to, and keeps
-an interior space of several hundred fields. A plain plate needs no mesh: its waves are Rayleigh's and Lamb's.
+A cell with a pillar is computed on two meshes or more, each finer than the last, until what they differ by is
+little beside the accuracy asked for; that difference is the uncertainty of the last. Both keep an interior
+space of several hundred fields. A plain plate needs no mesh: its waves are Rayleigh's and Lamb's.
 """
 
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import product
 
 import numpy as np
@@ -15,6 +16,7 @@ import scipy.linalg as la
 from numpy.typing import NDArray
 
 from haptonic.bloch.centred import CentredPencil
+from haptonic.bloch.model import REST
 from haptonic.bloch.pencil import eigenpairs
 from haptonic.bloch.plate_waves import PlainPlate
 from haptonic.cell import MeshPlan, Pillar, UnitCell
@@ -30,13 +32,13 @@ KINDS = ("round", "square", "fillet", "draft", "step", "mixed", "round", "plain"
 MATERIALS = ("steel", "brass", "soda-lime-glass", "silicon", "aluminium-2017a", "borosilicate-glass")
 ACCURACIES = (2.5e-2, 1e-2, 5e-3, 2e-3, 1e-3, 5e-4)
 COUNTS = (10, 10, 10, 15, 20, 30)
-KAPPA = np.pi * np.array([(1, 0), (0.2, 1), (1, 1), (1, 0.5), (0.5, 0.5), (0.6, 0.3), (0.15, 0.05)])
-STEPS, BLOCK = 5, 30  # of a reference's interior space
-LARGEST = 200_000  # unknowns of a mesh that is condensed whole: 240,000 take 10 GB
-# order and rings of a reference, and what such ones agreed to with others (relative), by the accuracy asked
-FINE, COARSE = (7, 2, 3e-5), (6, 2, 2e-4)
-COARSE_FROM, COARSE_UP_TO = 2e-3, 15  # accuracies from which the coarse one serves, and up to how many bands
-LEAST_ORDER = 5  # of a reference
+KAPPA = np.pi * np.array([(1, 0), (0, 1), (1, 1), (1, 0.5), (0.5, 0.5), (0.6, 0.3), (0.15, 0.05)])
+STOUT_FROM = 1000  # numbers of designs of a class apart: stout pillars on thin plates, asked for coarsely
+# order and rings of a reference's meshes, by whether the accuracy asked is below `SHARP`
+SHARP, COARSE, FINE = 2e-3, ((4, 1), (5, 2), (6, 2)), ((5, 1), (6, 2), (7, 3))
+STEPS, BLOCK, MORE = 3, 24, 8  # of their interior spaces: directions of a block, and how many more each has
+ENOUGH = 0.2  # share of the accuracy that a reference's uncertainty may be
+WHOLE, LARGEST = 60_000, 210_000  # unknowns that are condensed whole, and at all: 230,000 take 4 GB
 PLATE_LEVELS = 16  # polynomials through a plain plate, plus one
 
 
@@ -53,13 +55,15 @@ class Drawn:
 def drawn(seed: int, number: int) -> Drawn:
     """Question ``number`` of a seed; each is drawn for itself, so any can be asked again alone."""
     rng = np.random.default_rng([seed, number])
-    kind = KINDS[number % len(KINDS)]
+    stout = number >= STOUT_FROM
+    kind = "stout" if stout else KINDS[number % len(KINDS)]
     while True:
         try:
             cell = _cell(rng, kind)
         except GeometryError:
             continue
-        return Drawn(kind, cell, int(rng.choice(COUNTS)), float(rng.choice(ACCURACIES)))
+        accuracies = [accuracy for accuracy in ACCURACIES if accuracy >= 1e-2 or not stout]
+        return Drawn(kind, cell, int(rng.choice(COUNTS)), float(rng.choice(accuracies)))
 
 
 def _log_uniform(rng: np.random.Generator, low: float, high: float) -> float:
@@ -72,13 +76,14 @@ def _cell(rng: np.random.Generator, kind: str) -> UnitCell:
     if rng.random() < 0.5:
         lattice = Lattice.rectangular(pitch, pitch * _log_uniform(rng, 0.5, 2.0))
     short = min(pitch, lattice.a2[1])
-    thickness = short * _log_uniform(rng, 0.02, 0.6)
+    thickness = short * (_log_uniform(rng, 0.02, 0.08) if kind == "stout" else _log_uniform(rng, 0.02, 0.6))
     matter = material(str(rng.choice(MATERIALS)))
     if rng.random() < 0.5:
         matter = IsotropicMaterial(70e9, float(rng.uniform(-0.3, 0.49)), 2700.0, name="drawn")
     if kind == "plain":
         return UnitCell(lattice, thickness, matter)
-    diameter, height = short * rng.uniform(0.05, 0.97), short * _log_uniform(rng, 0.05, 6.0)
+    diameter = short * (rng.uniform(0.5, 0.97) if kind == "stout" else rng.uniform(0.05, 0.97))
+    height = short * (_log_uniform(rng, 0.05, 1.0) if kind == "stout" else _log_uniform(rng, 0.05, 6.0))
     more: dict[str, object] = {}
     if kind == "square" or (kind == "mixed" and rng.random() < 0.5):
         more["section"] = "square"
@@ -94,51 +99,68 @@ def _cell(rng: np.random.Generator, kind: str) -> UnitCell:
 
 def wavevectors(cell: UnitCell) -> Array:
     """`KAPPA` within the irreducible zone, the only one that a model answers for: a square's is an eighth."""
-    return np.sort(KAPPA)[:, ::-1] if DIAGONAL in cell.lattice.point_group else KAPPA
+    within = np.sort(KAPPA)[:, ::-1] if DIAGONAL in cell.point_group else KAPPA
+    return np.unique(within, axis=0)
 
 
 @dataclass(frozen=True)
 class Truth:
-    """frequency, uncertainty : (len(KAPPA), count) Hz at `wavevectors`; route : how they were found."""
+    """frequency, uncertainty : (wavevectors, count) Hz at `wavevectors`; route : how they were found."""
 
     frequency: Array
     uncertainty: Array
     route: str
 
 
-def truth(question: Drawn) -> Truth:
-    """Frequencies at `KAPPA`, with what they may be off by."""
+def truth(question: Drawn) -> Truth | None:
+    """Frequencies at `wavevectors`, with what they may be off by; None if no two meshes fit.
+
+    From one order to the next the smooth part of the error falls at least to 0.36 of it: so it does in an
+    element whose far border is 16 times as far from an edge as its near one, and hardly any is longer; hence
+    0.6 of the difference. What an edge leaves falls to a seventh where a ring is added as well, 0.2^1.09 by
+    the grading times what the order brings (haptonic.bloch.resolution); where none is, to two thirds, hence
+    twice the difference; with two rings the edge does not lead, and the whole difference is taken.
+    """
     cell, count = question.cell, question.count
     if cell.pillar is None:
         exact = np.array([plain_plate(cell, kappa, count) for kappa in wavevectors(cell)])
         return Truth(exact, 1e-8 * exact, "Rayleigh-Lamb")
-    coarse = question.accuracy >= COARSE_FROM and count <= COARSE_UP_TO
-    order, rings, agreed = COARSE if coarse else FINE
-    rings = 1 if cell.pillar.fillet else rings
-    while _too_large(cell, order, rings):
-        order, agreed = order - 1, COARSE[2]
-    frequency, route = _computed(cell, count, order, rings)
-    return Truth(frequency, agreed * frequency, route)
+    before, found = None, None
+    for turn, (order, rings) in enumerate(FINE if question.accuracy < SHARP else COARSE):
+        plans = [MeshPlan.suited(cell, order, fewer, count) for fewer in range(rings, 0, -1)]
+        if cell.pillar.fillet:  # there is no edge at the foot
+            plans = plans[-1:]
+        plan = next((plan for plan in plans if _unknowns(cell, plan) <= LARGEST), None)
+        if plan is None:
+            break
+        frequency = _computed(cell, plan, count, max(BLOCK, count) + MORE * turn)
+        if before is not None:
+            finer = plan.foot_rings > before[1]
+            if cell.pillar.fillet:
+                share = 0.6 if cell.pillar.step is None else 2.0
+            else:
+                share = 0.6 if finer else 1.0 if plan.foot_rings > 1 else 2.0
+            uncertainty = share * np.abs(frequency - before[0])
+            found = Truth(frequency, uncertainty, f"order {order}, {plan.foot_rings} rings")
+            moving = frequency > REST * frequency.max()
+            if (uncertainty <= ENOUGH * question.accuracy * frequency)[moving].all():
+                break
+        before = frequency, plan.foot_rings
+    return found
 
 
-def _too_large(cell: UnitCell, order: int, rings: int) -> bool:
-    """Whether a mesh that has to be condensed whole does not fit; a straight pillar's need not be."""
-    straight = cell.pillar is not None and not (cell.pillar.draft or cell.pillar.step)
-    return order > LEAST_ORDER and not straight and _unknowns(cell, order, rings) > LARGEST
+def _unknowns(cell: UnitCell, plan: MeshPlan) -> int:
+    """Of a mesh, a straight pillar's shaft left out, which can be condensed apart."""
+    assert cell.pillar is not None
+    meshed = plan if cell.pillar.draft or cell.pillar.step else replace(plan, pillar_layers=1)
+    return 3 * sum(meshed.level_sizes)
 
 
-def _unknowns(cell: UnitCell, order: int, rings: int) -> int:
-    return 3 * sum(MeshPlan.suited(cell, order, rings).level_sizes)
-
-
-def _computed(cell: UnitCell, count: int, order: int, rings: int) -> tuple[Array, str]:
-    whole = _unknowns(cell, order, rings) < LARGEST
-    by = condense if whole else condense_by_parts
-    plan = MeshPlan.suited(cell, order, rings)
-    pencil = CentredPencil.of(by(cell, plan, STEPS, block=BLOCK, measured=False))
+def _computed(cell: UnitCell, plan: MeshPlan, count: int, block: int) -> Array:
+    by = condense if 3 * sum(plan.level_sizes) < WHOLE else condense_by_parts
+    pencil = CentredPencil.of(by(cell, plan, STEPS, block=block, measured=False))
     values = np.array([eigenpairs(pencil, kappa, count)[0] for kappa in wavevectors(cell)])
-    route = f"order {order}, {plan.foot_rings} rings{'' if whole else ', by parts'}"
-    return np.sqrt(np.maximum(values, 0.0)) / (2 * np.pi), route
+    return np.sqrt(np.maximum(values, 0.0)) / (2 * np.pi)
 
 
 def plain_plate(cell: UnitCell, kappa: Array, count: int) -> Array:

@@ -58,7 +58,7 @@ def bands_dataset(
     ResourceError : the accuracy needs more memory than there is
     """
     model = bloch_model(cell, count, accuracy, resolution)
-    path = cell.lattice.path(points)
+    path = cell.zone.path(points)
     along = diagram(model, path)
     gaps = complete_gaps(model)
     dataset = _diagram_dataset(along)
@@ -79,6 +79,9 @@ def bands_dataset(
         "projection_error": model.fine.projection_error,
         "counts_checked": checked,
         "counts_missed": missed,
+        "lattice": json.dumps({name: getattr(cell.lattice, name) for name in ("name", "a1", "a2")}),
+        "point_group": json.dumps(cell.point_group.operations),
+        "zone": json.dumps(cell.zone.corners),
         "path_labels": json.dumps(path.labels),
         "path_corners": json.dumps(path.corners),
         "modes_at": f"middle of {path.labels[1]}-{path.labels[2]}",
@@ -108,7 +111,7 @@ def gaps_dataset(
         if resolution is not None or all(gap.relative_error <= accuracy for gap in matter):
             break
     dataset = _gaps_dataset(gaps)
-    wavevectors, _ = cell.lattice.zone_triangles(2)
+    wavevectors, _ = cell.zone.triangles(2)
     lowest = min(float(model.frequencies(kappa)[-1]) for kappa in wavevectors)
     dataset["searched_up_to"] = (), lowest
     _describe(
@@ -153,7 +156,7 @@ def count_check(model: BlochModel, frequencies: list[float]) -> tuple[int, int]:
     cell = model.cell
     mesh = FoldedMesh.of(cell, model.fine.superelement.mesh.topology.plan)
     periodic = model.fine.centred.periodic.without_modes(model.fine.superelement)
-    wavevectors, _ = cell.lattice.zone_triangles(2)
+    wavevectors, _ = cell.zone.triangles(2)
     checked = missed = 0
     for level in frequencies:
         dynamic = dynamic_stiffness(mesh, 2 * np.pi * level)

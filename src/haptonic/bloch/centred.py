@@ -47,16 +47,17 @@ class CentredPencil:
 
     @classmethod
     def of(cls, superelement: Superelement) -> CentredPencil:
-        """Centre the pencil of a cell that both mirrors, and so the half-turn, leave unchanged."""
+        """Centre the pencil of a cell that the half-turn leaves unchanged."""
         periodic = Periodic.of(superelement)
         laurent = bloch_pencil(superelement)
         count, traces = len(periodic.free), superelement.trace_size
         turn = superelement.mirror(HALF_TURN)
+        turned = np.arange(traces).reshape(superelement.levels, -1, 3)[:, turn.places].ravel()
         image = np.arange(count)
         sign = np.ones(count)
         on_trace = periodic.free < traces
-        image[on_trace] = periodic.number[turn.source[periodic.free[on_trace]]]
-        sign[on_trace] = turn.sign[periodic.free[on_trace]]
+        image[on_trace] = periodic.number[turned[periodic.free[on_trace]]]
+        sign[on_trace] = np.diag(turn.turn)[periodic.free[on_trace] % 3]
         sign[~on_trace] = superelement.half_turn_parity
         # each orbit {j, image of j} gives an even and an odd combination; a single unknown is one of them
         j = np.arange(count)

@@ -75,7 +75,7 @@ class ZoneSampling:
 
     def __init__(self, model: BlochModel) -> None:
         self.model = model
-        kappa, self.triangles = model.cell.lattice.zone_triangles(COARSE_DIVISIONS)
+        kappa, self.triangles = model.cell.zone.triangles(COARSE_DIVISIONS)
         self.kappa: list[Array] = []
         self.frequency: list[Array] = []
         self.slope: list[Array] = []

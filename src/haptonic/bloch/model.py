@@ -24,9 +24,9 @@ from haptonic.bloch.resolution import (
     check_thickness,
     starting_rung,
 )
+from haptonic.brillouin import IrreducibleZone
 from haptonic.cell import UnitCell
 from haptonic.errors import ResourceError
-from haptonic.lattice import Lattice
 from haptonic.superelement import Superelement, condense_by_parts, definite, on_each
 
 Array = NDArray[np.float64]
@@ -39,6 +39,9 @@ TIGHTER = 0.1  # factor on that share where it was too coarse: little inertia ma
 # Relative error up to which what the interior leaves out is what its first order tells: where 1.4e-2 was told
 # 4.7e-2 was lost, and bands had changed places; up to the share of the accuracy the interior need not grow.
 TRUSTED_OMISSION, OMISSION_SHARE = 1e-3, 0.25
+# What the lower orders' interior leaves out, as a multiple: of a pillar of 25 diameters 2.5e-3 was left out,
+# and the distance was 1.1e-2; with more inside 7e-4.
+LOWER_OMISSION = 4.4
 FIRST_ORDER = 1.5  # what was lost was at most that many times what first order told, below the trusted one
 MOST_GROWTH = 4  # of the interior at one mesh
 ABOVE = 2  # modes above those asked for that may change places with them
@@ -76,7 +79,7 @@ class ReducedCell:
         rest = _orthonormal(full.near_rest(), mass)
         snapshots: list[Array] = []
         error, small, basis, lost = np.inf, None, rest, LOST_DIRECTION
-        for wavevectors in _training(superelement.cell.lattice):
+        for wavevectors in _training(superelement.cell.zone):
             values, modes = zip(
                 *(eigenpairs(full, kappa, count + SPARE_MODES) for kappa in wavevectors), strict=True
             )
@@ -104,11 +107,11 @@ class ReducedCell:
         return self.centred.periodic.expanded(self.centred.free(self.basis @ modes, kappa), kappa)
 
 
-def _training(lattice: Lattice) -> Iterator[Array]:
+def _training(zone: IrreducibleZone) -> Iterator[Array]:
     """Wavevectors of the irreducible zone in ever denser batches, each only once."""
     seen = np.empty((0, 2))
     for divisions in TRAINING_DIVISIONS:
-        vertices, triangles = lattice.zone_triangles(divisions)
+        vertices, triangles = zone.triangles(divisions)
         for batch in (vertices, vertices[triangles].mean(axis=1)):
             apart = np.linalg.norm(batch[:, None] - seen, axis=2).min(axis=1, initial=np.inf)
             new = batch[apart > 1e-6]
@@ -231,12 +234,33 @@ class BlochModel:
     def omission(self) -> float:
         """Largest relative error that the interior's short space adds at the corners of the zone."""
         worst = 0.0
-        for kappa in self.cell.lattice.corner_phases.values():
+        for kappa in self.cell.zone.corner_phases.values():
             values, modes = eigenpairs(self.fine.pencil, kappa, self.count)
             moving = values > (2 * np.pi * REST * self.highest) ** 2
             lost = self._omitted(values, self.fine.expanded(modes, kappa))[moving] / _hertz(values)[moving]
             worst = max(worst, float(lost.max(initial=0.0)))
         return worst
+
+    @cached_property
+    def worst_error(self) -> float:
+        """Largest relative error estimate over a coarse sampling of the irreducible zone, rest left out."""
+        wavevectors, _ = self.cell.zone.triangles(ERROR_DIVISIONS)
+        worst = 0.0
+        for kappa in wavevectors:
+            solution = self.solve(kappa)
+            moving = solution.frequency > REST * self.highest
+            worst = max(worst, float((solution.error[moving] / solution.frequency[moving]).max()))
+        return worst
+
+    @property
+    def mesh_error(self) -> float:
+        """What of `worst_error` more of the interior would not mend, at least.
+
+        The interior of the lower orders is as short and leaves out more: all that a band's distance to them
+        is may be that.
+        """
+        of_distance = self.resolution.remaining(self.cell) * (1 + SHARED) * LOWER_OMISSION
+        return self.worst_error - (1 + of_distance) * self.omission
 
     @cached_property
     def highest(self) -> float:
@@ -299,10 +323,12 @@ def candidate_models(
             given_up = resolution is not None and growth == MOST_GROWTH
             if model.omission <= TRUSTED_OMISSION or given_up:
                 yield model
-                reached = min(reached, worst_error(model))
-            # refused, or not to be trusted: a finer mesh where the mesh alone is too much, else more inside
-            enough = model.omission <= min(OMISSION_SHARE * accuracy, TRUSTED_OMISSION)
-            if enough or (resolution is None and worst_error(model) - model.omission > accuracy):
+                reached = min(reached, model.worst_error)
+            # a mesh is judged by what a trusted interior leaves of its error, and left where that is too much
+            if model.omission <= TRUSTED_OMISSION and (
+                model.omission <= OMISSION_SHARE * accuracy
+                or (resolution is None and model.mesh_error > accuracy)
+            ):
                 break
             tried = model.resolution.grown()
     raise ResourceError(
@@ -322,15 +348,4 @@ def bloch_model(
     Parameters and errors as in `candidate_models`.
     """
     models = candidate_models(cell, count, accuracy, resolution)
-    return next(m for m in models if resolution is not None or worst_error(m) <= accuracy)
-
-
-def worst_error(model: BlochModel) -> float:
-    """Largest relative error estimate over a coarse sampling of the irreducible zone, rest left out."""
-    wavevectors, _ = model.cell.lattice.zone_triangles(ERROR_DIVISIONS)
-    worst = 0.0
-    for kappa in wavevectors:
-        solution = model.solve(kappa)
-        moving = solution.frequency > REST * model.highest
-        worst = max(worst, float((solution.error[moving] / solution.frequency[moving]).max()))
-    return worst
+    return next(m for m in models if resolution is not None or m.worst_error <= accuracy)

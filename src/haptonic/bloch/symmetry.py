@@ -8,8 +8,8 @@ import numpy as np
 import scipy.linalg as la
 from numpy.typing import NDArray
 
-from haptonic.lattice import Lattice, Operation
-from haptonic.superelement import TraceMirror
+from haptonic.lattice import Operation, PointGroup
+from haptonic.superelement import TraceOperation
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
@@ -18,10 +18,9 @@ Ints = NDArray[np.int64]
 SAME = 1e-4  # modes closer than this share of their frequency are treated as one degenerate group
 
 
-def mirrors_at(lattice: Lattice, kappa: Array) -> dict[str, Operation]:
-    """The reflections by name that leave a wavevector unchanged up to a reciprocal lattice vector."""
-    little = lattice.little_group((float(kappa[0]), float(kappa[1])))
-    return {name: op for name, op in lattice.mirrors().items() if op in little}
+def mirrors_at(group: PointGroup, kappa: Array) -> dict[str, Operation]:
+    """The reflections by name that leave a wavevector as it is and tell modes apart there."""
+    return group.little_group(kappa).distinct_mirrors
 
 
 def clusters(frequency: Array, tolerance: float = SAME) -> list[slice]:
@@ -31,7 +30,7 @@ def clusters(frequency: Array, tolerance: float = SAME) -> list[slice]:
     return [slice(a, b) for a, b in pairwise(ends)]
 
 
-def sorted_by_parity(trace: Complex, mirror: TraceMirror, groups: list[slice]) -> tuple[Complex, Array]:
+def sorted_by_parity(trace: Complex, mirror: TraceOperation, groups: list[slice]) -> tuple[Complex, Array]:
     """Turn degenerate modes so that each is even or odd.
 
     Parameters
@@ -64,7 +63,7 @@ def sorted_by_parity(trace: Complex, mirror: TraceMirror, groups: list[slice]) -
 MULLIKEN = {"x+ y+ d+": "A1", "x- y- d-": "A2", "x+ y+ d-": "B1", "x- y- d+": "B2"}
 
 
-def corner_labels(trace: Complex, mirrors: dict[str, TraceMirror], groups: list[slice]) -> list[str]:
+def corner_labels(trace: Complex, mirrors: dict[str, TraceOperation], groups: list[slice]) -> list[str]:
     """How modes at a corner of the zone behave under all mirrors of its little group.
 
     A single mode is even (+) or odd (-) under each of them, such as ``x+ y-``; where all mirrors of the
@@ -73,7 +72,7 @@ def corner_labels(trace: Complex, mirrors: dict[str, TraceMirror], groups: list[
     Parameters
     ----------
     trace : (t, k) traces of the modes; groups : degenerate groups of them
-    mirrors : by name, see `haptonic.lattice.Lattice.mirrors`
+    mirrors : by name, see `haptonic.lattice.PointGroup.mirrors`
     """
     labels: list[str] = []
     for group in groups:

@@ -13,8 +13,8 @@ from scipy.optimize import linear_sum_assignment
 from haptonic.bloch.character import characters
 from haptonic.bloch.model import REST, SPARE_MODES, BlochModel, Solution
 from haptonic.bloch.symmetry import clusters, corner_labels, mirrors_at, sorted_by_parity
-from haptonic.lattice import Path
-from haptonic.superelement import TraceMirror
+from haptonic.brillouin import Path
+from haptonic.superelement import TraceOperation
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
@@ -66,7 +66,7 @@ def diagram(model: BlochModel, path: Path) -> Diagram:
     before: tuple[Complex, Ints, Ints] | None = None
     for start, stop in pairwise(path.corners):
         middle = 0.5 * (path.kappa[start] + path.kappa[stop])
-        operations = list(mirrors_at(model.cell.lattice, middle).values())
+        operations = list(mirrors_at(model.cell.point_group, middle).values())
         mirror = superelement.mirror(operations[0]) if operations else None
         if before is not None:  # at a corner the same modes are sorted anew, by the next mirror
             before = (before[0], np.zeros(bands, dtype=np.int64), before[2])
@@ -112,7 +112,7 @@ def group_velocity(model: BlochModel, solution: Solution) -> Array:
     return np.asarray(2 * np.pi * slopes @ model.cell.lattice.vectors)
 
 
-def _turned(solution: Solution, model: BlochModel, mirror: TraceMirror | None) -> tuple[Solution, Ints]:
+def _turned(solution: Solution, model: BlochModel, mirror: TraceOperation | None) -> tuple[Solution, Ints]:
     """The bands asked for, degenerate modes turned to definite parity, and the parities."""
     if mirror is None:
         return solution.lowest(model.count), np.zeros(model.count, dtype=np.int64)
@@ -124,7 +124,7 @@ def _turned(solution: Solution, model: BlochModel, mirror: TraceMirror | None) -
 
 def _labels(model: BlochModel, solution: Solution) -> list[str]:
     superelement = model.fine.superelement
-    operations = mirrors_at(model.cell.lattice, solution.kappa)
+    operations = mirrors_at(model.cell.point_group, solution.kappa)
     mirrors = {name: superelement.mirror(op) for name, op in operations.items()}
     trace = solution.fields[: superelement.trace_size]
     labels = corner_labels(trace, mirrors, clusters(solution.frequency))

@@ -9,7 +9,8 @@ from numpy.typing import NDArray
 
 from haptonic.bloch.model import BlochModel
 from haptonic.bloch.pencil import eigenpairs
-from haptonic.lattice import Lattice
+from haptonic.brillouin import IrreducibleZone
+from haptonic.lattice import PointGroup
 
 Array = NDArray[np.float64]
 Ints = NDArray[np.int64]
@@ -19,10 +20,12 @@ Ints = NDArray[np.int64]
 class ZoneSurface:
     """Bands as surfaces over the irreducible zone.
 
+    zone, group : where they are known, and what takes it to the rest of the zone
     kappa : (n, 2) phases, rad; triangles : (m, 3); frequency : (n, k) Hz
     """
 
-    lattice: Lattice
+    zone: IrreducibleZone
+    group: PointGroup
     kappa: Array
     triangles: Ints
     frequency: Array
@@ -50,16 +53,16 @@ class ZoneSurface:
 
     def unfolded(self, band: int) -> tuple[Array, Ints, Array]:
         """The band over the whole first zone, by the point group: wavevectors (rad/m), triangles, Hz."""
-        operations = self.lattice.point_group
+        operations = self.group.operations
         images = [self.kappa @ np.linalg.inv(np.array(operation)) for operation in operations]
         triangles = [self.triangles + copy * len(self.kappa) for copy in range(len(operations))]
         values = np.tile(self.frequency[:, band], len(operations))
-        return self.lattice.wavevector(np.concatenate(images)), np.concatenate(triangles), values
+        return self.zone.lattice.wavevector(np.concatenate(images)), np.concatenate(triangles), values
 
 
 def zone_surface(model: BlochModel, divisions: int) -> ZoneSurface:
     """Sample the irreducible zone on a regular triangulation."""
-    kappa, triangles = model.cell.lattice.zone_triangles(divisions)
+    kappa, triangles = model.cell.zone.triangles(divisions)
     values = np.stack([eigenpairs(model.fine.pencil, point, model.count)[0] for point in kappa])
     frequency = np.sqrt(np.maximum(values, 0.0)) / (2 * np.pi)
-    return ZoneSurface(model.cell.lattice, kappa, triangles, frequency)
+    return ZoneSurface(model.cell.zone, model.cell.point_group, kappa, triangles, frequency)

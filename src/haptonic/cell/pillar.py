@@ -159,6 +159,10 @@ class Pillar:
         low, _, width = self.stages[stage]
         return width - (height - low) * math.tan(self.draft)
 
+    def has_symmetry(self, turn: NDArray[np.float64]) -> bool:
+        """Whether an orthogonal map (3, 3) of space that keeps the normal leaves the outline as it is."""
+        return self.section == "round" or not turn[0, 0] * turn[0, 1]
+
     @property
     def narrowest(self) -> float:
         """Smallest half-width, m."""

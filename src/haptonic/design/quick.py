@@ -47,7 +47,7 @@ def edges_of(cell: UnitCell, count: int) -> Array:
             cell, QUICK.plan(cell), QUICK.steps, block=QUICK.block, measured=False
         )
         pencil = ReducedCell.of(superelement, count, np.inf).pencil
-        wavevectors, _ = cell.lattice.zone_triangles(GLANCE_DIVISIONS)
+        wavevectors, _ = cell.zone.triangles(GLANCE_DIVISIONS)
         values = np.array([eigenpairs(pencil, kappa, count)[0] for kappa in wavevectors])
     frequency = np.sqrt(np.maximum(values, 0.0)) / (2 * np.pi)
     return np.stack([frequency[:, :-1].max(axis=0), frequency[:, 1:].min(axis=0)])

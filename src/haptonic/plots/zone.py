@@ -12,7 +12,8 @@ from matplotlib.ticker import MaxNLocator
 from matplotlib.tri import Triangulation
 
 from haptonic.bloch.zone import ZoneSurface
-from haptonic.lattice import Lattice
+from haptonic.brillouin import IrreducibleZone
+from haptonic.lattice import Lattice, PointGroup
 from haptonic.plots import style
 from haptonic.plots.bands import complete_gaps
 from haptonic.plots.words import khz
@@ -52,8 +53,8 @@ def _contours(figure: Figure, axes: Axes, surface: ZoneSurface, band: int) -> No
     bar.set_label("frequency (kHz)")
     bar.locator = MaxNLocator(5)
     bar.update_ticks()
-    labels = surface.lattice.corner_phases
-    corners = surface.lattice.wavevector(np.array(list(labels.values()))) / 1e3
+    labels = surface.zone.corner_phases
+    corners = surface.zone.lattice.wavevector(np.array(list(labels.values()))) / 1e3
     outline = np.concatenate([corners, corners[:1]])
     axes.plot(
         outline[:, 0], outline[:, 1], color=style.CARRIER, ls=style.DASHED, lw=1.2, gid="irreducible zone",
@@ -114,19 +115,18 @@ def _telling_bands(dataset: xr.Dataset) -> tuple[int, ...]:
 
 
 def _surface(dataset: xr.Dataset) -> ZoneSurface:
+    """The surface that a result holds: lattice, operations and corners of the zone are in its attributes."""
+    lattice, operations, corners = (
+        json.loads(dataset.attrs[name]) for name in ("lattice", "point_group", "zone")
+    )
+    vectors = (tuple(lattice["a1"]), tuple(lattice["a2"]))
     return ZoneSurface(
-        lattice=lattice_of(dataset),
+        zone=IrreducibleZone(
+            Lattice.spanned(lattice["name"], *vectors),
+            tuple((label, tuple(point)) for label, point in corners),
+        ),
+        group=PointGroup(vectors, tuple(((a, b), (c, d)) for (a, b), (c, d) in operations)),
         kappa=dataset["zone_kappa"].values,
         triangles=dataset["zone_triangle"].values,
         frequency=dataset["zone_frequency"].values,
     )
-
-
-def lattice_of(dataset: xr.Dataset) -> Lattice:
-    """The lattice that a result belongs to: periods and path labels are in its attributes."""
-    ax, ay, bx, by = json.loads(dataset.attrs["lattice"])
-    labels = json.loads(dataset.attrs["path_labels"])[:-1]
-    for lattice in (Lattice.square(ax), Lattice.rectangular(ax, by)):
-        if [label for label, _ in lattice.zone] == labels and (ay, bx) == (0.0, 0.0):
-            return lattice
-    raise AssertionError(f"no lattice with the corners {labels}")

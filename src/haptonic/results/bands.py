@@ -143,7 +143,6 @@ def compute_bands(
             resolution=asked.resolution,
             surface=surface,
         )
-        dataset.attrs["lattice"] = json.dumps([*cell.lattice.a1, *cell.lattice.a2])
         store.put(key, dataset)
     if carrier is not None:
         dataset.attrs["carrier_hz"] = carrier

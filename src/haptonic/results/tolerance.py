@@ -211,7 +211,7 @@ def beside_dataset(argument: tuple[Sequence[UnitCell], Gap]) -> xr.Dataset:
     frequencies = []
     for cell in cells:
         pencil = QuickDesign.of(cell, band + 2).model.fine.pencil
-        grid, _ = cell.lattice.zone_triangles(DIVISIONS)
+        grid, _ = cell.zone.triangles(DIVISIONS)
         wavevectors = (*grid, np.array(gap.lower_kappa), np.array(gap.upper_kappa))
         values = [eigenpairs(pencil, kappa, band + 1)[0][band - 1 :] for kappa in wavevectors]
         frequencies.append(np.sqrt(np.array(values).T) / (2 * np.pi))

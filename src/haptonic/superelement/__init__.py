@@ -5,13 +5,13 @@ from haptonic.superelement.condense import Superelement, condense, condensed, on
 from haptonic.superelement.dynamic import DynamicStiffness, dynamic_stiffness
 from haptonic.superelement.folded import FoldedMesh, through_levels
 from haptonic.superelement.shafted import condense_by_parts
-from haptonic.superelement.trace import TraceMirror
+from haptonic.superelement.trace import TraceOperation
 
 __all__ = [
     "DynamicStiffness",
     "FoldedMesh",
     "Superelement",
-    "TraceMirror",
+    "TraceOperation",
     "condense",
     "condense_by_parts",
     "condensed",

@@ -30,7 +30,7 @@ from haptonic.superelement.lifting import DiagonalImage, Lifting, Part, lifted
 from haptonic.superelement.measures import ENERGIES, ClassMeasures, Measures
 from haptonic.superelement.parallel import for_each_class
 from haptonic.superelement.sections import PillarSections, mirrored_momenta, section_sizes
-from haptonic.superelement.trace import FoldedTrace, TraceMirror
+from haptonic.superelement.trace import FoldedTrace, TraceOperation
 
 Array = NDArray[np.float64]
 Fields = NDArray[Any]  # real or complex
@@ -70,15 +70,13 @@ class Superelement:
     def half_turn_parity(self) -> Array:
         """(m,) +1 for modes that the half-turn about the normal leaves alone, -1 for those it turns over."""
         parity = self.parts[0].trace.folding.parity
-        assert parity.shape[1] == 2, (
-            "without both mirrors the classes are not even or odd under the half-turn"
-        )
+        assert parity.shape[1], "a mesh that is not folded has no classes that are even or odd"
         counts = [part.count for part in self.parts]
         return np.repeat(parity.prod(axis=1), counts).astype(float)
 
-    def mirror(self, operation: Operation) -> TraceMirror:
+    def mirror(self, operation: Operation) -> TraceOperation:
         """How a mirror, or the half-turn, acts on traces."""
-        return TraceMirror.of(self.mesh.topology, self.levels, operation)
+        return TraceOperation.of(self.cell, self.mesh.topology, self.levels, operation)
 
     def lifted(self, fields: Fields) -> Fields:
         """(nodes, 3, k) displacement on the mesh from (t + m, k) unknowns, real or complex."""
@@ -112,7 +110,7 @@ def condensed(shared: FoldedMesh, steps: int, *, block: int, measured: bool) -> 
     mesh = shared.mesh
 
     def mirrored(original: CondensedClass) -> CondensedClass:
-        return original.mirrored(DiagonalImage.of(mesh.topology, shared.levels))
+        return original.mirrored(DiagonalImage.of(shared.cell, mesh.topology, shared.levels))
 
     pieces = for_each_class(
         shared, lambda q, solver: _condense_class(shared, q, solver, steps, block, measured), mirrored
@@ -173,7 +171,7 @@ class ClassForm:
         count = len(trace.kept)
         return cls.unfolded(trace, form[:count, :count], form[:count, count:], form[count:, count:])
 
-    def mirrored(self, mirror: TraceMirror) -> ClassForm:
+    def mirrored(self, mirror: TraceOperation) -> ClassForm:
         return ClassForm(mirror.form(self.corner), mirror.applied(self.side), self.modal)
 
 

@@ -12,10 +12,10 @@ from numpy.typing import NDArray
 from haptonic.cell import HexMesh, MeshPlan, UnitCell, mesh_cell
 from haptonic.cell.quadrature import interpolation, lobatto
 from haptonic.elements import element_matrices
-from haptonic.lattice import DIAGONAL, Operation
+from haptonic.lattice import DIAGONAL
 from haptonic.superelement.assembly import Assembler, FoldedStiffness, assembler_of
 from haptonic.superelement.interior import Bounded
-from haptonic.superelement.symmetry import COMPONENT_SIGNS, Folding, fold
+from haptonic.superelement.symmetry import Folding, fold, folds_of
 from haptonic.superelement.trace import FoldedTrace, trace_levels
 
 Array = NDArray[np.float64]
@@ -34,11 +34,6 @@ class FoldedCell:
     trace: FoldedTrace
     interior: Array
     body: Bounded
-
-
-def mirrors_of(cell: UnitCell) -> tuple[Operation, ...]:
-    """The mirrors x -> -x and y -> -y that the cell has."""
-    return tuple(mirror for mirror in COMPONENT_SIGNS if mirror in cell.lattice.point_group)
 
 
 def through_levels(cell: UnitCell, mesh: HexMesh, levels: int) -> Array:
@@ -75,7 +70,7 @@ class FoldedMesh:
         """Fold a mesh; with an open top, the lower part of one, to which something will be joined."""
         levels = trace_levels(mesh.topology.plan)
         topology = mesh.topology
-        folding = fold(topology, mirrors_of(cell), open_top=open_top)
+        folding = fold(topology, folds_of(cell), open_top=open_top)
         elements, mass = [], np.zeros(len(folding.origin))
         for family, picked, weight in zip(topology.families, folding.chosen, folding.weight, strict=True):
             nodes = family.nodes[picked]
@@ -103,7 +98,7 @@ class FoldedMesh:
         """Symmetry classes to compute, and those that are images of another in the diagonal of a square."""
         parity = [tuple(int(sign) for sign in signs) for signs in self.folding.parity]
         images = {}
-        if DIAGONAL in self.cell.lattice.point_group and len(parity) == 4:
+        if DIAGONAL in self.cell.point_group and len(parity) == 4:
             images[parity.index((-1, 1))] = parity.index((1, -1))
         return [q for q in range(len(parity)) if q not in images], images
 

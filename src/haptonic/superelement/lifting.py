@@ -9,9 +9,9 @@ from typing import Any, Protocol
 import numpy as np
 from numpy.typing import NDArray
 
-from haptonic.cell import Topology
+from haptonic.cell import Topology, UnitCell
 from haptonic.lattice import DIAGONAL
-from haptonic.superelement.trace import FoldedTrace, TraceMirror
+from haptonic.superelement.trace import FoldedTrace, TraceOperation
 
 Array = NDArray[np.float64]
 Fields = NDArray[Any]  # real or complex
@@ -21,12 +21,12 @@ Fields = NDArray[Any]  # real or complex
 class DiagonalImage:
     """The mirror on the diagonal of a square cell: on traces, and where it takes each node."""
 
-    trace: TraceMirror
+    trace: TraceOperation
     moved: NDArray[np.int64]
 
     @classmethod
-    def of(cls, topology: Topology, levels: int) -> DiagonalImage:
-        return cls(TraceMirror.of(topology, levels, DIAGONAL), topology.permutation(DIAGONAL))
+    def of(cls, cell: UnitCell, topology: Topology, levels: int) -> DiagonalImage:
+        return cls(TraceOperation.of(cell, topology, levels, DIAGONAL), topology.permutation(DIAGONAL))
 
     def applied(self, field: Fields) -> Fields:
         """Mirror image of a field (nodes, 3, k)."""

@@ -20,14 +20,14 @@ from haptonic.cell.edges import FOOT_LAYER
 from haptonic.cell.topology import Topology, topology_of
 from haptonic.solvers import Solver, definite
 from haptonic.superelement.condense import ClassForm, CondensedClass, Superelement, assembled, condensed
-from haptonic.superelement.folded import FoldedMesh, mirrors_of
+from haptonic.superelement.folded import FoldedMesh
 from haptonic.superelement.interior import Bounded, CraigBampton, reduced
 from haptonic.superelement.lifting import DiagonalImage, Fields, unfolded
 from haptonic.superelement.measures import ENERGIES, ClassMeasures
 from haptonic.superelement.parallel import KEPT_ENTRIES, for_each_class
 from haptonic.superelement.sections import section_sizes
 from haptonic.superelement.shaft import Parity, Shaft
-from haptonic.superelement.symmetry import COMPONENT_SIGNS, Folding
+from haptonic.superelement.symmetry import Folding, folds_of
 from haptonic.superelement.trace import FoldedTrace
 
 Array = NDArray[np.float64]
@@ -53,7 +53,7 @@ def condense_by_parts(
     foot = _foot_below(cell, mesh, shaft, steps, block, measured)
     joined = {q: _joined(one, shaft, mesh, foot.through, steps, block) for q, one in foot.classes.items()}
     if foot.images:
-        mirror = DiagonalImage.of(mesh.topology, foot.levels)
+        mirror = DiagonalImage.of(cell, mesh.topology, foot.levels)
         joined |= {q: joined[original].mirrored(mirror) for q, original in foot.images.items()}
     sizes = np.hstack([foot.sizes, shaft.sizes]) if measured else None
     return assembled(cell, mesh, foot.levels, [joined[q] for q in sorted(joined)], sizes)
@@ -62,8 +62,8 @@ def condense_by_parts(
 def shaft_of(cell: UnitCell, mesh: HexMesh) -> Shaft | None:
     """The shaft of a cell's pillar, which starts where the mesh's second layer above the thin ones does."""
     pillar, plan = cell.pillar, mesh.topology.plan
-    mirrors = mirrors_of(cell)
-    if pillar is None or pillar.draft or pillar.step or plan.pillar_layers < 2 or len(mirrors) < 2:
+    folds = folds_of(cell)
+    if pillar is None or pillar.draft or pillar.step or plan.pillar_layers < 2 or len(folds) < 2:
         return None
     low = float(mesh.points[_below_shaft(plan).top[0], 2])
     if low - cell.thickness < FOOT_LAYER * pillar.diameter * (1 - 1e-9):
@@ -124,7 +124,7 @@ def _foot_below(cell: UnitCell, mesh: HexMesh, shaft: Shaft, steps: int, block: 
     """The foot of a shaft, made or found again; nodes are numbered from the flat face up, its own first."""
     topology = _below_shaft(mesh.topology.plan)
     points = mesh.points[: topology.nodes]
-    about = (topology.plan, cell.lattice.point_group, shaft.section, shaft.degree, steps, block, measured)
+    about = (topology.plan, cell.point_group.operations, shaft.section, shaft.degree, steps, block, measured)
     content = [repr(about).encode(), points.tobytes(), cell.material.stiffness.tobytes()]
     key = hashlib.sha256(b"".join(content) + repr(cell.material.density).encode()).hexdigest()
     with _lock:
@@ -171,7 +171,7 @@ def _condense_foot(
 
 def _parities(folding: Folding, q: int) -> tuple[Parity, ...]:
     """Of the displacement's components in a class of a cell with both mirrors."""
-    signs = folding.parity[q][:, None] * np.array(list(COMPONENT_SIGNS.values()))
+    signs = folding.parity[q][:, None] * folding.component
     return tuple((int(x < 0), int(y < 0)) for x, y in signs.T)
 
 

@@ -13,18 +13,26 @@ from itertools import product
 import numpy as np
 from numpy.typing import NDArray
 
-from haptonic.cell import Topology
-from haptonic.lattice import MIRROR_X, MIRROR_Y, Operation
+from haptonic.cell import Topology, UnitCell
+from haptonic.lattice import HALF_TURN, Operation
 
 Ints = NDArray[np.int64]
 
-# what a mirror does to the components of a displacement
-COMPONENT_SIGNS: dict[Operation, tuple[int, int, int]] = {MIRROR_X: (-1, 1, 1), MIRROR_Y: (1, -1, 1)}
+Folds = tuple[tuple[Operation, tuple[int, int, int]], ...]  # operations, and what each does to components
+
+
+def folds_of(cell: UnitCell) -> Folds:
+    """The mirrors across x and y that a cell has, or else its half-turn."""
+    group = cell.point_group
+    turns = {op: group.turn(op) for op in group.operations}
+    signs = {op: np.diag(turn).astype(int) for op, turn in turns.items() if not turn[0, 1]}
+    mirrors = sorted((tuple(sign.tolist()), op) for op, sign in signs.items() if sign.prod() < 0)
+    return tuple((op, sign) for sign, op in mirrors) or ((HALF_TURN, (-1, -1, 1)),)
 
 
 @dataclass(frozen=True, eq=False)
 class Folding:
-    """Representatives of nodes and elements under the mirrors, and the signs that unfold a field.
+    """Representatives of nodes and elements under the operations, and the signs that unfold a field.
 
     node : (nodes,) number of each node's representative; interior ones come first, then those on lateral
         faces, then those on an open top
@@ -33,7 +41,7 @@ class Folding:
     chosen : for each family of elements (m,) numbers, one of each set of images; weight : sizes of the sets
     sign : (classes, nodes, 3) value at a node = sign times value at its representative, 0 where a class
         forces the component to vanish
-    parity : (classes, mirrors) +1 even, -1 odd
+    parity : (classes, operations) +1 even, -1 odd; component : (operations, 3) signs of displacements
     """
 
     node: Ints
@@ -43,6 +51,7 @@ class Folding:
     weight: tuple[Ints, ...]
     sign: NDArray[np.int8]
     parity: NDArray[np.int8]
+    component: NDArray[np.int8]
 
     @property
     def classes(self) -> int:
@@ -50,15 +59,15 @@ class Folding:
 
 
 @lru_cache(maxsize=64)
-def fold(topology: Topology, mirrors: tuple[Operation, ...], *, open_top: bool = False) -> Folding:
-    """Fold a mesh along some of the mirrors x -> -x and y -> -y (none: one class, nothing folded).
+def fold(topology: Topology, folds: Folds, *, open_top: bool = False) -> Folding:
+    """Fold a mesh by operations that are their own inverses (none: one class, nothing folded).
 
     With an open top the highest level of nodes belongs to the boundary, beside the lateral faces.
     """
     nodes = np.arange(topology.nodes)
-    # images of every node under all products of the mirrors; the smallest number represents them
-    moves = [topology.permutation(op) for op in mirrors]
-    masks = list(product((0, 1), repeat=len(mirrors)))
+    # images of every node under all products of the operations; the smallest number represents them
+    moves = [topology.permutation(op) for op, _ in folds]
+    masks = list(product((0, 1), repeat=len(folds)))
     images = []
     for mask in masks:
         image = nodes
@@ -77,10 +86,10 @@ def fold(topology: Topology, mirrors: tuple[Operation, ...], *, open_top: bool =
     number = np.empty(len(nodes), dtype=np.int64)
     number[order] = np.arange(len(order))
 
-    parities = list(product((1, -1), repeat=len(mirrors)))
-    parity = np.array(parities, dtype=np.int8).reshape(len(parities), len(mirrors))
-    component = np.array([COMPONENT_SIGNS[op] for op in mirrors], dtype=np.int8).reshape(len(mirrors), 3)
-    # factor[q, m]: what product m of the mirrors does to each component in class q
+    parities = list(product((1, -1), repeat=len(folds)))
+    parity = np.array(parities, dtype=np.int8).reshape(len(parities), len(folds))
+    component = np.array([signs for _, signs in folds], dtype=np.int8).reshape(len(folds), 3)
+    # factor[q, m]: what product m of them does to each component in class q
     factor = np.ones((len(parity), len(masks), 3), dtype=np.int8)
     for m, mask in enumerate(masks):
         for k in np.flatnonzero(mask):
@@ -99,11 +108,12 @@ def fold(topology: Topology, mirrors: tuple[Operation, ...], *, open_top: bool =
         weight=tuple(weight for _, weight in picked),
         sign=sign,
         parity=parity,
+        component=component,
     )
 
 
 def _representative_elements(nodes: Ints, table: Ints) -> tuple[Ints, Ints]:
-    """One element of each set of images under the mirrors (images, nodes), and the sizes of the sets."""
+    """One element of each set of images under the operations (images, nodes), and the sizes of the sets."""
     # an element is known by the set of its nodes
     of_element = nodes.reshape(len(nodes), -1)
     keys = np.concatenate([np.sort(image[of_element], axis=1) for image in table])

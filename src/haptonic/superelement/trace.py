@@ -13,7 +13,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from haptonic.cell import MeshPlan, Topology
+from haptonic.cell import MeshPlan, Topology, UnitCell
 from haptonic.lattice import Operation
 from haptonic.superelement.symmetry import Folding
 
@@ -111,29 +111,29 @@ class FoldedTrace:
 
 
 @dataclass(frozen=True, eq=False)
-class TraceMirror:
-    """A symmetry operation that is its own inverse, acting on whole traces: (R b) = sign * b[source]."""
+class TraceOperation:
+    """A mirror, or the half-turn, acting on whole traces: ``(R b)(x) = turn b(R^-1 x)``.
 
-    source: Ints
-    sign: Array
+    places : (places,) the place of the rim that each takes its motion from; turn : (3, 3)
+    levels : nodes through the thickness
+    """
+
+    places: Ints
+    turn: Array
+    levels: int
 
     @classmethod
-    def of(cls, topology: Topology, levels: int, operation: Operation) -> TraceMirror:
-        """Operations of square and rectangular lattices permute components up to a sign."""
+    def of(cls, cell: UnitCell, topology: Topology, levels: int, operation: Operation) -> TraceOperation:
+        """An operation that is its own inverse."""
         first = topology.rim[0]
         position = {int(node): place for place, node in enumerate(first)}
         moved = np.array([position[int(n)] for n in topology.permutation(operation)[first]])
-        came_from = np.argsort(moved)
-        matrix = np.eye(3, dtype=np.int64)
-        matrix[:2, :2] = operation
-        component = np.abs(matrix).argmax(axis=1)
-        trace = np.arange(levels * len(first) * 3).reshape(levels, len(first), 3)
-        sign = np.broadcast_to(matrix.sum(axis=1), trace.shape)
-        return cls(trace[:, came_from][:, :, component].ravel(), sign.ravel().astype(float))
+        return cls(np.argsort(moved), cell.lattice.point_group.turn(operation), levels)
 
     def applied(self, trace: NDArray[Any]) -> NDArray[Any]:
         """Image of (t, k) traces, or of the rows (t, k) of linear forms on them."""
-        return np.asarray(self.sign[:, None] * trace[self.source])
+        moved = trace.reshape(self.levels, len(self.places), 3, -1)[:, self.places]
+        return np.asarray(self.turn @ moved).reshape(trace.shape)
 
     def form(self, own: Array) -> Array:
         """(t, t) quadratic form that has on a trace the value of ``own`` on its image."""

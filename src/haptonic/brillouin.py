@@ -1,0 +1,191 @@
+"""The irreducible part of the Brillouin zone: its corners, the path along its edge, triangles that tile it.
+
+Operations of the point group and time reversal, k -> -k, take every wavevector of the zone to one in this
+part. It follows from all that breaks a symmetry: lattice, outline and material together.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from fractions import Fraction
+from functools import cached_property
+from itertools import pairwise, product
+
+import numpy as np
+from numpy.typing import NDArray
+
+from haptonic.errors import GeometryError
+from haptonic.lattice import SAME, Lattice, PointGroup
+
+Array = NDArray[np.float64]
+Ints = NDArray[np.int64]
+
+# names of the middles of the zone's sides, in the order of the path, and of its corners; Γ is the centre
+NAMES = {
+    "square": ("XY", "M"),
+    "rectangular": ("XY", "S"),
+    "oblique": ("XYC", "H"),
+}
+
+
+@dataclass(frozen=True)
+class Path:
+    """Wavevectors along the edge of the irreducible zone.
+
+    kappa : (n, 2) phases, rad
+    distance : (n,) arc length of the wavevector from the start, rad/m
+    corners : positions of the labelled corners in the arrays
+    labels : their names, one each
+    segment : (n,) number of the segment that a point belongs to (a corner opens the next one)
+    """
+
+    kappa: Array
+    distance: Array
+    corners: tuple[int, ...]
+    labels: tuple[str, ...]
+
+    @cached_property
+    def segment(self) -> NDArray[np.int64]:
+        inner = np.asarray(self.corners[1:-1])
+        return np.searchsorted(inner, np.arange(len(self.kappa)), side="right")
+
+
+@dataclass(frozen=True)
+class IrreducibleZone:
+    """A convex polygon of wavevectors, walked in order by the path.
+
+    corners : (label, phases in units of pi), the centre of the zone first
+    """
+
+    lattice: Lattice
+    corners: tuple[tuple[str, tuple[float, float]], ...]
+
+    @classmethod
+    def of(cls, lattice: Lattice, group: PointGroup) -> IrreducibleZone:
+        """The part of a lattice's zone that the operations of a group do not repeat.
+
+        It is the wedge between two neighbouring mirrors of the group, or without mirrors one of the angle of
+        its smallest turn. It begins at the middle of a side of the zone if it can, next to the x axis.
+        """
+        turns = [sign * group.turn(op)[:2, :2] for op in group.operations for sign in (1, -1)]
+        mirrors = [turn for turn in turns if np.linalg.det(turn) < 0]
+        order = len(np.unique(np.round(np.reshape(turns, (-1, 4)), 6) + 0.0, axis=0))
+        border = [(number % 2 == 1, point) for number, point in enumerate(_border(lattice))]
+        starts = [
+            (is_corner, (_angle(point) + SAME) % (2 * math.pi))
+            for is_corner, point in border
+            if not mirrors or any(np.allclose(turn @ point, point, rtol=SAME) for turn in mirrors)
+        ]
+        first = min(starts)[1] - SAME
+        away = [(_angle(point) - first + SAME) % (2 * math.pi) for _, point in border]
+        inside = [number for number in np.argsort(away) if away[number] < 2 * math.pi / order + 2 * SAME]
+        names: dict[bool, list[str]] = {False: [], True: []}  # of middles, of corners
+        labelled = [("Γ", (0.0, 0.0))]
+        for is_corner, point in (border[number] for number in inside):
+            among, used = NAMES[lattice.name][is_corner], names[is_corner]
+            used.append(among[len(used) % len(among)] + "\N{PRIME}" * (len(used) // len(among)))
+            one, other = (_simple(phase) for phase in lattice.vectors @ point / np.pi)
+            labelled.append((used[-1], (one, other)))
+        return cls(lattice, tuple(labelled))
+
+    @cached_property
+    def corner_phases(self) -> dict[str, Array]:
+        """Phases of the labelled corners, rad."""
+        return {label: np.pi * np.array(point) for label, point in self.corners}
+
+    def path(self, points: int) -> Path:
+        """``points`` wavevectors once round the irreducible zone, corners included, ends counted both.
+
+        Each segment gets a share in proportion to its length, so the spacing is even in rad/m.
+        """
+        labels = [label for label, _ in self.corners]
+        corners = [self.corner_phases[label] for label in [*labels, labels[0]]]
+        lengths = [float(np.linalg.norm(self.lattice.wavevector(b - a))) for a, b in pairwise(corners)]
+        if points < 2 * len(lengths) + 1:
+            raise GeometryError(
+                argument="bands.points",
+                given=points,
+                allowed=f"at least {2 * len(lengths) + 1} for {len(lengths)} segments",
+                cause="too few points to draw the edge of the irreducible zone",
+                next_step="ask for more points",
+            )
+        shares = np.cumsum([0.0, *lengths]) / sum(lengths)
+        marks = np.round(shares * (points - 1)).astype(int)
+        for j in range(1, len(marks)):  # every segment keeps at least one inner point
+            marks[j] = min(max(marks[j], marks[j - 1] + 2), points - 1 - 2 * (len(marks) - 1 - j))
+        pieces, distances, start = [], [], 0.0
+        for j, length in enumerate(lengths):
+            steps = marks[j + 1] - marks[j]
+            t = np.arange(steps + (j == len(lengths) - 1)) / steps
+            pieces.append(corners[j] + t[:, None] * (corners[j + 1] - corners[j]))
+            distances.append(start + t * length)
+            start += length
+        return Path(
+            kappa=np.concatenate(pieces),
+            distance=np.concatenate(distances),
+            corners=tuple(int(m) for m in marks),
+            labels=(*labels, labels[0]),
+        )
+
+    def triangles(self, divisions: int) -> tuple[Array, NDArray[np.int64]]:
+        """Triangles that tile the irreducible zone exactly.
+
+        Returns
+        -------
+        kappa : (n, 2) phases of the vertices, rad
+        triangles : (m, 3) vertex numbers
+        """
+        corners = [self.corner_phases[label] for label, _ in self.corners]
+        kappa: list[Array] = []
+        number: dict[tuple[int, int, int], int] = {}
+        triangles: list[tuple[int, int, int]] = []
+        n = divisions
+        for fan in range(1, len(corners) - 1):
+
+            def vertex(i: int, j: int, fan: int = fan) -> int:
+                # weights (n - i, i - j, j) of the fan's corners; vertices on a shared edge are met twice
+                key = (fan + 1, 0, i) if j == i else (fan, i - j, j)
+                key = (fan, 0, i) if j == 0 else key
+                key = (0, 0, 0) if i == 0 else key
+                if key not in number:
+                    number[key] = len(kappa)
+                    a, b, c = corners[0], corners[fan], corners[fan + 1]
+                    kappa.append(a + (i - j) / n * (b - a) + j / n * (c - a))
+                return number[key]
+
+            for i in range(n):
+                for j in range(i + 1):
+                    triangles.append((vertex(i, j), vertex(i + 1, j), vertex(i + 1, j + 1)))
+                    if j < i:
+                        triangles.append((vertex(i, j), vertex(i + 1, j + 1), vertex(i, j + 1)))
+        return np.array(kappa), np.array(triangles, dtype=np.int64)
+
+
+def _border(lattice: Lattice) -> Array:
+    """(2 sides, 2) middles of the sides of the first Brillouin zone and, after each, its next corner, rad/m.
+
+    The zone is what lies nearer to the origin than to any other point of the reciprocal lattice.
+    """
+    counts = [pair for pair in product(range(-2, 3), repeat=2) if pair != (0, 0)]
+    points = 2 * np.pi * np.array(counts) @ np.linalg.inv(lattice.vectors).T
+    half = 0.5 * points
+    apart = np.linalg.norm(half[:, None] - points, axis=2)
+    np.fill_diagonal(apart, np.inf)
+    middles = half[apart.min(axis=1) > np.linalg.norm(half, axis=1) * (1 + SAME)]
+    middles = middles[np.argsort([_angle(middle) for middle in middles])]
+    corners = [
+        np.linalg.solve(np.stack([one, other]), [one @ one, other @ other])
+        for one, other in zip(middles, np.roll(middles, -1, axis=0), strict=True)
+    ]
+    return np.stack([middles, corners], axis=1).reshape(-1, 2)
+
+
+def _angle(point: Array) -> float:
+    return math.atan2(point[1], point[0])
+
+
+def _simple(phase: float) -> float:
+    """A phase in units of pi; a simple fraction, as symmetric zones have them, exactly."""
+    fraction = float(Fraction(phase).limit_denominator(12))
+    return fraction if abs(fraction - phase) < SAME else phase
