@@ -20,8 +20,9 @@ from typing import TYPE_CHECKING
 import pytest
 import xarray as xr
 
+from haptonic import jobs
 from haptonic.errors import HaptonicError, ResourceError, StudyError
-from haptonic.jobs import Outcome, Task, engine, run_all
+from haptonic.jobs import Outcome, Task, run_all
 from haptonic.store import Store
 from interrupts import hear_interrupts
 
@@ -33,7 +34,7 @@ Step = tuple[int, int, bool]
 
 def square(number: float) -> xr.Dataset:
     """The computation of most tests; it also tells where it ran and with how many threads."""
-    threads = [int(os.environ.get(name, "0")) for name in engine.THREAD_LIMITS]
+    threads = [int(os.environ.get(name, "0")) for name in jobs.THREAD_LIMITS]
     return xr.Dataset(
         {"y": ((), float(number) ** 2), "threads": ("library", threads), "process": ((), os.getpid())}
     )
@@ -106,7 +107,7 @@ class TestHere:
         self, store: Store, monkeypatch: pytest.MonkeyPatch
     ) -> None:
         run_all(square, tasks_for([1, 2]), store=store)
-        monkeypatch.setattr(engine, "_computed_by_dask", never)
+        monkeypatch.setattr(jobs, "_computed_by_dask", never)
         assert all(
             outcome.from_store for outcome in run_all(never, tasks_for([1, 2]), store=store, workers=2)
         )
@@ -212,7 +213,7 @@ class TestWorkers:
         """As on a busy machine: nobody waits for the workers, and whoever closes them is told so."""
         import psutil
 
-        monkeypatch.setattr(engine, "CLOSE_SECONDS", 1e-4)
+        monkeypatch.setattr(jobs, "CLOSE_SECONDS", 1e-4)
         outcomes = run_all(square, tasks_for([1, 2, 3]), store=store, workers=2)
         assert [result(outcome) for outcome in outcomes] == [1, 4, 9]
         processes = {int(outcome.dataset.process) for outcome in outcomes if outcome.dataset is not None}
@@ -232,7 +233,7 @@ class TestScheduler:
         from distributed import LocalCluster
 
         with (
-            engine._quiet(),
+            jobs._quiet(),
             LocalCluster(
                 n_workers=workers,
                 threads_per_worker=1,
@@ -267,13 +268,13 @@ class TestScheduler:
         assert kept(store) == 3
 
     def test_a_worker_with_other_code_is_refused(self) -> None:
-        assert isinstance(engine._attempt_there(2, square, engine.fingerprint()), xr.Dataset)
-        refused = engine._attempt_there(2, square, "0" * 64)
+        assert isinstance(jobs._attempt_there(2, square, jobs.fingerprint()), xr.Dataset)
+        refused = jobs._attempt_there(2, square, "0" * 64)
         assert isinstance(refused, ResourceError)
         assert "another version" in refused.given
 
     def test_it_has_no_workers(self, store: Store, monkeypatch: pytest.MonkeyPatch) -> None:
-        monkeypatch.setattr(engine, "FIRST_WORKER_SECONDS", 0.3)
+        monkeypatch.setattr(jobs, "FIRST_WORKER_SECONDS", 0.3)
         with self.cluster(workers=0) as cluster, pytest.raises(ResourceError, match="it has no workers"):
             run_all(square, tasks_for([1]), store=store, scheduler=cluster.scheduler_address)
 
@@ -306,7 +307,7 @@ class TestScheduler:
         with socket.socket() as taken:
             taken.bind(("127.0.0.1", 0))
             port = taken.getsockname()[1]
-        monkeypatch.setattr(engine, "CONNECT_SECONDS", 0.5)
+        monkeypatch.setattr(jobs, "CONNECT_SECONDS", 0.5)
         before = set(threading.enumerate())
         with pytest.raises(ResourceError, match="it is not running") as caught:
             run_all(square, tasks_for([1]), store=store, scheduler=address.format(port=port))
@@ -321,7 +322,6 @@ class TestInterrupted:
         from pathlib import Path
         import xarray as xr
         from haptonic import jobs
-        from haptonic.jobs import engine
         from haptonic.store import Store
 
         def slow(number):
@@ -331,11 +331,11 @@ class TestInterrupted:
         def say(*words):
             print(*words, flush=True)
 
-        def announced(start=engine.resource_tracker.ensure_running):
+        def announced(start=jobs.resource_tracker.ensure_running):
             say("starting")
             start()
 
-        engine.resource_tracker.ensure_running = announced
+        jobs.resource_tracker.ensure_running = announced
 
         if __name__ == "__main__":
             tasks = [jobs.Task({"kind": "square", "number": number}, number) for number in range(8)]
@@ -401,5 +401,5 @@ class TestInterrupted:
 
 
 def test_two_runs_at_a_time_do_not_fight_for_a_port():
-    with engine._local_workers(1), engine._local_workers(1):
+    with jobs._local_workers(1), jobs._local_workers(1):
         pass

@@ -35,7 +35,7 @@ ALLOWED: dict[str, set[str]] = {
     "channels": {"errors", "foreign", "hdf5", "names", "paths", "units"},
     "response": BASE | {"channels"},
     "vibrometry": BASE | {"channels", "response"},
-    "friction": BASE | {"channels", "jobs", "response"},
+    "friction": BASE | {"channels", "response"},
     "design": CORE,
     "plate": CORE - {"bloch"} | {"response"},
     "updating": BASE | {"materials", "plate", "response"},

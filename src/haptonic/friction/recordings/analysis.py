@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
+import multiprocessing
 from collections import Counter
-from collections.abc import Iterator, Sequence
-from contextlib import closing
+from collections.abc import Callable, Iterator, Sequence
+from concurrent.futures import FIRST_COMPLETED, Future, ProcessPoolExecutor, wait
 from dataclasses import asdict, dataclass
 from functools import partial
 from itertools import islice
@@ -26,12 +27,13 @@ from haptonic.friction.signals.record import Record
 from haptonic.friction.signals.rules import DECLARED, UNREADABLE, Measured, Rules
 from haptonic.friction.signals.tables import LABEL, read_columns, read_records, read_trials
 from haptonic.friction.signals.trials import joined, measured, tabulated
-from haptonic.jobs import Progress, each
 
+Told = Callable[[int, int, bool], None]
 Portion = list[tuple[str, list[Place]]]
 
 TRIED = 20  # files that are looked into for channels of the expected names
 PRESSED = 30  # trials that the sign of the normal force is found from
+AHEAD = 4  # portions that wait for each worker
 POINTS = 80  # of a curve that is drawn small
 
 
@@ -86,7 +88,7 @@ def analysed(
     excluded: Sequence[Exclusion] = (),
     *,
     workers: int = 0,
-    told: Progress = lambda done, planned, stored: None,
+    told: Told = lambda done, planned, stored: None,
 ) -> Analysed:
     """All trials of a folder with a table of trials, or of a single table.
 
@@ -95,7 +97,7 @@ def analysed(
     Parameters
     ----------
     source : a folder with ``trials.csv``; or a file of all samples, or of trials that were measured elsewhere
-    workers : processes, see `haptonic.jobs.each`; 0 works in this one
+    workers : processes; 0 works in this one
     told : called with (done, planned, False) in trials
 
     Raises
@@ -160,28 +162,47 @@ def _from_file(path: Path, rules: Rules) -> xr.Dataset:
 
 
 def _from_folder(
-    table: TrialTable, sensor: Sensor, rules: Rules, workers: int, told: Progress
+    table: TrialTable, sensor: Sensor, rules: Rules, workers: int, told: Told
 ) -> tuple[xr.Dataset, tuple[str, ...]]:
     wiring = _wiring(table, sensor)
     total, done = len(table.files), 0
     order, found, simulated = [], [], table.simulated
-    portions = {str(number): portion for number, portion in enumerate(table.portions())}
-    work = partial(_measured, table.folder, wiring, rules)
-    with closing(each(work, portions, workers=min(workers, len(portions)))) as results:
-        for _, result in results:
-            if isinstance(result, HaptonicError):
-                raise result
-            rows, columns, says_so = result
-            order.append(rows)
-            found.append(columns)
-            simulated |= says_so
-            done += len(rows)
-            told(done, total, False)
+    for rows, columns, says_so in _portions(partial(_measured, table.folder, wiring, rules), table, workers):
+        order.append(rows)
+        found.append(columns)
+        simulated |= says_so
+        done += len(rows)
+        told(done, total, False)
     back = np.argsort(np.concatenate(order))
     columns = {name: column[back] for name, column in joined(found).items()}
     origin = "simulated" if simulated else "measured"
     trials = tabulated({**table.labels, **table.carried}, columns, rules, origin=origin)
     return trials, wiring.remarks
+
+
+def _portions(
+    work: Callable[[Portion], tuple[NDArray[np.int_], Columns, bool]], table: TrialTable, workers: int
+) -> Iterator[tuple[NDArray[np.int_], Columns, bool]]:
+    """The work on every portion of a table, here or in processes, in any order."""
+    coming = table.portions()
+    if not workers:
+        yield from map(work, coming)
+        return
+    # spawned, because a fork of a process with threads may hang
+    context = multiprocessing.get_context("spawn")
+    with ProcessPoolExecutor(workers, mp_context=context) as pool:
+        waiting: set[Future[tuple[NDArray[np.int_], Columns, bool]]] = set()
+        try:
+            while True:
+                waiting |= {pool.submit(work, one) for one in islice(coming, AHEAD * workers - len(waiting))}
+                if not waiting:
+                    return
+                finished, waiting = wait(waiting, return_when=FIRST_COMPLETED)
+                for future in finished:
+                    yield future.result()
+        finally:
+            for future in waiting:
+                future.cancel()
 
 
 def _measured(

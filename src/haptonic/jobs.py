@@ -1,7 +1,7 @@
-"""One engine for work of many parts: in this process, by worker processes, or by the workers of a scheduler.
+"""Many computations, each kept in the store the moment it is finished.
 
 Parallel work goes through Dask: worker processes on this machine, or the workers of a scheduler. They send
-their results back; nothing else is shared, so remote workers need no shared disk.
+their datasets back and this process alone writes the store, so remote workers need no shared disk.
 """
 
 from __future__ import annotations
@@ -12,22 +12,28 @@ import os
 import signal
 import threading
 import warnings
+from collections import Counter
 from collections.abc import Callable, Generator, Iterator, Mapping, Sequence
 from concurrent.futures import CancelledError
-from contextlib import ExitStack, contextmanager, suppress
+from contextlib import ExitStack, closing, contextmanager, suppress
+from dataclasses import dataclass
 from functools import partial
 from multiprocessing import resource_tracker
 from typing import TYPE_CHECKING, Any
 
+import xarray as xr
+
 from haptonic.errors import HaptonicError, ResourceError
-from haptonic.store import fingerprint
+from haptonic.gate import passed
+from haptonic.store import Store, content_key, fingerprint
 
 if TYPE_CHECKING:
     from distributed import Client, Future, LocalCluster
 
-Function = Callable[[Any], Any]
+Function = Callable[[Any], xr.Dataset]
 Progress = Callable[[int, int, bool], None]
-Results = Generator[tuple[str, Any], None, None]
+Result = xr.Dataset | HaptonicError
+Results = Generator[tuple[str, Result], None, None]
 
 THREAD_LIMITS = ("OMP_NUM_THREADS", "MKL_NUM_THREADS", "OPENBLAS_NUM_THREADS")
 # Dask has workers give freed memory back at once; to be given it anew costs this work half of its time.
@@ -37,33 +43,88 @@ FIRST_WORKER_SECONDS = 30
 CLOSE_SECONDS = 0.5
 
 
-def each(
-    function: Function, arguments: Mapping[str, object], *, workers: int = 0, scheduler: str | None = None
-) -> Results:
-    """What a function gives for each argument, by the name of the argument, in any order.
+@dataclass(frozen=True)
+class Task:
+    """One computation: what names its result (see ``content_key``), and what the function is given."""
+
+    key_inputs: dict[str, object]
+    argument: object
+
+
+@dataclass(frozen=True, eq=False)
+class Outcome:
+    """What came of a task: either the dataset or the error that stands in its place."""
+
+    key: str
+    dataset: xr.Dataset | None
+    error: HaptonicError | None
+    from_store: bool
+
+
+def run_all(
+    function: Function,
+    tasks: Sequence[Task],
+    *,
+    store: Store,
+    workers: int = 0,
+    scheduler: str | None = None,
+    on_progress: Progress | None = None,
+) -> list[Outcome]:
+    """Compute every task that is not in the store yet; the outcomes, in the order of the tasks.
 
     Parameters
     ----------
-    function : for parallel work it must be importable, or a `partial` of one that is
+    function : takes a task's argument and returns a dataset; for parallel work it must be importable
     workers : worker processes on this machine; 0 computes in this process
     scheduler : address of a running Dask scheduler, whose workers are used instead
+    on_progress : called with (tasks done, tasks in all, whether this one was in the store)
 
-    A HaptonicError of one argument takes the place of its result, as does a worker that dies on the same
-    argument twice. Any other exception, Ctrl-C, and a caller who closes the generator end the work.
+    A HaptonicError of one task becomes its outcome, as does a worker that dies on the same task twice; the
+    other tasks go on. Any other exception, and Ctrl-C, ends the run; what was finished is in the store, and
+    the next run goes on from there. Errors are not stored.
 
-    On this machine an argument costs two workers before it is given up. A running scheduler has its own
-    setting of how many deaths one attempt may cause, and there are two attempts.
+    On this machine a task costs two workers before it is given up. A running scheduler has its own setting of
+    how many deaths one attempt may cause, and there are two attempts.
 
     Raises
     ------
     HaptonicError : ``workers`` and ``scheduler`` do not go together, or ``workers`` is negative
-    ResourceError : no scheduler at that address, it has no workers, it is lost on the way, or local workers
-        do not start
+    ResourceError : no scheduler at that address, it has no workers, it is lost on the way, local workers do
+        not start, or the store cannot be used
     """
     _check(workers, scheduler)
-    if not arguments or (workers == 0 and scheduler is None):
-        return _computed_here(function, arguments)
-    return _computed_by_dask(function, arguments, workers, scheduler)
+    keys = [content_key(task.key_inputs) for task in tasks]
+    arguments = {key: task.argument for key, task in zip(keys, tasks, strict=True)}
+    copies = Counter(keys)
+    outcomes: dict[str, Outcome] = {}
+    done = 0
+
+    def keep(outcome: Outcome) -> None:
+        nonlocal done
+        outcomes[outcome.key] = outcome
+        for _ in range(copies[outcome.key]):
+            done += 1
+            if on_progress is not None:
+                on_progress(done, len(keys), outcome.from_store)
+
+    for key in copies:
+        stored = store.get(key)
+        if stored is not None:
+            keep(Outcome(key, stored, None, from_store=True))
+
+    missing = {key: arguments[key] for key in copies if key not in outcomes}
+    if not missing or (workers == 0 and scheduler is None):
+        results = _computed_here(function, missing)
+    else:
+        results = _computed_by_dask(function, missing, workers, scheduler)
+    with closing(results):
+        for key, result in results:
+            if isinstance(result, HaptonicError):
+                keep(Outcome(key, None, result, from_store=False))
+            else:
+                store.put(key, result)
+                keep(Outcome(key, result, None, from_store=False))
+    return [outcomes[key] for key in keys]
 
 
 def _check(workers: int, scheduler: str | None) -> None:
@@ -82,14 +143,16 @@ def _computed_here(function: Function, missing: Mapping[str, object]) -> Results
         yield key, _attempt(function, argument)
 
 
-def _attempt(function: Function, argument: object) -> Any:
+def _attempt(function: Function, argument: object) -> Result:
     try:
-        return function(argument)
+        dataset = function(argument)
+        assert isinstance(dataset, xr.Dataset), f"{function} returned {type(dataset).__name__}, not a dataset"
+        return passed(dataset)
     except HaptonicError as error:
         return error
 
 
-def _attempt_there(argument: object, function: Function, expected: str) -> Any:
+def _attempt_there(argument: object, function: Function, expected: str) -> Result:
     """As ``_attempt``, on a worker; refused where the code is not the code that the result is filed under."""
     if fingerprint() != expected:
         return ResourceError(
