@@ -22,7 +22,7 @@ ORDER_OF_PILLARS, BANDS = 4, 10
 
 def several(columns: int, rows: int) -> dict[str, float]:
     """A supercell each of whose pillars is condensed by itself, and its lowest bands at one wavevector."""
-    cell, resolution = haptonic.load(STUDY).unit_cell(), Resolution(ORDER_OF_PILLARS, 1)
+    cell, resolution = haptonic.load(STUDY).cell, Resolution(ORDER_OF_PILLARS, 1)
     plan = resolution.plan(cell)
 
     def condensed() -> Superelement:
@@ -49,7 +49,7 @@ def several(columns: int, rows: int) -> dict[str, float]:
 
 
 def one(order: int) -> dict[str, float]:
-    cell, resolution = haptonic.load(STUDY).unit_cell(), Resolution(order, 1)
+    cell, resolution = haptonic.load(STUDY).cell, Resolution(order, 1)
     plan = resolution.plan(cell)
     condense(cell, plan, resolution.steps, measured=False)  # the index work of the topology
     seconds, superelement = timed(

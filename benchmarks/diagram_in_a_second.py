@@ -22,7 +22,7 @@ from haptonic.bloch.tracking import diagram
 
 def reference_cell():
     study = haptonic.load(STUDY)
-    return fresh(study.unit_cell()), study.asked()
+    return fresh(study.cell), study.asked()
 
 
 def frequencies_and_errors() -> BlochModel:

@@ -21,7 +21,7 @@ def main() -> None:
     study = haptonic.load(STUDY)
     section = study.design_settings
     brief = Brief(
-        study.unit_cell(),
+        study.cell,
         study.need_carrier(),
         study.bands_settings.count,
         BOUNDS,

@@ -21,7 +21,6 @@ from record import write
 from haptonic.bloch import Gap
 from haptonic.cell import Pillar, UnitCell
 from haptonic.design.brief import Brief
-from haptonic.design.parameters import changed
 from haptonic.design.quick import edges_of
 from haptonic.errors import HaptonicError
 from haptonic.lattice import Lattice
@@ -92,7 +91,7 @@ def confirmed(brief: Brief, found: list[tuple[float, int, list[float]]], runner:
         if margin <= 0:
             return None
         try:
-            gaps = runner.gaps(changed(brief.cell, dict(zip(brief.paths, values, strict=True))), ASKED)
+            gaps = runner.gaps(brief.cell.with_numbers(dict(zip(brief.paths, values, strict=True))), ASKED)
         except HaptonicError:
             continue
         held = [margin_of(gap, brief.carrier) for gap in gaps if gap.complete]

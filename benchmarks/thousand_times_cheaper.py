@@ -31,7 +31,7 @@ THEIRS = (
 
 
 def ours(resolution: Resolution) -> dict[str, float]:
-    cell = haptonic.load(STUDY).unit_cell()
+    cell = haptonic.load(STUDY).cell
     path = cell.zone.path(POINTS).kappa
 
     def whole() -> BlochModel:
@@ -55,7 +55,7 @@ def ours(resolution: Resolution) -> dict[str, float]:
 
 def theirs(settings: dict[str, int]) -> dict[str, float]:
     study = haptonic.load(STUDY)
-    cell, material = study.unit_cell(), study.resolved_material()
+    cell, material = study.cell, study.cell.material
     peer = PeerCell(
         cell.lattice.pitch, cell.lattice.pitch, cell.thickness, cell.pillar.diameter, cell.pillar.height,
         material.youngs_modulus, material.poisson_ratio, material.density,

@@ -29,7 +29,7 @@ def reference_study() -> Study:
 @cache
 def _reference_bands() -> xr.Dataset:
     dataset = bands_dataset(
-        reference_study().unit_cell(),
+        reference_study().cell,
         count=10,
         points=24,
         accuracy=2e-2,
@@ -128,7 +128,7 @@ def made_up_tolerance(paths: tuple[str, ...], margin: float = 500.0) -> xr.Datas
 @cache
 def _reference_mirror() -> tuple[Layers, Guides]:
     study = reference_study()
-    cell, carrier, asked = study.unit_cell(), study.need_carrier(), Asked(8, 13, 2e-2, Resolution(3, 1))
+    cell, carrier, asked = study.cell, study.need_carrier(), Asked(8, 13, 2e-2, Resolution(3, 1))
     with tempfile.TemporaryDirectory() as folder:
         runner = Runner(Store(Path(folder)))
         layers = compute_layers(

@@ -20,7 +20,7 @@ SCRIPT = """
     study = haptonic.load(sys.argv[1])
 
     def highest(count):
-        data = bands_dataset(study.unit_cell(), count=count, points=7, accuracy=2e-2, surface=False,
+        data = bands_dataset(study.cell, count=count, points=7, accuracy=2e-2, surface=False,
                              resolution=Resolution(2, 0))
         return float(data["frequency"].max())
 

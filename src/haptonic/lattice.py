@@ -11,16 +11,18 @@ from collections.abc import Callable
 from dataclasses import dataclass, replace
 from functools import cached_property
 from itertools import product
-from typing import Literal
+from typing import Annotated, Literal
 
 import numpy as np
 from numpy.typing import NDArray
+from pydantic import Field
 
 from haptonic.errors import GeometryError
+from haptonic.fields import described, problem, remade, size
+from haptonic.units import format_quantity
 
 Array = NDArray[np.float64]
 Operation = tuple[tuple[int, int], tuple[int, int]]
-Name = Literal["square", "rectangular", "oblique"]
 
 IDENTITY: Operation = ((1, 0), (0, 1))
 HALF_TURN: Operation = ((-1, 0), (0, -1))
@@ -103,37 +105,105 @@ class PointGroup:
         return any(np.array_equal(g @ np.array(one), np.array(other) @ g) for g in matrices)
 
 
-@dataclass(frozen=True)
+@described("cell", GeometryError, kw_only=True)
 class Lattice:
     """Two translations ``a1``, ``a2`` in the plane of the plate, m, the shortest that there are.
 
-    name : of the symmetry that is meant. A rectangle whose sides happen to be equal stays one, so that a
-        sweep of a side meets no other zone there.
+    ``name`` is that of the symmetry that is meant. A rectangle whose sides happen to be equal stays one, so
+    that a sweep of a side meets no other zone there. ``pitch`` is the length of a1, and the yardstick
+    of every geometric tolerance.
+
+    Raises
+    ------
+    GeometryError : a period that is not positive, or one too many or too few
     """
 
-    name: Name
-    a1: tuple[float, float]
-    a2: tuple[float, float]
+    name: Literal["square", "rectangular", "triangular"] = Field(
+        alias="lattice", default="square", title="Lattice", description="How the cells repeat in the plane."
+    )
+    pitch: Annotated[float, size(100e-6, 100e-3)] = Field(
+        title="Pitch", description="Period of the lattice; along x for a rectangular one."
+    )
+    pitch_y: Annotated[float, size(100e-6, 100e-3)] | None = Field(
+        default=None, title="Pitch along y", description="Of a rectangular lattice only."
+    )
 
     def __post_init__(self) -> None:
-        if not (np.isfinite(self.vectors).all() and abs(np.linalg.det(self.vectors)) > 0):
-            raise GeometryError(
-                argument="cell.lattice",
-                given=f"a1 = {self.a1}, a2 = {self.a2}",
-                allowed="two finite translations that are not parallel",
-                cause="a pitch is zero or not a number",
-                next_step="give positive pitches",
+        if (self.name == "rectangular") != (self.pitch_y is not None):
+            missing = self.pitch_y is None
+            raise problem(
+                "nothing" if missing else format_quantity(self.pitch_y or 0.0, "m"),
+                "pitch_y for a rectangular lattice, and for no other",
+                "the second period was left out" if missing else f"a {self.name} lattice has one period only",
+                'add pitch_y = "7 mm"' if missing else 'remove pitch_y, or write lattice = "rectangular"',
+                at="pitch_y",
             )
 
     @classmethod
     def square(cls, pitch: float) -> Lattice:
         """Square lattice of period ``pitch`` (m)."""
-        return cls("square", (pitch, 0.0), (0.0, pitch))
+        return cls(lattice="square", pitch=pitch)
 
     @classmethod
     def rectangular(cls, pitch: float, pitch_y: float) -> Lattice:
         """Rectangular lattice of periods ``pitch`` along x and ``pitch_y`` along y (m)."""
-        return cls("rectangular", (pitch, 0.0), (0.0, pitch_y))
+        return cls(lattice="rectangular", pitch=pitch, pitch_y=pitch_y)
+
+    @classmethod
+    def triangular(cls, pitch: float) -> Lattice:
+        """Triangular lattice, also called hexagonal, of period ``pitch`` (m); a1 lies along x."""
+        return cls(lattice="triangular", pitch=pitch)
+
+    @property
+    def a1(self) -> tuple[float, float]:
+        """First translation, m."""
+        return self.pitch, 0.0
+
+    @property
+    def a2(self) -> tuple[float, float]:
+        """Second translation, m."""
+        if self.name == "triangular":
+            return 0.5 * self.pitch, 0.5 * math.sqrt(3) * self.pitch
+        return 0.0, self.pitch_y or self.pitch
+
+    @staticmethod
+    def oblique(a1: tuple[float, float], a2: tuple[float, float]) -> Oblique:
+        """Lattice of any two translations (m), the shortest that there are."""
+        pitch = math.hypot(*a1)
+        if not (np.isfinite([a1, a2]).all() and abs(np.linalg.det([a1, a2])) > 0):
+            raise GeometryError(
+                argument="cell.lattice",
+                given=f"a1 = {a1}, a2 = {a2}",
+                allowed="two finite translations that are not parallel",
+                cause="a pitch is zero or not a number",
+                next_step="give positive pitches",
+            )
+        (x1, y1), (x2, y2) = a1, a2
+        return Oblique(pitch=pitch, first=(x1 / pitch, y1 / pitch), second=(x2 / pitch, y2 / pitch))
+
+    @staticmethod
+    def spanned(name: str, a1: tuple[float, float], a2: tuple[float, float]) -> Lattice:
+        """The lattice of that name and these translations, m."""
+        if name == "oblique":
+            return Lattice.oblique(a1, a2)
+        if name == "rectangular":
+            return Lattice.rectangular(a1[0], a2[1])
+        return Lattice.triangular(a1[0]) if name == "triangular" else Lattice.square(a1[0])
+
+    def check_rectangular(self, what: str) -> None:
+        """Raise GeometryError unless translations are at right angles; ``what`` needs it."""
+        if len(self.neighbours) != 4:
+            raise GeometryError(
+                argument="cell.lattice",
+                given=self.name,
+                allowed=f"square or rectangular for {what}",
+                cause=f"{what} knows cells with four sides only; bands, gaps and sweeps know all lattices",
+                next_step='write lattice = "square" or "rectangular", or ask for the bands',
+            )
+
+    def scaled(self, factor: float) -> Lattice:
+        """The same lattice with both periods multiplied by ``factor``."""
+        return remade(self, pitch=self.pitch * factor, pitch_y=self.pitch_y and self.pitch_y * factor)
 
     @cached_property
     def vectors(self) -> Array:
@@ -141,14 +211,24 @@ class Lattice:
         return np.array([self.a1, self.a2], dtype=float)
 
     @property
-    def pitch(self) -> float:
-        """Length of the first translation, m; the yardstick of every geometric tolerance."""
-        return float(np.hypot(*self.a1))
-
-    @property
     def area(self) -> float:
         """Area of the cell, m^2."""
         return float(abs(np.linalg.det(self.vectors)))
+
+    @cached_property
+    def neighbours(self) -> tuple[tuple[int, int], ...]:
+        """Translations across the sides of the cell, anticlockwise from the lowest side."""
+        return voronoi_cell(self.vectors)[0]
+
+    @cached_property
+    def corners(self) -> Array:
+        """(sides, 2) corners of the cell about the origin, m, each at the beginning of its side."""
+        return voronoi_cell(self.vectors)[1]
+
+    @property
+    def inradius(self) -> float:
+        """Distance from the centre of the cell to its nearest side, m."""
+        return float(0.5 * np.linalg.norm(np.array(self.neighbours) @ self.vectors, axis=1).min())
 
     @cached_property
     def point_group(self) -> PointGroup:
@@ -162,10 +242,60 @@ class Lattice:
         return PointGroup((self.a1, self.a2), tuple(found)).kept(self._is_meant)
 
     def _is_meant(self, turn: Array) -> bool:
-        if self.name == "rectangular":
-            return bool(turn[0, 1] == 0)
-        return self.name != "oblique" or bool(turn[0, 1] == 0 and turn[0, 0] == turn[1, 1])
+        return self.name != "rectangular" or bool(turn[0, 1] == 0)
 
     def wavevector(self, kappa: Array) -> Array:
         """(..., 2) wavevectors in rad/m from (..., 2) phases: k . a_j = kappa_j."""
         return np.asarray(kappa) @ np.linalg.inv(self.vectors).T
+
+
+@described("cell", GeometryError, kw_only=True)
+class Oblique(Lattice):
+    """A lattice of any two translations, given in units of the pitch; no study file describes one."""
+
+    name: Literal["oblique"] = Field(  # type: ignore[assignment]
+        alias="lattice", default="oblique", title="Lattice", description="How the cells repeat in the plane."
+    )
+    first: tuple[float, float] = Field(title="First translation", description="Over the pitch.")
+    second: tuple[float, float] = Field(title="Second translation", description="Over the pitch.")
+
+    def __post_init__(self) -> None:
+        """Of its two periods none is left out."""
+
+    @property
+    def a1(self) -> tuple[float, float]:
+        """First translation, m."""
+        return self.pitch * self.first[0], self.pitch * self.first[1]
+
+    @property
+    def a2(self) -> tuple[float, float]:
+        """Second translation, m."""
+        return self.pitch * self.second[0], self.pitch * self.second[1]
+
+    def _is_meant(self, turn: Array) -> bool:
+        return bool(turn[0, 1] == 0 and turn[0, 0] == turn[1, 1])
+
+
+def voronoi_cell(vectors: NDArray[np.floating]) -> tuple[tuple[tuple[int, int], ...], Array]:
+    """What lies nearer to the origin than to any other point of a lattice: a polygon of four or six sides.
+
+    vectors : (2, 2) translations, as rows
+
+    Returns
+    -------
+    the translations across its sides, anticlockwise from the lowest side on, and (sides, 2) its corners, each
+    at the beginning of its side
+    """
+    counts = [pair for pair in product(range(-2, 3), repeat=2) if pair != (0, 0)]
+    points = np.array(counts) @ vectors
+    apart = np.linalg.norm(0.5 * points[:, None] - points, axis=2)
+    np.fill_diagonal(apart, np.inf)
+    on_border = np.flatnonzero(apart.min(axis=1) > 0.5 * np.linalg.norm(points, axis=1) * (1 + SAME))
+    angle = np.arctan2(points[on_border, 1], points[on_border, 0])
+    order = on_border[np.argsort((angle + 0.5 * np.pi + SAME) % (2 * np.pi))]
+    middles = 0.5 * points[order]
+    corners = [
+        np.linalg.solve(np.stack([one, other]), [one @ one, other @ other])
+        for one, other in zip(np.roll(middles, 1, axis=0), middles, strict=True)
+    ]
+    return tuple(counts[number] for number in order), np.array(corners)

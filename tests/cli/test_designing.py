@@ -99,7 +99,7 @@ class TestDesign:
         for path, (low, high) in bounds.items():
             assert low <= answer["values"][path] <= high
             assert found.parameters()[path] == answer["values"][path]
-        assert found.cell.pitch != own.cell.pitch
+        assert found.cell.lattice.pitch != own.cell.lattice.pitch
 
         # the edges that the command promises are those of the written study
         gap = next(
@@ -259,7 +259,7 @@ class TestTolerance:
         assert height[0] == pytest.approx(14.7)
         assert height[1].get("dimtp") == height[1].get("dimtm") == pytest.approx(1e3 * wanted.expected)
         texts = " ".join(
-            text.get_text() for text in cell_drawing(package.load(path).unit_cell(), "", tolerances=shown[0])
+            text.get_text() for text in cell_drawing(package.load(path).cell, "", tolerances=shown[0])
             .figure().findobj(Text))  # fmt: skip
         assert f"14.700 ±{1e3 * shown[0]['cell.pillar.height']:.3f}" in texts
 
@@ -289,7 +289,7 @@ class TestTolerance:
         ("name", "spread", "words"),
         [
             ("cell.pillar.diameter", "2 mm", "wider than the cell"),
-            ("cell.thickness", "0.6 mm", "wrong sign"),
+            ("cell.thickness", "0.6 mm", "cannot be negative"),
             ("material.youngs_modulus", "40 GPa", "outside the range"),
         ],
     )

@@ -14,6 +14,7 @@ import xarray as xr
 
 from five_parts import assert_five_parts
 from haptonic.errors import HaptonicWarning
+from haptonic.fields import remade
 from haptonic.response import FrequencyResponse, read, write
 from haptonic.results import write_files
 from haptonic.results.scan import Estimation, OnPlate, Twin, compute_scan
@@ -173,7 +174,7 @@ class TestChirp:
 
     def test_a_region_is_skipped(self, study):
         both = study.scan_settings.frozen()
-        half = study.scan_settings.model_copy(update={"skip": "WG2"}).frozen()
+        half = remade(study.scan_settings, skip="WG2").frozen()
         layout = study.mounted_plate().layout
         everywhere, some = (question.plan(study.mounted_plate()).points for question in (both, half))
         inside = (some[:, 0] > layout.x[5]) & (some[:, 0] < layout.x[7])
@@ -219,9 +220,7 @@ class TestTwin:
     def test_a_noisy_vibrometer_hides_levels_and_what_is_told_is_right(self, study, truth, on, store):
         shares = []
         for noise in (5e-5, 2e-3, 8e-3):
-            loud = study.model_copy(
-                update={"scan_settings": study.scan_settings.model_copy(update={"noise": noise})}
-            )
+            loud = remade(study, scan_settings=remade(study.scan_settings, noise=noise))
             with pytest.warns(HaptonicWarning, match="ring-down"):
                 made = scanning.twin_scan(loud, response=truth, store=store)
             result = compute_scan(_as_scan(made), Estimation(), on, store=store)
@@ -383,9 +382,7 @@ class TestScan:
         assert np.array_equal(again.response.values, at_once.response.values)
 
     def test_bad_points_are_replaced_and_marked(self, study, truth, on, store):
-        lost = study.model_copy(
-            update={"scan_settings": study.scan_settings.model_copy(update={"dropouts": 0.1})}
-        )
+        lost = remade(study, scan_settings=remade(study.scan_settings, dropouts=0.1))
         with pytest.warns(HaptonicWarning, match="ring-down"):
             made = scanning.twin_scan(lost, seed=1, response=truth, store=store)
         plain = compute_scan(_as_scan(made), Estimation(), on, store=store)

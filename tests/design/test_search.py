@@ -14,7 +14,7 @@ from haptonic.bloch import Gap, Resolution, gaps_of
 from haptonic.cell import Pillar, Step, UnitCell
 from haptonic.design import quick, search
 from haptonic.design.brief import LEAST_GAP, Brief, Finger
-from haptonic.design.parameters import changed, values_of
+from haptonic.design.parameters import values_of
 from haptonic.design.quick import QuickDesign
 from haptonic.design.search import Column, Visited, climb, spread, starts_of
 from haptonic.errors import ResourceError, StudyError
@@ -147,7 +147,7 @@ class TestBounds:
         place = np.array([0.1, 0.5, 0.9, 1.0])
         assert brief.share(brief.at(place)) == pytest.approx(place)
         assert brief.at(brief.share(CELL)) == brief.at(np.full(4, 0.5))
-        outside = changed(CELL, {"cell.thickness": 9 * MM})
+        outside = CELL.with_numbers({"cell.thickness": 9 * MM})
         assert brief.share(outside) == pytest.approx([0.5, 1.0, 0.5, 0.5])
         held = brief.fixed("cell.pitch", 8 * MM)
         assert held.paths == PATHS[1:]
@@ -191,7 +191,7 @@ class TestBounds:
 def designed(path=None, share=1.0):
     """Sides of the gap above the sixth band of the cell with one number changed."""
     values = {} if path is None else {path: share * values_of(CELL)[path]}
-    return QuickDesign.of(changed(CELL, values), 8).sides(6, PATHS)
+    return QuickDesign.of(CELL.with_numbers(values), 8).sides(6, PATHS)
 
 
 @pytest.mark.parametrize("path", PATHS)
@@ -361,7 +361,7 @@ def test_a_search_is_at_least_as_good_as_a_scan(cheap, seed, kept):
     assert min(brief.carrier - best.lower, best.upper - brief.carrier) > 0.01 * brief.carrier
     reached = min(brief.carrier - found.gap.lower, found.gap.upper - brief.carrier)
     assert reached > min(brief.carrier - best.lower, best.upper - brief.carrier) - 2e-3 * brief.carrier
-    inside = brief.share(changed(brief.cell, found.values))
+    inside = brief.share(brief.cell.with_numbers(found.values))
     assert brief.allows(inside)
     assert all(low <= found.values[path] <= high for path, (low, high) in brief.bounds.items())
 
@@ -384,7 +384,7 @@ def test_a_design_is_written_in_whole_micrometres_and_stays_allowed(place, slend
         assert 1e6 * value == pytest.approx(round(1e6 * value), abs=1e-6)
         assert abs(value - exact) <= 1e-5  # a micrometre of diameter is worth up to eight of height
         assert low - 1e-12 <= value <= high + 1e-12
-    assert brief.allows(brief.share(changed(brief.cell, values)))
+    assert brief.allows(brief.share(brief.cell.with_numbers(values)))
 
 
 class TestWhatCannotBeComputed:

@@ -315,7 +315,7 @@ class TestModes:
         assert len(np.unique(on_edge)) == len(on_edge)
 
     def test_a_plate_without_a_pillar_is_drawn(self):
-        plain = reference_study().unit_cell().without_pillar()
+        plain = reference_study().cell.without_pillar()
         plate = bands_dataset(plain, count=10, points=8, accuracy=2e-2, resolution=Resolution(2, 0))
         figure = plots.mode_shapes(plate)
         assert len(artists(figure, "deformed")) == 8

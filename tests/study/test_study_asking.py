@@ -191,7 +191,7 @@ class TestReading:
         assert (stiffness.width, stiffness.distribution, stiffness.per) == (5e8, "normal", "batch")
 
     def test_the_pillar_reaches_the_core(self, every_key_text):
-        pillar = loads(every_key_text).unit_cell().pillar
+        pillar = loads(every_key_text).cell.pillar
         assert (pillar.section, pillar.fillet) == ("square", 0.3e-3)
         assert pillar.draft == pytest.approx(math.radians(2), rel=1e-15)
         assert (pillar.step.diameter, pillar.step.height) == (2e-3, 6e-3)
@@ -243,10 +243,10 @@ class TestManyParametersAtOnce:
             with pytest.raises(StudyError, match="wider"):
                 study.with_parameters(alone)
         small = study.with_parameters({"cell.pitch": 0.003, "cell.pillar.diameter": 0.002})
-        assert (small.cell.pitch, small.cell.pillar.diameter) == (0.003, 0.002)
+        assert (small.cell.lattice.pitch, small.cell.pillar.diameter) == (0.003, 0.002)
         assert small.cell.pillar.height == study.cell.pillar.height
         large = study.with_parameters({"cell.pillar.diameter": 0.009, "cell.pitch": 0.012})
-        assert (large.cell.pitch, large.cell.pillar.diameter) == (0.012, 0.009)
+        assert (large.cell.lattice.pitch, large.cell.pillar.diameter) == (0.012, 0.009)
 
     def test_nothing_else_changes(self, every_key_text):
         study = loads(every_key_text)
@@ -314,15 +314,14 @@ class TestWriting:
             }
             for name in names
         ]  # fmt: skip
-        study = Study.model_validate(
-            {
-                "material": solid, "cell": cell,
-                "layers": {"lowest": data.draw(st.floats(1, 1e4)), "angle": data.draw(st.floats(0, 1.5))},
-                "waveguide": {"width": data.draw(st.none() | st.floats(1e-9, 1e3))},
-                "design": {"vary": rows, "tool": data.draw(st.none() | st.floats(1e-9, 1e3))},
-                "tolerance": {"of": spreads, "margin": data.draw(st.floats(0, 1e9))},
-            },
-        )  # fmt: skip
+        study = Study(
+            material=solid,
+            cell=cell,
+            layers={"lowest": data.draw(st.floats(1, 1e4)), "angle": data.draw(st.floats(0, 1.5))},
+            waveguide={"width": data.draw(st.none() | st.floats(1e-9, 1e3))},
+            design={"vary": rows, "tool": data.draw(st.none() | st.floats(1e-9, 1e3))},
+            tolerance={"of": spreads, "margin": data.draw(st.floats(0, 1e9))},
+        )
         again = loads(study.to_toml())
         assert again == study
         assert again.inputs() == study.inputs()

@@ -27,4 +27,4 @@ def test_designs_beyond_the_bounds_of_a_fit_are_designs(edited):
         '[[fit.vary]]\nparameter = "material.youngs_modulus"\nfrom = "65 GPa"\nto = "75 GPa"\n\n[[sweep]]'
     )
     study = loads(edited(("[[sweep]]", unknown)))
-    assert study.with_parameter("material.youngs_modulus", 90e9).unit_cell().material.youngs_modulus == 90e9
+    assert study.with_parameter("material.youngs_modulus", 90e9).cell.material.youngs_modulus == 90e9

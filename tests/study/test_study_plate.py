@@ -11,6 +11,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from haptonic.errors import HaptonicWarning, StudyError
+from haptonic.fields import remade
 from haptonic.fields.entries import Entries
 from haptonic.plate.layout import Layout, pieces
 from haptonic.plate.parts import Plate, Support
@@ -387,7 +388,7 @@ def plates(draw):
     borders = [whole[0], whole[-1], "".join(r[0] for r in whole), "".join(r[-1] for r in whole)]
     if len(pieces(there * (plate["rows"] // count))) > 1 or any(set(b) == {"."} for b in borders):
         return draw(plates())
-    return Study.model_validate(data), whole
+    return Study(**data), whole
 
 
 class TestLayout:
@@ -421,7 +422,7 @@ class TestLayout:
         pillars = sum(line.count("o") + line.count("f") for line in lines) * (layout.rows // len(lines))
         assert layout.pillars == pillars
         lattice = sum(layout.area(name) for name in layout.cells)
-        assert lattice == pytest.approx(pillars * cell.pitch * cell.pitch_y, rel=1e-12)
+        assert lattice == pytest.approx(pillars * cell.lattice.area, rel=1e-12)
 
     @settings(deadline=None, max_examples=60)
     @given(plates())
@@ -431,7 +432,7 @@ class TestLayout:
         for j in range(layout.columns):
             names = {LETTERS.get(line[j]) for line in lines}
             wide = [] if names & {"lattice", "fine"} else [widths[name] for name in names if name in widths]
-            expected = wide[0] if wide else study.cell.pitch
+            expected = wide[0] if wide else study.cell.lattice.pitch
             assert layout.x[j + 1] - layout.x[j] == pytest.approx(expected, rel=1e-9)
 
     @settings(deadline=None, max_examples=60)
@@ -668,7 +669,7 @@ class TestInAStudy:
 
     @pytest.mark.parametrize("title", ['a\nb "c"', "a\nb \\ c", "\na", "a\n", 'a\n"""', "a\nb\x7f", "a\r\nb"])
     def test_a_text_of_several_lines_comes_back(self, title):
-        study = loads(CELL).model_copy(update={"title": title})
+        study = remade(loads(CELL), title=title)
         assert loads(study.to_toml()).title == title
 
     def test_a_changed_study_keeps_its_plate_and_a_sweep_does_not(self):

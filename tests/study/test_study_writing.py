@@ -38,7 +38,7 @@ def studies(draw):
     if draw(st.booleans()):
         data["bands"] = {"count": draw(st.integers(1, 60)), "accuracy": draw(st.floats(1e-6, 0.1))}
         data["mesh"] = {"order": draw(st.integers(2, 10))}
-    return Study.model_validate(data)
+    return Study(**data)
 
 
 @settings(deadline=None)

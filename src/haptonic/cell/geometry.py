@@ -2,22 +2,26 @@
 
 from __future__ import annotations
 
-import math
-from dataclasses import dataclass, replace
+from collections.abc import Mapping
+from dataclasses import replace
 from functools import cached_property
+from typing import Annotated
+
+from pydantic import Field
 
 from haptonic.brillouin import IrreducibleZone
 from haptonic.cell.pillar import Pillar
 from haptonic.errors import GeometryError
+from haptonic.fields import INLINE, TOP, described, numbers, problem, size, with_numbers
 from haptonic.lattice import HALF_TURN, Lattice, PointGroup
-from haptonic.materials import Material, is_symmetry
+from haptonic.materials import GIVEN, Material, is_symmetry
 
 SHEET = 0.08  # thickness, in half pitches, below which a plate is thin
 SHEET_CLEARANCE = 3.0  # and so narrow a neck, in thicknesses, that it is none
 LEAST_CLEARANCE = 0.01  # of the pitch, between a pillar and the nearest side of its cell
 
 
-@dataclass(frozen=True)
+@described("cell", GeometryError)
 class UnitCell:
     """One period of the plate; its flat face lies at z = 0, the pillar stands on z = ``thickness``.
 
@@ -27,27 +31,33 @@ class UnitCell:
         that half a turn about the normal does not leave as it is
     """
 
-    lattice: Lattice
-    thickness: float
-    material: Material
-    pillar: Pillar | None = None
+    lattice: Annotated[Lattice, INLINE] = Field(title="Lattice", description="How the cells repeat.")
+    thickness: Annotated[float, size(20e-6, 20e-3)] = Field(
+        title="Plate thickness", description="Without the pillar."
+    )
+    material: Annotated[Material, GIVEN, TOP] = Field(
+        title="Material", description="Of the plate and its pillars: a built-in name or its constants."
+    )
+    pillar: Pillar | None = Field(
+        default=None, title="Pillar", description="Without this table the cell is a piece of plain plate."
+    )
 
     def __post_init__(self) -> None:
         if HALF_TURN not in self.point_group:
-            raise GeometryError(
-                argument="material",
-                given=self.material.name,
-                allowed="a material that half a turn about the plate's normal leaves as it is",
-                cause="its constants couple motion in the plane with motion out of it",
-                next_step="turn the material so that one of its axes is normal to the plate",
+            raise problem(
+                self.material.name,
+                "a material that half a turn about the plate's normal leaves as it is",
+                "its constants couple motion in the plane with motion out of it",
+                "turn the material so that one of its axes is normal to the plate",
+                at="material",
             )
-        if not (math.isfinite(self.thickness) and self.thickness > 0):
-            raise GeometryError(
-                argument="cell.thickness",
-                given=f"{self.thickness} m",
-                allowed="a positive length",
-                cause="a size was left at zero or has the wrong sign",
-                next_step="give a positive length",
+        if self.pillar is not None and self.pillar.section == "square" and len(self.lattice.neighbours) != 4:
+            raise problem(
+                "square",
+                f"round on a {self.lattice.name} lattice",
+                "a cell of six sides is meshed around a circle",
+                'write section = "round", or take a square or rectangular lattice',
+                at="pillar.section",
             )
         if self.pillar is not None and self.clearance < LEAST_CLEARANCE * self.lattice.pitch:
             raise _too_wide(self.pillar, self.inradius - LEAST_CLEARANCE * self.lattice.pitch)
@@ -70,8 +80,7 @@ class UnitCell:
     @property
     def inradius(self) -> float:
         """Distance from the centre of the cell to its nearest side, m."""
-        (x1, y1), (x2, y2) = self.lattice.a1, self.lattice.a2
-        return 0.5 * self.lattice.area / max(math.hypot(x1, y1), math.hypot(x2, y2))
+        return self.lattice.inradius
 
     @property
     def clearance(self) -> float:
@@ -95,35 +104,47 @@ class UnitCell:
 
     def scaled(self, factor: float) -> UnitCell:
         """The same cell with every length multiplied by ``factor``."""
-        (x1, y1), (x2, y2) = self.lattice.a1, self.lattice.a2
-        lattice = replace(self.lattice, a1=(x1 * factor, y1 * factor), a2=(x2 * factor, y2 * factor))
         pillar = self.pillar and self.pillar.scaled(factor)
-        return replace(self, lattice=lattice, thickness=self.thickness * factor, pillar=pillar)
+        thickness = self.thickness * factor
+        return replace(self, lattice=self.lattice.scaled(factor), thickness=thickness, pillar=pillar)
+
+    def numbers(self) -> dict[str, float]:
+        """Every number of the cell, in SI units, by its path in a study: ``cell.pillar.diameter``."""
+        return numbers(self, "cell.")
+
+    def with_numbers(self, changes: Mapping[str, float]) -> UnitCell:
+        """The cell with some of its `numbers` changed, all at once.
+
+        Raises
+        ------
+        GeometryError : sizes that do not make a body
+        """
+        return with_numbers(self, changes, "cell.")
 
     def without_pillar(self) -> UnitCell:
         """The plain plate of the same period."""
         return replace(self, pillar=None)
 
 
-def _too_wide(pillar: Pillar, room: float) -> GeometryError:
+def _too_wide(pillar: Pillar, room: float) -> Exception:
     """A pillar, or its fillet, for which half the width that there is (m) is not enough."""
     free = "so that a hundredth of the pitch stays free on either side"
     sharp = replace(pillar, fillet=0.0)
     if pillar.arc is not None and sharp.widest < room:
         most = pillar.fillet * (room - pillar.radius) / (pillar.arc.centre[0] - pillar.radius)
-        return GeometryError(
-            argument="cell.pillar.fillet",
-            given=f"{pillar.fillet * 1e3:.4g} mm",
-            allowed=f"less than {most * 1e3:.4g} mm, {free}",
-            cause="the fillet reaches beyond the cell",
-            next_step="choose a smaller radius, a thinner pillar or a larger pitch",
+        return problem(
+            f"{pillar.fillet * 1e3:.4g} mm",
+            f"less than {most * 1e3:.4g} mm, {free}",
+            "the fillet reaches beyond the cell",
+            "choose a smaller radius, a thinner pillar or a larger pitch",
+            at="pillar.fillet",
         )
     beyond = 2 * (sharp.widest - pillar.radius)
-    return GeometryError(
-        argument="cell.pillar.diameter",
-        given=f"{pillar.diameter * 1e3:g} mm"
+    return problem(
+        f"{pillar.diameter * 1e3:g} mm"
         + (f", and {beyond * 1e3:.4g} mm more where the pillar is widest" if beyond else ""),
-        allowed=f"less than {(2 * room - beyond) * 1e3:.4g} mm, {free}",
-        cause="the pillar is wider than the cell",
-        next_step="choose a thinner pillar or a larger pitch",
+        f"less than {(2 * room - beyond) * 1e3:.4g} mm, {free}",
+        "the pillar is wider than the cell",
+        "choose a thinner pillar or a larger pitch",
+        at="pillar.diameter",
     )

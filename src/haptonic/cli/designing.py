@@ -129,7 +129,7 @@ def export(
     not."""
     with speaking(json) as voice:
         loaded = load(study)
-        cell, stem = loaded.unit_cell(), study.stem
+        cell, stem = loaded.cell, study.stem
         folder = folder_for(study, out, False, "export")
         assert folder is not None
         wanted = {"step": step, "dxf": dxf, "stl": stl, "pdf": drawing}
@@ -178,7 +178,7 @@ def drawn_tolerances(study: Study) -> tuple[dict[str, float], str]:
     if not study.tolerance_settings.of:
         return {}, "the study gives no spreads, [tolerance] of"
     result, confidence = study.toleranced(), study.tolerance_settings.confidence
-    spreads, shown = [one.frozen() for one in study.tolerance_settings.of], dimensions_of(study.unit_cell())
+    spreads, shown = [one.frozen() for one in study.tolerance_settings.of], dimensions_of(study.cell)
     drawn = {s.path: result.loosest * s.half_range for s in spreads if s.path in shown}
     if not drawn:
         return {}, "the study gives spreads of the material or of what is not drawn only"

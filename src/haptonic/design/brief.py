@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from scipy.optimize import minimize
 
 from haptonic.cell import UnitCell
-from haptonic.design.parameters import changed, values_of
+from haptonic.design.parameters import values_of
 from haptonic.errors import StudyError
 from haptonic.materials import IsotropicMaterial
 
@@ -81,7 +81,7 @@ class Brief:
         ------
         GeometryError : sizes that do not make a body
         """
-        return changed(self.cell, {**self.held, **dict(zip(self.paths, self.values(share), strict=True))})
+        return self.cell.with_numbers({**self.held, **dict(zip(self.paths, self.values(share), strict=True))})
 
     def values(self, share: Array) -> list[float]:
         """Values of the parameters (SI) at a place in the box."""

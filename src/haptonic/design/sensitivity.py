@@ -23,7 +23,7 @@ from numpy.typing import NDArray
 from haptonic.bloch.exact import ExactModes
 from haptonic.cell import HexMesh, mesh_cell
 from haptonic.cell.quadrature import lobatto
-from haptonic.design.parameters import UNITS, changed, values_of
+from haptonic.design.parameters import UNITS, values_of
 from haptonic.materials import IsotropicMaterial, Material, elasticity_tensor
 from haptonic.superelement import FoldedMesh, through_levels
 
@@ -93,7 +93,7 @@ def _velocities(shared: FoldedMesh, path: str) -> tuple[Array, Array]:
     step = STEP * (1.0 if UNITS[path] == "rad" else here)
     meshes = []
     for sign in (1, -1):
-        cell_there = changed(cell, {path: here + sign * step})
+        cell_there = cell.with_numbers({path: here + sign * step})
         mesh = mesh_cell(cell_there, plan)
         meshes.append((mesh.points, through_levels(cell_there, mesh, shared.levels)))
     (ahead, map_ahead), (behind, map_behind) = meshes

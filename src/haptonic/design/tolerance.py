@@ -21,7 +21,7 @@ import scipy
 from numpy.typing import NDArray
 
 from haptonic.cell import UnitCell
-from haptonic.design.parameters import UNITS, changed, values_of
+from haptonic.design.parameters import UNITS, values_of
 
 Array = NDArray[np.float64]
 
@@ -80,7 +80,7 @@ def samples(cell: UnitCell, spreads: Sequence[Spread], count: int) -> list[UnitC
     places = REACH * (2 * _sobol(len(spreads), count) - 1)
     rows = places * [spread.half_range for spread in spreads]
     return [
-        changed(cell, {s.path: own[s.path] + float(d) for s, d in zip(spreads, row, strict=True)})
+        cell.with_numbers({s.path: own[s.path] + float(d) for s, d in zip(spreads, row, strict=True)})
         for row in rows
     ]
 

@@ -14,44 +14,45 @@ from a file. What has to hold between fields is checked in ``__post_init__``, wh
 from __future__ import annotations
 
 from collections.abc import Callable
+from copy import copy
 from dataclasses import fields
 from functools import wraps
 from typing import Any, TypeVar, cast, dataclass_transform
 
-from pydantic import BaseModel, ConfigDict, Field, ValidationError
+from pydantic import ConfigDict, Field, ValidationError
 from pydantic.dataclasses import dataclass
 
 from haptonic.errors import HaptonicError, StudyError
+from haptonic.fields.keys import slots
 from haptonic.fields.problems import refusal
+from haptonic.fields.reading import any_placed, arranged
 
 T = TypeVar("T")
 
 
-class Section(BaseModel):
-    """A table of the study file that is no value of the domain: immutable, without unknown keys."""
-
-    model_config = ConfigDict(frozen=True, extra="forbid")
-
-
 @dataclass_transform(frozen_default=True, field_specifiers=(Field,))
-def described(place: str, family: type[HaptonicError] = StudyError) -> Callable[[type[T]], type[T]]:
+def described(
+    place: str, family: type[HaptonicError] = StudyError, *, kw_only: bool = False
+) -> Callable[[type[T]], type[T]]:
     """Make a class a declared value.
 
     Parameters
     ----------
     place : where the value stands in a study, ``cell.pillar``; errors of a value made in Python begin with it
     family : kind of these errors
+    kw_only : whether fields are given by their names only
     """
 
     def made(kind: type[T]) -> type[T]:
-        value: Any = dataclass(frozen=True, config=ConfigDict(extra="forbid"))(kind)
+        value: Any = dataclass(frozen=True, kw_only=kw_only, config=ConfigDict(extra="forbid"))(kind)
         check: Callable[..., None] = value.__init__
         names = [field.name for field in fields(value) if field.init]
+        moved = any_placed(value)
 
         @wraps(check)
         def checked(self: Any, *given: Any, **named: Any) -> None:
             try:
-                check(self, *given, **named)
+                check(self, *given, **(arranged(value, named, complete=not given) if moved else named))
             except ValidationError as error:
                 refused = refusal(error, value, place=place, family=family, names=names)
             else:
@@ -61,4 +62,27 @@ def described(place: str, family: type[HaptonicError] = StudyError) -> Callable[
         value.__init__ = checked
         return cast("type[T]", value)
 
+    return made
+
+
+def extended(kind: type[T]) -> type[T]:
+    """Make a subclass of a declared study, which adds methods and no fields, a declared value as well.
+
+    mypy takes an alias of a field for an attribute of such a subclass, where it hides a method of that name;
+    so it is not told that this is a dataclass.
+    """
+    return described("", kw_only=True)(kind)
+
+
+def remade(value: T, **changes: Any) -> T:
+    """A copy of a described value with some fields, by their names, changed; it checks itself."""
+    given = {slot.key: changes.get(slot.name, getattr(value, slot.name)) for slot in slots(type(value))}
+    return type(value)(**given)
+
+
+def unchecked(value: T, **changes: Any) -> T:
+    """A copy without a check, for changes that cannot make a possible value impossible: a part left out."""
+    made = copy(value)
+    for name, one in changes.items():
+        object.__setattr__(made, name, one)
     return made

@@ -3,16 +3,17 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Container, Hashable, Iterator, Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from functools import cache
 from types import NoneType, UnionType
-from typing import Annotated, Any, Literal, Union, cast, get_args, get_origin
+from typing import Annotated, Any, Literal, Union, get_args, get_origin
 
 import annotated_types
 from pydantic.fields import FieldInfo
 
 from haptonic.fields.entries import Entries
+from haptonic.fields.placing import Named, Placed
 from haptonic.fields.quantity import Quantity
 
 
@@ -55,15 +56,74 @@ class Key:
 
 @cache
 def table(kind: type, prefix: str = "") -> dict[str, Key]:
-    """Every key of a described value and of the tables in it, by path and in the order of declaration."""
+    """Every key of a described value and of the tables in it, by path and in the order of declaration; those
+    at the top of a file before the table whose value they belong to."""
     keys: dict[str, Key] = {}
-    for name, field in fields_of(kind).items():
-        path = f"{prefix}{field.alias or name}"
-        key = _key(path, field)
-        keys[path] = key
-        for below in _kinds(field.annotation):
-            keys |= table(below, f"{path}[]." if key.kind == "tables" else f"{path}.")
+    for slot in slots(kind):
+        path = slot.path(prefix)
+        key = _key(path, slot.field)
+        own = {} if slot.placed.inline else {path: key}
+        for below in slot.kinds:
+            own |= table(below, f"{path}[]." if key.kind == "tables" else slot.below(prefix))
+        outside = {name: one for name, one in own.items() if prefix and not name.startswith(prefix)}
+        keys |= {name: one for name, one in own.items() if name not in outside}
+        keys = outside | keys
     return keys
+
+
+@dataclass(frozen=True)
+class Slot:
+    """A field of a described value.
+
+    name : of the attribute; key : in a file
+    quantities : the declarations of its numbers, several for a list
+    kinds : the described values that it can hold
+    """
+
+    name: str
+    key: str
+    field: FieldInfo
+    placed: Placed
+    named: Named | None
+    quantities: tuple[Quantity, ...]
+    kinds: tuple[type, ...]
+
+    def path(self, prefix: str) -> str:
+        """Of the field in a file, below a table of that path with a dot after it."""
+        if self.placed.inline:
+            return prefix.removesuffix(".")
+        return self.key if self.placed.top else f"{prefix}{self.key}"
+
+    def below(self, prefix: str) -> str:
+        """What stands before the keys of the value in the field."""
+        return prefix if self.placed.inline else f"{self.path(prefix)}."
+
+    def name_of(self, value: object) -> str | None:
+        """The name that stands for the field's value in a file, if there is one."""
+        return self.named.name_of(value) if self.named else None
+
+    def declared(self, model: Any, value: object) -> Quantity | None:
+        """The declaration of a number that is the field's value; another key of the table may decide it."""
+        declared = None if isinstance(value, str) else next(iter(self.quantities), None)
+        if declared is None and isinstance(value, float) and hasattr(model, "unit"):
+            declared = Quantity(model.unit)
+        return declared
+
+
+def slots(kind: Any) -> tuple[Slot, ...]:
+    """The fields of a described class in the order of declaration."""
+    return _slots(kind)
+
+
+@cache
+def _slots(kind: type) -> tuple[Slot, ...]:
+    made = []
+    for name, field in fields_of(kind).items():
+        placed = next((one for one in field.metadata if isinstance(one, Placed)), Placed())
+        named = next((one for one in field.metadata if isinstance(one, Named)), None)
+        kinds = (named.table,) if named else tuple(_kinds(field.annotation))
+        made.append(Slot(name, field.alias or name, field, placed, named, quantities_of(field), kinds))
+    return tuple(made)
 
 
 def is_described(value: object) -> bool:
@@ -77,40 +137,29 @@ def fields_of(kind: Any) -> dict[str, FieldInfo]:
     return declared
 
 
-def leaves(
-    model: Any, prefix: str = "", only: Container[str] | None = None
-) -> Iterator[tuple[str, Any, Quantity | None]]:
+def leaves(model: Any, prefix: str = "", *, names: bool = True) -> Iterator[tuple[str, Any, Quantity | None]]:
     """(path, value, declaration) of every key that has a value, tables inside tables included.
 
-    ``only`` names the keys of the outermost table that are looked at.
+    ``names`` : whether a value that a file may give by its name is that name, not the numbers behind it.
     """
-    for name, (field, each) in _declared(cast("Hashable", type(model))).items():
-        key = field.alias or name
-        if only is not None and key not in only:
-            continue
-        path, value = f"{prefix}{key}", getattr(model, name)
-        if is_described(value):
-            yield from leaves(value, f"{path}.")
+    for slot in slots(type(model)):
+        path, value = slot.path(prefix), getattr(model, slot.name)
+        if names and (name := slot.name_of(value)):
+            yield path, name, None
+        elif is_described(value):
+            yield from leaves(value, slot.below(prefix), names=names)
         elif isinstance(value, tuple):
             for index, item in enumerate(value, start=1):
                 if is_described(item):
-                    yield from leaves(item, f"{path}[{index}].")
+                    yield from leaves(item, f"{path}[{index}].", names=names)
                 else:
-                    yield f"{path}[{index}]", item, each[index - 1]
+                    yield f"{path}[{index}]", item, slot.quantities[index - 1]
         elif isinstance(value, Entries):
             for entry, item in value.items():
-                yield f"{path}.{entry}", item, None if isinstance(item, str) else unit_of(model, field, entry)
+                declared = None if isinstance(item, str) else unit_of(model, slot.field, entry)
+                yield f"{path}.{entry}", item, declared
         elif value is not None:
-            declared = None if isinstance(value, str) else next(iter(each), None)
-            if declared is None and isinstance(value, float) and hasattr(model, "unit"):
-                declared = Quantity(model.unit)  # it depends on another key of the table
-            yield path, value, declared
-
-
-@cache
-def _declared(kind: type) -> dict[str, tuple[FieldInfo, tuple[Quantity, ...]]]:
-    """Each field of a described value with the declarations of its numbers."""
-    return {name: (field, quantities_of(field)) for name, field in fields_of(kind).items()}
+            yield path, value, slot.declared(model, value)
 
 
 def key_of(path: str, keys: Mapping[str, Key]) -> Key | None:

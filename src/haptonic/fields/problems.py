@@ -8,12 +8,13 @@ from typing import Any
 from pydantic import ValidationError
 
 from haptonic.errors import HaptonicError, StudyError, nearest
-from haptonic.fields.keys import Key, key_of, table
+from haptonic.fields.keys import Key, key_of, slots, table
 from haptonic.units import shown
 
-TAGS = {"name", "table"}  # of the union that a material is; pydantic puts them into the path
+TAG = "<"  # begins the tags of a union, which pydantic puts into the path
 PARTS = ("given", "allowed", "cause", "next_step")
 UNKNOWN = {"extra_forbidden", "unexpected_keyword_argument"}  # pydantic's names for an undeclared key
+EXTRA = "unexpected_positional_argument"
 MOST_LISTED = 20
 
 
@@ -36,15 +37,20 @@ def refusal(
     family : kind of the error
     names : fields that arguments without a keyword stand for, in order
     """
-    keys = table(kind)
+    keys = table(kind, f"{place}." if place else "")
     details: list[Any] = [dict(each) for each in error.errors(include_url=False)]
     for each in details:
         if each["loc"] and isinstance(each["loc"][0], int):  # an argument without a keyword
-            each["loc"] = (names[each["loc"][0]], *each["loc"][1:])
-    slips = {_meant(each["loc"], keys) for each in details if each["type"] in UNKNOWN}
-    details = [each for each in details if each["type"] != "missing" or _path(each["loc"])[1] not in slips]
+            number, *rest = each["loc"]
+            each["loc"] = (names[number] if number < len(names) else f"argument_{number + 1}", *rest)
+        each["path"], each["pattern"] = _path(each["loc"], kind, place)
+        below = each.get("ctx", {}).get("at", "").split(".")[0]
+        if below and _path((*each["loc"], below), kind, place)[0] == below:
+            each["path"] = ""  # the key that is blamed stands at the top
+    slips = {_meant(each["pattern"], keys) for each in details if each["type"] in UNKNOWN}
+    details = [each for each in details if each["type"] != "missing" or each["pattern"] not in slips]
     details.sort(key=lambda each: each["type"] not in UNKNOWN)  # a slip in a name explains what follows
-    first, *others = (_translated(each, keys, place) for each in details)
+    first, *others = (_in_parts(each, keys) for each in details)
     next_step = first.next_step
     if others:
         lines = [
@@ -63,20 +69,18 @@ def refusal(
     )
 
 
-def _translated(details: Any, keys: Mapping[str, Key], place: str = "") -> StudyError:
-    """One error of pydantic in five parts; ``place`` is put before its path."""
-    error = _in_parts(details, keys)
-    if place:
-        error = StudyError(**{**error.parts(), "argument": f"{place}.{error.argument}"})
-    return error
-
-
 def _in_parts(details: Any, keys: Mapping[str, Key]) -> StudyError:
+    """One error of pydantic in five parts."""
     kind, context = details["type"], details.get("ctx", {})
-    path, pattern = _path(details["loc"])
+    path, pattern = details["path"], details["pattern"]
     if kind == "haptonic":
         where = ".".join(part for part in (path, context["at"]) if part) or "the study"
         return StudyError(argument=where, **{name: context[name] for name in PARTS})
+    if kind == EXTRA:
+        return StudyError(
+            argument=path, given=shown(details["input"], 40), allowed="values for the fields that there are",
+            cause="there are more arguments than fields", next_step="give fields by their names",
+        )  # fmt: skip
     if kind in UNKNOWN:
         return _unknown(path, pattern, details["input"], keys)
     key = key_of(pattern, keys)
@@ -102,18 +106,28 @@ def _in_parts(details: Any, keys: Mapping[str, Key]) -> StudyError:
     )
 
 
-def _path(location: tuple[int | str, ...]) -> tuple[str, str]:
-    """(``sweep[1].from``, ``sweep[].from``): as shown, counted from 1, and as the table of keys has it."""
-    path = pattern = ""
-    for place, step in enumerate(location):
+def _path(location: tuple[int | str, ...], kind: type, place: str = "") -> tuple[str, str]:
+    """(``sweep[1].from``, ``sweep[].from``): as shown, counted from 1, and as the table of keys has it.
+
+    ``place`` is the path of the value itself, whose class is ``kind``.
+    """
+    path = pattern = place
+    kinds: tuple[type, ...] = (kind,)
+    for step in location:
         if isinstance(step, int):
             path, pattern = f"{path}[{step + 1}]", f"{pattern}[]"
-        # after "material" pydantic names the kind of description that it took it for
-        elif not (path == "material" and place == 1 and step in TAGS):
-            name = (
-                step if step.replace("_", "").replace("-", "").isalnum() and len(step) < 60 else shown(step)
-            )
-            path, pattern = f"{path}.{name}".lstrip("."), f"{pattern}.{step}".lstrip(".")
+            continue
+        if step.startswith(TAG):  # pydantic names the kind of description that it took a value for
+            continue
+        slot = next((one for each in kinds for one in slots(each) if step in (one.key, one.name)), None)
+        kinds = slot.kinds if slot else ()
+        if slot and slot.placed.inline:
+            continue
+        if slot and slot.placed.top:
+            path = pattern = slot.key
+            continue
+        name = step if step.replace("_", "").replace("-", "").isalnum() and len(step) < 60 else shown(step)
+        path, pattern = f"{path}.{name}".lstrip("."), f"{pattern}.{step}".lstrip(".")
     return path, pattern
 
 
@@ -129,9 +143,8 @@ def _guess(pattern: str, keys: Mapping[str, Key]) -> str | None:
     return nearest(name.lower(), _neighbours(section, keys))
 
 
-def _meant(location: tuple[int | str, ...], keys: Mapping[str, Key]) -> str:
+def _meant(pattern: str, keys: Mapping[str, Key]) -> str:
     """The key that a misspelt one stands for, as the table has it."""
-    pattern = _path(location)[1]
     section = pattern.rpartition(".")[0]
     return f"{section}.{_guess(pattern, keys)}".lstrip(".")
 
@@ -140,7 +153,9 @@ def _unknown(path: str, pattern: str, value: object, keys: Mapping[str, Key]) ->
     section, _, name = pattern.rpartition(".")
     here, guess = _neighbours(section, keys), _guess(pattern, keys)
     elsewhere = [key for key in keys if key.rpartition(".")[2] == name]
-    if guess:
+    if name in here:
+        cause, next_step = "a value that was given holds it already", "leave it out, or change that value"
+    elif guess:
         cause, next_step = "a slip in the name", f'write "{guess}"'
     elif elsewhere:
         table_name = elsewhere[0].rpartition(".")[0].replace("[]", "")
@@ -216,6 +231,6 @@ def _cause(kind: str, message: str, listed: bool) -> str:
         return "it is not a text"
     if kind == "tuple_type" and listed:
         return "it is not a list"
-    if kind in {"model_type", "model_attributes_type", "tuple_type", "union_tag_not_found", "dict_type"}:
+    if kind in {"dataclass_type", "model_attributes_type", "tuple_type", "union_tag_not_found", "dict_type"}:
         return "something else stands where a table belongs"
     return message[:1].lower() + message[1:]

@@ -4,54 +4,79 @@ from __future__ import annotations
 
 import json
 import re
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator, Mapping
 from typing import Any
 
 from haptonic.fields.entries import Entries
-from haptonic.fields.keys import fields_of, is_described, quantities_of, quantity_of, unit_of
+from haptonic.fields.keys import is_described, slots, unit_of
+from haptonic.fields.quantity import Quantity
 from haptonic.units import format_quantity
 
 
 def toml_of(model: object) -> str:
     """TOML that reads back to an equal value: every value, also the defaults, with all its digits."""
-    return "\n".join(_lines(model, "")).strip() + "\n"
+    return "\n".join(_lines(document(model, _value), "")).strip() + "\n"
 
 
-def _lines(model: object, prefix: str) -> Iterator[str]:
-    """Plain keys first, then tables: TOML has no way back from a table to the keys of its parent."""
-    tables = []
-    for name, field in fields_of(model).items():
-        value, key = getattr(model, name), field.alias or name
-        if is_described(value) or isinstance(value, Entries) or _is_tables(value):
-            tables.append((key, value, field))
+Leaf = Callable[[Any, str], Any]
+
+
+def document(
+    model: object, leaf: Leaf, *, absent: bool = False, top: dict[str, Any] | None = None
+) -> dict[str, Any]:
+    """A described value as nested tables and lists by the keys of a file.
+
+    Parameters
+    ----------
+    leaf : what stands for a value that is no table, from the value and its SI unit
+    absent : whether None stands for what is not given; else it is left out
+    top : the outermost table, where some keys stand
+    """
+    made: dict[str, Any] = {}
+    top = made if top is None else top
+
+    def of(value: Any, declared: Quantity | None) -> Any:
+        return leaf(value, declared.unit if declared else "")
+
+    for slot in slots(type(model)):
+        value = getattr(model, slot.name)
+        where = top if slot.placed.top else made
+        if name := slot.name_of(value):
+            where[slot.key] = of(name, None)
+        elif is_described(value) and slot.placed.inline:
+            made |= document(value, leaf, absent=absent, top=top)
+        elif is_described(value):
+            where[slot.key] = document(value, leaf, absent=absent, top=top)
+        elif isinstance(value, Entries):
+            entries = value.items()
+            made[slot.key] = {name: of(item, unit_of(model, slot.field, name)) for name, item in entries}
         elif isinstance(value, tuple):
-            numbers = zip(value, quantities_of(field), strict=True)
-            yield f"{key} = [{', '.join(_value(item, quantity.unit) for item, quantity in numbers)}]"
-        elif value is not None:
-            quantity = quantity_of(field)
-            unit = (
-                quantity.unit if quantity else getattr(model, "unit", "") if isinstance(value, float) else ""
-            )
-            yield f"{key} = {_value(value, unit)}"
-    for key, value, field in tables:
-        path = f"{prefix}{key}"
-        if is_described(value):
+            made[slot.key] = [
+                document(item, leaf, absent=absent, top=top)
+                if is_described(item)
+                else of(item, slot.quantities[index] if slot.quantities else None)
+                for index, item in enumerate(value)
+            ]
+        elif value is not None or absent:
+            made[slot.key] = of(value, slot.declared(model, value))
+    return made
+
+
+def _lines(tables: Mapping[str, Any], prefix: str) -> Iterator[str]:
+    """Plain keys first, then tables: TOML has no way back from a table to the keys of its parent."""
+    for key, value in tables.items():
+        if isinstance(value, list) and value and isinstance(value[0], str):
+            yield f"{_name(key)} = [{', '.join(value)}]"
+        elif isinstance(value, str):
+            yield f"{_name(key)} = {value}"
+    for key, value in tables.items():
+        path = f"{prefix}{_name(key)}"
+        if isinstance(value, dict):
             below = list(_lines(value, f"{path}."))
             yield from ("", f"[{path}]", *below) if below else ()
-        elif isinstance(value, Entries):
-            entries = ((entry, item, unit_of(model, field, entry)) for entry, item in value.items())
-            below = [
-                f"{_name(entry)} = {_value(item, quantity.unit if quantity else '')}"
-                for entry, item, quantity in entries
-            ]
-            yield from ("", f"[{path}]", *below) if below else ()
-        else:
+        elif isinstance(value, list) and value and not isinstance(value[0], str):
             for item in value:
                 yield from ("", f"[[{path}]]", *_lines(item, f"{path}."))
-
-
-def _is_tables(value: Any) -> bool:
-    return isinstance(value, tuple) and all(is_described(item) for item in value)
 
 
 def _name(entry: str) -> str:

@@ -10,13 +10,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from haptonic.errors import StudyError, nearest
-from haptonic.fields import Entries
+from haptonic.fields import Entries, Quantity
 from haptonic.units import format_quantity, shown
 
 Array = NDArray[np.float64]
 Rows = tuple[tuple[float, ...], ...]
 
 VOIGT = ((0, 5, 4), (5, 1, 3), (4, 3, 2))  # Voigt number of the pair (i, j); order 11 22 33 23 13 12
+DENSITY = Quantity("kg/m^3", at_least=1.0, at_most=5e4, typical=(500.0, 23e3))
 SYMMETRY_TOLERANCE = 1e-9  # relative to the largest entry of a matrix
 
 

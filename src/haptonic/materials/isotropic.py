@@ -12,7 +12,7 @@ from pydantic import Field, ValidationInfo, field_validator
 
 from haptonic.fields import Entries, Quantity, described, number_of, problem
 from haptonic.fields.quantity import collected
-from haptonic.materials.common import Array, spread_of
+from haptonic.materials.common import DENSITY, Array, spread_of
 from haptonic.units import shown
 
 INCOMPRESSIBLE = (
@@ -37,9 +37,7 @@ class IsotropicMaterial:
     poisson_ratio: Annotated[
         float, Quantity("", above=-1.0, below=0.5, typical=(0.1, 0.45), hint=INCOMPRESSIBLE)
     ] = Field(title="Poisson ratio", description="Sideways contraction over stretch.")
-    density: Annotated[float, Quantity("kg/m^3", at_least=1.0, at_most=5e4, typical=(500.0, 23e3))] = Field(
-        title="Density", description="Mass per volume."
-    )
+    density: Annotated[float, DENSITY] = Field(title="Density", description="Mass per volume.")
     loss_factor: Annotated[float, Quantity("", at_least=0.0, below=1.0, typical=(0.0, 0.2))] = Field(
         default=0.0,
         title="Loss factor",

@@ -9,6 +9,7 @@ from importlib.resources import files
 from types import MappingProxyType
 
 from haptonic.errors import StudyError, nearest
+from haptonic.fields import Named
 from haptonic.materials.isotropic import IsotropicMaterial
 from haptonic.materials.orthotropic import OrthotropicMaterial
 from haptonic.materials.piezoelectric import PiezoelectricMaterial
@@ -32,6 +33,11 @@ def library() -> Mapping[str, Material]:
     )
 
 
+def built_in_name(solid: Material) -> str | None:
+    """The name by which the library holds this very material; None if it does not."""
+    return solid.name if library().get(solid.name) == solid else None
+
+
 def material(name: str) -> Material:
     """The built-in material of that name.
 
@@ -49,3 +55,7 @@ def material(name: str) -> Material:
         cause="a slip in the name" if guess else "the library does not hold this material",
         next_step=f'write "{guess}"' if guess else "give its constants in a [material] table",
     )
+
+
+GIVEN = Named(material, built_in_name, IsotropicMaterial, (OrthotropicMaterial, PiezoelectricMaterial))
+"""How a study gives a material: by the name of a built-in one or by a table of constants."""

@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from dataclasses import asdict, dataclass, field
+from dataclasses import asdict
+from typing import Annotated
 
 import numpy as np
+from pydantic import Field
 
-from haptonic.fields import Entries
+from haptonic.fields import Entries, described
 from haptonic.materials.common import (
+    DENSITY,
     Array,
     require_between,
     require_name,
@@ -21,7 +23,7 @@ CONSTANTS = ("c11", "c22", "c33", "c23", "c13", "c12", "c44", "c55", "c66")
 PROPERTIES = {**dict.fromkeys(CONSTANTS, "Pa"), "density": "kg/m^3", "loss_factor": ""}
 
 
-@dataclass(frozen=True)
+@described("material")
 class OrthotropicMaterial:
     """A solid with nine elastic constants; its axes are those of the plate, 3 along the normal.
 
@@ -44,17 +46,16 @@ class OrthotropicMaterial:
     c44: float
     c55: float
     c66: float
-    density: float
+    density: Annotated[float, DENSITY] = Field(title="Density", description="Mass per volume.")
     loss_factor: float = 0.0
     source: str = ""
-    uncertainty: Mapping[str, float] = field(default_factory=Entries)
+    uncertainty: Entries[float] = Entries()
     note: str = ""
 
     def __post_init__(self) -> None:
         require_name(self.name)
         for constant in CONSTANTS:
             require_between(constant, getattr(self, constant), "Pa")
-        require_between("density", self.density, "kg/m^3", above=0.0)
         require_between("loss_factor", self.loss_factor, "", at_least=0.0, below=1.0)
         require_positive_definite("stiffness", rows_of("stiffness", self.stiffness, (6, 6)))
         object.__setattr__(self, "uncertainty", spread_of(self.uncertainty, PROPERTIES))

@@ -122,7 +122,8 @@ def _surface(dataset: xr.Dataset) -> ZoneSurface:
     vectors = (tuple(lattice["a1"]), tuple(lattice["a2"]))
     return ZoneSurface(
         zone=IrreducibleZone(
-            Lattice(lattice["name"], *vectors), tuple((label, tuple(point)) for label, point in corners)
+            Lattice.spanned(lattice["name"], *vectors),
+            tuple((label, tuple(point)) for label, point in corners),
         ),
         group=PointGroup(vectors, tuple(((a, b), (c, d)) for (a, b), (c, d) in operations)),
         kappa=dataset["zone_kappa"].values,

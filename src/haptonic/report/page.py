@@ -16,6 +16,7 @@ from jinja2 import Environment, StrictUndefined
 from haptonic.bloch import gaps_of
 from haptonic.fields import table
 from haptonic.fields.keys import key_of, leaves
+from haptonic.materials import built_in_name
 from haptonic.plots.style import rendered
 from haptonic.plots.words import khz
 from haptonic.report.chapter import Absent, Chapter, Results, Table
@@ -77,7 +78,7 @@ def _embedded(figure: Figure) -> str:
 
 def _key_numbers(results: Results) -> list[tuple[str, str]]:
     study, data = results.study, results.bands
-    cell = study.unit_cell()
+    cell = study.cell
     sizes = [f"pitch {_length(cell.lattice.pitch)}", f"plate {_length(cell.thickness)}"]
     if cell.pillar:
         pillar = f"{_length(cell.pillar.diameter)} wide, {_length(cell.pillar.height)} high"
@@ -85,7 +86,7 @@ def _key_numbers(results: Results) -> list[tuple[str, str]]:
     complete = [gap for gap in gaps_of(data) if gap.complete and gap.certain]
     facts = [
         ("Unit cell", f"{cell.lattice.name} lattice; {'; '.join(sizes)}"),
-        ("Material", study.resolved_material().name),
+        ("Material", study.cell.material.name),
         ("Carrier", "not given" if study.carrier is None else f"{study.carrier / 1e3:g} kHz"),
         ("Complete gap", "; ".join(in_words(gap) for gap in complete) or "none found"),
     ]
@@ -130,8 +131,8 @@ def _inputs(study: Study) -> Table:
         assert key is not None, path
         shown = format_quantity(value, quantity.unit) if quantity else str(value) or "-"
         rows.append((path, key.title, shown))
-    if isinstance(study.material, str):
-        constants = study.resolved_material().to_dict()
+    if built_in_name(study.cell.material):
+        constants = study.cell.material.to_dict()
         rows += [(f"material: {name}", "", str(value)) for name, value in constants.items()]
     return Table("Inputs, defaults included.", ("Key", "Title", "Value"), tuple(rows))
 

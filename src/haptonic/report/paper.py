@@ -39,7 +39,7 @@ TRIED_FILLET = (
 
 def is_its_cell(study: Study) -> bool:
     """Whether a study computes the paper's unit cell, to a part in a thousand of every size and constant."""
-    cell, material = study.unit_cell(), study.resolved_material()
+    cell, material = study.cell, study.cell.material
     if cell.pillar is None or cell.lattice.name != "square" or not isinstance(material, IsotropicMaterial):
         return False
     pairs = (

@@ -2,14 +2,12 @@ from .loading import load, load_trials, loads
 from .plate_tables import PlateSection
 from .runs import Study
 from .scan_tables import ScanSection
-from .schema import SweepSection
-from .sections import BandsSection, CellSection, MeshSection
+from .sections import BandsSection, MeshSection
+from .sweeps import SweepSection
 from .trial_tables import Trials
-from .vary import solve
 
 __all__ = [
     "BandsSection",
-    "CellSection",
     "MeshSection",
     "PlateSection",
     "ScanSection",
@@ -19,5 +17,4 @@ __all__ = [
     "load",
     "load_trials",
     "loads",
-    "solve",
 ]

@@ -6,13 +6,13 @@ import math
 from collections.abc import Sequence
 from typing import Annotated, Literal
 
-from pydantic import Field, ValidationInfo, field_validator, model_validator
+from pydantic import Field, ValidationInfo, field_validator
 
 from haptonic.design.brief import Finger
 from haptonic.design.parameters import UNITS
 from haptonic.design.tolerance import Spread
 from haptonic.errors import nearest
-from haptonic.fields import LARGEST, SMALLEST, Quantity, Section, number_of, problem
+from haptonic.fields import LARGEST, SMALLEST, Quantity, described, number_of, problem
 from haptonic.units import format_quantity, shown
 
 Frequency = Annotated[float, Quantity("Hz", at_least=1.0, at_most=1e9, typical=(1e3, 1e6))]
@@ -31,48 +31,54 @@ def ascending(lowest: float | None, highest: float | None, what: str) -> None:
         )
 
 
-class LayersSection(Section):
+@described("layers", kw_only=True)
+class LayersSection:
     """What is asked of a mirror of several rows of cells between two plates."""
 
     count: Annotated[int, Field(ge=1, le=20, strict=True)] = Field(
-        6, title="Rows", description="The most that are computed; all fewer ones are as well."
+        default=6, title="Rows", description="The most that are computed; all fewer ones are as well."
     )
     lowest: Frequency | None = Field(
-        None, title="Lowest frequency", description="Of the spectrum; else 0.6 of the carrier."
+        default=None, title="Lowest frequency", description="Of the spectrum; else 0.6 of the carrier."
     )
     highest: Frequency | None = Field(
-        None, title="Highest frequency", description="Of the spectrum; else 1.4 of the carrier."
+        default=None, title="Highest frequency", description="Of the spectrum; else 1.4 of the carrier."
     )
     points: Annotated[int, Field(ge=2, le=5000, strict=True)] = Field(
-        161, title="Frequencies", description="In the spectrum, both ends included."
+        default=161, title="Frequencies", description="In the spectrum, both ends included."
     )
     angle: Annotated[float, Quantity("rad", at_least=0.0, below=0.5 * math.pi, typical=(0.0, 1.5))] = Field(
-        0.0, title="Angle of incidence", description="Between the incident wave and the normal of the rows."
+        default=0.0,
+        title="Angle of incidence",
+        description="Between the incident wave and the normal of the rows.",
     )
 
-    @model_validator(mode="after")
-    def _ascends(self) -> LayersSection:
+    def __post_init__(self) -> None:
         ascending(self.lowest, self.highest, "spectrum")
-        return self
 
 
-class WaveguideSection(Section):
+@described("waveguide", kw_only=True)
+class WaveguideSection:
     """A strip of plain plate between two mirrors."""
 
     mode: str = Field(
-        "0x17",
+        default="0x17",
         title="Mode",
         description="Nodal lines across the strip, and intervals between nodal lines along it.",
         pattern=r"^[0-9]{1,2}x[0-9]{1,3}$",
     )
     width: Length | None = Field(
-        None, title="Width", description="Of the plain strip; else the one that puts the mode at the carrier."
+        default=None,
+        title="Width",
+        description="Of the plain strip; else the one that puts the mode at the carrier.",
     )
     rows: Annotated[int, Field(ge=1, le=1000, strict=True)] | None = Field(
-        None, title="Length in cells", description="Of the strip; else several are compared."
+        default=None, title="Length in cells", description="Of the strip; else several are compared."
     )
     ends: Literal["free", "mirror"] = Field(
-        "free", title="Ends", description="Of the strip: edges of the plate, or closed by the mirror as well."
+        default="free",
+        title="Ends",
+        description="Of the strip: edges of the plate, or closed by the mirror as well.",
     )
 
     @property
@@ -109,7 +115,8 @@ def _in_its_unit(value: object, info: ValidationInfo) -> float:
     return number_of(value, UNITS[info.data["parameter"]], info.context)
 
 
-class VarySection(Section):
+@described("design.vary", kw_only=True)
+class VarySection:
     """A number of the cell that the design may change."""
 
     parameter: str = Field(title="Parameter", description="By its name in this file.", strict=True)
@@ -124,8 +131,7 @@ class VarySection(Section):
         """SI unit of both bounds; empty when they are dimensionless."""
         return UNITS[self.parameter]
 
-    @model_validator(mode="after")
-    def _leaves_room(self) -> VarySection:
+    def __post_init__(self) -> None:
         if not self.start < self.stop:
             raise problem(
                 format_quantity(self.stop, self.unit),
@@ -134,50 +140,55 @@ class VarySection(Section):
                 "exchange them, or leave the parameter out to keep its value",
                 at="to",
             )
-        return self
 
 
-class DesignSection(Section):
+@described("design", kw_only=True)
+class DesignSection:
     """What a design may change, and what the workshop and the finger allow."""
 
     vary: tuple[VarySection, ...] = Field(
-        (), title="Parameters", description="What the design may change.", max_length=12
+        default=(), title="Parameters", description="What the design may change.", max_length=12
     )
     starts: Annotated[int, Field(ge=1, le=1024, strict=True)] = Field(
-        48, title="Starts", description="Designs, the study's own among them, that are looked at first."
+        default=48,
+        title="Starts",
+        description="Designs, the study's own among them, that are looked at first.",
     )
     climbs: Annotated[int, Field(ge=1, le=64, strict=True)] = Field(
-        3,
+        default=3,
         title="Climbs",
         description="How many of the best starts are improved; more while none reaches the carrier.",
     )
     steps: Annotated[int, Field(ge=1, le=200, strict=True)] = Field(
-        12, title="Steps", description="Designs computed in each climb at most."
+        default=12, title="Steps", description="Designs computed in each climb at most."
     )
     slenderness: Annotated[float, Quantity("", at_least=0.1, at_most=100.0, typical=(1.0, 10.0))] | None = (
-        Field(None, title="Slenderness", description="Largest height of a pillar over its diameter.")
+        Field(default=None, title="Slenderness", description="Largest height of a pillar over its diameter.")
     )
     tool: Length | None = Field(
-        None, title="End mill", description="Its diameter: the least gap between two pillars."
+        default=None, title="End mill", description="Its diameter: the least gap between two pillars."
     )
     reach: Length | None = Field(
-        None, title="Reach", description="How deep the end mill can cut: the largest height of a pillar."
+        default=None,
+        title="Reach",
+        description="How deep the end mill can cut: the largest height of a pillar.",
     )
     finger_force: Annotated[float, Quantity("N", above=0.0, at_most=1e3, typical=(0.1, 20.0))] | None = Field(
-        None, title="Force of a finger", description="In the middle of a waveguide of the span given."
+        default=None, title="Force of a finger", description="In the middle of a waveguide of the span given."
     )
     finger_span: Length | None = Field(
-        None, title="Span", description="Width of the waveguide that bears the finger."
+        default=None, title="Span", description="Width of the waveguide that bears the finger."
     )
     finger_deflection: Length | None = Field(
-        None, title="Deflection", description="How far the plate may give way; limits its thickness."
+        default=None, title="Deflection", description="How far the plate may give way; limits its thickness."
     )
     pitches: Annotated[int, Field(ge=2, le=40, strict=True)] = Field(
-        6, title="Pitches", description="How many are compared between the bounds of the pitch for the front."
+        default=6,
+        title="Pitches",
+        description="How many are compared between the bounds of the pitch for the front.",
     )
 
-    @model_validator(mode="after")
-    def _is_whole(self) -> DesignSection:
+    def __post_init__(self) -> None:
         once([one.parameter for one in self.vary], "vary")
         given = (self.finger_force, self.finger_span, self.finger_deflection)
         if None in given and given != (None, None, None):
@@ -188,7 +199,6 @@ class DesignSection(Section):
                 "add the others",
                 at="finger_force",
             )
-        return self
 
     @property
     def finger(self) -> Finger | None:
@@ -198,7 +208,8 @@ class DesignSection(Section):
         return Finger(self.finger_force, self.finger_span, self.finger_deflection)
 
 
-class SpreadSection(Section):
+@described("tolerance.of", kw_only=True)
+class SpreadSection:
     """How much a number of the cell differs from one plate, or one pillar, to the next."""
 
     parameter: str = Field(title="Parameter", description="By its name in this file.", strict=True)
@@ -206,10 +217,12 @@ class SpreadSection(Section):
         title="Spread", description="Standard deviation of a normal, half-width of a uniform distribution."
     )
     distribution: Literal["normal", "uniform"] = Field(
-        "normal", title="Distribution", description="Normal ones are cut off at three deviations."
+        default="normal", title="Distribution", description="Normal ones are cut off at three deviations."
     )
     per: Literal["batch", "pillar"] = Field(
-        "batch", title="Per", description="Whether all pillars of a plate differ alike, or each by itself."
+        default="batch",
+        title="Per",
+        description="Whether all pillars of a plate differ alike, or each by itself.",
     )
 
     _parameter = field_validator("parameter")(_known)
@@ -224,8 +237,7 @@ class SpreadSection(Section):
         """The spread as the core computes with it."""
         return Spread(self.parameter, self.spread, self.distribution, self.per)
 
-    @model_validator(mode="after")
-    def _spreads(self) -> SpreadSection:
+    def __post_init__(self) -> None:
         if not self.spread > 0:
             raise problem(
                 format_quantity(self.spread, self.unit), "a positive spread",
@@ -236,29 +248,27 @@ class SpreadSection(Section):
                 self.parameter, 'per = "batch" for whatever is not of the pillar',
                 "pillars of one plate have it in common", 'write per = "batch"', at="per",
             )  # fmt: skip
-        return self
 
 
-class ToleranceSection(Section):
+@described("tolerance", kw_only=True)
+class ToleranceSection:
     """How much the parts differ, and how sure the gap has to hold the carrier."""
 
     of: tuple[SpreadSection, ...] = Field(
-        (), title="Spreads", description="What differs, and how much.", max_length=12
+        default=(), title="Spreads", description="What differs, and how much.", max_length=12
     )
     margin: Annotated[float, Quantity("Hz", at_least=0.0, at_most=1e9)] = Field(
-        0.0, title="Margin", description="Least distance of the carrier from the gap's edges."
+        default=0.0, title="Margin", description="Least distance of the carrier from the gap's edges."
     )
     confidence: Annotated[float, Quantity("", above=0.0, below=1.0, typical=(0.9, 0.9999))] = Field(
-        0.99, title="Confidence", description="Share of plates that have to keep the margin."
+        default=0.99, title="Confidence", description="Share of plates that have to keep the margin."
     )
     pillars: Annotated[int, Field(ge=1, le=10**7, strict=True)] = Field(
-        180, title="Pillars", description="On a plate; each of them has to keep the margin."
+        default=180, title="Pillars", description="On a plate; each of them has to keep the margin."
     )
     samples: Annotated[int, Field(ge=16, le=4096, strict=True)] = Field(
-        64, title="Samples", description="Designs that are computed."
+        default=64, title="Samples", description="Designs that are computed."
     )
 
-    @model_validator(mode="after")
-    def _differs_once(self) -> ToleranceSection:
+    def __post_init__(self) -> None:
         once([one.parameter for one in self.of], "of")
-        return self

@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Annotated
 
-from pydantic import Field, ValidationInfo, field_validator, model_validator
+from pydantic import Field, ValidationInfo, field_validator
 
 from haptonic.errors import nearest
-from haptonic.fields import Section, number_of, problem
+from haptonic.fields import described, number_of, problem
 from haptonic.plate import Plate
 from haptonic.study.asking import Frequency, ascending, once
 from haptonic.units import format_quantity, shown
@@ -18,7 +18,8 @@ from haptonic.updating.parameters import UNITS, unit_of, values_of
 KNOWN = (*UNITS, "plate.actuator[1].bond.thickness")
 
 
-class UnknownSection(Section):
+@described("fit.vary", kw_only=True)
+class UnknownSection:
     """A number that is fitted to a measurement, beginning with the value in this file."""
 
     parameter: str = Field(
@@ -52,38 +53,35 @@ class UnknownSection(Section):
         """SI unit of both bounds; empty when they are dimensionless."""
         return unit_of(self.parameter) or ""
 
-    @model_validator(mode="after")
-    def _leaves_room(self) -> UnknownSection:
+    def __post_init__(self) -> None:
         if not 0 < self.start < self.stop:
             raise problem(
                 f"{format_quantity(self.start, self.unit)} to {format_quantity(self.stop, self.unit)}",
                 "two positive values, the lower one first", "the bounds contradict each other",
                 "exchange them, or leave the parameter out to keep its value", at="to",
             )  # fmt: skip
-        return self
 
 
-class FitSection(Section):
+@described("fit", kw_only=True)
+class FitSection:
     """What a measurement is compared with, and what is fitted to it."""
 
     lowest: Frequency | None = Field(
-        None, title="Lowest frequency", description="That is compared; else that of the measurement."
+        default=None, title="Lowest frequency", description="That is compared; else that of the measurement."
     )
     highest: Frequency | None = Field(
-        None, title="Highest frequency", description="That is compared; else that of the measurement."
+        default=None, title="Highest frequency", description="That is compared; else that of the measurement."
     )
     points: Annotated[int, Field(ge=3, le=10_000, strict=True)] = Field(
-        60, title="Points", description="Whose response is fitted, drawn evenly from all."
+        default=60, title="Points", description="Whose response is fitted, drawn evenly from all."
     )
     vary: tuple[UnknownSection, ...] = Field(
-        (), title="Unknowns", description="What is fitted.", max_length=12
+        default=(), title="Unknowns", description="What is fitted.", max_length=12
     )
 
-    @model_validator(mode="after")
-    def _ascends(self) -> FitSection:
+    def __post_init__(self) -> None:
         ascending(self.lowest, self.highest, "range")
         once([one.parameter for one in self.vary], "vary")
-        return self
 
     @property
     def unknowns(self) -> tuple[Unknown, ...]:

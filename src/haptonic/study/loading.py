@@ -8,11 +8,8 @@ import warnings
 from pathlib import Path
 from typing import Any
 
-from pydantic import ValidationError
-
 from haptonic.errors import HaptonicWarning, StudyError, nearest
-from haptonic.fields import FROM_FILE
-from haptonic.fields.problems import refusal
+from haptonic.fields import read, table
 from haptonic.paths import source
 from haptonic.study.runs import Study
 from haptonic.study.trial_tables import Trials, TrialsFile
@@ -44,7 +41,7 @@ def load(path: str | Path) -> Study:
 
 def loads(text: str, origin: str = "study") -> Study:
     """Read a study from text; ``origin`` is how errors and warnings call it. Otherwise as `load`."""
-    study = _checked(_parsed(text, origin), origin)
+    study = read(Study, _parsed(text, origin), origin)
     for words in study.unusual():
         warnings.warn(f"{origin}: {words}", HaptonicWarning, stacklevel=2)
     return study
@@ -58,22 +55,10 @@ def load_trials(path: str | Path) -> tuple[Trials, Study | None]:
     StudyError : as `load`
     """
     data = _parsed(_read(source(path, "study", StudyError)), str(path))
-    if not data.keys() <= TrialsFile.model_fields.keys():
+    if not data.keys() <= table(TrialsFile).keys():
         study = load(path)
         return study.trials, study
-    try:
-        return TrialsFile.model_validate(data, context=FROM_FILE).trials, None
-    except ValidationError as error:
-        refused = refusal(error, TrialsFile, origin=str(path))
-    raise refused
-
-
-def _checked(data: dict[str, Any], origin: str) -> Study:
-    try:
-        return Study.model_validate(data, context=FROM_FILE)
-    except ValidationError as error:
-        refused = refusal(error, Study, origin=origin)
-    raise refused  # out here it does not drag the whole file along as its context when it is pickled
+    return read(TrialsFile, data, str(path)).trials, None
 
 
 def _read(path: Path) -> str:

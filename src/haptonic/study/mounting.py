@@ -5,9 +5,9 @@ from __future__ import annotations
 import math
 from typing import Annotated, Literal
 
-from pydantic import Field, model_validator
+from pydantic import Field
 
-from haptonic.fields import LARGEST, Name, Quantity, Section, problem, size
+from haptonic.fields import LARGEST, Name, Quantity, described, problem, size
 from haptonic.plate.layout import Side
 from haptonic.units import format_quantity
 
@@ -26,22 +26,34 @@ Bed = Annotated[float, Quantity("N/m^3", above=0.0, at_most=1e20, typical=(1e6, 
 Loss = Annotated[float, Quantity("", at_least=0.0, below=1.0, typical=(0.0, 0.5))]
 
 
-class EdgesSection(Section):
+@described("plate.edges", kw_only=True)
+class EdgesSection:
     """What holds the outer side faces of the plate, by the direction in which they look."""
 
-    left: Hold = Field("free", title="Left edge", description="What holds the faces that look left.")
-    right: Hold = Field("free", title="Right edge", description="What holds the faces that look right.")
-    bottom: Hold = Field("free", title="Bottom edge", description="What holds the faces that look down.")
-    top: Hold = Field("free", title="Top edge", description="What holds the faces that look up.")
+    left: Hold = Field(default="free", title="Left edge", description="What holds the faces that look left.")
+    right: Hold = Field(
+        default="free",
+        title="Right edge",
+        description="What holds the faces that look right.",
+    )
+    bottom: Hold = Field(
+        default="free",
+        title="Bottom edge",
+        description="What holds the faces that look down.",
+    )
+    top: Hold = Field(default="free", title="Top edge", description="What holds the faces that look up.")
     spring: Bed | None = Field(
-        None, title="Springs of the edges", description='Stiffness per area of every edge on a "spring".'
+        default=None,
+        title="Springs of the edges",
+        description='Stiffness per area of every edge on a "spring".',
     )
     loss_factor: Loss = Field(
-        0.0, title="Loss of the edges' springs", description="Imaginary over real part of their stiffness."
+        default=0.0,
+        title="Loss of the edges' springs",
+        description="Imaginary over real part of their stiffness.",
     )
 
-    @model_validator(mode="after")
-    def _springs_have_a_stiffness(self) -> EdgesSection:
+    def __post_init__(self) -> None:
         on_springs = [side for side in SIDES if getattr(self, side) == "spring"]
         if on_springs and self.spring is None:
             raise problem(
@@ -54,7 +66,6 @@ class EdgesSection(Section):
                 "no edge is", 'write left = "spring", or leave spring out', at="spring",
             )  # fmt: skip
         _belongs_to_springs(self)
-        return self
 
 
 def _belongs_to_springs(section: EdgesSection | ClampSection) -> None:
@@ -66,33 +77,38 @@ def _belongs_to_springs(section: EdgesSection | ClampSection) -> None:
         )  # fmt: skip
 
 
-class ClampSection(Section):
+@described("plate.clamp", kw_only=True)
+class ClampSection:
     """What holds the plate at the four corners of the rectangle around it."""
 
     corners: Annotated[float, size(100e-6, 100e-3)] = Field(
         title="Held length", description="Of each side face, from the corner on."
     )
     spring: Bed | None = Field(
-        None, title="Springs of the corners", description="Stiffness per area; else the corners are clamped."
+        default=None,
+        title="Springs of the corners",
+        description="Stiffness per area; else the corners are clamped.",
     )
     loss_factor: Loss = Field(
-        0.0, title="Loss of the corners' springs", description="Imaginary over real part of their stiffness."
+        default=0.0,
+        title="Loss of the corners' springs",
+        description="Imaginary over real part of their stiffness.",
     )
 
-    @model_validator(mode="after")
-    def _loses_in_springs(self) -> ClampSection:
+    def __post_init__(self) -> None:
         _belongs_to_springs(self)
-        return self
 
 
-class BondSection(Section):
+@described("plate.actuator.bond", kw_only=True)
+class BondSection:
     """The glue below an actuator."""
 
     thickness: BondThickness = Field(title="Thickness of the bond", description="Of the layer of glue.")
     material: Name = Field(title="Material of the bond", description="A built-in one.")
 
 
-class ActuatorSection(Section):
+@described("plate.actuator", kw_only=True)
+class ActuatorSection:
     """A piezoelectric patch on the face that carries the pillars."""
 
     name: Name = Field(title="Name", description="Shown in results.")
@@ -105,15 +121,14 @@ class ActuatorSection(Section):
     )
     material: Name = Field(title="Material", description="A built-in piezoelectric one, poled along z.")
     bond: BondSection | None = Field(
-        None, title="Bond", description="Without this table the patch is one with the plate."
+        default=None, title="Bond", description="Without this table the patch is one with the plate."
     )
     voltage: Annotated[float, Quantity("V", at_least=0.0, at_most=1e5, typical=(0.0, 1e3))] = Field(
-        1.0, title="Voltage", description="Amplitude between the electrodes on its two faces."
+        default=1.0, title="Voltage", description="Amplitude between the electrodes on its two faces."
     )
-    phase: Phase = Field(0.0, title="Phase", description="Of the voltage.")
+    phase: Phase = Field(default=0.0, title="Phase", description="Of the voltage.")
 
-    @model_validator(mode="after")
-    def _is_flat(self) -> ActuatorSection:
+    def __post_init__(self) -> None:
         *sides, thickness = self.size
         if thickness > min(sides):
             raise problem(
@@ -122,10 +137,10 @@ class ActuatorSection(Section):
                 "the sizes are in another order, or this is a stack, which has more than two electrodes",
                 "write size = [along x, along y, thickness]", at="size",
             )  # fmt: skip
-        return self
 
 
-class ForceSection(Section):
+@described("plate.force", kw_only=True)
+class ForceSection:
     """A force normal to the flat face."""
 
     name: Name = Field(title="Name", description="Shown in results.")
@@ -134,15 +149,16 @@ class ForceSection(Section):
         title="Centre", description="From the lower left corner of the smallest rectangle around the region."
     )
     size: tuple[Width, Width] | None = Field(
-        None, title="Size", description="Along x and along y; else the force acts at a point."
+        default=None, title="Size", description="Along x and along y; else the force acts at a point."
     )
     force: Annotated[float, Quantity("N", at_least=0.0, at_most=1e6, typical=(0.0, 100.0))] = Field(
-        1.0, title="Force", description="Amplitude of its total."
+        default=1.0, title="Force", description="Amplitude of its total."
     )
-    phase: Phase = Field(0.0, title="Phase", description="Of the force.")
+    phase: Phase = Field(default=0.0, title="Phase", description="Of the force.")
 
 
-class FingerSection(Section):
+@described("plate.finger", kw_only=True)
+class FingerSection:
     """A finger on the flat face: a mass on a spring and a damper, spread over a disc."""
 
     region: Name = Field(title="Region", description="Or lattice, from whose corner its centre counts.")
@@ -150,24 +166,24 @@ class FingerSection(Section):
         title="Centre", description="From the lower left corner of the smallest rectangle around the region."
     )
     diameter: Annotated[float, size(1e-3, 40e-3)] = Field(
-        10e-3, title="Diameter", description="Of the disc that it touches."
+        default=10e-3, title="Diameter", description="Of the disc that it touches."
     )
     mass: Annotated[float, Quantity("kg", above=0.0, at_most=1e3, typical=(1e-5, 1.0))] | None = Field(
-        None, title="Mass", description="That vibrates with the pad; else spring and damper end at rest."
+        default=None,
+        title="Mass",
+        description="That vibrates with the pad; else spring and damper end at rest.",
     )
     stiffness: Annotated[float, Quantity("N/m", at_least=0.0, at_most=1e12, typical=(0.0, 1e6))] = Field(
-        0.0, title="Stiffness of the pad", description="Of the whole disc."
+        default=0.0, title="Stiffness of the pad", description="Of the whole disc."
     )
     damping: Annotated[float, Quantity("N s/m", at_least=0.0, at_most=1e9, typical=(0.0, 1e3))] = Field(
-        0.0, title="Damping of the pad", description="Of the whole disc."
+        default=0.0, title="Damping of the pad", description="Of the whole disc."
     )
 
-    @model_validator(mode="after")
-    def _is_felt(self) -> FingerSection:
+    def __post_init__(self) -> None:
         if self.stiffness == 0 and self.damping == 0:
             raise problem(
                 "neither stiffness nor damping", "at least one of them above zero",
                 "nothing ties the finger to the plate", 'add damping = "10 N s/m", or remove the finger',
                 at="damping",
             )  # fmt: skip
-        return self

@@ -7,6 +7,7 @@ from dataclasses import replace
 
 from haptonic.bloch import Gap
 from haptonic.errors import StudyError
+from haptonic.fields import extended
 from haptonic.friction.lubrication import Touch
 from haptonic.plate import Fineness, Plate
 from haptonic.plate.parts import Actuator
@@ -28,6 +29,7 @@ def _silent(done: int, planned: int, stored: bool) -> None:
     """Tell nobody."""
 
 
+@extended
 class PlateStudy(Description):
     """A description that can be asked how its plate vibrates, and what a finger feels of that."""
 

@@ -5,11 +5,11 @@ from __future__ import annotations
 from difflib import get_close_matches
 from typing import Annotated, Any
 
-from pydantic import Field, ValidationInfo, field_validator, model_validator
+from pydantic import Field, ValidationInfo, field_validator
 
 from haptonic.design.parameters import UNITS
 from haptonic.errors import nearest
-from haptonic.fields import Entries, Name, Quantity, Section, number_of, problem, size
+from haptonic.fields import Entries, Name, Quantity, described, number_of, problem, size
 from haptonic.response.checks import REST, THE_REST
 from haptonic.study.mounting import (
     ActuatorSection,
@@ -29,7 +29,8 @@ TileSize = Annotated[float, size(100e-6, 100e-3)]
 Frequency = Annotated[float, Quantity("Hz", at_least=1.0, at_most=1e9, typical=(1.0, 1e6))]
 
 
-class LatticeSection(Section):
+@described("plate.cell", kw_only=True)
+class LatticeSection:
     """A further lattice of the plate: the study's own cell with some numbers changed."""
 
     name: Name = Field(title="Name", description="By which tiles refer to it.")
@@ -78,33 +79,33 @@ def _changeable(path: str) -> None:
     )
 
 
-class ResponseSection(Section):
+@described("plate.response", kw_only=True)
+class ResponseSection:
     """What is asked of the plate's vibration."""
 
-    lowest: Frequency = Field(100.0, title="Lowest frequency", description="Of the response.")
-    highest: Frequency = Field(100e3, title="Highest frequency", description="Of the response.")
+    lowest: Frequency = Field(default=100.0, title="Lowest frequency", description="Of the response.")
+    highest: Frequency = Field(default=100e3, title="Highest frequency", description="Of the response.")
     points: Annotated[int, Field(ge=2, le=100_001, strict=True)] = Field(
-        1001, title="Frequencies", description="Of the response, both ends included."
+        default=1001, title="Frequencies", description="Of the response, both ends included."
     )
     tolerance: Annotated[float, Quantity("", at_least=1e-10, at_most=0.1, typical=(1e-8, 1e-2))] = Field(
-        1e-3, title="Field error", description="Largest allowed at every frequency, relative."
+        default=1e-3, title="Field error", description="Largest allowed at every frequency, relative."
     )
     grid: Annotated[float, size(50e-6, 20e-3)] = Field(
-        2e-3, title="Grid", description="Distance of neighbouring points on the flat face."
+        default=2e-3, title="Grid", description="Distance of neighbouring points on the flat face."
     )
 
-    @model_validator(mode="after")
-    def _ascends(self) -> ResponseSection:
+    def __post_init__(self) -> None:
         if self.lowest >= self.highest:
             raise problem(
                 format_quantity(self.highest, "Hz"),
                 f"more than the lowest frequency, {format_quantity(self.lowest, 'Hz')}",
                 "the two ends of the response are exchanged or equal", "exchange them", at="highest",
             )  # fmt: skip
-        return self
 
 
-class PlateSection(Section):
+@described("plate", kw_only=True)
+class PlateSection:
     """A finite plate: a map of tiles, what holds it and what drives it."""
 
     map: Annotated[str, Field(max_length=200_000, strict=True)] = Field(
@@ -112,39 +113,45 @@ class PlateSection(Section):
         description="A letter for each tile, from above on the face with the pillars, largest y first.",
     )
     rows: Annotated[int, Field(ge=1, le=10_000, strict=True)] | None = Field(
-        None, title="Rows", description="The lines of the map are repeated until there are so many."
+        default=None, title="Rows", description="The lines of the map are repeated until there are so many."
     )
     loss_factor: Loss | None = Field(
-        None, title="Loss factor", description="Of the mounted plate; else that of its material."
+        default=None, title="Loss factor", description="Of the mounted plate; else that of its material."
     )
     tiles: Entries[Name] = Field(
         title="Meaning of the letters",
         description='Of each, "lattice", the name of a plate.cell, or that of a region of plain plate.',
     )
     widths: Entries[TileSize] = Field(
-        Entries(), title="Widths", description="By region: of its columns without a lattice; else the pitch."
+        default=Entries(),
+        title="Widths",
+        description="By region: of its columns without a lattice; else the pitch.",
     )
     heights: Entries[TileSize] = Field(
-        Entries(),
+        default=Entries(),
         title="Heights",
         description="By region: of its rows without a lattice; else the pitch along y.",
     )
     cell: tuple[LatticeSection, ...] = Field(
-        (), title="Further lattices", description="For tiles of other names.", max_length=20
+        default=(), title="Further lattices", description="For tiles of other names.", max_length=20
     )
-    edges: EdgesSection = Field(EdgesSection(), title="Edges", description="What holds them.")
-    clamp: ClampSection | None = Field(None, title="Corners", description="Held, if this table is there.")
+    edges: EdgesSection = Field(default=EdgesSection(), title="Edges", description="What holds them.")
+    clamp: ClampSection | None = Field(
+        default=None,
+        title="Corners",
+        description="Held, if this table is there.",
+    )
     actuator: tuple[ActuatorSection, ...] = Field(
-        (), title="Actuators", description="Piezoelectric patches.", max_length=100
+        default=(), title="Actuators", description="Piezoelectric patches.", max_length=100
     )
     force: tuple[ForceSection, ...] = Field(
-        (), title="Forces", description="On the flat face.", max_length=100
+        default=(), title="Forces", description="On the flat face.", max_length=100
     )
     finger: FingerSection | None = Field(
-        None, title="Finger", description="On the flat face, if it is there."
+        default=None, title="Finger", description="On the flat face, if it is there."
     )
     response: ResponseSection = Field(
-        ResponseSection(), title="Response", description="What is asked of the vibration."
+        default=ResponseSection(), title="Response", description="What is asked of the vibration."
     )
 
     @field_validator("map")
@@ -163,12 +170,10 @@ class PlateSection(Section):
                 )  # fmt: skip
         return tiles
 
-    @model_validator(mode="after")
-    def _is_whole(self) -> PlateSection:
+    def __post_init__(self) -> None:
         check_map(self.lines, self.rows, self.tiles)
         self._names_are_unique()
         self._names_are_known()
-        return self
 
     def _names_are_unique(self) -> None:
         cells = [(f"cell[{i}]", one.name) for i, one in enumerate(self.cell, start=1)]

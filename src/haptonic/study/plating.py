@@ -8,7 +8,7 @@ import re
 from collections.abc import Iterable, Iterator, Mapping
 from fractions import Fraction
 from itertools import accumulate, combinations
-from typing import TYPE_CHECKING, Literal
+from typing import Literal
 
 from haptonic.cell import UnitCell
 from haptonic.errors import HaptonicError, StudyError, nearest
@@ -19,25 +19,25 @@ from haptonic.study.mounting import SIDES, ActuatorSection, ClampSection, Finger
 from haptonic.study.plate_tables import CHANGEABLE, LATTICE, PlateSection
 from haptonic.units import format_quantity, shown
 
-if TYPE_CHECKING:
-    from haptonic.study.schema import Description
 
-
-def plate_of(study: Description) -> Plate:
+def plate_of(section: PlateSection | None, own: UnitCell) -> Plate:
     """The plate of a study, in SI units.
+
+    Parameters
+    ----------
+    own : the cell that tiles of the name "lattice" hold
 
     Raises
     ------
     StudyError : the study has no plate, or one that cannot be built; the argument is the path of the key
     """
-    section = study.finite_plate
     if section is None:
         raise _refused(
             "plate", "nothing", "a [plate] table with map and tiles",
             "the study describes a lattice, and no plate that is made of it",
             'add map = ["AAA"] to [plate] and A = "lattice" to [plate.tiles]; `haptonic keys` lists the rest',
         )  # fmt: skip
-    layout = _layout(study, section)
+    layout = _layout(section, own)
     _check_grid(layout, section.response.grid)
     actuators = [(_called("actuator", i, one), one) for i, one in enumerate(section.actuator, start=1)]
     forces = [(_called("force", i, one), one) for i, one in enumerate(section.force, start=1)]
@@ -46,7 +46,7 @@ def plate_of(study: Description) -> Plate:
         zip([at for at, _ in actuators], patches, strict=True), 2
     ):
         _check_apart(place, first, second, layout)
-    loss = study.resolved_material().loss_factor if section.loss_factor is None else section.loss_factor
+    loss = own.material.loss_factor if section.loss_factor is None else section.loss_factor
     return Plate(
         layout,
         tuple(_supports(section, layout)),
@@ -80,9 +80,9 @@ def built_in(name: str, at: str, *, piezoelectric: bool = False) -> Material:
     )  # fmt: skip
 
 
-def _layout(study: Description, section: PlateSection) -> Layout:
-    own, tiles = study.unit_cell(), section.grid
-    cells = {name: cell for name, cell in _lattices(study, section, own) if name in section.tiles.values()}
+def _layout(section: PlateSection, own: UnitCell) -> Layout:
+    tiles = section.grid
+    cells = {name: cell for name, cell in _lattices(section, own) if name in section.tiles.values()}
     for letter, name in section.tiles.items():
         if name in cells and cells[name].pillar is None:
             raise _refused(
@@ -91,6 +91,8 @@ def _layout(study: Description, section: PlateSection) -> Layout:
             )  # fmt: skip
     columns = [{row[j] or "" for row in tiles} for j in range(len(tiles[0]))]
     rows = [{name or "" for name in row} for row in tiles]
+    for cell in cells.values():
+        cell.lattice.check_rectangular("a plate")
     pitches = {name: (cell.lattice.a1[0], cell.lattice.a2[1]) for name, cell in cells.items()}
     x = _sizes("column", columns, {name: pitch[0] for name, pitch in pitches.items()}, section.widths,
                own.lattice.a1[0], "plate.widths")  # fmt: skip
@@ -104,18 +106,19 @@ def _summed(sizes: Iterable[float]) -> tuple[float, ...]:
     return tuple(float(line) for line in accumulate(map(Fraction, sizes), initial=Fraction(0)))
 
 
-def _lattices(study: Description, section: PlateSection, own: UnitCell) -> Iterator[tuple[str, UnitCell]]:
+def _lattices(section: PlateSection, own: UnitCell) -> Iterator[tuple[str, UnitCell]]:
     yield LATTICE, own
+    known = own.numbers()
     for i, one in enumerate(section.cell, start=1):
-        at, absent = f'plate.cell[{i}] "{one.name}".change', study.absent_parameters()
+        at = f'plate.cell[{i}] "{one.name}".change'
         for path in one.change:
-            if path in absent:
-                there = ", ".join(each for each in CHANGEABLE if each not in absent)
+            if path not in known:
                 raise _refused(
-                    at, path, f"one of {there}", absent[path], "give it in [cell] first, or leave it out here"
-                )
+                    at, path, f"one of {', '.join(each for each in CHANGEABLE if each in known)}",
+                    "this study does not give it", "give it in [cell] first, or leave it out here",
+                )  # fmt: skip
         try:
-            yield one.name, study.without_plate().with_parameters(one.change).unit_cell()
+            yield one.name, own.with_numbers(one.change)
         except HaptonicError as error:
             given = ", ".join(
                 f"{path} = {format_quantity(value, one.units[path])}" for path, value in one.change.items()

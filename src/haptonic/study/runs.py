@@ -5,12 +5,12 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 
 import xarray as xr
-from pydantic import ValidationError
 
 from haptonic.bloch import Gap
 from haptonic.bloch.mirrors import Incidence
 from haptonic.design.brief import Brief
 from haptonic.errors import StudyError
+from haptonic.fields import extended, remade
 from haptonic.materials import IsotropicMaterial
 from haptonic.results import (
     Bands,
@@ -39,6 +39,7 @@ from haptonic.units import format_quantity, shown
 LOWEST, HIGHEST = 0.6, 1.4  # of the carrier: ends of a mirror's spectrum where the study gives none
 
 
+@extended
 class Study(PlateStudy):
     """What a study file describes, and all that can be computed from it.
 
@@ -69,7 +70,7 @@ class Study(PlateStudy):
         ResourceError : the accuracy needs more memory than there is
         """
         return compute_bands(
-            self.unit_cell(),
+            self.cell,
             self.asked(),
             surface=surface,
             inputs=self.inputs(),
@@ -89,7 +90,7 @@ class Study(PlateStudy):
         rows = [
             Row(
                 sweep.values,
-                [design.unit_cell() for design in self.designs(sweep)],
+                [design.cell for design in self.designs(sweep)],
                 {
                     "expression": sweep.vary,
                     "units": sweep.unit,
@@ -125,16 +126,16 @@ class Study(PlateStudy):
                 cause="the study does not say what may change",
                 next_step='add [[design.vary]] with parameter = "cell.pillar.height", from and to',
             )
-        if section.finger is not None and not isinstance(self.resolved_material(), IsotropicMaterial):
+        if section.finger is not None and not isinstance(self.cell.material, IsotropicMaterial):
             raise StudyError(
                 argument="design.finger_force",
-                given=f"with {self.resolved_material().name}",
+                given=f"with {self.cell.material.name}",
                 allowed="an isotropic material",
                 cause="the formula for a plate under a finger knows no others",
                 next_step="leave the finger out and bound cell.thickness instead",
             )
         return Brief(
-            cell=self.unit_cell(),
+            cell=self.cell,
             carrier=carrier,
             count=self.bands_settings.count,
             bounds={one.parameter: (one.start, one.stop) for one in section.vary},
@@ -206,7 +207,7 @@ class Study(PlateStudy):
                 next_step='add [[tolerance.of]] with parameter = "cell.pillar.diameter", spread = "20 um"',
             )
         return compute_tolerance(
-            self.unit_cell(),
+            self.cell,
             self.asked(),
             [one.frozen() for one in section.of],
             carrier=self.need_carrier(),
@@ -230,7 +231,7 @@ class Study(PlateStudy):
             lowest=section.lowest or LOWEST * carrier,
             highest=section.highest or HIGHEST * carrier,
             points=section.points,
-            incidence=Incidence(section.angle, section.count, self.resolved_material().loss_factor),
+            incidence=Incidence(section.angle, section.count, self.cell.material.loss_factor),
         )
         if question.lowest >= question.highest:
             raise StudyError(
@@ -241,7 +242,7 @@ class Study(PlateStudy):
                 next_step="give both layers.lowest and layers.highest",
             )
         found: Layers = compute_layers(
-            self.unit_cell(),
+            self.cell,
             self.asked(),
             question,
             carrier=carrier,
@@ -258,10 +259,8 @@ class Study(PlateStudy):
         StudyError : the mode is not written like that
         """
         try:
-            waveguide = type(self.waveguide_settings).model_validate(
-                {**self.waveguide_settings.model_dump(), "mode": mode}
-            )
-        except ValidationError:
+            return remade(self, waveguide_settings=remade(self.waveguide_settings, mode=mode))
+        except StudyError:
             raise StudyError(
                 argument="--mode",
                 given=shown(mode),
@@ -269,7 +268,6 @@ class Study(PlateStudy):
                 cause="it is not written like that",
                 next_step="write it like 0x17",
             ) from None
-        return self.model_copy(update={"waveguide_settings": waveguide})
 
     def guided(self, runner: Runner | None = None) -> Guides:
         """Waveguides between two mirrors, for the mode of the study's [waveguide].
@@ -280,7 +278,7 @@ class Study(PlateStudy):
         """
         section = self.waveguide_settings
         found: Guides = compute_guides(
-            self.unit_cell(),
+            self.cell,
             self.asked(),
             carrier=self.need_carrier(),
             mode=section.nodal_lines,
@@ -293,9 +291,7 @@ class Study(PlateStudy):
 
     def gap_with(self, values: Mapping[str, float], runner: Runner | None = None) -> Gap | None:
         """The widest complete gap with some parameters (SI, by path) changed."""
-        found = (runner or Runner(Store.default())).gaps(
-            self.without_plate().with_parameters(values).unit_cell(), self.asked()
-        )
+        found = (runner or Runner(Store.default())).gaps(self.cell.with_numbers(values), self.asked())
         return max((gap for gap in found if gap.complete), key=lambda gap: gap.width, default=None)
 
     def tolerance_tasks(self) -> int:

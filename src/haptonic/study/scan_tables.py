@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from typing import Annotated, Literal
 
-from pydantic import Field, model_validator
+from pydantic import Field
 
-from haptonic.fields import Quantity, Section, problem, size
+from haptonic.fields import Quantity, described, problem, size
 from haptonic.results.scan import ScanQuestion
 from haptonic.study.asking import Frequency
 from haptonic.units import format_quantity
@@ -15,54 +15,68 @@ from haptonic.vibrometry.instrument import Instrument
 Velocity = Annotated[float, Quantity("m/s", above=0.0, at_most=1e3, typical=(1e-7, 10.0))]
 
 
-class ScanSection(Section):
+@described("scan", kw_only=True)
+class ScanSection:
     """How a laser vibrometer scans the plate."""
 
-    lowest: Frequency = Field(1e3, title="Lowest frequency", description="That the drive sweeps through.")
-    highest: Frequency = Field(100e3, title="Highest frequency", description="That the drive sweeps through.")
+    lowest: Frequency = Field(
+        default=1e3, title="Lowest frequency", description="That the drive sweeps through."
+    )
+    highest: Frequency = Field(
+        default=100e3, title="Highest frequency", description="That the drive sweeps through."
+    )
     rate: Annotated[float, Quantity("Hz", at_least=10.0, at_most=1e9, typical=(1e4, 1e7))] = Field(
-        250e3, title="Sample rate", description="Of drive and vibrometer."
+        default=250e3, title="Sample rate", description="Of drive and vibrometer."
     )
     record: Annotated[float, Quantity("s", above=0.0, at_most=100.0, typical=(1e-3, 2.0))] = Field(
-        0.02, title="Record", description="Length of one period of the drive; lines lie its inverse apart."
+        default=0.02,
+        title="Record",
+        description="Length of one period of the drive; lines lie its inverse apart.",
     )
     averages: Annotated[int, Field(ge=1, le=10_000, strict=True)] = Field(
-        4, title="Averages", description="Periods that are recorded at each point."
+        default=4, title="Averages", description="Periods that are recorded at each point."
     )
     signal: Literal["chirp", "multisine"] = Field(
-        "chirp", title="Signal", description="A periodic sweep, or lines of equal size with low peaks."
+        default="chirp",
+        title="Signal",
+        description="A periodic sweep, or lines of equal size with low peaks.",
     )
     grid: Annotated[float, size(50e-6, 20e-3)] = Field(
-        2e-3, title="Grid", description="Distance of neighbouring points on the flat face."
+        default=2e-3, title="Grid", description="Distance of neighbouring points on the flat face."
     )
     skip: Annotated[str, Field(max_length=400, strict=True)] = Field(
-        "clamps",
+        default="clamps",
         title="Skip",
         description="Regions or lattices without points, with commas between; clamps: held corners.",
     )
     bits: Annotated[int, Field(ge=4, le=32, strict=True)] = Field(
-        16, title="Bits", description="Of the converter that records the vibrometer."
+        default=16, title="Bits", description="Of the converter that records the vibrometer."
     )
     noise: Annotated[float, Quantity("m/s", at_least=0.0, at_most=1e3, typical=(0.0, 1e-2))] = Field(
-        5e-5, title="Noise", description="Of the vibrometer, root mean square of the samples."
+        default=5e-5, title="Noise", description="Of the vibrometer, root mean square of the samples."
     )
     full_scale: Velocity | None = Field(
-        None, title="Range", description="Largest velocity of the vibrometer; else 1.25 of what comes."
+        default=None,
+        title="Range",
+        description="Largest velocity of the vibrometer; else 1.25 of what comes.",
     )
     dropouts: Annotated[float, Quantity("", at_least=0.0, below=1.0, typical=(0.0, 0.1))] = Field(
-        0.005,
+        default=0.005,
         title="Dropouts",
         description="Share of points at which the laser loses the surface.",
     )
     delay: Annotated[float, Quantity("s", at_least=0.0, at_most=1.0, typical=(0.0, 1e-3))] = Field(
-        0.0, title="Delay", description="Of the vibrometer behind the drive; the analysis takes it out."
+        default=0.0,
+        title="Delay",
+        description="Of the vibrometer behind the drive; the analysis takes it out.",
     )
     bandwidth: Frequency | None = Field(
-        None, title="Bandwidth", description="-3 dB of its first-order low-pass; the analysis takes it out."
+        default=None,
+        title="Bandwidth",
+        description="-3 dB of its first-order low-pass; the analysis takes it out.",
     )
 
-    @model_validator(mode="after")
-    def _fits(self) -> ScanSection:
+    def __post_init__(self) -> None:
         if self.lowest >= self.highest:
             raise problem(
                 format_quantity(self.highest, "Hz"),
@@ -82,7 +96,6 @@ class ScanSection(Section):
                 f"a period with 8 to 1e6 lines between the frequencies; here {lines:.3g}",
                 "the period was given in another unit", 'write it like record = "20 ms"', at="record",
             )  # fmt: skip
-        return self
 
     @property
     def skipped(self) -> tuple[str, ...]:

@@ -7,31 +7,27 @@ labels and the written file follow from it.
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from functools import cache
-from types import MappingProxyType
 from typing import Annotated, Any, Self
 
 from pydantic import (
-    AfterValidator,
-    Discriminator,
     Field,
-    Tag,
-    ValidationError,
-    ValidationInfo,
-    field_validator,
-    model_validator,
 )
 
 from haptonic.bloch.resolution import LADDER, Resolution, starting_rung
 from haptonic.cell import UnitCell
 from haptonic.design.parameters import values_of
 from haptonic.errors import HaptonicError, StudyError
-from haptonic.fields import Quantity, Section, leaves, number_of, problem, table
-from haptonic.fields.problems import refusal
-from haptonic.fields.quantity import collected
-from haptonic.fields.writing import toml_of
-from haptonic.lattice import Lattice
-from haptonic.materials import IsotropicMaterial, Material, material
+from haptonic.fields import (
+    described,
+    leaves,
+    numbers,
+    problem,
+    table,
+    unchecked,
+    with_numbers,
+)
+from haptonic.fields.writing import document, toml_of
+from haptonic.materials import IsotropicMaterial, built_in_name
 from haptonic.plate.parts import Plate
 from haptonic.results import Asked
 from haptonic.study.asking import DesignSection, LayersSection, ToleranceSection, WaveguideSection
@@ -40,163 +36,107 @@ from haptonic.study.fitting import FitSection
 from haptonic.study.plate_tables import PlateSection
 from haptonic.study.plating import built_in, plate_of
 from haptonic.study.scan_tables import ScanSection
-from haptonic.study.sections import BandsSection, CellSection, MeshSection
+from haptonic.study.sections import CARRIER, BandsSection, MeshSection
+from haptonic.study.sweeps import SweepSection, numeric_parameters
 from haptonic.study.touch_tables import TouchSection
 from haptonic.study.trial_tables import Trials
-from haptonic.study.vary import Expression, check_names, parse, solve
-from haptonic.units import format_quantity
+from haptonic.study.vary import Expression, check_names, solve
+from haptonic.units import format_quantity, shown
 
 MOST_SWEEPS = 50
-AFTERWARDS = {
-    "touch",
-    "trials",
-    "protocol_settings",
-    "participants",
-    "scan_settings",
-    "fit_settings",
-}  # they decide no bands, no plate
-OF_A_CELL = {"carrier", "material", "cell", "bands"}  # sections whose numbers an expression can name
+# tables that decide no bands and no plate
+AFTERWARDS = {"touch", "trials", "protocol", "participants", "scan", "fit"}
 
 
-class SweepSection(Section):
-    """A row of designs: an expression of parameters taken from one value to another."""
-
-    vary: str = Field(title="Expression", description="The first parameter in it changes.", strict=True)
-    start: float = Field(alias="from", title="First value", description="With its unit, if it has one.")
-    stop: float = Field(alias="to", title="Last value", description="With its unit, if it has one.")
-    steps: Annotated[int, Field(ge=2, le=1000, strict=True)] = Field(
-        25, title="Steps", description="Number of designs, both ends included."
-    )
-
-    @field_validator("vary")
-    @classmethod
-    def _names_parameters(cls, text: str) -> str:
-        with collected():
-            check_names(parse(text), numeric_parameters(), {})
-        return text
-
-    @field_validator("start", "stop", mode="plain")
-    @classmethod
-    def _has_dimension(cls, value: object, info: ValidationInfo) -> float:
-        if "vary" not in info.data:  # refused already; without it the dimension is not known
-            return 0.0
-        return number_of(value, parse(info.data["vary"]).unit(numeric_parameters()), info.context)
-
-    @model_validator(mode="after")
-    def _moves(self) -> SweepSection:
-        if self.start == self.stop:
-            raise problem(
-                format_quantity(self.stop, self.unit),
-                "a last value that differs from the first",
-                "all designs would be the same",
-                "change one end of the sweep, or remove it",
-                at="to",
-            )
-        return self
-
-    @property
-    def expression(self) -> Expression:
-        return parse(self.vary)
-
-    @property
-    def unit(self) -> str:
-        """SI unit of ``start``, ``stop`` and ``values``; empty when they are dimensionless."""
-        return self.expression.unit(numeric_parameters())
-
-    @property
-    def values(self) -> tuple[float, ...]:
-        """Value of the expression at every step, in SI units, both ends included."""
-        last = self.steps - 1
-        inner = ((self.start * (last - step) + self.stop * step) / last for step in range(1, last))
-        return (self.start, *inner, self.stop)
-
-
-def _material_kind(value: object) -> str | None:
-    if isinstance(value, str):
-        return "name"
-    return "table" if isinstance(value, Mapping | IsotropicMaterial) else None
-
-
-def _in_library(name: str) -> str:
-    with collected():
-        material(name)
-    return name
-
-
-class Description(Section):
+@described("", kw_only=True)
+class Description:
     """Everything that one run computes with; immutable. A `Study` also computes.
 
     It is read by `haptonic.study.load`, which gives its errors five parts and warns about unusual values.
     """
 
     title: str = Field(
-        "Study", title="Title", description="Heads the report.", min_length=1, max_length=200, strict=True
+        default="Study",
+        title="Title",
+        description="Heads the report.",
+        min_length=1,
+        max_length=200,
+        strict=True,
     )
-    carrier: Annotated[float, Quantity("Hz", at_least=1.0, at_most=1e9, typical=(10e3, 1e6))] | None = Field(
-        None, title="Carrier", description="Frequency of the drive; marked in the diagrams."
+    carrier: Annotated[float, CARRIER] | None = Field(
+        default=None, title="Carrier", description="Frequency of the drive; marked in the diagrams."
     )
-    material: Annotated[
-        Annotated[str, AfterValidator(_in_library), Tag("name")] | Annotated[IsotropicMaterial, Tag("table")],
-        Discriminator(_material_kind),
-    ] = Field(title="Material", description="Of the plate and its pillars: a built-in name or its constants.")
-    cell: CellSection = Field(title="Unit cell", description="One period of the plate.")
+    cell: UnitCell = Field(title="Unit cell", description="One period of the plate.")
     bands_settings: BandsSection = Field(
-        BandsSection(), alias="bands", title="Bands", description="What the band diagram shows."
+        default=BandsSection(), alias="bands", title="Bands", description="What the band diagram shows."
     )
     mesh: MeshSection = Field(
-        MeshSection(), title="Mesh", description="For experts; else the accuracy decides."
+        default=MeshSection(), title="Mesh", description="For experts; else the accuracy decides."
     )
     layers_settings: LayersSection = Field(
-        LayersSection(),
+        default=LayersSection(),
         alias="layers",
         title="Layers",
         description="Rows of cells as a mirror between two plates.",
     )
     waveguide_settings: WaveguideSection = Field(
-        WaveguideSection(),
+        default=WaveguideSection(),
         alias="waveguide",
         title="Waveguide",
         description="A strip of plate between two mirrors.",
     )
     design_settings: DesignSection = Field(
-        DesignSection(),
+        default=DesignSection(),
         alias="design",
         title="Design",
         description="What may change so that the gap holds the carrier.",
     )
     tolerance_settings: ToleranceSection = Field(
-        ToleranceSection(), alias="tolerance", title="Tolerance", description="How much the parts differ."
+        default=ToleranceSection(),
+        alias="tolerance",
+        title="Tolerance",
+        description="How much the parts differ.",
     )
     finite_plate: PlateSection | None = Field(
-        None, alias="plate", title="Plate", description="A finite one, made of cells and of plain plate."
+        default=None,
+        alias="plate",
+        title="Plate",
+        description="A finite one, made of cells and of plain plate.",
     )
-    touch: TouchSection = Field(TouchSection(), title="Touch", description="The finger that feels the plate.")
+    touch: TouchSection = Field(
+        default=TouchSection(), title="Touch", description="The finger that feels the plate."
+    )
     trials: Trials = Field(
-        Trials(), title="Trials", description="How force records are processed, and which count."
+        default=Trials(), title="Trials", description="How force records are processed, and which count."
     )
     protocol_settings: ProtocolSection = Field(
-        ProtocolSection(),
+        default=ProtocolSection(),
         alias="protocol",
         title="Protocol",
         description="Trials with people: how many, in which order.",
     )
     participants: ParticipantsSection = Field(
-        ParticipantsSection(), title="Participants", description="What is assumed of people."
+        default=ParticipantsSection(), title="Participants", description="What is assumed of people."
     )
     scan_settings: ScanSection = Field(
-        ScanSection(), alias="scan", title="Scan", description="How a laser vibrometer scans the plate."
+        default=ScanSection(),
+        alias="scan",
+        title="Scan",
+        description="How a laser vibrometer scans the plate.",
     )
     fit_settings: FitSection = Field(
-        FitSection(), alias="fit", title="Fit", description="What a measurement of the plate tells."
+        default=FitSection(), alias="fit", title="Fit", description="What a measurement of the plate tells."
     )
     sweep_settings: tuple[SweepSection, ...] = Field(
-        (), alias="sweep", title="Sweeps", description="Rows of designs to compare.", max_length=MOST_SWEEPS
+        default=(),
+        alias="sweep",
+        title="Sweeps",
+        description="Rows of designs to compare.",
+        max_length=MOST_SWEEPS,
     )
 
-    @model_validator(mode="after")
-    def _every_design_is_possible(self) -> Self:
+    def __post_init__(self) -> None:
         try:
-            self.unit_cell()
             plate = None if self.finite_plate is None else self.mounted_plate()
         except HaptonicError as error:
             raise problem(
@@ -208,7 +148,7 @@ class Description(Section):
             self._gives_what_is_named(sweep.expression, f"sweep[{row}].vary")
             for step, value in enumerate(sweep.values, start=1):
                 try:
-                    solve(sweep.expression, value, self)
+                    self.solved(sweep.expression, value)
                 except HaptonicError as error:
                     reached = format_quantity(value, sweep.unit)
                     raise problem(
@@ -218,7 +158,6 @@ class Description(Section):
                         "narrow the range between from and to",
                         at=f"sweep[{row}]",
                     ) from None
-        return self
 
     def _gives_what_is_named(self, expression: Expression, at: str) -> None:
         """Refuse an expression that has no value for the study's own parameters."""
@@ -231,7 +170,7 @@ class Description(Section):
     def _names_what_the_cell_has(self) -> None:
         """Refuse parameters of a design or a tolerance that this study's cell does not have, and designs that
         could not be written as a study."""
-        there = values_of(self.unit_cell())
+        there = values_of(self.cell)
         named = {
             f"design.vary[{i}]": one.parameter for i, one in enumerate(self.design_settings.vary, start=1)
         }
@@ -264,18 +203,6 @@ class Description(Section):
                         "designs there would not be possible", "choose a narrower range", at=f"{at}.{name}",
                     )  # fmt: skip
 
-    def resolved_material(self) -> Material:
-        """The material as the core computes with it."""
-        return material(self.material) if isinstance(self.material, str) else self.material
-
-    def unit_cell(self) -> UnitCell:
-        """The unit cell as the core computes with it, in SI units."""
-        cell = self.cell
-        lattice = (
-            Lattice.rectangular(cell.pitch, cell.pitch_y) if cell.pitch_y else Lattice.square(cell.pitch)
-        )
-        return UnitCell(lattice, cell.thickness, self.resolved_material(), cell.pillar)
-
     def mounted_plate(self) -> Plate:
         """The finite plate as the core computes with it.
 
@@ -283,11 +210,11 @@ class Description(Section):
         ------
         StudyError : the study has no [plate]
         """
-        return plate_of(self)
+        return plate_of(self.finite_plate, self.cell)
 
     def without_plate(self) -> Self:
         """The same study of the lattice alone."""
-        return self.model_copy(update={"finite_plate": None})
+        return unchecked(self, finite_plate=None)
 
     def asked(self) -> Asked:
         """What is asked of the bands."""
@@ -303,7 +230,7 @@ class Description(Section):
     def parameters(self) -> dict[str, float]:
         """Value of every numeric parameter that this study gives, by path and in SI units."""
         known = numeric_parameters()
-        return {path: value for path, value, _ in leaves(self, only=OF_A_CELL) if path in known}
+        return {path: value for path, value in numbers(self, names=True).items() if path in known}
 
     def absent_parameters(self) -> dict[str, str]:
         """Why a numeric parameter cannot be named in this study, by path."""
@@ -325,7 +252,8 @@ class Description(Section):
         StudyError : a value is out of bounds, or the design is not possible
         """
         assert values.keys() <= self.parameters().keys(), values.keys()
-        return self._with_numbers(values, {"sweep_settings", "fit_settings"})
+        alone = unchecked(self, sweep_settings=(), fit_settings=FitSection())
+        return alone._with_numbers(values)
 
     def with_fitted(self, values: Mapping[str, float]) -> Self:
         """The same study with numbers of [[fit.vary]] (SI, by their names there) changed.
@@ -334,26 +262,28 @@ class Description(Section):
         ------
         StudyError : a value is out of bounds
         """
-        return self._with_numbers(values, set())
+        return self._with_numbers(values)
 
-    def _with_numbers(self, values: Mapping[str, float], without: set[str]) -> Self:
-        data = self.model_dump(by_alias=True, exclude_none=True, exclude=without)
-        for path, value in values.items():
-            *sections, name = path.split(".")
-            target: dict[str, Any] = data
-            for section in sections:
-                key, _, number = section.removesuffix("]").partition("[")
-                target = target[key][int(number) - 1] if number else target[key]
-            target[name] = float(value)
+    def _with_numbers(self, values: Mapping[str, float]) -> Self:
         try:
-            return type(self).model_validate(data)
-        except ValidationError as error:
-            refused = refusal(error, Description)
-        raise refused
+            return with_numbers(self, values)
+        except HaptonicError as error:  # of the family of the value that a number belongs to
+            raise StudyError(**error.parts()) from None
+
+    def solved(self, expression: Expression, value: float) -> Self:
+        """The study in which an expression has a value (SI): its first parameter changed, without sweeps and
+        plate.
+
+        Raises
+        ------
+        StudyError : unknown name, or a design that is not possible
+        """
+        wanted = solve(expression, value, self.parameters(), self.absent_parameters())
+        return self.without_plate().with_parameter(expression.varied, wanted)
 
     def designs(self, sweep: SweepSection) -> tuple[Self, ...]:
         """One study for each step of a sweep, in order."""
-        return tuple(solve(sweep.expression, value, self) for value in sweep.values)
+        return tuple(self.solved(sweep.expression, value) for value in sweep.values)
 
     def unusual(self) -> tuple[str, ...]:
         """A sentence on every value outside its typical range; on those that only a sweep reaches, if no
@@ -364,7 +294,7 @@ class Description(Section):
     def _unusual_sweeps(self) -> Iterator[str]:
         for row, sweep in enumerate(self.sweep_settings, start=1):
             name = sweep.expression.varied
-            ends = (solve(sweep.expression, end, self) for end in (sweep.start, sweep.stop))
+            ends = (self.solved(sweep.expression, end) for end in (sweep.start, sweep.stop))
             words = [text for design in ends for text in design._unusual_values().values()]
             if words:
                 yield f"sweep[{row}]: {name} leaves its usual range; {words[0]}"
@@ -375,7 +305,21 @@ class Description(Section):
         return {path: text for path, text in words.items() if text}
 
     def to_toml(self) -> str:
-        """A study file that loads to an equal study."""
+        """A study file that loads to an equal study.
+
+        Raises
+        ------
+        StudyError : a material, given in Python, that no file describes
+        """
+        solid = self.cell.material
+        if built_in_name(solid) is None and not isinstance(solid, IsotropicMaterial):
+            raise StudyError(
+                argument="material",
+                given=shown(solid.name),
+                allowed="a built-in material, or an isotropic one",
+                cause="a study file has no table for others",
+                next_step="keep the study in Python",
+            )
         return toml_of(self)
 
     def inputs(self) -> dict[str, Any]:
@@ -384,22 +328,10 @@ class Description(Section):
         The title and the sections that ask for something of such results decide nothing; a built-in
         material is given by its constants, so that a correction in the library changes the key.
         """
-        data = self.model_dump(mode="json", by_alias=True, exclude={"title", "material"} | AFTERWARDS)
-        if self.finite_plate is None:
-            del data["plate"]
-        else:
+        data = document(self, lambda value, unit: value, absent=True)
+        left = {"title"} | AFTERWARDS | ({"plate"} if self.finite_plate is None else set())
+        data = {key: value for key, value in data.items() if key not in left}
+        if self.finite_plate is not None:
             solids = {name: built_in(name, "").to_dict() for name in self.finite_plate.materials}
             data["plate"]["materials"] = solids
-        return {"material": self.resolved_material().to_dict(), **data}
-
-
-@cache
-def numeric_parameters() -> Mapping[str, str]:
-    """SI unit of every parameter that an expression can name, by path."""
-    return MappingProxyType(
-        {
-            path: key.unit
-            for path, key in table(Description).items()
-            if key.quantity and "[]" not in path and path.split(".")[0] in OF_A_CELL
-        }
-    )
+        return data | {"material": self.cell.material.to_dict()}

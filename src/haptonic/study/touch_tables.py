@@ -5,9 +5,9 @@ from __future__ import annotations
 from dataclasses import replace
 from typing import Annotated, Any
 
-from pydantic import Field, create_model, model_validator
+from pydantic import Field
 
-from haptonic.fields import Quantity, Section, problem
+from haptonic.fields import Quantity, described, problem
 from haptonic.friction.lubrication import FORCES, SPEEDS, Finger, Parameter, Touch
 from haptonic.units import format_quantity
 
@@ -27,7 +27,7 @@ def _three(parameter: Parameter) -> Any:
         for n in (parameter.plausible[0], parameter.value, parameter.plausible[1])
     )
     field = Field(
-        None,
+        default=None,
         title=parameter.title[0].upper() + parameter.title[1:],
         description=f"Lowest plausible, value, highest plausible; else {usual}, {parameter.mark}: "
         f"{parameter.source}.",
@@ -35,48 +35,54 @@ def _three(parameter: Parameter) -> Any:
     return (tuple[number, number, number] | None, field)
 
 
-class _Ordered(Section):
+class _Ordered:
     """Numbers that come in threes, in ascending order."""
 
-    @model_validator(mode="after")
-    def _ascends(self) -> _Ordered:
-        for name, field in type(self).model_fields.items():
-            three = getattr(self, name)
+    def __post_init__(self) -> None:
+        for name, three in vars(self).items():
             if isinstance(three, tuple) and list(three) != sorted(three):
                 raise problem(
                     ", ".join(f"{number:g}" for number in three),
                     "the lowest plausible value, the value, the highest plausible value",
                     "they are not in ascending order",
-                    f"sort the numbers of {field.alias or name}",
+                    f"sort the numbers of {name}",
                     at=name,
                 )
-        return self
 
 
-SkinSection: Any = create_model(
-    "SkinSection",
-    __base__=_Ordered,
-    __module__=__name__,
-    __doc__="What the models of friction know of the fingertip; what is not given is assumed.",
-    **{name: _three(parameter) for name, parameter in Finger()},
+_THREES = {name: _three(parameter) for name, parameter in Finger()}
+SkinSection: Any = described("touch.skin", kw_only=True)(
+    type(
+        "SkinSection",
+        (_Ordered,),
+        {
+            "__doc__": "What the models of friction know of the fingertip; what is not given is assumed.",
+            "__module__": __name__,
+            "__annotations__": {name: kind for name, (kind, _) in _THREES.items()},
+            **{name: field for name, (_, field) in _THREES.items()},
+        },
+    )
 )
 
 
+@described("touch", kw_only=True)
 class TouchSection(_Ordered):
     """The finger that feels the plate, and how hard the plate is driven."""
 
-    force: Force = Field(Touch.force, title="Force of the finger", description="Normal to the plate.")
-    speed: Speed = Field(Touch.speed, title="Speed of the finger", description="Along the plate.")
+    force: Force = Field(default=Touch.force, title="Force of the finger", description="Normal to the plate.")
+    speed: Speed = Field(default=Touch.speed, title="Speed of the finger", description="Along the plate.")
     diameter: Annotated[float, Quantity("m", at_least=1e-3, at_most=40e-3, typical=(5e-3, 20e-3))] = Field(
-        10e-3, title="Diameter below the finger", description="Of the disc that it covers; assumed."
+        default=10e-3, title="Diameter below the finger", description="Of the disc that it covers; assumed."
     )
     damping: tuple[Damping, Damping, Damping] = Field(
-        USUAL_DAMPING,
+        default=USUAL_DAMPING,
         title="Damping of the finger",
         description="Of the whole disc: lowest plausible, value, highest plausible; assumed.",
     )
     voltage: Annotated[float, VOLTAGE] | None = Field(
-        None, title="Voltage", description="Of the first actuator while the finger feels; else the plate's."
+        default=None,
+        title="Voltage",
+        description="Of the first actuator while the finger feels; else the plate's.",
     )
     skin: SkinSection = Field(
         default_factory=SkinSection, title="Skin", description="What the models of friction know of it."
@@ -85,7 +91,7 @@ class TouchSection(_Ordered):
     def finger(self) -> Finger:
         """The fingertip as the lubrication models compute with it."""
         known = dict(Finger())
-        given = {name: three for name in type(self.skin).model_fields if (three := getattr(self.skin, name))}
+        given = {name: three for name in vars(self.skin) if (three := getattr(self.skin, name))}
         return replace(
             Finger(),
             **{name: known[name].having(value, (low, high)) for name, (low, value, high) in given.items()},

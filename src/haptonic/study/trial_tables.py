@@ -5,10 +5,10 @@ from __future__ import annotations
 from pathlib import Path
 from typing import Annotated
 
-from pydantic import AfterValidator, Field, model_validator
+from pydantic import AfterValidator, Field
 
 from haptonic.errors import FrictionError, HaptonicError
-from haptonic.fields import Name, Quantity, Section, described, problem
+from haptonic.fields import Name, Quantity, described, problem
 from haptonic.friction.recordings import AXES, Exclusion, Sensor, read_calibration
 from haptonic.friction.signals import Rules
 from haptonic.units import shown, to_si
@@ -33,45 +33,47 @@ def _unit_of(unit: str) -> AfterValidator:
 Text = Annotated[str, Field(max_length=200, strict=True)]
 
 
-class SensorSection(Section):
+@described("trials.sensor", kw_only=True)
+class SensorSection:
     """What the channels of the files are. What is left out is guessed from usual names, and reported."""
 
     normal: Text = Field(
-        "", title="Normal force", description="Name of its channel; a minus before it turns the sign."
+        default="", title="Normal force", description="Name of its channel; a minus before it turns the sign."
     )
-    tangential: Text = Field("", title="Tangential force", description="Name of its channel.")
-    position: Text = Field("", title="Position", description="Name of the channel along the stroke.")
-    time: Text = Field("", title="Time", description="Name of its channel.")
+    tangential: Text = Field(default="", title="Tangential force", description="Name of its channel.")
+    position: Text = Field(default="", title="Position", description="Name of the channel along the stroke.")
+    time: Text = Field(default="", title="Time", description="Name of its channel.")
     force_unit: Annotated[Text, _unit_of("N")] = Field(
-        "", title="Unit of the forces", description="Else the one that the file says, or N."
+        default="", title="Unit of the forces", description="Else the one that the file says, or N."
     )
     position_unit: Annotated[Text, _unit_of("m")] = Field(
-        "", title="Unit of the position", description="Else the one that the file says, or m."
+        default="", title="Unit of the position", description="Else the one that the file says, or m."
     )
     time_unit: Annotated[Text, _unit_of("s")] = Field(
-        "", title="Unit of the time", description="Else the one that the file says, or s."
+        default="", title="Unit of the time", description="Else the one that the file says, or s."
     )
     rate: Annotated[float, Quantity("Hz", above=0.0, at_most=1e7, typical=(250.0, 1e5))] | None = Field(
-        None, title="Sampling rate", description="Where the files have no times."
+        default=None, title="Sampling rate", description="Where the files have no times."
     )
     gauges: Text = Field(
-        "", title="Gauges", description="Names of six raw channels, with commas, in the calibration's order."
+        default="",
+        title="Gauges",
+        description="Names of six raw channels, with commas, in the calibration's order.",
     )
     calibration: Text = Field(
-        "",
+        default="",
         title="Calibration",
         description="CSV file of 6 x 6 numbers beside the trials: Fx Fy Fz Tx Ty Tz for 1 V of each gauge; "
         f"else {CALIBRATION} if it is there and the files have no forces.",
     )
     largest_force: Annotated[float, Quantity("N", above=0.0, at_most=1e4)] | None = Field(
-        None, title="End of the range", description="Force at which a channel is saturated."
+        default=None, title="End of the range", description="Force at which a channel is saturated."
     )
     largest_gauge: Annotated[float, Quantity("V", above=0.0, at_most=1e3)] | None = Field(
-        None, title="End of the gauges", description="Voltage at which a raw channel is saturated."
+        default=None, title="End of the gauges", description="Voltage at which a raw channel is saturated."
     )
 
-    @model_validator(mode="after")
-    def _names_six_gauges(self) -> SensorSection:
+    def __post_init__(self) -> None:
         names = [name.strip() for name in self.gauges.split(",") if name.strip()]
         if self.gauges and len(set(names)) != 6:
             raise problem(
@@ -84,7 +86,6 @@ class SensorSection(Section):
                 " and ".join(axes), "Fx, Fy or Fz where a calibration makes the forces",
                 "the name of a raw channel was given", 'write normal = "Fz"', at="normal",
             )  # fmt: skip
-        return self
 
     def frozen(self, folder: Path) -> Sensor:
         """The sensor as the reader uses it; files are looked for in a folder.
@@ -94,7 +95,7 @@ class SensorSection(Section):
         FrictionError : a calibration that is no matrix of full rank
         """
         path = folder / (self.calibration or CALIBRATION)
-        plain = self.model_dump(exclude={"gauges", "calibration"})
+        plain = {name: one for name, one in vars(self).items() if name not in {"gauges", "calibration"}}
         names = tuple(name.strip() for name in self.gauges.split(",") if name.strip())
         matrix = read_calibration(path) if self.calibration or path.is_file() else None
         return Sensor(**plain, gauges=names, calibration=matrix, forced=bool(self.calibration or names))
@@ -117,8 +118,15 @@ class Trials(Rules):
     )
 
 
-class TrialsFile(Section):
+@described("", kw_only=True)
+class TrialsFile:
     """A file that says how trials are processed and nothing else: not every experiment has a lattice."""
 
-    title: str = Field("Trials", title="Title", description="Heads the page.", max_length=200, strict=True)
-    trials: Trials = Field(Trials(), title="Trials", description="As in a study.")
+    title: str = Field(
+        default="Trials",
+        title="Title",
+        description="Heads the page.",
+        max_length=200,
+        strict=True,
+    )
+    trials: Trials = Field(default=Trials(), title="Trials", description="As in a study.")

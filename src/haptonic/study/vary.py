@@ -11,15 +11,9 @@ import re
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from functools import cache
-from typing import TYPE_CHECKING, TypeVar
 
 from haptonic.errors import StudyError, nearest
 from haptonic.units import registry, shown
-
-if TYPE_CHECKING:
-    from haptonic.study.schema import Description
-
-Described = TypeVar("Described", bound="Description")
 
 LONGEST_TEXT = 200
 GRAMMAR = "names of parameters and positive numbers with * and / between them"
@@ -147,19 +141,20 @@ def check_names(expression: Expression, known: Mapping[str, object], absent: Map
         )
 
 
-def solve(expression: Expression, value: float, study: Described) -> Described:
-    """The study in which the expression has the value: its first parameter changed, without sweeps and plate.
+def solve(
+    expression: Expression, value: float, parameters: Mapping[str, float], absent: Mapping[str, str]
+) -> float:
+    """Value of the first parameter (SI) with which the expression has some value (SI).
 
     Parameters
     ----------
-    value : in SI units
+    parameters, absent : by path, those that a study gives, and why it does not give others
 
     Raises
     ------
-    StudyError : unknown name, or a design that is not valid
+    StudyError : unknown name, or a value that no number of that parameter brings about
     """
-    parameters = study.parameters()
-    check_names(expression, parameters, study.absent_parameters())
+    check_names(expression, parameters, absent)
     powers = dict(expression.powers)
     direction = powers.pop(expression.varied)
     try:
@@ -175,7 +170,7 @@ def solve(expression: Expression, value: float, study: Described) -> Described:
             cause=f"no finite {expression.varied} gives it the value {value:g}",
             next_step="leave parameters out that are zero, or choose another range",
         )
-    return study.without_plate().with_parameter(expression.varied, wanted)
+    return wanted
 
 
 def _tokens(text: str) -> Iterator[tuple[str, str]]:

@@ -232,9 +232,9 @@ def _trend_row(name: str, trend: Trend) -> Row:
 
 
 def _bragg_row(results: Results) -> Row:
-    material, carrier = results.study.resolved_material(), results.study.carrier or paper.BRAGG_FREQUENCY
+    material, carrier = results.study.cell.material, results.study.carrier or paper.BRAGG_FREQUENCY
     assert isinstance(material, IsotropicMaterial)
-    speed, pitch = material.shear_speed, results.study.unit_cell().lattice.pitch
+    speed, pitch = material.shear_speed, results.study.cell.lattice.pitch
     theirs, ours = paper.BRAGG_SPEED / paper.BRAGG_FREQUENCY * 1e3, speed / carrier * 1e3
     return (
         "Period for Bragg scattering, c / f",

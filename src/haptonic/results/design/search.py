@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 
 from haptonic.bloch import Gap, gaps_of
 from haptonic.design.brief import SLACK, Brief
-from haptonic.design.parameters import UNITS, changed
+from haptonic.design.parameters import UNITS
 from haptonic.design.search import Column, Visited, distinct, spread, starts_of
 from haptonic.errors import HaptonicError
 from haptonic.jobs import Task
@@ -165,7 +165,7 @@ class _Search:
         """The complete gap of a design, if it has one and can be computed."""
         values, found = _rounded(self.brief, visit), []
         asked = self.asked if accuracy is None else replace(self.asked, accuracy=accuracy)
-        task = tasks.gap_task(changed(self.brief.cell, values), asked, visit.band)
+        task = tasks.gap_task(self.brief.cell.with_numbers(values), asked, visit.band)
         for data in self._run("refine", tasks.gap_dataset, [task], [visit.share]):
             for gap in gaps_of(data):
                 if gap.complete and gap.between[0] == visit.band:

@@ -1,0 +1,69 @@
+"""Numbers of a described value by their paths in a study file: named, read and changed in one place.
+
+``cell.pillar.diameter`` is a path; tables of one name count from 1, ``plate.actuator[1].bond.thickness``.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any, TypeVar
+
+from haptonic.fields.described import remade
+from haptonic.fields.entries import Entries
+from haptonic.fields.keys import Slot, is_described, leaves, slots
+
+T = TypeVar("T")
+
+
+def numbers(value: object, prefix: str = "", *, names: bool = False) -> dict[str, float]:
+    """Every declared number that a value holds, in SI units, by path.
+
+    Parameters
+    ----------
+    prefix : path of the value with a dot after it, ``cell.``; empty for a study
+    names : see `haptonic.fields.keys.leaves`
+    """
+    return {path: number for path, number, declared in leaves(value, prefix, names=names) if declared}
+
+
+def with_numbers(value: T, changes: Mapping[str, float], prefix: str = "") -> T:
+    """The value with some of its `numbers` changed, all at once.
+
+    Only the values on the way to these numbers are made anew, and check themselves.
+
+    Raises
+    ------
+    HaptonicError : a number out of its bounds, or numbers that do not fit together; of the value's own family
+    """
+    left = dict(changes)
+    made: T = _changed(value, left, prefix)
+    assert not left, f"{type(value).__name__} does not have {', '.join(left)}"
+    return made
+
+
+def _changed(value: Any, changes: dict[str, float], prefix: str) -> Any:
+    """The value with what ``changes`` holds of it, which is taken out of there."""
+    made = {}
+    for slot in slots(type(value)):
+        old = getattr(value, slot.name)
+        new = _in_slot(slot, old, changes, prefix)
+        if new is not old:
+            made[slot.name] = new
+    return remade(value, **made) if made else value
+
+
+def _in_slot(slot: Slot, old: Any, changes: dict[str, float], prefix: str) -> Any:
+    path = slot.path(prefix)
+    if is_described(old):
+        return _changed(old, changes, slot.below(prefix))
+    if isinstance(old, tuple):
+        items = [(f"{path}[{index}]", item) for index, item in enumerate(old, start=1)]
+        new = tuple(
+            _changed(item, changes, f"{at}.") if is_described(item) else changes.pop(at, item)
+            for at, item in items
+        )
+        return old if all(a is b for a, b in zip(new, old, strict=True)) else new
+    if isinstance(old, Entries):
+        entries = {name: changes.pop(f"{path}.{name}", item) for name, item in old.items()}
+        return old if all(entries[name] is old[name] for name in old) else Entries(entries)
+    return changes.pop(path, old)

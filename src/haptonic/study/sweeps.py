@@ -1,0 +1,77 @@
+"""The table of the study file that asks for a row of designs."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from functools import cache
+from types import MappingProxyType
+from typing import Annotated
+
+from pydantic import Field, ValidationInfo, field_validator
+
+from haptonic.cell import UnitCell
+from haptonic.fields import described, number_of, problem, table
+from haptonic.fields.quantity import collected
+from haptonic.study.sections import CARRIER, BandsSection
+from haptonic.study.vary import Expression, check_names, parse
+from haptonic.units import format_quantity
+
+
+@cache
+def numeric_parameters() -> Mapping[str, str]:
+    """SI unit of every parameter that an expression can name, by path: what decides the bands."""
+    keys = table(UnitCell, "cell.") | table(BandsSection, "bands.")
+    units = {path: key.quantity.unit for path, key in keys.items() if key.quantity}
+    return MappingProxyType({"carrier": CARRIER.unit, **units})
+
+
+@described("sweep", kw_only=True)
+class SweepSection:
+    """A row of designs: an expression of parameters taken from one value to another."""
+
+    vary: str = Field(title="Expression", description="The first parameter in it changes.", strict=True)
+    start: float = Field(alias="from", title="First value", description="With its unit, if it has one.")
+    stop: float = Field(alias="to", title="Last value", description="With its unit, if it has one.")
+    steps: Annotated[int, Field(ge=2, le=1000, strict=True)] = Field(
+        default=25, title="Steps", description="Number of designs, both ends included."
+    )
+
+    @field_validator("vary")
+    @classmethod
+    def _names_parameters(cls, text: str) -> str:
+        with collected():
+            check_names(parse(text), numeric_parameters(), {})
+        return text
+
+    @field_validator("start", "stop", mode="plain")
+    @classmethod
+    def _has_dimension(cls, value: object, info: ValidationInfo) -> float:
+        if "vary" not in info.data:  # refused already; without it the dimension is not known
+            return 0.0
+        return number_of(value, parse(info.data["vary"]).unit(numeric_parameters()), info.context)
+
+    def __post_init__(self) -> None:
+        if self.start == self.stop:
+            raise problem(
+                format_quantity(self.stop, self.unit),
+                "a last value that differs from the first",
+                "all designs would be the same",
+                "change one end of the sweep, or remove it",
+                at="to",
+            )
+
+    @property
+    def expression(self) -> Expression:
+        return parse(self.vary)
+
+    @property
+    def unit(self) -> str:
+        """SI unit of ``start``, ``stop`` and ``values``; empty when they are dimensionless."""
+        return self.expression.unit(numeric_parameters())
+
+    @property
+    def values(self) -> tuple[float, ...]:
+        """Value of the expression at every step, in SI units, both ends included."""
+        last = self.steps - 1
+        inner = ((self.start * (last - step) + self.stop * step) / last for step in range(1, last))
+        return (self.start, *inner, self.stop)

@@ -1,0 +1,107 @@
+"""Studies and cells made in Python: of values or texts, checked as in a file, changed by paths."""
+
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from test_study_writing import studies
+
+from haptonic.cell import Pillar, UnitCell
+from haptonic.errors import HaptonicError, StudyError
+from haptonic.fields import numbers, table, with_numbers
+from haptonic.fields.keys import key_of
+from haptonic.lattice import Lattice
+from haptonic.materials import OrthotropicMaterial, material
+from haptonic.store import canonical
+from haptonic.study import Study, loads
+
+PLY = OrthotropicMaterial("ply", 20e9, 11e9, 9e9, 3e9, 2.5e9, 4e9, 3.1e9, 4.3e9, 5.7e9, density=1500.0)
+CELL = UnitCell(Lattice.square(7e-3), 1.5e-3, material("steel"), Pillar(3.5e-3, 14.7e-3))
+SAME = {
+    "values": {"cell": CELL},
+    "texts": {
+        "material": "steel",
+        "cell": {"pitch": "7 mm", "thickness": "1.5 mm", "pillar": {"diameter": "3.5 mm", "height": 14.7e-3}},
+    },
+    "keys of a cell": {
+        "cell": UnitCell(
+            pitch="7 mm", thickness=1.5e-3, material="steel", pillar=Pillar(diameter="3.5 mm", height=14.7e-3)
+        )
+    },
+}
+
+
+def test_values_texts_and_files_say_the_same():
+    made = {way: Study(**given, carrier="60 kHz", bands={"count": 8}) for way, given in SAME.items()}
+    assert len(set(made.values())) == 1
+    study = made["values"]
+    assert loads(study.to_toml()) == study
+    assert study.bands_settings.count == 8
+    assert study.cell.lattice == Lattice.square(7e-3)
+
+
+WIDE = Pillar(6.99e-3, 10e-3)
+REFUSED = {
+    "a slip at the top": (lambda: Study(cell=CELL, bnads={}), "bnads", 'write "bands"'),
+    "a slip in a table": (lambda: Study(cell=CELL, bands={"cuont": 3}), "bands.cuont", 'write "count"'),
+    "a slip in a cell": (lambda: UnitCell(ptch=7e-3, thickness=1e-3, material="steel"), "cell.ptch", "pitch"),
+    "a size": (
+        lambda: Study(cell={"pitch": 1, "thickness": -1}, material="steel"),
+        "cell.thickness",
+        "least",
+    ),
+    "no pitch": (lambda: UnitCell(thickness=1e-3, material="steel"), "cell.pitch", "add pitch"),
+    "no material": (lambda: Study(cell={"pitch": 7e-3, "thickness": 1e-3}), "material", "add the name"),
+    "no cell": (lambda: Study(material="steel"), "cell", "add a table"),
+    "a material twice": (lambda: Study(cell=CELL, material="steel"), "material", "leave it out"),
+    "no such material": (lambda: UnitCell(CELL.lattice, 1e-3, "stel"), "material", 'write "steel"'),
+    "two periods": (lambda: Lattice(pitch=1e-3, pitch_y=1e-3), "cell.pitch_y", "remove"),
+    "too many": (lambda: UnitCell(CELL.lattice, 1e-3, "steel", None, 5), "cell.argument_5", "names"),
+    "no number": (lambda: Lattice.square("wide"), "cell.pitch", ""),
+    "a wide pillar": (lambda: UnitCell(CELL.lattice, 1e-3, "steel", WIDE), "cell.pillar.diameter", "thinner"),
+}
+
+
+@pytest.mark.parametrize("case", REFUSED)
+def test_what_is_wrong_has_five_parts(case):
+    make, argument, advice = REFUSED[case]
+    with pytest.raises(HaptonicError) as caught:
+        make()
+    assert caught.value.argument == argument
+    assert advice in caught.value.next_step
+    assert all(caught.value.parts().values())
+
+
+@settings(deadline=None, max_examples=30)
+@given(studies(), st.data())
+def test_a_number_that_is_changed_by_its_path_is_that_number_and_no_other(study, data):
+    before = numbers(study)
+    path = data.draw(st.sampled_from(sorted(before)))
+    declared = key_of(path, table(Study))
+    value = data.draw(st.floats(0.9, 1.1)) * before[path]
+    try:
+        other = with_numbers(study, {path: value})
+    except HaptonicError:
+        return  # such as a pillar wider than its cell
+    assert declared is None or declared.quantity is None or declared.quantity.holds(value)
+    assert numbers(other) == {**before, path: value}
+    assert with_numbers(other, {path: before[path]}) == study
+    assert (canonical(other) == canonical(study)) == (value == before[path])
+
+
+def test_only_what_lies_on_the_way_is_made_anew():
+    study = Study(cell=CELL)
+    other = with_numbers(study, {"cell.pillar.diameter": 3e-3})
+    assert other.cell.pillar.diameter == 3e-3
+    assert other.trials is study.trials
+    assert other.cell.lattice is study.cell.lattice
+    assert other.cell.material == material("steel")
+    with pytest.raises(AssertionError, match="step"):
+        with_numbers(study, {"cell.pillar.step.height": 1e-3})
+
+
+def test_a_material_without_a_table_cannot_be_written():
+    study = Study(cell=UnitCell(Lattice.rectangular(7e-3, 7e-3), 1e-3, PLY))
+    with pytest.raises(StudyError, match="isotropic"):
+        study.to_toml()
+    silicon = Study(cell=UnitCell(Lattice.square(7e-3), 1e-3, "silicon"))
+    assert loads(silicon.to_toml()) == silicon
