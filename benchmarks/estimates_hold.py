@@ -204,7 +204,7 @@ def row_of(seed: int, number: int, limit: float) -> Row:
     return row
 
 
-def main(count: int, stout: int, seed: int, limit: float) -> None:
+def main(count: int, stout: int, seed: int, limit: float, remark: str) -> None:
     FOLDER.mkdir(parents=True, exist_ok=True)
     path = FOLDER / "designs.csv"
     done = {(row.seed, row.number) for row in read(path)}
@@ -234,7 +234,13 @@ def main(count: int, stout: int, seed: int, limit: float) -> None:
     ]
     write(
         "estimates_hold",
-        {"seed": seed, "limit_s": limit, "rows": [*classes, of_class(rows, "all")], "not_answered": reasons},
+        {
+            "seed": seed,
+            "limit_s": limit,
+            "rows": [*classes, of_class(rows, "all")],
+            "not_answered": reasons,
+            "remark": remark,
+        },
     )
 
 
@@ -246,5 +252,6 @@ if __name__ == "__main__":
     parser.add_argument(
         "--limit", type=float, default=90.0, help="seconds of the processor that a design gets"
     )
+    parser.add_argument("--remark", default="", help="what a reader of the record has to know")
     given = parser.parse_args()
-    main(given.designs, given.stout, given.seed, given.limit)
+    main(given.designs, given.stout, given.seed, given.limit, given.remark)

@@ -191,7 +191,7 @@ it differs by from the one before, times 0.6 to 2 by what falls between them (`t
 interior of several hundred fields. Plain plates are compared with Rayleigh and Lamb's waves. "Ratio" is the estimate
 over the true error, or over the uncertainty where that is more; "unsure" the largest uncertainty over the estimate;
 below the truth is an estimate that is less than the difference by more than the uncertainty. Each design had
-{record["limit_s"]:g} s of the processor.{few}
+{record["limit_s"]:g} s of the processor. {record["remark"]}{few}
 
 {reasons}
 {table(heads, rows)}

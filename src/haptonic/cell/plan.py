@@ -250,13 +250,16 @@ def _layers_along(pillar: Pillar) -> list[int]:
 
 
 def _neck(cell: UnitCell, pillar: Pillar, least: float = 0.0) -> float:
-    """Half the length on which two round pillars are near each other, as a share of half the pitch.
+    """Half the length on which two round pillars are near each other, as a share of half the side it lies on.
 
+    That is the longer side. On a cell of 1 to 1.7 whose pillar leaves 0.15 of the shorter one nine orders
+    around, a square's, lost 3 %.
     A pillar of a radius below ``least`` (m) is taken for one of that radius.
     """
     if pillar.section == "square":
         return math.inf
-    return math.sqrt(2 * cell.clearance * max(pillar.widest, least)) / cell.inradius
+    half_side = 0.5 * float(np.linalg.norm(cell.lattice.vectors, axis=1).max())
+    return math.sqrt(2 * cell.clearance * max(pillar.widest, least)) / half_side
 
 
 def _waves(cell: UnitCell, bands: int) -> float:
