@@ -1,6 +1,7 @@
 """Thin plates: plain ones against Kirchhoff's, and what a mesh is foreseen to cost."""
 
 from dataclasses import replace
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -8,6 +9,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from strategies import ALUMINIUM, reference_cell
 
+from haptonic.bloch import resolution
 from haptonic.bloch.model import BlochModel, bloch_model
 from haptonic.bloch.resolution import LADDER, LONGEST, check_cost
 from haptonic.cell import Pillar, UnitCell
@@ -64,6 +66,12 @@ def test_what_a_first_mesh_takes_is_foreseen(thickness, diameter, height, count)
         with pytest.raises(ResourceError) as caught:
             check_cost(cell, tried, 2e-3)
         assert caught.value.parts().keys() == PARTS
+
+
+@pytest.fixture(autouse=True)
+def memory_enough(monkeypatch):
+    """What is refused here is refused for its time."""
+    monkeypatch.setattr(resolution.psutil, "virtual_memory", lambda: SimpleNamespace(available=1e12))
 
 
 def test_more_digits_may_take_longer():
