@@ -10,13 +10,13 @@ import math
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
-from itertools import pairwise, product
+from itertools import pairwise
 
 import numpy as np
 from numpy.typing import NDArray
 
 from haptonic.errors import GeometryError
-from haptonic.lattice import SAME, Lattice, PointGroup
+from haptonic.lattice import SAME, Lattice, PointGroup, voronoi_cell
 
 Array = NDArray[np.float64]
 Ints = NDArray[np.int64]
@@ -25,6 +25,7 @@ Ints = NDArray[np.int64]
 NAMES = {
     "square": ("XY", "M"),
     "rectangular": ("XY", "S"),
+    "triangular": ("M", "K"),
     "oblique": ("XYC", "H"),
 }
 
@@ -167,18 +168,10 @@ def _border(lattice: Lattice) -> Array:
 
     The zone is what lies nearer to the origin than to any other point of the reciprocal lattice.
     """
-    counts = [pair for pair in product(range(-2, 3), repeat=2) if pair != (0, 0)]
-    points = 2 * np.pi * np.array(counts) @ np.linalg.inv(lattice.vectors).T
-    half = 0.5 * points
-    apart = np.linalg.norm(half[:, None] - points, axis=2)
-    np.fill_diagonal(apart, np.inf)
-    middles = half[apart.min(axis=1) > np.linalg.norm(half, axis=1) * (1 + SAME)]
-    middles = middles[np.argsort([_angle(middle) for middle in middles])]
-    corners = [
-        np.linalg.solve(np.stack([one, other]), [one @ one, other @ other])
-        for one, other in zip(middles, np.roll(middles, -1, axis=0), strict=True)
-    ]
-    return np.stack([middles, corners], axis=1).reshape(-1, 2)
+    reciprocal = 2 * np.pi * np.linalg.inv(lattice.vectors).T
+    neighbours, corners = voronoi_cell(reciprocal)
+    middles = 0.5 * np.array(neighbours) @ reciprocal
+    return np.stack([middles, np.roll(corners, -1, axis=0)], axis=1).reshape(-1, 2)
 
 
 def _angle(point: Array) -> float:

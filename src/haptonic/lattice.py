@@ -118,7 +118,7 @@ class Lattice:
     GeometryError : a period that is not positive, or one too many or too few
     """
 
-    name: Literal["square", "rectangular"] = Field(
+    name: Literal["square", "rectangular", "triangular"] = Field(
         alias="lattice", default="square", title="Lattice", description="How the cells repeat in the plane."
     )
     pitch: Annotated[float, size(100e-6, 100e-3)] = Field(
@@ -149,6 +149,11 @@ class Lattice:
         """Rectangular lattice of periods ``pitch`` along x and ``pitch_y`` along y (m)."""
         return cls(lattice="rectangular", pitch=pitch, pitch_y=pitch_y)
 
+    @classmethod
+    def triangular(cls, pitch: float) -> Lattice:
+        """Triangular lattice, also called hexagonal, of period ``pitch`` (m); a1 lies along x."""
+        return cls(lattice="triangular", pitch=pitch)
+
     @property
     def a1(self) -> tuple[float, float]:
         """First translation, m."""
@@ -157,6 +162,8 @@ class Lattice:
     @property
     def a2(self) -> tuple[float, float]:
         """Second translation, m."""
+        if self.name == "triangular":
+            return 0.5 * self.pitch, 0.5 * math.sqrt(3) * self.pitch
         return 0.0, self.pitch_y or self.pitch
 
     @staticmethod
@@ -179,7 +186,20 @@ class Lattice:
         """The lattice of that name and these translations, m."""
         if name == "oblique":
             return Lattice.oblique(a1, a2)
-        return Lattice.square(a1[0]) if name == "square" else Lattice.rectangular(a1[0], a2[1])
+        if name == "rectangular":
+            return Lattice.rectangular(a1[0], a2[1])
+        return Lattice.triangular(a1[0]) if name == "triangular" else Lattice.square(a1[0])
+
+    def check_rectangular(self, what: str) -> None:
+        """Raise GeometryError unless translations are at right angles; ``what`` needs it."""
+        if len(self.neighbours) != 4:
+            raise GeometryError(
+                argument="cell.lattice",
+                given=self.name,
+                allowed=f"square or rectangular for {what}",
+                cause=f"{what} knows cells with four sides only; bands, gaps and sweeps know all lattices",
+                next_step='write lattice = "square" or "rectangular", or ask for the bands',
+            )
 
     def scaled(self, factor: float) -> Lattice:
         """The same lattice with both periods multiplied by ``factor``."""
@@ -196,6 +216,21 @@ class Lattice:
         return float(abs(np.linalg.det(self.vectors)))
 
     @cached_property
+    def neighbours(self) -> tuple[tuple[int, int], ...]:
+        """Translations across the sides of the cell, anticlockwise from the lowest side."""
+        return voronoi_cell(self.vectors)[0]
+
+    @cached_property
+    def corners(self) -> Array:
+        """(sides, 2) corners of the cell about the origin, m, each at the beginning of its side."""
+        return voronoi_cell(self.vectors)[1]
+
+    @property
+    def inradius(self) -> float:
+        """Distance from the centre of the cell to its nearest side, m."""
+        return float(0.5 * np.linalg.norm(np.array(self.neighbours) @ self.vectors, axis=1).min())
+
+    @cached_property
     def point_group(self) -> PointGroup:
         """All operations of the symmetry that is meant, which leave the lattice as it is."""
         metric = self.vectors @ self.vectors.T
@@ -207,7 +242,7 @@ class Lattice:
         return PointGroup((self.a1, self.a2), tuple(found)).kept(self._is_meant)
 
     def _is_meant(self, turn: Array) -> bool:
-        return self.name == "square" or bool(turn[0, 1] == 0)
+        return self.name != "rectangular" or bool(turn[0, 1] == 0)
 
     def wavevector(self, kappa: Array) -> Array:
         """(..., 2) wavevectors in rad/m from (..., 2) phases: k . a_j = kappa_j."""
@@ -239,3 +274,28 @@ class Oblique(Lattice):
 
     def _is_meant(self, turn: Array) -> bool:
         return bool(turn[0, 1] == 0 and turn[0, 0] == turn[1, 1])
+
+
+def voronoi_cell(vectors: NDArray[np.floating]) -> tuple[tuple[tuple[int, int], ...], Array]:
+    """What lies nearer to the origin than to any other point of a lattice: a polygon of four or six sides.
+
+    vectors : (2, 2) translations, as rows
+
+    Returns
+    -------
+    the translations across its sides, anticlockwise from the lowest side on, and (sides, 2) its corners, each
+    at the beginning of its side
+    """
+    counts = [pair for pair in product(range(-2, 3), repeat=2) if pair != (0, 0)]
+    points = np.array(counts) @ vectors
+    apart = np.linalg.norm(0.5 * points[:, None] - points, axis=2)
+    np.fill_diagonal(apart, np.inf)
+    on_border = np.flatnonzero(apart.min(axis=1) > 0.5 * np.linalg.norm(points, axis=1) * (1 + SAME))
+    angle = np.arctan2(points[on_border, 1], points[on_border, 0])
+    order = on_border[np.argsort((angle + 0.5 * np.pi + SAME) % (2 * np.pi))]
+    middles = 0.5 * points[order]
+    corners = [
+        np.linalg.solve(np.stack([one, other]), [one @ one, other @ other])
+        for one, other in zip(np.roll(middles, 1, axis=0), middles, strict=True)
+    ]
+    return tuple(counts[number] for number in order), np.array(corners)

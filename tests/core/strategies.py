@@ -29,8 +29,11 @@ def upright_lattices(draw: st.DrawFn) -> Lattice:
 @st.composite
 def lattices(draw: st.DrawFn) -> Lattice:
     """Lattices of every kind; those of oblique ones are the shortest translations."""
-    if draw(st.booleans()):
+    kind = draw(st.sampled_from(["upright", "triangular", "oblique"]))
+    if kind == "upright":
         return draw(upright_lattices())
+    if kind == "triangular":
+        return Lattice.triangular(draw(pitches))
     pitch, turn = draw(pitches), draw(st.floats(-3, 3))
     other, lean = pitch * draw(st.floats(1.0, 2.0)), draw(st.floats(0.02, 0.48)) * pitch
     vectors = np.array([(pitch, 0.0), (lean, np.sqrt(other**2 - lean**2))])

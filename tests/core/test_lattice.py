@@ -82,6 +82,9 @@ def test_mirrors_are_those_of_the_lattice():
     square = Lattice.square(1.0).point_group
     assert list(square.mirrors) == ["x", "y", "d", "45°"]
     assert list(square.distinct_mirrors) == ["x", "y", "d"]
+    triangular = Lattice.triangular(1.0).point_group
+    assert list(triangular.mirrors) == ["x", "y", "120°", "150°", "30°", "60°"]
+    assert list(triangular.distinct_mirrors) == ["x", "y"]
     assert list(Lattice.rectangular(1.0, 2.0).point_group.mirrors) == ["x", "y"]
     assert Lattice.oblique((1.0, 0.0), (0.3, 1.0)).point_group.mirrors == {}
 

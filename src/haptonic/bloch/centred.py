@@ -33,7 +33,7 @@ class CentredPencil:
     periodic : the free unknowns of the lattice
     pencil : Laurent pencil on combinations of free unknowns that are even or odd under the half-turn
     combinations : (n, n) sparse orthogonal matrix, these in terms of the free unknowns
-    offset : (n, 2) where each lies from the centre, in translations: 0 or 1/2
+    offset : (n, 2) where the middle of each lies from the centre, in translations: halves
     odd : (n,) True for odd ones
     translations : (n, 3) unit motions along x, y and z
     """
@@ -77,13 +77,13 @@ class CentredPencil:
             return np.asarray(turned.swapaxes(1, 2))
 
         moved = np.where(on_trace, periodic.free % 3, 3)[:, None] == np.arange(3)
-        farthest = np.zeros((count, 2))
-        np.maximum.at(farthest, periodic.number, periodic.shift)
+        between = np.zeros((count, 2))  # an unknown and its image, to the next translation
+        between[on_trace] = periodic.shift[turned[periodic.free[on_trace]]]
         return cls(
             periodic=periodic,
             pencil=Pencil(laurent.shifts, combined(laurent.stiffness), combined(laurent.mass)),
             combinations=combinations,
-            offset=0.5 * farthest[np.concatenate([first, first, alone])],
+            offset=0.5 * between[np.concatenate([first, first, alone])],
             odd=np.concatenate([np.zeros(pairs, bool), np.ones(pairs, bool), sign[alone] < 0]),
             translations=combinations.T @ moved.astype(float),
         )

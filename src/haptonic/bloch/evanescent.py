@@ -90,7 +90,13 @@ class Slab:
 
     @classmethod
     def of(cls, superelement: Superelement, phase: float, direction: int = 0) -> Slab:
-        """The cell seen along translation ``direction``, at the phase (rad) along the other one."""
+        """The cell seen along translation ``direction``, at the phase (rad) along the other one.
+
+        Raises
+        ------
+        GeometryError : a lattice without right angles
+        """
+        superelement.cell.lattice.check_rectangular("a row of cells")
         topology, levels = superelement.mesh.topology, superelement.levels
         master, shift = topology.rim_master, topology.rim_shift
         position = superelement.mesh.points[topology.rim[0], 1 - direction]

@@ -112,14 +112,13 @@ class Interface:
     def of(cls, superelement: Superelement, wavenumber: float, direction: int = 0) -> Interface:
         """Faces across translation ``direction``, at a tangential wavenumber (rad/m).
 
-        Translations at right angles are taken for granted.
-
         Raises
         ------
         StudyError : waves too short for the places of a face
+        GeometryError : a lattice without right angles
         """
         vectors = superelement.cell.lattice.vectors
-        assert abs(vectors[0] @ vectors[1]) < 1e-9 * superelement.cell.lattice.area
+        superelement.cell.lattice.check_rectangular("a row of cells")
         period = float(np.linalg.norm(vectors[1 - direction]))
         slab = Slab.of(superelement, wavenumber * period, direction)
         reach = (len(slab.places) - 1) // 2

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Mapping
 from dataclasses import replace
 from functools import cached_property
@@ -52,6 +51,14 @@ class UnitCell:
                 "turn the material so that one of its axes is normal to the plate",
                 at="material",
             )
+        if self.pillar is not None and self.pillar.section == "square" and len(self.lattice.neighbours) != 4:
+            raise problem(
+                "square",
+                f"round on a {self.lattice.name} lattice",
+                "a cell of six sides is meshed around a circle",
+                'write section = "round", or take a square or rectangular lattice',
+                at="pillar.section",
+            )
         if self.pillar is not None and self.clearance < LEAST_CLEARANCE * self.lattice.pitch:
             raise _too_wide(self.pillar, self.inradius - LEAST_CLEARANCE * self.lattice.pitch)
 
@@ -73,8 +80,7 @@ class UnitCell:
     @property
     def inradius(self) -> float:
         """Distance from the centre of the cell to its nearest side, m."""
-        (x1, y1), (x2, y2) = self.lattice.a1, self.lattice.a2
-        return 0.5 * self.lattice.area / max(math.hypot(x1, y1), math.hypot(x2, y2))
+        return self.lattice.inradius
 
     @property
     def clearance(self) -> float:

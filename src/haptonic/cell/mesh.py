@@ -14,13 +14,12 @@ from haptonic.cell.geometry import UnitCell
 from haptonic.cell.plan import MeshPlan
 from haptonic.cell.profile import Profile
 from haptonic.cell.quadrature import lobatto
-from haptonic.cell.topology import Topology, perimeter, topology_of
+from haptonic.cell.topology import Topology, topology_of
 
 Array = NDArray[np.float64]
 Ints = NDArray[np.int64]
 
-CORNERS = np.array([(-1, -1), (1, -1), (1, 1), (-1, 1)])  # of the cell, anticlockwise, in half translations
-CORE_BULGE = 0.45  # edges of the core square below a round pillar: 0 straight, 1 arcs
+CORE_BULGE = 0.45  # edges of the core below a round pillar: 0 straight, 1 arcs
 
 
 @dataclass(frozen=True)
@@ -70,11 +69,11 @@ def mesh_cell(cell: UnitCell, plan: MeshPlan) -> HexMesh:
 
 @dataclass(frozen=True)
 class _Outlines:
-    """Curves around the axis, (4 side, 2) points each in the order of the rim.
+    """Curves around the axis, (around, 2) points each in the order of the rim.
 
-    core, ring : around the core square and of every border between rings, for a half-width of 1
+    core, ring : around the core and of every border between rings, for a half-width of 1
     rim : around the cell, m
-    shares : (side + 1,) where the nodes lie along a side
+    shares : where the nodes lie along a side of a patch of the core
     """
 
     core: Array
@@ -86,20 +85,22 @@ class _Outlines:
     def of(cls, cell: UnitCell, plan: MeshPlan) -> _Outlines:
         along = 0.5 * (1 + lobatto(plan.order)[0])
         share = (np.arange(plan.blocks)[:, None] + along[:-1]).ravel() / plan.blocks
-        vectors = cell.lattice.vectors
-        diagonals = CORNERS @ (vectors / np.linalg.norm(vectors, axis=1, keepdims=True))
+        corners = cell.lattice.corners
+        diagonals = np.sign(corners) if len(corners) == 4 else corners  # a rectangle has even quarters
         angles = np.unwrap(np.arctan2(diagonals[:, 1], diagonals[:, 0]))
         turn = np.append(angles, angles[0] + 2 * np.pi)
         ends = np.stack([np.cos(turn), np.sin(turn)], axis=-1)
         angle = (turn[:-1, None] + share * np.diff(turn)[:, None]).ravel()
         circle = np.stack([np.cos(angle), np.sin(angle)], axis=-1)
         chords = _along_sides(ends[:-1], share)
-        rim = _along_sides(0.5 * CORNERS @ vectors, share)
+        rim = _along_sides(corners, share)
         square = cell.pillar is not None and cell.pillar.section == "square"
         core = CORE_BULGE * circle + (1 - CORE_BULGE) * chords
         if square:  # of half-width 1: its corners lie farther out
             core = chords = _along_sides(diagonals, share)
-        return cls(core, chords if square else circle, rim, np.append(share, 1.0))
+        whole = np.append(share, 1.0)
+        shares = whole if len(corners) == 4 else 2 * whole[: plan.side // 2 + 1]
+        return cls(core, chords if square else circle, rim, shares)
 
 
 def _along_sides(corners: Array, share: Array) -> Array:
@@ -113,10 +114,13 @@ def _level(profile: Profile, outlines: _Outlines, layer: int, share: float) -> A
     plan = profile.plan
     widths, heights = profile.between(layer, share)
     edge = widths[0][0] * outlines.core
-    square = np.empty((plan.side + 1, plan.side + 1, 2))
-    square[perimeter(plan.side)] = edge
-    inside = _transfinite(square, outlines.shares)[1:-1, 1:-1].reshape(-1, 2)
-    pieces = [_at_height(np.concatenate([inside, edge]), heights[0][0])]
+    core = np.concatenate([np.zeros((plan.core_size, 2)), edge])
+    for patch in topology_of(plan).core:
+        if len(plan.neighbours) != 4:  # it begins at the centre, with straight sides to the core's outline
+            core[patch[:, 0]] = outlines.shares[:, None] * core[patch[-1, 0]]
+            core[patch[0]] = outlines.shares[:, None] * core[patch[0, -1]]
+        core[patch[1:-1, 1:-1]] = _transfinite(core[patch], outlines.shares)[1:-1, 1:-1]
+    pieces = [_at_height(core, heights[0][0])]
     for ring, (width, height) in enumerate(zip(widths, heights, strict=True)):
         along = profile.ring_shares[ring]
         for s, w, z in list(zip(along, width, height, strict=True))[1:]:

@@ -42,6 +42,7 @@ class MeshPlan:
     bridges : rings inside and outside, layers above and below that lead from the foot's thin ones to the rest
     blocks : elements along each side of the cell, and along each quarter of every ring
     plate_layers : layers through the plate below the thin ones
+    neighbours : translations to the cells across each side, anticlockwise, as many as the cell has sides
     outward : polynomial order across the rings; upward : along z through the plate; along : along z in the
         pillar; thin : across thin rings and thin layers; 0 means as ``order``, along as ``upward``
     """
@@ -58,6 +59,7 @@ class MeshPlan:
     upward: int = 0
     thin: int = 0
     along: int = 0
+    neighbours: tuple[tuple[int, int], ...] = ((0, -1), (1, 0), (0, 1), (-1, 0))
 
     def __post_init__(self) -> None:
         for name in ("outward", "upward", "thin"):
@@ -66,6 +68,21 @@ class MeshPlan:
 
     @classmethod
     def suited(cls, cell: UnitCell, order: int, foot_rings: int, bands: int | None = None) -> MeshPlan:
+        """Plan for a cell of any number of sides.
+
+        Where these are not four there are two blocks to each, because patches of the core end in the middle
+        of sides. They span less than a quarter turn, and a polynomial of one order more than their share of
+        a quarter's is as good along them.
+        """
+        plan = cls._of_quarters(cell, order, foot_rings, bands)
+        neighbours = cell.lattice.neighbours
+        if len(neighbours) == 4:
+            return plan
+        share = plan.side * 4 / len(neighbours) / 2
+        return replace(plan, neighbours=neighbours, blocks=2, order=math.ceil(share) + 1)
+
+    @classmethod
+    def _of_quarters(cls, cell: UnitCell, order: int, foot_rings: int, bands: int | None) -> MeshPlan:
         """Plan of similar errors in all directions, its elements not much longer than the pillar is wide.
 
         More bands than usual are shorter waves: a polynomial needs pi orders for each wave along it before
@@ -160,6 +177,16 @@ class MeshPlan:
         return self.order * self.blocks
 
     @property
+    def around(self) -> int:
+        """Nodes on every ring, and on the rim."""
+        return self.side * len(self.neighbours)
+
+    @property
+    def core_size(self) -> int:
+        """Nodes within the core's outline: of a square grid, or of a patch for each corner of the cell."""
+        return 1 + len(self.neighbours) * self.side * (self.side - 2) // 4
+
+    @property
     def tip_rings(self) -> tuple[int, ...]:
         """Order across each ring from the core to the side of the pillar above its step."""
         return (self.outward, *(self.thin,) * self.step_rings) if self.step_layers else ()
@@ -206,13 +233,13 @@ class MeshPlan:
     @property
     def level_sizes(self) -> tuple[int, ...]:
         """Number of nodes on each level; they get fewer above the plate, and above the step."""
-        core, around = (self.side + 1) ** 2, 4 * self.side
+        core = self.core_size + self.around
         pieces = (
             (self.plate_levels, self.rings),
             (sum(self.foot_layer_orders), self.disc_rings),
             (sum(self.step_layer_orders), self.tip_rings),
         )
-        return tuple(core + around * sum(rings) for levels, rings in pieces for _ in range(levels))
+        return tuple(core + self.around * sum(rings) for levels, rings in pieces for _ in range(levels))
 
 
 def _layers_along(pillar: Pillar) -> list[int]:

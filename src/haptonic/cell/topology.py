@@ -1,8 +1,9 @@
 """Numbers of the nodes and elements of a unit cell's mesh; they do not depend on any size.
 
-Seen from above, a curved core square sits in the middle; rings of four blocks lead from it to the
-pillar's foot and on to the sides of the cell. The pillar goes on with the inner ones of these blocks,
-above a step with the innermost.
+A cell is a polygon. Seen from above, a curved core sits in its middle: one square patch in a cell of four
+sides, else a patch for each corner, and these meet at the centre. Rings of blocks, as many to each side of
+the cell, lead from it to the pillar's foot and on to the sides. The pillar goes on with the inner ones of
+these blocks, above a step with the innermost.
 """
 
 from __future__ import annotations
@@ -12,11 +13,15 @@ from functools import lru_cache
 
 import numpy as np
 from numpy.typing import NDArray
+from scipy.spatial import cKDTree
 
 from haptonic.cell.plan import MeshPlan
 from haptonic.lattice import Operation
 
+Array = NDArray[np.float64]
 Ints = NDArray[np.int64]
+
+SAME = 1e-9  # of a polygon whose corners lie on the unit circle: places that are one
 
 
 @dataclass(frozen=True, eq=False)
@@ -41,12 +46,12 @@ class Topology:
     The nodes of a level run from the core outwards, so the pillar's come first.
 
     plan : what it was made from
-    core : (side+1, side+1) numbers of the core square's nodes, first axis along a1
+    core : (patches, m + 1, m + 1) numbers of the core's nodes; patches that meet at the centre begin there
     level_start : (levels + 1,) number of the first node of each level, and of all nodes
     families : all elements, grouped by their orders
-    rim : (plate levels, 4 side) nodes on the lateral faces, anticlockwise from the first corner
-    rim_master : (4 side,) for each place on the rim the place that it repeats, itself included
-    rim_shift : (4 side, 2) integer lattice translation from that place to this one
+    rim : (plate levels, around) nodes on the lateral faces, anticlockwise from the first corner
+    rim_master : (around,) for each place on the rim the place that it repeats, itself included
+    rim_shift : (around, 2) integer lattice translation from that place to this one
     """
 
     plan: MeshPlan
@@ -73,16 +78,17 @@ class Topology:
 
     def permutation(self, operation: Operation) -> Ints:
         """(nodes,) where a symmetry operation of the cell takes each node."""
-        side, around = self.plan.side, 4 * self.plan.side
-        grid = np.stack(np.meshgrid(np.arange(side + 1), np.arange(side + 1), indexing="ij"), axis=-1)
-        turned = ((2 * grid - side) @ np.array(operation).T + side) // 2
+        inner, around = self.plan.core_size, self.plan.around
+        points = np.concatenate([_core_points(self.plan)[:inner], _rim_points(self.plan)])
+        sides = _middles(len(self.plan.neighbours))
+        numbers = {neighbour: number for number, neighbour in enumerate(self.plan.neighbours)}
+        images = [sides[numbers[_moved(operation, self.plan.neighbours[number])]] for number in (0, 1)]
+        turn = np.array(images).T @ np.linalg.inv(sides[:2].T)  # of the polygon that stands for the cell
+        distance, level = cKDTree(points).query(points @ turn.T)
+        assert distance.max() < SAME, "the operation does not leave the mesh as it is"
         sizes = np.diff(self.level_start)
-        level = np.empty(sizes[0], dtype=np.int64)
-        level[self.core] = self.core[turned[..., 0], turned[..., 1]]
-        first = (side - 1) ** 2
-        turn = level[first : first + around] - first  # of the core's perimeter, the same for every ring
-        for start in range(first, sizes[0], around):
-            level[start : start + around] = start + turn
+        for start in range(inner + around, sizes[0], around):
+            level = np.append(level, start + level[inner : inner + around] - inner)
         pieces = [start + level[:size] for start, size in zip(self.level_start[:-1], sizes, strict=True)]
         return np.concatenate(pieces)
 
@@ -90,19 +96,17 @@ class Topology:
 @lru_cache(maxsize=64)
 def topology_of(plan: MeshPlan) -> Topology:
     """The topology that a plan describes; the same object for the same plan."""
-    p, side = plan.order, plan.side
-    around, inner = 4 * side, (side - 1) ** 2
-    core = np.empty((side + 1, side + 1), dtype=np.int64)
-    core[1:-1, 1:-1] = np.arange(inner).reshape(side - 1, side - 1)
-    core[perimeter(side)] = inner + np.arange(around)
-
+    p, inner, around = plan.order, plan.core_size, plan.around
+    tree = cKDTree(np.concatenate([_core_points(plan), _rim_points(plan)]))
+    core = np.stack([_numbers(tree, patch) for patch in _patches(plan)])
     # quadrilaterals seen from above: (n1, n2) node numbers each, and the ring that they lie in
-    step, blocks = np.arange(p + 1), range(plan.blocks)
-    faces = [(core[np.ix_(a * p + step, b * p + step)], -1) for a in blocks for b in blocks]
+    step, blocks = np.arange(p + 1), range((core.shape[1] - 1) // p)
+    pieces = [(patch, a * p + step, b * p + step) for patch in core for a in blocks for b in blocks]
+    faces = [(patch[np.ix_(one, other)], -1) for patch, one, other in pieces]
     start = inner
     for ring, order in enumerate(plan.rings):
         across = start + np.arange(order + 1)[:, None] * around
-        turns = [(sector * p + step) % around for sector in range(4 * plan.blocks)]
+        turns = [(sector * p + step) % around for sector in range(around // p)]
         faces += [(across + turn, ring) for turn in turns]
         start += order * around
 
@@ -120,12 +124,9 @@ def topology_of(plan: MeshPlan) -> Topology:
                 families.setdefault(nodes.shape, []).append((nodes, above))
         low += order
 
-    x, y = perimeter(side)
-    place = {(i, j): k for k, (i, j) in enumerate(zip(x, y, strict=True))}
-    shift = np.stack([x == side, y == side], axis=-1).astype(np.int64)
-    master = [place[i - side * s, j - side * t] for i, j, (s, t) in zip(x, y, shift, strict=True)]
     per_level = level_start[: plan.plate_levels, None]
     on_side = plan.level_sizes[0] - around + np.arange(around)
+    master, shift = _repeated(plan)
     return Topology(
         plan=plan,
         core=core,
@@ -135,13 +136,88 @@ def topology_of(plan: MeshPlan) -> Topology:
             for members in families.values()
         ),
         rim=per_level + on_side,
-        rim_master=np.array(master),
+        rim_master=master,
         rim_shift=shift,
     )
 
 
-def perimeter(side: int) -> tuple[Ints, Ints]:
-    """Positions of a square grid's 4 side outer nodes, anticlockwise from its first corner."""
-    go, stay = np.arange(side), np.zeros(side, dtype=np.int64)
-    x = np.concatenate([go, stay + side, side - go, stay])
-    return x, np.concatenate([stay, go, stay + side, side - go])
+def _corners(sides: int) -> Array:
+    """(sides, 2) corners of a regular polygon, anticlockwise; its first side is the lowest and level."""
+    angle = np.pi * (2 * np.arange(sides) - 1) / sides - 0.5 * np.pi
+    return np.stack([np.cos(angle), np.sin(angle)], axis=-1)
+
+
+def _middles(sides: int) -> Array:
+    """(sides, 2) middles of its sides."""
+    corners = _corners(sides)
+    return np.asarray(0.5 * (corners + np.roll(corners, -1, axis=0)))
+
+
+def _rim_points(plan: MeshPlan) -> Array:
+    """(around, 2) places of the rim of a regular polygon that stands for the cell, evenly spaced."""
+    corners = _corners(len(plan.neighbours))
+    along = np.arange(plan.side)[:, None] / plan.side
+    following = np.roll(corners, -1, axis=0)
+    return np.concatenate([
+        one + along * (other - one) for one, other in zip(corners, following, strict=True)
+    ])  # fmt: skip
+
+
+def _patches(plan: MeshPlan) -> list[Array]:
+    """(m + 1, m + 1, 2) places of the nodes of each patch of the core, in the same polygon."""
+    corners, middles = _corners(len(plan.neighbours)), _middles(len(plan.neighbours))
+    if len(corners) == 4:
+        outlines, steps = [corners], plan.side
+    else:
+        assert not plan.side % 2, "patches of the core end in the middle of a side"
+        centre = np.zeros((len(corners), 2))
+        outlines = list(np.stack([centre, np.roll(middles, 1, axis=0), corners, middles], axis=1))
+        steps = plan.side // 2
+    s, t = np.meshgrid(*2 * [np.arange(steps + 1) / steps], indexing="ij")
+    shares = np.stack([(1 - s) * (1 - t), s * (1 - t), s * t, (1 - s) * t], axis=-1)
+    return [shares @ outline for outline in outlines]
+
+
+def _core_points(plan: MeshPlan) -> Array:
+    """(core, 2) places of the core's nodes within its outline, in the order of their numbers."""
+    points = np.concatenate([patch.reshape(-1, 2) for patch in _patches(plan)])
+    away, _ = cKDTree(_rim_points(plan)).query(points)
+    points = points[away > SAME]
+    _, first = np.unique(np.round(points / SAME), axis=0, return_index=True)
+    return np.asarray(points[np.sort(first)])
+
+
+def _numbers(tree: cKDTree, places: Array) -> Ints:
+    return np.asarray(tree.query(places)[1], dtype=np.int64)
+
+
+def _moved(operation: Operation, neighbour: tuple[int, int]) -> tuple[int, int]:
+    x, y = np.array(operation) @ neighbour
+    return int(x), int(y)
+
+
+def _repeated(plan: MeshPlan) -> tuple[Ints, Ints]:
+    """(around,) place of the rim that each place repeats, and (around, 2) the translation from there.
+
+    Opposite sides repeat each other. Of all places that are one place of the lattice that with the least sum
+    of lattice coordinates, and then with the least second one, counts.
+    """
+    sides, side, around = len(plan.neighbours), plan.side, plan.around
+    master, shift = np.arange(around), np.zeros((around, 2), dtype=np.int64)
+    for place in range(around):
+        images = {place: (0, 0)}
+        todo = [place]
+        while todo:
+            here = todo.pop()
+            number, step = divmod(here, side)
+            across = [(number, step)] + [((number - 1) % sides, side)] * (step == 0)
+            for on, at in across:
+                opposite = ((on + sides // 2) % sides * side + side - at) % around
+                if opposite not in images:
+                    back = plan.neighbours[(on + sides // 2) % sides]
+                    images[opposite] = (images[here][0] + back[0], images[here][1] + back[1])
+                    todo.append(opposite)
+        least = min(images, key=lambda image: (sum(images[image]), images[image][1], image))
+        master[place] = least
+        shift[place] = -np.array(images[least])
+    return master, shift

@@ -91,6 +91,8 @@ def _layout(section: PlateSection, own: UnitCell) -> Layout:
             )  # fmt: skip
     columns = [{row[j] or "" for row in tiles} for j in range(len(tiles[0]))]
     rows = [{name or "" for name in row} for row in tiles]
+    for cell in cells.values():
+        cell.lattice.check_rectangular("a plate")
     pitches = {name: (cell.lattice.a1[0], cell.lattice.a2[1]) for name, cell in cells.items()}
     x = _sizes("column", columns, {name: pitch[0] for name, pitch in pitches.items()}, section.widths,
                own.lattice.a1[0], "plate.widths")  # fmt: skip

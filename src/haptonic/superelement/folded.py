@@ -12,7 +12,6 @@ from numpy.typing import NDArray
 from haptonic.cell import HexMesh, MeshPlan, UnitCell, mesh_cell
 from haptonic.cell.quadrature import interpolation, lobatto
 from haptonic.elements import element_matrices
-from haptonic.lattice import DIAGONAL
 from haptonic.superelement.assembly import Assembler, FoldedStiffness, assembler_of
 from haptonic.superelement.interior import Bounded
 from haptonic.superelement.symmetry import Folding, fold, folds_of
@@ -98,7 +97,7 @@ class FoldedMesh:
         """Symmetry classes to compute, and those that are images of another in the diagonal of a square."""
         parity = [tuple(int(sign) for sign in signs) for signs in self.folding.parity]
         images = {}
-        if DIAGONAL in self.cell.point_group and len(parity) == 4:
+        if "d" in self.cell.point_group.mirrors:  # it exchanges the mirrors x and y
             images[parity.index((-1, 1))] = parity.index((1, -1))
         return [q for q in range(len(parity)) if q not in images], images
 

@@ -1,0 +1,163 @@
+"""Triangular lattices: cells of six sides, from mesh to bands."""
+
+from dataclasses import replace
+from functools import cache
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from strategies import ALUMINIUM
+from truth import plain_plate
+
+from haptonic.bloch.evanescent import Slab
+from haptonic.bloch.model import BlochModel
+from haptonic.bloch.pencil import eigenpairs
+from haptonic.bloch.resolution import Resolution
+from haptonic.bloch.symmetry import clusters
+from haptonic.bloch.tracking import diagram, group_velocity
+from haptonic.cell import MeshPlan, Pillar, UnitCell, mesh_cell
+from haptonic.elements import element_matrices
+from haptonic.errors import GeometryError, HaptonicError
+from haptonic.lattice import Lattice
+from haptonic.materials import OrthotropicMaterial
+from haptonic.study import loads
+from haptonic.superelement import condense
+
+PITCH = 7e-3
+PLY = OrthotropicMaterial("ply", 40e9, 10e9, 9e9, 3e9, 2.5e9, 4e9, 3.1e9, 4.3e9, 5.7e9, density=1500.0)
+LATTICE = Lattice.triangular(PITCH)
+CELL = UnitCell(LATTICE, 1.5e-3, ALUMINIUM, Pillar(3.5e-3, 14.7e-3))
+PLAIN = CELL.without_pillar()
+
+
+@cache
+def model(cell: UnitCell, order: int = 3) -> BlochModel:
+    return BlochModel.of(cell, Resolution(order, 1), 10)
+
+
+@given(st.floats(0.1, 0.9), st.floats(0.1, 3.0), st.floats(0.05, 0.5), st.integers(2, 4))
+@settings(max_examples=20, deadline=None)
+def test_any_cell_is_filled_once_and_moved_by_its_operations(width, height, plate, order):
+    cell = UnitCell(LATTICE, plate * PITCH, ALUMINIUM, Pillar(width * PITCH, height * PITCH))
+    plan = MeshPlan.suited(cell, order, 1)
+    mesh = mesh_cell(cell, plan)
+    volume = 0.0
+    for family in mesh.topology.families:
+        mass = element_matrices(mesh.points, family.nodes, ALUMINIUM).mass
+        assert mass.min() > 0
+        volume += mass.sum() / ALUMINIUM.density
+    exact = LATTICE.area * cell.thickness + np.pi * (0.5 * width * PITCH) ** 2 * height * PITCH
+    assert volume == pytest.approx(exact, rel=1e-4)
+    assert len(cell.point_group) == 12
+    for operation in cell.point_group.operations:
+        moved = mesh.points @ cell.point_group.turn(operation).T
+        assert np.abs(mesh.points[mesh.topology.permutation(operation)] - moved).max() < 1e-12 * PITCH
+    rim = mesh.points[mesh.topology.rim]
+    offset = mesh.topology.rim_shift @ LATTICE.vectors
+    assert np.abs(rim[..., :2] - offset - rim[:, mesh.topology.rim_master, :2]).max() < 1e-12 * PITCH
+
+
+@pytest.mark.parametrize("order", [3, 4])
+@pytest.mark.parametrize("share", [0.2, 0.6, 1.0])
+@pytest.mark.parametrize("side", ["M", "K"])
+def test_a_plain_plate_has_its_waves_folded_into_the_zone(order, share, side):
+    """Rayleigh's and Lamb's waves, and shear ones, within the estimates."""
+    kappa = share * PLAIN.zone.corner_phases[side]
+    found = model(PLAIN, order).solve(kappa)
+    exact = plain_plate(PLAIN, kappa, 10)
+    assert (np.abs(found.frequency - exact) <= found.error).all()
+    assert (np.abs(found.frequency - exact) < (6e-3 if order == 3 else 1.5e-3) * exact.max()).all()
+
+
+def test_pairs_of_the_six_fold_axis_and_of_the_corner_are_pairs():
+    """At K a third of a turn makes pairs, whatever the mesh; at Γ there are two kinds of them."""
+    corners = CELL.zone.corner_phases
+    at_corner = model(CELL).solve(corners["K"])
+    assert np.diff(at_corner.frequency[:2])[0] < 1e-4 * at_corner.frequency[0]
+    path = CELL.zone.path(20)
+    labels = dict(zip(path.labels, diagram(model(CELL), path).corner_symmetry, strict=True))
+    assert labels["K"][:2] == ["E", "E"]
+    assert "E" in labels["Γ"]
+    assert "E" not in labels["M"]
+
+
+def test_the_bands_have_the_symmetry_of_the_lattice():
+    kappa = np.array([0.9, 0.4])
+    pencil = model(CELL).fine.centred
+    values = [
+        np.sqrt(eigenpairs(pencil, np.linalg.inv(np.array(op)).T @ kappa, 8)[0])
+        for op in CELL.point_group.operations
+    ]
+    assert np.ptp(values, axis=0).max() < 1e-4 * np.max(values)
+
+
+def test_velocities_are_slopes():
+    kappa, step = np.array([1.1, 0.7]), 1e-4
+    fine = model(CELL)
+    velocity = group_velocity(fine, fine.solve(kappa))
+    for axis in range(2):
+        away = LATTICE.vectors @ (step * np.eye(2)[axis] / PITCH)
+        slope = (fine.solve(kappa + away).frequency - fine.solve(kappa - away).frequency) * np.pi
+        assert velocity[:, axis] == pytest.approx(slope * PITCH / step, rel=1e-4, abs=1e-2)
+
+
+def test_a_diagram_goes_from_the_centre_to_m_and_k():
+    path = CELL.zone.path(66)
+    assert path.labels == ("Γ", "M", "K", "Γ")
+    along = diagram(model(CELL), path)
+    for start, stop in zip(path.corners, path.corners[1:], strict=False):
+        assert (np.abs(along.parity[start + 1 : stop]) == 1).all(), "each side has its mirror"
+    assert len(clusters(along.frequency[path.corners[0]])) < 10
+
+
+def test_a_material_with_two_mirrors_leaves_a_larger_zone():
+    """A quarter of the whole zone in place of a twelfth: two corners K and two middles M that differ."""
+    cell = replace(CELL, material=PLY)
+    assert len(cell.point_group) == 4
+    assert [label for label, _ in cell.zone.corners] == ["Γ", "M", "K", "M\N{PRIME}", "K\N{PRIME}"]
+    plain = cell.without_pillar()
+    found = BlochModel.of(plain, Resolution(3, 1), 8)
+    for kappa in list(cell.zone.corner_phases.values())[1:]:
+        solution = found.solve(kappa)
+        assert (np.abs(solution.frequency - plain_plate(plain, kappa, 8)) <= solution.error).all()
+
+
+def test_rows_and_square_pillars_are_refused():
+    with pytest.raises(GeometryError, match="four sides"):
+        Slab.of(condense(CELL, MeshPlan.suited(CELL, 2, 1), measured=False), 0.0)
+    with pytest.raises(GeometryError, match="six sides"):
+        UnitCell(LATTICE, 1.5e-3, ALUMINIUM, Pillar(3e-3, 5e-3, section="square"))
+
+
+STUDY = """
+title = "Triangular"
+carrier = "60 kHz"
+material = "aluminium-2017a"
+[cell]
+lattice = "triangular"
+pitch = "7 mm"
+thickness = "1.5 mm"
+[cell.pillar]
+diameter = "3.5 mm"
+height = "14.7 mm"
+"""
+
+
+PLATE = """
+[plate]
+map = '''
+oo
+oo
+'''
+loss_factor = 1e-3
+[plate.tiles]
+o = "lattice"
+"""
+
+
+def test_a_study_may_have_a_triangular_lattice():
+    study = loads(STUDY)
+    assert study.cell.lattice == LATTICE
+    with pytest.raises(HaptonicError, match="four sides"):
+        loads(STUDY + PLATE)
