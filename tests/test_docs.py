@@ -23,6 +23,7 @@ def blocks(document: str, language: str) -> list[str]:
 
 PRINTED = {
     "README.md": "52.5 to 60.2 kHz, complete: True\n",
+    "docs/channels.md": "['Fz'] N 1000.0 0.5\n",
     "docs/mirror-and-design.md": "56.9 kHz, 15 dB per row\n",
     "docs/plate.md": "180 pillars on 127 x 140 mm\n",
     "docs/scan.md": "simulated: 280 points, contrast within 0.5 dB: True\n",

@@ -21,9 +21,9 @@ from hypothesis.extra import numpy as arrays
 
 import haptonic
 import haptonic.foreign.process as process
-from haptonic.errors import ResourceError
+from haptonic.errors import ChannelError, ResourceError
 from haptonic.foreign import wire
-from haptonic.foreign.process import ForeignError, ask
+from haptonic.foreign.process import ask
 
 NUMBERS = np.arange(12.0).reshape(3, 4)
 
@@ -118,18 +118,18 @@ def test_an_array_keeps_its_order_in_memory():
 
 class TestFaults:
     def test_a_crash(self, crashing, good):
-        with pytest.raises(ForeignError, match="crashed"):
+        with pytest.raises(ChannelError, match="crashed"):
             ask("matlab.variables", crashing, large=10)
         assert_reads(good)
 
     @pytest.mark.parametrize(
         ("code", "error", "words"),
         [
-            ("while True: pass", ForeignError, "not read within"),
-            ("import time; time.sleep(1000)", ForeignError, "not read within"),
-            ("raise KeyError(path)", ForeignError, "KeyError"),
-            ("import os; os.abort()", ForeignError, "crashed"),
-            ("import os; os._exit(0)", ForeignError, "crashed"),
+            ("while True: pass", ChannelError, "not read within"),
+            ("import time; time.sleep(1000)", ChannelError, "not read within"),
+            ("raise KeyError(path)", ChannelError, "KeyError"),
+            ("import os; os.abort()", ChannelError, "crashed"),
+            ("import os; os._exit(0)", ChannelError, "crashed"),
             ("bytearray(2**33)", MemoryError, "GB"),
             ("import os, signal; os.kill(os.getpid(), signal.SIGKILL)", MemoryError, "GB"),
         ],
@@ -145,7 +145,7 @@ class TestFaults:
     @pytest.mark.parametrize(
         ("code", "error"),
         [
-            ("while True: pass", ForeignError),
+            ("while True: pass", ChannelError),
             ("kept = [bytearray(2**22) for _ in iter(int, 1)]", MemoryError),
         ],
     )

@@ -19,6 +19,7 @@ import scipy.io
 from mutations import mutated
 
 import haptonic.foreign.process as process
+from haptonic.channels import opened, wav
 from haptonic.errors import HaptonicError
 from haptonic.friction.recordings.analysis import analysed
 from haptonic.friction.recordings.sensor import Sensor
@@ -27,7 +28,7 @@ from haptonic.response import FrequencyResponse, Reference, write
 from haptonic.vibrometry import InMemory, TimeScan, read_scan, write_records
 from haptonic.vibrometry.exports import csv_files, write_mat, write_mat_records, write_tdms
 from haptonic.vibrometry.writers import write_uff, write_uff_records
-from trial_folders import made_up, written
+from trial_folders import WRITERS, channels, made_up, written
 
 DATA = Path(__file__).parents[1] / "data" / "uff"
 SMALL = 60_000  # bytes of a file of others, from which it is too slow to be damaged thousands of times
@@ -147,6 +148,24 @@ def _analyse(path: Path) -> None:
     analysed(path, Sensor(), Rules())
 
 
+def _signals(folder: Path) -> list[Path]:
+    """What friction reads, and what no scan is read from."""
+    forces = channels([record for _, record in made_up(participants=1, blocks=2, trials=2)[:1]])
+    for kind, write_one in WRITERS.items():
+        write_one(forces, folder / f"a.{kind}")
+    write_uff_records(_records(), folder / "a.uff")
+    wav.write(folder / "a.wav", forces["Fz"], 1000)
+    return sorted(folder.iterdir())
+
+
+def _look(path: Path) -> None:
+    """All groups and channels, whatever they are."""
+    for group in opened(path).groups.values():
+        for channel in group.channels.values():
+            np.asarray(channel)
+        _ = group.rate, group.simulated
+
+
 @dataclass(frozen=True)
 class Attack:
     """A format: how good files (or folders of them) are made, and how they are read."""
@@ -165,6 +184,7 @@ ATTACKS = {
     "NetCDF": Attack(_netcdf),
     "CSV folder": Attack(_csv, text=True),
     "friction folder": Attack(_friction, _analyse),
+    "signals": Attack(_signals, _look),
 }
 
 
@@ -233,10 +253,10 @@ class _counted:  # noqa: N801
         self.counts, self.told = counts, process._told
 
     def __enter__(self) -> None:
-        def told(error, limits):
+        def told(path, error, limits):
             kind = {"time": "hung", "memory": "large"}.get(error.reason, "crashed")
             setattr(self.counts, kind, getattr(self.counts, kind) + 1)
-            return self.told(error, limits)
+            return self.told(path, error, limits)
 
         process._told = told
 

@@ -3,7 +3,7 @@
 `haptonic.vibrometry` and `haptonic.friction` begin where this ends: `opened` gives the channels of a file,
 whatever its format, and they know what the channels mean.
 
-To add a format, docs/channels.md.
+docs/channels.md says how to add a format.
 """
 
 from haptonic.channels.formats import opened

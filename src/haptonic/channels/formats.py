@@ -7,7 +7,7 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 
-from haptonic.channels import delimited, hdf5, matlab, tdms, uff
+from haptonic.channels import delimited, hdf5, matlab, tdms, uff, wav
 from haptonic.channels.notes import Notebook
 from haptonic.channels.signals import Group, SignalFile
 from haptonic.errors import ChannelError
@@ -32,6 +32,7 @@ FORMATS = (
     Format("TDMS", (".tdms",), tdms.read, lambda head: head.startswith(b"TDSm")),
     Format("MATLAB", (".mat",), matlab.read, lambda head: head.startswith(b"MATLAB 5.0")),
     Format("HDF5", (".h5", ".hdf5", ".nc"), hdf5.read, lambda head: _HDF5 in (head[:8], head[512:520])),
+    Format("WAV", (".wav",), wav.read, lambda head: head.startswith(b"RIFF") and head[8:12] == b"WAVE"),
     Format("CSV", (".csv",), delimited.read),
     Format("UFF", (".uff", ".unv", ".uf"), uff.read, lambda head: bool(_DELIMITER.search(head))),
 )

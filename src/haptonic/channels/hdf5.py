@@ -14,9 +14,8 @@ from numpy.typing import NDArray
 
 from haptonic import hdf5
 from haptonic.channels.notes import ELSEWHERE, Notebook
-from haptonic.channels.signals import Channel, Group, Samples, unreadable
-from haptonic.errors import ChannelError
-from haptonic.foreign.process import ForeignError, ask
+from haptonic.channels.signals import Channel, Group, Samples
+from haptonic.foreign.process import ask, damaged
 
 PACKING = ("scale_factor", "add_offset", "_FillValue", "missing_value", "dtype", "_Unsigned")
 
@@ -29,10 +28,7 @@ def read(path: Path, notes: Notebook) -> dict[str, Group]:
     ChannelError : the file is damaged
     OSError, MemoryError : it may not be read, or does not fit into memory
     """
-    try:
-        content = ask("hdf5.tree", path)
-    except ForeignError as error:
-        raise _damaged(path, error) from error
+    content = ask("hdf5.tree", path)
     for name in content["elsewhere"]:
         notes.drop(set_name(name), ELSEWHERE)
     inside: dict[str, dict[str, Channel]] = {name: {} for name in ("", *content["groups"])}
@@ -60,17 +56,11 @@ def _channel(path: Path, label: str, name: str, form: Mapping[str, Any]) -> Chan
 
 
 def _rows(path: Path, name: str, first: int, last: int) -> Samples:
-    try:
-        return np.asarray(ask("hdf5.rows", path, names=[name], start=first, stop=last)[0])
-    except ForeignError as error:
-        raise _damaged(path, error) from error
+    return np.asarray(ask("hdf5.rows", path, names=[name], start=first, stop=last)[0])
 
 
 def _whole(path: Path, name: str, form: Mapping[str, Any], first: int, last: int) -> Samples:
-    try:
-        array = arrays_of(path, {"sets": {name: form}}, [name])[name]
-    except ForeignError as error:
-        raise _damaged(path, error) from error
+    array = arrays_of(path, {"sets": {name: form}}, [name])[name]
     return array[first:last] if array.ndim else array
 
 
@@ -79,17 +69,17 @@ def arrays_of(path: Path, content: Mapping[str, Any], names: Sequence[str]) -> d
 
     Raises
     ------
-    ForeignError : the data or what is said of their packing is damaged
+    ChannelError : the data or what is said of their packing is damaged
     MemoryError : too large
     """
     read = ask("hdf5.read", path, names=list(names))
     return {
-        name: _unpacked(name, values, content["sets"][name]["attributes"])
+        name: _unpacked(path, name, values, content["sets"][name]["attributes"])
         for name, values in zip(names, read, strict=True)
     }
 
 
-def _unpacked(name: str, values: Any, says: Mapping[str, Any]) -> NDArray[Any]:
+def _unpacked(path: Path, name: str, values: Any, says: Mapping[str, Any]) -> NDArray[Any]:
     array = np.asarray(values, dtype=None if isinstance(values, np.ndarray) else object)
     packed = {word: says[word] for word in PACKING if word in says}
     if not packed or array.dtype == object:
@@ -101,7 +91,7 @@ def _unpacked(name: str, values: Any, says: Mapping[str, Any]) -> NDArray[Any]:
         )
         return np.asarray(decoded.values)
     except (TypeError, ValueError, LookupError, AttributeError, ArithmeticError) as error:
-        raise ForeignError(f"{name}: {', '.join(packed)} make no sense") from error
+        raise damaged(path, f"{name}: {', '.join(packed)} make no sense") from error
 
 
 def write(path: Path, channels: Sequence[Channel], properties: Mapping[str, Any]) -> None:
@@ -110,13 +100,3 @@ def write(path: Path, channels: Sequence[Channel], properties: Mapping[str, Any]
         file.attrs.update(properties)
         for channel in channels:
             file.create_dataset(channel.name, data=channel.__array__()).attrs["units"] = channel.unit
-
-
-def _damaged(path: Path, error: ForeignError) -> ChannelError:
-    return unreadable(
-        path,
-        error,
-        "a whole HDF5 or NetCDF 4 file",
-        "it is damaged, or of another kind than its name says",
-        "copy the file again, or open it in another program to see",
-    )

@@ -16,9 +16,8 @@ import scipy.io
 
 from haptonic import hdf5
 from haptonic.channels.notes import ELSEWHERE, Notebook
-from haptonic.channels.signals import ORIGIN, Channel, Group, Samples, unreadable
-from haptonic.errors import ChannelError
-from haptonic.foreign.process import ForeignError, ask
+from haptonic.channels.signals import ORIGIN, Channel, Group, Samples
+from haptonic.foreign.process import ask
 
 LARGE = 16_000_000  # numbers, from which a variable of version 7.3 stays in the file until it is asked for
 HEADER = b"MATLAB 7.3 MAT-file, written by haptonic"
@@ -35,10 +34,7 @@ def read(path: Path, notes: Notebook, large: int = LARGE) -> dict[str, Group]:
     ChannelError : the file is of neither version, or damaged
     OSError, MemoryError : it may not be read, or does not fit into memory
     """
-    try:
-        found = ask("matlab.variables", path, large=large)
-    except ForeignError as error:
-        raise _damaged(path, error) from error
+    found = ask("matlab.variables", path, large=large)
     for name in found["others"]:
         notes.remark(f'the variable "{name}" holds no numbers')
     for name in found["elsewhere"]:
@@ -61,10 +57,7 @@ def _group(start: str, every: Mapping[str, Channel], of_file: Mapping[str, Any])
 
 def _rows(path: Path, name: str, first: int, last: int) -> Samples:
     """Of the first axis in MATLAB's order, which is the last one in the file."""
-    try:
-        (part,) = ask("hdf5.rows", path, names=[name], start=first, stop=last, last=True)
-    except ForeignError as error:
-        raise _damaged(path, error) from error
+    (part,) = ask("hdf5.rows", path, names=[name], start=first, stop=last, last=True)
     return np.asarray(part).T
 
 
@@ -105,13 +98,3 @@ def write_rows(
                 file[name][..., first : first + len(rows)] = rows.T
     with path.open("rb+") as again:
         again.write(HEADER.ljust(124) + b"\x00\x02IM")
-
-
-def _damaged(path: Path, error: ForeignError) -> ChannelError:
-    return unreadable(
-        path,
-        error,
-        "a whole .mat file of version 5 (save -v7) or 7.3 (save -v7.3)",
-        "the file is text, or damaged: a copy was interrupted",
-        "save it again in MATLAB: save scan.mat -v7",
-    )

@@ -182,10 +182,3 @@ def number_of(given: object) -> float:
         return float(str(given))
     except ValueError:
         return float("nan")
-
-
-def unreadable(path: Path, given: object, allowed: str, cause: str, next_step: str) -> ChannelError:
-    """The error for a file that its format's reader cannot read."""
-    return ChannelError(
-        argument=path.name, given=f"{path} ({given})", allowed=allowed, cause=cause, next_step=next_step
-    )

@@ -10,9 +10,9 @@ from types import ModuleType
 from typing import Any
 
 from haptonic.channels.notes import Notebook
-from haptonic.channels.signals import Channel, Group, Samples, number_of, unreadable
+from haptonic.channels.signals import Channel, Group, Samples, number_of
 from haptonic.errors import ChannelError
-from haptonic.foreign.process import ForeignError, ask
+from haptonic.foreign.process import ask
 
 
 def read(path: Path, notes: Notebook) -> dict[str, Group]:
@@ -23,10 +23,7 @@ def read(path: Path, notes: Notebook) -> dict[str, Group]:
     ChannelError : npTDMS is not installed, or the file is damaged
     """
     nptdms_for(path)
-    try:
-        found = ask("tdms.tree", path)
-    except ForeignError as error:
-        raise _damaged(path, error) from error
+    found = ask("tdms.tree", path)
     return {
         one["name"]: Group(
             one["name"],
@@ -65,10 +62,7 @@ def samples(path: Path, names: Sequence[tuple[str, str]]) -> list[Samples]:
     ------
     ChannelError : the file is damaged
     """
-    try:
-        return list(ask("tdms.channels", path, names=[list(name) for name in names]))
-    except ForeignError as error:
-        raise _damaged(path, error) from error
+    return list(ask("tdms.channels", path, names=[list(name) for name in names]))
 
 
 def write(path: Path, properties: Mapping[str, Any], segments: Iterable[Sequence[Group]]) -> None:
@@ -113,13 +107,3 @@ def nptdms_for(path: Path) -> ModuleType:
             cause="npTDMS is an optional part of haptonic and is not installed",
             next_step='pip install "haptonic[tdms]"',
         ) from error
-
-
-def _damaged(path: Path, found: object) -> ChannelError:
-    return unreadable(
-        path,
-        found,
-        "a whole TDMS file",
-        "the file is of another kind, or its copy was interrupted",
-        "copy it again, without the .tdms_index file beside it",
-    )

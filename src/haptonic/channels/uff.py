@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from haptonic.channels.notes import Notebook
-from haptonic.channels.signals import ORIGIN, SIMULATED, Array, Channel, Group, Samples, unreadable
+from haptonic.channels.signals import ORIGIN, SIMULATED, Array, Channel, Group, Samples
 from haptonic.channels.uff_blocks import (
     Block,
     Buffer,
@@ -25,6 +25,7 @@ from haptonic.channels.uff_blocks import (
     header_of,
     values_of,
 )
+from haptonic.foreign.process import damaged
 
 # Data sets that pyuff reads, each by a function of its text. pyuff.UFF takes the text from a file only: one
 # file for each of thousands of data sets would take half a minute.
@@ -76,10 +77,7 @@ class Function:
         try:
             return self.values()[1][first:last]
         except UnreadableError as error:
-            cause, step = "the file was cut short or changed", "export the scan again"
-            raise unreadable(
-                self.path, f"{self.source}: {error}", "records that are whole", cause, step
-            ) from None
+            raise damaged(self.path, f"{self.source}: {error}") from error
 
     @property
     def kind(self) -> str:

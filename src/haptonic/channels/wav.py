@@ -1,4 +1,4 @@
-"""WAV files of 16 bits: a rate and samples, and no unit."""
+"""WAV files: a rate and samples, and no unit; read by scipy in the process that reads."""
 
 from __future__ import annotations
 
@@ -7,9 +7,25 @@ from pathlib import Path
 import numpy as np
 import scipy.io.wavfile
 
-from haptonic.channels.signals import Samples
+from haptonic.channels.notes import Notebook
+from haptonic.channels.signals import Channel, Group, Samples
+from haptonic.foreign.process import ask
 
 SIXTEEN_BITS = 32767
+
+
+def read(path: Path, notes: Notebook) -> dict[str, Group]:
+    """Channels "1", "2" ... of the one group "", in the numbers of the file.
+
+    Raises
+    ------
+    ChannelError : the file is damaged
+    OSError, MemoryError : it may not be read, or does not fit into memory
+    """
+    found = ask("wav.signals", path)
+    notes.remark("a WAV file has no units: its samples are numbers of the converter")
+    every = [Channel.of(f"{i}", row, rate=found["rate"]) for i, row in enumerate(found["samples"], start=1)]
+    return {"": Group("", {channel.name: channel for channel in every})}
 
 
 def write(path: Path, samples: Samples, rate: int) -> None:

@@ -18,7 +18,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from haptonic.errors import ResourceError
+from haptonic.errors import ChannelError, ResourceError
 from haptonic.foreign import wire
 
 # Processor time of a question. A good file of 100 MB takes 1 s (MATLAB 5, compressed); damaged ones that
@@ -31,10 +31,6 @@ COMMAND = ["-m", "haptonic.foreign.child"]
 START_SECONDS = 60.0  # on a busy machine; 0.2 s on an idle one
 LOOK_SECONDS = 0.1  # how often the process is looked at
 PIPE = 2**20  # bytes that wait between the processes; Linux's usual 64 kB halve the speed
-
-
-class ForeignError(Exception):
-    """A file that its parser cannot read; the text says what became of the try."""
 
 
 @dataclass(frozen=True)
@@ -62,7 +58,7 @@ def ask(parser: str, path: Path, **arguments: object) -> Any:
 
     Raises
     ------
-    ForeignError : the parser raised an error, crashed, or took too long
+    ChannelError : the parser raised an error, crashed, or took too long
     MemoryError : it took more memory than a file of this size may
     OSError : there is no such file, or it may not be read
     ResourceError : no process can be started
@@ -84,7 +80,7 @@ def ask(parser: str, path: Path, **arguments: object) -> Any:
                 _end()
                 # what an earlier file did to the memory of the process is not this file's fault
                 if fresh or error.reason:
-                    raise _told(error, limits) from error
+                    raise _told(path, error, limits) from error
             except BaseException:
                 _end()  # an answer that nobody took would be taken for the next one
                 raise
@@ -92,16 +88,27 @@ def ask(parser: str, path: Path, **arguments: object) -> Any:
         return answer["answer"]
     if answer["error"] == "MemoryError":
         raise MemoryError(f"more than {limits.memory / 1e9:.1f} GB for {path}")
-    raise ForeignError(answer["error"])
+    raise damaged(path, answer["error"])
 
 
-def _told(error: _EndedError, limits: Limits) -> Exception:
+def damaged(path: Path, found: str) -> ChannelError:
+    """The error for a file that its parser cannot read."""
+    return ChannelError(
+        argument=path.name,
+        given=found,
+        allowed="a whole file of the format that its name says",
+        cause="it is damaged, its copy was interrupted, or it is of another kind than its name says",
+        next_step="copy or export it again, or open it in another program to see",
+    )
+
+
+def _told(path: Path, error: _EndedError, limits: Limits) -> Exception:
     # killed, and not by us: that is what a system does that runs out of memory
     if error.reason == "memory" or (not error.reason and error.code == -getattr(signal, "SIGKILL", 0)):
-        return MemoryError(f"more than {limits.memory / 1e9:.1f} GB")
+        return MemoryError(f"more than {limits.memory / 1e9:.1f} GB for {path}")
     if error.reason == "time":
-        return ForeignError(f"not read within {limits.seconds:.0f} s")
-    return ForeignError("its parser crashed")
+        return damaged(path, f"not read within {limits.seconds:.0f} s")
+    return damaged(path, "its parser crashed")
 
 
 class _EndedError(Exception):

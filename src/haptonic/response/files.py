@@ -17,8 +17,8 @@ from numpy.typing import NDArray
 
 from haptonic import hdf5
 from haptonic.channels.hdf5 import arrays_of
-from haptonic.errors import ResourceError, ResponseError
-from haptonic.foreign.process import ForeignError, ask
+from haptonic.errors import ChannelError, ResourceError, ResponseError
+from haptonic.foreign.process import ask
 from haptonic.gate import passed
 from haptonic.paths import source
 from haptonic.response.value import FrequencyResponse
@@ -74,8 +74,8 @@ def read(path: Path | str) -> FrequencyResponse:
         raise _unreadable(path, "it is a folder, or you may not read it", "choose a readable file") from error
     except MemoryError as error:
         raise _unreadable(path, "it does not fit into memory, or it is damaged", "copy it again") from error
-    except ForeignError as error:
-        raise _foreign(path, f"not a NetCDF 4 file, or one that is damaged ({error})") from error
+    except ChannelError as error:
+        raise _foreign(path, f"not a NetCDF 4 file, or one that is damaged ({error.given})") from error
     except (KeyError, ValueError, TypeError, AttributeError, OverflowError) as error:
         raise _foreign(path, f"a part is missing or damaged ({type(error).__name__})") from error
 

@@ -2,14 +2,15 @@
 
 from __future__ import annotations
 
+import importlib
+import io
 import json
-import tempfile
 from collections.abc import Iterable, Iterator
 from itertools import chain
 from pathlib import Path
+from typing import Any
 
 import numpy as np
-import pyuff
 from numpy.typing import NDArray
 
 from haptonic.channels.labels import UNITS
@@ -20,6 +21,11 @@ from haptonic.vibrometry.records import TimeScan, portions
 
 Array = NDArray[np.float64]
 
+# How pyuff writes a data set to an open file. pyuff.UFF would read the whole file again after each.
+SETS: dict[object, Any] = {
+    kind: getattr(importlib.import_module(f"pyuff.datasets.dataset_{kind}"), f"_write{kind}")
+    for kind in (58, 164, 2411)
+}
 KIND = {"displacement": 8, "velocity": 11, "acceleration": 12}
 UNIT_TYPES = {"N": 13, "Pa": 15}
 AXES = {"x": 1, "y": 2, "z": 3}
@@ -70,13 +76,11 @@ def _geometry(numbers: NDArray[np.int64], x: Array, y: Array) -> tuple[dict[str,
 
 def _write(path: Path, parts: Iterable[dict[str, object]]) -> None:
     try:
-        # After each set pyuff reads the whole file again: so each goes to a small file of its own first.
-        with tempfile.TemporaryDirectory() as folder, path.open("wb") as out:
-            one = Path(folder) / "one.uff"
-            file = pyuff.UFF(str(one))
+        with path.open("w", encoding="utf-8") as out:
             for part in parts:
-                file.write_sets(part, "overwrite")
-                out.write(one.read_bytes())
+                text = io.StringIO()  # pyuff hides the error of a full disk
+                SETS[part["type"]](text, part)
+                out.write(text.getvalue())
     except OSError as error:
         raise ScanError(
             argument="output file",

@@ -12,7 +12,7 @@ import numpy as np
 from haptonic.channels import Channel, Group, Notebook, tdms
 from haptonic.channels.labels import label_of, ratio_of
 from haptonic.channels.signals import SIMULATED, Origin, number_of
-from haptonic.errors import ScanError
+from haptonic.foreign.process import damaged
 from haptonic.response import Reference
 from haptonic.vibrometry.curves import nothing_left
 from haptonic.vibrometry.readers.tables import Mapped
@@ -35,13 +35,7 @@ class _FromFile:
         try:
             return np.stack(rows[:half])[:, None], np.stack(rows[half:])[:, None]
         except ValueError as error:
-            raise ScanError(
-                argument="TDMS file",
-                given=f"{self.path} (channels of unequal length)",
-                allowed="channels as long as the file says that they are",
-                cause="the file is damaged: its copy was interrupted",
-                next_step="copy it again, without the .tdms_index file beside it",
-            ) from error
+            raise damaged(self.path, "channels of unequal length") from error
 
 
 def scan_of_groups(
