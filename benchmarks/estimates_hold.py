@@ -169,12 +169,17 @@ def of_class(rows: list[Row], name: str) -> dict[str, Any]:
         "answered": len(good),
         "refused": sum(row.outcome.startswith("refused") for row in rows),
         "too_long": sum(row.outcome.startswith("longer") for row in rows),
+        "no_reference": sum(row.outcome.startswith("no reference") for row in rows),
         "frequencies": sum(row.frequencies for row in good),
         "below_true": sum(row.below for row in good),
         "least_ratio": min((row.least_ratio for row in good), default=None),
         "median_ratio": float(np.median(ratios)) if ratios else None,
         "beyond_accuracy": sum(row.largest_error > row.accuracy for row in good),
         "median_seconds": float(np.median([row.seconds for row in good])) if good else None,
+        "median_reference_seconds": float(np.median([row.reference_seconds for row in good]))
+        if good
+        else None,
+        "median_unsure": float(np.median([row.unsure for row in good])) if good else None,
     }
 
 
@@ -199,7 +204,7 @@ def row_of(seed: int, number: int, limit: float) -> Row:
     return row
 
 
-def main(count: int, stout: int, seed: int, limit: float) -> None:
+def main(count: int, stout: int, seed: int, limit: float, remark: str) -> None:
     FOLDER.mkdir(parents=True, exist_ok=True)
     path = FOLDER / "designs.csv"
     done = {(row.seed, row.number) for row in read(path)}
@@ -221,10 +226,21 @@ def main(count: int, stout: int, seed: int, limit: float) -> None:
         )
     rows = [row for row in read(path) if row.seed == seed]
     classes = [of_class([row for row in rows if row.kind == kind], kind) for kind in CLASSES]
-    reasons = sorted({row.outcome for row in rows if not row.frequencies})
+    reasons = [
+        f"{row.number} ({row.kind}, {row.count} bands at {row.accuracy:g}), {row.seconds:.0f} s: "
+        + row.outcome
+        for row in rows
+        if not row.frequencies
+    ]
     write(
         "estimates_hold",
-        {"seed": seed, "limit_s": limit, "rows": [*classes, of_class(rows, "all")], "not_answered": reasons},
+        {
+            "seed": seed,
+            "limit_s": limit,
+            "rows": [*classes, of_class(rows, "all")],
+            "not_answered": reasons,
+            "remark": remark,
+        },
     )
 
 
@@ -236,5 +252,6 @@ if __name__ == "__main__":
     parser.add_argument(
         "--limit", type=float, default=90.0, help="seconds of the processor that a design gets"
     )
+    parser.add_argument("--remark", default="", help="what a reader of the record has to know")
     given = parser.parse_args()
-    main(given.designs, given.stout, given.seed, given.limit)
+    main(given.designs, given.stout, given.seed, given.limit, given.remark)

@@ -14,6 +14,7 @@ import numpy as np
 from record import write
 from scipy.stats import binom
 
+from haptonic.analyses.needs import fineness
 from haptonic.plate import Band, PlateModel
 from haptonic.plate.damping import real_times
 from haptonic.results.plate.question import grid_points, unit_drives
@@ -94,7 +95,7 @@ class Bench:
         self.plate, self.unknowns, self.fineness = (
             study.mounted_plate(),
             study.fit_settings.unknowns,
-            study.fineness(),
+            fineness(study),
         )
         self.points, _ = grid_points(self.plate, GRID)
         self.drive = drive(low=BAND[0], high=BAND[1], sample_rate=RATE, duration=PERIOD)

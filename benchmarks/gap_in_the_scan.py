@@ -15,10 +15,10 @@ import xarray as xr
 from record import STUDY, write
 
 import haptonic
+from haptonic.analyses import scanning
 from haptonic.response import FrequencyResponse, read
 from haptonic.results.scan import Estimation, compute_scan
 from haptonic.store import Store
-from haptonic.study import scanning
 from haptonic.vibrometry import ReadReport, Scan
 
 # pitch, thickness, pillar's diameter and height, guide's width (mm), columns of a guide, cells along, rows of
@@ -60,9 +60,9 @@ def told(name: str, study: haptonic.Study, kept: Path | None) -> dict[str, Any]:
     if kept is not None:
         response = read(kept / f"{name}.nc")
     else:
-        response = study.vibrating(asked=asked, store=store).response
-    made = scanning.twin_scan(study, seed=1, response=response)
-    on = scanning.scanned(study)
+        response = study.plate(asked=asked, store=store).response
+    made = study.twin_scan(seed=1, response=response)
+    on = scanning.on_plate(study)
     scan = Scan(made.records, ReadReport("twin", "memory", len(made.records.names)))
     result = compute_scan(scan, Estimation(), on, store=store)
     truth = made.truth()["contrast_db"]["WG1 over WG2"]

@@ -74,11 +74,11 @@ def made_up(folder: Path) -> pd.DataFrame:
 def measured(folder: Path) -> dict[str, object]:
     marks, processor = [time.perf_counter()], time.process_time()
 
-    def told(done: int, planned: int, stored: bool) -> None:
+    def told(done: int, planned: int, what: str = "") -> None:
         if done == planned:
             marks.append(time.perf_counter())
 
-    result = compute_friction(folder, Sensor(), Rules(), workers=WORKERS, told=told)
+    result = compute_friction(folder, Sensor(), Rules(), workers=WORKERS, progress=told)
     marks.append(time.perf_counter())
     assert result.origin == "simulated"
     children = resource.getrusage(resource.RUSAGE_CHILDREN)

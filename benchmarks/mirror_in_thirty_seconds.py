@@ -10,6 +10,7 @@ from pathlib import Path
 from record import STUDY, write
 
 import haptonic
+from haptonic.analyses.needs import need_carrier
 from haptonic.design.brief import Brief
 from haptonic.results import Runner, compute_design
 from haptonic.store import Store
@@ -22,7 +23,7 @@ def main() -> None:
     section = study.design_settings
     brief = Brief(
         study.cell,
-        study.need_carrier(),
+        need_carrier(study),
         study.bands_settings.count,
         BOUNDS,
         slenderness=5.0,
@@ -41,7 +42,7 @@ def main() -> None:
         )
         total = time.perf_counter() - start
         start = time.perf_counter()
-        layers = study.layered(Runner(Store(Path(folder))))
+        layers = study.layers(store=Store(Path(folder)))
         spectrum = time.perf_counter() - start
         own = study.bands(store=Store(Path(folder))).gaps[0]
     write(

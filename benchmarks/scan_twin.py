@@ -17,13 +17,13 @@ import numpy as np
 from record import STUDY, write
 
 import haptonic
+from haptonic.analyses import scanning
 from haptonic.response import FrequencyResponse
 from haptonic.results import write_files
 from haptonic.results.plate.question import driven_region
 from haptonic.results.plate.value import contrasts
 from haptonic.results.scan import Estimation, OnPlate, ScanResult, Twin, compute_scan
 from haptonic.store import Store
-from haptonic.study import scanning
 from haptonic.vibrometry import ReadReport, Scan, estimate, read_scan
 
 SEEDS = range(5)
@@ -54,11 +54,11 @@ def main() -> None:
     assert section is not None
     asked = question.of_plate(section.response.tolerance, question.drive(study.mounted_plate()))
     start = time.perf_counter()
-    response = study.vibrating(asked=asked, store=store).response
+    response = study.plate(asked=asked, store=store).response
     computing = time.perf_counter() - start
-    on, found = scanning.scanned(study), []
+    on, found = scanning.on_plate(study), []
     for seed in SEEDS:
-        made = scanning.twin_scan(study, seed=seed, response=response)
+        made = study.twin_scan(seed=seed, response=response)
         scan = Scan(made.records, ReadReport("twin", "memory", len(made.records.names)))
         found.append(errors(compute_scan(scan, Estimation(), on, store=store), made, on))
     figures = {
@@ -101,7 +101,7 @@ def stream(response: FrequencyResponse) -> dict[str, Any]:
         study = haptonic.load(path)
         cut = response.between(study.scan_settings.lowest, study.scan_settings.highest)
         start = time.perf_counter()
-        write_files(place, scanning.twin_scan(study, response=cut).files("h5", "time"), overwrite=False)
+        write_files(place, study.twin_scan(response=cut).files, overwrite=False)
         writing = time.perf_counter() - start
         own = {"OMP_NUM_THREADS": "2", "HAPTONIC_STORE": str(place / "store")}
         runs = []

@@ -28,11 +28,11 @@ def main() -> None:
     finished: list[float] = []
     with tempfile.TemporaryDirectory() as folder:
         start = time.perf_counter()
-        sweeps = study.swept(
+        sweeps = study.sweep(
             store=Store(Path(folder)),
             workers=WORKERS,
-            on_progress=lambda *_: finished.append(time.perf_counter() - start),
-        )
+            progress=lambda *_: finished.append(time.perf_counter() - start),
+        ).rows
         total = time.perf_counter() - start
     ends = np.cumsum([sweep.dataset.sizes["step"] for sweep in sweeps])
     first, second = np.split(finished, ends[:-1])  # the sweeps are computed one after the other

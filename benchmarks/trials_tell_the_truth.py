@@ -18,6 +18,7 @@ from record import STUDY, timed, write
 from scipy import stats
 
 import haptonic
+from haptonic.analyses.experiments import protocol_of, truth_of
 from haptonic.friction.protocol import Protocol
 from haptonic.friction.signals import measured
 from haptonic.friction.statistics import (
@@ -32,7 +33,6 @@ from haptonic.friction.statistics import (
     stopped_here,
 )
 from haptonic.friction.twin import Truth, coefficients, people, strokes
-from haptonic.study.experimenting import protocol_of, truth_of
 
 LEVEL = 0.05
 MORE_PEOPLE = (3, 4, 6, 8, 12)

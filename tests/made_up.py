@@ -11,12 +11,18 @@ import numpy as np
 import xarray as xr
 
 import haptonic
+from haptonic.analyses.needs import need_carrier
 from haptonic.bloch import Resolution, bands_dataset
 from haptonic.bloch.layers import OUTGOING
 from haptonic.bloch.mirrors import PHASES, Incidence
 from haptonic.bloch.plate_waves import FAMILIES
+from haptonic.report import Results
 from haptonic.results import Asked, Guides, Layers, Runner, compute_guides, compute_layers
+from haptonic.results.bands import Bands
+from haptonic.results.common import stamped
 from haptonic.results.layers import Question
+from haptonic.results.references import References
+from haptonic.results.sweeps import Sweep, Sweeps
 from haptonic.store import Store
 from haptonic.study import Study
 
@@ -36,8 +42,7 @@ def _reference_bands() -> xr.Dataset:
         resolution=Resolution(4, 1),
         surface=True,
     )
-    dataset.attrs |= {"code_fingerprint": "0" * 64}
-    return dataset
+    return stamped(dataset, {})
 
 
 def reference_bands() -> xr.Dataset:
@@ -128,7 +133,7 @@ def made_up_tolerance(paths: tuple[str, ...], margin: float = 500.0) -> xr.Datas
 @cache
 def _reference_mirror() -> tuple[Layers, Guides]:
     study = reference_study()
-    cell, carrier, asked = study.cell, study.need_carrier(), Asked(8, 13, 2e-2, Resolution(3, 1))
+    cell, carrier, asked = study.cell, need_carrier(study), Asked(8, 13, 2e-2, Resolution(3, 1))
     with tempfile.TemporaryDirectory() as folder:
         runner = Runner(Store(Path(folder)))
         layers = compute_layers(
@@ -136,8 +141,9 @@ def _reference_mirror() -> tuple[Layers, Guides]:
             carrier=carrier, inputs=study.inputs(), runner=runner,
         )  # fmt: skip
         guides = compute_guides(
-            cell, asked, carrier=carrier, mode=(0, 17), width=32e-3, rows=20, ends="free", runner=runner
-        )
+            cell, asked, carrier=carrier, mode=(0, 17), width=32e-3, rows=20, ends="free",
+            inputs=study.inputs(), runner=runner,
+        )  # fmt: skip
     return layers, guides
 
 
@@ -177,3 +183,16 @@ def made_up_mirror(rows: int = 6, families: tuple[str, ...] = FAMILIES, **attrs:
         },
         attrs={"carrier_hz": 58e3, "gap": [50e3, 60e3], "angle": 0.0} | attrs,
     )  # fmt: skip
+
+
+def results_of(
+    study: Study, bands: xr.Dataset, sweeps: tuple[xr.Dataset, ...] = (), *, alarms: object = None,
+    references: References | None = None, timings: object = None, started: object = None, **parts: object,
+) -> Results:  # fmt: skip
+    """What a report is made of; parts by the names of their analyses, None for what is not there."""
+    rows = Sweeps(tuple(Sweep(one, {}) for one in sweeps)) if sweeps else None
+    every = {"bands": Bands(bands), "sweep": rows, **parts}
+    there = {name: one for name, one in every.items() if one is not None}
+    return Results(
+        study, there, alarms=alarms or {}, references=references, timings=timings or {}, started=started
+    )

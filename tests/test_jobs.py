@@ -91,11 +91,11 @@ class TestHere:
         steps: list[Step] = []
         run_all(square, tasks_for([5, 2]), store=store)
         outcomes = run_all(
-            square, tasks_for([3, 2, 1, 5]), store=store, on_progress=lambda *step: steps.append(step)
+            square, tasks_for([3, 2, 1, 5]), store=store, progress=lambda *step: steps.append(step)
         )
         assert [result(outcome) for outcome in outcomes] == [9, 4, 1, 25]
         assert [outcome.from_store for outcome in outcomes] == [False, True, False, True]
-        assert steps == [(1, 4, True), (2, 4, True), (3, 4, False), (4, 4, False)]
+        assert steps == [(1, 4, jobs.STORED), (2, 4, jobs.STORED), (3, 4, ""), (4, 4, "")]
 
     def test_what_was_done_is_not_computed_again(self, store: Store) -> None:
         first = run_all(square, tasks_for([1, 2, 3]), store=store)
@@ -121,7 +121,7 @@ class TestHere:
             return square(number)
 
         outcomes = run_all(
-            counted, tasks_for([2, 3, 2]), store=store, on_progress=lambda *step: steps.append(step)
+            counted, tasks_for([2, 3, 2]), store=store, progress=lambda *step: steps.append(step)
         )
         assert [result(outcome) for outcome in outcomes] == [4, 9, 4]
         assert calls == [2, 3]
@@ -189,7 +189,7 @@ class TestWorkers:
             moody_tasks(tmp_path, moods),
             store=store,
             workers=2,
-            on_progress=lambda *step: steps.append(step),
+            progress=lambda *step: steps.append(step),
         )
         assert [result(outcome) for outcome in outcomes] == [0, None, 4, None, 16, 25, 36, 49]
         assert isinstance(outcomes[1].error, ResourceError)
@@ -287,7 +287,7 @@ class TestScheduler:
                 moody_tasks(tmp_path, ["slow"] * 20),
                 store=store,
                 scheduler=cluster.scheduler_address,
-                on_progress=lambda *_: cluster.close(),
+                progress=lambda *_: cluster.close(),
             )
         assert 1 <= kept(store) < 20
         assert capfd.readouterr() == ("", "")
@@ -341,7 +341,7 @@ class TestInterrupted:
             tasks = [jobs.Task({"kind": "square", "number": number}, number) for number in range(8)]
             try:
                 jobs.run_all(
-                    slow, tasks, store=Store(Path(sys.argv[1])), workers=int(sys.argv[2]), on_progress=say
+                    slow, tasks, store=Store(Path(sys.argv[1])), workers=int(sys.argv[2]), progress=say
                 )
             except KeyboardInterrupt:
                 sys.exit(130)

@@ -21,7 +21,7 @@ from haptonic.errors import HaptonicError, ResourceError, StudyError
 from haptonic.names import cell, file_parts, from_cell, variable, visible
 from haptonic.response import Reference
 from haptonic.results.common import refuse_taken, write_files, write_netcdf
-from haptonic.study.loading import loads
+from haptonic.study import loads
 from hostile import NASTY, any_text, names
 from tiny_scan import TINY
 

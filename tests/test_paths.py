@@ -11,8 +11,8 @@ import pytest
 from matplotlib.figure import Figure
 
 from haptonic import load, plots, read_scan
-from haptonic.cli.options import folder_for
-from haptonic.cli.twins import read_amplitudes
+from haptonic.analyses.twin_friction import read_amplitudes
+from haptonic.cli.running import folder_for
 from haptonic.errors import HaptonicError
 from haptonic.friction.recordings import Sensor, read_calibration
 from haptonic.friction.signals import Rules
@@ -21,7 +21,7 @@ from haptonic.response import read
 from haptonic.results import compute_friction
 from haptonic.results.common import refuse_taken
 from haptonic.store import Store
-from haptonic.study.loading import load_trials
+from haptonic.study import load_trials
 
 SECONDS = 20  # a pipe that nobody writes to would take for ever
 

@@ -25,16 +25,17 @@ import xarray as xr
 
 from haptonic.errors import HaptonicError, ResourceError
 from haptonic.gate import passed
+from haptonic.progress import Progress, silent
 from haptonic.store import Store, content_key, fingerprint
 
 if TYPE_CHECKING:
     from distributed import Client, Future, LocalCluster
 
 Function = Callable[[Any], xr.Dataset]
-Progress = Callable[[int, int, bool], None]
 Result = xr.Dataset | HaptonicError
 Results = Generator[tuple[str, Result], None, None]
 
+STORED = "in the store"  # what is said of a task that was computed before
 THREAD_LIMITS = ("OMP_NUM_THREADS", "MKL_NUM_THREADS", "OPENBLAS_NUM_THREADS")
 # Dask has workers give freed memory back at once; to be given it anew costs this work half of its time.
 KEEP_MEMORY = {"MALLOC_TRIM_THRESHOLD_": str(2**31), "MALLOC_MMAP_THRESHOLD_": str(2**30)}
@@ -68,7 +69,7 @@ def run_all(
     store: Store,
     workers: int = 0,
     scheduler: str | None = None,
-    on_progress: Progress | None = None,
+    progress: Progress = silent,
 ) -> list[Outcome]:
     """Compute every task that is not in the store yet; the outcomes, in the order of the tasks.
 
@@ -77,7 +78,7 @@ def run_all(
     function : takes a task's argument and returns a dataset; for parallel work it must be importable
     workers : worker processes on this machine; 0 computes in this process
     scheduler : address of a running Dask scheduler, whose workers are used instead
-    on_progress : called with (tasks done, tasks in all, whether this one was in the store)
+    progress : called with the tasks done and all of them; `STORED` says that this one was in the store
 
     A HaptonicError of one task becomes its outcome, as does a worker that dies on the same task twice; the
     other tasks go on. Any other exception, and Ctrl-C, ends the run; what was finished is in the store, and
@@ -104,8 +105,7 @@ def run_all(
         outcomes[outcome.key] = outcome
         for _ in range(copies[outcome.key]):
             done += 1
-            if on_progress is not None:
-                on_progress(done, len(keys), outcome.from_store)
+            progress(done, len(keys), STORED if outcome.from_store else "")
 
     for key in copies:
         stored = store.get(key)

@@ -15,7 +15,7 @@ import pytest
 import xarray as xr
 
 from five_parts import assert_five_parts
-from haptonic.cli.lattices import counted
+from haptonic.results.bands import counted
 from interrupts import hear_interrupts
 
 

@@ -20,9 +20,10 @@ from scipy.stats import truncnorm
 import haptonic as package
 from five_parts import assert_five_parts
 from haptonic import workshop
+from haptonic.analyses import export
 from haptonic.bloch import gaps_of
-from haptonic.cli import designing
 from haptonic.cli.app import app
+from haptonic.results import Runner
 from haptonic.store import Store
 from haptonic.workshop import cell_drawing, drawing
 
@@ -149,7 +150,9 @@ class TestDesign:
         out = tmp_path / "out"
         out.mkdir()
         (out / "front.nc").write_text("mine")
-        monkeypatch.setattr(package.Study, "designed", lambda *_: pytest.fail("computed"))
+        monkeypatch.setattr(
+            "haptonic.analyses.design.compute_design", lambda *_, **__: pytest.fail("computed")
+        )
         assert_five_parts(here("design", question, "--out", out, "--pareto"), "front.nc", "overwrite")
         assert [path.name for path in out.iterdir()] == ["front.nc"]
         assert (out / "front.nc").read_text() == "mine"
@@ -188,7 +191,9 @@ class TestDesign:
 
     @pytest.mark.parametrize("tables", [[HEIGHT], [PITCH], []], ids=["no pitch", "only the pitch", "nothing"])
     def test_pareto_needs_the_pitch_and_says_so_before_computing(self, here, asking, tables, monkeypatch):
-        monkeypatch.setattr(package.Study, "designed", lambda *_: pytest.fail("computed"))
+        monkeypatch.setattr(
+            "haptonic.analyses.design.compute_design", lambda *_, **__: pytest.fail("computed")
+        )
         ran = here("design", asking(*tables), "--pareto")
         assert_five_parts(ran, "design.vary", "cell.pitch and at least one other", "leave --pareto out")
 
@@ -266,7 +271,9 @@ class TestTolerance:
     def test_it_refuses_to_overwrite_before_computing(self, here, asking, tmp_path, monkeypatch):
         (tmp_path / "out").mkdir()
         (tmp_path / "out" / "tolerance.svg").write_text("mine")
-        monkeypatch.setattr(package.Study, "toleranced", lambda *_: pytest.fail("computed"))
+        monkeypatch.setattr(
+            "haptonic.analyses.tolerance.compute_tolerance", lambda *_, **__: pytest.fail("computed")
+        )
         assert_five_parts(here("tolerance", asking(TOLERANCE), "--out", tmp_path / "out"), "tolerance.svg")
         assert (tmp_path / "out" / "tolerance.svg").read_text() == "mine"
 
@@ -328,7 +335,9 @@ class TestExport:
 
     @pytest.mark.parametrize(("option", "number"), [("--columns", 0), ("--rows", -1)])
     def test_impossible_numbers_of_cells(self, here, asking, tmp_path, option, number, monkeypatch):
-        monkeypatch.setattr(package.Study, "toleranced", lambda *_: pytest.fail("computed"))
+        monkeypatch.setattr(
+            "haptonic.analyses.tolerance.compute_tolerance", lambda *_, **__: pytest.fail("computed")
+        )
         ran = here("export", asking(TOLERANCE), "--out", tmp_path / "out", option, number)
         assert_five_parts(ran, option.strip("-"), str(number), "positive integer")
         assert not (tmp_path / "out").exists()
@@ -347,9 +356,9 @@ class TestExport:
         ]
         study = package.load(asking(TOLERANCE, *tables))
         found = SimpleNamespace(loosest=0.5, plate=0.42)
-        monkeypatch.setattr(package.Study, "toleranced", lambda *_: found)
+        monkeypatch.setattr("haptonic.analyses.tolerance.compute_tolerance", lambda *_, **__: found)
         drawn = {"cell.pillar.height": pytest.approx(0.5 * 3 * 20e-6)}
-        assert designing.drawn_tolerances(study) == (drawn, "")
+        assert export.drawn_tolerances(study, Runner()) == (drawn, "")
 
     @pytest.mark.parametrize(
         ("spreads", "said"),
@@ -364,7 +373,7 @@ class TestExport:
     def test_a_drawing_without_tolerances_says_why(self, here, asking, tmp_path, monkeypatch, spreads, said):
         """In the drawing, on the terminal if some were asked for, and to machines."""
         found = SimpleNamespace(loosest=0.0, plate=0.42)
-        monkeypatch.setattr(package.Study, "toleranced", lambda *_: found)
+        monkeypatch.setattr("haptonic.analyses.tolerance.compute_tolerance", lambda *_, **__: found)
         figures, draw = [], drawing.cell_drawing
         monkeypatch.setattr(
             drawing, "cell_drawing", lambda *a, **o: figures.append(draw(*a, **o)) or figures[-1]

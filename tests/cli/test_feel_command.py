@@ -128,8 +128,8 @@ def test_a_study_without_a_plate_is_refused(inside, study):
 def test_the_report_tells_what_a_finger_feels(plated, monkeypatch, store_folder):
     monkeypatch.setenv("HAPTONIC_STORE", str(store_folder))
     study = load(plated())
-    result = study.felt()
-    made = chapter(Results(study, xr.Dataset(), feel=result))
+    result = study.feel()
+    made = chapter(Results(study, {"feel": result}))
     assert isinstance(made, Chapter)
     assert len(made.pictures) == 2
     felt = result.reductions()["WG"]
@@ -137,4 +137,4 @@ def test_the_report_tells_what_a_finger_feels(plated, monkeypatch, store_folder)
     assert any(f"{result.quality():.0f}; the vibration" in words for words in made.findings)
     assert not any("paper" in words for words in made.findings)  # it is not its plate
     assert all("imulated" in picture.caption for picture in made.pictures)
-    assert isinstance(chapter(Results(study, xr.Dataset())), Absent)
+    assert isinstance(chapter(Results(study, {})), Absent)

@@ -12,7 +12,6 @@ import xarray as xr
 
 from five_parts import assert_five_parts
 from haptonic.friction.words import averages
-from haptonic.report import paper
 from haptonic.results import FrictionResult
 from trial_folders import edited, made_up, written
 
@@ -127,19 +126,13 @@ def test_a_study_elsewhere_and_the_driven_waveguide(inside, study, tmp_path):
     assert (found["driven"], found["driven_chosen"]) == ("WG2", "as the study says")
 
 
-def test_the_papers_numbers_stand_beside_those_of_its_twin(inside, tmp_path, monkeypatch):
+def test_reference_values_stand_beside_ours_where_they_are_given(inside, tmp_path, monkeypatch):
     asked = []
-
-    def figures(self: FrictionResult, *, published: object) -> dict[str, object]:
-        asked.append(published)
-        return {}
-
-    monkeypatch.setattr(FrictionResult, "figures", figures)
-    monkeypatch.setattr(FrictionResult, "blocks", lambda self: ([], 0))
-    folder = written(tmp_path / "trials", MADE)
-    inside("friction", folder, "--study", ROOT / "studies" / "touchpad.toml", "--out", tmp_path / "a")
-    inside("friction", folder, "--out", tmp_path / "b")
-    assert asked == [paper.FRICTION, None]
+    monkeypatch.setattr(FrictionResult, "put", lambda self, *_: asked.append(dict(self.published)))
+    folder, known = written(tmp_path / "trials", MADE), ROOT / "studies" / "references" / "touchpad.toml"
+    assert inside("friction", folder, "--references", known, "--out", tmp_path / "a").code == 0
+    assert inside("friction", folder, "--out", tmp_path / "b").code == 0
+    assert asked == [{"driven": 0.55, "idle": 0.11, "stopped": 0.8}, {}]
 
 
 @pytest.mark.parametrize(

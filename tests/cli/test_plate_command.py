@@ -93,8 +93,8 @@ def test_a_study_without_a_plate_says_so(inside, study):
 
 def test_a_single_line_has_maps_and_no_spectra_and_its_body_moves_like_its_face(plated, tmp_path):
     study = load(plated())
-    result = study.vibrating(at=9e3, store=Store(tmp_path / "store"))
-    assert set(result.figures()) == {"plan", "maps"}
+    result = study.plate(at=9e3, store=Store(tmp_path / "store"))
+    assert set(result.figures) == {"plan", "maps"}
     place, moved = result.body["node_position"].values, result.body["real"] + 1j * result.body["imag"]
     face = moved.values[np.isclose(place[:, 2], 0.0), 2]
     where = place[np.isclose(place[:, 2], 0.0), :2]
@@ -112,15 +112,15 @@ def test_a_single_line_has_maps_and_no_spectra_and_its_body_moves_like_its_face(
 def test_the_chapter_of_the_report(plated, monkeypatch, tmp_path):
     monkeypatch.setenv("HAPTONIC_STORE", str(tmp_path / "store"))
     study = load(plated())
-    result = study.vibrating(store=Store(tmp_path / "store"))
-    made = chapter(Results(study, xr.Dataset(), plate=result))
+    result = study.plate(store=Store(tmp_path / "store"))
+    made = chapter(Results(study, {"plate": result}))
     assert isinstance(made, Chapter)
     for name in ("velocity", "contrast", "impedance-A1"):
-        assert result.figures()[name].axes[0].get_title() == "simulated"
+        assert result.figures[name].axes[0].get_title() == "simulated"
     words = " ".join([*made.paragraphs, *made.findings])
     assert "4 pillars" in words
     assert "assumed" in words
     assert ERRORS in words
     assert all(picture.caption.startswith("Simulated") for picture in made.pictures)
     assert all("imulated" in table.caption for table in made.tables)
-    assert isinstance(chapter(Results(study, xr.Dataset())), Absent)
+    assert isinstance(chapter(Results(study, {})), Absent)

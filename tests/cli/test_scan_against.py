@@ -8,12 +8,13 @@ import numpy as np
 import pytest
 
 from five_parts import assert_five_parts
+from haptonic.analyses import scanning
 from haptonic.errors import HaptonicWarning
 from haptonic.response import FrequencyResponse, read, write
 from haptonic.results import write_files
 from haptonic.results.scan import Estimation, compute_scan
 from haptonic.store import Store
-from haptonic.study import load, scanning
+from haptonic.study import load
 from haptonic.vibrometry import ReadReport, Scan, read_scan
 from tiny_scan import TINY
 
@@ -48,11 +49,11 @@ def folder(tmp_path_factory, store_folder):
     question = study.scan_settings.frozen()
     with pytest.warns(HaptonicWarning, match="ring-down"):
         drive = question.drive(study.mounted_plate())
-    computed = study.vibrating(asked=question.of_plate(1e-3, drive), store=store).response
+    computed = study.plate(asked=question.of_plate(1e-3, drive), store=store).response
     with pytest.warns(HaptonicWarning, match="ring-down"):
-        made = scanning.twin_scan(study, seed=5, response=computed, store=store)
+        made = study.twin_scan(seed=5, response=computed, store=store)
     write(computed, out / "model.nc")
-    write_files(out, made.files("h5", "time"), overwrite=False)
+    write_files(out, made.files, overwrite=False)
     return out
 
 
@@ -116,7 +117,7 @@ def test_a_response_that_is_there_is_compared_with(inside, folder):
 def test_the_path_is_taken_out_only_once(folder, store_folder):
     """A response that a scan has given says that delay and low-pass are gone."""
     store = Store(store_folder)
-    on = scanning.scanned(load(folder / "plain.toml"), store=store)
+    on = scanning.on_plate(load(folder / "plain.toml"), store=store)
     first = compute_scan(read_scan(folder / "scan.h5"), Estimation(), on, store=store).response
     again = Scan(first, ReadReport("NetCDF", "memory", len(first.points)))
     second = compute_scan(again, Estimation(), on, store=store).response

@@ -9,8 +9,8 @@ import pytest
 
 from haptonic.bloch import Gap
 from haptonic.bloch.guide import strip_mode
+from haptonic.bloch.mirrors import condensed_cell
 from haptonic.bloch.model import bloch_model
-from haptonic.results.carrier import condensed_cell
 from haptonic.results.scan.computed import computed_waves, guided
 from haptonic.results.scan.places import guides_of, mirror_beside, strips_of
 from haptonic.store import Store

@@ -9,6 +9,7 @@ import pytest
 import xarray as xr
 
 from five_parts import assert_five_parts
+from haptonic.analyses.needs import fineness
 from haptonic.response import FrequencyResponse, read, write
 from haptonic.results.plate.answer import responded
 from haptonic.results.plate.question import grid_points
@@ -92,7 +93,7 @@ def scan(plated, exact, tmp_path):
             of = changed(described.mounted_plate(), TRUE)
             points, regions = grid_points(of, 3e-3)
             lines = np.linspace(0, 22e3, 221)
-            found = responded(of, lines[10:], points, regions, 1e-3, fineness=described.fineness())
+            found = responded(of, lines[10:], points, regions, 1e-3, fineness=fineness(described))
             values = np.concatenate([np.zeros((10, *found.values.shape[1:])), found.values])
             exact.update(values=values, lines=lines, points=points)
         chance, values, points = np.random.default_rng(0), exact["values"], exact["points"]

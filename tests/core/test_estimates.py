@@ -43,6 +43,18 @@ def test_what_the_interior_leaves_out_is_told_for_many_bands(number):
         assert (lost <= told + 1e-5 * expected).all()
 
 
+@pytest.mark.nightly
+@pytest.mark.parametrize("ratio", [1.0, 1.72])
+def test_a_quarter_turn_resolves_the_neck_between_pillars_of_any_lattice(ratio):
+    """A neck lies on the longer side of its cell, of which it is a smaller part than of the shorter."""
+    lattice = Lattice.rectangular(7e-3, ratio * 7e-3)
+    cell = UnitCell(lattice, 0.2e-3, material("aluminium-2017a"), Pillar(5.95e-3, 0.7e-3))
+    plan = Resolution(3, 1).plan(cell)
+    here = hertz(cell, plan, 10)
+    finer = hertz(cell, replace(plan, order=plan.order + 2), 10)
+    assert (np.abs(here / finer - 1)[finer > REST * finer.max()] < 1.2e-2).all()
+
+
 @pytest.mark.slow
 def test_what_more_of_the_interior_mends_is_not_laid_on_the_mesh():
     """A slender pillar has many modes of its own; finer meshes with as short an interior tell none."""

@@ -34,8 +34,8 @@ ACCURACIES = (2.5e-2, 1e-2, 5e-3, 2e-3, 1e-3, 5e-4)
 COUNTS = (10, 10, 10, 15, 20, 30)
 KAPPA = np.pi * np.array([(1, 0), (0, 1), (1, 1), (1, 0.5), (0.5, 0.5), (0.6, 0.3), (0.15, 0.05)])
 STOUT_FROM = 1000  # numbers of designs of a class apart: stout pillars on thin plates, asked for coarsely
-# order and rings of a reference's meshes, by whether the accuracy asked is below `SHARP`
-SHARP, COARSE, FINE = 2e-3, ((4, 1), (5, 2), (6, 2)), ((5, 1), (6, 2), (7, 3))
+# order and rings of a reference's meshes, by the least accuracy asked that they are for
+MESHES = {1e-2: ((4, 1), (5, 1), (6, 2)), 2e-3: ((4, 1), (5, 2), (6, 2)), 0.0: ((5, 1), (6, 2), (7, 3))}
 STEPS, BLOCK, MORE = 3, 24, 8  # of their interior spaces: directions of a block, and how many more each has
 ENOUGH = 0.2  # share of the accuracy that a reference's uncertainty may be
 WHOLE, LARGEST = 60_000, 210_000  # unknowns that are condensed whole, and at all: 230,000 take 4 GB
@@ -125,8 +125,9 @@ def truth(question: Drawn) -> Truth | None:
     if cell.pillar is None:
         exact = np.array([plain_plate(cell, kappa, count) for kappa in wavevectors(cell)])
         return Truth(exact, 1e-8 * exact, "Rayleigh-Lamb")
+    meshes = next(meshes for least, meshes in MESHES.items() if question.accuracy >= least)
     before, found = None, None
-    for turn, (order, rings) in enumerate(FINE if question.accuracy < SHARP else COARSE):
+    for turn, (order, rings) in enumerate(meshes):
         plans = [MeshPlan.suited(cell, order, fewer, count) for fewer in range(rings, 0, -1)]
         if cell.pillar.fillet:  # there is no edge at the foot
             plans = plans[-1:]

@@ -61,9 +61,9 @@ class TestFormats:
     def test_workers_change_nothing(self, tmp_path):
         folder = written(tmp_path / "a", MADE, per="block", kind="h5")
         seen = []
-        found = friction_in(folder, workers=1, told=lambda *progress: seen.append(progress))
+        found = friction_in(folder, workers=1, progress=lambda *seen_now: seen.append(seen_now))
         assert found["friction"].values == pytest.approx(TRUE, rel=1e-9)
-        assert seen[-1] == (len(MADE), len(MADE), False)
+        assert seen[-1] == (len(MADE), len(MADE))
 
     def test_groups_of_one_hdf5_file(self, tmp_path):
         folder = written(tmp_path / "a", MADE)

@@ -47,10 +47,10 @@ force = "1 N"
 
 
 ASKS = {
-    "a band": lambda study: study.vibrating(store=Store.default()),
-    "one frequency": lambda study: study.vibrating(at=58e3, store=Store.default()),
-    "a finger": lambda study: study.felt(store=Store.default()),
-    "a finger at one frequency": lambda study: study.felt(at=58e3, store=Store.default()),
+    "a band": lambda study: study.plate(store=Store.default()),
+    "one frequency": lambda study: study.plate(at=58e3, store=Store.default()),
+    "a finger": lambda study: study.feel(store=Store.default()),
+    "a finger at one frequency": lambda study: study.feel(at=58e3, store=Store.default()),
 }
 MEMORY = SimpleNamespace(total=24e9, available=20e9)
 

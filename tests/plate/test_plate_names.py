@@ -16,7 +16,6 @@ from small import COARSE, LOSS, drawn, glued
 
 from haptonic import plots
 from haptonic.cli.console import Voice
-from haptonic.cli.plates import localisation_table, modes_table, plate_files, power_table
 from haptonic.plate import Plate
 from haptonic.plate.keys import FINGER, PLATE, SUPPORTS, bond, ceramic, dielectric, electric
 from haptonic.plate.parts import Force, Support
@@ -24,6 +23,7 @@ from haptonic.response import read, write
 from haptonic.results.common import write_netcdf
 from haptonic.results.plate.compute import compute_plate
 from haptonic.results.plate.question import PlateQuestion
+from haptonic.results.plate.value import impedance_names
 from haptonic.store import Store
 from hostile import NASTY, names
 
@@ -115,10 +115,8 @@ def shown_whole(result, regions, drives, folder: Path):
             origin="simulated",
         ),
     }  # fmt: skip
-    (impedance,) = {name for name in plate_files(result.plate) if name.startswith("impedance")} - {
-        name for name in plate_files(result.plate) if name.endswith(".png")
-    }
-    figures[impedance.removesuffix(".svg")] = plots.impedance_spectrum(
+    (impedance,) = impedance_names(result.plate).values()
+    figures[impedance] = plots.impedance_spectrum(
         frequency, result.impedance(drives[0]), None, origin="simulated"
     )
     shown = figures["velocity"].findobj(Legend)
@@ -127,11 +125,11 @@ def shown_whole(result, regions, drives, folder: Path):
         plots.save(figure, out, name)
     written = sorted(path for path in folder.rglob("*.*") if "store" not in path.relative_to(folder).parts)
     assert {path.parent for path in written} == {out}
-    assert {path.name for path in written} >= {"plan.svg", impedance}
+    assert {path.name for path in written} >= {"plan.svg", f"{impedance}.svg"}
     voice = Voice(machine=False)
     voice.out.file, voice.out.width = io.StringIO(), 4000
-    for table in (localisation_table(result), power_table(result), modes_table(result)):
-        voice.tell(table)
+    for table in result.tables():
+        voice.show(table)
     said = "".join(voice.out.file.getvalue().split())
     assert all("".join(name.split()) in said for name in (*regions, drives[0]))
     told = result.to_json()["maps"][0]
@@ -142,7 +140,7 @@ def shown_whole(result, regions, drives, folder: Path):
 def test_a_name_that_goes_up_writes_nothing_above():
     """The fault that was found."""
     plate = called(("WG1", "WG2"), ("x/../../../escaped", "F1"))
-    assert all(Path(name).name == name for name in plate_files(plate))
+    assert all(Path(name).name == name for name in impedance_names(plate).values())
 
 
 @given(st.sampled_from(NASTY), st.sampled_from(NASTY))

@@ -14,8 +14,9 @@ import xarray as xr
 from test_report import read, results
 
 from haptonic import plots
+from haptonic.analyses import scanning
 from haptonic.cli.console import Voice
-from haptonic.cli.touching import _tell
+from haptonic.cli.running import show
 from haptonic.errors import FrictionError, HaptonicWarning
 from haptonic.friction.recordings import Sensor
 from haptonic.friction.signals import Label, Rules
@@ -24,10 +25,10 @@ from haptonic.report.chapters import plate as plates
 from haptonic.report.chapters import scan as scans
 from haptonic.report.chapters.trials import chapter
 from haptonic.report.page import page
-from haptonic.report.quality import quality
 from haptonic.results import compute_friction
+from haptonic.results.quality import quality
 from haptonic.store import Store
-from haptonic.study import loads, scanning
+from haptonic.study import loads
 from tiny_scan import TINY
 from trial_folders import made_up, written
 
@@ -68,7 +69,7 @@ def trials(request, tmp_path_factory):
 
 def test_tables_hold_the_names_and_no_formula(trials, tmp_path):
     result, people, guides = trials
-    for name, write in result.files().items():
+    for name, write in result.files.items():
         write(tmp_path / name)
     for name in ("trials.csv", "conditions.csv"):
         rows = rows_of(tmp_path / name)
@@ -83,20 +84,20 @@ def test_tables_hold_the_names_and_no_formula(trials, tmp_path):
 
 def test_a_table_that_was_written_is_read_again(trials, tmp_path):
     result, people, _ = trials
-    result.files()["trials.csv"](tmp_path / "trials.csv")
+    result.files["trials.csv"](tmp_path / "trials.csv")
     again = compute_friction(tmp_path / "trials.csv", Sensor(), Rules())
     assert set(again.trials["participant"].values.tolist()) == set(people)
 
 
 def test_pictures_and_terminal_show_them(trials, tmp_path):
     result, people, guides = trials
-    for name, figure in result.figures().items():
+    for name, figure in result.figures.items():
         for path in plots.save(figure, tmp_path, name):
             if path.suffix == ".svg":
                 ET.fromstring(path.read_bytes())
     voice = Voice(machine=False)
     voice.out.file, voice.out.width = io.StringIO(), 4000
-    _tell(result, voice)
+    show(result, voice)
     said = "".join(voice.out.file.getvalue().split())
     assert all("".join(name.split()) in said for name in guides)
     assert len(people) == 4
@@ -105,8 +106,8 @@ def test_pictures_and_terminal_show_them(trials, tmp_path):
 def test_pages_hold_text_only(trials, monkeypatch):
     result, people, guides = trials
     monkeypatch.setattr("haptonic.report.page.IN_ORDER", (chapter,))
-    report = read(page(results(trials=result)))
-    sheets = read(quality(result, lambda *_: None))
+    report = read(page(results(friction=result)))
+    sheets = read(quality(result))
     for seen in (report, sheets):
         assert not FORBIDDEN & {tag for tag, _ in seen.tags}
         assert not [key for _, attributes in seen.tags for key in attributes if key.startswith("on")]
@@ -134,7 +135,7 @@ def test_pages_of_a_plate_and_its_scan_hold_text_only(tmp_path, monkeypatch):
     with pytest.warns(HaptonicWarning, match="ring-down"):
         drive = question.drive(study.mounted_plate())
     asked = replace(question.of_plate(1e-3, drive), points=126)
-    plate = study.vibrating(asked=asked, store=store)
+    plate = study.plate(asked=asked, store=store)
     scan = scanning.rescanned(study, plate, seed=2, store=store)
     monkeypatch.setattr("haptonic.report.page.IN_ORDER", (plates.chapter, scans.chapter))
     seen = read(page(results(study=study, plate=plate, scan=scan)))

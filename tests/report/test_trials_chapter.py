@@ -4,14 +4,14 @@ import re
 from types import SimpleNamespace
 
 import pytest
-import xarray as xr
 
 from haptonic.friction.recordings import Sensor
 from haptonic.friction.signals import Rules
 from haptonic.friction.words import averages
-from haptonic.report import Absent, Chapter, Results, paper
+from haptonic.report import Absent, Chapter, Results
 from haptonic.report.chapters.trials import chapter
 from haptonic.results import compute_friction
+from haptonic.results.references import References
 from trial_folders import made_up, written
 
 
@@ -21,14 +21,16 @@ def result(tmp_path_factory):
     return compute_friction(folder, Sensor(), Rules(), driven="WG1")
 
 
-@pytest.mark.parametrize("of_the_paper", [True, False])
-def test_the_papers_numbers_stand_beside_ours_where_they_belong(result, monkeypatch, of_the_paper):
-    monkeypatch.setattr(paper, "is_its_cell", lambda study: of_the_paper)
-    made = chapter(Results(SimpleNamespace(), xr.Dataset(), trials=result))
+KNOWN = References(friction={"driven": 0.55, "idle": 0.11, "stopped": 0.8})
+
+
+@pytest.mark.parametrize("known", [KNOWN, None])
+def test_measured_numbers_stand_beside_ours_where_there_are_some(result, known):
+    made = chapter(Results(SimpleNamespace(), {"friction": result}, references=known))
     assert isinstance(made, Chapter)
     words = " ".join(made.findings)
-    for share in paper.FRICTION.values():
-        assert (f"the paper measured {100 * share:.0f} %" in words) == of_the_paper
+    for share in KNOWN.friction.values():
+        assert (f"measured: {100 * share:.0f} %" in words) == (known is not None)
     first = re.search(r"WG1: friction falls by (\d+) %", words)
     assert float(first[1]) == pytest.approx(100 * result.found.reductions["WG1"].value, abs=0.51)
     assert len(made.tables[0].rows) == 6
@@ -36,15 +38,14 @@ def test_the_papers_numbers_stand_beside_ours_where_they_belong(result, monkeypa
     assert averages() in made.paragraphs
 
 
-def test_what_is_simulated_says_so(result, monkeypatch):
-    monkeypatch.setattr(paper, "is_its_cell", lambda study: False)
-    measured = chapter(Results(SimpleNamespace(), xr.Dataset(), trials=result))
+def test_what_is_simulated_says_so(result):
+    measured = chapter(Results(SimpleNamespace(), {"friction": result}))
     result.trials.attrs["origin"] = "simulated"
-    simulated = chapter(Results(SimpleNamespace(), xr.Dataset(), trials=result))
+    simulated = chapter(Results(SimpleNamespace(), {"friction": result}))
     assert "Nobody was measured" in simulated.paragraphs[0]
     assert "Nobody" not in " ".join(measured.paragraphs)
     assert all(picture.caption.startswith("Simulated") for picture in simulated.pictures)
 
 
 def test_without_trials_the_chapter_is_absent():
-    assert isinstance(chapter(Results(SimpleNamespace(), xr.Dataset())), Absent)
+    assert isinstance(chapter(Results(SimpleNamespace(), {})), Absent)

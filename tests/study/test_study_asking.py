@@ -7,6 +7,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from haptonic.analyses import design
 from haptonic.design.brief import Finger
 from haptonic.design.parameters import UNITS
 from haptonic.errors import StudyError
@@ -197,7 +198,7 @@ class TestReading:
         assert (pillar.step.diameter, pillar.step.height) == (2e-3, 6e-3)
 
     def test_the_brief_has_what_the_study_asks(self, every_key_text):
-        brief = loads(every_key_text).brief()
+        brief = design.brief(loads(every_key_text))
         assert brief.carrier == 60e3
         assert brief.paths == ("cell.pillar.draft", "material.poisson_ratio")
         assert (brief.slenderness, brief.tool, brief.reach) == (8.0, 2e-3, 20e-3)
@@ -209,7 +210,7 @@ class TestReading:
         assert study.design_settings.vary == study.tolerance_settings.of == ()
         assert study.design_settings.finger is None
         assert study.waveguide_settings.nodal_lines == (0, 17)
-        for asking, path in ((study.brief, "design.vary"), (study.toleranced, "tolerance.of")):
+        for asking, path in ((study.design, "design.vary"), (study.tolerance, "tolerance.of")):
             with pytest.raises(StudyError) as caught:
                 asking()
             assert caught.value.argument == path
@@ -220,7 +221,7 @@ class TestReading:
         text = BASE.replace('carrier = "60 kHz"', "") + table
         study = loads(text)
         with pytest.raises(StudyError) as caught:
-            (study.designed if study.design_settings.vary else study.toleranced)()
+            (study.design if study.design_settings.vary else study.tolerance)()
         assert caught.value.argument == "carrier"
         assert all(caught.value.parts().values())
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -10,6 +11,8 @@ from numpy.typing import NDArray
 from haptonic.bloch.model import BlochModel
 from haptonic.bloch.pencil import eigenpairs
 from haptonic.bloch.tracking import Diagram
+from haptonic.errors import StudyError
+from haptonic.units import format_quantity
 
 Array = NDArray[np.float64]
 Ints = NDArray[np.int64]
@@ -171,6 +174,43 @@ def complete_gaps(model: BlochModel) -> tuple[Gap, ...]:
         if gap.width > doubt and (gap.certain or gap.width > SEARCH_GOAL * gap.centre):
             gaps.append(gap)
     return tuple(gaps)
+
+
+def gap_at(gaps: Iterable[Gap], frequency: float) -> Gap | None:
+    """The gap that holds a frequency (Hz): complete, with its edges' errors counted; of several the widest.
+
+    This is what "the gap that holds the carrier" means everywhere.
+    """
+    holding = [gap for gap in gaps if gap.complete and gap.holds(frequency)]
+    return max(holding, key=lambda gap: gap.width, default=None)
+
+
+def widest_gap(gaps: Iterable[Gap]) -> Gap | None:
+    """The widest complete gap that is wider than the errors of its edges."""
+    sure = [gap for gap in gaps if gap.complete and gap.certain]
+    return max(sure, key=lambda gap: gap.width, default=None)
+
+
+def need_gap_at(gaps: Sequence[Gap], carrier: float) -> Gap:
+    """The gap that holds the carrier (Hz); see `gap_at`.
+
+    Raises
+    ------
+    StudyError : there is none
+    """
+    gap, widest = gap_at(gaps, carrier), widest_gap(gaps)
+    if gap is None:
+        nearest = (
+            f"; the widest is {widest.lower / 1e3:.2f} to {widest.upper / 1e3:.2f} kHz" if widest else ""
+        )
+        raise StudyError(
+            argument="carrier",
+            given=format_quantity(carrier, "Hz"),
+            allowed="a frequency in a complete gap of the cell, by more than the errors of its edges",
+            cause=f"the cell has no such gap there{nearest}",
+            next_step="find a cell for this carrier with `haptonic design`",
+        )
+    return gap
 
 
 def partial_gaps(diagram: Diagram, complete: tuple[Gap, ...]) -> tuple[Gap, ...]:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
+from functools import lru_cache
 
 import numpy as np
 import xarray as xr
@@ -14,9 +15,11 @@ from threadpoolctl import threadpool_limits
 from haptonic.bloch.evanescent import Slab, bloch_waves, decibels
 from haptonic.bloch.layers import OUTGOING, Interface, Scattering
 from haptonic.bloch.plate_waves import FAMILIES
+from haptonic.bloch.resolution import Resolution
+from haptonic.cell import UnitCell
 from haptonic.errors import StudyError
 from haptonic.gate import WORD
-from haptonic.superelement import Superelement
+from haptonic.superelement import Superelement, condense
 from haptonic.superelement.parallel import threads
 
 Array = NDArray[np.float64]
@@ -26,6 +29,12 @@ PHASES = np.linspace(0.0, np.pi, 5)  # along the rows, at which the decay is fol
 SHOWN_WAVES = 8  # of each frequency in the complex band structure: those that reach farthest
 MOST_ROWS = 60  # tried for a given insulation
 GOALS = (20.0, 40.0, 60.0)  # dB
+
+
+@lru_cache(maxsize=2)
+def condensed_cell(cell: UnitCell, resolution: Resolution) -> Superelement:
+    """The superelement of a cell; kept for the next task of a worker."""
+    return condense(cell, resolution.plan(cell), resolution.steps, block=resolution.block, measured=False)
 
 
 @dataclass(frozen=True)

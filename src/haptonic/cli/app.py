@@ -1,34 +1,23 @@
-"""Commands of the ``haptonic`` program."""
+"""The program ``haptonic``: a command for each analysis, and a few about the program itself."""
 
 from __future__ import annotations
 
 from typing import Annotated
 
 import typer
-from rich.table import Table
 
 from haptonic import __version__
 from haptonic.cli.console import speaking
-from haptonic.cli.designing import design, export, tolerance
 from haptonic.cli.doctor import examined
-from haptonic.cli.experiments import protocol
-from haptonic.cli.feeling import feel
-from haptonic.cli.helping import Worded
-from haptonic.cli.lattices import bands, sweep
-from haptonic.cli.mirrors import layers, waveguide
-from haptonic.cli.options import Json
-from haptonic.cli.plates import plate
-from haptonic.cli.reproducing import reproduce
-from haptonic.cli.scans import chirp, scan
-from haptonic.cli.touching import friction
-from haptonic.cli.twins import twin
-from haptonic.cli.verdicts import verdict
+from haptonic.cli.helping import Analyses
+from haptonic.cli.running import Json
 from haptonic.fields import table
+from haptonic.results.table import Table
 from haptonic.study import Study
 
 app = typer.Typer(
     name="haptonic",
-    cls=Worded,
+    cls=Analyses,
     help="Design and check surfaces whose friction is shaped by phononic crystals.",
     no_args_is_help=True,
     add_completion=False,
@@ -51,25 +40,14 @@ def root(
         raise typer.Exit
 
 
-COMMANDS = (
-    bands, sweep, reproduce, layers, waveguide, design, tolerance, export, plate, feel, chirp, scan, protocol,
-    friction, verdict,
-)  # fmt: skip
-for command in COMMANDS:
-    app.command()(command)
-app.add_typer(twin, name="twin")
-
-
 @app.command()
 def doctor(json: Json = False) -> None:
     """Versions, threads, solver, memory, and a check of the physics that takes a second."""
     with speaking(json) as voice:
-        with voice.busy("examining"):
+        with voice.counted("examining"):
             report = examined()
-        shown = Table("", "", title="haptonic doctor", show_header=False)
-        for name, value in report.items():
-            shown.add_row(name.replace("_", " "), str(value))
-        voice.tell(shown)
+        rows = [(name.replace("_", " "), str(value)) for name, value in report.items()]
+        voice.show(Table("haptonic doctor", ("what", "value"), rows))
         voice.answer(report)
         if not report["healthy"]:
             raise SystemExit(1)
@@ -80,10 +58,12 @@ def keys(json: Json = False) -> None:
     """Every key of the study file, with its unit, default and bounds."""
     with speaking(json) as voice:
         known = table(Study)
-        shown = Table("key", "meaning", "unit", "default", "allowed", title="keys of the study file")
-        for path, key in known.items():
-            shown.add_row(path, f"{key.title}. {key.description}", key.unit, key.default, key.bounds)
-        voice.tell(shown)
+        rows = [
+            (path, f"{key.title}. {key.description}", key.unit, key.default, key.bounds)
+            for path, key in known.items()
+        ]
+        head = ("key", "meaning", "unit", "default", "allowed")
+        voice.show(Table("keys of the study file", head, rows))
         voice.answer(
             {
                 "keys": [

@@ -4,29 +4,34 @@ from __future__ import annotations
 
 import sys
 import warnings
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass, field
 from typing import Any
 
+from rich.cells import cell_len
 from rich.console import Console
 from rich.progress import (
     BarColumn,
     MofNCompleteColumn,
-    Progress,
     SpinnerColumn,
     TextColumn,
     TimeElapsedColumn,
     TimeRemainingColumn,
 )
+from rich.progress import Progress as Bar
+from rich.table import Table as RichTable
 from rich.text import Text
 
 from haptonic.errors import HaptonicError, HaptonicWarning
 from haptonic.gate import json_of
 from haptonic.names import visible
+from haptonic.progress import Progress
+from haptonic.results.table import NOTHING, Table
 
 USER_ERROR = 2
 INTERRUPTED = 130
+ROOMY = 6  # columns that fit with room around them into a terminal 80 columns wide
 
 
 class PlainConsole(Console):
@@ -86,27 +91,41 @@ class Voice:
         row = Text.assemble(("warning", "yellow"), " ", visible(text))
         self.err.print(row, soft_wrap=True, highlight=False)
 
-    @contextmanager
-    def busy(self, what: str) -> Iterator[Callable[[str], None]]:
-        """A spinner with the time gone by, on standard error; yields what to call with other words."""
-        columns = (SpinnerColumn(), TextColumn("{task.description}", markup=False), TimeElapsedColumn())
-        with Progress(*columns, console=self.err, transient=True) as progress:
-            task = progress.add_task(what, total=None)
-            yield lambda words: progress.update(task, description=words)
+    def show(self, content: Table) -> None:
+        """Show a table to a person. Heads may be folded in a narrow terminal, numbers may not."""
+        if self.machine:
+            return
+        many = len(content.columns) > ROOMY
+        shown = RichTable(title=content.title, padding=(0, 0 if many else 1))
+        for column, cells in zip(content.head, zip(*content.texts, strict=True), strict=True):
+            numeric = all(cell == NOTHING or cell[:1] in "+-0123456789" for cell in cells)
+            width = max(map(cell_len, cells), default=0) if numeric else None
+            shown.add_column(column, overflow="fold", min_width=width)
+        for number, row in enumerate(content.texts):
+            shown.add_row(*row, style="bold" if number in content.strong else "")
+        if not content.rows:
+            shown.add_row("none", *[""] * (len(content.columns) - 1))
+        self.out.print(shown)
 
     @contextmanager
-    def counted(self, what: str, total: int) -> Iterator[Callable[[int, int, bool], None]]:
-        """A bar with the time left, on standard error; yields what to call with (done, planned, stored).
+    def counted(self, what: str) -> Iterator[Progress]:
+        """A bar with the time left, on standard error; yields the callback that moves it.
 
-        A ``total`` of 0 is not known yet: then what is planned counts.
+        While nothing is planned, only the time that has gone by moves.
         """
         columns = (
-            TextColumn("{task.description}", markup=False), BarColumn(), MofNCompleteColumn(),
+            SpinnerColumn(), TextColumn("{task.description}", markup=False), BarColumn(),
+            MofNCompleteColumn(),
             TextColumn("elapsed"), TimeElapsedColumn(), TextColumn("left"), TimeRemainingColumn(),
         )  # fmt: skip
-        with Progress(*columns, console=self.err, transient=True) as progress:
-            task = progress.add_task(what, total=total)
-            yield lambda done, planned, _stored: progress.update(task, completed=done, total=total or planned)
+        with Bar(*columns, console=self.err, transient=True) as bar:
+            task = bar.add_task(what, total=None)
+
+            def progress(done: int, planned: int, now: str = "", /) -> None:
+                words = f"{what}: {now}" if now else what
+                bar.update(task, completed=done, total=planned or None, description=words)
+
+            yield progress
 
 
 @contextmanager

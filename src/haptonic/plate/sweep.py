@@ -19,6 +19,7 @@ from haptonic.plate.krylov import Basis, Chain, chains
 from haptonic.plate.model import PlateModel
 from haptonic.plate.parts import Finger, Plate
 from haptonic.plate.vibration import ReducedPlate, Vibration
+from haptonic.progress import Progress, silent
 
 Array = NDArray[np.float64]
 
@@ -52,9 +53,9 @@ class Band:
         model: PlateModel,
         low: float,
         high: float,
-        told: Callable[[int, int], None] = lambda done, all: None,
+        progress: Progress = silent,
     ) -> Band:
-        """Span a basis for a band; ``told`` is called with the shifts done and all that are planned.
+        """Span a basis for a band; ``progress`` is called with the shifts done and all that are planned.
 
         A band of a single frequency has none: its line is answered directly.
 
@@ -74,7 +75,7 @@ class Band:
 
         def tell() -> None:
             done.append(None)
-            told(len(done), planned[0])
+            progress(len(done), planned[0])
 
         found = chains(model.assembly, _forces(model), first.tolist(), LENGTH, tell)
         for crowd in [1.0, *[CROWDED] * ROUNDS]:
@@ -118,13 +119,13 @@ class Band:
         drives: Mapping[str, complex],
         frequencies: Array,
         tolerance: float,
-        told: Callable[[int, int], None] = lambda done, all: None,
+        progress: Progress = silent,
     ) -> tuple[Band, Vibration]:
         """Answer to drives at frequencies, Hz, each line with an error of at most ``tolerance``.
 
         If many lines of the reduced plate are not good enough, the basis gets further shifts, or all modes
-        below the band if it lacks them. Those that are left are answered directly; ``told`` is called with
-        how many of these are done, and with their number.
+        below the band if it lacks them. Those that are left are answered directly; ``progress`` is called
+        with how many of these are done, and with their number.
 
         Returns
         -------
@@ -139,9 +140,9 @@ class Band:
             band, vibration = self._on_basis(drives, omega, tolerance)
             poor = np.flatnonzero(vibration.error > tolerance)
             if len(poor):
-                vibration = vibration.with_lines(poor, band._directly(drives, omega[poor], told))
+                vibration = vibration.with_lines(poor, band._directly(drives, omega[poor], progress))
         else:
-            vibration = self._directly(drives, omega, told)
+            vibration = self._directly(drives, omega, progress)
         poor = np.flatnonzero(vibration.error > tolerance)
         if len(poor):
             worst = float(frequencies[vibration.error.argmax()])
@@ -180,16 +181,14 @@ class Band:
         except ResourceError:
             return None
 
-    def _directly(
-        self, drives: Mapping[str, complex], omega: Array, told: Callable[[int, int], None]
-    ) -> Vibration:
+    def _directly(self, drives: Mapping[str, complex], omega: Array, progress: Progress) -> Vibration:
         """The direct answer at some angular frequencies, rad/s."""
         model = self.reduced.model
         load = model.load(drives)[:, None]
         fields = np.empty((model.assembly.size, len(omega)), dtype=complex)
         for k, one in enumerate(omega.tolist()):
             fields[:, [k]] = direct_answer(model, load, one)
-            told(k + 1, len(omega))
+            progress(k + 1, len(omega))
         both = np.hstack([np.eye(len(omega)), 1j * np.eye(len(omega))]).T
         return self.reduced.checked(drives, omega, np.hstack([fields.real, fields.imag]), both)
 

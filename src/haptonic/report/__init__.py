@@ -1,4 +1,4 @@
-"""One page that shows what a study gave: self-contained, printable, with the paper beside it."""
+"""One page that shows what a study gave: self-contained, printable."""
 
 import lazy_loader as lazy
 

@@ -5,18 +5,19 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from datetime import datetime
-from typing import TYPE_CHECKING
+from typing import TypeVar
 
 import xarray as xr
 
-from haptonic.bloch import Gap
 from haptonic.friction.statistics import Alarms
-from haptonic.results import Feel, FrictionResult, Guides, Layers, PlateResult
-from haptonic.results.scan import ScanResult
-from haptonic.study import Study
+from haptonic.pages import Picture
+from haptonic.results.references import References, Variant
+from haptonic.results.result import Result
+from haptonic.results.sweeps import Sweeps
+from haptonic.results.table import Table
+from haptonic.study.schema import Description
 
-if TYPE_CHECKING:
-    from matplotlib.figure import Figure
+R = TypeVar("R", bound=Result)
 
 
 @dataclass(frozen=True, eq=False)
@@ -24,55 +25,40 @@ class Results:
     """All that a run gave.
 
     study : what was asked
-    bands : from `haptonic.bloch.bands_dataset`
-    sweeps : one dataset for each of the study's sweeps that was computed; may be empty
-    layers, guides : what was asked of the lattice as a mirror, if it was computed
-    plate : how the finite plate vibrates, if it was computed
-    scan : of a twin of the instrument on that plate, if it was made up
-    feel : what a finger feels of the plate, if it was computed
-    trials : of made-up people on that plate, if they were made up
+    parts : the results by the names of their analyses; the bands are always there
     alarms : how often each test finds a difference in such trials where the population has none, by its name
-    guide_shifts : from `haptonic.report.guide_shifts`, if the plate is the paper's
-    filleted : the gap of the same cell with a fillet of the radius that `paper` names, if it was computed
+    references : what somebody else found, if the study's example brings it
+    variants : values of the study with one thing changed; None where there is none
     timings : seconds that each part of the run took, by name
     started : when the run began, with its time zone
     """
 
-    study: Study
-    bands: xr.Dataset
-    sweeps: tuple[xr.Dataset, ...] = ()
-    layers: Layers | None = None
-    guides: Guides | None = None
-    plate: PlateResult | None = None
-    scan: ScanResult | None = None
-    feel: Feel | None = None
-    trials: FrictionResult | None = None
+    study: Description
+    parts: Mapping[str, Result]
     alarms: Mapping[str, Alarms] = field(default_factory=dict)
-    guide_shifts: xr.Dataset | None = None
-    filleted: Gap | None = None
+    references: References | None = None
+    variants: tuple[tuple[Variant, float | None], ...] = ()
     timings: Mapping[str, float] = field(default_factory=dict)
     started: datetime | None = None
 
+    @property
+    def bands(self) -> xr.Dataset:
+        """From `haptonic.bloch.bands_dataset`."""
+        return self.parts["bands"].dataset
 
-@dataclass(frozen=True, eq=False)
-class Picture:
-    """A figure with the sentence below it and the words that stand for it where it cannot be seen."""
+    @property
+    def sweeps(self) -> tuple[xr.Dataset, ...]:
+        """One for each of the study's sweeps that was computed."""
+        found = self.of(Sweeps)
+        return tuple(one.dataset for one in found.rows) if found else ()
 
-    figure: Figure
-    caption: str
-    alternative: str
+    def of(self, kind: type[R]) -> R | None:
+        """The result of a kind, if it was computed."""
+        return next((one for one in self.parts.values() if isinstance(one, kind)), None)
 
-
-@dataclass(frozen=True)
-class Table:
-    """Rows of text below a head; ``caption`` says what they are. The first column names the row."""
-
-    caption: str
-    head: tuple[str, ...]
-    rows: tuple[tuple[str, ...], ...]
-
-    def __post_init__(self) -> None:
-        assert all(len(row) == len(self.head) for row in self.rows), self.caption
+    def where(self, picture: str) -> str:
+        """Where the references show the same as a picture, for the sentence below it."""
+        return self.references.where(picture) if self.references else ""
 
 
 @dataclass(frozen=True, eq=False)
@@ -93,3 +79,6 @@ class Absent:
 
     title: str
     reason: str
+
+
+__all__ = ["Absent", "Chapter", "Picture", "Results", "Table"]

@@ -2,32 +2,26 @@
 
 from __future__ import annotations
 
-import base64
 import json
 import platform
+from dataclasses import replace
 from importlib.metadata import version
-from importlib.resources import files
 from pathlib import Path
-from typing import TYPE_CHECKING
 
 import numpy as np
-from jinja2 import Environment, StrictUndefined
 
 from haptonic.bloch import gaps_of
 from haptonic.fields import table
 from haptonic.fields.keys import key_of, leaves
 from haptonic.materials import built_in_name
-from haptonic.plots.style import rendered
+from haptonic.pages import filled
 from haptonic.plots.words import khz
 from haptonic.report.chapter import Absent, Chapter, Results, Table
-from haptonic.report.chapters import IN_ORDER
+from haptonic.report.chapters import IN_ORDER, others
 from haptonic.report.chapters.dispersion import in_words
 from haptonic.store import refuse_overwrite, write_atomically
-from haptonic.study import Study
+from haptonic.study.schema import Description
 from haptonic.units import format_quantity
-
-if TYPE_CHECKING:
-    from matplotlib.figure import Figure
 
 TEMPLATE = "page.html"
 LIBRARIES = ("haptonic", "numpy", "scipy", "xarray", "matplotlib", "meshio")
@@ -48,8 +42,8 @@ def write_report(results: Results, path: Path, overwrite: bool = False) -> Path:
 
 def page(results: Results) -> str:
     """The report as text."""
-    made = [chapter(results) for chapter in IN_ORDER]
-    chapters = [one for one in made if isinstance(one, Chapter)]
+    made = [chapter(results) for chapter in IN_ORDER] + others(results)
+    chapters = [_with_remarks(one, results) for one in made if isinstance(one, Chapter)]
     return filled(
         TEMPLATE,
         study=results.study,
@@ -61,19 +55,10 @@ def page(results: Results) -> str:
     )
 
 
-def filled(template: str, **values: object) -> str:
-    """A page of this folder with its values filled in; text is escaped."""
-    environment = Environment(
-        autoescape=True, undefined=StrictUndefined, trim_blocks=True, lstrip_blocks=True
-    )
-    environment.filters["embedded"] = _embedded
-    text = files("haptonic.report").joinpath(template).read_text("utf-8")
-    return environment.from_string(text).render(**values)
-
-
-def _embedded(figure: Figure) -> str:
-    """The figure as an address that holds all of it."""
-    return "data:image/svg+xml;base64," + base64.b64encode(rendered(figure, "svg")).decode()
+def _with_remarks(chapter: Chapter, results: Results) -> Chapter:
+    """With what the references say to it."""
+    said = results.references.remarks(chapter.identifier) if results.references else []
+    return replace(chapter, findings=(*chapter.findings, *said))
 
 
 def _key_numbers(results: Results) -> list[tuple[str, str]]:
@@ -122,9 +107,9 @@ def _appendix(results: Results) -> Chapter:
     )
 
 
-def _inputs(study: Study) -> Table:
+def _inputs(study: Description) -> Table:
     """Every key that has a value, defaults included, and the constants of a material given by name."""
-    keys = table(Study)
+    keys = table(Description)
     rows = []
     for path, value, quantity in leaves(study):
         key = key_of(path, keys)

@@ -1,4 +1,7 @@
-"""What a run gives back: values that can be asked, drawn and written, each with the inputs that made it."""
+"""What a run gives back: values that can be asked, drawn and written, each with the inputs that made it.
+
+`haptonic.results.result` is the protocol of all of them.
+"""
 
 import lazy_loader as lazy
 

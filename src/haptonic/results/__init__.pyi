@@ -1,15 +1,17 @@
-from .bands import Bands, compute_bands, gap_json
+from .bands import Bands, compute_bands
 from .common import Asked, refuse_taken, write_files, write_netcdf
 from .design import Design, compute_design, compute_front
 from .feel import Feel, Pad, compute_loaded
 from .friction import FrictionResult, compute_friction
 from .guides import Guides, compute_guides
 from .judging import VerdictQuestion, compute_verdict
-from .layers import Layers, compute_layers, layer_tasks
+from .layers import Layers, compute_layers
 from .plate import PlateQuestion, PlateResult, compute_plate
-from .protocol import Plan, Task, compute_plan
-from .runner import Runner
-from .sweeps import Row, Sweep, compute_sweeps, design_gaps
+from .protocol import Plan, compute_plan
+from .result import Result
+from .runner import Runner, design_gaps
+from .sweeps import Row, Sweep, Sweeps, compute_sweeps
+from .table import Column, Table, Uncertain
 from .tolerance import Tolerance, compute_tolerance
 from .twin import FrictionTwin, friction_twin
 from .verdict import Verdict
@@ -17,6 +19,7 @@ from .verdict import Verdict
 __all__ = [
     "Asked",
     "Bands",
+    "Column",
     "Design",
     "Feel",
     "FrictionResult",
@@ -27,11 +30,14 @@ __all__ = [
     "Plan",
     "PlateQuestion",
     "PlateResult",
+    "Result",
     "Row",
     "Runner",
     "Sweep",
-    "Task",
+    "Sweeps",
+    "Table",
     "Tolerance",
+    "Uncertain",
     "Verdict",
     "VerdictQuestion",
     "compute_bands",
@@ -48,8 +54,6 @@ __all__ = [
     "compute_verdict",
     "design_gaps",
     "friction_twin",
-    "gap_json",
-    "layer_tasks",
     "refuse_taken",
     "write_files",
     "write_netcdf",

@@ -2,66 +2,123 @@
 
 from __future__ import annotations
 
-import csv
 import json
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, ClassVar
+from typing import TYPE_CHECKING, Any
 
+import pandas as pd
 import xarray as xr
 
 from haptonic import plots, vtu
 from haptonic.bloch import Gap, bands_dataset, gaps_of
 from haptonic.cell import UnitCell
-from haptonic.results.common import Asked, no_nan, stamped, write_netcdf
+from haptonic.plots.words import khz
+from haptonic.results.common import Asked, no_nan, stamped
+from haptonic.results.result import Result, figure, file
+from haptonic.results.table import Column, Table, Uncertain
 from haptonic.store import Store, content_key
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 
-@dataclass(frozen=True)
-class Bands:
+def _over_the_zone(result: Bands) -> bool:
+    return "zone_frequency" in result.dataset
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class Bands(Result):
     """Band diagram, gaps and mode shapes of a unit cell; ``dataset`` holds all of it, labelled."""
 
+    title = "Bands and gaps"
+    data_file = "bands"
+
     dataset: xr.Dataset
-
-    FILES: ClassVar = ("bands.nc", "gaps.csv", "modes.vtu")
-
-    @staticmethod
-    def figure_names(*, surface: bool) -> list[str]:
-        """Names of the pictures that `figures` makes."""
-        return ["dispersion", "modes"] + ["iso_frequency", "density_of_states"] * surface
 
     @property
     def gaps(self) -> tuple[Gap, ...]:
         """Complete gaps first, then those of single directions."""
         return gaps_of(self.dataset)
 
-    def plot(self) -> Figure:
+    def summary(self) -> list[str]:
+        complete = [gap for gap in self.gaps if gap.complete]
+        said = [
+            f"Complete gap from {khz(gap.lower, gap.lower_error)} to {khz(gap.upper, gap.upper_error)} kHz, "
+            f"between bands {gap.between[0]} and {gap.between[1]}"
+            + ("." if gap.certain else "; it is not wider than the errors of its edges, so it may not exist.")
+            for gap in complete
+        ]
+        said += [] if complete else ["There is no complete gap among the bands that were computed."]
+        return [*said, counted(**self._counts)]
+
+    def tables(self) -> list[Table]:
+        gaps = self.gaps
+        columns = (
+            "bands", "where", Column("lower", "Hz", "kHz", ".3f"), Column("upper", "Hz", "kHz", ".3f"),
+            Column("width", "Hz", "kHz", ".2f"), Column("samples"),
+        )  # fmt: skip
+        rows = [
+            (
+                f"{gap.between[0]}-{gap.between[1]}",
+                "everywhere (complete)" if gap.complete else f"{gap.direction} only",
+                Uncertain(gap.lower, gap.lower_error),
+                Uncertain(gap.upper, gap.upper_error),
+                Uncertain(
+                    gap.width, gap.lower_error + gap.upper_error, "" if gap.certain else " (uncertain)"
+                ),
+                gap.samples,
+            )
+            for gap in gaps
+        ]
+        return [Table("band gaps", columns, rows, [k for k, gap in enumerate(gaps) if gap.complete])]
+
+    @figure("dispersion")
+    def _dispersion(self) -> Figure:
         """Dispersion diagram with the complete gaps and the carrier."""
         return plots.dispersion(self.dataset, carrier_hz=self.dataset.attrs.get("carrier_hz"))
 
-    def files(self) -> dict[str, Callable[[Path], object]]:
-        """Names of the data files, and what writes each."""
-        writers = (
-            lambda path: write_netcdf(self.dataset, path),
-            self._write_gaps,
-            lambda path: vtu.write_modes(path, self.dataset, overwrite=True),
-        )
-        return dict(zip(self.FILES, writers, strict=True))
+    @figure("modes")
+    def _modes(self) -> Figure:
+        return plots.mode_shapes(self.dataset)
 
-    def figures(self) -> dict[str, Figure]:
-        """All pictures, by name."""
-        surface = "zone_frequency" in self.dataset
-        drawn = [self.plot(), plots.mode_shapes(self.dataset)]
-        if surface:
-            drawn += [plots.iso_frequency(self.dataset), plots.density_of_states(self.dataset)]
-        return dict(zip(self.figure_names(surface=surface), drawn, strict=True))
+    @figure("iso_frequency", when=_over_the_zone)
+    def _iso_frequency(self) -> Figure:
+        return plots.iso_frequency(self.dataset)
+
+    @figure("density_of_states", when=_over_the_zone)
+    def _density_of_states(self) -> Figure:
+        return plots.density_of_states(self.dataset)
+
+    @file("gaps.csv")
+    def _write_gaps(self, path: Path) -> None:
+        columns = {
+            "band_below": [gap.between[0] for gap in self.gaps],
+            "band_above": [gap.between[1] for gap in self.gaps],
+            **{
+                f"{name}_hz": [f"{getattr(gap, name):.3f}" for gap in self.gaps]
+                for name in ("lower", "upper", "lower_error", "upper_error")
+            },
+            **{
+                name: [getattr(gap, name) for gap in self.gaps]
+                for name in ("complete", "direction", "samples")
+            },
+        }
+        pd.DataFrame(columns).to_csv(path, index=False)
+
+    @file("modes.vtu")
+    def _write_modes(self, path: Path) -> None:
+        vtu.write_modes(path, self.dataset, overwrite=True)
+
+    @property
+    def _counts(self) -> dict[str, int]:
+        return {name: int(self.dataset.attrs[f"counts_{name}"]) for name in ("checked", "missed")}
+
+    def facts(self) -> dict[str, Any]:
+        return self.to_json() | {"modes": mode_names(self.dataset)}
 
     def to_json(self) -> dict[str, Any]:
-        """Plain values for machines."""
         data = self.dataset
         labels, corners = json.loads(data.attrs["path_labels"]), json.loads(data.attrs["path_corners"])
         names = json.loads(data.attrs["character_names"])
@@ -81,22 +138,27 @@ class Bands:
                 "branch": data["branch"].values.tolist(),
                 "character": [[names[i] for i in row] for row in data["character"].values],
             },
-            "counts": {name: int(data.attrs[f"counts_{name}"]) for name in ("checked", "missed")},
+            "counts": self._counts,
             "mesh": json.loads(data.attrs["mesh"]) | {"unknowns": int(data.attrs["unknowns"])},
             "inputs": json.loads(data.attrs["inputs"]),
             "version": data.attrs["haptonic_version"],
         }
 
-    def _write_gaps(self, path: Path) -> None:
-        with path.open("w", newline="", encoding="utf-8") as file:
-            table = csv.writer(file)
-            table.writerow(
-                ["band_below", "band_above", "lower_hz", "upper_hz", "lower_error_hz", "upper_error_hz",
-                 "complete", "direction", "samples"]
-            )  # fmt: skip
-            for g in self.gaps:
-                edges = [f"{value:.3f}" for value in (g.lower, g.upper, g.lower_error, g.upper_error)]
-                table.writerow([*g.between, *edges, g.complete, g.direction, g.samples])
+
+def mode_names(data: xr.Dataset) -> list[str]:
+    """Names of the modes at the one wavevector where they are known, in order of frequency."""
+    if "mode_name" not in data:
+        return []
+    names = json.loads(data.attrs["character_names"])
+    return [names[int(number)] for number in data["mode_name"].values]
+
+
+def counted(checked: int, missed: int) -> str:
+    """What the exact counts of modes say of the bands."""
+    if not checked:
+        return "Bands were not counted by another method: where it would be done, one lies within its error."
+    missing = f"{missed or 'no'} band{'s' * (missed != 1)} missing"
+    return f"Counted by another method, in {checked} comparison{'s' * (checked != 1)}: {missing}."
 
 
 def gap_json(gap: Gap) -> dict[str, Any]:

@@ -19,6 +19,8 @@ from haptonic.names import variable
 from haptonic.paths import inside
 from haptonic.store import draft_for, fingerprint, refuse_overwrite, write_atomically
 
+Writer = Callable[[Path], object]
+
 
 @dataclass(frozen=True)
 class Asked:
@@ -30,9 +32,7 @@ class Asked:
     resolution: Resolution | None
 
 
-def write_files(
-    folder: Path, writers: Mapping[Any, Callable[[Path], object]], *, overwrite: bool
-) -> list[Path]:
+def write_files(folder: Path, writers: Mapping[Any, Writer], *, overwrite: bool) -> list[Path]:
     """Write files into a folder, each whole or not at all, and none if one may not be written.
 
     Names are texts, or paths of files below the folder; see `haptonic.paths.inside`.

@@ -5,9 +5,8 @@ from __future__ import annotations
 import json
 import math
 from collections import Counter
-from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import asdict, dataclass
-from functools import partial
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import asdict, dataclass, field
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -17,39 +16,47 @@ import xarray as xr
 from haptonic import plots
 from haptonic.friction.recordings import Exclusion, Sensor, analysed, traces
 from haptonic.friction.signals import Rules, exclusions, write_trials
-from haptonic.friction.statistics import Test
-from haptonic.friction.statistics.summary import Condition, Summary, summary
+from haptonic.friction.statistics.summary import Summary, summary
 from haptonic.friction.words import AVERAGES
 from haptonic.names import cell
 from haptonic.paths import source as checked
+from haptonic.progress import Progress, silent
+from haptonic.results.friction_tables import conditions_table, excluded_table, tests_tables, told
+from haptonic.results.quality import quality
+from haptonic.results.result import Result, figure, file
+from haptonic.results.table import Table
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
-
-Told = Callable[[int, int, bool], None]
 
 PARTS = ("mean", "sd")
 MOST_SHEETS = 60  # blocks that are drawn trial by trial
 
 
-@dataclass(frozen=True, eq=False)
-class FrictionResult:
+@dataclass(frozen=True, eq=False, repr=False)
+class FrictionResult(Result):
     """Trials with all that was left out and why, and what they prove.
 
     source : folder or table that was read; sensor, rules : how
-    trials : see `haptonic.friction.signals.measured`; remarks : what was guessed
+    trials : see `haptonic.friction.signals.measured`; guessed : what the files did not say
     found : everything that the statistics say
+    published : reductions, "driven" and "idle", and the share "stopped", that stand beside ours in pictures
     """
+
+    title = "Friction trials"
 
     source: Path
     sensor: Sensor
     rules: Rules
     trials: xr.Dataset
-    remarks: tuple[str, ...]
+    guessed: tuple[str, ...]
     found: Summary
+    published: Mapping[str, float] = field(default_factory=dict)
 
-    FILES = ("trials.nc", "trials.csv", "conditions.csv", "tests.csv")
-    FIGURES = ("conditions", "reductions")
+    @property
+    def dataset(self) -> xr.Dataset:
+        """Every trial."""
+        return self.trials
 
     @property
     def origin(self) -> str:
@@ -61,38 +68,43 @@ class FrictionResult:
         """How many trials were left out, by reason."""
         return {reason: count for reason, count in exclusions(self.trials).items() if count}
 
-    def files(self) -> dict[str, Callable[[Path], object]]:
-        """What writes each file."""
-        found = self.found
-        rows: dict[str, Sequence[Condition | Test]] = {
-            "conditions.csv": found.conditions,
-            "tests.csv": (*found.tests, *found.each),
-        }
-        tables: dict[str, Callable[[Path], object]] = {
-            name: partial(_write_rows, [asdict(one) for one in many], self.origin)
-            for name, many in rows.items()
-        }
-        return {**{name: partial(write_trials, self.trials) for name in self.FILES[:2]}, **tables}
+    @file("trials.nc", "trials.csv")
+    def _write_trials(self, path: Path) -> None:
+        write_trials(self.trials, path)
 
-    def figures(self, *, published: Mapping[str, float] | None = None) -> dict[str, Figure]:
-        """All pictures by name.
+    @file("conditions.csv")
+    def _write_conditions(self, path: Path) -> None:
+        _write_rows([asdict(one) for one in self.found.conditions], self.origin, path)
 
-        Parameters
-        ----------
-        published : reductions, "driven" and "idle", and the share "stopped", that stand beside ours
-        """
+    @file("tests.csv")
+    def _write_tests(self, path: Path) -> None:
+        _write_rows([asdict(one) for one in (*self.found.tests, *self.found.each)], self.origin, path)
+
+    @file("quality.html")
+    def _write_quality(self, path: Path) -> None:
+        path.write_text(quality(self), encoding="utf-8")
+
+    @figure("conditions", "Friction of the conditions, mean and one standard deviation over trials.")
+    def _conditions(self) -> Figure:
         found = self.found
-        return {
-            "conditions": plots.conditions(
-                found.conditions,
-                found.reductions,
-                found.stopped,
-                driven=found.driven,
-                published=published,
-                origin=self.origin,
-            ),
-            "reductions": plots.reductions(found.reductions, found.own, origin=self.origin),
-        }
+        return plots.conditions(
+            found.conditions, found.reductions, found.stopped, driven=found.driven,
+            published=self.published or None, origin=self.origin,
+        )  # fmt: skip
+
+    @figure("reductions", "Reductions with 95 % intervals: of people in general, and of each participant.")
+    def _reductions(self) -> Figure:
+        return plots.reductions(self.found.reductions, self.found.own, origin=self.origin)
+
+    def summary(self) -> list[str]:
+        return told(self)
+
+    def remarks(self) -> list[str]:
+        return list(self.found.omissions)
+
+    def tables(self) -> list[Table]:
+        excluded = [excluded_table(self)] if self.excluded else []
+        return [conditions_table(self), *tests_tables(self), *excluded]
 
     def blocks(self) -> tuple[list[tuple[str, int]], int]:
         """Blocks (participant, number) that are drawn trial by trial, and how many are not.
@@ -132,7 +144,7 @@ class FrictionResult:
                     for row in range(left_out.sizes["stroke"])
                 ],
                 "exclusions": self.excluded,
-                "remarks": list(self.remarks),
+                "remarks": list(self.guessed),
                 "omissions": list(found.omissions),
                 "driven": found.driven,
                 "driven_chosen": found.chosen,
@@ -164,7 +176,7 @@ def compute_friction(
     *,
     driven: str | None = None,
     workers: int = 0,
-    told: Told = lambda done, planned, stored: None,
+    progress: Progress = silent,
 ) -> FrictionResult:
     """Read and measure all trials, and say what they prove.
 
@@ -179,7 +191,7 @@ def compute_friction(
     FrictionError : a table that is wrong, no trial that counts, or no waveguide of that name
     """
     source = checked(source, "folder of trials")
-    read = analysed(source, sensor, rules, excluded, workers=workers, told=told)
+    read = analysed(source, sensor, rules, excluded, workers=workers, progress=progress)
     return FrictionResult(source, sensor, rules, read.trials, read.remarks, summary(read.trials, driven))
 
 

@@ -2,24 +2,29 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+import json
+from collections.abc import Mapping, Sequence
+from dataclasses import asdict, dataclass
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
+import xarray as xr
 from threadpoolctl import threadpool_limits
 
 from haptonic import plots
 from haptonic.bloch import Gap
 from haptonic.bloch.evanescent import bloch_waves, decibels
+from haptonic.bloch.gaps import need_gap_at
 from haptonic.bloch.guide import Ends, Guide, GuidedMode, Wall, along_strip, strip_mode
 from haptonic.bloch.layers import Interface
 from haptonic.bloch.model import bloch_model
 from haptonic.bloch.plate_waves import PlainPlate
 from haptonic.cell import UnitCell
 from haptonic.errors import StudyError
-from haptonic.results.carrier import gap_holding
-from haptonic.results.common import Asked
+from haptonic.results.common import Asked, stamped
+from haptonic.results.result import Result, figure
 from haptonic.results.runner import Runner
+from haptonic.results.table import Column, Table
 from haptonic.superelement import Superelement
 
 if TYPE_CHECKING:
@@ -68,9 +73,16 @@ class Strip:
         }
 
 
-@dataclass(frozen=True)
-class Guides:
-    """Waveguides between two mirrors, and the one whose mode lies nearest to the carrier."""
+@dataclass(frozen=True, eq=False, repr=False)
+class Guides(Result):
+    """Waveguides between two mirrors, and the one whose mode lies nearest to the carrier.
+
+    gap : that holds the carrier (Hz); across, along : nodal lines and intervals of the mode
+    dataset : a number of each waveguide, on dimension ``waveguide``
+    """
+
+    title = "Waveguide"
+    data_file = "waveguide"
 
     carrier: float
     gap: Gap
@@ -78,14 +90,42 @@ class Guides:
     along: int
     ends: str
     strips: tuple[Strip, ...]
+    dataset: xr.Dataset
 
     @property
     def best(self) -> Strip:
         """Nearest to the carrier; of those at the carrier the one with the lowest amplitude at its edge."""
         return min(self.strips, key=lambda s: (round(abs(s.frequency / self.carrier - 1), 6), s.mode.at_edge))
 
-    def plot(self) -> Figure:
-        """The mode across the strip."""
+    def summary(self) -> list[str]:
+        best = self.best
+        return [
+            f"Mode {self.across}x{self.along} lies at {best.frequency / 1e3:.3f} kHz in a waveguide "
+            f"{best.mode.width * 1e3:.2f} mm wide and {best.length * 1e3:.1f} mm long between two mirrors.",
+            f"Its amplitude falls to {best.mode.at_edge:.0%} of its peak at the lattice, and there by "
+            f"{best.decay:.1f} dB per row.",
+        ]
+
+    def tables(self) -> list[Table]:
+        columns = (
+            Column("width", "m", "mm", ".2f"), Column("length", "m", "mm", ".1f"), Column("cells"),
+            Column("frequency", "Hz", "kHz", ".3f"), Column("nodal spacing", "m", "mm", ".3f"),
+            Column("edge / peak", form=".3f"), Column("fixed line", "m", "mm", ".2f"),
+            Column("dB per row", form=".1f"),
+        )  # fmt: skip
+        rows = [
+            (one.mode.width, one.length, one.rows, one.frequency, one.spacing, one.mode.at_edge,
+             one.fixed_line, one.decay)
+            for one in self.strips
+        ]  # fmt: skip
+        title = (
+            f"waveguides for mode {self.across}x{self.along}: nodal lines across, intervals between nodal "
+            f"lines along; {self.ends} ends"
+        )
+        return [Table(title, columns, rows, [self.strips.index(self.best)])]
+
+    @figure("waveguide", "Simulated mode across the waveguide.")
+    def _across(self) -> Figure:
         best = self.best
         return plots.guide(best.mode.position, best.mode.amplitude, best.mode.width, best.fixed_line)
 
@@ -110,6 +150,7 @@ def compute_guides(
     width: float | None,
     rows: int | None,
     ends: Ends,
+    inputs: Mapping[str, Any],
     runner: Runner,
 ) -> Guides:
     """Waveguides whose mode lies in the gap around the carrier (Hz).
@@ -119,12 +160,13 @@ def compute_guides(
     mode : nodal lines across, intervals between nodal lines along
     width : of the strip, m; None takes the one that puts the mode at the carrier
     rows : length in cells; None compares several
+    inputs : plain values of what was asked, for the result's attributes
 
     Raises
     ------
     StudyError : no complete gap around the carrier, or no such waveguide
     """
-    gap = gap_holding(cell, asked, carrier, runner)
+    gap = need_gap_at(runner.gaps(cell, asked), carrier)
     superelement = bloch_model(cell, asked.count, asked.accuracy, asked.resolution).fine.superelement
     across, along = mode
     period = float(np.linalg.norm(cell.lattice.vectors[1]))
@@ -142,7 +184,22 @@ def compute_guides(
     if not strips:
         assert refusal is not None
         raise refusal
-    return Guides(carrier, gap, across, along, ends, tuple(strips))
+    dataset = _dataset(strips).assign_attrs(
+        carrier_hz=carrier, mode=f"{across}x{along}", ends=ends,
+        mesh=json.dumps(asdict(superelement.mesh.topology.plan)),
+    )  # fmt: skip
+    return Guides(carrier, gap, across, along, ends, tuple(strips), stamped(dataset, inputs))
+
+
+def _dataset(strips: Sequence[Strip]) -> xr.Dataset:
+    """A number of each waveguide, and the amplitude across it."""
+    units = {"width": "m", "rows": "1", "length": "m", "frequency": "Hz", "nodal_spacing": "m",
+             "amplitude_at_edge": "1", "fixed_line": "m", "decay": "dB/row"}  # fmt: skip
+    columns = zip(*(one.to_json().values() for one in strips), strict=True)
+    named = zip(units.items(), columns, strict=True)
+    return xr.Dataset(
+        {name: ("waveguide", np.array(column), {"units": unit}) for (name, unit), column in named}
+    )
 
 
 def _strip(

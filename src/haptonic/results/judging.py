@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from haptonic.errors import ResponseError, ScanError
 from haptonic.plate import Fineness, Plate
+from haptonic.progress import Progress, silent
 from haptonic.response import FrequencyResponse
 from haptonic.results.plate.answer import responded
 from haptonic.results.plate.question import reference_of, tile_names, unit_drives
@@ -52,7 +53,7 @@ def compute_verdict(
     written: Callable[[Fit], str],
     inputs: Mapping[str, Any],
     fineness: Fineness | None = None,
-    said: Callable[[str], None] = lambda words: None,
+    progress: Progress = silent,
 ) -> Verdict:
     """Compare a measurement with the model of a plate, and fit the unknowns.
 
@@ -61,7 +62,7 @@ def compute_verdict(
     scan : response registered to the plate
     computed : of this plate, at lines and points of the measurement; else it is computed there
     written : the study file with the numbers of a fit
-    inputs : plain values of what was asked; said : called with words on what is done
+    inputs : plain values of what was asked; progress : called with words on what is done
 
     Raises
     ------
@@ -75,7 +76,7 @@ def compute_verdict(
     scan, left_out = _on_plate(plate, scan)
 
     def whole(of: Plate, title: str) -> FrequencyResponse:
-        said(f"response of the {title}")
+        progress(0, 0, f"response of the {title}")
         return responded(
             of, scan.frequency, scan.points, [str(name) for name in scan.dataset["region"].values],
             question.tolerance, fineness=fineness, title=title, inputs=inputs,
@@ -88,11 +89,11 @@ def compute_verdict(
     fit, recomputed = None, None
     if question.unknowns:
         picked = _picked(len(scan.points), question.points)
-        fit = _fit(plate, scan, picked, question, fineness, said)
+        fit = _fit(plate, scan, picked, question, fineness, progress)
         responses[AFTER] = whole(fit.plate, AFTER)
         exact = normal_of(_alike(responses[AFTER], scan))[:, picked]
         recomputed = float(np.linalg.norm(fit.after - exact) / np.linalg.norm(exact))
-    said("comparison")
+    progress(0, 0, "comparison")
     how: How = "modes" if can_identify() and even(scan.frequency) else "operating shapes"
     return Verdict(
         plate, {name: _alike(one, scan) for name, one in responses.items()},
@@ -167,7 +168,7 @@ def _fit(
     picked: Ints,
     question: VerdictQuestion,
     fineness: Fineness | None,
-    said: Callable[[str], None],
+    progress: Progress,
 ) -> Fit:
     coherence = scan.dataset["coherence"].values[:, picked] if "coherence" in scan.dataset else None
     data = MeasuredResponse.of(
@@ -175,9 +176,16 @@ def _fit(
         scan.dataset.attrs["quantity"] == "velocity", unit_drives(plate), coherence,
     )  # fmt: skip
     small = SmallModel.of(
-        plate, question.unknowns, data.frequency, data.points, data.drives, question.tolerance, fineness, said
+        plate,
+        question.unknowns,
+        data.frequency,
+        data.points,
+        data.drives,
+        question.tolerance,
+        fineness,
+        progress,
     )
-    return fitted(small, data, said)
+    return fitted(small, data, progress)
 
 
 def _alike(response: FrequencyResponse, scan: FrequencyResponse) -> FrequencyResponse:

@@ -15,17 +15,27 @@ from threadpoolctl import threadpool_limits
 from haptonic import plots
 from haptonic.bloch import Gap, Resolution
 from haptonic.bloch.evanescent import Slab, bloch_waves, decibels
+from haptonic.bloch.gaps import gap_at, widest_gap
 from haptonic.bloch.layers import OUTGOING, Scattering
-from haptonic.bloch.mirrors import GOALS, MOST_ROWS, Incidence, first_reaching, mirror_dataset, scattering_at
+from haptonic.bloch.mirrors import (
+    GOALS,
+    MOST_ROWS,
+    Incidence,
+    condensed_cell,
+    first_reaching,
+    mirror_dataset,
+    scattering_at,
+)
 from haptonic.bloch.model import bloch_model
 from haptonic.bloch.plate_waves import FAMILIES
 from haptonic.cell import UnitCell
 from haptonic.errors import StudyError
 from haptonic.gate import WORD
 from haptonic.jobs import Task
-from haptonic.results.carrier import condensed_cell, gap_around
 from haptonic.results.common import Asked, no_nan, stamped
+from haptonic.results.result import Result, figure
 from haptonic.results.runner import Runner
+from haptonic.results.table import Table
 from haptonic.superelement import Superelement
 from haptonic.units import format_quantity
 
@@ -38,13 +48,16 @@ LEAST_SHARE = 1e-30  # of the energy
 CHUNK = 12  # frequencies of one task
 
 
-@dataclass(frozen=True)
-class Layers:
+@dataclass(frozen=True, eq=False, repr=False)
+class Layers(Result):
     """Complex band structure and transmission of a mirror.
 
-    gap : around the carrier, or else the widest; None if there is none
+    gap : that holds the carrier, or else the widest; None if there is none
     dataset : the spectra, and energies at the carrier for many rows
     """
+
+    title = "Mirror"
+    data_file = "layers"
 
     gap: Gap | None
     dataset: xr.Dataset
@@ -75,9 +88,60 @@ class Layers:
         share = self.dataset["carrier_transmitted"].sel(incident=family, outgoing=family).values
         return _decibels(share)
 
-    def figures(self) -> dict[str, Figure]:
-        """All pictures, by name."""
-        return {"decay": plots.decay(self.dataset), "layers": plots.layers(self.dataset)}
+    @property
+    def carrier(self) -> float:
+        """Hz."""
+        return float(self.dataset.attrs["carrier_hz"])
+
+    @figure("layers", "Simulated energy that rows of cells let through between two plain plates.")
+    def _layers(self) -> Figure:
+        return plots.layers(self.dataset)
+
+    @figure(
+        "decay",
+        "Simulated complex band structure across the rows (left, middle), and decay per cell of the wave "
+        "that reaches farthest, for several phases along the rows (right).",
+    )
+    def _decay(self) -> Figure:
+        return plots.decay(self.dataset)
+
+    def summary(self) -> list[str]:
+        decay, rows = float(self.dataset.attrs["carrier_attenuation_db"]), self.dataset.sizes["rows"]
+        passed = [
+            f"incident {family}: {rows} rows let "
+            f"{-self.insulation(family)[rows - 1]:.0f} dB through at the carrier"
+            for family in self.families
+        ]
+        return [
+            f"{'; '.join(passed)}.",
+            f"The wave that reaches farthest fades by {decay:.2f} dB per row at the carrier.",
+        ]
+
+    def tables(self) -> list[Table]:
+        families, counts = self.families, self.dataset["rows"].values
+        passed = Table(
+            f"transmitted energy at {self.carrier / 1e3:g} kHz {self.incidence}, dB below the incident wave: "
+            "all waves, in brackets the same kind alone",
+            ("rows", *(f"incident {family}" for family in families)),
+            [
+                (str(rows), *(f"{self.insulation(f)[k]:.1f} ({self.same_wave(f)[k]:.1f})" for f in families))
+                for k, rows in enumerate(counts)
+            ],
+        )
+        needed = {family: self.needed(family) for family in families}
+        goals = [f"{goal:g} dB" for goal in GOALS]
+        many = f"more than {MOST_ROWS}"
+        return [
+            passed,
+            Table(
+                "rows needed: from which on less energy than so many dB below the incident wave passes",
+                ("incident", *goals),
+                [
+                    (family, *(str(n) if n else many for n in found.values()))
+                    for family, found in needed.items()
+                ],
+            ),
+        ]
 
     def insulation(self, family: str) -> Array:
         """(rows,) all transmitted energy at the carrier, dB below the incident one."""
@@ -89,7 +153,7 @@ class Layers:
         data = self.dataset
         few = slice(0, data.sizes["rows"])
         return {
-            "carrier_hz": float(data.attrs["carrier_hz"]),
+            "carrier_hz": self.carrier,
             "gap": None if self.gap is None else {"lower_hz": self.gap.lower, "upper_hz": self.gap.upper},
             "attenuation_db_per_row": float(data.attrs["carrier_attenuation_db"]),
             "energy_balance": float(data.attrs["energy_balance"]),
@@ -164,7 +228,8 @@ def compute_layers(
             cause="rows of plain plate between two plain plates reflect nothing",
             next_step="add a [cell.pillar] table",
         )
-    gap = gap_around(cell, asked, carrier, runner)
+    gaps = runner.gaps(cell, asked)
+    gap = gap_at(gaps, carrier) or widest_gap(gaps)
     resolution = bloch_model(cell, asked.count, asked.accuracy, asked.resolution).resolution
     chunks = np.array_split(question.frequencies, layer_tasks(question.points) - 1)
     fixed = {"incidence": question.incidence, "cell": cell, "resolution": resolution}

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from dataclasses import asdict, dataclass
-from functools import cached_property, partial
+from functools import cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -19,7 +19,10 @@ from haptonic.friction.signals import Label
 from haptonic.friction.statistics import Population, participants_needed, power, smallest_shown
 from haptonic.friction.trial_list import NAME, write_list
 from haptonic.gate import declared
-from haptonic.results.common import stamped, write_netcdf
+from haptonic.results.common import stamped
+from haptonic.results.result import Result, figure, file
+from haptonic.results.sheet import sheet
+from haptonic.results.table import Table
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -42,27 +45,28 @@ class Task:
         return self.stroke / self.speed
 
 
-@dataclass(frozen=True, eq=False)
-class Plan:
+@dataclass(frozen=True, eq=False, repr=False)
+class Plan(Result):
     """An experiment before it is made.
 
-    title : of the study
+    study : its title
     protocol, participants : how many trials, in which order
     order : "published" or "balanced"
     task : what people are asked to do
-    power : dataset, on (waveguide, participants): ``power`` and its Monte-Carlo ``error``; on waveguide:
+    dataset : on (waveguide, participants) ``power`` and its Monte-Carlo ``error``; on waveguide:
         ``reduction`` assumed and ``needed`` participants (NaN if more than 60); ``shown``, the smallest
         reduction that this number of participants shows (NaN if none)
     """
 
-    FILES = (NAME, "metronome.wav", "power.nc")
+    title = "Protocol"
+    data_file = "power"
 
-    title: str
+    study: str
     protocol: Protocol
     participants: int
     order: str
     task: Task
-    power: xr.Dataset
+    dataset: xr.Dataset
 
     @cached_property
     def labels(self) -> list[Label]:
@@ -78,10 +82,10 @@ class Plan:
     def statements(self) -> list[str]:
         """What this number of participants can and cannot prove."""
         people = f"{self.participants} participant{'s' * (self.participants != 1)}"
-        wanted = _percent(self.power.attrs["wanted"])
+        wanted = _percent(self.dataset.attrs["wanted"])
         said = []
         for guide in self.protocol.waveguides:
-            row = self.power.sel(waveguide=guide)
+            row = self.dataset.sel(waveguide=guide)
             effect = f"{guide}, {_percent(row['reduction'])} less friction assumed"
             needed = f"{float(row['needed']):.0f}" if np.isfinite(row["needed"]) else "more than 60"
             if self.participants < 2:
@@ -92,12 +96,12 @@ class Plan:
                 f"{effect}: {people} show it, also for other people, with a chance of {chance}; "
                 f"{wanted} needs {needed}."
             )
-        least = float(self.power["shown"])
+        least = float(self.dataset["shown"])
         if np.isfinite(least):
             said.append(f"{people} show reductions of {_percent(least)} and more with a chance of {wanted}.")
         elif self.participants > 1:
             said.append(f"{people} show no reduction at all with a chance of {wanted}.")
-        idle = self.power.sel(waveguide=self.protocol.waveguides[1])
+        idle = self.dataset.sel(waveguide=self.protocol.waveguides[1])
         if float(idle["reduction"]) >= WEBER_FRACTION:
             said.append(
                 f"That nobody feels {self.protocol.waveguides[1]} (less than {_percent(WEBER_FRACTION)}) "
@@ -125,7 +129,7 @@ class Plan:
 
     def to_json(self) -> dict[str, Any]:
         """Plain values for machines."""
-        data = self.power
+        data = self.dataset
         return {
             "origin": "simulated",
             "order": self.order,
@@ -151,18 +155,39 @@ class Plan:
             "drift": self.drift_remark,
         }
 
-    def files(self) -> dict[str, Callable[[Path], object]]:
-        """Writers by file name: the list of trials to record into, the metronome's track, the power."""
-        track = partial(clicks, self.protocol.trials, self.task.lasting, self.task.pause)
-        return {
-            NAME: partial(write_list, self.labels, origin="measured"),
-            "metronome.wav": lambda path: write_wav(track(), path),
-            "power.nc": partial(write_netcdf, self.power),
-        }
+    def summary(self) -> list[str]:
+        return [
+            *self.statements,
+            self.drift_remark,
+            "Chances are of simulated experiments, with what the study assumes of its participants.",
+        ]
 
-    def figures(self) -> dict[str, Figure]:
-        """Power against participants."""
-        return {"power": plots.power(self.power, self.participants)}
+    def tables(self) -> list[Table]:
+        """Which waveguide every participant strokes in which block."""
+        rows = []
+        for person in dict.fromkeys(label.participant for label in self.labels):
+            blocks = {one.block: one.waveguide for one in self.labels if one.participant == person}
+            rows.append((person, *blocks.values()))
+        title = f"waveguide in each block, {self.order} order; {self.protocol.waveguides[0]} is driven"
+        numbers = (str(block + 1) for block in range(self.protocol.blocks))
+        return [Table(title, ("participant", *numbers), rows)]
+
+    @figure("power", "Power against participants.")
+    def _power(self) -> Figure:
+        return plots.power(self.dataset, self.participants)
+
+    @file(NAME)
+    def _write_list(self, path: Path) -> None:
+        """The list of trials to record into."""
+        write_list(self.labels, path, origin="measured")
+
+    @file("metronome.wav")
+    def _write_track(self, path: Path) -> None:
+        write_wav(clicks(self.protocol.trials, self.task.lasting, self.task.pause), path)
+
+    @file("sheet.html")
+    def _write_sheet(self, path: Path) -> None:
+        path.write_text(sheet(self), encoding="utf-8")
 
 
 def _percent(share: Any) -> str:

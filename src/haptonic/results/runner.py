@@ -3,29 +3,34 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
+from pathlib import Path
 from typing import Any
 
 import xarray as xr
 
-from haptonic.bloch import Gap, gaps_of
+from haptonic.bloch import Gap, gaps_dataset, gaps_of
 from haptonic.cell import UnitCell
 from haptonic.jobs import Outcome, Task, run_all
+from haptonic.progress import Progress, silent
 from haptonic.results.common import Asked
-from haptonic.results.sweeps import design_gaps
 from haptonic.store import Store
-
-Progress = Callable[[int, int, bool], None]
 
 
 @dataclass(frozen=True)
 class Runner:
-    """How and where the tasks of a search are computed; see `haptonic.jobs.run_all`."""
+    """How and where something is computed; see `haptonic.jobs.run_all` for tasks.
 
-    store: Store
+    about : the file that is analysed, of a study or of a measurement, if there is one
+    folder : where the result will be written, if it will; what was begun may wait there to be gone on with
+    """
+
+    store: Store = field(default_factory=Store.default)
     workers: int = 0
     scheduler: str | None = None
-    on_progress: Progress | None = None
+    progress: Progress = silent
+    about: Path | None = None
+    folder: Path | None = None
 
     def run(
         self, function: Callable[[Any], xr.Dataset], tasks: Sequence[Task], done: int
@@ -36,13 +41,12 @@ class Runner:
     def tried(self, function: Callable[[Any], xr.Dataset], tasks: Sequence[Task], done: int) -> list[Outcome]:
         """What came of each task, in their order: a dataset, or the error that stands in its place."""
 
-        def counted(now: int, total: int, stored: bool) -> None:
-            if self.on_progress is not None:
-                self.on_progress(done + now, done + total, stored)
+        def counted(now: int, total: int, what: str = "", /) -> None:
+            self.progress(done + now, done + total, what)
 
         return run_all(
             function, tasks, store=self.store, workers=min(self.workers, len(tasks)),
-            scheduler=self.scheduler, on_progress=counted,
+            scheduler=self.scheduler, progress=counted,
         )  # fmt: skip
 
     def gaps(self, cell: UnitCell, asked: Asked, done: int = 0) -> tuple[Gap, ...]:
@@ -57,3 +61,12 @@ def _dataset(outcome: Outcome) -> xr.Dataset:
         assert outcome.error is not None
         raise outcome.error
     return outcome.dataset
+
+
+def design_gaps(design: tuple[UnitCell, Asked]) -> xr.Dataset:
+    """Complete gaps of one design; what a worker is given to do."""
+    cell, asked = design
+    found: xr.Dataset = gaps_dataset(
+        cell, count=asked.count, accuracy=asked.accuracy, resolution=asked.resolution
+    )
+    return found

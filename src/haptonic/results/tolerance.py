@@ -14,9 +14,10 @@ from numpy.typing import NDArray
 from haptonic import plots
 from haptonic.bloch import Gap
 from haptonic.bloch.exact import exact_modes
+from haptonic.bloch.gaps import need_gap_at
 from haptonic.bloch.pencil import eigenpairs
 from haptonic.cell import UnitCell
-from haptonic.design.parameters import values_of
+from haptonic.design.parameters import UNITS, values_of
 from haptonic.design.quick import QUICK, QuickDesign
 from haptonic.design.sensitivity import sensitivity
 from haptonic.design.tolerance import (
@@ -31,9 +32,10 @@ from haptonic.design.tolerance import (
 )
 from haptonic.errors import HaptonicError, StudyError
 from haptonic.jobs import Task
-from haptonic.results.carrier import gap_holding
 from haptonic.results.common import Asked, stamped
+from haptonic.results.result import Result, figure
 from haptonic.results.runner import Runner
+from haptonic.results.table import Cell, Column, Table
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -45,24 +47,60 @@ DIVISIONS = 10  # of the irreducible zone's sides, where the bands beside the ga
 DRAWN = 2000  # plates in the result's dataset
 
 
-@dataclass(frozen=True)
-class Tolerance:
+@dataclass(frozen=True, eq=False, repr=False)
+class Tolerance(Result):
     """Chances of a gap, what they depend on, and the loosest machining that still keeps them.
 
     gap : of the design as drawn
     plate, pillar : chance that all pillars of a plate keep the margin, and that one pillar does
     loosest : factor on all machined spreads that the confidence asked for allows, at most `REACH`
     dataset : edges of designs and of plates drawn, slopes and indices
+    margin, pillars, confidence : what was asked: Hz, of a plate, a chance
     """
+
+    title = "Tolerance"
+    data_file = "tolerance"
 
     gap: Gap
     plate: float
     pillar: float
     loosest: float
     dataset: xr.Dataset
+    margin: float
+    pillars: int
+    confidence: float
 
-    def plot(self) -> Figure:
-        """Where the edges fall, and what moves them."""
+    def summary(self) -> list[str]:
+        lower, upper = self.dataset["deviation"].values
+        margin = f" with a margin of {self.margin:g} Hz" if self.margin else ""
+        if self.loosest >= REACH:
+            loosest = f"Even {REACH:g} times as loose machining keeps {self.confidence:.1%}."
+        elif self.loosest > 0:
+            loosest = f"Machining may be {self.loosest:.2f} times as loose for {self.confidence:.1%}."
+        else:
+            loosest = f"No machining, however exact, keeps {self.confidence:.1%}."
+        return [
+            f"One pillar keeps the carrier in its gap{margin} with a chance of {percent(self.pillar)}, "
+            f"all {self.pillars} of a plate with {percent(self.plate)} "
+            f"(to first order {percent(float(self.dataset.attrs['chance_to_first_order']))}).",
+            loosest,
+            f"Edges vary by {lower:.0f} Hz (lower) and {upper:.0f} Hz (upper), one standard deviation.",
+        ]
+
+    def tables(self) -> list[Table]:
+        rows: list[tuple[Cell, ...]] = []
+        for row in self.to_json()["parameters"]:
+            per = {"m": (1e-5, "10 µm"), "rad": (1.745e-3, "0.1°"), "Pa": (1e9, "GPa")}
+            factor, word = per.get(UNITS[row["parameter"]], (0.01, "0.01"))
+            if row["parameter"] == "material.density":
+                factor, word = 10.0, "10 kg/m³"
+            slopes = [f"{slope * factor:+.0f} Hz per {word}" for slope in row["slope_hz_per_si"]]
+            rows.append((row["parameter"], *slopes, *row["total_index"]))
+        index = [Column(f"index, {edge}", "", "%", ".1f") for edge in ("lower", "upper")]
+        return [Table("what moves the edges", ("parameter", "lower edge", "upper edge", *index), rows)]
+
+    @figure("tolerance", "Where the edges fall, and what moves them.")
+    def _drawn(self) -> Figure:
         return plots.tolerance(self.dataset)
 
     def to_json(self) -> dict[str, Any]:
@@ -91,6 +129,11 @@ class Tolerance:
             "fit_doubt_hz": data["fit_doubt"].values.tolist(),
             "parameters": rows,
         }
+
+
+def percent(chance: float) -> str:
+    """A chance in percent, as sure as some thousands of draws can be."""
+    return "more than 99.99%" if chance > 0.9999 else "less than 0.01%" if chance < 1e-4 else f"{chance:.2%}"
 
 
 def compute_tolerance(
@@ -126,7 +169,7 @@ def compute_tolerance(
             cause=f"a quadratic in so many parameters has {needed} coefficients",
             next_step="compute more samples, or leave spreads out that hardly matter",
         )
-    gap = gap_holding(cell, asked, carrier, runner)
+    gap = need_gap_at(runner.gaps(cell, asked), carrier)
     try:
         designs = samples(cell, spreads, count)
     except HaptonicError as error:
@@ -183,6 +226,9 @@ def compute_tolerance(
         pillar=chances.of_one_pillar(),
         loosest=chances.loosest(confidence),
         dataset=stamped(dataset, inputs),
+        margin=margin,
+        pillars=pillars,
+        confidence=confidence,
     )
 
 

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Callable
 from dataclasses import dataclass
 from functools import partial
 from importlib.metadata import version
@@ -12,6 +11,7 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
+import xarray as xr
 from numpy.typing import NDArray
 
 from haptonic.friction.protocol import Protocol
@@ -21,14 +21,17 @@ from haptonic.friction.twin.files import SIMULATED, WRITERS
 from haptonic.friction.twin.gauges import GAUGES, calibration, voltages
 from haptonic.friction.twin.strokes import AXES, RATE, samples_of
 from haptonic.paths import inside
+from haptonic.progress import Progress, silent
+from haptonic.results.result import Result
+from haptonic.results.table import Column, Table
 from haptonic.store import write_atomically
 
 NOTHING = 1e-6  # a reduction that is none
 TRUTH, STUDY, CALIBRATION = "truth.json", "study.toml", "calibration.csv"
 
 
-@dataclass(frozen=True, eq=False)
-class FrictionTwin:
+@dataclass(frozen=True, eq=False, repr=False)
+class FrictionTwin(Result):
     """Trials of people who do not exist.
 
     truth, protocol : what is true of them, and the order of their trials
@@ -40,6 +43,8 @@ class FrictionTwin:
     raw : whether files hold gauge voltages, with a calibration, instead of forces and torques
     """
 
+    title = "Simulated trials"
+
     truth: Truth
     protocol: Protocol
     group: tuple[Person, ...]
@@ -50,7 +55,29 @@ class FrictionTwin:
     raw: bool
 
     @property
-    def names(self) -> list[str]:
+    def dataset(self) -> xr.Dataset:
+        """True friction and reductions of every participant."""
+        guides = self.protocol.waveguides
+        reduction = [[1 - one.remaining[guide] for guide in guides] for one in self.group]
+        return xr.Dataset(
+            {
+                "friction": ("participant", [one.friction for one in self.group], {"units": "1"}),
+                "reduction": (("participant", "waveguide"), reduction, {"units": "1"}),
+            },
+            coords={
+                "participant": [f"P{k}" for k in range(1, len(self.group) + 1)],
+                "waveguide": list(guides),
+            },
+            attrs={"origin": "simulated", "seed": self.seed},
+        )
+
+    @classmethod
+    def names(cls, options: Any = None) -> list[str]:
+        """Of the files that every folder of trials has; records have names of their own."""
+        return [TRUTH, STUDY, NAME]
+
+    @property
+    def file_names(self) -> list[str]:
         """Of all files."""
         labels = self.protocol.order(len(self.group))
         records = dict.fromkeys(file_of(label, self.suffix, self.per) for label in labels)
@@ -88,12 +115,12 @@ class FrictionTwin:
             "speed_m_per_s": list(truth.speed),
         }
 
-    def write(self, folder: Path, told: Callable[[int, int, bool], None]) -> None:
+    def put(self, draft: Path, progress: Progress = silent) -> None:
         """Write all files, one after the other; the list of trials comes last.
 
         Parameters
         ----------
-        told : is called with the number of trials written, the number of all, and False
+        progress : called with the trials written and all of them
         """
         labels = self.protocol.order(len(self.group))
         matrix = calibration() if self.raw else None
@@ -103,19 +130,39 @@ class FrictionTwin:
         done = 0
         for name, shared in groupby(strokes, key=lambda one: file_of(one.trial.label, self.suffix, self.per)):
             many = list(shared)
-            write_atomically(inside(folder, name), partial(WRITERS[self.suffix[1:]], _channels(many, matrix)))
+            write_atomically(inside(draft, name), partial(WRITERS[self.suffix[1:]], _channels(many, matrix)))
             done += len(many)
-            told(done, len(labels), False)
-        write_atomically(folder / STUDY, lambda path: path.write_text(self.study, encoding="utf-8"))
+            progress(done, len(labels))
+        write_atomically(draft / STUDY, lambda path: path.write_text(self.study, encoding="utf-8"))
         text = json.dumps(self.to_json(), indent=1) + "\n"
-        write_atomically(folder / TRUTH, lambda path: path.write_text(text, encoding="utf-8"))
+        write_atomically(draft / TRUTH, lambda path: path.write_text(text, encoding="utf-8"))
         if matrix is not None:
-            write_atomically(folder / CALIBRATION, partial(_write_calibration, matrix))
+            write_atomically(draft / CALIBRATION, partial(_write_calibration, matrix))
         lasting = samples_of(self.truth) / RATE if self.per == "block" else None
         listed = partial(
             write_list, labels, suffix=self.suffix, per=self.per, origin="simulated", lasting=lasting
         )
-        write_atomically(folder / NAME, listed)
+        write_atomically(draft / NAME, listed)
+
+    def summary(self) -> list[str]:
+        return ["Simulated: nobody stroked anything. The truth is in truth.json."]
+
+    def tables(self) -> list[Table]:
+        """True reductions, of the population and of every participant."""
+        truth, guides = self.to_json(), self.protocol.waveguides
+        rows = [
+            (name, row["friction"], *(row["reduction"][guide] for guide in guides))
+            for name, row in {"population": truth["population"], **truth["participants"]}.items()
+        ]
+        columns = (
+            Column("who"),
+            Column("friction", form=".3f"),
+            *(Column(g, "", "%", ".1f") for g in guides),
+        )
+        return [Table("true reductions (simulated)", columns, rows)]
+
+    def located(self, folder: Path) -> dict[str, Any]:
+        return {"folder": str(folder), "files": len(self.file_names)}
 
 
 def friction_twin(

@@ -3,9 +3,8 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass
-from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -17,8 +16,11 @@ from haptonic import plots
 from haptonic.gate import declared
 from haptonic.plate import Plate
 from haptonic.response import FrequencyResponse, average_spectrum, contrast, write
-from haptonic.results.common import no_nan, stamped, write_netcdf
+from haptonic.results.common import no_nan, stamped
 from haptonic.results.plate.question import driven_region
+from haptonic.results.result import Result, figure, file
+from haptonic.results.table import Cell, Column, Table, Uncertain
+from haptonic.units import format_quantity
 from haptonic.updating.agreement import Agreement
 from haptonic.updating.fit import Fit
 from haptonic.vibrometry.maps.gap import MeasuredGap
@@ -27,11 +29,20 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 Array = NDArray[np.float64]
+MOST_ROWS = 40  # pairs that a table shows
 MEASURED, BEFORE, AFTER = "measurement", "model as given", "model fitted"
 
 
-@dataclass(frozen=True, eq=False)
-class Verdict:
+def _has_mac(result: Verdict) -> bool:
+    return bool(result.agreements[result.last].mac.size)
+
+
+def _has_fit(result: Verdict) -> bool:
+    return result.study is not None
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class Verdict(Result):
     """A measurement beside its model, at the same points and lines.
 
     plate : as given; responses : by `MEASURED`, `BEFORE` and, after a fit, `AFTER`
@@ -43,6 +54,9 @@ class Verdict:
     study : the file with the fitted numbers, if there was a fit
     inputs : all that made it, in JSON types
     """
+
+    title = "Verdict"
+    data_file = "verdict"
 
     plate: Plate
     responses: Mapping[str, FrequencyResponse]
@@ -88,39 +102,74 @@ class Verdict:
             for other in others
         }
 
-    def figures(self) -> dict[str, Figure]:
-        """All pictures, by name."""
-        labels, layout = self.labels, self.plate.layout
-        frac = {labels[name]: one.frac for name, one in self.agreements.items()}
+    @figure("before-after", "Measurement and model, averaged over the points and as contrast.")
+    def _before_after(self) -> Figure:
+        labels = self.labels
         spectra = {labels[name]: average_spectrum(one).values for name, one in self.responses.items()}
         contrasts = {
             pair: {labels[name]: level for name, level in levels.items()}
             for pair, levels in self.contrasts().items()
         }
-        found = {
-            "before-after": plots.before_after(
-                self.measured.frequency, spectra, contrasts, units=self.measured.units
-            ),
-            "frac": plots.frac_maps(self.measured.points, frac, layout, measured=labels[MEASURED]),
-        }
-        last = self.agreements[self.last]
-        if last.mac.size:
-            found["mac"] = plots.mac_matrix(last, measured=labels[MEASURED], computed=labels[self.last])
-        return found
+        return plots.before_after(self.measured.frequency, spectra, contrasts, units=self.measured.units)
 
-    def files(self) -> dict[str, Callable[[Path], object]]:
-        """What writes each file, by its name."""
-        said = json.dumps(self.to_json(), indent=1) + "\n"
-        found: dict[str, Callable[[Path], object]] = {
-            "verdict.nc": partial(write_netcdf, self.dataset()),
-            "verdict.json": lambda path: path.write_text(said, "utf-8"),
-            "model.nc": partial(write, self.responses[self.last]),
-        }
-        if self.study is not None:
-            text = self.study
-            found["fitted.toml"] = lambda path: path.write_text(text, "utf-8")
-        return found
+    @figure("frac", "Agreement of measurement and model at every point.")
+    def _frac(self) -> Figure:
+        frac = {self.labels[name]: one.frac for name, one in self.agreements.items()}
+        layout = self.plate.layout
+        return plots.frac_maps(self.measured.points, frac, layout, measured=self.labels[MEASURED])
 
+    @figure("mac", "Agreement of shapes.", when=_has_mac)
+    def _mac(self) -> Figure:
+        last, labels = self.agreements[self.last], self.labels
+        return plots.mac_matrix(last, measured=labels[MEASURED], computed=labels[self.last])
+
+    @file("verdict.json")
+    def _write_json(self, path: Path) -> None:
+        path.write_text(json.dumps(self.to_json(), indent=1) + "\n", "utf-8")
+
+    @file("model.nc")
+    def _write_model(self, path: Path) -> None:
+        write(self.responses[self.last], path)
+
+    @file("fitted.toml", when=_has_fit)
+    def _write_study(self, path: Path) -> None:
+        path.write_text(self.study or "", "utf-8")
+
+    def summary(self) -> list[str]:
+        """How much of the measurement the models explain, and how sure the numbers are."""
+        said = [
+            f"{name}: the model leaves {100 * one.unexplained:.2g} % of the measured energy unexplained; "
+            f"median FRAC {np.nanmedian(one.frac):.4f}."
+            for name, one in self.agreements.items()
+        ]
+        if (fit := self.fit) is not None:
+            kind = "look independent" if fit.told.independent else "are alike at neighbouring points or lines"
+            said.append(
+                f"Residuals {kind}: {fit.told.data} numbers count as {fit.told.effective:.0f}. The response "
+                f"of the fit is {self.recomputed:.1e} off the plate computed anew. {len(fit.left_out)} "
+                "points of strange residuals were left out."
+            )
+        if self.left_out:
+            said.append(f"{self.left_out} points do not lie on the plate and were left out.")
+        return [*said, f"{self.labels[MEASURED].capitalize()} against a simulation."]
+
+    def tables(self) -> list[Table]:
+        """Fitted numbers, pairs of shapes, ranges of high contrast."""
+        found = [] if self.fit is None else [fit_table(self.fit)]
+        found.append(pairs_table(self.agreements[self.last], self.last))
+        return [*found, self._ranges()] if any(self.ranges.values()) else found
+
+    def _ranges(self) -> Table:
+        """Where the driven region stands out from the lattice in each response, found in the same way."""
+        ends = [Column(name, "Hz", "kHz", ".2f") for name in ("from", "to")]
+        rows: list[tuple[Cell, ...]] = [
+            (name, "none found", "") if one is None
+            else (name, Uncertain(one.lower, one.lower_error), Uncertain(one.upper, one.upper_error))
+            for name, one in self.ranges.items()
+        ]  # fmt: skip
+        return Table("high contrast over the lattice", ("response", *ends), rows)
+
+    @property
     def dataset(self) -> xr.Dataset:
         """FRAC of each model against the points, and the MAC matrix of the last one."""
         last = self.agreements[self.last]
@@ -179,6 +228,41 @@ class Verdict:
             "recomputed_error": self.recomputed,
             "answers_in_small_model": fit.anchors,
         }  # fmt: skip
+
+
+def fit_table(fit: Fit) -> Table:
+    """Each number before and after."""
+    rows = [
+        (one.name, format_quantity(one.start, one.unit), format_quantity(one.value, one.unit), one.told)
+        for one in fit.numbers
+    ]
+    return Table("numbers fitted to the response", ("parameter", "start", "fitted", "95 % interval"), rows)
+
+
+def pairs_table(one: Agreement, model: str) -> Table:
+    """Shapes that belong together."""
+    first, second = one.measured, one.computed
+    columns = (
+        Column("measured", "Hz", "kHz", ".3f"), Column("model", "Hz", "kHz", ".3f"),
+        Column("difference", "", "%", "+.2f"), Column("damping", "", "%", ".3f"),
+        Column("model damping", "", "%", ".3f"), Column("MAC", form=".3f"),
+    )  # fmt: skip
+    rows = [
+        (
+            float(first.frequency[pair.first]),
+            float(second.frequency[pair.second]),
+            float(second.frequency[pair.second] / first.frequency[pair.first] - 1),
+            float(first.damping[pair.first]),
+            float(second.damping[pair.second]),
+            pair.mac,
+        )
+        for pair in one.pairs[:MOST_ROWS]
+    ]
+    title = (
+        f"{first.how}: {len(one.pairs)} pairs of {len(first.frequency)} measured and "
+        f"{len(second.frequency)} of the {model}"
+    )
+    return Table(title, columns, rows)
 
 
 def _agreement_json(one: Agreement) -> dict[str, Any]:

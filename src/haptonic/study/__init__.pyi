@@ -1,6 +1,5 @@
-from .loading import load, load_trials, loads
 from .plate_tables import PlateSection
-from .runs import Study
+from .runs import Study, load, load_trials, loads
 from .scan_tables import ScanSection
 from .sections import BandsSection, MeshSection
 from .sweeps import SweepSection

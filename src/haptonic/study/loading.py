@@ -6,14 +6,16 @@ import re
 import tomllib
 import warnings
 from pathlib import Path
-from typing import Any
+from typing import Any, TypeVar
 
 from haptonic.errors import HaptonicWarning, StudyError, nearest
 from haptonic.fields import read, table
 from haptonic.paths import source
-from haptonic.study.runs import Study
+from haptonic.study.schema import Description
 from haptonic.study.trial_tables import Trials, TrialsFile
 from haptonic.units import shown
+
+S = TypeVar("S", bound=Description)
 
 LARGEST_FILE = 1_000_000  # bytes; a study needs a few thousand
 DEEPEST = 20  # brackets within brackets; a study needs two
@@ -23,8 +25,12 @@ _PLACE = re.compile(r"\(at line (?P<line>\d+), column \d+\)$")
 _BARE_QUANTITY = re.compile(r"=\s*[+-]?[0-9.]+(?:[eE][+-]?[0-9]+)?\s*[A-Za-zµ]")
 
 
-def load(path: str | Path) -> Study:
+def load_as(path: str | Path, kind: type[S]) -> S:
     """Read a study file.
+
+    Parameters
+    ----------
+    kind : `Description`, or `haptonic.study.Study`, which can be asked to compute as well
 
     Raises
     ------
@@ -36,27 +42,27 @@ def load(path: str | Path) -> Study:
     HaptonicWarning : a value outside its typical range
     """
     checked = source(path, "study", StudyError)
-    return loads(_read(checked), str(path))
+    return loads_as(_read(checked), kind, str(path))
 
 
-def loads(text: str, origin: str = "study") -> Study:
-    """Read a study from text; ``origin`` is how errors and warnings call it. Otherwise as `load`."""
-    study = read(Study, _parsed(text, origin), origin)
+def loads_as(text: str, kind: type[S], origin: str = "study") -> S:
+    """Read a study from text; ``origin`` is how errors and warnings call it. Otherwise as `load_as`."""
+    study = read(kind, _parsed(text, origin), origin)
     for words in study.unusual():
         warnings.warn(f"{origin}: {words}", HaptonicWarning, stacklevel=2)
     return study
 
 
-def load_trials(path: str | Path) -> tuple[Trials, Study | None]:
+def load_trials_as(path: str | Path, kind: type[S]) -> tuple[Trials, S | None]:
     """The table [trials] of a study file, and the study; of a file with nothing else there is no study.
 
     Raises
     ------
-    StudyError : as `load`
+    StudyError : as `load_as`
     """
     data = _parsed(_read(source(path, "study", StudyError)), str(path))
     if not data.keys() <= table(TrialsFile).keys():
-        study = load(path)
+        study = load_as(path, kind)
         return study.trials, study
     return read(TrialsFile, data, str(path)).trials, None
 

@@ -6,7 +6,7 @@ is right there.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -15,6 +15,7 @@ from numpy.typing import NDArray
 from haptonic.errors import ScanError
 from haptonic.plate import Fineness, Plate, PlateModel
 from haptonic.plate.family import Anchor, Family, anchored
+from haptonic.progress import Progress, silent
 from haptonic.units import format_quantity
 from haptonic.updating.intervals import Told, told
 from haptonic.updating.match import Match, MeasuredResponse, Space, Unknown
@@ -112,15 +113,15 @@ class SmallModel:
         drives: Mapping[str, complex],
         tolerance: float,
         fineness: Fineness | None = None,
-        said: Callable[[str], None] = lambda words: None,
+        progress: Progress = silent,
     ) -> SmallModel:
-        """Of a plate that has the starting values; ``said`` is called with words on what is done.
+        """Of a plate that has the starting values; ``progress`` is called with words on what is done.
 
         Raises
         ------
         HaptonicError : lines that cannot be computed with that tolerance
         """
-        said("tiles")
+        progress(0, 0, "tiles")
         bonds = bonds_of(plate, {one.name: (one.low, one.high) for one in unknowns})
         model = PlateModel.of(plate, float(frequency[-1]), fineness, bonds)
         space = Space(plate, unknowns)
@@ -129,7 +130,7 @@ class SmallModel:
         moved = np.array([one.name != LOSS for one in unknowns])
         tried = np.unique(np.vstack([np.zeros(len(unknowns)), moved * space.spread(ANCHORS - 1)]), axis=0)
         for number, x in enumerate(tried, start=1):
-            said(f"answers for {number} of {len(tried)} sets of numbers")
+            progress(number, len(tried), "answers for sets of numbers")
             small = small.knowing(x)
         return small
 
@@ -150,9 +151,7 @@ class SmallModel:
         return Match(self.space, Family.spanned(self.model, self.anchors, self.drives, self.points), data)
 
 
-def fitted(
-    small: SmallModel, data: MeasuredResponse, said: Callable[[str], None] = lambda words: None
-) -> Fit:
+def fitted(small: SmallModel, data: MeasuredResponse, progress: Progress = silent) -> Fit:
     """Fit the unknown numbers of a plate to a measurement at the lines and points of its small model.
 
     Raises
@@ -160,7 +159,7 @@ def fitted(
     ScanError : no set of numbers explains the measurement
     HaptonicError : lines that cannot be computed as exactly as the small model wants
     """
-    said("search")
+    progress(0, 0, "search")
     match = small.match(data)
     start = np.zeros(len(small.space.unknowns))
     before = match.response(start)
@@ -170,7 +169,7 @@ def fitted(
     for number in range(1, ROUNDS + 1):
         match = small.match(data)
         x = match.improved(match.of_complex, x)
-        said(f"check {number}")
+        progress(0, 0, f"check {number}")
         small = small.knowing(x)
         error = _apart(match.response(x), data.seen(small.anchors[-1].displacement))
         unexplained = match.unexplained(x)
@@ -178,7 +177,7 @@ def fitted(
             break
     if unexplained > UNEXPLAINED:
         raise _unlike(unexplained)
-    said("the same with new tiles")
+    progress(0, 0, "the same with new tiles")
     exact = data.seen(small.anew(x))
     match = replace(match, defect=exact - match.response(x))
     x = match.improved(match.of_complex, x)

@@ -27,8 +27,8 @@ from haptonic.friction.signals.record import Record
 from haptonic.friction.signals.rules import DECLARED, UNREADABLE, Measured, Rules
 from haptonic.friction.signals.tables import LABEL, read_columns, read_records, read_trials
 from haptonic.friction.signals.trials import joined, measured, tabulated
+from haptonic.progress import Progress, silent
 
-Told = Callable[[int, int, bool], None]
 Portion = list[tuple[str, list[Place]]]
 
 TRIED = 20  # files that are looked into for channels of the expected names
@@ -88,7 +88,7 @@ def analysed(
     excluded: Sequence[Exclusion] = (),
     *,
     workers: int = 0,
-    told: Told = lambda done, planned, stored: None,
+    progress: Progress = silent,
 ) -> Analysed:
     """All trials of a folder with a table of trials, or of a single table.
 
@@ -98,7 +98,7 @@ def analysed(
     ----------
     source : a folder with ``trials.csv``; or a file of all samples, or of trials that were measured elsewhere
     workers : processes; 0 works in this one
-    told : called with (done, planned, False) in trials
+    progress : called with the trials done and all of them
 
     Raises
     ------
@@ -106,7 +106,7 @@ def analysed(
     FrictionError : a table that is wrong, an exclusion of a trial that is not there, or no trial that counts
     """
     if source.is_dir() or not source.suffix:
-        trials, remarks = _from_folder(TrialTable.read(source), sensor, rules, workers, told)
+        trials, remarks = _from_folder(TrialTable.read(source), sensor, rules, workers, progress)
     else:
         trials, remarks = _from_file(source, rules), ()
     if "detail" not in trials:
@@ -162,7 +162,7 @@ def _from_file(path: Path, rules: Rules) -> xr.Dataset:
 
 
 def _from_folder(
-    table: TrialTable, sensor: Sensor, rules: Rules, workers: int, told: Told
+    table: TrialTable, sensor: Sensor, rules: Rules, workers: int, progress: Progress
 ) -> tuple[xr.Dataset, tuple[str, ...]]:
     wiring = _wiring(table, sensor)
     total, done = len(table.files), 0
@@ -172,7 +172,7 @@ def _from_folder(
         found.append(columns)
         simulated |= says_so
         done += len(rows)
-        told(done, total, False)
+        progress(done, total)
     back = np.argsort(np.concatenate(order))
     columns = {name: column[back] for name, column in joined(found).items()}
     origin = "simulated" if simulated else "measured"

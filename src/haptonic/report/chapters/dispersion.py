@@ -1,4 +1,4 @@
-"""Band diagram and gaps: Fig. 4A of the paper."""
+"""Band diagram and gaps."""
 
 from __future__ import annotations
 
@@ -21,7 +21,8 @@ def chapter(results: Results) -> Chapter | Absent:
     picture = Picture(
         plots.dispersion(data, carrier_hz=carrier),
         f"Simulated dispersion along {path}. Colour, dashes and markers tell what moves; a curve changes "
-        "its colour where the mode changes its nature. Complete gaps are shaded. (Fig. 4A of the paper)",
+        "its colour where the mode changes its nature. Complete gaps are shaded."
+        + results.where("dispersion"),
         f"Band diagram: {data.sizes['band']} bands along {path}; "
         + ("; ".join(f"complete gap {in_words(gap)}" for gap in complete) or "no complete gap")
         + ".",

@@ -1,4 +1,4 @@
-"""What a finger feels of the plate: predicted friction beside the paper's, and the ratio that explains it."""
+"""What a finger feels of the plate: predicted friction, and the ratio that explains what was measured."""
 
 from __future__ import annotations
 
@@ -6,20 +6,19 @@ import math
 
 from haptonic.friction.lubrication import CUE_THRESHOLD, WEBER_FRACTION, explained
 from haptonic.friction.words import change
-from haptonic.report import paper
 from haptonic.report.chapter import Absent, Chapter, Picture, Results, Table
-from haptonic.results import Feel
+from haptonic.results.feel.value import Feel
 from haptonic.units import format_quantity
 
 TITLE = "What a finger feels"
 
 
 def chapter(results: Results) -> Chapter | Absent:
-    """Predicted friction over the plate, reductions of its regions, and the inversion of the paper's."""
-    result = results.feel
+    """Predicted friction over the plate, reductions of its regions, and the inversion of measured ones."""
+    result = results.of(Feel)
     if result is None:
         return Absent(TITLE, "it was not computed in this run")
-    figures = result.figures()
+    figures = result.figures
     drive = format_quantity(result.drive, result.unit)
     pictures = (
         Picture(
@@ -48,7 +47,7 @@ def chapter(results: Results) -> Chapter | Absent:
         ),
         findings=(*_findings(result), *_inversion(results, result)),
         pictures=pictures,
-        tables=(_table(results, result), _lights(result)),
+        tables=(*result.tables(), *_published(results, result)),
     )
 
 
@@ -76,51 +75,37 @@ def _noticed(result: Feel, region: str) -> str:
 
 
 def _inversion(results: Results, result: Feel) -> list[str]:
-    """What ratio of amplitudes the paper's reductions need, and what the simulated plate has."""
-    if not (paper.is_its_cell(results.study) and result.ratio):
+    """What ratio of amplitudes measured reductions need, and what the simulated plate has."""
+    known = results.references
+    if known is None or not {"driven", "idle"} <= known.friction.keys() or not result.ratio:
         return []
-    driven, left = paper.FRICTION["driven"], paper.FRICTION["idle"]
+    driven, left = known.friction["driven"], known.friction["idle"]
     found = explained(driven, left, result.touch, result.skin)["ratio"]
     value, low, high = (float(found.sel(quantity=end)) for end in ("value", "low", "high"))
     idle, ratio = next(iter(result.ratio.items()))
     margin = result.margins[idle]
     return [
-        f"The paper's reductions, {_percent(driven)} and {_percent(left)}, "
+        f"Reductions of {_percent(driven)} and {_percent(left)}, which {known.title} has measured, "
         f"need an amplitude {value:.1f} times as large on the driven guide as on the idle one ({low:.1f} to "
         f"{high:.1f} over the plausible parameters), that is {_decibels(value)}. Below a finger the "
         f"simulated plate has {ratio:.1f} times, {_decibels(ratio)}.",
-        f"In the simulation the lattice stops {_percent(margin.stopped)} of the reduction; the paper finds "
-        f"about {_percent(paper.FRICTION['stopped'])}. So its prototype lets more through than the model of "
-        "it. Its maps are normalised each by itself and do not say how much; a scan of both guides on one "
-        "scale would.",
+        f"In the simulation the lattice stops {_percent(margin.stopped)} of the reduction; on the measured "
+        f"plate it is {_percent(1 - left / driven)}. A scan of both regions on one scale would say how much "
+        "a plate lets through.",
     ]
 
 
-def _table(results: Results, result: Feel) -> Table:
-    head = ["region", "amplitude below a finger", "without finger", "reduction", "noticed from"]
-    published = {}
-    if paper.is_its_cell(results.study) and result.driven:
-        published = dict.fromkeys(result.regions, _percent(paper.FRICTION["idle"]))
-        published[result.driven] = _percent(paper.FRICTION["driven"])
-        head.append("paper, measured")
-    reductions = result.reductions()
-    rows = []
-    for name in result.regions:
-        drive = result.drive_for(WEBER_FRACTION, name)
-        row = [
-            name,
-            f"{1e6 * result.amplitude(name):.2g} um",
-            f"{1e6 * result.amplitude(name, 'free'):.2g} um",
-            str(reductions[name]),
-            "not reached" if drive is None else f"{drive:.3g} {result.unit}",
-        ]
-        rows.append(tuple([*row, published[name]] if published else row))
-    return Table("Simulated friction of the regions.", tuple(head), tuple(rows))
-
-
-def _lights(result: Feel) -> Table:
-    rows = tuple((light.what, light.colour, light.reason) for light in result.lights)
-    return Table("Does the plate do what it is for?", ("demand", "light", "why"), rows)
+def _published(results: Results, result: Feel) -> tuple[Table, ...]:
+    """Reductions beside those that were measured."""
+    known = results.references.friction if results.references else {}
+    if result.driven is None or not {"driven", "idle"} <= known.keys():
+        return ()
+    rows = [
+        (name, str(one), _percent(known["driven" if name == result.driven else "idle"]))
+        for name, one in result.reductions().items()
+    ]
+    head = ("region", "predicted, with its interval", "measured")
+    return (Table("Reduction of friction, and what was measured on people.", head, rows),)
 
 
 def _percent(share: float) -> str:

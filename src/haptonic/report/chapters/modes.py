@@ -1,15 +1,12 @@
-"""Mode shapes at one wavevector: Fig. 4B of the paper."""
+"""Mode shapes at one wavevector."""
 
 from __future__ import annotations
-
-import json
-
-import xarray as xr
 
 from haptonic import plots
 from haptonic.plots.modes import SHOWN
 from haptonic.plots.words import khz
 from haptonic.report.chapter import Absent, Chapter, Picture, Results, Table
+from haptonic.results.bands import mode_names
 
 
 def chapter(results: Results) -> Chapter | Absent:
@@ -41,7 +38,7 @@ def chapter(results: Results) -> Chapter | Absent:
             Picture(
                 plots.mode_shapes(data),
                 f"Simulated mode shapes at the {where}; the body at rest in grey lines. Same view and scale "
-                "for all; each mode's largest displacement is drawn equally large. (Fig. 4B of the paper)",
+                "for all; each mode's largest displacement is drawn equally large." + results.where("modes"),
                 "Deformed unit cells, one for each mode: "
                 + ", ".join(f"{number} {name} at {frequency} kHz" for number, frequency, name in rows)
                 + ".",
@@ -49,9 +46,3 @@ def chapter(results: Results) -> Chapter | Absent:
         ),
         tables=(Table(f"Modes at the {where}.", ("Mode", "Frequency (kHz)", "Name"), rows),),
     )
-
-
-def mode_names(data: xr.Dataset) -> list[str]:
-    """Names of the modes at the one wavevector, in order of frequency."""
-    names = json.loads(data.attrs["character_names"])
-    return [names[int(number)] for number in data["mode_name"].values]

@@ -1,4 +1,4 @@
-"""The scan of the plate by a twin of the instrument: Fig. 5D beside Fig. 5C, contrast, and the gap in it."""
+"""The scan of the plate by a twin of the instrument: maps, contrast, and the gap in it."""
 
 from __future__ import annotations
 
@@ -6,30 +6,33 @@ import numpy as np
 
 from haptonic import plots
 from haptonic.errors import HaptonicError
-from haptonic.report import paper
 from haptonic.report.chapter import Absent, Chapter, Picture, Results, Table
-from haptonic.results import PlateResult
+from haptonic.results.plate.value import PlateResult
 from haptonic.results.scan import ScanResult, contrast_range
 from haptonic.vibrometry import MeasuredGap
 
 TITLE = "The scan, from a twin"
+MEANING = (
+    "An edge of the lattice's gap is told where waves in the rows of pillars begin to fade; one that so few "
+    "rows do not show is not. High contrast, where the driven region vibrates much more than the lattices, "
+    "belongs to this plate and drive: waves that pass the lattice but do not run in the driven guide do not "
+    "end it."
+)
 CLOSE = 0.5  # dB, within which the contrast of a scan counts as that of the plate
 
 
 def chapter(results: Results) -> Chapter | Absent:
     """Maps of the twin's scan below the computed ones, contrast, and the gaps beside one another."""
-    plate, scan = results.plate, results.scan
+    plate, scan = results.of(PlateResult), results.of(ScanResult)
     if plate is None or scan is None:
         return Absent(TITLE, "no scan was made up in this run")
-    of_the_paper = paper.is_its_cell(results.study)
     edges = None if plate.gap is None else (plate.gap.lower, plate.gap.upper)
-    below = ", as in its Fig. 5D" if of_the_paper else ""
-    above = "as in the paper's Fig. 5C" if of_the_paper else "computed"
     rows = {"computed": plate.response, "scan by the twin": scan.response}
     pictures = [
         Picture(
             plots.maps_compared(rows, scan.shapes, plate.plate.layout, edges),
-            f"Simulated normal velocity of the flat face, {above}; below it the twin's scan{below}. Each "
+            f"Simulated normal velocity of the flat face{results.where('maps')}; below it the twin's "
+            f"scan{results.where('scan')}. Each "
             "map is scaled to its largest point; grey: not scanned.",
             "Maps below, in and above the gap, computed ones above those of the twin's scan.",
         )
@@ -45,12 +48,12 @@ def chapter(results: Results) -> Chapter | Absent:
             )
         )
     return Chapter(
-        title=f"{TITLE} of the prototype" if of_the_paper else TITLE,
+        title=TITLE,
         identifier="scan",
-        paragraphs=(_what(results, scan), _meaning(of_the_paper)),
+        paragraphs=(_what(results, scan), MEANING),
         findings=(*_everywhere(plate, scan), *(f"{one[0].upper()}{one[1:]}." for one in scan.told)),
         pictures=tuple(pictures),
-        tables=(_levels(plate, scan), _gaps(plate, scan, of_the_paper)),
+        tables=(_levels(plate, scan), _gaps(plate, scan)),
     )
 
 
@@ -65,16 +68,6 @@ def _what(results: Results, scan: ScanResult) -> str:
         f"{flags['dropout']} points. They are analysed as measured ones are. So this tells what instrument "
         "and analysis do to the answer of the plate, not whether its model is right."
     )
-
-
-def _meaning(of_the_paper: bool) -> str:
-    said = (
-        "An edge of the lattice's gap is told where waves in the rows of pillars begin to fade; one that so "
-        "few rows do not show is not. High contrast, where the driven region vibrates much more than the "
-        "lattices, belongs to this plate and drive: waves that pass the lattice but do not run in the driven "
-        "guide do not end it."
-    )
-    return f"{said} The paper gives maps of its scan, and no edges." if of_the_paper else said
 
 
 def _levels(plate: PlateResult, scan: ScanResult) -> Table:
@@ -108,10 +101,8 @@ def _everywhere(plate: PlateResult, scan: ScanResult) -> list[str]:
     return []
 
 
-def _gaps(plate: PlateResult, scan: ScanResult, of_the_paper: bool) -> Table:
+def _gaps(plate: PlateResult, scan: ScanResult) -> Table:
     rows = []
-    if of_the_paper:
-        rows.append(("lattice, paper (simulated there)", *(f"{edge / 1e3:.1f} kHz" for edge in paper.GAP)))
     if plate.gap:
         rows.append(
             ("lattice, computed", *(f"{e / 1e3:.2f} kHz" for e in (plate.gap.lower, plate.gap.upper)))

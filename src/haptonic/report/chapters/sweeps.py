@@ -1,4 +1,4 @@
-"""Gaps along rows of designs: Fig. 3A and 3B of the paper."""
+"""Gaps along rows of designs."""
 
 from __future__ import annotations
 
@@ -13,10 +13,6 @@ from haptonic.report.trend import trend_of
 
 TITLE = "Sweeps"
 STRAIGHT = 0.02  # of the edge's mean: how far off a line that is called straight may be
-FIGURES = {
-    ("cell.pillar.diameter", "cell.pitch"): "3A",
-    ("cell.pillar.height", "cell.pitch"): "3B",
-}
 
 
 def chapter(results: Results) -> Chapter | Absent:
@@ -41,20 +37,20 @@ def chapter(results: Results) -> Chapter | Absent:
         identifier="sweeps",
         paragraphs=(
             "Each column is one design; all its other sizes are those of the study. The lines are bending "
-            "resonances of the pillar alone, clamped at its foot: by the paper's equation (3), which takes "
-            "it as slender, and with shear and rotary inertia (Timoshenko). In the grey region gaps were not "
-            "looked for.",
+            "resonances of the pillar alone, clamped at its foot: by equation (3) of [daunizeau-haptics], "
+            "which takes it as slender, and with shear and rotary inertia (Timoshenko). In the grey region "
+            "gaps were not looked for.",
         ),
         findings=tuple(said),
-        pictures=tuple(_picture(sweep) for sweep in results.sweeps),
+        pictures=tuple(
+            _picture(sweep, results.where(f"sweep_{k}")) for k, sweep in enumerate(results.sweeps, start=1)
+        ),
         tables=(fits,) if rows else (),
     )
 
 
-def _picture(sweep: xr.Dataset) -> Picture:
+def _picture(sweep: xr.Dataset, where: str) -> Picture:
     expression = sweep.attrs["expression"]
-    parts = tuple(part.strip() for part in expression.split("/"))
-    figure = f" (Fig. {FIGURES[parts]} of the paper)" if parts in FIGURES else ""
     name = readable(expression)
     unit, factor = scaled_unit(sweep["value"].attrs["units"])
     low, high = sweep["value"].values.min() * factor, sweep["value"].values.max() * factor
@@ -62,7 +58,7 @@ def _picture(sweep: xr.Dataset) -> Picture:
     count = int(_certain(sweep).any(axis=1).sum())
     return Picture(
         plots.sweep(sweep),
-        f"Simulated complete gaps against {name}.{figure}",
+        f"Simulated complete gaps against {name}.{where}",
         f"Complete gaps of {sweep.sizes['step']} designs, {name} from {span}; {count} of them have a gap.",
     )
 

@@ -1,4 +1,4 @@
-"""Friction trials with made-up people on the computed plate, analysed like the paper's, and what they say."""
+"""Friction trials with made-up people on the computed plate, analysed like measured ones."""
 
 from __future__ import annotations
 
@@ -7,21 +7,21 @@ from collections.abc import Mapping
 
 from haptonic.friction.statistics import IntervalEstimate, Test
 from haptonic.friction.words import averages, change
-from haptonic.report import paper
 from haptonic.report.chapter import Absent, Chapter, Picture, Results, Table
-from haptonic.results import FrictionResult
+from haptonic.results.friction import FrictionResult
 
 TITLE = "Friction trials"
 
 
 def chapter(results: Results) -> Chapter | Absent:
     """Bars of the conditions as in Fig. 6D, all tests in one table, what may be concluded."""
-    result = results.trials
+    result = results.of(FrictionResult)
     if result is None:
         return Absent(TITLE, "no trials were made up or analysed in this run")
-    published = paper.FRICTION if paper.is_its_cell(results.study) else None
+    known = results.references
+    published = known.friction if known else None
     made_up = result.origin == "simulated"
-    figures = result.figures(published=published)
+    figures = result.figures
     found = result.found
     origin = result.origin.capitalize()
     trials, left_out = result.trials.sizes["stroke"], sum(result.excluded.values())
@@ -40,8 +40,8 @@ def chapter(results: Results) -> Chapter | Absent:
         pictures=(
             Picture(
                 figures["conditions"],
-                f"{origin} friction of the four conditions, mean and one standard deviation over trials, as "
-                "in the paper's Fig. 6D.",
+                f"{origin} friction of the four conditions, mean and one standard deviation over trials."
+                + results.where("conditions"),
                 "Bars of mean friction with the vibration on and off, by waveguide and participant.",
             ),
             Picture(
@@ -82,7 +82,7 @@ def _alarms(results: Results, people: int) -> list[str]:
 
 
 def _beside(published: float | None) -> str:
-    return "" if published is None else f"; the paper measured {100 * published:.0f} %"
+    return "" if published is None else f"; measured: {100 * published:.0f} %"
 
 
 def _tests(tests: tuple[Test, ...], origin: str) -> Table:

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import json
 from collections.abc import Sequence
-from dataclasses import asdict, dataclass
+from dataclasses import asdict, dataclass, field
+from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -13,9 +14,15 @@ import xarray as xr
 from haptonic import plots
 from haptonic.bloch import Gap
 from haptonic.design.brief import Brief
+from haptonic.design.parameters import UNITS
 from haptonic.design.quick import QUICK
 from haptonic.design.search import Visited
+from haptonic.plots.words import khz
+from haptonic.results.common import no_nan, write_netcdf
 from haptonic.results.design.tasks import as_dataset
+from haptonic.results.result import Result, figure, file
+from haptonic.results.table import Cell, Column, Table
+from haptonic.units import format_quantity
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -30,19 +37,31 @@ TITLES = {
 }
 
 
-@dataclass(frozen=True)
-class Design:
+def _has_front(result: Design) -> bool:
+    return result.front is not None
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class Design(Result):
     """The best design found, and every one seen.
 
-    values : its numbers by path, SI
+    values : its numbers by path, SI; own : the same numbers of the study's own design
     gap : at the accuracy asked for; margin : of the carrier in it, Hz, errors counted
     dataset : all designs seen
+    study : the study of the design found, as TOML
+    front : the widest margin of each pitch, if it was asked for
     """
+
+    title = "Design"
+    data_file = "search"
 
     values: dict[str, float]
     gap: Gap
     margin: float
     dataset: xr.Dataset
+    own: dict[str, float] = field(default_factory=dict)
+    study: str = ""
+    front: xr.Dataset | None = None
 
     @property
     def held_back_by(self) -> list[str]:
@@ -54,15 +73,51 @@ class Design:
         """Designs that could not be computed: ``stage`` of the search, ``values`` by path (SI), ``cause``."""
         return list(json.loads(self.dataset.attrs["left_out"]))
 
-    def plot(self) -> Figure:
-        """Edges of the gap and margin of the carrier, design by design."""
+    def summary(self) -> list[str]:
+        gap, carrier = self.gap, float(self.dataset.attrs["carrier_hz"])
+        said = [
+            f"The gap {khz(gap.lower, gap.lower_error)} to {khz(gap.upper, gap.upper_error)} kHz holds the "
+            f"carrier, {carrier / 1e3:g} kHz, with a margin of {self.margin / 1e3:.3f} kHz.",
+            f"Held back by {', '.join(self.held_back_by) or 'no bound and no limit'}.",
+        ]
+        return said + [
+            "left out: "
+            + ", ".join(f"{path} = {format_quantity(v, UNITS[path])}" for path, v in one["values"].items())
+            + f", since {one['cause']}"
+            for one in self.left_out
+        ]
+
+    def tables(self) -> list[Table]:
+        values = [
+            (path, *(format_quantity(v, UNITS[path], digits=4) for v in (self.own.get(path, value), value)))
+            for path, value in self.values.items()
+        ]
+        found = Table("design", ("parameter", "study", "design found"), values)
+        return [found] if self.front is None else [found, front_table(self.front)]
+
+    @figure("search", "Edges of the gap and margin of the carrier, design by design.")
+    def _search(self) -> Figure:
         return plots.search(self.dataset)
+
+    @figure("front", "The widest gap against the pitch.", when=_has_front)
+    def _front(self) -> Figure:
+        assert self.front is not None
+        return plots.front(self.front)
+
+    @file("front.nc", when=_has_front)
+    def _write_front(self, path: Path) -> None:
+        assert self.front is not None
+        write_netcdf(self.front, path)
+
+    @file("design.toml")
+    def _write_study(self, path: Path) -> None:
+        path.write_text(self.study, "utf-8")
 
     def to_json(self) -> dict[str, Any]:
         """Plain values for machines."""
         data = self.dataset
         names = [str(name) for name in data["parameter"].values]
-        return {
+        found: dict[str, Any] = {
             "values": self.values,
             "gap": {
                 "lower_hz": self.gap.lower,
@@ -85,7 +140,24 @@ class Design:
                 }
                 for i in range(data.sizes["visit"])
             ],
+            "study": self.study,
         }
+        if self.front is not None:
+            shown = ("pitch", "lower", "upper", "margin")
+            found["front"] = {name: no_nan(self.front[name].values) for name in shown}
+        return found
+
+
+def front_table(front: xr.Dataset) -> Table:
+    """The widest gap of each pitch."""
+    rows: list[tuple[Cell, ...]] = []
+    for pitch, low, high, margin in zip(
+        *(front[name].values.tolist() for name in ("pitch", "lower", "upper", "margin")), strict=True
+    ):
+        held = margin > 0  # NaN is not
+        rows.append((pitch, low, high, high - low) if held else (pitch, None, None, "none"))
+    edges = [Column(name, "Hz", "kHz", ".2f") for name in ("from", "to", "width")]
+    return Table("widest gap around the carrier", (Column("pitch", "m", "mm", ".3g"), *edges), rows)
 
 
 def all_seen(brief: Brief, history: Sequence[tuple[str, Visited]]) -> xr.Dataset:

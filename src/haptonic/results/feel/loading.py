@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -14,6 +14,7 @@ from haptonic.bloch import Gap
 from haptonic.gate import WORD
 from haptonic.plate import Band, Fineness, Plate, PlateModel, PlateModes, modes_between
 from haptonic.plate.touch import Places, below_finger
+from haptonic.progress import Progress, silent
 from haptonic.results.common import stamped
 from haptonic.results.plate.question import (
     NEAR,
@@ -57,7 +58,7 @@ def compute_loaded(
     inputs: Mapping[str, Any],
     store: Store,
     fineness: Fineness | None = None,
-    told: Callable[[int, int, bool], None] = lambda done, planned, stored: None,
+    progress: Progress = silent,
 ) -> xr.Dataset:
     """Amplitudes below a finger per unit of the first drive, from the store if they were computed before.
 
@@ -89,7 +90,9 @@ def compute_loaded(
     )  # fmt: skip
     found = store.get(key)
     if found is None:
-        found = stamped(_computed(alone, pad, carrier, at, edges, grid, tolerance, fineness, told), inputs)
+        found = stamped(
+            _computed(alone, pad, carrier, at, edges, grid, tolerance, fineness, progress), inputs
+        )
         store.put(key, found)
     return found
 
@@ -108,12 +111,12 @@ def _computed(
     grid: float,
     tolerance: float,
     fineness: Fineness | None,
-    told: Callable[[int, int, bool], None],
+    progress: Progress,
 ) -> xr.Dataset:
     middle = carrier if at is None else at
     high = highest(middle)
     model = PlateModel.of(plate, high, fineness)
-    band = Band.of(model, 0.0, high, lambda done, planned: told(done, planned, False))
+    band = Band.of(model, 0.0, high, progress)
     modes = modes_between(band, (1 - NEAR) * middle, high)
     points, regions = grid_points(plate, grid)
     drives = unit_drives(plate)

@@ -4,10 +4,8 @@ from __future__ import annotations
 
 import json
 import math
-from collections.abc import Callable
 from dataclasses import dataclass
-from functools import cached_property, partial
-from pathlib import Path
+from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -28,12 +26,14 @@ from haptonic.friction.lubrication import (
     rise_time,
     time_constant,
 )
+from haptonic.friction.words import change
 from haptonic.plate import Plate
 from haptonic.response import Reference
-from haptonic.results.common import write_netcdf
 from haptonic.results.feel.felt import Felt
 from haptonic.results.feel.lights import Light, lights
 from haptonic.results.plate.question import driven_region
+from haptonic.results.result import Result, figure
+from haptonic.results.table import Cell, Column, Table
 from haptonic.units import format_quantity
 
 if TYPE_CHECKING:
@@ -47,6 +47,7 @@ LOGARITHMS = np.linspace(np.log(SMALLEST), np.log(LARGEST), 200)
 AMPLITUDES = np.exp(LOGARITHMS)
 ENDS = ("value", "low", "high")
 CURVE = 41  # drives of the curve of reduction against drive
+MARKS = {"green": "●", "amber": "▲", "red": "■"}  # told apart without their colour too
 BEYOND = 2.0  # times the drive: where that curve ends
 
 
@@ -62,18 +63,19 @@ def check_reduction(reduction: float) -> None:
         )
 
 
-@dataclass(frozen=True, eq=False)
-class Feel:
+@dataclass(frozen=True, eq=False, repr=False)
+class Feel(Result):
     """Friction that a finger meets on a plate, over that without vibration.
 
     plate : what vibrates; gap : edges of its lattice's gap around the carrier, Hz, if there is one
     loaded : from `compute_loaded`; diameter : of the finger's disc, m
     touch : frequency, force and speed; skin : what the lubrication models know of the finger
     drive : amplitude of the first drive, V or N
+    reduction : for which a drive is asked, if one is
     """
 
-    FILES = ("feel.nc",)
-    FIGURES = ("friction", "reduction")
+    title = "What a finger feels"
+    data_file = "feel"
 
     plate: Plate
     gap: tuple[float, float] | None
@@ -82,6 +84,7 @@ class Feel:
     touch: Touch
     skin: Finger
     drive: float
+    reduction: float | None = None
 
     @property
     def frequency(self) -> float:
@@ -251,23 +254,77 @@ class Feel:
         }
         return found
 
-    def files(self) -> dict[str, Callable[[Path], None]]:
-        """What to write, by file name."""
-        return {"feel.nc": partial(write_netcdf, self.dataset)}
-
-    def figures(self) -> dict[str, Figure]:
-        """All pictures, by name."""
+    @figure(
+        "friction",
+        "Simulated friction below a finger with its middle at each point, over that without vibration; on "
+        "either side the ends of the band that two models and all plausible parameters leave.",
+    )
+    def _friction(self) -> Figure:
         title = f"{self.frequency / 1e3:.2f} kHz, {format_quantity(self.drive, self.unit)}, simulated"
-        return {
-            "friction": plots.friction_map(self.friction(), self.plate.layout, title=title),
-            "reduction": plots.reduction_curve(
-                self.curve, self.drive, WEBER_FRACTION, title=f"{self.frequency / 1e3:.2f} kHz, simulated"
-            ),
-        }
+        return plots.friction_map(self.friction(), self.plate.layout, title=title)
+
+    @figure(
+        "reduction",
+        "Simulated reduction of friction, averaged over each region, against the amplitude of the drive.",
+    )
+    def _reduction(self) -> Figure:
+        title = f"{self.frequency / 1e3:.2f} kHz, simulated"
+        return plots.reduction_curve(self.curve, self.drive, WEBER_FRACTION, title=title)
+
+    def summary(self) -> list[str]:
+        drive = format_quantity(self.drive, self.unit)
+        felt = "; ".join(
+            f"{name}{' (driven)' if name == self.driven else ''}: {change(one.value, one.low, one.high)}"
+            for name, one in self.reductions().items()
+        )
+        said = [f"At {self.frequency / 1e3:.2f} kHz and {drive}, {felt}."]
+        if self.reduction is not None:
+            drives = "; ".join(f"{name}: {self.drive_text(v)}" for name, v in self.drives.items())
+            said.append(f"For a reduction of {100 * self.reduction:.0f} %: {drives}")
+        marked = [name for name, one in self.skin.assumptions().items() if one["mark"] == "assumed"]
+        said.append(
+            f"Assumed, not measured: {', '.join(name.replace('_', ' ') for name in marked)}, damping of the "
+            "finger. Values by load sharing; intervals over both models and all plausible parameters. "
+            "Simulated."
+        )
+        return said
+
+    @property
+    def drives(self) -> dict[str, float | None]:
+        """Amplitude of the drive that gives the reduction asked for on each region."""
+        return {name: self.drive_for(self.reduction or 0.0, name) for name in self.regions}
+
+    def drive_text(self, drive: float | None) -> str:
+        """A drive as people read it."""
+        return "not reached" if drive is None else f"{drive:.3g} {self.unit}"
+
+    def tables(self) -> list[Table]:
+        """Every region: amplitudes, reduction, the drive from which on it is noticed; then the demands."""
+        reductions, drive = self.reductions(), format_quantity(self.drive, self.unit)
+        amplitude = [Column(name, "m", "um", ".3g") for name in ("amplitude", "without finger")]
+        rows: list[tuple[Cell, ...]] = [
+            (
+                f"{name} (driven)" if name == self.driven else name,
+                self.amplitude(name),
+                self.amplitude(name, "free"),
+                str(reductions[name]),
+                self.drive_text(self.drive_for(WEBER_FRACTION, name)),
+            )
+            for name in self.regions
+        ]
+        felt = Table(
+            f"below a finger of {self.touch.force:g} N at {self.frequency / 1e3:.2f} kHz and {drive}, "
+            "simulated",
+            ("region", *amplitude, "reduction", "noticed from"),
+            rows,
+        )
+        demands = [(f"{MARKS[one.colour]} {one.colour}", one.what, one.reason) for one in self.lights]
+        return [felt, Table("does the plate do what it is for?", ("", "demand", "why"), demands)]
 
     def to_json(self) -> dict[str, Any]:
         """Plain values for machines."""
         found = self.reductions()
+        wanted = {} if self.reduction is None else {"drive_for": {"reduction": self.reduction, **self.drives}}
         return {
             "origin": "simulated",
             "frequency_hz": self.frequency,
@@ -297,6 +354,7 @@ class Feel:
             "solver_error": float(self.loaded.attrs["error"]),
             "assumptions": self.skin.assumptions(),
             "version": self.loaded.attrs["haptonic_version"],
+            **wanted,
         }
 
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from typing import Any
 
 import numpy as np
@@ -13,6 +13,7 @@ from haptonic.bloch import Gap
 from haptonic.errors import StudyError
 from haptonic.plate import Band, Fineness, Plate, PlateModel, modes_between
 from haptonic.plate.damping import real_times
+from haptonic.progress import Progress, silent
 from haptonic.response import FrequencyResponse, from_plain, plain
 from haptonic.results.common import stamped
 from haptonic.results.plate.datasets import body_dataset, lines_dataset, modes_dataset
@@ -45,7 +46,7 @@ def compute_plate(
     inputs: Mapping[str, Any],
     store: Store,
     fineness: Fineness | None = None,
-    told: Callable[[int, int, bool], None] = lambda done, planned, stored: None,
+    progress: Progress = silent,
 ) -> PlateResult:
     """How a plate answers its drives, from the store if it was computed before.
 
@@ -54,7 +55,7 @@ def compute_plate(
     carrier : Hz, near which modes are listed
     gap : for the maps below, in and above it; without one the only map is at the carrier
     inputs : plain values of what was asked; fineness : of the mesh, if not the usual one
-    told : called with the shifts done and planned, then with the lines that are answered one by one
+    progress : called with the shifts done and planned, then with the lines that are answered one by one
 
     Raises
     ------
@@ -74,7 +75,7 @@ def compute_plate(
     ]  # fmt: skip
     kept = [dataset for key in keys if (dataset := store.get(key)) is not None]
     if len(kept) < len(keys):
-        kept = _computed(plate, question, carrier, edges, inputs, fineness, told)
+        kept = _computed(plate, question, carrier, edges, inputs, fineness, progress)
         for key, dataset in zip(keys, kept, strict=True):
             store.put(key, dataset)
     response, marked, lines, modes, body = kept
@@ -99,21 +100,18 @@ def _computed(
     gap: list[float] | None,
     inputs: Mapping[str, Any],
     fineness: Fineness | None,
-    told: Callable[[int, int, bool], None],
+    progress: Progress,
 ) -> list[xr.Dataset]:
     low, high = question.lowest, question.highest
     model = PlateModel.of(plate, high, fineness)
 
-    def tell(done: int, planned: int) -> None:
-        told(done, planned, False)
-
-    band = Band.of(model, low, high, tell)
+    band = Band.of(model, low, high, progress)
     found = modes_between(band, max(low, (1 - NEAR) * carrier), min(high, (1 + NEAR) * carrier))
     reference, _ = reference_of(plate)
     aside = [carrier] if gap is None else [BELOW * gap[0], ABOVE * gap[1], *found.frequency]
     extra = [f for f in aside if low <= f <= high]
     every = np.union1d(question.frequencies, extra)
-    band, vibration = band.answer(unit_drives(plate), every, question.tolerance, tell)
+    band, vibration = band.answer(unit_drives(plate), every, question.tolerance, progress)
     points, regions = grid_points(plate, question.grid)
     surface = model.displaced(points, vibration.vectors)
     velocity = real_times(surface, vibration.amplitudes) * (1j * vibration.omega)

@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import json
+from collections.abc import Callable
 from dataclasses import dataclass
-from functools import cached_property
+from functools import cached_property, partial
+from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -15,9 +17,14 @@ from haptonic import plots
 from haptonic.bloch import Gap
 from haptonic.names import file_parts
 from haptonic.plate import Plate
-from haptonic.response import FrequencyResponse, contrast, disc_average, rms
+from haptonic.response import FrequencyResponse, contrast, disc_average, rms, write
 from haptonic.response.checks import REST, THE_REST
+from haptonic.results.common import write_netcdf
 from haptonic.results.plate.question import driven_region, resonance_of
+from haptonic.results.plate.tables import lines_table, modes_table, power_table
+from haptonic.results.result import Result, figure, file
+from haptonic.results.table import Table
+from haptonic.vtu import write_body
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -35,8 +42,16 @@ ERRORS = (
 )
 
 
-@dataclass(frozen=True, eq=False)
-class PlateResult:
+def _has_spectrum(result: PlateResult) -> bool:
+    return len(result.response.frequency) > 1  # there is none of a single line
+
+
+def _compares(result: PlateResult) -> bool:
+    return _has_spectrum(result) and bool(compared(result.response, result.driven))
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class PlateResult(Result):
     """Response of a plate per unit of its reference, with all that was found beside it.
 
     plate : what was computed; gap : of its lattice around the carrier, if there is one; carrier : Hz
@@ -44,6 +59,9 @@ class PlateResult:
     lines : dataset on the response's frequencies; modes : dataset of the modes near the carrier
     body : displacement of the whole plate at the carrier, on a coarse mesh
     """
+
+    title = "Plate"
+    data_file = "plate"
 
     plate: Plate
     gap: Gap | None
@@ -68,32 +86,87 @@ class PlateResult:
         """Root mean square velocity of every region, in the units of the response."""
         return {name: rms(self.response, name) for name in self.response.regions if name}
 
-    def figures(self) -> dict[str, Figure]:
-        """All pictures but the animation, by name."""
-        frequency, gap = self.response.frequency, self._gap_edges
-        layout, origin = self.plate.layout, str(self.response.dataset.attrs["origin"])
-        found = {
-            "plan": plots.plate_plan(self.plate),
-            "maps": plots.maps(self.marked, self.marked.frequency.tolist(), layout, gap),
-        }
-        if len(frequency) < 2:  # there is no spectrum of a single line
-            return found
-        found["velocity"] = plots.velocity_spectrum(
-            frequency,
-            {k: v.values for k, v in self.levels.items()},
-            gap,
-            units=self.response.units,
-            origin=origin,
+    @property
+    def dataset(self) -> xr.Dataset:
+        """Energies, powers, impedances and errors against frequency."""
+        return self.lines
+
+    @property
+    def _origin(self) -> str:
+        return str(self.response.dataset.attrs["origin"])
+
+    @figure("plan", "Simulated plate: its pillars, regions, actuators and supports.")
+    def _plan(self) -> Figure:
+        return plots.plate_plan(self.plate)
+
+    @figure("maps", "Simulated normal velocity of the flat face, each map scaled to its largest point.")
+    def _maps(self) -> Figure:
+        frequency = self.marked.frequency.tolist()
+        return plots.maps(self.marked, frequency, self.plate.layout, self._gap_edges)
+
+    @figure("velocity", "Simulated velocity of the regions.", when=_has_spectrum)
+    def _velocity(self) -> Figure:
+        levels = {name: level.values for name, level in self.levels.items()}
+        return plots.velocity_spectrum(
+            self.response.frequency, levels, self._gap_edges, units=self.response.units, origin=self._origin
         )
-        if contrasts := self.contrasts(self.response):
-            curves = {name: level.values for name, level in contrasts.items()}
-            found["contrast"] = plots.contrast_spectrum(frequency, curves, gap, origin=origin)
-        named = impedance_names(self.plate)
-        for actuator in self.plate.actuators:
-            impedance = self.impedance(actuator.name)
-            lines = self.lines["frequency"].values
-            found[named[actuator.name]] = plots.impedance_spectrum(lines, impedance, gap, origin=origin)
-        return found
+
+    @figure("contrast", "Simulated contrast of the driven region.", when=_compares)
+    def _contrast(self) -> Figure:
+        curves = {name: level.values for name, level in self.contrasts(self.response).items()}
+        return plots.contrast_spectrum(self.response.frequency, curves, self._gap_edges, origin=self._origin)
+
+    @figure("impedance-*", "Simulated electrical impedance of an actuator.", when=_has_spectrum)
+    def _impedances(self) -> dict[str, Callable[[], Figure]]:
+        return {
+            name: partial(self._impedance, actuator) for actuator, name in impedance_names(self.plate).items()
+        }
+
+    def _impedance(self, actuator: str) -> Figure:
+        lines, values = self.lines["frequency"].values, self.impedance(actuator)
+        return plots.impedance_spectrum(lines, values, self._gap_edges, origin=self._origin)
+
+    @file("response.nc")
+    def _write_response(self, path: Path) -> None:
+        write(self.response, path)
+
+    @file("maps.nc")
+    def _write_maps(self, path: Path) -> None:
+        write(self.marked, path)
+
+    @file("modes.nc")
+    def _write_modes(self, path: Path) -> None:
+        write_netcdf(self.modes, path)
+
+    @file("plate.vtu")
+    def _write_body(self, path: Path) -> None:
+        write_body(path, self.body)
+
+    @file("carrier.webp")
+    def _animate(self, path: Path) -> None:
+        plots.animated(path, self.marked, self.resonance, self.plate.layout, overwrite=True)
+
+    def summary(self) -> list[str]:
+        line = self.told(self.marked.at(self.resonance))
+        levels = "; ".join(f"{name} by {level:.1f} dB" for name, level in line["contrast_db"].items())
+        said = [f"At {line['frequency_hz'] / 1e3:.3f} kHz {self.driven} vibrates more: {levels}."] * bool(
+            levels
+        )
+        return [
+            *said,
+            f"Largest solver's error of the field at any line: {float(self.lines['error'].max()):.1e} "
+            f"(a bound), of {self.lines.attrs['unknowns']} unknowns on {self.lines.attrs['basis']} vectors. "
+            f"{ERRORS} Simulated.",
+        ]
+
+    def remarks(self) -> list[str]:
+        if not self.plate.rigid:
+            return []
+        return [f"nothing holds the plate: {self.plate.rigid_modes} rigid-body motions are free"]
+
+    def tables(self) -> list[Table]:
+        found = [lines_table(self), power_table(self)]
+        return [*found, modes_table(self)] if self.modes.sizes["mode"] else found
 
     @property
     def _gap_edges(self) -> tuple[float, float] | None:
@@ -134,6 +207,20 @@ class PlateResult:
     def map_lines(self) -> list[FrequencyResponse]:
         """The response at each frequency of the maps."""
         return [self.marked.at(float(f)) for f in self.marked.frequency]
+
+    def facts(self) -> dict[str, Any]:
+        return self.to_json() | {"guide_modes": self._guide_modes()}
+
+    def _guide_modes(self) -> dict[str, dict[str, float]]:
+        """By region and name, the frequency (Hz) of the mode with most of its energy there."""
+        modes, found = self.modes, dict[str, dict[str, float]]()
+        names, frequency = modes["name"].values.tolist(), modes["mode_frequency"].values
+        for region in self.plate.layout.regions:
+            share = modes["stored"].sel(region=region).values
+            best = {name: max((k for k, n in enumerate(names) if n == name), key=share.__getitem__)
+                    for name in names if name}  # fmt: skip
+            found[region] = {name: float(frequency[k]) for name, k in best.items()}
+        return found
 
     def to_json(self) -> dict[str, Any]:
         """Plain values for machines."""

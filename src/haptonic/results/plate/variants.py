@@ -2,26 +2,20 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 
 import numpy as np
-import xarray as xr
 from numpy.typing import NDArray
 
-from haptonic.gate import WORD
-from haptonic.materials import Material
 from haptonic.plate import Band, Fineness, Layout, Plate, PlateModel, modes_between
 from haptonic.plate.keys import PLATE
 from haptonic.response import contrast, rms
 from haptonic.results.plate.answer import responded
 from haptonic.results.plate.datasets import mode_names
 from haptonic.results.plate.question import grid_points
-from haptonic.store import Store, content_key
 
 Array = NDArray[np.float64]
 
-COARSE = Fineness(along=3, through=2, cell=2, rings=0, plain=2)
 LINE = 20.0  # Hz between the lines among which a resonance is looked for
 
 
@@ -34,13 +28,6 @@ class Look:
     name: str
     grid: float
     tolerance: float
-
-
-def with_material(plate: Plate, material: Material) -> Plate:
-    """A plate and pillars of another material."""
-    layout = plate.layout
-    cells = {name: replace(cell, material=material) for name, cell in layout.cells.items()}
-    return replace(plate, layout=replace(layout, material=material, cells=cells))
 
 
 def with_rows(plate: Plate, first: str, second: str, rows: int) -> Plate:
@@ -85,29 +72,3 @@ def resonance(plate: Plate, look: Look, over: str, under: str) -> tuple[float, f
     response = responded(plate, lines, *grid_points(plate, look.grid), look.tolerance)
     loudest = int(rms(response, over).values.argmax())
     return float(lines[loudest]), float(contrast(response, over, under).values[loudest])
-
-
-def mode_shifts(
-    plates: Mapping[str, tuple[Plate, Fineness | None]],
-    region: str,
-    look: Look,
-    store: Store,
-    inputs: Mapping[str, object],
-    told: Callable[[], None] = lambda: None,
-) -> xr.Dataset:
-    """The mode of a guide in several plates, by what is said of each."""
-    # the order counts: the first plate is the one that the others are compared with
-    question = {"part": "mode shifts", "region": region, "look": look, "inputs": inputs}
-    key = content_key({**question, "plates": list(plates.items())})
-    if (known := store.get(key)) is not None:
-        return known
-    frequencies = []
-    for plate, fineness in plates.values():
-        frequencies.append(guide_mode(plate, region, look, fineness))
-        told()
-    found = xr.Dataset(
-        {"mode_frequency": ("plate", np.array(frequencies), {"units": "Hz", WORD: "no such mode"})},
-        coords={"plate": list(plates)},
-    )
-    store.put(key, found)
-    return found

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Callable, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
@@ -15,8 +15,10 @@ from scipy.spatial import cKDTree
 
 from haptonic.bloch import Gap
 from haptonic.errors import HaptonicError, ResponseError, ScanError
+from haptonic.gate import WORD
 from haptonic.plate import Plate
 from haptonic.plate.layout import Layout
+from haptonic.progress import Progress, silent
 from haptonic.response import FrequencyResponse, average_spectrum
 from haptonic.response.measures import sides
 from haptonic.results.common import Asked
@@ -52,7 +54,6 @@ from haptonic.vibrometry.estimation.quality import judged
 from haptonic.vibrometry.estimation.spectra import Estimator, WindowName
 
 Array = NDArray[np.float64]
-Progress = Callable[[int, int], object]
 
 # name of all points on lattices while the gap is looked for; longer than any name of a study
 LATTICE = "the points on the lattices of the plate, all together"
@@ -104,7 +105,7 @@ def compute_scan(
     *,
     at: float | None = None,
     store: Store,
-    progress: Progress | None = None,
+    progress: Progress = silent,
 ) -> ScanResult:
     """All that a scan tells.
 
@@ -180,7 +181,7 @@ def _joined(read: ReadReport, estimated: ReadReport) -> ReadReport:
     )  # fmt: skip
 
 
-def _estimated(scan: Scan, how: Estimation, on: OnPlate | None, progress: Progress | None) -> Estimate:
+def _estimated(scan: Scan, how: Estimation, on: OnPlate | None, progress: Progress) -> Estimate:
     """The response of a scan and the quality of its points, estimated where the scan has time records."""
     if isinstance(scan.content, FrequencyResponse):
         response = scan.content
@@ -239,21 +240,27 @@ def _told_on_plate(
     """Fill a dataset with what the regions tell; the range of high contrast, and why something could not be
     told."""
     layout, told, driven = on.plate.layout, [], driven_region(on.plate)
-    for name in response.regions:
-        data[f"rms {name}"] = clean_rms(response, name)
-    for words, other in compared(response, driven):
-        found_level = clean_contrast(response, *sides(response, driven or "", other))
-        data[f"contrast {driven} over {words}"] = found_level["level"]
-        data[f"error of {driven} over {words}"] = found_level["error"]
-        if hidden := int(np.isnan(found_level["level"].values).sum()):
-            told.append(f"noise hides the contrast of {driven} over {words} at {hidden} lines")
+    named = {name: clean_rms(response, name) for name in response.regions if name}
+    if named:
+        data["rms"] = along(named, "region")
+    levels = {
+        f"{driven} over {words}": clean_contrast(response, *sides(response, driven or "", other))
+        for words, other in compared(response, driven)
+    }
+    if levels:
+        data["contrast"] = along({pair: level["level"] for pair, level in levels.items()}, "pair")
+        data["error_of_contrast"] = along({pair: level["error"] for pair, level in levels.items()}, "pair")
+    for pair, level in levels.items():
+        if hidden := int(np.isnan(level["level"].values).sum()):
+            told.append(f"noise hides the contrast of {pair} at {hidden} lines")
+    waves: dict[str, xr.DataArray] = {}
     for guide in guides_of(layout):
         try:
-            waves = wavenumber_map(response, guide.region, guide.along)
+            waves[guide.region] = wavenumber_map(response, guide.region, guide.along)
         except HaptonicError as error:
             told.append(f"no waves along {guide.region}: {error.given}; {error.cause}")
-        else:
-            data[f"waves {guide.region}"] = waves.rename(wavenumber=f"wavenumber {guide.region}")
+    if waves:
+        data.update(_by_guide(waves))
     if driven is None:
         return None, [*told, "no contrast: the study does not say which region is driven"]
     found = None
@@ -268,9 +275,36 @@ def _told_on_plate(
         except (ScanError, ResponseError) as error:
             told.append(f"no decay: {error.given}")
         else:
-            data.update({f"decay {name}": values for name, values in decay.items() if name != "frequency"})
+            data.update(decay.rename(error="error_of_decay"))
             data.attrs["decay"] = json.dumps(decay.attrs)
     return found, told
+
+
+def along(values: Mapping[str, xr.DataArray], dimension: str) -> xr.DataArray:
+    """Arrays of the same axes along a dimension of names."""
+    names = xr.DataArray(np.array(list(values), dtype=str), dims=dimension, name=dimension)
+    return xr.concat(list(values.values()), names, combine_attrs="drop_conflicts").rename(None)
+
+
+def _by_guide(waves: Mapping[str, xr.DataArray]) -> xr.Dataset:
+    """Waves along guides, whose wavenumbers are as many as each guide has points; NaN behind them."""
+    longest = max(one.sizes["wavenumber"] for one in waves.values())
+    lines = next(iter(waves.values()))["frequency"]
+    amplitude = np.full((len(waves), len(lines), longest), np.nan)
+    wavenumber = np.full((len(waves), longest), np.nan)
+    for row, one in enumerate(waves.values()):
+        amplitude[row, :, : one.sizes["wavenumber"]] = one.values
+        wavenumber[row, : one.sizes["wavenumber"]] = one["wavenumber"].values
+    first = next(iter(waves.values()))
+    shorter = {WORD: "a shorter guide has fewer wavenumbers"}
+    return xr.Dataset(
+        {"waves": (("guide", "frequency", "step"), amplitude, {"units": first.attrs["units"], **shorter})},
+        coords={
+            "guide": np.array(list(waves), dtype=str),
+            "frequency": lines,
+            "wavenumber": (("guide", "step"), wavenumber, {"units": "rad/m", **shorter}),
+        },
+    )
 
 
 def _gap(response: FrequencyResponse, plate: Plate, data: xr.Dataset) -> LatticeGap:

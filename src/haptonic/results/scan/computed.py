@@ -10,12 +10,12 @@ from threadpoolctl import threadpool_limits
 from haptonic.bloch import Gap
 from haptonic.bloch.evanescent import attenuation
 from haptonic.bloch.guide import Guide
+from haptonic.bloch.mirrors import condensed_cell
 from haptonic.bloch.model import bloch_model
 from haptonic.bloch.plate_waves import PlainPlate
 from haptonic.errors import StudyError
 from haptonic.gate import WORD
 from haptonic.plate.layout import Layout
-from haptonic.results.carrier import condensed_cell
 from haptonic.results.common import Asked
 from haptonic.results.scan.places import Guiding, Mirror
 from haptonic.store import Store, content_key

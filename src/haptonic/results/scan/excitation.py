@@ -3,17 +3,18 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Callable
 from dataclasses import dataclass
-from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
+import xarray as xr
 
 from haptonic import plots
 from haptonic.plate import Plate
+from haptonic.results.result import Result, figure, file
 from haptonic.results.scan.question import ScanQuestion
+from haptonic.results.table import Table
 from haptonic.vibrometry.chirp import Drive, drive_notes, write_drive
 from haptonic.vibrometry.planning import ScanPlan
 
@@ -21,12 +22,18 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 
-@dataclass(frozen=True, eq=False)
-class Excitation:
+def _has_plan(result: Excitation) -> bool:
+    return result.plan is not None
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class Excitation(Result):
     """One period of a drive, and the plan of a scan.
 
     plan : None without a plate
     """
+
+    title = "Excitation"
 
     question: ScanQuestion
     drive: Drive
@@ -43,36 +50,60 @@ class Excitation:
         """
         return cls(question, question.drive(plate), plate, None if plate is None else question.plan(plate))
 
-    @staticmethod
-    def file_names(plate: Plate | None) -> list[str]:
-        """Of all that `files` and `figures` make."""
-        names = ["drive.wav", "drive.csv", "drive.h5", "drive.json"]
-        pictures = ["signal"] if plate is None else ["signal", "scan-plan"]
-        return [*names, *([] if plate is None else ["scan_plan.csv"]),
-                *(f"{name}.{kind}" for name in pictures for kind in ("svg", "png"))]  # fmt: skip
+    @property
+    def dataset(self) -> xr.Dataset:
+        """One period of the drive, and the points of the plan in the order of the stage."""
+        time = np.arange(len(self.drive.samples)) / self.drive.sample_rate
+        made = xr.Dataset(
+            {"drive": ("time", self.drive.samples, {"units": self.drive.unit})},
+            coords={"time": ("time", time, {"units": "s"})},
+        )
+        if self.plan is None:
+            return made
+        x, y = self.plan.points.T
+        return made.assign_coords(x=("point", x, {"units": "m"}), y=("point", y, {"units": "m"}))
 
-    def files(self) -> dict[str, Callable[[Path], object]]:
-        """Writers of the files by name; the drive's hold one period."""
+    @file("drive.wav", "drive.csv", "drive.h5")
+    def _write_drive(self, path: Path) -> None:
+        write_drive(self.drive, path)
+
+    @file("drive.json")
+    def _write_notes(self, path: Path) -> None:
         notes = drive_notes(self.drive) | {"averages": self.question.averages}
-        found: dict[str, Callable[[Path], object]] = {
-            name: partial(write_drive, self.drive) for name in ("drive.wav", "drive.csv", "drive.h5")
-        }
-        found["drive.json"] = lambda path: path.write_text(json.dumps(notes, indent=1) + "\n", "utf-8")
-        if self.plan is not None:
-            found["scan_plan.csv"] = self._write_plan
-        return found
+        path.write_text(json.dumps(notes, indent=1) + "\n", "utf-8")
 
+    @file("scan_plan.csv", when=_has_plan)
     def _write_plan(self, path: Path) -> None:
         assert self.plan is not None
         rows = [f"{i},{x:.7g},{y:.7g}" for i, (x, y) in enumerate(self.plan.points, start=1)]
         path.write_text("\n".join(["point,x (m),y (m)", *rows, ""]), "utf-8")
 
-    def figures(self) -> dict[str, Figure]:
-        """All pictures, by name."""
-        found = {"signal": plots.drive_signal(self.drive)}
-        if self.plate is not None and self.plan is not None:
-            found["scan-plan"] = plots.plate_plan(self.plate, self.plan.points)
-        return found
+    @figure("signal", "One period of the drive.")
+    def _signal(self) -> Figure:
+        return plots.drive_signal(self.drive)
+
+    @figure("scan-plan", "The points in the order of the stage.", when=_has_plan)
+    def _scan_plan(self) -> Figure:
+        assert self.plate is not None
+        assert self.plan is not None
+        return plots.plate_plan(self.plate, self.plan.points)
+
+    def tables(self) -> list[Table]:
+        told, plan = self.to_json(), self.to_json()["plan"]
+        rows = [
+            ("band", f"{told['low'] / 1e3:.5g} to {told['high'] / 1e3:.5g} kHz"),
+            ("lines", f"{told['lines']:.0f}, {told['line_spacing_hz']:.4g} Hz apart"),
+            ("period", f"{told['duration_s'] * 1e3:.4g} ms, {told['averages']:.0f} recorded at each point"),
+            ("sample rate", f"{told['sample_rate'] / 1e3:.5g} kHz"),
+            ("largest value",
+             f"{told['full_scale']:.4g} {told['unit']}, crest factor {told['crest_factor']:.3f}"),
+        ]  # fmt: skip
+        if plan:
+            rows += [
+                ("points", f"{plan['points']}, {plan['left_out']} left out"),
+                ("way", f"{plan['travel_m']:.3g} m, {plan['measuring_s']:.0f} s of recording"),
+            ]
+        return [Table("excitation", ("what", "value"), rows)]
 
     def to_json(self) -> dict[str, Any]:
         """Plain values for machines."""

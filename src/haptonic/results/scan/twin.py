@@ -10,6 +10,7 @@ from pathlib import Path, PurePosixPath
 from typing import Any, Literal
 
 import numpy as np
+import xarray as xr
 from numpy.typing import NDArray
 from scipy.spatial import cKDTree
 
@@ -17,8 +18,10 @@ from haptonic.bloch import Gap
 from haptonic.errors import HaptonicError, ScanError
 from haptonic.plate import Plate
 from haptonic.response import FrequencyResponse, write
+from haptonic.results.common import Writer
 from haptonic.results.plate.question import driven_region
 from haptonic.results.plate.value import contrasts
+from haptonic.results.result import Result
 from haptonic.results.scan.analysis import contrast_range
 from haptonic.results.scan.question import ScanQuestion
 from haptonic.vibrometry import TimeScan, estimate, write_records, write_uff, write_uff_records
@@ -44,13 +47,16 @@ FORMATS = ("h5", "nc", "uff", "mat", "csv", "tdms")
 FOLDER = PurePosixPath("scan")  # of a scan that has a file for each point
 
 
-@dataclass(frozen=True, eq=False)
-class Twin:
+@dataclass(frozen=True, eq=False, repr=False)
+class Twin(Result):
     """A simulated scan.
 
     true : the plate's response at the points of the plan, in the order of the stage, on the plate
     records : what the instrument gives of it, in the coordinates of the stage
+    form : of its file; kind : time records or responses
     """
+
+    title = "Simulated scan"
 
     plate: Plate
     question: ScanQuestion
@@ -59,6 +65,8 @@ class Twin:
     true: FrequencyResponse
     records: TimeScan
     seed: int
+    form: str = "h5"
+    kind: Kind = "time"
 
     @classmethod
     def of(
@@ -103,23 +111,42 @@ class Twin:
         found = estimate(self.records, band=self.signal.band, workers=2)
         return found.response
 
-    def files(self, form: str, kind: Kind | None) -> dict[str | PurePosixPath, Callable[[Path], object]]:
-        """Writers of the files by name.
+    @property
+    def dataset(self) -> xr.Dataset:
+        """The true response."""
+        return self.true.dataset
 
-        Parameters
-        ----------
-        form : one of `FORMATS`; kind : time records or responses; None takes what the form has
+    @classmethod
+    def names(cls, options: Any = None) -> list[Any]:
+        form = "h5" if options is None else options.form
+        return [scan_name(form), "truth.json"]
 
-        Raises
-        ------
-        ScanError : a form without this kind
-        """
-        truth: dict[str | PurePosixPath, Callable[[Path], object]] = {"truth.json": self._write_truth}
-        if kind_of(form, kind) == "time":
-            return {f"scan.{form}": partial(TIME[form], self.records)} | truth
-        if form == "csv":
+    @property
+    def files(self) -> dict[Any, Writer]:
+        """Writers of the files by name."""
+        truth: dict[Any, Writer] = {"truth.json": self._write_truth}
+        if self.kind == "time":
+            return {f"scan.{self.form}": partial(TIME[self.form], self.records)} | truth
+        if self.form == "csv":
             return {FOLDER / name: writer for name, writer in csv_files(self.estimated).items()} | truth
-        return {f"scan.{form}": partial(FRF[form], self.estimated)} | truth
+        return {f"scan.{self.form}": partial(FRF[self.form], self.estimated)} | truth
+
+    def summary(self) -> list[str]:
+        records, what = self.records, "records" if self.kind == "time" else "responses"
+        return [
+            f"{len(records.names)} points, {records.repeats} periods of {records.samples} samples at "
+            f"{records.sample_rate / 1e3:g} kHz, written as {what}. Simulated."
+        ]
+
+    def to_json(self) -> dict[str, Any]:
+        truth = self.truth()
+        return {
+            "origin": "simulated", "kind": self.kind, "points": truth["points"],
+            **{name: truth[name] for name in ("contrast_range", "computed_gap_hz")}, "seed": self.seed,
+        }  # fmt: skip
+
+    def located(self, folder: Path) -> dict[str, Any]:
+        return {"files": [str(folder / name) for name in self.names(self)]}
 
     def _write_truth(self, path: Path) -> None:
         path.write_text(json.dumps(self.truth(), indent=1) + "\n", "utf-8")

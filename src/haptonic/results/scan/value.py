@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import csv
 import json
+import shutil
 from collections.abc import Callable
 from dataclasses import asdict, dataclass
 from functools import partial
@@ -18,35 +19,58 @@ from haptonic.bloch import Gap
 from haptonic.names import cell, file_parts
 from haptonic.plate import Plate
 from haptonic.plate.layout import Layout
+from haptonic.progress import Progress, silent
 from haptonic.response import FrequencyResponse, write
 from haptonic.results.common import write_netcdf
+from haptonic.results.result import Result, figure, file
 from haptonic.results.scan.computed import guided
-from haptonic.results.scan.places import Mirror, guides_of
+from haptonic.results.scan.places import Guiding, Mirror, guides_of
+from haptonic.results.table import Cell, Table
+from haptonic.results.verdict import Verdict
 from haptonic.vibrometry import LatticeGap, MeasuredGap, Quality, ReadReport, Registration
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
+DECAY = ("decay", "error_of_decay", "low", "high")  # variables of the decay through a mirror
 
-@dataclass(frozen=True, eq=False)
-class ScanResult:
+
+def _on_plate(result: ScanResult) -> bool:
+    return result.plate is not None
+
+
+def _mapped(result: ScanResult) -> bool:
+    return result.mapped
+
+
+def _has(name: str) -> Callable[[ScanResult], bool]:
+    return lambda result: name in result.dataset
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class ScanResult(Result):
     """A scan that was read, estimated and, if a plate was given, laid on it.
 
     response : per unit of its reference; quality : of its points; report : of how it was read
     averages : 0 where the instrument estimated the response itself
-    dataset : ``average``, and on a plate ``rms REGION``, ``contrast A over B``, ``waves REGION``, ``decay
-        ...`` against frequency
+    data : against frequency: ``average``, and on a plate ``rms`` (region), ``contrast`` and its ``error``
+        (pair), ``waves`` (guide, step) with their ``wavenumber``, ``fading``, and the ``decay`` of a mirror
+        with its ends ``low`` and ``high``
     shapes : frequencies of the operating shapes, Hz
     measured : range in which the driven region stands out; lattice : edges of the gap by how waves fade
     gap : of the lattice, computed; waves : see `computed_waves`
     told : what could not be told, and why
+    verdict : on a model of the plate, if one was judged as well
+    state : folder in which an estimation that is stopped goes on
     """
+
+    title = "Scan"
 
     response: FrequencyResponse
     quality: Quality
     report: ReadReport
     averages: int
-    dataset: xr.Dataset
+    data: xr.Dataset
     shapes: tuple[float, ...]
     plate: Plate | None = None
     carrier: float | None = None
@@ -57,6 +81,8 @@ class ScanResult:
     waves: xr.Dataset | None = None
     mirror: Mirror | None = None
     told: tuple[str, ...] = ()
+    verdict: Verdict | None = None
+    state: Path | None = None
 
     @property
     def origin(self) -> str:
@@ -69,18 +95,21 @@ class ScanResult:
         return min(self.shapes, key=lambda f: abs(f - (self.carrier or f)))
 
     @property
+    def dataset(self) -> xr.Dataset:
+        """The data with what the whole scan told."""
+        return self.data.assign_attrs(origin=self.origin, report=json.dumps(self._told()))
+
+    @property
     def contrasts(self) -> dict[str, xr.DataArray]:
         """dB against frequency, by what is compared."""
-        return self._named("contrast ")
+        return by_name(self.data, "contrast", "pair")
 
     @property
     def decay(self) -> xr.Dataset | None:
         """See `haptonic.vibrometry.lattice_decay`; None where it could not be fitted."""
-        found = xr.Dataset(self._named("decay "))
-        return found.assign_attrs(json.loads(self.dataset.attrs["decay"])) if found else None
-
-    def _named(self, start: str) -> dict[str, xr.DataArray]:
-        return {str(n)[len(start) :]: v for n, v in self.dataset.items() if str(n).startswith(start)}
+        if "decay" not in self.data:
+            return None
+        return self.data[list(DECAY)].assign_attrs(json.loads(self.data.attrs["decay"]))
 
     @property
     def _edges(self) -> tuple[float, float] | None:
@@ -95,60 +124,142 @@ class ScanResult:
         """Whether there are maps and an animation: they need the motion normal to the plate."""
         return "z" in self.response.dataset["direction"].values
 
-    @staticmethod
-    def figure_names(plate: Plate | None) -> list[str]:
-        """Of all pictures that may be drawn."""
-        names = ["average", "maps", "quality"]
-        if plate is not None:
-            names += [
-                "contrast",
-                "velocity",
-                "decay",
-                "fading",
-                *wave_names(plate.layout).values(),
-            ]
-        return names
+    @figure("average", "Velocity averaged over all points.")
+    def _average(self) -> Figure:
+        average = self.data["average"].values
+        return plots.average_response(
+            self.response.frequency, average, units=self.response.units, origin=self.origin
+        )
 
-    def figures(self) -> dict[str, Figure]:
-        """All pictures but the animation, by name."""
-        lines, origin, units = self.response.frequency, self.origin, self.response.units
-        average = self.dataset["average"].values
-        found = {
-            "average": plots.average_response(lines, average, units=units, origin=origin),
-            "quality": plots.point_quality(self.response.points, self.quality, origin=origin),
+    @figure("quality", "Quality of every point.")
+    def _quality(self) -> Figure:
+        return plots.point_quality(self.response.points, self.quality, origin=self.origin)
+
+    @figure("maps", "Normal velocity, each map scaled to its largest point.", when=_mapped)
+    def _maps(self) -> Figure:
+        return plots.maps(self.response, self.shapes, self.layout, self._edges)
+
+    @figure("velocity", "Velocity of the regions.", when=_has("rms"))
+    def _velocity(self) -> Figure:
+        levels = {name: level.values for name, level in by_name(self.data, "rms", "region").items()}
+        return plots.velocity_spectrum(
+            self.response.frequency, levels, self._edges, units=self.response.units, origin=self.origin
+        )
+
+    @figure("contrast", "Contrast of the driven region, and where it is high.", when=_has("contrast"))
+    def _contrast(self) -> Figure:
+        curves = {name: level.values for name, level in self.contrasts.items()}
+        return plots.measured_contrast(
+            self.response.frequency, curves, self.measured, self._edges, origin=self.origin
+        )
+
+    @figure("waves-*", "Waves along a guide.", when=_has("waves"))
+    def _waves(self) -> dict[str, Callable[[], Figure]]:
+        assert self.layout is not None
+        named, seen = wave_names(self.layout), self.data["guide"].values.tolist()
+        return {
+            named[one.region]: partial(self._waves_along, one)
+            for one in guides_of(self.layout)
+            if one.region in seen
         }
-        if self.mapped:
-            found["maps"] = plots.maps(self.response, self.shapes, self.layout, self._edges)
-        if self.plate is None:
-            return found
-        if levels := {name: level.values for name, level in self._named("rms ").items()}:
-            found["velocity"] = plots.velocity_spectrum(
-                lines, levels, self._edges, units=units, origin=origin
+
+    def _waves_along(self, guide: Guiding) -> Figure:
+        seen, plain, mode = waves_of(self.data, guide.region), None, None
+        if self.waves is not None:
+            plain = self.waves["frequency"].values, self.waves["wavenumber"].values
+            mode = guided(self.waves, guide)
+        return plots.wave_map(seen, plain, mode, region=guide.region, origin=self.origin)
+
+    @figure("fading", "How waves fade from row to row of the lattice.", when=_has("fading"))
+    def _fading_map(self) -> Figure:
+        return plots.fading_map(self.data["fading"], self.lattice, self._edges, origin=self.origin)
+
+    @figure("decay", "Decay into the lattice.", when=_has("decay"))
+    def _decay(self) -> Figure:
+        assert self.decay is not None
+        return plots.fading(self.decay, self._fading, self._edges, origin=self.origin)
+
+    @file("response.nc")
+    def _write_response(self, path: Path) -> None:
+        write(self.response, path)
+
+    @file("scan.nc")
+    def _write_data(self, path: Path) -> None:
+        write_netcdf(self.dataset, path)
+
+    @file("shape.webp", when=_mapped)
+    def _animate(self, path: Path) -> None:
+        plots.animated(path, self.response, self.loudest, self.layout, overwrite=True)
+
+    @classmethod
+    def names(cls, options: Any = None) -> list[str]:
+        judging = options is None or options.against is not None
+        return [*super().names(options), *(Verdict.names(options) if judging else [])]
+
+    def put(self, draft: Path, progress: Progress = silent) -> None:
+        super().put(draft, progress)
+        if self.verdict:
+            self.verdict.put(draft, progress)
+
+    def write(self, folder: Path | str, *, overwrite: bool = False, progress: Progress = silent) -> None:
+        super().write(folder, overwrite=overwrite, progress=progress)
+        if self.state is not None:  # what an estimation kept has done its work
+            shutil.rmtree(self.state, ignore_errors=True)
+
+    def summary(self) -> list[str]:
+        """What was read, how it was registered, the gap in it."""
+        told = self._told()
+        flags = ", ".join(f"{count} {flag}" for flag, count in told["flags"].items() if count)
+        said = [
+            f"{told['points']} points ({flags or 'none flagged'}), {told['lines']} lines from "
+            f"{told['band_hz'][0] / 1e3:.4g} to {told['band_hz'][1] / 1e3:.4g} kHz, {self.origin}."
+        ]
+        if not self.report.complete or self.report.remarks:
+            said.append(str(self.report))
+        if (found := self.registration) is not None:
+            x, y = 1e3 * found.shift
+            said.append(
+                f"Registered: scale {found.scale:.5f}, turned by {np.degrees(found.angle):.3f}°, shifted by "
+                f"{x:.3f} and {y:.3f} mm; misfit {found.misfit * 1e3:.3f} mm."
             )
-        if curves := {name: level.values for name, level in self.contrasts.items()}:
-            found["contrast"] = plots.measured_contrast(
-                lines, curves, self.measured, self._edges, origin=origin
+        if self.lattice is not None:
+            computed = (
+                f"; computed {self.gap.lower / 1e3:.2f} to {self.gap.upper / 1e3:.2f} kHz" if self.gap else ""
             )
-        named = wave_names(self.plate.layout)
-        for guide in guides_of(self.plate.layout):
-            if f"waves {guide.region}" in self.dataset:
-                seen = self.dataset[f"waves {guide.region}"].rename(
-                    {f"wavenumber {guide.region}": "wavenumber"}
-                )
-                plain = mode = None
-                if self.waves is not None:
-                    plain = self.waves["frequency"].values, self.waves["wavenumber"].values
-                    mode = guided(self.waves, guide)
-                found[named[guide.region]] = plots.wave_map(
-                    seen, plain, mode, region=guide.region, origin=origin
-                )
-        if "fading" in self.dataset:
-            found["fading"] = plots.fading_map(
-                self.dataset["fading"], self.lattice, self._edges, origin=origin
+            lower, upper = (edge or "not determined" for edge in (self.lattice.lower, self.lattice.upper))
+            said.append(f"Gap in the scan: lower edge {lower}, upper edge {upper}{computed}.")
+            said += [f"  {text}" for text in self.lattice.reasons]
+        if (seen := self.measured) is not None:
+            said.append(
+                f"The driven region stands out from the lattice from {seen.lower / 1e3:.2f} ± "
+                f"{seen.lower_error / 1e3:.2f} to {seen.upper / 1e3:.2f} ± {seen.upper_error / 1e3:.2f} kHz."
             )
-        if self.decay is not None:
-            found["decay"] = plots.fading(self.decay, self._fading, self._edges, origin=origin)
-        return found
+        return said + (self.verdict.summary() if self.verdict else [])
+
+    def remarks(self) -> list[str]:
+        return list(self.told)
+
+    def tables(self) -> list[Table]:
+        """Velocities, contrasts and decay at the frequencies of the operating shapes; then the verdict."""
+        lines = [self.told_at(frequency) for frequency in self.shapes]
+        rows: list[tuple[Cell, ...]] = [
+            (f"rms / ({self.response.units})", *(f"{line['rms_of_all']:.3g}" for line in lines))
+        ]
+        for name in lines[0]["rms"]:
+            rows.append((f"rms of {name}", *(_number(line["rms"][name], ".3g") for line in lines)))
+        for name in lines[0]["contrast_db"]:
+            rows.append((f"{name} / dB", *(_number(line["contrast_db"][name], ".1f") for line in lines)))
+        decays = [line.get("decay_db_per_cell", {}) for line in lines]
+        if any(decays):
+            fitted = (f"{d['decay']:.1f} ({d['low']:.1f} to {d['high']:.1f})" if d else "" for d in decays)
+            computed = (
+                f"{d['computed_least']:.1f} to {d['computed_largest']:.1f}" if "computed_least" in d else ""
+                for d in decays
+            )  # fmt: skip
+            rows += [("decay / (dB/cell)", *fitted), ("computed", *computed)]
+        head = (f"{line['frequency_hz'] / 1e3:.3f} kHz" for line in lines)
+        shapes = Table(self.origin, ("operating shape", *head), rows)
+        return [shapes, *(self.verdict.tables() if self.verdict else [])]
 
     @property
     def _fading(self) -> xr.Dataset | None:
@@ -156,15 +267,7 @@ class ScanResult:
             return None
         return xr.Dataset({"attenuation": self.waves["attenuation"]}).rename(mirror_frequency="frequency")
 
-    def files(self) -> dict[str, Callable[[Path], object]]:
-        """Writers of the files by name."""
-        attributes = {"origin": self.origin, "report": json.dumps(self.to_json())}
-        return {
-            "response.nc": partial(write, self.response),
-            "scan.nc": partial(write_netcdf, self.dataset.assign_attrs(attributes)),
-            "points.csv": self._write_points,
-        }
-
+    @file("points.csv")
     def _write_points(self, path: Path) -> None:
         quality = self.quality
         with path.open("w", newline="", encoding="utf-8") as file:
@@ -179,22 +282,30 @@ class ScanResult:
 
     def told_at(self, frequency: float) -> dict[str, Any]:
         """Plain values at one frequency, Hz."""
-        line = self.dataset.sel(frequency=frequency, method="nearest")
-        found = {"frequency_hz": float(line["frequency"]), "rms_of_all": float(line["average"])}
-        found["rms"] = {name: _finite(line[f"rms {name}"]) for name in self._named("rms ")}  # type: ignore[assignment]
-        found["contrast_db"] = {name: _finite(line[f"contrast {name}"]) for name in self.contrasts}  # type: ignore[assignment]
-        if "decay decay" in line:
-            decay = {name: float(line[f"decay {name}"]) for name in ("decay", "low", "high")}
+        line = self.data.sel(frequency=frequency, method="nearest")
+        found: dict[str, Any] = {
+            "frequency_hz": float(line["frequency"]),
+            "rms_of_all": float(line["average"]),
+            "rms": {name: _finite(value) for name, value in by_name(line, "rms", "region").items()},
+            "contrast_db": {
+                name: _finite(value) for name, value in by_name(line, "contrast", "pair").items()
+            },
+        }
+        if "decay" in line:
+            decay = {name: float(line[name]) for name in ("decay", "low", "high")}
             if (fading := self._fading) is not None and fading["frequency"].min() <= frequency <= fading[
                 "frequency"
             ].max():
                 near = fading["attenuation"].interp(frequency=frequency).values
                 decay |= {"computed_least": float(near.min()), "computed_largest": float(near.max())}
-            found["decay_db_per_cell"] = decay  # type: ignore[assignment]
+            found["decay_db_per_cell"] = decay
         return found
 
     def to_json(self) -> dict[str, Any]:
-        """Plain values for machines."""
+        judged = {"verdict": self.verdict.to_json()} if self.verdict else {}
+        return self._told() | judged
+
+    def _told(self) -> dict[str, Any]:
         quality, attributes, registration = self.quality, self.response.dataset.attrs, self.registration
         lines = self.response.frequency
         return {
@@ -221,6 +332,25 @@ class ScanResult:
             "computed_gap_hz": self._edges,
             "shapes": [self.told_at(frequency) for frequency in self.shapes],
         }  # fmt: skip
+
+
+def by_name(data: xr.Dataset, variable: str, dimension: str) -> dict[str, xr.DataArray]:
+    """A variable along a dimension of names, by name; nothing if it is not there."""
+    if variable not in data:
+        return {}
+    return {str(name): data[variable].sel({dimension: name}, drop=True) for name in data[dimension].values}
+
+
+def waves_of(data: xr.Dataset, guide: str) -> xr.DataArray:
+    """(frequency, wavenumber) amplitude of the waves along a guide."""
+    seen = data["waves"].sel(guide=guide)
+    there = np.isfinite(seen["wavenumber"].values)
+    cut = seen.isel(step=there).drop_vars("guide")
+    return cut.swap_dims(step="wavenumber")
+
+
+def _number(value: float | None, form: str) -> str:
+    return "-" if value is None else format(value, form)
 
 
 def _finite(value: xr.DataArray) -> float | None:

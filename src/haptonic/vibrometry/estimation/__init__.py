@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import hashlib
 from collections import deque
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from concurrent.futures import Future, ThreadPoolExecutor
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -16,6 +16,7 @@ from numpy.typing import NDArray
 from haptonic.channels import Notebook
 from haptonic.channels.labels import steps
 from haptonic.errors import ScanError, nearest
+from haptonic.progress import Progress, silent
 from haptonic.response import FrequencyResponse
 from haptonic.vibrometry.estimation.progress import Growing, growing
 from haptonic.vibrometry.estimation.quality import (
@@ -44,8 +45,6 @@ __all__ = ["Estimate", "Quality", "estimate", "repaired", "window_of"]
 
 WORKING_MEMORY = 192e6  # bytes that the transforms of a portion would take, all at once
 EXCITED = 1e-8  # of the largest power of the drive, below which a line counts as not driven
-
-Progress = Callable[[int, int], object]
 
 
 @dataclass(frozen=True, eq=False)
@@ -94,7 +93,7 @@ def estimate(
     band: tuple[float, float] | None = None,
     align: bool = False,
     state: Path | None = None,
-    progress: Progress | None = None,
+    progress: Progress = silent,
     workers: int = 1,
 ) -> Estimate:
     """Frequency responses of all points, read once from the file and a portion at a time.
@@ -142,8 +141,7 @@ def estimate(
             store.measures[portion.first : last] = portion.measures
             store.done = last
             store.keep()
-            if progress is not None:
-                progress(store.done, points)
+            progress(store.done, points)
     finally:
         store.keep(now=True)
     return _finished(scan, store, plan, frequency, averages, settings)

@@ -1,0 +1,140 @@
+"""An analysis is a record: what it needs, what may be chosen, how it computes, what it gives."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import MISSING, dataclass, field, fields
+from pathlib import Path
+from typing import Any, Literal
+
+from haptonic.errors import StudyError, nearest
+from haptonic.results.result import Result
+from haptonic.results.runner import Runner
+from haptonic.units import shown, to_si
+
+KEPT = "the designs that were finished are kept; the same command goes on from there"
+
+
+@dataclass(frozen=True)
+class Option:
+    """What is known of something that may be chosen, besides its name, type and default.
+
+    unit : SI unit of a quantity, which may be given as a text such as "58.8 kHz"
+    read : what becomes of a text otherwise
+    metavar : stands for the value in a help; flag : what a command line calls it
+    place : whether a command line takes it by its place, before the study or behind it
+    """
+
+    help: str
+    unit: str = ""
+    read: Callable[[str], Any] | None = None
+    metavar: str | None = None
+    flag: str = ""
+    place: Literal["option", "before", "behind"] = "option"
+    least: int | None = None
+
+    def value(self, given: Any) -> Any:
+        """What was given, read if it is a text for a quantity."""
+        if not isinstance(given, str):
+            return given
+        if self.unit:
+            return to_si(given, self.unit, self.flag)
+        return self.read(given) if self.read else given
+
+
+def option(default: Any = MISSING, help: str = "", **more: Any) -> Any:
+    """A field of an options class; see `Option`."""
+    if default is MISSING:
+        return field(metadata={"option": Option(help, **more)})
+    return field(default=default, metadata={"option": Option(help, **more)})
+
+
+@dataclass(frozen=True)
+class NoOptions:
+    """Nothing may be chosen."""
+
+
+def nothing(study: Any, options: Any) -> None:
+    """What has to hold before any work starts: nothing but the study."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class Analysis:
+    """What can be asked of a study.
+
+    name : of the command and of the method of a study; help : what it gives, a sentence
+    result : kind of what it gives
+    compute : takes the study, the options and a `Runner`
+    options : dataclass of what may be chosen, its fields made by `option`; they are declared nowhere else
+    check : takes study and options, and refuses before any work starts what could not end well
+    study : whether it is asked of a study ("needed"), may be ("optional"), or of something else ("none")
+    parallel : whether it is many computations, which may go to several processes or to a scheduler
+    doing : what is said while it computes; kept : what is left of it if it is interrupted
+    reported : options with which the report of a study has it; None for a study whose report has not
+    folder : ending of the folder for its files; by default its name
+    writes : whether it gives files only, and so always has a folder
+    """
+
+    name: str
+    help: str
+    result: type[Result]
+    compute: Callable[[Any, Any, Runner], Result]
+    options: type[Any] = NoOptions
+    check: Callable[[Any, Any], object] = nothing
+    study: Literal["needed", "optional", "none"] = "needed"
+    parallel: bool = False
+    doing: str = ""
+    kept: str = ""
+    reported: Callable[[Any], Any] | None = None
+    folder: str = ""
+    writes: bool = False
+
+    def chosen(self, given: Mapping[str, Any]) -> Any:
+        """The options, from what was given by name.
+
+        Raises
+        ------
+        StudyError : there is no such option, or one that is needed is missing
+        """
+        known = {one.name: one for one in fields(self.options)}
+        for name in given:
+            if name not in known:
+                guess = nearest(name, known)
+                raise StudyError(
+                    argument=name,
+                    given=shown(given[name]),
+                    allowed=f"one of {', '.join(known)}" if known else "no options at all",
+                    cause=f"{self.name} has no such option",
+                    next_step=f"write {guess}" if guess else "leave it out",
+                )
+        asked = {
+            name: one.value(given[name]) if (one := option_of(known[name])) else given[name] for name in given
+        }
+        return self.options(**asked)
+
+    def run(self, study: Any, runner: Runner, given: Mapping[str, Any]) -> Result:
+        """Check, then compute."""
+        options = self.chosen(given)
+        self.check(study, options)
+        return self.compute(study, options, runner)
+
+    def names(self, options: Any, stem: str) -> list[Any]:
+        """Of the files that it may write about a study of this name; see `Result.names`."""
+        names = self.result.names(options)
+        return [one.replace("STUDY", stem) if isinstance(one, str) else one for one in names]
+
+
+def option_of(one: Any) -> Option | None:
+    """What is declared of a field of an options class; None for one that only Python can give."""
+    found: Option | None = one.metadata.get("option")
+    if found is None or found.flag:
+        return found
+    return Option(**{**vars(found), "flag": f"--{one.name.replace('_', '-')}"})
+
+
+def path_of(options: Any) -> Path | None:
+    """The file or folder that is analysed, if the options name one."""
+    for one in fields(options):
+        if (found := option_of(one)) and found.place == "before":
+            return Path(getattr(options, one.name))
+    return None

@@ -1,0 +1,115 @@
+"""The cell whose gap holds the carrier with the widest margin."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+import xarray as xr
+
+from haptonic.analyses.analysis import KEPT, Analysis, option
+from haptonic.analyses.needs import need_carrier
+from haptonic.design.brief import Brief
+from haptonic.errors import StudyError
+from haptonic.materials import IsotropicMaterial
+from haptonic.results.common import stamped
+from haptonic.results.design import Design, compute_design, compute_front
+from haptonic.results.runner import Runner
+from haptonic.study.schema import Description
+
+
+@dataclass(frozen=True)
+class DesignOptions:
+    """What may be chosen."""
+
+    pareto: bool = option(False, "Also the widest gap against the pitch.")
+
+
+def check(study: Description, options: DesignOptions) -> None:
+    """Raise StudyError if the front is asked for, unless the pitch and something else may change."""
+    names = [one.parameter for one in study.design_settings.vary]
+    if options.pareto and ("cell.pitch" not in names or len(names) < 2):
+        raise StudyError(
+            argument="design.vary",
+            given=", ".join(names) or "nothing",
+            allowed="cell.pitch and at least one other parameter",
+            cause="the front shows the best margin of each pitch",
+            next_step="let both vary, or leave --pareto out",
+        )
+
+
+def brief(study: Description) -> Brief:
+    """What is asked of a design, as the core computes with it.
+
+    Raises
+    ------
+    StudyError : no carrier, or nothing that may change
+    """
+    section, carrier = study.design_settings, need_carrier(study)
+    if not section.vary:
+        raise StudyError(
+            argument="design.vary",
+            given="nothing",
+            allowed="at least one [[design.vary]] table with parameter, from and to",
+            cause="the study does not say what may change",
+            next_step='add [[design.vary]] with parameter = "cell.pillar.height", from and to',
+        )
+    if section.finger is not None and not isinstance(study.cell.material, IsotropicMaterial):
+        raise StudyError(
+            argument="design.finger_force",
+            given=f"with {study.cell.material.name}",
+            allowed="an isotropic material",
+            cause="the formula for a plate under a finger knows no others",
+            next_step="leave the finger out and bound cell.thickness instead",
+        )
+    return Brief(
+        cell=study.cell,
+        carrier=carrier,
+        count=study.bands_settings.count,
+        bounds={one.parameter: (one.start, one.stop) for one in section.vary},
+        slenderness=section.slenderness,
+        tool=section.tool,
+        reach=section.reach,
+        finger=section.finger,
+    )
+
+
+def compute(study: Description, options: DesignOptions, runner: Runner) -> Design:
+    """The design, as a study of its own, and if it is asked for the widest margin of each pitch.
+
+    Raises
+    ------
+    StudyError : bounds that contradict each other, or a carrier that no allowed design reaches
+    """
+    section = study.design_settings
+    found = compute_design(
+        brief(study), study.asked(), starts=section.starts, climbs=section.climbs, steps=section.steps,
+        inputs=study.inputs(), runner=runner,
+    )  # fmt: skip
+    own = study.parameters()
+    return replace(
+        found,
+        own={path: own[path] for path in found.values},
+        study=study.without_plate().with_parameters(found.values).to_toml(),
+        front=front(study, found, runner) if options.pareto else None,
+    )
+
+
+def front(study: Description, best: Design, runner: Runner) -> xr.Dataset:
+    """The widest margin against the pitch, between its bounds."""
+    asked, count = brief(study), study.design_settings.pitches
+    low, high = asked.bounds["cell.pitch"]
+    pitches = [low + (high - low) * i / (count - 1) for i in range(count)]
+    made = compute_front(asked, best.values, pitches, steps=study.design_settings.steps, runner=runner)
+    return stamped(made, study.inputs())
+
+
+ANALYSIS = Analysis(
+    name="design",
+    help="The cell whose gap holds the carrier with the widest margin, within the study's [design].",
+    result=Design,
+    compute=compute,
+    options=DesignOptions,
+    check=check,
+    parallel=True,
+    kept=KEPT,
+)

@@ -1,0 +1,134 @@
+"""From [protocol] and [participants] of a study to an order of trials, and the truth of a twin."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+from haptonic.analyses.needs import need_carrier
+from haptonic.errors import StudyError, nearest
+from haptonic.friction.protocol import Protocol
+from haptonic.friction.twin import Truth, explaining, film_of
+from haptonic.results.protocol import Task
+from haptonic.study.schema import Description
+from haptonic.units import format_quantity, shown
+
+SHORTEST, LONGEST = 0.4, 10.0  # s that a stroke may last: touching down and lifting take a third of one
+PUBLISHED = ("WG1", "WG2")  # names of the waveguides where the study has no plate [daunizeau-haptics]
+
+
+def protocol_of(study: Description) -> Protocol:
+    """The order of trials that a study asks for.
+
+    Raises
+    ------
+    StudyError : no two waveguides to compare
+    """
+    section = study.protocol_settings
+    balanced = section.order == "balanced"
+    return Protocol(
+        section.blocks,
+        section.trials,
+        counterbalanced=balanced,
+        waveguides=waveguides_of(study),
+        seed=section.seed if balanced else None,
+    )
+
+
+def waveguides_of(study: Description) -> tuple[str, str]:
+    """Names of the driven and of the idle waveguide.
+
+    Raises
+    ------
+    StudyError : a name that the plate does not have, or a plate with fewer than two regions
+    """
+    section, plate = study.protocol_settings, study.finite_plate
+    known = plate.regions if plate else []
+    for key in ("driven", "idle"):
+        name = getattr(section, key)
+        if plate and name is not None and name not in known:
+            guess = nearest(name, known)
+            raise StudyError(
+                argument=f"protocol.{key}",
+                given=shown(name),
+                allowed=f"one of {', '.join(known)}" if known else "nothing: the plate has no region",
+                cause="no region of the plate has this name",
+                next_step=f'write "{guess}"' if guess else "choose one of them, or leave [plate] out",
+            )
+    actuated = [one.region for one in plate.actuator] if plate else []
+    names = known or list(PUBLISHED)
+    driven = section.driven or next((n for n in [*actuated, *names] if n != section.idle), None)
+    idle = section.idle or next((name for name in names if name != driven), None)
+    if driven is None or idle is None:
+        raise StudyError(
+            argument="protocol.idle",
+            given="nothing",
+            allowed="two waveguides, the driven one and one that should stay at rest",
+            cause="the plate of this study has a single region",
+            next_step="name another region in [plate.tiles]",
+        )
+    return driven, idle
+
+
+def task_of(study: Description) -> Task:
+    """What people are asked to do: force and speed of [touch], the rest of [protocol].
+
+    Raises
+    ------
+    StudyError : strokes that last too short or too long
+    """
+    section, touch = study.protocol_settings, study.touch
+    task = Task(touch.speed, touch.force, section.stroke, section.pause)
+    if not SHORTEST <= task.lasting <= LONGEST:
+        raise StudyError(
+            argument="protocol.stroke",
+            given=f"{format_quantity(task.stroke, 'm')} at {format_quantity(task.speed, 'm/s')}, "
+            f"{format_quantity(task.lasting, 's')}",
+            allowed=f"a stroke that lasts {SHORTEST:g} to {LONGEST:g} s",
+            cause="the unit of touch.speed or of the length slipped",
+            next_step="change one of them",
+        )
+    return task
+
+
+def truth_of(study: Description, amplitudes: Mapping[str, float] | None = None) -> Truth:
+    """What is true of the people of a twin.
+
+    Parameters
+    ----------
+    amplitudes : waveguide -> m; else those that explain the reductions of [participants]
+
+    Raises
+    ------
+    StudyError : no carrier, no two waveguides, or one without an amplitude
+    FrictionError : amplitudes or reductions that load sharing does not explain
+    """
+    people, carrier, names = study.participants, need_carrier(study), waveguides_of(study)
+    task, skin = task_of(study), study.touch.finger()
+    force = (task.force, people.force_spread)
+    if amplitudes is None:
+        reductions = dict(zip(names, (people.driven, people.idle), strict=True))
+        amplitudes = explaining(reductions, carrier, force, skin)
+    for name in names:
+        if name not in amplitudes:
+            raise StudyError(
+                argument="amplitudes",
+                given=", ".join(amplitudes) or "none",
+                allowed=f"one for each of {' and '.join(names)}",
+                cause="they were computed for another plate",
+                next_step=f'add "{name}", or name the waveguides in [protocol]',
+            )
+    film = film_of({name: amplitudes[name] for name in names}, carrier, force, skin)
+    return Truth(
+        friction=people.friction,
+        remaining=film.mean,
+        between=people.between,
+        effect_between=people.effect_between,
+        within=people.within,
+        drift=people.drift,
+        noise=people.noise,
+        force=force,
+        speed=(task.speed, people.speed_spread),
+        bias=people.bias,
+        contact=task.lasting,
+        film=film,
+    )

@@ -1,0 +1,122 @@
+"""What a finger feels of the plate."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+from haptonic.analyses.analysis import Analysis, option
+from haptonic.analyses.needs import fineness, gap_of_plate, has_plate, need_carrier, response_settings
+from haptonic.errors import StudyError
+from haptonic.friction.lubrication import Touch
+from haptonic.plate import Plate
+from haptonic.plate.parts import Actuator
+from haptonic.plate.sweep import check_cost
+from haptonic.results.feel.loading import LOADS, Pad, compute_loaded, highest
+from haptonic.results.feel.value import Feel, check_reduction
+from haptonic.results.plate.question import amplitude_of, check_grid, drives_of, reference_of
+from haptonic.results.runner import Runner
+from haptonic.study.schema import Description
+from haptonic.study.touch_tables import VOLTAGE
+from haptonic.units import format_quantity
+
+
+@dataclass(frozen=True)
+class FeelOptions:
+    """What may be chosen."""
+
+    voltage: float | None = option(
+        None, 'Of the first actuator, such as "200 V".', unit="V", metavar="VOLTAGE"
+    )
+    at: float | None = option(
+        None, "Of the drive; else the loudest resonance.", unit="Hz", metavar="FREQUENCY"
+    )
+    reduction: float | None = option(None, "Also say which drive gives it, 0.5 for 50 %.", metavar="SHARE")
+
+
+def check(study: Description, options: FeelOptions) -> None:
+    """Raise StudyError for a reduction that is no share of friction."""
+    if options.reduction is not None:
+        check_reduction(options.reduction)
+
+
+def compute(study: Description, options: FeelOptions, runner: Runner) -> Feel:
+    """Friction wherever the finger lies, by the study's [touch].
+
+    Without a frequency it is the resonance of the driven region that is loudest near the carrier; without a
+    voltage that of [touch], or else the plate's.
+
+    Raises
+    ------
+    StudyError : no [plate], no carrier, nothing that drives the plate, or a voltage for a force
+    ResourceError : a grid or a plate that this machine cannot hold, found before anything is computed
+    """
+    plate, carrier, own, finger = (
+        study.mounted_plate(),
+        need_carrier(study),
+        response_settings(study),
+        study.touch,
+    )
+    drive = amplitude(plate, finger.voltage if options.voltage is None else options.voltage)
+    middle = carrier if options.at is None else options.at
+    touch = Touch(middle, finger.force, finger.speed)
+    check_cost(plate, highest(middle))
+    check_grid(plate, own.grid, len(LOADS))
+    gap = gap_of_plate(study, plate, carrier, runner)
+    loaded = compute_loaded(
+        plate,
+        Pad(finger.diameter, finger.damping),
+        carrier=carrier,
+        at=options.at,
+        gap=gap,
+        grid=own.grid,
+        tolerance=own.tolerance,
+        inputs=study.inputs(),
+        store=runner.store,
+        fineness=fineness(study),
+        progress=runner.progress,
+    )
+    touch = replace(touch, frequency=loaded.attrs["frequency_hz"])
+    edges = (gap.lower, gap.upper) if gap else None
+    return Feel(plate, edges, loaded, finger.diameter, touch, finger.finger(), drive, options.reduction)
+
+
+def amplitude(plate: Plate, voltage: float | None) -> float:
+    """Of the first drive, V or N: the voltage given, or else the plate's own.
+
+    Raises
+    ------
+    StudyError : no voltage at all, or one for a force
+    """
+    _, own = reference_of(plate)
+    if voltage is None:
+        return own
+    if not VOLTAGE.holds(voltage):
+        raise StudyError(
+            argument="voltage",
+            given=format_quantity(voltage, "V"),
+            allowed=VOLTAGE.allowed,
+            cause="it is zero or negative, or its unit slipped",
+            next_step='give the amplitude, such as "200 V"',
+        )
+    first = next(drive for drive in drives_of(plate) if amplitude_of(drive))
+    if not isinstance(first, Actuator):
+        raise StudyError(
+            argument="voltage",
+            given=format_quantity(voltage, "V"),
+            allowed="nothing, because a force drives the plate",
+            cause="the first drive of the plate is no actuator",
+            next_step="change the force of [[plate.force]] instead, or leave the voltage out",
+        )
+    return voltage
+
+
+ANALYSIS = Analysis(
+    name="feel",
+    help="What a finger feels of the plate: a map of friction, reductions, whether they are noticed.",
+    result=Feel,
+    compute=compute,
+    reported=lambda study: FeelOptions() if has_plate(study) else None,
+    options=FeelOptions,
+    check=check,
+    doing="shifts",
+)

@@ -1,0 +1,84 @@
+"""Coefficients of friction from force records, and what they prove."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import Any
+
+from haptonic.analyses.analysis import Analysis, option
+from haptonic.friction.recordings import Sensor
+from haptonic.paths import source
+from haptonic.results.friction import FrictionResult, compute_friction
+from haptonic.results.plate.question import driven_region
+from haptonic.results.references import References
+from haptonic.results.runner import Runner
+from haptonic.study.loading import load_trials_as
+from haptonic.study.schema import Description
+from haptonic.study.trial_tables import Trials
+
+STUDY = "study.toml"  # beside the trials
+
+
+@dataclass(frozen=True)
+class FrictionOptions:
+    """What is read, and how it is processed."""
+
+    path: Path = option(
+        help="Folder with trials.csv, or a single table of all samples.", metavar="PATH", place="before"
+    )
+    study: Path | None = option(None, "Its [trials] decides; else study.toml in the folder.", metavar="FILE")
+    references: Any = option(
+        None,
+        "Reference values that stand beside these in the pictures.",
+        read=References.read,
+        metavar="FILE",
+    )
+
+
+def check(study: None, options: FrictionOptions) -> None:
+    """Refuse what is no folder of trials."""
+    source(options.path, "folder of trials")
+
+
+def compute(study: None, options: FrictionOptions, runner: Runner) -> FrictionResult:
+    """All trials, measured, and what they prove.
+
+    Raises
+    ------
+    ResourceError : no such file or folder
+    FrictionError : a table that is wrong, no trial that counts, or no waveguide of that name
+    """
+    path = options.path
+    section, whole = _asked(path, options.study)
+    sensor = section.sensor.frozen(path) if path.is_dir() else Sensor()
+    found = compute_friction(
+        path, sensor, section, section.exclude, driven=section.driven or _driven(whole),
+        workers=runner.workers, progress=runner.progress,
+    )  # fmt: skip
+    return replace(found, published=options.references.friction if options.references else {})
+
+
+def _asked(path: Path, study: Path | None) -> tuple[Trials, Description | None]:
+    beside = path / STUDY
+    if study is None and not beside.is_file():
+        return Trials(), None
+    return load_trials_as(study or beside, Description)
+
+
+def _driven(study: Description | None) -> str | None:
+    """The waveguide that a whole study drives."""
+    return driven_region(study.mounted_plate()) if study is not None and study.finite_plate else None
+
+
+ANALYSIS = Analysis(
+    name="friction",
+    help="Coefficients of friction from force records, and what they prove.",
+    result=FrictionResult,
+    compute=compute,
+    options=FrictionOptions,
+    check=check,
+    study="none",
+    parallel=True,
+    doing="trials",
+)

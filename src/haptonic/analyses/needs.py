@@ -1,0 +1,61 @@
+"""What several analyses need of a study: its carrier, its plate's mesh, the gap of the plate's lattice."""
+
+from __future__ import annotations
+
+from haptonic.bloch import Gap
+from haptonic.bloch.gaps import gap_at
+from haptonic.errors import StudyError
+from haptonic.plate import Fineness, Plate
+from haptonic.results.runner import Runner
+from haptonic.study.plate_tables import ResponseSection
+from haptonic.study.schema import Description
+
+
+def need_carrier(study: Description) -> float:
+    """The carrier, Hz.
+
+    Raises
+    ------
+    StudyError : the study does not give it
+    """
+    if study.carrier is None:
+        raise StudyError(
+            argument="carrier",
+            given="nothing",
+            allowed="the frequency of the drive",
+            cause="the study does not say which frequency the gap has to hold",
+            next_step='add carrier = "60 kHz" at the top of the study',
+        )
+    return study.carrier
+
+
+def response_settings(study: Description) -> ResponseSection:
+    """The table [plate.response] of a study that has a plate."""
+    assert study.finite_plate is not None
+    return study.finite_plate.response
+
+
+def fineness(study: Description) -> Fineness | None:
+    """Of the finite plate's mesh, if [mesh] says one."""
+    order, rings = study.mesh.order, study.mesh.foot_rings
+    if order is None:
+        return None
+    usual = Fineness()
+    rings = usual.rings if rings is None else rings
+    return Fineness(min(order, usual.along), usual.through, cell=order, rings=rings, plain=order)
+
+
+def gap_of_plate(study: Description, plate: Plate, carrier: float, runner: Runner) -> Gap | None:
+    """The gap of the plate's lattice that holds the carrier (Hz), if there is one."""
+    cells = list(plate.layout.cells.values())
+    return gap_at(Runner(runner.store).gaps(cells[0], study.asked()), carrier) if cells else None
+
+
+def has_mirror(study: Description) -> bool:
+    """Whether a mirror can be asked for: there is a carrier, and something that reflects."""
+    return study.carrier is not None and study.cell.pillar is not None
+
+
+def has_plate(study: Description) -> bool:
+    """Whether a finite plate can be asked for."""
+    return study.finite_plate is not None and study.carrier is not None

@@ -1,0 +1,70 @@
+"""How the finite plate vibrates."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field, replace
+
+from haptonic.analyses.analysis import Analysis, option
+from haptonic.analyses.needs import fineness, gap_of_plate, has_plate, need_carrier, response_settings
+from haptonic.plate.sweep import check_cost
+from haptonic.results.plate.compute import compute_plate
+from haptonic.results.plate.question import PlateQuestion, check_grid
+from haptonic.results.plate.value import PlateResult
+from haptonic.results.runner import Runner
+from haptonic.study.schema import Description
+
+
+@dataclass(frozen=True)
+class PlateOptions:
+    """What may be chosen.
+
+    asked : other lines and points than those of [plate.response], in Python only
+    """
+
+    at: float | None = option(None, 'One frequency only, such as "58.8 kHz".', unit="Hz", metavar="FREQUENCY")
+    asked: PlateQuestion | None = field(default=None)
+
+
+def check(study: Description, options: PlateOptions) -> None:
+    """Raise StudyError if the study has no plate."""
+    study.mounted_plate()
+
+
+def compute(study: Description, options: PlateOptions, runner: Runner) -> PlateResult:
+    """How the plate answers its drives over the band of [plate.response], or at a single frequency.
+
+    Raises
+    ------
+    StudyError : no [plate], no carrier, or nothing that drives the plate
+    ResourceError : a grid or a plate that this machine cannot hold, found before anything is computed
+    """
+    plate, own, at = study.mounted_plate(), response_settings(study), options.at
+    carrier = need_carrier(study) if at is None else at
+    question = options.asked or PlateQuestion(own.lowest, own.highest, own.points, own.tolerance, own.grid)
+    if at is not None:
+        question = replace(question, lowest=at, highest=at, points=1)
+    check_cost(plate, question.highest, single=at is not None)
+    place = "plate.response.grid" if options.asked is None else "scan.grid"
+    check_grid(plate, question.grid, question.points, place)
+    return compute_plate(
+        plate,
+        question,
+        carrier=carrier,
+        gap=gap_of_plate(study, plate, carrier, runner) if at is None else None,
+        inputs=study.inputs(),
+        store=runner.store,
+        fineness=fineness(study),
+        progress=runner.progress,
+    )
+
+
+ANALYSIS = Analysis(
+    name="plate",
+    help="How the finite plate vibrates: response, localisation, energies, impedance, modes.",
+    result=PlateResult,
+    compute=compute,
+    reported=lambda study: PlateOptions() if has_plate(study) else None,
+    options=PlateOptions,
+    check=check,
+    doing="shifts",
+)

@@ -1,0 +1,232 @@
+"""Everything that a study describes in one report, beside reference values if its example brings some."""
+
+from __future__ import annotations
+
+import time
+import tomllib
+import warnings
+from collections.abc import Callable, Iterator, Mapping
+from contextlib import contextmanager
+from dataclasses import dataclass, replace
+from datetime import UTC, datetime
+from functools import partial
+from pathlib import Path
+from tempfile import TemporaryDirectory
+from typing import Any, TypeVar
+
+import xarray as xr
+
+from haptonic import analyses, report
+from haptonic.analyses import analysis
+from haptonic.analyses.analysis import KEPT, Analysis, option
+from haptonic.analyses.experiments import protocol_of, truth_of
+from haptonic.analyses.scanning import rescanned
+from haptonic.errors import FrictionError, HaptonicError, HaptonicWarning, ScanError, StudyError
+from haptonic.fields import read, remade
+from haptonic.friction.recordings import Sensor
+from haptonic.friction.statistics import Alarms, Population, false_alarms
+from haptonic.report import Results
+from haptonic.results.bands import Bands
+from haptonic.results.feel.value import Feel
+from haptonic.results.friction import FrictionResult, compute_friction
+from haptonic.results.plate.value import PlateResult
+from haptonic.results.references import References, Variant, found_at
+from haptonic.results.result import Result
+from haptonic.results.runner import Runner
+from haptonic.results.scan.value import ScanResult
+from haptonic.results.sweeps import Sweeps
+from haptonic.results.table import Table
+from haptonic.results.twin import friction_twin
+from haptonic.study.schema import Description
+
+ALARMS = 400  # simulated experiments without an effect
+WRITTEN = ("bands", "sweep", "layers", "plate", "feel")  # whose files come to lie beside the report
+
+T = TypeVar("T")
+
+
+@dataclass(frozen=True)
+class ReproduceOptions:
+    """What may be chosen."""
+
+    references: Any = option(
+        None, "Reference values; else references/STUDY beside the study.", read=References.read,
+        metavar="FILE",
+    )  # fmt: skip
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class Reproduction(Result):
+    """All results of a study, and the report made of them."""
+
+    title = "Report"
+
+    parts: Mapping[str, Result]
+    results: Results
+
+    @property
+    def bands(self) -> Bands:
+        """Every study has them."""
+        found = self.parts["bands"]
+        assert isinstance(found, Bands)
+        return found
+
+    @property
+    def dataset(self) -> xr.Dataset:
+        """That of the bands; the others are in ``parts``."""
+        return self.bands.dataset
+
+    @classmethod
+    def names(cls, options: Any = None) -> list[Any]:
+        return ["report.html", *(name for one in WRITTEN for name in analysis(one).result.names())]
+
+    def put(self, draft: Path, *_: object) -> None:
+        for name in WRITTEN:
+            if name in self.parts:
+                self.parts[name].put(draft)
+        report.write_report(self.results, draft / "report.html")
+
+    def summary(self) -> list[str]:
+        return self.bands.summary()
+
+    def tables(self) -> list[Table]:
+        return self.bands.tables()
+
+    def remarks(self) -> list[str]:
+        return [text for one in self.parts.values() for text in one.remarks()]
+
+    def to_json(self) -> dict[str, Any]:
+        sweeps = self.parts.get("sweep")
+        rows = sweeps.to_json()["sweeps"] if isinstance(sweeps, Sweeps) else []
+        return {**self.bands.to_json(), "seconds": dict(self.results.timings), "sweeps": rows}
+
+    def located(self, folder: Path) -> dict[str, Any]:
+        return {"report": str(folder / "report.html")}
+
+
+def compute(study: Description, options: ReproduceOptions, runner: Runner) -> Reproduction:
+    """Every analysis that belongs into the report of such a study, and what follows from them."""
+    references = options.references or References.beside(runner.about)
+    started, timings = datetime.now(UTC), dict[str, float]()
+    parts: dict[str, Result] = {}
+    for name in analyses.NAMES:
+        one = analysis(name)
+        if one.reported is not None and (chosen := one.reported(study)) is not None:
+            with _timed(timings, name):
+                found = _tried(name, partial(one.compute, study, chosen, _of(runner, one)))
+            if found is not None:
+                parts[name] = found
+    plate, feel, alarms = parts.get("plate"), parts.get("feel"), dict[str, Alarms]()
+    if isinstance(plate, PlateResult):
+        with _timed(timings, "twin of a scan"):
+            scan = _tried("twin of a scan", partial(_scan, study, plate, runner))
+        parts |= {"scan": scan} if scan else {}
+    if isinstance(feel, Feel):
+        with _timed(timings, "made-up trials"):
+            trials = _tried("made-up trials", lambda: _trials(study, feel, runner))
+            alarms = _alarms(study) if trials else {}
+        if trials:
+            known = references.friction if references else {}
+            parts["friction"] = replace(trials, published=known)
+    varied: list[tuple[Variant, float | None]] = []
+    if references is not None:
+        with _timed(timings, "variants"):
+            varied = [(one, _varied(study, one, runner)) for one in references.variant]
+    results = Results(
+        study,
+        parts,
+        alarms=alarms,
+        references=references,
+        variants=tuple(varied),
+        timings=timings,
+        started=started,
+    )
+    return Reproduction(parts, results)
+
+
+def _of(runner: Runner, one: Analysis) -> Runner:
+    """The same, telling what it is about."""
+
+    def progress(done: int, planned: int, what: str = "", /) -> None:
+        runner.progress(done, planned, f"{one.name}, {what}" if what else one.name)
+
+    return replace(runner, progress=progress)
+
+
+def _tried(name: str, make: Callable[[], T]) -> T | None:
+    """A part of the report, or a warning that says why it is left out."""
+    try:
+        return make()
+    except (ScanError, StudyError, FrictionError) as error:
+        warnings.warn(f"no {name}: {error.cause}", HaptonicWarning, stacklevel=2)
+        return None
+
+
+@contextmanager
+def _timed(timings: dict[str, float], part: str) -> Iterator[None]:
+    """Note the seconds of a part of the run."""
+    clock = time.perf_counter()
+    yield
+    timings[part] = time.perf_counter() - clock
+
+
+def _scan(study: Description, plate: PlateResult, runner: Runner) -> ScanResult:
+    """What a scan of the computed plate by a twin of the instrument tells."""
+    return rescanned(study, plate, store=runner.store, progress=runner.progress)
+
+
+def _trials(study: Description, feel: Feel, runner: Runner) -> FrictionResult:
+    """Trials of made-up people on the plate as it is computed, analysed like measured ones."""
+    protocol, count = protocol_of(study), study.protocol_settings.participants
+    truth = truth_of(study, {name: feel.amplitude(name) for name in feel.regions})
+    made = friction_twin(truth, protocol, count, seed=0, study=study.to_toml(), suffix=".h5", per="block")
+    with TemporaryDirectory() as name:
+        made.put(Path(name), runner.progress)
+        return compute_friction(
+            Path(name), Sensor(), study.trials, driven=protocol.waveguides[0], progress=runner.progress
+        )
+
+
+def _alarms(study: Description) -> dict[str, Alarms]:
+    """How often each test cries wolf in trials like those of the study."""
+    section, people = study.protocol_settings, study.participants
+    if section.participants < 2:
+        return {}
+    population = Population(0.0, people.effect_between, people.within, people.between)
+    each = section.blocks * section.trials // 4
+    return dict(false_alarms(population, section.participants, each, simulations=ALARMS))
+
+
+def _varied(study: Description, variant: Variant, runner: Runner) -> float | None:
+    """The value of a variant; None if it has none, or if the study cannot be changed so."""
+    data = tomllib.loads(remade(study, sweep_settings=()).to_toml())
+    for key, value in variant.change.items():
+        *tables, name = key.split(".")
+        table = data
+        for inner in tables:
+            table = table.setdefault(inner, {})
+        table[name] = value
+    runner.progress(0, 0, variant.label)
+    one = analysis(variant.analysis)
+    try:
+        changed = read(type(study), data, variant.label)
+        found = one.compute(changed, one.options(), Runner(runner.store))
+    except HaptonicError as error:
+        warnings.warn(f"{variant.table}, {variant.label}: {error}", HaptonicWarning, stacklevel=2)
+        return None
+    value = found_at(found.facts(), variant.path)
+    return float(value) if isinstance(value, int | float) else None
+
+
+ANALYSIS = Analysis(
+    name="reproduce",
+    help="Everything the study describes, and one report that sets it beside reference values.",
+    result=Reproduction,
+    compute=compute,
+    options=ReproduceOptions,
+    parallel=True,
+    doing="report",
+    kept=KEPT,
+    folder="report",
+    writes=True,
+)

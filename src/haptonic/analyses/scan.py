@@ -1,0 +1,209 @@
+"""A scan with a laser vibrometer: responses, maps, contrast, gap, waves; and how well a model fits."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import Any, Literal
+
+import numpy as np
+from numpy.typing import NDArray
+
+from haptonic.analyses.analysis import Analysis, option
+from haptonic.analyses.scanning import on_plate
+from haptonic.analyses.verdict import judged
+from haptonic.errors import ScanError, StudyError
+from haptonic.paths import source
+from haptonic.response import read
+from haptonic.results.runner import Runner
+from haptonic.results.scan.analysis import Estimation, OnPlate, compute_scan
+from haptonic.results.scan.value import ScanResult
+from haptonic.study.loading import load_as
+from haptonic.study.schema import Description
+from haptonic.units import shown, to_si
+from haptonic.vibrometry import read_scan
+from haptonic.vibrometry.estimation.quality import check_flags
+
+Array = NDArray[np.float64]
+
+PROGRESS = "estimating"  # folder in which an estimation that was stopped goes on
+
+
+def names_of(variables: str) -> Mapping[str, str]:
+    """Names of variables by what they mean, from ``response=FRF,x=Xmm``.
+
+    Raises
+    ------
+    ScanError : another form
+    """
+    pairs = [one.split("=") for one in variables.split(",")] if variables else []
+    if any(len(pair) != 2 or not all(part.strip() for part in pair) for pair in pairs):
+        raise ScanError(
+            argument="--variables",
+            given=shown(variables),
+            allowed="MEANING=NAME, several of them parted by commas",
+            cause="a sign of equality or a name is missing",
+            next_step="write --variables response=FRF,frequency=f,x=X,y=Y",
+        )
+    return {meaning.strip(): name.strip() for meaning, name in pairs}
+
+
+def places_of(text: str) -> Array:
+    """Four corners written as eight numbers and a unit.
+
+    Raises
+    ------
+    ScanError : another form
+    """
+    *numbers, unit = re.split(r"[\s,;]+", text.strip()) or [""]
+    if len(numbers) != 8:
+        raise ScanError(
+            argument="--corners",
+            given=f'"{text}"',
+            allowed='eight numbers and a unit of length, such as "0 0 127 0 127 140 0 140 mm"',
+            cause="a number is missing, or the unit",
+            next_step="give x and y of the four corners, from the lower left one anticlockwise",
+        )
+    return np.array([to_si(f"{number} {unit}", "m", "--corners") for number in numbers]).reshape(4, 2)
+
+
+def flags_of(text: str) -> tuple[str, ...]:
+    """Flags of points, parted by commas.
+
+    Raises
+    ------
+    ScanError : there is no such flag
+    """
+    names = tuple(name for part in text.split(",") if (name := part.strip()))
+    check_flags(names)
+    return names
+
+
+@dataclass(frozen=True)
+class ScanOptions:
+    """What is read, and how it is analysed."""
+
+    path: Path = option(help="Scan file, or a folder with one CSV a point.", metavar="PATH", place="before")
+    against: Path | None = option(
+        None, "Judge the model as well: a study; or, after STUDY, the response (.nc) that it has given.",
+        metavar="MODEL",
+    )  # fmt: skip
+    estimator: Literal["H1", "H2", "Hv"] = option("H1", "H1 for noise on the response, a laser's.")
+    window: Literal["none", "hann", "exponential"] = option(
+        "none", "none for periodic chirps, exponential for bursts, hann for noise."
+    )
+    decay: float | None = option(None, 'Of the exponential window, such as "5 ms".', unit="s", metavar="TIME")
+    segment: float | None = option(
+        None, "One transform; else the study's period, or a record.", unit="s", metavar="TIME"
+    )
+    overlap: float = option(0.0, "Of segments, from 0 to below 1.")
+    align: bool = option(False, "Align records by their reference.")
+    repair: tuple[str, ...] = option(
+        (), 'Replace points, such as "dropout,saturated"; marked.', read=flags_of, metavar="FLAGS"
+    )
+    at: float | None = option(
+        None, "Of the operating shape; else the loudest.", unit="Hz", metavar="FREQUENCY"
+    )
+    corners: Any = option(
+        None, "The plate's corners as the scan has them, from the lower left anticlockwise: "
+        '"0 0 127 0 127 140 0 140 mm".', read=places_of, metavar="PLACES",
+    )  # fmt: skip
+    mirrored: bool = option(False, "The scan saw the plate's map from behind.")
+    unit: str = option("m/s/V", "Of responses or records in files that give none.")
+    length_unit: str | None = option(None, 'Of coordinates, where it is not the file\'s, such as "mm".')
+    frequency_unit: str | None = option(None, 'Of frequencies in files that give none, such as "kHz".')
+    variables: Any = option(
+        None, "Names in a MATLAB file: response=FRF,frequency=fkHz,x=Xmm,y=Ymm.", read=names_of,
+        metavar="MEANING=NAME,...",
+    )  # fmt: skip
+    reference: str | None = option(None, 'Name and unit of the reference, such as "A1, V".')
+    simulated: bool = option(False, "The file is of a simulation.")
+
+    @property
+    def model_is_a_study(self) -> bool:
+        """Whether the model that is judged is a study, and not a response that it has given."""
+        return self.against is not None and self.against.suffix != ".nc"
+
+
+def check(study: Description | None, options: ScanOptions) -> None:
+    """Refuse a scan that is no file, and what only a study or only a plate could tell."""
+    source(options.path, "scan")
+    against = options.against
+    if against and study is None and not options.model_is_a_study:
+        raise ScanError(
+            argument="--against", given=f"{against}, a response without its study",
+            allowed="a study; or the study behind the scan, and here the response that it has given",
+            cause="a response says neither where regions lie nor what may be fitted",
+            next_step=f"haptonic scan PATH STUDY --against {against}",
+        )  # fmt: skip
+    if options.model_is_a_study and study is not None:
+        raise ScanError(
+            argument="--against", given=f"{against}, beside a study",
+            allowed="one study, or after a study the response (.nc) that it has given",
+            cause="the study that is judged also says where on the plate the points lie",
+            next_step="leave the study behind the scan out",
+        )  # fmt: skip
+    if study is None and against is None and (options.corners is not None or options.mirrored):
+        raise ScanError(
+            argument="--corners" if options.corners is not None else "--mirrored", given="no study",
+            allowed="together with the study of a plate",
+            cause="a scan is registered to the plate of a study",
+            next_step="name the study behind the scan",
+        )  # fmt: skip
+
+
+def compute(study: Description | None, options: ScanOptions, runner: Runner) -> ScanResult:
+    """All that a scan tells, alone or on the plate of a study; and a verdict on a model of the plate.
+
+    Raises
+    ------
+    ScanError : settings that do not fit the scan, or nothing left of it
+    StudyError : a study without a plate
+    """
+    if options.model_is_a_study:
+        assert options.against is not None
+        study = load_as(options.against, Description)
+    computed = read(options.against) if options.against and not options.model_is_a_study else None
+    on = None if study is None else _on(study, options, runner)
+    state = runner.folder / PROGRESS if runner.folder else None
+    how = Estimation(
+        options.estimator, options.window, options.decay, options.segment, options.overlap, options.align,
+        state, options.repair,
+    )  # fmt: skip
+    runner.progress(0, 0, "reading")
+    content = read_scan(
+        options.path, unit=options.unit, reference=options.reference,
+        origin="simulated" if options.simulated else "measured", length_unit=options.length_unit,
+        frequency_unit=options.frequency_unit, variables=options.variables or {},
+    )  # fmt: skip
+    found = compute_scan(content, how, on, at=options.at, store=runner.store, progress=runner.progress)
+    verdict = None
+    if study is not None and options.against:
+        verdict = judged(study, found.response, computed, runner)
+    return replace(found, verdict=verdict, state=state)
+
+
+def _on(study: Description, options: ScanOptions, runner: Runner) -> OnPlate:
+    """What the study says of the plate that was scanned."""
+    if study.finite_plate is None:
+        raise StudyError(
+            argument="plate", given="nothing", allowed="a study with a [plate]",
+            cause="the study describes a lattice, and no plate that was scanned",
+            next_step="add [plate], or leave the study out",
+        )  # fmt: skip
+    return on_plate(study, options.corners, mirrored=options.mirrored, store=runner.store)
+
+
+ANALYSIS = Analysis(
+    name="scan",
+    help="Analyse a scan: responses, maps, contrast, the gap in it, waves; and how well a model fits.",
+    result=ScanResult,
+    compute=compute,
+    options=ScanOptions,
+    check=check,
+    study="optional",
+    doing="points",
+    kept="the points that were estimated are kept; the same command goes on from there",
+)

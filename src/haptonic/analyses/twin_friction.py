@@ -1,0 +1,99 @@
+"""Made-up strokes of made-up people, as a folder that the analysis of friction reads."""
+
+from __future__ import annotations
+
+import json
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any, Literal
+
+from haptonic.analyses.analysis import Analysis, option
+from haptonic.analyses.experiments import protocol_of, truth_of
+from haptonic.errors import FrictionError, ResourceError
+from haptonic.paths import source
+from haptonic.results.runner import Runner
+from haptonic.results.twin import FrictionTwin, friction_twin
+from haptonic.study.schema import Description
+from haptonic.units import shown
+
+
+def read_amplitudes(given: str | Path) -> dict[str, float]:
+    """Amplitudes of vibration, m, by waveguide.
+
+    Raises
+    ------
+    ResourceError : the file cannot be read
+    FrictionError : it holds something else
+    """
+    path = source(given, "--from")
+    try:
+        values: Any = json.loads(path.read_text(encoding="utf-8"))
+    except (OSError, ValueError) as error:
+        missing = isinstance(error, FileNotFoundError)
+        raise ResourceError(
+            argument="--from",
+            given=path,
+            allowed='a JSON file such as {"WG1": 1e-6, "WG2": 3e-7}',
+            cause="there is no such file" if missing else "it cannot be read, or is not JSON",
+            next_step="check the name and the folder" if missing else "write it anew",
+        ) from None
+    if isinstance(values, dict) and isinstance(values.get("regions"), dict):  # what `haptonic feel` says
+        values = {name: region.get("amplitude_m") for name, region in values["regions"].items()}
+    numbers = isinstance(values, dict) and all(
+        isinstance(one, int | float) and not isinstance(one, bool) for one in values.values()
+    )
+    if not numbers or not values:
+        raise FrictionError(
+            argument="--from",
+            given=shown(values),
+            allowed='amplitudes in m by waveguide, such as {"WG1": 1e-6, "WG2": 3e-7}',
+            cause="the file is of another kind, or a number is written as text",
+            next_step="write a number of metres for each waveguide",
+        )
+    return {str(name): float(value) for name, value in values.items()}
+
+
+@dataclass(frozen=True)
+class TwinFrictionOptions:
+    """What may be chosen."""
+
+    participants: int | None = option(None, "How many; else the study's.", metavar="N")
+    seed: int = option(0, "Of all that is drawn.", metavar="N", least=0)
+    form: Literal["csv", "h5", "mat", "tdms"] = option("csv", "Of the force records.", flag="--format")
+    per: Literal["trial", "block"] = option("trial", "What a file holds.")
+    raw: bool = option(False, "Six gauge voltages of 16 bits and a calibration, not forces.")
+    amplitudes: Any = option(
+        None, 'What `feel --json` said, or {"WG1": 1e-6, ...} in m (JSON).', read=read_amplitudes,
+        flag="--from", metavar="FILE",
+    )  # fmt: skip
+
+
+def compute(study: Description, options: TwinFrictionOptions, runner: Runner) -> FrictionTwin:
+    """The people and the order of their strokes, which are made when they are written.
+
+    Raises
+    ------
+    StudyError : no carrier, no two waveguides, or one without an amplitude
+    FrictionError : amplitudes or reductions that load sharing does not explain
+    """
+    count = study.protocol_settings.participants if options.participants is None else options.participants
+    protocol = protocol_of(study)
+    protocol.order(count)
+    runner.progress(0, 0, "friction by load sharing")
+    truth = truth_of(study, options.amplitudes)
+    return friction_twin(
+        truth, protocol, count, seed=options.seed, study=study.to_toml(), suffix=f".{options.form}",
+        per=options.per, raw=options.raw,
+    )  # fmt: skip
+
+
+ANALYSIS = Analysis(
+    name="twin friction",
+    help="Made-up strokes of made-up people, as a folder that `haptonic friction` reads; all simulated.",
+    result=FrictionTwin,
+    compute=compute,
+    options=TwinFrictionOptions,
+    doing="strokes",
+    folder="twin-friction",
+    writes=True,
+)

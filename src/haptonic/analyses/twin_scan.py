@@ -1,0 +1,72 @@
+"""What a laser vibrometer would record of the study's plate: a simulation, whose truth is known."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from typing import Any, Literal
+
+from haptonic.analyses import plate
+from haptonic.analyses.analysis import Analysis, option
+from haptonic.analyses.needs import response_settings
+from haptonic.analyses.scanning import on_plate
+from haptonic.analyses.verdict import response_in
+from haptonic.results.runner import Runner
+from haptonic.results.scan.twin import Kind, Twin, kind_of
+from haptonic.study.schema import Description
+
+
+@dataclass(frozen=True)
+class TwinScanOptions:
+    """What may be chosen."""
+
+    form: Literal["h5", "nc", "uff", "mat", "csv", "tdms"] = option(
+        "h5", "Of the scan's file.", flag="--format"
+    )
+    time: bool | None = option(None, "Records, or responses; else what the format has.", flag="--time/--frf")
+    seed: int = option(0, "Of noise and dropouts.", least=0)
+    response: Any = option(
+        None, "The plate's response, instead of computing it.", read=response_in, flag="--from",
+        metavar="FILE",
+    )  # fmt: skip
+
+    @property
+    def kind(self) -> Kind:
+        """Time records or responses."""
+        return kind_of(self.form, None if self.time is None else "time" if self.time else "frf")
+
+
+def check(study: Description, options: TwinScanOptions) -> None:
+    """Refuse a form of file that does not hold what is asked for."""
+    _ = options.kind
+
+
+def compute(study: Description, options: TwinScanOptions, runner: Runner) -> Twin:
+    """The scan; the plate's response is computed at the lines of the drive, or given at them.
+
+    Raises
+    ------
+    StudyError : no [plate], no carrier, or nothing that drives the plate
+    ScanError : settings of [scan] that do not fit together, or a response at other lines or points
+    """
+    body, question = study.mounted_plate(), study.scan_settings.frozen()
+    signal = question.drive(body)
+    if options.response is not None:
+        gap, response = on_plate(study, store=runner.store).gap, options.response
+    else:
+        asked = question.of_plate(response_settings(study).tolerance, signal)
+        result = plate.compute(study, plate.PlateOptions(asked=asked), runner)
+        gap, response = result.gap, result.response
+    made = Twin.of(body, question, signal, response, gap=gap, seed=options.seed)
+    return replace(made, form=options.form, kind=options.kind)
+
+
+ANALYSIS = Analysis(
+    name="twin scan",
+    help="What a laser vibrometer would record of the study's plate. Everything is marked as simulated.",
+    result=Twin,
+    compute=compute,
+    options=TwinScanOptions,
+    check=check,
+    doing="shifts",
+    writes=True,
+)

@@ -1,0 +1,70 @@
+"""Waveguides that fit between two mirrors."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from haptonic.analyses.analysis import Analysis, option
+from haptonic.analyses.needs import has_mirror, need_carrier
+from haptonic.errors import StudyError
+from haptonic.fields import remade
+from haptonic.results.guides import Guides, compute_guides
+from haptonic.results.runner import Runner
+from haptonic.study.asking import WaveguideSection
+from haptonic.study.schema import Description
+from haptonic.units import shown
+
+
+@dataclass(frozen=True)
+class WaveguideOptions:
+    """What may be chosen."""
+
+    mode: str | None = option(None, "Nodal lines across, intervals along; else the study's.", metavar="MxN")
+
+
+def asked(study: Description, options: WaveguideOptions) -> WaveguideSection:
+    """What the study asks for, with the mode that was chosen.
+
+    Raises
+    ------
+    StudyError : the mode is not written like ``0x17``
+    """
+    own = study.waveguide_settings
+    if options.mode is None:
+        return own
+    try:
+        return remade(own, mode=options.mode)
+    except StudyError:
+        raise StudyError(
+            argument="--mode",
+            given=shown(options.mode),
+            allowed="nodal lines across, an x, and intervals between nodal lines along, such as 0x17",
+            cause="it is not written like that",
+            next_step="write it like 0x17",
+        ) from None
+
+
+def compute(study: Description, options: WaveguideOptions, runner: Runner) -> Guides:
+    """Width, length and frequency of waveguides whose mode lies in the gap that holds the carrier.
+
+    Raises
+    ------
+    StudyError : no carrier, no gap that holds it, or no such waveguide
+    """
+    section = asked(study, options)
+    found: Guides = compute_guides(
+        study.cell, study.asked(), carrier=need_carrier(study), mode=section.nodal_lines,
+        width=section.width, rows=section.rows, ends=section.ends, inputs=study.inputs(), runner=runner,
+    )  # fmt: skip
+    return found
+
+
+ANALYSIS = Analysis(
+    name="waveguide",
+    help="Width, length and frequency of a waveguide between two such mirrors.",
+    result=Guides,
+    compute=compute,
+    reported=lambda study: WaveguideOptions() if has_mirror(study) else None,
+    options=WaveguideOptions,
+    check=asked,
+)

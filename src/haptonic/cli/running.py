@@ -1,0 +1,140 @@
+"""One runner for all analyses: from a record to a command, and from its words to the answer."""
+
+from __future__ import annotations
+
+import inspect
+from collections.abc import Callable
+from dataclasses import MISSING, fields
+from pathlib import Path
+from typing import Annotated, Any, get_type_hints
+
+import typer
+
+from haptonic.analyses import Analysis
+from haptonic.analyses.analysis import option_of, path_of
+from haptonic.cli.console import Voice, speaking
+from haptonic.paths import target
+from haptonic.results.common import refuse_taken
+from haptonic.results.result import Result, taken
+from haptonic.results.runner import Runner
+from haptonic.store import Store
+from haptonic.study import load
+
+Json = Annotated[
+    bool, typer.Option("--json", help="Print one JSON object; files are then written only with --out.")
+]
+SHARED: dict[str, Any] = {
+    "out": Annotated[
+        Path | None,
+        typer.Option("--out", metavar="DIR", help="Folder for the files; results/STUDY-COMMAND by default."),
+    ],
+    "json": Json,
+    "overwrite": Annotated[bool, typer.Option("--overwrite", help="Replace files of an earlier run.")],
+}
+WORKERS = Annotated[
+    int, typer.Option("--workers", metavar="N", help="Worker processes on this machine; 0 works in this one.")
+]
+SCHEDULER = Annotated[
+    str | None, typer.Option("--scheduler", metavar="ADDRESS", help="A running Dask scheduler to work on.")
+]
+
+
+def command(analysis: Analysis) -> Callable[..., None]:
+    """The function of an analysis's command, with the parameters that its record declares."""
+
+    def run(**given: Any) -> None:
+        answered(analysis, given)
+
+    own, last = parameters(analysis), inspect.Parameter.KEYWORD_ONLY
+    shared = [inspect.Parameter(n, last, default=None if n == "out" else False, annotation=kind)
+              for n, kind in SHARED.items()]  # fmt: skip
+    if analysis.parallel:
+        shared += [
+            inspect.Parameter("workers", last, default=0, annotation=WORKERS),
+            inspect.Parameter("scheduler", last, default=None, annotation=SCHEDULER),
+        ]
+    every = [*own, *shared]
+    run.__name__, run.__doc__ = analysis.name.replace(" ", "_"), analysis.help
+    run.__annotations__ = {one.name: one.annotation for one in every}
+    run.__signature__ = inspect.Signature(every)  # type: ignore[attr-defined]
+    return run
+
+
+def parameters(analysis: Analysis) -> list[inspect.Parameter]:
+    """Of the command: what it takes by place, the study among it, then the options of the record."""
+    kinds = get_type_hints(analysis.options)
+    placed: dict[str, list[inspect.Parameter]] = {"before": [], "behind": [], "option": []}
+    for one in fields(analysis.options):
+        known = option_of(one)
+        if known is None:
+            continue
+        kind = kinds[one.name]
+        if known.unit or known.read:
+            kind = str if one.default is MISSING else str | None
+        metavar = known.metavar or (one.name.upper() if known.place != "option" else None)
+        words: dict[str, Any] = {"help": known.help, "metavar": metavar, "min": known.least}
+        made = (
+            typer.Option(*known.flag.split(), **words) if known.place == "option" else typer.Argument(**words)
+        )
+        text = known.unit or known.read  # nothing given is told from a text; the record knows its default
+        default = inspect.Parameter.empty if one.default is MISSING else None if text else one.default
+        placed[known.place].append(
+            inspect.Parameter(
+                one.name, inspect.Parameter.KEYWORD_ONLY, default=default, annotation=Annotated[kind, made]
+            )
+        )
+    study: list[inspect.Parameter] = []
+    if analysis.study != "none":
+        needed = analysis.study == "needed"
+        about = "Study file (TOML)." if needed else "Study of the plate that was scanned."
+        argument: Any = typer.Argument(metavar="STUDY", help=about)
+        study = [
+            inspect.Parameter(
+                "study_file", inspect.Parameter.KEYWORD_ONLY,
+                default=inspect.Parameter.empty if needed else None,
+                annotation=Annotated[Path if needed else Path | None, argument],
+            )
+        ]  # fmt: skip
+    return [*placed["before"], *study, *placed["behind"], *placed["option"]]
+
+
+def answered(analysis: Analysis, given: dict[str, Any]) -> None:
+    """Load, look whether it can end well, compute, write, say what was found."""
+    out, json, overwrite = (given.pop(name) for name in SHARED)
+    workers, scheduler = given.pop("workers", 0), given.pop("scheduler", None)
+    file = given.pop("study_file", None)
+    with speaking(json, analysis.kept) as voice:
+        study = None if file is None else load(file)
+        options = analysis.chosen({name: value for name, value in given.items() if value is not None})
+        analysis.check(study, options)
+        about = path_of(options) if analysis.study != "needed" else file
+        assert about is not None, f"{analysis.name} is asked of nothing"
+        folder = folder_for(about, out, json and not analysis.writes, analysis.folder or analysis.name)
+        refuse_taken(folder, taken(folder, analysis.names(options, about.stem)), overwrite=overwrite)
+        with voice.counted(analysis.doing or analysis.name) as progress:
+            runner = Runner(Store.default(), workers, scheduler, progress, about, folder)
+            result = analysis.compute(study, options, runner)
+            if folder:
+                result.write(folder, overwrite=overwrite, progress=progress)
+        show(result, voice)
+        if folder:
+            voice.tell(f"files: {folder}")
+        voice.answer(result.to_json() | (result.located(folder) if folder else {}))
+
+
+def show(result: Result, voice: Voice) -> None:
+    """The answer in sentences, then its tables, then what may be wrong."""
+    for sentence in result.summary():
+        voice.tell(sentence)
+    for table in result.tables():
+        voice.show(table)
+    for text in result.remarks():
+        voice.warn(text)
+
+
+def folder_for(about: Path, out: Path | None, json: bool, ending: str) -> Path | None:
+    """Where a command's files go; nowhere if a machine asks and names no folder."""
+    if out is None and json:
+        return None
+    stem = about.absolute().stem
+    return target(Path("results") / f"{stem}-{ending}" if out is None else out)

@@ -1,0 +1,39 @@
+"""Pages of HTML: one file each, with pictures and style inside, no script, and nothing from elsewhere."""
+
+from __future__ import annotations
+
+import base64
+from dataclasses import dataclass
+from importlib.resources import files
+from typing import TYPE_CHECKING
+
+from jinja2 import Environment, StrictUndefined
+
+from haptonic.plots.style import rendered
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+
+@dataclass(frozen=True, eq=False)
+class Picture:
+    """A figure with the sentence below it and the words that stand for it where it cannot be seen."""
+
+    figure: Figure
+    caption: str
+    alternative: str
+
+
+def filled(template: str, **values: object) -> str:
+    """A page of this folder with its values filled in; text is escaped."""
+    environment = Environment(
+        autoescape=True, undefined=StrictUndefined, trim_blocks=True, lstrip_blocks=True
+    )
+    environment.filters["embedded"] = _embedded
+    text = files("haptonic.pages").joinpath(template).read_text("utf-8")
+    return environment.from_string(text).render(**values)
+
+
+def _embedded(figure: Figure) -> str:
+    """The figure as an address that holds all of it."""
+    return "data:image/svg+xml;base64," + base64.b64encode(rendered(figure, "svg")).decode()

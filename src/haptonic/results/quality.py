@@ -1,0 +1,47 @@
+"""A page to look at every trial: small plots by participant and block, and all that was left out."""
+
+from __future__ import annotations
+
+from importlib.metadata import version
+from typing import TYPE_CHECKING
+
+from haptonic.pages import Picture, filled
+from haptonic.progress import Progress, silent
+from haptonic.results.table import Table
+
+if TYPE_CHECKING:
+    from haptonic.results.friction import FrictionResult
+
+TEMPLATE = "quality.html"
+MOST_LISTED = 500  # excluded trials; trials.csv has them all
+
+
+def quality(result: FrictionResult, progress: Progress = silent) -> str:
+    """The page as text; ``progress`` is called with the sheets done and all of them."""
+    blocks, more = result.blocks()
+    pictures = []
+    for person, block, figure in result.sheets(blocks):
+        name = f"Participant {person}, block {block}"
+        pictures.append(Picture(figure, name, f"{name}: the forces of every trial"))
+        progress(len(pictures), len(blocks))
+    return filled(
+        TEMPLATE,
+        origin=result.origin,
+        remarks=result.guessed,
+        omissions=result.found.omissions,
+        counts=result.excluded,
+        total=result.trials.sizes["stroke"],
+        excluded=_excluded(result),
+        most=MOST_LISTED,
+        pictures=pictures,
+        more=more,
+        version=version("haptonic"),
+    )
+
+
+def _excluded(result: FrictionResult) -> Table:
+    trials = result.trials
+    trials = trials.isel(stroke=trials["excluded"].values != "").isel(stroke=slice(MOST_LISTED))
+    head = ("participant", "block", "trial", "waveguide", "actuation", "excluded", "detail")
+    columns = [[str(value) for value in trials[name].values] for name in head]
+    return Table("Trials that do not count.", head, tuple(zip(*columns, strict=True)))

@@ -1,0 +1,215 @@
+"""The one protocol of results: whatever shows a result asks for nothing that is not here.
+
+A result is a frozen dataclass below `Result`. It says what it found in sentences and tables; which pictures
+can be drawn of it and which files can be written stand as methods marked with `figure` and `file`, so that
+their names are known before anything is drawn or computed. A command's answer and files, JSON, a notebook,
+a chapter of the report: all follow from these.
+"""
+
+from __future__ import annotations
+
+import html
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from fnmatch import fnmatchcase
+from functools import partial
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, ClassVar
+
+from haptonic import plots
+from haptonic.paths import target
+from haptonic.progress import Progress, silent
+from haptonic.results.common import Writer, refuse_taken, write_files, write_netcdf
+from haptonic.results.table import Table
+from haptonic.store import whole_set
+
+if TYPE_CHECKING:
+    import pandas as pd
+    import xarray as xr
+    from matplotlib.figure import Figure
+
+KINDS = ("svg", "png")  # of files of a picture
+
+
+@dataclass(frozen=True)
+class Part:
+    """A picture or a file of a result: its name, what makes it, and whether this result has it.
+
+    name : with a "*" in it for several, which ``make`` gives by name
+    caption : the sentence below a picture
+    """
+
+    name: str
+    make: Callable[..., Any]
+    when: Callable[[Any], object]
+    caption: str = ""
+
+    def of(self, result: Result) -> dict[str, Callable[..., Any]]:
+        """What makes each of them for a result."""
+        if not self.when(result):
+            return {}
+        return self.make(result) if "*" in self.name else {self.name: partial(self.make, result)}
+
+
+def _always(result: object) -> bool:
+    return True
+
+
+def figure(
+    name: str, caption: str = "", *, when: Callable[[Any], object] = _always
+) -> Callable[[Callable[..., Any]], Any]:
+    """Mark a method that draws the picture of this name; of ``name-*`` one that gives drawers by name."""
+    return lambda make: _Marked((Part(name, make, when, caption),), "_pictures")
+
+
+def file(*names: str, when: Callable[[Any], object] = _always) -> Callable[[Callable[..., Any]], Any]:
+    """Mark a method that writes the file of this name to a path, or several, each in the form that its ending
+    says; of ``name-*`` one that gives writers by name."""
+    return lambda make: _Marked(tuple(Part(name, make, when) for name in names), "_writers")
+
+
+@dataclass(frozen=True)
+class _Marked:
+    parts: tuple[Part, ...]
+    kind: str
+
+    def __set_name__(self, owner: type[Result], name: str) -> None:
+        # a class has the parts of those above it, and its own
+        known: tuple[Part, ...] = getattr(owner, self.kind)
+        setattr(owner, self.kind, (*known, *self.parts))
+        setattr(owner, name, self.parts[0].make)
+
+
+class Figures(Mapping[str, "Figure"]):
+    """Pictures by name; each is drawn when it is asked for."""
+
+    def __init__(self, drawers: Mapping[str, Callable[[], Figure]], captions: Mapping[str, str]) -> None:
+        self._drawers, self.captions = dict(drawers), dict(captions)
+
+    def __getitem__(self, name: str) -> Figure:
+        return self._drawers[name]()
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self._drawers)
+
+    def __len__(self) -> int:
+        return len(self._drawers)
+
+    def __repr__(self) -> str:
+        return f"<pictures: {', '.join(self)}>"
+
+
+class Result:
+    """What an analysis gives; see the module.
+
+    title : heads it where it is shown
+    """
+
+    title: ClassVar[str] = ""
+    data_file: ClassVar[str | None] = None  # name of the NetCDF file of the dataset, without its suffix
+    _pictures: ClassVar[tuple[Part, ...]] = ()
+    _writers: ClassVar[tuple[Part, ...]] = ()
+
+    if TYPE_CHECKING:  # at run time a property here would be taken for the default of a dataclass's field
+
+        @property
+        def dataset(self) -> xr.Dataset:
+            """All of the answer: labelled arrays with units, stamped with what made them."""
+
+    def summary(self) -> list[str]:
+        """What was found, the answer first, a sentence each."""
+        return []
+
+    def tables(self) -> list[Table]:
+        """The numbers that a person asks for."""
+        return []
+
+    def remarks(self) -> list[str]:
+        """What may be wrong, or was left out; told as warnings."""
+        return []
+
+    def to_json(self) -> dict[str, Any]:
+        """Plain values for machines."""
+        raise NotImplementedError
+
+    def facts(self) -> dict[str, Any]:
+        """What reference values may be compared with: the JSON, and what else is told by name."""
+        return self.to_json()
+
+    @property
+    def figures(self) -> Figures:
+        """Pictures by name, drawn when asked for."""
+        drawers, captions = dict[str, Callable[[], Any]](), dict[str, str]()
+        for part in self._pictures:
+            found = part.of(self)
+            drawers |= found
+            captions |= dict.fromkeys(found, part.caption)
+        return Figures(drawers, captions)
+
+    @property
+    def files(self) -> dict[Any, Writer]:
+        """Writers of the data files by name; a name may be a path of a file in a folder below."""
+        found: dict[Any, Writer] = {}
+        if self.data_file:
+            found[f"{self.data_file}.nc"] = partial(write_netcdf, self.dataset)
+        for part in self._writers:
+            found |= part.of(self)
+        return found
+
+    def plot(self, name: str | None = None) -> Figure:
+        """One picture; the first of them by default."""
+        return self.figures[next(iter(self.figures)) if name is None else name]
+
+    def to_dataframe(self) -> pd.DataFrame:
+        """The first table as raw values in SI units."""
+        return self.tables()[0].to_dataframe()
+
+    @classmethod
+    def names(cls, options: Any = None) -> list[Any]:
+        """Of all files that a result of this kind may write, some with a "*"; ``options`` may leave out some.
+
+        "STUDY" in a name stands for that of the study's file.
+        """
+        data = [f"{cls.data_file}.nc"] if cls.data_file else []
+        pictures = [f"{part.name}.{kind}" for part in cls._pictures for kind in KINDS]
+        return [*data, *(part.name for part in cls._writers), *pictures]
+
+    def write(self, folder: Path | str, *, overwrite: bool = False, progress: Progress = silent) -> None:
+        """Write all files and pictures, or none of them.
+
+        Raises
+        ------
+        ResourceError : a name is taken, or the folder cannot be written
+        """
+        folder = target(folder, "folder")
+        refuse_taken(folder, taken(folder, self.names()), overwrite=overwrite)
+        with whole_set(folder, overwrite=overwrite) as draft:
+            self.put(draft, progress)
+
+    def put(self, draft: Path, progress: Progress = silent) -> None:
+        """Write all files and pictures into a folder that is empty or holds nothing of these names."""
+        write_files(draft, self.files, overwrite=False)
+        figures = self.figures
+        for done, name in enumerate(figures):
+            progress(done, len(figures), "pictures")
+            plots.save(figures[name], draft, name)
+
+    def located(self, folder: Path) -> dict[str, Any]:
+        """What the JSON says besides, of a result that is always written into a folder."""
+        return {}
+
+    def __repr__(self) -> str:
+        said = self.summary()
+        return f"<{type(self).__name__}{': ' if said else ''}{said[0] if said else ''}>"
+
+    def _repr_html_(self) -> str:
+        said = "".join(f"<p>{html.escape(sentence)}</p>" for sentence in self.summary())
+        return said + "".join(table.to_html() for table in self.tables())
+
+
+def taken(folder: Path | None, names: Sequence[Any]) -> list[Any]:
+    """The names themselves, those with a "*" replaced by the names of files in the folder that they match."""
+    there = [path.name for path in folder.iterdir()] if folder is not None and folder.is_dir() else []
+    plain = [name for name in names if "*" not in str(name)]
+    patterns = [str(name) for name in names if "*" in str(name)]
+    return plain + [name for name in there if any(fnmatchcase(name, one) for one in patterns)]

@@ -1,0 +1,175 @@
+"""A table of raw values, from which a terminal's, a page's, a file's and a notebook's follow."""
+
+from __future__ import annotations
+
+import csv
+import html
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import cache
+from io import StringIO
+
+import pandas as pd
+
+from haptonic.names import cell as safe
+from haptonic.units import to_si
+
+NOTHING = "-"  # stands for what is not there
+
+
+@dataclass(frozen=True)
+class Uncertain:
+    """A value and the bound of its error, in the unit of the column; ``note`` is said behind it."""
+
+    value: float
+    error: float
+    note: str = ""
+
+
+@dataclass(frozen=True)
+class Ranged:
+    """Two ends, and the value between them if there is one, in the unit of the column."""
+
+    low: float
+    high: float
+    value: float | None = None
+
+
+Cell = float | int | str | None | Uncertain | Ranged
+
+
+@dataclass(frozen=True)
+class Column:
+    """What stands in a column.
+
+    name : its head; unit : SI unit of the values, empty for words and bare numbers
+    shown : unit in which people read them, the SI unit by default; form : of a number, as in `format`
+    """
+
+    name: str
+    unit: str = ""
+    shown: str = ""
+    form: str = ".4g"
+
+    @property
+    def head(self) -> str:
+        """The name with the unit that people read."""
+        unit = self.shown or self.unit
+        return f"{self.name} / {unit}" if self.name and unit else self.name or unit
+
+    @property
+    def raw_head(self) -> str:
+        """The name with the SI unit, for files."""
+        return f"{self.name} ({self.unit})" if self.unit else self.name
+
+    def text(self, cell: Cell) -> str:
+        """A cell as people read it."""
+        scale = _scale(self.shown, self.unit) if self.shown else 1.0
+        match cell:
+            case None:
+                return NOTHING
+            case str():
+                return cell
+            case Uncertain(value, error, note):
+                return f"{self._number(value * scale)} ± {self._number(error * scale)}{note}"
+            case Ranged(low, high, None):
+                return f"{self._number(low * scale)} to {self._number(high * scale)}"
+            case Ranged(low, high, value):
+                ends = f"{self._number(low * scale)} to {self._number(high * scale)}"
+                return f"{self._number((value or 0.0) * scale)} ({ends})"
+            case int():
+                return str(cell)
+        return self._number(cell * scale)
+
+    def _number(self, value: float) -> str:
+        return format(value, self.form) if math.isfinite(value) else NOTHING
+
+
+@dataclass(frozen=True)
+class Table:
+    """Rows of raw values below a title.
+
+    columns : what stands in each; a text is the head of a column of words
+    rows : values in the units of the columns
+    strong : numbers of rows, from 0, that stand out
+    """
+
+    title: str
+    columns: tuple[Column, ...]
+    rows: tuple[tuple[Cell, ...], ...]
+    strong: frozenset[int] = frozenset()
+
+    def __init__(
+        self,
+        title: str,
+        columns: Sequence[Column | str],
+        rows: Sequence[Sequence[Cell]],
+        strong: Sequence[int] = (),
+    ) -> None:
+        made = tuple(Column(one) if isinstance(one, str) else one for one in columns)
+        assert all(len(row) == len(made) for row in rows), title
+        object.__setattr__(self, "title", title)
+        object.__setattr__(self, "columns", made)
+        object.__setattr__(self, "rows", tuple(tuple(row) for row in rows))
+        object.__setattr__(self, "strong", frozenset(strong))
+
+    @property
+    def head(self) -> tuple[str, ...]:
+        """Heads of the columns as people read them."""
+        return tuple(column.head for column in self.columns)
+
+    @property
+    def texts(self) -> list[tuple[str, ...]]:
+        """The rows as people read them."""
+        return [
+            tuple(column.text(cell) for column, cell in zip(self.columns, row, strict=True))
+            for row in self.rows
+        ]
+
+    def to_dataframe(self) -> pd.DataFrame:
+        """Raw values in SI units; a value with an error or ends has a column for each."""
+        return pd.DataFrame([self._record(row) for row in self.rows])
+
+    def _record(self, row: Sequence[Cell]) -> dict[str, object]:
+        record: dict[str, object] = {}
+        for column, cell in zip(self.columns, row, strict=True):
+            name = column.raw_head
+            match cell:
+                case Uncertain(value, error):
+                    record |= {name: value, f"error of {name}": error}
+                case Ranged(low, high, value):
+                    record |= {name: value, f"low of {name}": low, f"high of {name}": high}
+                case _:
+                    record[name] = cell
+        return record
+
+    def to_csv(self) -> str:
+        """Raw values in SI units, comma-separated; texts that a spreadsheet would compute are made safe."""
+        records = [self._record(row) for row in self.rows]
+        names = list(dict.fromkeys(name for record in records for name in record))
+        stream = StringIO()
+        writer = csv.writer(stream, lineterminator="\n")
+        writer.writerow([safe(name) for name in names])
+        writer.writerows([[safe(record.get(name, "")) for name in names] for record in records])
+        return stream.getvalue()
+
+    def to_markdown(self) -> str:
+        """For a page of docs or a thread."""
+        rows = [self.head, tuple("---" for _ in self.columns), *self.texts]
+        lines = ["| " + " | ".join(text.replace("|", "\\|") for text in row) + " |" for row in rows]
+        return "\n".join([f"**{self.title}**", "", *lines])
+
+    def to_html(self) -> str:
+        """For a notebook."""
+        head = "".join(f"<th>{html.escape(name)}</th>" for name in self.head)
+        body = "".join(
+            "<tr>" + "".join(f"<td>{html.escape(text)}</td>" for text in row) + "</tr>" for row in self.texts
+        )
+        return f"<table><caption>{html.escape(self.title)}</caption><tr>{head}</tr>{body}</table>"
+
+
+@cache
+def _scale(shown: str, unit: str) -> float:
+    """What to multiply a value in an SI unit by to have it in another unit."""
+    return 100.0 if (shown, unit) == ("%", "") else 1.0 / to_si(f"1 {shown}", unit, shown)

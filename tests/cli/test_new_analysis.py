@@ -1,0 +1,85 @@
+"""An analysis is one file and one line: a toy has its command, its help, its JSON, its method, its files."""
+
+from __future__ import annotations
+
+import json
+import sys
+
+import pytest
+from typer.testing import CliRunner
+
+import haptonic
+import toy
+from haptonic import analyses
+from haptonic.cli.app import app
+from haptonic.errors import StudyError
+
+WIDE = {"COLUMNS": "200", "NO_COLOR": "1"}
+
+
+@pytest.fixture
+def added(monkeypatch):
+    """The one line."""
+    monkeypatch.setitem(sys.modules, "haptonic.analyses.toy", toy)
+    monkeypatch.setattr(analyses, "NAMES", (*analyses.NAMES, "toy"))
+
+
+def ran(*words):
+    done = CliRunner().invoke(app, list(map(str, words)), env=WIDE, catch_exceptions=False)
+    assert done.exit_code == 0, done.output
+    return done.stdout
+
+
+@pytest.mark.usefixtures("added")
+class TestAddedAnalysis:
+    def test_it_has_a_command_with_help_of_its_own(self):
+        assert "Count, as a toy does." in ran("--help")
+        said = ran("toy", "--help")
+        assert all(words in said for words in ("--number", "How far to count.", "LENGTH", "--out", "--json"))
+
+    def test_it_answers_people_and_machines(self, study, tmp_path):
+        out = tmp_path / "out"
+        said = ran("toy", study(), "--number", 3, "--length", "2 mm", "--out", out)
+        assert "It counts to 3." in said
+        assert "way / mm" in said
+        assert "4.00" in said
+        assert {path.name for path in out.iterdir()} == {"toy.nc", "toy.svg", "toy.png"}
+        answer = json.loads(ran("toy", study(), "--length", "2 mm", "--json"))
+        assert answer == {"number": 2, "length_m": 2e-3, "warnings": []}
+
+    def test_it_refuses_to_overwrite(self, study, tmp_path):
+        out = tmp_path / "out"
+        ran("toy", study(), "--out", out)
+        again = CliRunner().invoke(app, ["toy", str(study()), "--out", str(out)], env=WIDE)
+        assert again.exit_code == 2
+        ran("toy", study(), "--out", out, "--overwrite")
+
+    def test_a_study_has_it_as_a_method(self, study):
+        loaded = haptonic.load(study())
+        result = loaded.toy(length="3 mm")
+        assert (result.number, result.length) == (2, 3e-3)
+        assert repr(result) == "<Toy: It counts to 2.>"
+        assert "<table>" in result._repr_html_()
+        assert result.to_dataframe()["way (m)"].tolist() == [0.0, 3e-3]
+        assert result.tables()[0].to_csv().splitlines()[0] == "number,way (m)"
+        assert loaded.run("toy", number=5).number == 5
+        assert "toy" in dir(loaded)
+
+    def test_an_option_that_it_has_not_is_refused_with_the_nearest(self, study):
+        with pytest.raises(StudyError) as caught:
+            haptonic.load(study()).toy(nmber=3)
+        assert "number" in caught.value.next_step
+        assert all(caught.value.parts().values())
+
+    def test_it_is_in_the_report(self, study, tmp_path):
+        out = tmp_path / "out"
+        ran("reproduce", study(('carrier = "60 kHz"\n', "")), "--out", out)
+        page = (out / "report.html").read_text()
+        assert "A toy" in page
+        assert "It counts to 2." in page
+
+
+def test_without_the_line_there_is_none(study):
+    assert CliRunner().invoke(app, ["toy", str(study())], env=WIDE).exit_code == 2
+    with pytest.raises(AttributeError):
+        _ = haptonic.load(study()).toy

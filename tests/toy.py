@@ -1,0 +1,63 @@
+"""A toy analysis, as somebody adds one: this file, and its name in the table."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import xarray as xr
+from matplotlib.figure import Figure
+
+from haptonic.analyses.analysis import Analysis, option
+from haptonic.results.result import Result, figure
+from haptonic.results.runner import Runner
+from haptonic.results.table import Column, Table
+from haptonic.study.schema import Description
+
+
+@dataclass(frozen=True)
+class ToyOptions:
+    """What may be chosen."""
+
+    number: int = option(2, "How far to count.", metavar="N")
+    length: float = option(1e-3, "Of a step.", unit="m", metavar="LENGTH")
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class Toy(Result):
+    """It counts."""
+
+    title = "A toy"
+    data_file = "toy"
+
+    number: int
+    length: float = 1e-3
+
+    @property
+    def dataset(self) -> xr.Dataset:
+        """The numbers."""
+        return xr.Dataset({"number": ("step", list(range(self.number)), {"units": "1"})})
+
+    def summary(self) -> list[str]:
+        return [f"It counts to {self.number}."]
+
+    def tables(self) -> list[Table]:
+        rows = [(k, k * self.length) for k in range(self.number)]
+        return [Table("numbers", (Column("number"), Column("way", "m", "mm", ".2f")), rows)]
+
+    @figure("toy", "Simulated numbers.")
+    def _drawn(self) -> Figure:
+        return Figure()
+
+    def to_json(self) -> dict[str, object]:
+        return {"number": self.number, "length_m": self.length}
+
+
+def compute(study: Description, options: ToyOptions, runner: Runner) -> Toy:
+    """Count."""
+    return Toy(options.number, options.length)
+
+
+ANALYSIS = Analysis(
+    name="toy", help="Count, as a toy does.", result=Toy, compute=compute, options=ToyOptions,
+    reported=lambda study: ToyOptions(),
+)  # fmt: skip
