@@ -138,7 +138,7 @@ def test_the_papers_waveguide_resonates_where_a_plate_model_says(haptonic, insid
     assert 0 < strip["fixed_line_m"] < 2e-3
     assert strip["decay_db_per_row"] > 5
     again = inside("waveguide", path, "--out", out)
-    assert_five_parts(again, "waveguide.svg")
+    assert_five_parts(again, "waveguide.nc")
 
 
 def test_without_width_and_length_several_are_compared_and_all_lie_at_the_carrier(inside, fine):

@@ -53,7 +53,7 @@ def test_declared_once_and_read_everywhere():
     assert KEYS["bands.count"].bounds == "at least 1 and at most 60"
     assert KEYS["bands.count"].default == "10"
     assert KEYS["mesh.order"].bounds == "at least 2 and at most 10"
-    assert KEYS["cell.lattice"].choices == ("square", "rectangular")
+    assert KEYS["cell.lattice"].choices == ("square", "rectangular", "triangular")
     assert KEYS["material.poisson_ratio"].bounds == "above -1 and below 0.5"
     assert not KEYS["carrier"].required
     assert KEYS["title"].bounds == "at most 200 characters"

@@ -88,18 +88,6 @@ class WaveguideSection:
         return int(across), int(along)
 
 
-def _known(path: str) -> str:
-    if path not in UNITS:
-        guess = nearest(path, UNITS)
-        raise problem(
-            shown(path),
-            f"one of {', '.join(UNITS)}",
-            "no number of the cell has this name",
-            f'write "{guess}"' if guess else "choose one of the list",
-        )
-    return path
-
-
 def once(names: Sequence[str], at: str) -> None:
     """Refuse a parameter that two tables are about."""
     twice = sorted({name for name in names if names.count(name) > 1})
@@ -109,27 +97,58 @@ def once(names: Sequence[str], at: str) -> None:
         )
 
 
-def _in_its_unit(value: object, info: ValidationInfo) -> float:
-    if "parameter" not in info.data:  # refused already; without it the unit is not known
-        return 0.0
-    return number_of(value, UNITS[info.data["parameter"]], info.context)
+@described("", kw_only=True)
+class OfNumber:
+    """A table about one number of the study; others of its values are in the unit of that number."""
 
+    parameter: str = Field(
+        title="Parameter",
+        description="By its name in this file; tables of one name count from 1.",
+        strict=True,
+    )
 
-@described("design.vary", kw_only=True)
-class VarySection:
-    """A number of the cell that the design may change."""
+    @classmethod
+    def unit_of(cls, path: str) -> str | None:
+        """SI unit of a number that the table can be about: one of the cell; None of any other."""
+        return UNITS.get(path)
 
-    parameter: str = Field(title="Parameter", description="By its name in this file.", strict=True)
-    start: float = Field(alias="from", title="Lowest value", description="With its unit, if it has one.")
-    stop: float = Field(alias="to", title="Highest value", description="With its unit, if it has one.")
+    @classmethod
+    def known(cls) -> Sequence[str]:
+        """Paths of such numbers."""
+        return tuple(UNITS)
 
-    _parameter = field_validator("parameter")(_known)
-    _bounds = field_validator("start", "stop", mode="plain")(_in_its_unit)
+    @field_validator("parameter")
+    @classmethod
+    def _known(cls, path: str) -> str:
+        if cls.unit_of(path) is None:
+            guess = nearest(path, cls.known())
+            raise problem(
+                shown(path),
+                f"one of {', '.join(cls.known())}",
+                "no number of this name can be changed here",
+                f'write "{guess}"' if guess else "choose one of the list",
+            )
+        return path
+
+    @field_validator("start", "stop", "spread", mode="plain", check_fields=False)
+    @classmethod
+    def _in_its_unit(cls, value: object, info: ValidationInfo) -> float:
+        if "parameter" not in info.data:  # refused already; without it the unit is not known
+            return 0.0
+        return number_of(value, cls.unit_of(info.data["parameter"]) or "", info.context)
 
     @property
     def unit(self) -> str:
-        """SI unit of both bounds; empty when they are dimensionless."""
-        return UNITS[self.parameter]
+        """SI unit of the number; empty when it is dimensionless."""
+        return self.unit_of(self.parameter) or ""
+
+
+@described("design.vary", kw_only=True)
+class VarySection(OfNumber):
+    """A number of the cell that the design may change."""
+
+    start: float = Field(alias="from", title="Lowest value", description="With its unit, if it has one.")
+    stop: float = Field(alias="to", title="Highest value", description="With its unit, if it has one.")
 
     def __post_init__(self) -> None:
         if not self.start < self.stop:
@@ -209,10 +228,9 @@ class DesignSection:
 
 
 @described("tolerance.of", kw_only=True)
-class SpreadSection:
+class SpreadSection(OfNumber):
     """How much a number of the cell differs from one plate, or one pillar, to the next."""
 
-    parameter: str = Field(title="Parameter", description="By its name in this file.", strict=True)
     spread: float = Field(
         title="Spread", description="Standard deviation of a normal, half-width of a uniform distribution."
     )
@@ -224,14 +242,6 @@ class SpreadSection:
         title="Per",
         description="Whether all pillars of a plate differ alike, or each by itself.",
     )
-
-    _parameter = field_validator("parameter")(_known)
-    _unit = field_validator("spread", mode="plain")(_in_its_unit)
-
-    @property
-    def unit(self) -> str:
-        """SI unit of the spread; empty when it is dimensionless."""
-        return UNITS[self.parameter]
 
     def frozen(self) -> Spread:
         """The spread as the core computes with it."""

@@ -2,16 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import Annotated
 
-from pydantic import Field, ValidationInfo, field_validator
+from pydantic import Field
 
-from haptonic.errors import nearest
-from haptonic.fields import described, number_of, problem
+from haptonic.fields import described, problem
 from haptonic.plate import Plate
-from haptonic.study.asking import Frequency, ascending, once
-from haptonic.units import format_quantity, shown
+from haptonic.study.asking import Frequency, OfNumber, ascending, once
+from haptonic.units import format_quantity
 from haptonic.updating.match import Unknown
 from haptonic.updating.parameters import UNITS, unit_of, values_of
 
@@ -19,39 +18,21 @@ KNOWN = (*UNITS, "plate.actuator[1].bond.thickness")
 
 
 @described("fit.vary", kw_only=True)
-class UnknownSection:
+class UnknownSection(OfNumber):
     """A number that is fitted to a measurement, beginning with the value in this file."""
 
-    parameter: str = Field(
-        title="Parameter",
-        description="By its name in this file; tables of one name count from 1.",
-        strict=True,
-    )
     start: float = Field(alias="from", title="Lowest value", description="With its unit, if it has one.")
     stop: float = Field(alias="to", title="Highest value", description="With its unit, if it has one.")
 
-    @field_validator("parameter")
     @classmethod
-    def _can_be_fitted(cls, name: str) -> str:
-        if unit_of(name) is None:
-            guess = nearest(name, KNOWN)
-            raise problem(
-                shown(name), f"one of {', '.join(KNOWN)}", "no number of this name can be fitted",
-                f'write "{guess}"' if guess else "choose one of the list",
-            )  # fmt: skip
-        return name
+    def unit_of(cls, path: str) -> str | None:
+        """SI unit of a number of a plate that can be fitted; None of any other."""
+        return unit_of(path)
 
-    @field_validator("start", "stop", mode="plain")
     @classmethod
-    def _in_its_unit(cls, value: object, info: ValidationInfo) -> float:
-        if "parameter" not in info.data:  # refused already; without it the unit is not known
-            return 0.0
-        return number_of(value, unit_of(info.data["parameter"]) or "", info.context)
-
-    @property
-    def unit(self) -> str:
-        """SI unit of both bounds; empty when they are dimensionless."""
-        return unit_of(self.parameter) or ""
+    def known(cls) -> Sequence[str]:
+        """Paths of such numbers."""
+        return KNOWN
 
     def __post_init__(self) -> None:
         if not 0 < self.start < self.stop:

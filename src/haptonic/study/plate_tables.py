@@ -11,6 +11,7 @@ from haptonic.design.parameters import UNITS
 from haptonic.errors import nearest
 from haptonic.fields import Entries, Name, Quantity, described, number_of, problem, size
 from haptonic.response.checks import REST, THE_REST
+from haptonic.study.asking import ascending
 from haptonic.study.mounting import (
     ActuatorSection,
     ClampSection,
@@ -20,7 +21,7 @@ from haptonic.study.mounting import (
     Loss,
 )
 from haptonic.study.plate_map import check_map, drawn
-from haptonic.units import format_quantity, shown
+from haptonic.units import shown
 
 CHANGEABLE = [path for path in UNITS if path.startswith("cell.") and path != "cell.thickness"]
 LATTICE = "lattice"  # the name of the study's own cell in [plate.tiles]
@@ -96,12 +97,7 @@ class ResponseSection:
     )
 
     def __post_init__(self) -> None:
-        if self.lowest >= self.highest:
-            raise problem(
-                format_quantity(self.highest, "Hz"),
-                f"more than the lowest frequency, {format_quantity(self.lowest, 'Hz')}",
-                "the two ends of the response are exchanged or equal", "exchange them", at="highest",
-            )  # fmt: skip
+        ascending(self.lowest, self.highest, "response")
 
 
 @described("plate", kw_only=True)

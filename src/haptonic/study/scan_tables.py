@@ -8,7 +8,7 @@ from pydantic import Field
 
 from haptonic.fields import Quantity, described, problem, size
 from haptonic.results.scan import ScanQuestion
-from haptonic.study.asking import Frequency
+from haptonic.study.asking import Frequency, ascending
 from haptonic.units import format_quantity
 from haptonic.vibrometry.instrument import Instrument
 
@@ -77,12 +77,7 @@ class ScanSection:
     )
 
     def __post_init__(self) -> None:
-        if self.lowest >= self.highest:
-            raise problem(
-                format_quantity(self.highest, "Hz"),
-                f"more than the lowest frequency, {format_quantity(self.lowest, 'Hz')}",
-                "the two ends of the sweep are exchanged or equal", "exchange them", at="highest",
-            )  # fmt: skip
+        ascending(self.lowest, self.highest, "sweep")
         if self.highest > 0.5 * self.rate:
             raise problem(
                 format_quantity(self.highest, "Hz"),
