@@ -139,7 +139,7 @@ class TestDesign:
         # once more, for a person: from the store, and not over the same files
         again = here("design", question, "--pareto", "--out", tmp_path / "again")
         assert again.code == 0, again.err
-        for words in ("design found", "margin of the carrier", "cell.pillar.height", "14.7 mm",
+        for words in ("design found", "with a margin of", "cell.pillar.height", "14.7 mm",
                       "widest gap around the carrier", "none", f"files: {tmp_path / 'again'}"):  # fmt: skip
             assert words in again.out.replace("\n", ""), words
         assert (tmp_path / "again" / "design.toml").read_text() == (out / "design.toml").read_text()
@@ -239,7 +239,7 @@ class TestTolerance:
         # from here on the store has everything
         spoken = here("tolerance", path, "--out", tmp_path / "again")
         assert spoken.code == 0, spoken.err
-        for words in ("what moves the edges", "Hz per 10 µm", "100.0%",
+        for words in ("what moves the edges", "Hz per 10 µm", "100.0",
                       f"all 180 of a plate with {answer['chance_of_a_plate']:.2%}",
                       f"may be {answer['loosest_factor']:.2f} times as loose for 99.0%"):  # fmt: skip
             assert words in spoken.out, words

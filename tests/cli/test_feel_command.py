@@ -11,7 +11,7 @@ import xarray as xr
 from five_parts import assert_five_parts
 from haptonic.report import Absent, Chapter, Results
 from haptonic.report.chapters.feel import chapter
-from haptonic.study import Study, load
+from haptonic.study import load
 
 FILES = {"feel.nc", *(f"{name}.{kind}" for name in ("friction", "reduction") for kind in ("svg", "png"))}
 TOUCH = ("[[sweep]]", '[touch]\nforce = "0.8 N"\nvoltage = "200 V"\n\n[[sweep]]')
@@ -91,7 +91,7 @@ def test_bad_options_are_refused(inside, plated, options, words):
 
 
 def test_a_wrong_reduction_is_refused_before_anything_is_computed(inside, plated, monkeypatch):
-    monkeypatch.setattr(Study, "felt", lambda *_, **__: pytest.fail("computed"))
+    monkeypatch.setattr("haptonic.analyses.feel.compute", lambda *_, **__: pytest.fail("computed"))
     assert_five_parts(inside("feel", plated(), "--reduction", "55", "--json"), "percentage")
 
 

@@ -61,12 +61,12 @@ def folder(tmp_path_factory, store_folder):
 def empty_pictures(monkeypatch):
     """Pictures are named but not drawn, which takes most of the time of a scan so small."""
 
-    def save(figure, folder, name, *, overwrite):
+    def save(figure, folder, name):
         for kind in ("svg", "png"):
             (folder / f"{name}.{kind}").touch()
 
     monkeypatch.setattr("haptonic.plots.save", save)
-    monkeypatch.setattr("haptonic.plots.animated", lambda path, *_, overwrite: path.touch())
+    monkeypatch.setattr("haptonic.plots.animated", lambda path, *_, **__: path.touch())
 
 
 @pytest.mark.usefixtures("empty_pictures")

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import sys
 import warnings
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass, field
 from typing import Any
@@ -92,15 +92,23 @@ class Voice:
         self.err.print(row, soft_wrap=True, highlight=False)
 
     def show(self, content: Table) -> None:
-        """Show a table to a person. Heads may be folded in a narrow terminal, numbers may not."""
+        """Show a table to a person.
+
+        In a narrow terminal heads and words are folded first, then numbers are parted from their errors;
+        no number is cut.
+        """
         if self.machine:
             return
-        many = len(content.columns) > ROOMY
-        shown = RichTable(title=content.title, padding=(0, 0 if many else 1))
-        for column, cells in zip(content.head, zip(*content.texts, strict=True), strict=True):
-            numeric = all(cell == NOTHING or cell[:1] in "+-0123456789" for cell in cells)
-            width = max(map(cell_len, cells), default=0) if numeric else None
-            shown.add_column(column, overflow="fold", min_width=width)
+        padding = 0 if len(content.columns) > ROOMY else 1
+        columns = list(zip(*content.texts, strict=True)) or [()] * len(content.columns)
+        folded = [_longest_word((head, *cells)) for head, cells in zip(content.head, columns, strict=True)]
+        whole = [max(map(cell_len, cells), default=0) if _numeric(cells) else 0 for cells in columns]
+        widths = [max(pair) for pair in zip(folded, whole, strict=True)]
+        if sum(widths) + len(columns) * (2 * padding + 1) + 1 > self.out.width:
+            widths = folded
+        shown = RichTable(title=content.title, padding=(0, padding))
+        for head, width in zip(content.head, widths, strict=True):
+            shown.add_column(head, overflow="fold", min_width=width)
         for number, row in enumerate(content.texts):
             shown.add_row(*row, style="bold" if number in content.strong else "")
         if not content.rows:
@@ -155,6 +163,14 @@ def speaking(machine: bool, kept: str = "") -> Iterator[Voice]:
             raise SystemExit(INTERRUPTED) from None
         finally:
             warnings.showwarning = default
+
+
+def _longest_word(texts: Sequence[str]) -> int:
+    return max((cell_len(word) for text in texts for word in text.split()), default=0)
+
+
+def _numeric(cells: Sequence[str]) -> bool:
+    return all(cell == NOTHING or cell[:1] in "+-0123456789" for cell in cells)
 
 
 def _print_json(values: dict[str, Any]) -> None:

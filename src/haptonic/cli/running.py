@@ -117,9 +117,10 @@ def answered(analysis: Analysis, given: dict[str, Any]) -> None:
             if folder:
                 result.write(folder, overwrite=overwrite, progress=progress)
         show(result, voice)
+        located = result.located(folder) if folder else {}
         if folder:
-            voice.tell(f"files: {folder}")
-        voice.answer(result.to_json() | (result.located(folder) if folder else {}))
+            voice.tell(f"files: {located.get('report', folder)}")
+        voice.answer(result.to_json() | located)
 
 
 def show(result: Result, voice: Voice) -> None:
