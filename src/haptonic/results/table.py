@@ -127,6 +127,10 @@ class Table:
             for row in self.rows
         ]
 
+    def labelled(self, origin: str) -> Table:
+        """With a title that says whether its numbers are measured or simulated."""
+        return Table(f"{self.title} ({origin})", self.columns, self.rows, tuple(self.strong))
+
     def to_dataframe(self) -> pd.DataFrame:
         """Raw values in SI units; a value with an error or ends has a column for each."""
         return pd.DataFrame([self._record(row) for row in self.rows])

@@ -47,7 +47,10 @@ def chapter(results: Results) -> Chapter | Absent:
         ),
         findings=(*_findings(result), *_inversion(results, result)),
         pictures=pictures,
-        tables=(*result.tables(), *_published(results, result)),
+        tables=(
+            *(one.labelled("simulated") for one in result.tables()),
+            *_published(results, result),
+        ),
     )
 
 

@@ -46,7 +46,9 @@ def chapter(results: Results) -> Chapter | Absent:
         ),
         findings=tuple(_findings(result)),
         pictures=tuple(pictures),
-        tables=(lines_table(result), modes_table(_nearest(result))),
+        tables=tuple(
+            one.labelled("simulated") for one in (lines_table(result), modes_table(_nearest(result)))
+        ),
     )
 
 
