@@ -197,7 +197,7 @@ class TestWorkers:
         assert isinstance(outcomes[3].error, StudyError)
         assert (tmp_path / "flag 4").exists(), "the worker on task 4 was to die once"
         assert kept(store) == 6
-        assert steps == [(done, 8, False) for done in range(1, 9)]
+        assert steps == [(done, 8, "") for done in range(1, 9)]
         assert capfd.readouterr() == ("", "")
 
         datasets = [outcome.dataset for outcome in outcomes if outcome.dataset is not None]
@@ -372,7 +372,7 @@ class TestInterrupted:
         assert [result(outcome) for outcome in outcomes] == [number**2 for number in range(8)]
 
     def test_a_killed_run_goes_on_where_it_was(self, tmp_path: Path, store: Store) -> None:
-        child = self.start(tmp_path, store, workers=0, until="4 8 False")
+        child = self.start(tmp_path, store, workers=0, until="4 8")
         child.kill()
         child.communicate()
         self.assert_resumed(store)
@@ -380,7 +380,7 @@ class TestInterrupted:
     @pytest.mark.skipif(sys.platform == "win32", reason="no process groups as a terminal makes them")
     @pytest.mark.parametrize("workers", [0, 2])
     def test_ctrl_c_keeps_what_was_done(self, tmp_path: Path, store: Store, workers: int) -> None:
-        child = self.start(tmp_path, store, workers, until="4 8 False")
+        child = self.start(tmp_path, store, workers, until="4 8")
         began = time.monotonic()
         os.killpg(child.pid, signal.SIGINT)
         _, noise = child.communicate(timeout=30)

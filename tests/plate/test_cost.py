@@ -70,7 +70,8 @@ def test_it_is_refused_at_once_or_begun(asked: str, grid: float, rows: int, colu
 
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(compute, "_computed", first_step)
-        patch.setattr(type(study), "_gap", first_step)
+        for analysis in ("plate", "feel"):
+            patch.setattr(f"haptonic.analyses.{analysis}.gap_of_plate", first_step)
         patch.setattr("psutil.virtual_memory", lambda: MEMORY)
         with pytest.raises((ResourceError, KeyboardInterrupt)) as caught:
             ASKS[asked](study)

@@ -28,7 +28,6 @@ from haptonic.results.design.tasks import front_task, look_task
 from haptonic.results.feel.loading import Pad, compute_loaded
 from haptonic.results.plate.compute import compute_plate
 from haptonic.results.plate.question import PlateQuestion
-from haptonic.results.plate.variants import Look, mode_shifts
 from haptonic.store import Store, content_key
 
 MATERIAL = IsotropicMaterial(
@@ -45,7 +44,6 @@ BRIEF = Brief(
 )  # fmt: skip
 QUESTION = PlateQuestion(40e3, 60e3, 11, 1e-2, 2e-3)
 PAD = Pad(10e-3, (0.5, 1.0, 2.0))
-LOOK = Look(40e3, 60e3, "0x3", 2e-3, 1e-2)
 
 
 class FoundError(Exception):
@@ -92,10 +90,6 @@ def loaded_key(plate: Any, pad: Pad, fineness: Any) -> object:
     )  # fmt: skip
 
 
-def shifts_key(plate: Any, look: Look) -> object:
-    return mode_shifts({"as it is": (plate, None)}, "p", look, STORE, {})
-
-
 QUESTIONS: dict[str, tuple[Callable[..., object], tuple[Any, ...], set[str]]] = {
     "gaps": (gaps_key, (FULL, ASKED), set()),
     "bands": (bands_key, (FULL, ASKED), set()),
@@ -104,7 +98,6 @@ QUESTIONS: dict[str, tuple[Callable[..., object], tuple[Any, ...], set[str]]] = 
     "plate": (plate_key, (busy_plate(), QUESTION, COARSE), set()),
     # a damper instead of the plate's own finger
     "loaded": (loaded_key, (busy_plate(), PAD, COARSE), {"finger"}),
-    "shifts": (shifts_key, (busy_plate(), LOOK), set()),
 }
 
 

@@ -203,7 +203,7 @@ class TestDxf:
             assert len(np.unique(points, axis=0)) == 4
 
     def test_only_layers_with_content_are_there(self, tmp_path):
-        names = {layer.dxf.name for layer in self.read(tmp_path, ALL["no pillar"]).layers_settings}
+        names = {layer.dxf.name for layer in self.read(tmp_path, ALL["no pillar"]).layers}
         assert names - {"0", "Defpoints"} == {"PLATE", "CELL"}
 
 

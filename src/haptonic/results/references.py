@@ -109,7 +109,7 @@ class References(Part):
             raise StudyError(
                 argument=f"{path}: {'.'.join(map(str, first['loc']))}", given=shown(first["input"]),
                 allowed=first["msg"], cause="the file of references has another form there",
-                next_step="see docs/analyses.md",
+                next_step="write each value, remark and variant as a table of its own, as the example does",
             ) from None  # fmt: skip
 
     @classmethod
