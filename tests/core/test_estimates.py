@@ -26,7 +26,10 @@ def hertz(cell, plan: MeshPlan, count: int) -> np.ndarray:
     return np.sqrt([eigenpairs(pencil, kappa, count)[0] for kappa in SEEN]) / (2 * np.pi)
 
 
-@pytest.mark.parametrize("number", [4, 9, 13, 15])
+@pytest.mark.parametrize(
+    "number",
+    [9, 15, *(pytest.param(number, marks=pytest.mark.nightly) for number in (4, 13))],  # a minute and more
+)
 def test_what_the_interior_leaves_out_is_told_for_many_bands(number):
     """25 bands, among them those of a pillar that hardly moves the cell's sides."""
     cell, resolution, count = drawn(SEED, number).cell, Resolution(2, 1, 3, 24), 25
@@ -116,7 +119,9 @@ def assert_the_truth_is_within(seed: int, number: int) -> None:
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("number", [6, 7, 8, 10])
+@pytest.mark.parametrize(
+    "number", [7, 10, *(pytest.param(number, marks=pytest.mark.nightly) for number in (6, 8))]
+)
 def test_estimates_hold_for_cheap_designs(number):
     """The benchmark ``estimates_hold`` in small; number 6 was below the truth once."""
     assert_the_truth_is_within(2, number)
