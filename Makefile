@@ -16,7 +16,7 @@ test: $(VENV)/ready-test
 	OMP_NUM_THREADS=1 $(BIN)/pytest -n $(CORES) --dist worksteal -m "not nightly"
 
 nightly: $(VENV)/ready-test
-	OMP_NUM_THREADS=$(CORES) $(BIN)/pytest -m nightly
+	OMP_NUM_THREADS=$(CORES) $(BIN)/pytest -m nightly --hypothesis-profile=anew
 
 # One script per claim; docs/benchmarks.md shows what they measured, with the kernels that OpenBLAS chooses itself.
 bench: $(VENV)/ready-test

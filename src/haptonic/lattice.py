@@ -24,11 +24,12 @@ from haptonic.units import format_quantity
 Array = NDArray[np.float64]
 Operation = tuple[tuple[int, int], tuple[int, int]]
 
-IDENTITY: Operation = ((1, 0), (0, 1))
 HALF_TURN: Operation = ((-1, 0), (0, -1))
 DIAGONAL: Operation = ((0, 1), (1, 0))
 
 SAME = 1e-9  # relative: lengths, and entries of matrices, that differ by less are equal
+# Of the periods of a rectangle: no mesh has a use for more, and its square is far from 1 / SAME.
+MOST_ELONGATED = 1000.0
 LETTERS = {0: "x", 90: "y", 135: "d"}  # names of mirrors, by the angle of their normals in degrees
 
 
@@ -115,7 +116,7 @@ class Lattice:
 
     Raises
     ------
-    GeometryError : a period that is not positive, or one too many or too few
+    GeometryError : a period that is not positive, one too many or too few, or far longer than the other
     """
 
     name: Literal["square", "rectangular", "triangular"] = Field(
@@ -136,6 +137,16 @@ class Lattice:
                 "pitch_y for a rectangular lattice, and for no other",
                 "the second period was left out" if missing else f"a {self.name} lattice has one period only",
                 'add pitch_y = "7 mm"' if missing else 'remove pitch_y, or write lattice = "rectangular"',
+                at="pitch_y",
+            )
+        if self.pitch_y is not None and (
+            max(self.pitch, self.pitch_y) > MOST_ELONGATED * min(self.pitch, self.pitch_y)
+        ):
+            raise problem(
+                format_quantity(self.pitch_y, "m"),
+                f"periods whose ratio is at most {MOST_ELONGATED:g}",
+                f"the other period is {format_quantity(self.pitch, 'm')}",
+                "check the units of pitch and pitch_y",
                 at="pitch_y",
             )
 
@@ -216,16 +227,20 @@ class Lattice:
         return float(abs(np.linalg.det(self.vectors)))
 
     @cached_property
-    def neighbours(self) -> tuple[tuple[int, int], ...]:
-        """Translations across the sides of the cell, anticlockwise from the lowest side."""
-        return voronoi_cell(self.vectors)[0]
-
-    @cached_property
-    def corners(self) -> Array:
-        """(sides, 2) corners of the cell about the origin, m, each at the beginning of its side."""
-        return voronoi_cell(self.vectors)[1]
+    def _cell(self) -> tuple[tuple[tuple[int, int], ...], Array]:
+        return voronoi_cell(self.vectors)
 
     @property
+    def neighbours(self) -> tuple[tuple[int, int], ...]:
+        """Translations across the sides of the cell, anticlockwise from the lowest side."""
+        return self._cell[0]
+
+    @property
+    def corners(self) -> Array:
+        """(sides, 2) corners of the cell about the origin, m, each at the beginning of its side."""
+        return self._cell[1]
+
+    @cached_property
     def inradius(self) -> float:
         """Distance from the centre of the cell to its nearest side, m."""
         return float(0.5 * np.linalg.norm(np.array(self.neighbours) @ self.vectors, axis=1).min())

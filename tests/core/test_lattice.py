@@ -97,3 +97,17 @@ def test_a_mirror_turns_its_normal_over(lattice):
         angle = np.radians(90) if name == "y" else angle
         normal = np.array([np.cos(angle), np.sin(angle), 0.0])
         assert group.turn(op) @ normal == pytest.approx(-normal, abs=1e-9)
+
+
+@given(pitches, st.floats(-12, 12).map(lambda power: 10.0**power))
+def test_a_rectangle_has_four_sides_and_four_operations_or_is_refused(pitch, ratio):
+    if not 1e-3 < ratio < 1e3:
+        with pytest.raises(GeometryError, match=r"cell\.pitch_y: "):
+            Lattice.rectangular(pitch, ratio * pitch)
+        return
+    lattice = Lattice.rectangular(pitch, ratio * pitch)
+    assert len(lattice.neighbours) == 4
+    assert len(lattice.point_group) == 4
+    assert lattice.corners == pytest.approx(
+        0.5 * np.array([(-1, -1), (1, -1), (1, 1), (-1, 1)]) * [pitch, ratio * pitch], rel=1e-9
+    )

@@ -25,7 +25,9 @@ tables = st.fixed_dictionaries(
 
 @st.composite
 def studies(draw):
-    pitch, pitch_y = draw(lengths), draw(st.none() | lengths)
+    pitch = draw(lengths)
+    ratio = draw(st.none() | st.floats(1.01e-3, 0.99e3))
+    pitch_y = ratio and min(max(ratio * pitch, 1e-9), 1e3)
     cell = {"pitch": pitch, "thickness": draw(lengths), "lattice": "rectangular" if pitch_y else "square"}
     if pitch_y:
         cell["pitch_y"] = pitch_y

@@ -7,15 +7,17 @@ from dataclasses import replace
 from functools import cached_property
 from typing import Annotated
 
+import numpy as np
 from pydantic import Field
 
 from haptonic.brillouin import IrreducibleZone
 from haptonic.cell.pillar import Pillar
 from haptonic.errors import GeometryError
 from haptonic.fields import INLINE, TOP, described, numbers, problem, size, with_numbers
-from haptonic.lattice import HALF_TURN, Lattice, PointGroup
+from haptonic.lattice import Lattice, PointGroup
 from haptonic.materials import GIVEN, Material, is_symmetry
 
+TURNED = np.diag([-1.0, -1.0, 1.0])  # half a turn about the normal
 SHEET = 0.08  # thickness, in half pitches, below which a plate is thin
 SHEET_CLEARANCE = 3.0  # and so narrow a neck, in thicknesses, that it is none
 LEAST_CLEARANCE = 0.01  # of the pitch, between a pillar and the nearest side of its cell
@@ -43,7 +45,8 @@ class UnitCell:
     )
 
     def __post_init__(self) -> None:
-        if HALF_TURN not in self.point_group:
+        # lattices and outlines always have it; the rest of the group is left until it is asked for
+        if not is_symmetry(self.material.stiffness, TURNED):
             raise problem(
                 self.material.name,
                 "a material that half a turn about the plate's normal leaves as it is",
