@@ -25,7 +25,7 @@ from record import ROOT, write
 from threadpoolctl import threadpool_limits
 
 sys.path.insert(0, str(ROOT / "tests" / "core"))
-from truth import KINDS, STOUT_FROM, Drawn, Truth, drawn, truth, wavevectors
+from truth import KINDS, STOUT_FROM, Drawn, Truth, drawn, foreseen, truth, wavevectors
 
 from haptonic.bloch.model import REST, bloch_model
 from haptonic.errors import HaptonicError
@@ -103,18 +103,24 @@ def compare(row: Row, frequency: Array, error: Array, exact: Truth) -> None:
     )
 
 
+def found_truth(question: Drawn) -> tuple[Truth | None, float]:
+    start = time.process_time()
+    with threadpool_limits(1):
+        return truth(question), time.process_time() - start
+
+
 def reference(question: Drawn, kept: Path) -> tuple[Truth | None, float]:
-    """The truth of a question, computed once, and the seconds of the processor that it took."""
+    """The truth of a question, computed once, and the seconds of the processor that it took.
+
+    That there is none is kept as well, so that what no mesh fits is not tried at every run.
+    """
     if not kept.exists():
-        start = time.process_time()
-        with threadpool_limits(1):
-            exact = truth(question)
-        if exact is None:
-            return None, time.process_time() - start
-        np.savez(kept, **asdict(exact), seconds=time.process_time() - start)
+        exact, seconds = within(REFERENCE_LIMIT, found_truth, question) or (None, REFERENCE_LIMIT)
+        lacking = Truth(np.empty((0, 0)), np.empty((0, 0)), "none")
+        np.savez(kept, **asdict(exact or lacking), seconds=seconds)
     with np.load(kept) as stored:
         exact = Truth(stored["frequency"], stored["uncertainty"], str(stored["route"]))
-        return exact, float(stored["seconds"])
+        return exact if exact.frequency.size else None, float(stored["seconds"])
 
 
 def _sent(pipe: Connection, limit: int, work: Callable[..., Any], *given: Any) -> None:
@@ -183,6 +189,11 @@ def of_class(rows: list[Row], name: str) -> dict[str, Any]:
     }
 
 
+def kept(seed: int, number: int) -> Path:
+    """Where the reference of a design is kept."""
+    return FOLDER / f"{seed}-{number}.npz"
+
+
 def row_of(seed: int, number: int, limit: float) -> Row:
     """One design asked and judged."""
     question = drawn(seed, number)
@@ -195,24 +206,38 @@ def row_of(seed: int, number: int, limit: float) -> Row:
     if answer.refusal:
         row.outcome = f"refused: {answer.refusal}"
         return row
-    found = within(REFERENCE_LIMIT, reference, question, FOLDER / f"{seed}-{number}.npz")
-    exact, row.reference_seconds = found or (None, REFERENCE_LIMIT)
+    exact, row.reference_seconds = reference(question, kept(seed, number))
     if exact is None:
-        row.outcome = "no reference: too large"
+        row.outcome = "no reference: too large, or longer than it may take"
         return row
     compare(row, answer.frequency, answer.error, exact)
     return row
+
+
+def numbers(count: int, stout: int, seed: int) -> list[int]:
+    """Of the designs, those first whose references are foreseen to take least: a run may be stopped."""
+    all_of_them = (*range(count), *range(STOUT_FROM, STOUT_FROM + stout))
+    return sorted(all_of_them, key=lambda number: foreseen(drawn(seed, number)))
+
+
+def references(count: int, stout: int, seed: int) -> None:
+    """Compute and keep what answers are judged by, for any later version of the product."""
+    FOLDER.mkdir(parents=True, exist_ok=True)
+    for number in numbers(count, stout, seed):
+        question = drawn(seed, number)
+        exact, seconds = reference(question, kept(seed, number))
+        route = "none" if exact is None else exact.route
+        print(
+            f"{number} {question.kind} {question.count} {question.accuracy:g}: {route}, {seconds:.0f} s",
+            flush=True,
+        )
 
 
 def main(count: int, stout: int, seed: int, limit: float, remark: str) -> None:
     FOLDER.mkdir(parents=True, exist_ok=True)
     path = FOLDER / "designs.csv"
     done = {(row.seed, row.number) for row in read(path)}
-    apart = range(STOUT_FROM, STOUT_FROM + stout)
-    every = max(count // max(stout, 1), 1)  # so that a run that is stopped has seen every class
-    for number in sorted(
-        (*range(count), *apart), key=lambda n: every * (n - STOUT_FROM) if n in apart else n
-    ):
+    for number in numbers(count, stout, seed):
         if (seed, number) in done:
             continue
         row = row_of(seed, number, limit)
@@ -253,5 +278,11 @@ if __name__ == "__main__":
         "--limit", type=float, default=90.0, help="seconds of the processor that a design gets"
     )
     parser.add_argument("--remark", default="", help="what a reader of the record has to know")
+    parser.add_argument(
+        "--references", action="store_true", help="only compute what answers are judged by, and keep it"
+    )
     given = parser.parse_args()
-    main(given.designs, given.stout, given.seed, given.limit, given.remark)
+    if given.references:
+        references(given.designs, given.stout, given.seed)
+    else:
+        main(given.designs, given.stout, given.seed, given.limit, given.remark)

@@ -19,6 +19,7 @@ from haptonic.bloch.centred import CentredPencil
 from haptonic.bloch.model import REST
 from haptonic.bloch.pencil import eigenpairs
 from haptonic.bloch.plate_waves import PlainPlate
+from haptonic.bloch.resolution import Resolution
 from haptonic.cell import MeshPlan, Pillar, UnitCell
 from haptonic.cell.pillar import Step
 from haptonic.errors import GeometryError
@@ -125,9 +126,8 @@ def truth(question: Drawn) -> Truth | None:
     if cell.pillar is None:
         exact = np.array([plain_plate(cell, kappa, count) for kappa in wavevectors(cell)])
         return Truth(exact, 1e-8 * exact, "Rayleigh-Lamb")
-    meshes = next(meshes for least, meshes in MESHES.items() if question.accuracy >= least)
     before, found = None, None
-    for turn, (order, rings) in enumerate(meshes):
+    for turn, (order, rings) in enumerate(_meshes(question.accuracy)):
         plans = [MeshPlan.suited(cell, order, fewer, count) for fewer in range(rings, 0, -1)]
         if cell.pillar.fillet:  # there is no edge at the foot
             plans = plans[-1:]
@@ -148,6 +148,18 @@ def truth(question: Drawn) -> Truth | None:
                 break
         before = frequency, plan.foot_rings
     return found
+
+
+def foreseen(question: Drawn) -> float:
+    """Processor time of a truth as it is foreseen, s, for want of a better measure by the product."""
+    if question.cell.pillar is None:
+        return 0.0
+    used = [Resolution(*mesh, STEPS, BLOCK).for_bands(question.count) for mesh in _meshes(question.accuracy)]
+    return sum(resolution.seconds(question.cell) for resolution in used)
+
+
+def _meshes(accuracy: float) -> tuple[tuple[int, int], ...]:
+    return next(meshes for least, meshes in MESHES.items() if accuracy >= least)
 
 
 def _unknowns(cell: UnitCell, plan: MeshPlan) -> int:
