@@ -28,6 +28,7 @@ sys.path.insert(0, str(ROOT / "tests" / "core"))
 from truth import KINDS, STOUT_FROM, Drawn, Truth, drawn, foreseen, truth, wavevectors
 
 from haptonic.bloch.model import REST, bloch_model
+from haptonic.bloch.resolution import check_start
 from haptonic.errors import HaptonicError
 
 Array = NDArray[np.float64]
@@ -233,12 +234,24 @@ def references(count: int, stout: int, seed: int) -> None:
         )
 
 
-def main(count: int, stout: int, seed: int, limit: float, remark: str) -> None:
+def refused_at_once(question: Drawn) -> bool:
+    try:
+        check_start(question.cell, question.count, question.accuracy)
+    except HaptonicError:
+        return True
+    return False
+
+
+def main(count: int, stout: int, seed: int, limit: float, stored: bool, remark: str) -> None:
     FOLDER.mkdir(parents=True, exist_ok=True)
     path = FOLDER / "designs.csv"
     done = {(row.seed, row.number) for row in read(path)}
+    not_run: list[int] = []
     for number in numbers(count, stout, seed):
         if (seed, number) in done:
+            continue
+        if stored and not kept(seed, number).exists() and not refused_at_once(drawn(seed, number)):
+            not_run.append(number)
             continue
         row = row_of(seed, number, limit)
         append(path, row)
@@ -262,6 +275,8 @@ def main(count: int, stout: int, seed: int, limit: float, remark: str) -> None:
         {
             "seed": seed,
             "limit_s": limit,
+            "drawn": count + stout,
+            "not_run": sorted(not_run),
             "rows": [*classes, of_class(rows, "all")],
             "not_answered": reasons,
             "remark": remark,
@@ -281,8 +296,11 @@ if __name__ == "__main__":
     parser.add_argument(
         "--references", action="store_true", help="only compute what answers are judged by, and keep it"
     )
+    parser.add_argument(
+        "--stored", action="store_true", help="leave out designs that have no reference yet, and say which"
+    )
     given = parser.parse_args()
     if given.references:
         references(given.designs, given.stout, given.seed)
     else:
-        main(given.designs, given.stout, given.seed, given.limit, given.remark)
+        main(given.designs, given.stout, given.seed, given.limit, given.stored, given.remark)

@@ -48,6 +48,19 @@ def test_narrow_necks_are_refused_before_anything_is_condensed(thickness, diamet
             assert check_cost(cell, first, float(named))
 
 
+@given(st.floats(0.05, 0.4), st.floats(0.2, 0.9), st.floats(0.3, 3.0), st.sampled_from([2e-3, 1e-2]))
+@settings(max_examples=8)
+def test_what_fits_at_its_first_mesh_alone_is_refused_before_it(thickness, diameter, height, accuracy):
+    """The first mesh does not always reach an accuracy: half a minute was spent on it, and then refused."""
+    cell = cell_of(thickness, diameter, height)
+    first = first_rung(cell, accuracy)
+    alone, after = (rung.for_bands(10).seconds(cell) for rung in LADDER[first : first + 2])
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(BlochModel, "of", lambda *_, **__: pytest.fail("a mesh was condensed"))
+        patch.setattr(resolution, "LONGEST", alone + 0.5 * after)
+        assert "for lower ones" in refusal(cell, 10, accuracy).cause
+
+
 @pytest.mark.nightly
 @pytest.mark.xfail(reason="order 4 tells 1 to 2 % for slender pillars on plates of 0.1 to 0.15 pitches")
 @given(st.floats(0.1, 0.3), st.floats(0.3, 0.9), st.floats(0.5, 2.0))

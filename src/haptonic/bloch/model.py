@@ -20,6 +20,7 @@ from haptonic.bloch.resolution import (
     SHARED,
     Resolution,
     check_cost,
+    check_start,
     check_thickness,
     first_rung,
 )
@@ -314,6 +315,8 @@ def candidate_models(
     """
     what = {"measured": not gaps_only, "many": not gaps_only}
     check_thickness(cell)
+    if resolution is None:
+        check_start(cell, count, accuracy)
     spent, reached, refused, grown = 0.0, math.inf, None, 0
     for rung in LADDER[first_rung(cell, accuracy) :] if resolution is None else (resolution,):
         tried = rung.for_bands(count)

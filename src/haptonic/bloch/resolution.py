@@ -157,7 +157,10 @@ def first_rung(cell: UnitCell, accuracy: float) -> int:
     """The rung that an accuracy (relative) is tried on first for a cell.
 
     Between pillars that nearly touch on a thin plate the rungs told 1.3 to 1.8 times what they do elsewhere.
+    Of a plain plate order 3 told 3 to 8 %, whatever was asked: its lower order has parabolas for plate waves.
     """
+    if cell.pillar is None:
+        return max(starting_rung(accuracy), 1)
     narrow = cell.thickness < THIN_PLATE * cell.inradius and cell.clearance < cell.thickness
     return min(starting_rung(accuracy) + narrow, len(LADDER) - 1)
 
@@ -221,6 +224,7 @@ def check_cost(
         f"need about {memory / 1e9:.1f} GB, and {free / 1e9:.1f} GB are free"
         if too_large
         else f"take about {needed:.0f} s of processor time for this cell"
+        + (f", after {spent:.0f} s for lower ones" if spent else "")
     )
     raise ResourceError(
         argument="bands.accuracy",
@@ -235,6 +239,17 @@ def check_cost(
         else "ask for fewer bands, or choose a thicker plate, a wider gap between the pillars, or a stouter "
         "pillar",
     )
+
+
+def check_start(cell: UnitCell, count: int, accuracy: float) -> None:
+    """Refuse before anything is condensed what would most likely be refused afterwards.
+
+    The first rung is tried for an accuracy, and does not always reach it: so the one after has to fit as
+    well. A plain plate has no edge, and the first was enough for it.
+    """
+    first, spent = first_rung(cell, accuracy), 0.0
+    for rung in LADDER[first : first + (1 if cell.pillar is None else 2)]:
+        spent += check_cost(cell, rung.for_bands(count), accuracy, spent)
 
 
 def _rounded_up(value: float) -> float:
