@@ -43,6 +43,7 @@ class Row:
     """One design: what was asked, what came out; errors are relative, seconds are the processor's.
 
     unsure : largest uncertainty of a reference, as a share of the estimate that it judges
+    unjudged : frequencies of which the reference is less sure than the estimate; the ratios leave them out
     """
 
     seed: int
@@ -61,6 +62,7 @@ class Row:
     largest_error: float = float("nan")
     largest_estimate: float = float("nan")
     unsure: float = float("nan")
+    unjudged: int = 0
     route: str = ""
 
 
@@ -94,7 +96,9 @@ def compare(row: Row, frequency: Array, error: Array, exact: Truth) -> None:
     moving = exact.frequency > 2 * REST * exact.frequency.max()
     true, unsure = np.abs(frequency - exact.frequency)[moving], exact.uncertainty[moving]
     error, yardstick = error[moving], exact.frequency[moving]
-    ratio = error / np.maximum(true, unsure)
+    sure = unsure < error
+    ratio = (error / np.maximum(true, unsure))[sure]
+    row.unjudged = int((~sure).sum())
     row.route, row.frequencies, row.unsure = exact.route, true.size, float((unsure / error).max())
     row.below = int((error < true - unsure).sum())
     row.least_ratio, row.median_ratio = float(ratio.min()), float(np.median(ratio))
@@ -178,6 +182,7 @@ def of_class(rows: list[Row], name: str) -> dict[str, Any]:
         "too_long": sum(row.outcome.startswith("longer") for row in rows),
         "no_reference": sum(row.outcome.startswith("no reference") for row in rows),
         "frequencies": sum(row.frequencies for row in good),
+        "unjudged": sum(row.unjudged for row in good),
         "below_true": sum(row.below for row in good),
         "least_ratio": min((row.least_ratio for row in good), default=None),
         "median_ratio": float(np.median(ratios)) if ratios else None,
