@@ -28,7 +28,7 @@ sys.path.insert(0, str(ROOT / "tests" / "core"))
 from truth import KINDS, STOUT_FROM, Drawn, Truth, drawn, foreseen, truth, wavevectors
 
 from haptonic.bloch.model import REST, bloch_model
-from haptonic.bloch.resolution import check_start
+from haptonic.bloch.resolution import check_start, started
 from haptonic.errors import HaptonicError
 
 Array = NDArray[np.float64]
@@ -221,9 +221,14 @@ def row_of(seed: int, number: int, limit: float) -> Row:
 
 
 def numbers(count: int, stout: int, seed: int) -> list[int]:
-    """Of the designs, those first whose references are foreseen to take least: a run may be stopped."""
-    all_of_them = (*range(count), *range(STOUT_FROM, STOUT_FROM + stout))
-    return sorted(all_of_them, key=lambda number: foreseen(drawn(seed, number)))
+    """Of the designs, those first that are foreseen to take least: a run may be stopped."""
+
+    def seconds(number: int) -> float:
+        question = drawn(seed, number)
+        tried = started(question.cell, question.count, question.accuracy)
+        return foreseen(question) + sum(one.seconds(question.cell) for one in tried)
+
+    return sorted((*range(count), *range(STOUT_FROM, STOUT_FROM + stout)), key=seconds)
 
 
 def references(count: int, stout: int, seed: int) -> None:

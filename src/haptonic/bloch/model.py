@@ -213,8 +213,11 @@ class BlochModel:
         distance = np.abs(_hertz(eigenpairs(self.coarse, kappa, count + ABOVE)[0]) - frequency)
         # a band may come out alike in both by chance, hence a share of what others are apart
         moving = frequency > REST * self.highest
-        shared = np.divide(distance, frequency, out=np.zeros_like(distance), where=moving)[moving].mean()
-        error = self.resolution.remaining(self.cell) * (distance + SHARED * shared * frequency)
+        relative = np.divide(distance, frequency, out=np.zeros_like(distance), where=moving)
+        error = self.resolution.remaining(self.cell) * (
+            distance + SHARED * relative[moving].mean() * frequency
+        )
+        error += self.resolution.unresolved(self.cell) * distance * relative
         error += self._lost(values, fields) + frequency * self.fine.projection_error
         error += self.fine.rounding / (8 * np.pi**2 * np.maximum(frequency, REST * self.highest))
         error = _ranked(frequency, error)
