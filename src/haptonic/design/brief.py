@@ -13,6 +13,8 @@ from scipy.optimize import minimize
 from haptonic.cell import UnitCell
 from haptonic.design.parameters import values_of
 from haptonic.errors import StudyError
+from haptonic.fields import unchecked
+from haptonic.lattice import FURTHER
 from haptonic.materials import IsotropicMaterial
 
 Array = NDArray[np.float64]
@@ -117,7 +119,9 @@ class Brief:
 
     def _of_shape(self, own: Mapping[str, float]) -> dict[str, float]:
         """What makes a body of the pillar, and keeps it on its cell."""
-        pitch = min(own["cell.pitch"], own.get("cell.pitch_y", np.inf))
+        given = self.cell.lattice
+        lengths = {name: own[f"cell.{name}"] for name in ("pitch", *FURTHER[given.name])}
+        pitch = 2 * unchecked(given, **lengths).inradius  # from side to side where the cell is narrowest
         draft, fillet = own["cell.pillar.draft"], own.get("cell.pillar.fillet", 0.0)
         diameter, height = own["cell.pillar.diameter"], own["cell.pillar.height"]
         lower, upper = (
