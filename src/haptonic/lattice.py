@@ -172,13 +172,10 @@ class Lattice:
                 "check their units",
                 at=[*FURTHER[self.name], "pitch"][0],
             )
-        if self.name not in ("centred", "oblique"):
-            return
-        sides = np.linalg.norm(self.corners - np.roll(self.corners, 1, axis=0), axis=1)
-        if len(sides) == 4 or sides.min() < LEAST_SIDE * self.inradius:
+        if self.shortest_side < LEAST_SIDE:
             raise problem(
-                f"{self.name} with sides of the cell from {format_quantity(float(sides.min()), 'm')}",
-                f"six sides, none shorter than {LEAST_SIDE:g} of the distance from the centre to the nearest",
+                f"{self.name}, a side of its cell {self.shortest_side:.2g} of the circle within",
+                f"six sides, none shorter than {LEAST_SIDE:g} of the radius of the circle within",
                 "its points nearly stand in rectangles, and so short a side cannot be meshed",
                 'change a size by a thousandth, or write lattice = "square" or "rectangular"',
                 at="lattice",
@@ -275,6 +272,17 @@ class Lattice:
     def inradius(self) -> float:
         """Distance from the centre of the cell to its nearest side, m."""
         return float(0.5 * np.linalg.norm(np.array(self.neighbours) @ self.vectors, axis=1).min())
+
+    @cached_property
+    def shortest_side(self) -> float:
+        """Of the cell, over the radius of the circle within; 0 where a cell meant to have six has four.
+
+        Infinite for lattices whose cells have no short side whatever their sizes.
+        """
+        if self.name not in ("centred", "oblique"):
+            return math.inf  # of theirs none can be next to nothing
+        sides = np.linalg.norm(self.corners - np.roll(self.corners, 1, axis=0), axis=1)
+        return float(sides.min() / self.inradius) if len(sides) == 6 else 0.0
 
     @cached_property
     def point_group(self) -> PointGroup:
