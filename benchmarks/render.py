@@ -168,7 +168,7 @@ def estimates(record: dict[str, Any]) -> str:
     answered = record["rows"][-1]["answered"]
     few = (
         f" Of {record['drawn']} designs drawn {record['refused_at_once']} were refused within 2 s; "
-        f"{len(record['not_run'])}, foreseen to take longest, were not run."
+        f"{len(record['not_run'])} were not run."
     )
     if answered < WHOLE_SAMPLE:
         few += (
