@@ -16,8 +16,9 @@ from haptonic.bloch import Resolution, bands_dataset
 from haptonic.bloch.layers import OUTGOING
 from haptonic.bloch.mirrors import PHASES, Incidence
 from haptonic.bloch.plate_waves import FAMILIES
+from haptonic.bloch.settings import BandSettings, MeshSettings
 from haptonic.report import Results
-from haptonic.results import Asked, Guides, Layers, Runner, compute_guides, compute_layers
+from haptonic.results import Guides, Layers, Runner, compute_guides, compute_layers
 from haptonic.results.bands import Bands
 from haptonic.results.common import stamped
 from haptonic.results.layers import Question
@@ -133,7 +134,7 @@ def made_up_tolerance(paths: tuple[str, ...], margin: float = 500.0) -> xr.Datas
 @cache
 def _reference_mirror() -> tuple[Layers, Guides]:
     study = reference_study()
-    cell, carrier, asked = study.cell, need_carrier(study), Asked(8, 13, 2e-2, Resolution(3, 1))
+    cell, carrier, asked = study.cell, need_carrier(study), BandSettings(8, 13, 2e-2, MeshSettings(3, 1))
     with tempfile.TemporaryDirectory() as folder:
         runner = Runner(Store(Path(folder)))
         layers = compute_layers(

@@ -11,17 +11,18 @@ from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
 from haptonic.bloch import Gap, Resolution, gaps_of
+from haptonic.bloch.settings import BandSettings, MeshSettings
 from haptonic.cell import Pillar, Step, UnitCell
 from haptonic.design import quick, search
-from haptonic.design.brief import LEAST_GAP, Brief, Finger
+from haptonic.design.brief import LEAST_GAP, Brief
 from haptonic.design.parameters import values_of
 from haptonic.design.quick import QuickDesign
 from haptonic.design.search import Column, Visited, climb, spread, starts_of
+from haptonic.design.settings import DesignLimits
 from haptonic.errors import ResourceError, StudyError
 from haptonic.lattice import Lattice
 from haptonic.materials import IsotropicMaterial, material
 from haptonic.results import Runner, compute_design
-from haptonic.results.common import Asked
 from haptonic.results.design import refusals, tasks
 from haptonic.results.design.search import _rounded
 from haptonic.store import Store
@@ -38,12 +39,18 @@ PATHS = ("cell.pitch", "cell.thickness", "cell.pillar.diameter", HEIGHT)
 def brief_of(cell, bounds=None, carrier=60e3, **limits):
     if bounds is None:
         bounds = {path: (0.8 * values_of(cell)[path], 1.2 * values_of(cell)[path]) for path in PATHS}
-    return Brief(cell, carrier, 8, bounds, **limits)
+    return Brief(cell, carrier, 8, bounds, DesignLimits(**limits))
 
 
 class TestLimits:
     everything = brief_of(
-        ALL, slenderness=4.0, tool=2 * MM, reach=10 * MM, finger=Finger(1.0, 60 * MM, 20e-6)
+        ALL,
+        slenderness=4.0,
+        tool=2 * MM,
+        reach=10 * MM,
+        finger_force=1.0,
+        finger_span=60 * MM,
+        finger_deflection=20e-6,
     )
 
     def room(self, **changes):
@@ -301,7 +308,7 @@ class TestStarts:
 
 
 CHEAP = Resolution(2, 1)
-ASKED = Asked(8, 3, 0.02, Resolution(3, 1))
+ASKED = BandSettings(8, 8, 0.02, MeshSettings(3, 1))
 
 
 @pytest.fixture
@@ -331,7 +338,7 @@ def glass(carrier=40e3, start=(2.0, 10.0, 0.7), slenderness=16.0):
         HEIGHT: (3 * MM, 30 * MM),
         "cell.thickness": (0.3 * MM, 1.5 * MM),
     }
-    return Brief(cell, carrier, 8, bounds, slenderness=slenderness)
+    return Brief(cell, carrier, 8, bounds, DesignLimits(slenderness=slenderness))
 
 
 def drawn(seed):
@@ -343,7 +350,9 @@ def drawn(seed):
     cell = UnitCell(
         Lattice.square(pitch), rng.uniform(0.1, 0.2) * pitch, stuff, Pillar(0.5 * pitch, 2.0 * pitch)
     )
-    brief = Brief(cell, rng.uniform(0.06, 0.16) * shear / pitch, 8, bounds, slenderness=rng.uniform(4, 12))
+    brief = Brief(
+        cell, rng.uniform(0.06, 0.16) * shear / pitch, 8, bounds, DesignLimits(slenderness=rng.uniform(4, 12))
+    )
     return replace(brief, cell=brief.at(brief.feasible(rng.random(2))))
 
 

@@ -37,7 +37,7 @@ def compute(study: Description, options: NoOptions, runner: Runner) -> Layers:
             next_step="give both layers.lowest and layers.highest",
         )
     found: Layers = compute_layers(
-        study.cell, study.asked(), question, carrier=carrier, inputs=study.inputs(), runner=runner
+        study.cell, study.bands_settings, question, carrier=carrier, inputs=study.inputs(), runner=runner
     )
     return found
 

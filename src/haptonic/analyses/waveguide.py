@@ -10,8 +10,8 @@ from haptonic.errors import StudyError
 from haptonic.fields import remade
 from haptonic.results.guides import Guides, compute_guides
 from haptonic.results.runner import Runner
-from haptonic.study.asking import WaveguideSection
 from haptonic.study.schema import Description
+from haptonic.study.settings import WaveguideSettings
 from haptonic.units import shown
 
 
@@ -22,7 +22,7 @@ class WaveguideOptions:
     mode: str | None = option(None, "Nodal lines across, intervals along; else the study's.", metavar="MxN")
 
 
-def asked(study: Description, options: WaveguideOptions) -> WaveguideSection:
+def asked(study: Description, options: WaveguideOptions) -> WaveguideSettings:
     """What the study asks for, with the mode that was chosen.
 
     Raises
@@ -53,7 +53,7 @@ def compute(study: Description, options: WaveguideOptions, runner: Runner) -> Gu
     """
     section = asked(study, options)
     found: Guides = compute_guides(
-        study.cell, study.asked(), carrier=need_carrier(study), mode=section.nodal_lines,
+        study.cell, study.bands_settings, carrier=need_carrier(study), mode=section.nodal_lines,
         width=section.width, rows=section.rows, ends=section.ends, inputs=study.inputs(), runner=runner,
     )  # fmt: skip
     return found

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 from haptonic.cell import UnitCell
-from haptonic.fields import table
+from haptonic.fields import OfNumber, described, table
 
 UNITS = {
     path: key.unit
@@ -11,6 +13,21 @@ UNITS = {
     if key.quantity and path != "material.loss_factor"  # the bands are those without loss
 }
 """Every number of a cell that its bands depend on, and its SI unit; the material's come last."""
+
+
+@described("")
+class OfCell(OfNumber):
+    """A value about one number of the cell."""
+
+    @classmethod
+    def unit_of(cls, path: str) -> str | None:
+        """SI unit of a number of the cell; None of any other."""
+        return UNITS.get(path)
+
+    @classmethod
+    def known(cls) -> Sequence[str]:
+        """Paths of the numbers of a cell."""
+        return tuple(UNITS)
 
 
 def values_of(cell: UnitCell) -> dict[str, float]:

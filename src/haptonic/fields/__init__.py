@@ -4,8 +4,20 @@ from haptonic.fields.described import described, extended, remade, unchecked
 from haptonic.fields.entries import Entries
 from haptonic.fields.keys import Key, leaves, table
 from haptonic.fields.numbers import numbers, with_numbers
+from haptonic.fields.of_number import Bounded, OfNumber, ascending, once
 from haptonic.fields.placing import INLINE, TOP, Named, Placed
-from haptonic.fields.quantity import FROM_FILE, LARGEST, SMALLEST, Name, Quantity, number_of, problem, size
+from haptonic.fields.quantity import (
+    FROM_FILE,
+    LARGEST,
+    SMALLEST,
+    Frequency,
+    Length,
+    Name,
+    Quantity,
+    number_of,
+    problem,
+    size,
+)
 from haptonic.fields.reading import read
 
 __all__ = [
@@ -14,17 +26,23 @@ __all__ = [
     "LARGEST",
     "SMALLEST",
     "TOP",
+    "Bounded",
     "Entries",
+    "Frequency",
     "Key",
+    "Length",
     "Name",
     "Named",
+    "OfNumber",
     "Placed",
     "Quantity",
+    "ascending",
     "described",
     "extended",
     "leaves",
     "number_of",
     "numbers",
+    "once",
     "problem",
     "read",
     "remade",

@@ -67,8 +67,8 @@ def arranged(
                 keys = [one.key for one in slots(below) if one.key in own]
                 if keys or complete:
                     own[slot.key] = {key: own.pop(key) for key in keys}
-            elif isinstance(value, Mapping):
-                own[slot.key] = arranged(below, {**moved, **value}, top)
+            elif isinstance(value, Mapping) or (moved and not slot.field.is_required()):
+                own[slot.key] = arranged(below, {**moved, **(value or {})}, top)
             elif isinstance(value, list | tuple):
                 own[slot.key] = [
                     arranged(below, one, top) if isinstance(one, Mapping) else one for one in value

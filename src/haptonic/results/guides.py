@@ -19,9 +19,10 @@ from haptonic.bloch.guide import Ends, Guide, GuidedMode, Wall, along_strip, str
 from haptonic.bloch.layers import Interface
 from haptonic.bloch.model import bloch_model
 from haptonic.bloch.plate_waves import PlainPlate
+from haptonic.bloch.settings import BandSettings
 from haptonic.cell import UnitCell
 from haptonic.errors import StudyError
-from haptonic.results.common import Asked, stamped
+from haptonic.results.common import stamped
 from haptonic.results.result import Result, figure
 from haptonic.results.runner import Runner
 from haptonic.results.table import Column, Table
@@ -143,7 +144,7 @@ class Guides(Result):
 @threadpool_limits.wrap(limits=1)  # these matrices are too small for threads inside the linear algebra
 def compute_guides(
     cell: UnitCell,
-    asked: Asked,
+    settings: BandSettings,
     *,
     carrier: float,
     mode: tuple[int, int],
@@ -166,8 +167,8 @@ def compute_guides(
     ------
     StudyError : no complete gap around the carrier, or no such waveguide
     """
-    gap = need_gap_at(runner.gaps(cell, asked), carrier)
-    superelement = bloch_model(cell, asked.count, asked.accuracy, asked.resolution).fine.superelement
+    gap = need_gap_at(runner.gaps(cell, settings), carrier)
+    superelement = bloch_model(cell, settings.count, settings.accuracy, settings.resolution).fine.superelement
     across, along = mode
     period = float(np.linalg.norm(cell.lattice.vectors[1]))
     plate = PlainPlate.of(cell, superelement.levels)

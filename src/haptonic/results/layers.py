@@ -28,11 +28,12 @@ from haptonic.bloch.mirrors import (
 )
 from haptonic.bloch.model import bloch_model
 from haptonic.bloch.plate_waves import FAMILIES
+from haptonic.bloch.settings import BandSettings
 from haptonic.cell import UnitCell
 from haptonic.errors import StudyError
 from haptonic.gate import WORD
 from haptonic.jobs import Task
-from haptonic.results.common import Asked, no_nan, stamped
+from haptonic.results.common import no_nan, stamped
 from haptonic.results.result import Result, figure
 from haptonic.results.runner import Runner
 from haptonic.results.table import Table
@@ -207,7 +208,7 @@ def layer_tasks(points: int) -> int:
 @threadpool_limits.wrap(limits=1)  # these matrices are too small for threads inside the linear algebra
 def compute_layers(
     cell: UnitCell,
-    asked: Asked,
+    settings: BandSettings,
     question: Question,
     *,
     carrier: float,
@@ -228,9 +229,9 @@ def compute_layers(
             cause="rows of plain plate between two plain plates reflect nothing",
             next_step="add a [cell.pillar] table",
         )
-    gaps = runner.gaps(cell, asked)
+    gaps = runner.gaps(cell, settings)
     gap = gap_at(gaps, carrier) or widest_gap(gaps)
-    resolution = bloch_model(cell, asked.count, asked.accuracy, asked.resolution).resolution
+    resolution = bloch_model(cell, settings.count, settings.accuracy, settings.resolution).resolution
     chunks = np.array_split(question.frequencies, layer_tasks(question.points) - 1)
     fixed = {"incidence": question.incidence, "cell": cell, "resolution": resolution}
     tasks = [

@@ -9,9 +9,9 @@ from pydantic import Field, ValidationInfo, field_validator
 
 from haptonic.design.parameters import UNITS
 from haptonic.errors import nearest
-from haptonic.fields import Entries, Name, Quantity, described, number_of, problem, size
+from haptonic.fields import Entries, Name, described, number_of, problem, size
+from haptonic.plate.settings import ResponseSettings
 from haptonic.response.checks import REST, THE_REST
-from haptonic.study.asking import ascending
 from haptonic.study.mounting import (
     ActuatorSection,
     ClampSection,
@@ -27,7 +27,6 @@ CHANGEABLE = [path for path in UNITS if path.startswith("cell.") and path != "ce
 LATTICE = "lattice"  # the name of the study's own cell in [plate.tiles]
 
 TileSize = Annotated[float, size(100e-6, 100e-3)]
-Frequency = Annotated[float, Quantity("Hz", at_least=1.0, at_most=1e9, typical=(1.0, 1e6))]
 
 
 @described("plate.cell", kw_only=True)
@@ -80,26 +79,6 @@ def _changeable(path: str) -> None:
     )
 
 
-@described("plate.response", kw_only=True)
-class ResponseSection:
-    """What is asked of the plate's vibration."""
-
-    lowest: Frequency = Field(default=100.0, title="Lowest frequency", description="Of the response.")
-    highest: Frequency = Field(default=100e3, title="Highest frequency", description="Of the response.")
-    points: Annotated[int, Field(ge=2, le=100_001, strict=True)] = Field(
-        default=1001, title="Frequencies", description="Of the response, both ends included."
-    )
-    tolerance: Annotated[float, Quantity("", at_least=1e-10, at_most=0.1, typical=(1e-8, 1e-2))] = Field(
-        default=1e-3, title="Field error", description="Largest allowed at every frequency, relative."
-    )
-    grid: Annotated[float, size(50e-6, 20e-3)] = Field(
-        default=2e-3, title="Grid", description="Distance of neighbouring points on the flat face."
-    )
-
-    def __post_init__(self) -> None:
-        ascending(self.lowest, self.highest, "response")
-
-
 @described("plate", kw_only=True)
 class PlateSection:
     """A finite plate: a map of tiles, what holds it and what drives it."""
@@ -146,8 +125,8 @@ class PlateSection:
     finger: FingerSection | None = Field(
         default=None, title="Finger", description="On the flat face, if it is there."
     )
-    response: ResponseSection = Field(
-        default=ResponseSection(), title="Response", description="What is asked of the vibration."
+    response: ResponseSettings = Field(
+        default=ResponseSettings(), title="Response", description="What is asked of the vibration."
     )
 
     @field_validator("map")

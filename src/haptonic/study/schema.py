@@ -1,6 +1,6 @@
 """The study: everything that one run computes with, as it stands in the study file.
 
-Together with `haptonic.study.sections` this is the single declaration of its keys. Checks, help, report
+Together with `haptonic.study.settings` this is the single declaration of its keys. Checks, help, report
 labels and the written file follow from it.
 """
 
@@ -13,9 +13,11 @@ from pydantic import (
     Field,
 )
 
-from haptonic.bloch.resolution import LADDER, Resolution, starting_rung
+from haptonic.bloch.settings import BandSettings
 from haptonic.cell import UnitCell
 from haptonic.design.parameters import values_of
+from haptonic.design.settings import DesignSettings
+from haptonic.design.tolerance import ToleranceSettings
 from haptonic.errors import HaptonicError, StudyError
 from haptonic.fields import (
     described,
@@ -29,19 +31,17 @@ from haptonic.fields import (
 from haptonic.fields.writing import document, toml_of
 from haptonic.materials import IsotropicMaterial, built_in_name
 from haptonic.plate.parts import Plate
-from haptonic.results import Asked
-from haptonic.study.asking import DesignSection, LayersSection, ToleranceSection, WaveguideSection
 from haptonic.study.experiment_tables import ParticipantsSection, ProtocolSection
-from haptonic.study.fitting import FitSection
 from haptonic.study.plate_tables import PlateSection
 from haptonic.study.plating import built_in, plate_of
-from haptonic.study.scan_tables import ScanSection
-from haptonic.study.sections import CARRIER, BandsSection, MeshSection
+from haptonic.study.settings import CARRIER, LayersSettings, WaveguideSettings
 from haptonic.study.sweeps import SweepSection, numeric_parameters
 from haptonic.study.touch_tables import TouchSection
 from haptonic.study.trial_tables import Trials
 from haptonic.study.vary import Expression, check_names, solve
 from haptonic.units import format_quantity, shown
+from haptonic.updating.settings import FitSettings
+from haptonic.vibrometry.settings import ScanSettings
 
 MOST_SWEEPS = 50
 # tables that decide no bands and no plate
@@ -67,32 +67,29 @@ class Description:
         default=None, title="Carrier", description="Frequency of the drive; marked in the diagrams."
     )
     cell: UnitCell = Field(title="Unit cell", description="One period of the plate.")
-    bands_settings: BandsSection = Field(
-        default=BandsSection(), alias="bands", title="Bands", description="What the band diagram shows."
+    bands_settings: BandSettings = Field(
+        default=BandSettings(), alias="bands", title="Bands", description="What the band diagram shows."
     )
-    mesh: MeshSection = Field(
-        default=MeshSection(), title="Mesh", description="For experts; else the accuracy decides."
-    )
-    layers_settings: LayersSection = Field(
-        default=LayersSection(),
+    layers_settings: LayersSettings = Field(
+        default=LayersSettings(),
         alias="layers",
         title="Layers",
         description="Rows of cells as a mirror between two plates.",
     )
-    waveguide_settings: WaveguideSection = Field(
-        default=WaveguideSection(),
+    waveguide_settings: WaveguideSettings = Field(
+        default=WaveguideSettings(),
         alias="waveguide",
         title="Waveguide",
         description="A strip of plate between two mirrors.",
     )
-    design_settings: DesignSection = Field(
-        default=DesignSection(),
+    design_settings: DesignSettings = Field(
+        default=DesignSettings(),
         alias="design",
         title="Design",
         description="What may change so that the gap holds the carrier.",
     )
-    tolerance_settings: ToleranceSection = Field(
-        default=ToleranceSection(),
+    tolerance_settings: ToleranceSettings = Field(
+        default=ToleranceSettings(),
         alias="tolerance",
         title="Tolerance",
         description="How much the parts differ.",
@@ -118,14 +115,14 @@ class Description:
     participants: ParticipantsSection = Field(
         default=ParticipantsSection(), title="Participants", description="What is assumed of people."
     )
-    scan_settings: ScanSection = Field(
-        default=ScanSection(),
+    scan_settings: ScanSettings = Field(
+        default=ScanSettings(),
         alias="scan",
         title="Scan",
         description="How a laser vibrometer scans the plate.",
     )
-    fit_settings: FitSection = Field(
-        default=FitSection(), alias="fit", title="Fit", description="What a measurement of the plate tells."
+    fit_settings: FitSettings = Field(
+        default=FitSettings(), alias="fit", title="Fit", description="What a measurement of the plate tells."
     )
     sweep_settings: tuple[SweepSection, ...] = Field(
         default=(),
@@ -196,7 +193,7 @@ class Description:
                 )  # fmt: skip
             quantity = keys[path].quantity
             assert quantity is not None, path
-            for name, value in (("from", one.start), ("to", one.stop)):
+            for name, value in (("from", one.low), ("to", one.high)):
                 if not quantity.holds(value):
                     raise problem(
                         format_quantity(value, one.unit), f"{path} has to be {quantity.limits}",
@@ -215,17 +212,6 @@ class Description:
     def without_plate(self) -> Self:
         """The same study of the lattice alone."""
         return unchecked(self, finite_plate=None)
-
-    def asked(self) -> Asked:
-        """What is asked of the bands."""
-        bands, mesh = self.bands_settings, self.mesh
-        resolution = None
-        if mesh.order is not None or mesh.foot_rings is not None:
-            rung = LADDER[starting_rung(bands.accuracy)]
-            order = rung.order if mesh.order is None else mesh.order
-            rings = rung.foot_rings if mesh.foot_rings is None else mesh.foot_rings
-            resolution = Resolution(order, rings, rung.steps, rung.block)
-        return Asked(bands.count, bands.points, bands.accuracy, resolution)
 
     def parameters(self) -> dict[str, float]:
         """Value of every numeric parameter that this study gives, by path and in SI units."""
@@ -252,7 +238,7 @@ class Description:
         StudyError : a value is out of bounds, or the design is not possible
         """
         assert values.keys() <= self.parameters().keys(), values.keys()
-        alone = unchecked(self, sweep_settings=(), fit_settings=FitSection())
+        alone = unchecked(self, sweep_settings=(), fit_settings=FitSettings())
         return alone._with_numbers(values)
 
     def with_fitted(self, values: Mapping[str, float]) -> Self:

@@ -18,8 +18,9 @@ from haptonic.plate.family import Anchor, Family, anchored
 from haptonic.progress import Progress, silent
 from haptonic.units import format_quantity
 from haptonic.updating.intervals import Told, told
-from haptonic.updating.match import Match, MeasuredResponse, Space, Unknown
-from haptonic.updating.parameters import LOSS, bonds_of, unit_of
+from haptonic.updating.match import Match, MeasuredResponse, Space
+from haptonic.updating.parameters import LOSS, bonds_of
+from haptonic.updating.settings import Unknown
 
 Array = NDArray[np.float64]
 Ints = NDArray[np.int64]
@@ -122,12 +123,12 @@ class SmallModel:
         HaptonicError : lines that cannot be computed with that tolerance
         """
         progress(0, 0, "tiles")
-        bonds = bonds_of(plate, {one.name: (one.low, one.high) for one in unknowns})
+        bonds = bonds_of(plate, {one.parameter: (one.low, one.high) for one in unknowns})
         model = PlateModel.of(plate, float(frequency[-1]), fineness, bonds)
         space = Space(plate, unknowns)
         small = cls(space, model, (), frequency, points, drives, tolerance)
         # fields of a plate that hardly loses anything are hard to compute, and no others for that
-        moved = np.array([one.name != LOSS for one in unknowns])
+        moved = np.array([one.parameter != LOSS for one in unknowns])
         tried = np.unique(np.vstack([np.zeros(len(unknowns)), moved * space.spread(ANCHORS - 1)]), axis=0)
         for number, x in enumerate(tried, start=1):
             progress(number, len(tried), "answers for sets of numbers")
@@ -202,7 +203,7 @@ def _strange(match: Match, x: Array) -> Ints:
 
 
 def _numbers(space: Space, x: Array, tells: Told) -> tuple[Fitted, ...]:
-    found, names = [], [one.name for one in space.unknowns]
+    found, names = [], [one.parameter for one in space.unknowns]
     lost = tells.half > 0.5 * (space.high - space.low)
     for k, (one, start) in enumerate(zip(space.unknowns, space.start.tolist(), strict=True)):
         value = min(max(start * float(np.exp(x[k])), one.low), one.high)
@@ -216,9 +217,7 @@ def _numbers(space: Space, x: Array, tells: Told) -> tuple[Fitted, ...]:
             if tied := [names[other] for other in tells.tied(k) if lost[other]]:
                 remark = f"told only together with {' and '.join(tied)}"
         interval = None if remark else (value * float(np.exp(-half)), value * float(np.exp(half)))
-        unit = unit_of(one.name)
-        assert unit is not None
-        found.append(Fitted(one.name, unit, start, one.low, one.high, value, interval, remark))
+        found.append(Fitted(one.parameter, one.unit, start, one.low, one.high, value, interval, remark))
     return tuple(found)
 
 

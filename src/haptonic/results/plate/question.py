@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -28,22 +27,6 @@ BYTES = (
     30.0  # of a point at a line: complex numbers of double and of single precision, and what is made of them
 )
 ON_LINE = 1e-6  # of the smallest tile, within which a point lies on a line between tiles
-
-
-@dataclass(frozen=True)
-class PlateQuestion:
-    """What is asked of a plate. lowest, highest : Hz; points : lines; tolerance : field error; grid : m"""
-
-    lowest: float
-    highest: float
-    points: int
-    tolerance: float
-    grid: float
-
-    @property
-    def frequencies(self) -> Array:
-        """Hz"""
-        return np.linspace(self.lowest, self.highest, self.points)
 
 
 def drives_of(plate: Plate) -> list[Actuator | Force]:
