@@ -122,12 +122,14 @@ class TestSpread:
         spreads = (HEIGHT, DIAMETER, MODULUS)
         cells = samples(CELL, spreads, 64)
         assert len(cells) == 64
-        away = np.array([[values_of(c)[s.parameter] - values_of(CELL)[s.parameter] for s in spreads] for c in cells])
+        away = np.array(
+            [[values_of(c)[s.parameter] - values_of(CELL)[s.parameter] for s in spreads] for c in cells]
+        )
         share = away / [s.half_range for s in spreads]
         assert np.abs(share).max() <= REACH * (1 + 1e-9)
         assert (np.abs(share).max(axis=0) > 0.9 * REACH).all()
         assert share.mean(axis=0) == pytest.approx(np.zeros(3), abs=0.05)
-        untouched = set(values_of(CELL)) - {s.path for s in spreads}
+        untouched = set(values_of(CELL)) - {s.parameter for s in spreads}
         assert all(values_of(c)[p] == values_of(CELL)[p] for c in cells for p in untouched)
 
 
