@@ -17,8 +17,9 @@ from small import COARSE, LOSS, drawn, glued
 from haptonic import plots
 from haptonic.cli.console import Voice
 from haptonic.plate import Plate
+from haptonic.plate.holding import Support
 from haptonic.plate.keys import FINGER, PLATE, SUPPORTS, bond, ceramic, dielectric, electric
-from haptonic.plate.parts import Force, Support
+from haptonic.plate.parts import Force
 from haptonic.plate.settings import ResponseSettings
 from haptonic.response import read, write
 from haptonic.results.common import write_netcdf

@@ -11,10 +11,11 @@ from small import COARSE, LOSS, busy_plate, drawn
 from whole import dynamic
 
 from haptonic.plate import sweep
+from haptonic.plate.holding import Support
 from haptonic.plate.keys import PLATE
 from haptonic.plate.model import PlateModel
 from haptonic.plate.modes import modes_between
-from haptonic.plate.parts import Finger, Force, Plate, Support
+from haptonic.plate.parts import Finger, Force, Plate
 from haptonic.plate.sweep import Band
 from haptonic.plate.touch import Places, _Compliance, below_finger
 from haptonic.response import FrequencyResponse, disc_average
@@ -93,7 +94,7 @@ def test_the_quality_with_a_finger_is_that_of_the_plate_with_one():
         assert near == pytest.approx(modes.frequency[k])
         assert quality[0] == pytest.approx(np.full(len(grid()), modes.quality[k]))
         place = int(np.where(room > 4e-3, quality[3], np.inf).argmin())  # where it is felt most
-        finger = Finger(tuple(grid()[place]), 8e-3, mass=np.inf, stiffness=0.0, damping=0.4)
+        finger = Finger(tuple(grid()[place]), 8e-3, mass=None, stiffness=0.0, damping=0.4)
         touched = modes_between(bare_band().touched(finger), 1e3, 40e3).quality[k]
         ours = 1 / quality[3, place] - 1 / quality[0, place]
         assert ours == pytest.approx(1 / touched - 1 / modes.quality[k], rel=0.15)
@@ -123,7 +124,7 @@ def test_the_grid_of_a_disc_is_fine_enough():
     """Another grid of points below the same finger, the one that a plate with a finger of its own has."""
     omega, place = HZ * 21e3, len(grid()) // 2 + 5
     found = below_finger(bare_band().reduced, Places(grid(), 8e-3), free_field(omega), omega, [10j * omega])
-    finger = Finger(tuple(grid()[place]), 8e-3, mass=np.inf, stiffness=0.0, damping=10.0)
+    finger = Finger(tuple(grid()[place]), 8e-3, mass=None, stiffness=0.0, damping=10.0)
     _, vibration = bare_band().touched(finger).answer(DRIVES, np.array([21e3]), 1e-2)
     disc = Places(grid(), 8e-3).discs[place]
     moved = bare().displaced(grid()[disc], vibration.vectors) @ vibration.amplitudes

@@ -54,7 +54,7 @@ def waveguides_of(study: Description) -> tuple[str, str]:
                 cause="no region of the plate has this name",
                 next_step=f'write "{guess}"' if guess else "choose one of them, or leave [plate] out",
             )
-    actuated = [one.region for one in plate.actuator] if plate else []
+    actuated = [one.region for one in plate.actuator if one.region] if plate else []
     names = known or list(PUBLISHED)
     driven = section.driven or next((n for n in [*actuated, *names] if n != section.idle), None)
     idle = section.idle or next((name for name in names if name != driven), None)

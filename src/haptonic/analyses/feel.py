@@ -13,7 +13,7 @@ from haptonic.plate.parts import Actuator
 from haptonic.plate.sweep import check_cost
 from haptonic.results.feel.loading import LOADS, Pad, compute_loaded, highest
 from haptonic.results.feel.value import Feel, check_reduction
-from haptonic.results.plate.question import amplitude_of, check_grid, drives_of, reference_of
+from haptonic.results.plate.question import check_grid, drives_of, reference_of
 from haptonic.results.runner import Runner
 from haptonic.study.schema import Description
 from haptonic.study.touch_tables import VOLTAGE
@@ -98,7 +98,7 @@ def amplitude(plate: Plate, voltage: float | None) -> float:
             cause="it is zero or negative, or its unit slipped",
             next_step='give the amplitude, such as "200 V"',
         )
-    first = next(drive for drive in drives_of(plate) if amplitude_of(drive))
+    first = next(drive for drive in drives_of(plate) if drive.amplitude)
     if not isinstance(first, Actuator):
         raise StudyError(
             argument="voltage",

@@ -13,8 +13,7 @@ from numpy.polynomial.legendre import legder, legval
 from numpy.typing import NDArray
 
 from haptonic.cell.quadrature import interpolation, lobatto
-from haptonic.plate.layout import Layout
-from haptonic.plate.parts import Side
+from haptonic.plate.layout import Layout, Side
 
 Array = NDArray[np.float64]
 Ints = NDArray[np.int64]

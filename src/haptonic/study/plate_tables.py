@@ -10,16 +10,11 @@ from pydantic import Field, ValidationInfo, field_validator
 from haptonic.design.parameters import UNITS
 from haptonic.errors import nearest
 from haptonic.fields import Entries, Name, described, number_of, problem, size
+from haptonic.materials import Material
+from haptonic.plate.holding import Clamp, Edges, Loss
+from haptonic.plate.parts import Actuator, Finger, Force
 from haptonic.plate.settings import ResponseSettings
 from haptonic.response.checks import REST, THE_REST
-from haptonic.study.mounting import (
-    ActuatorSection,
-    ClampSection,
-    EdgesSection,
-    FingerSection,
-    ForceSection,
-    Loss,
-)
 from haptonic.study.plate_map import check_map, drawn
 from haptonic.units import shown
 
@@ -110,19 +105,19 @@ class PlateSection:
     cell: tuple[LatticeSection, ...] = Field(
         default=(), title="Further lattices", description="For tiles of other names.", max_length=20
     )
-    edges: EdgesSection = Field(default=EdgesSection(), title="Edges", description="What holds them.")
-    clamp: ClampSection | None = Field(
+    edges: Edges = Field(default=Edges(), title="Edges", description="What holds them.")
+    clamp: Clamp | None = Field(
         default=None,
         title="Corners",
         description="Held, if this table is there.",
     )
-    actuator: tuple[ActuatorSection, ...] = Field(
+    actuator: tuple[Actuator, ...] = Field(
         default=(), title="Actuators", description="Piezoelectric patches.", max_length=100
     )
-    force: tuple[ForceSection, ...] = Field(
+    force: tuple[Force, ...] = Field(
         default=(), title="Forces", description="On the flat face.", max_length=100
     )
-    finger: FingerSection | None = Field(
+    finger: Finger | None = Field(
         default=None, title="Finger", description="On the flat face, if it is there."
     )
     response: ResponseSettings = Field(
@@ -173,14 +168,15 @@ class PlateSection:
                 self._unknown(f"cell[{i}].name", one.name, self.regions, "no tile is of this lattice",
                               f'add a letter = "{one.name}" to [plate.tiles], or remove it')  # fmt: skip
         named = {f"{table}.{name}": name for table in ("widths", "heights") for name in getattr(self, table)}
-        named |= {f"actuator[{i}].region": one.region for i, one in enumerate(self.actuator, start=1)}
+        patches, forces = enumerate(self.actuator, start=1), enumerate(self.force, start=1)
+        named |= {f"actuator[{i}].region": one.region for i, one in patches if one.region}
         for at, name in named.items():
             if name not in self.regions and name in there:
                 self._unknown(at, name, self.regions, "it is a lattice", "name a region of plain plate")
             elif name not in self.regions:
                 self._unknown(at, name, self.regions, "no tile is of this region")
-        named = {f"force[{i}].region": one.region for i, one in enumerate(self.force, start=1)}
-        named |= {"finger.region": self.finger.region} if self.finger else {}
+        named = {f"force[{i}].region": one.region for i, one in forces if one.region}
+        named |= {"finger.region": self.finger.region} if self.finger and self.finger.region else {}
         for at, name in named.items():
             if name not in there:
                 self._unknown(at, name, there, "no tile has this name")
@@ -193,10 +189,10 @@ class PlateSection:
         raise problem(shown(name), allowed, cause, next_step or hint, at=at)
 
     @property
-    def materials(self) -> list[str]:
-        """Names of the built-in materials of patches and bonds, as given."""
+    def materials(self) -> dict[str, Material]:
+        """Of patches and bonds, by name."""
         bonds = [one.bond.material for one in self.actuator if one.bond]
-        return sorted({*(one.material for one in self.actuator), *bonds})
+        return {solid.name: solid for solid in (*(one.material for one in self.actuator), *bonds)}
 
     def doubtful(self) -> dict[str, str]:
         """Sentences, by path, on regions whose name is nearly that of a lattice."""

@@ -33,7 +33,7 @@ from haptonic.materials import IsotropicMaterial, built_in_name
 from haptonic.plate.parts import Plate
 from haptonic.study.experiment_tables import ParticipantsSection, ProtocolSection
 from haptonic.study.plate_tables import PlateSection
-from haptonic.study.plating import built_in, plate_of
+from haptonic.study.plating import plate_of
 from haptonic.study.settings import CARRIER, LayersSettings, WaveguideSettings
 from haptonic.study.sweeps import SweepSection, numeric_parameters
 from haptonic.study.touch_tables import TouchSection
@@ -298,11 +298,15 @@ class Description:
         StudyError : a material, given in Python, that no file describes
         """
         solid = self.cell.material
+        others = self.finite_plate.materials.values() if self.finite_plate else ()
+        unwritten = [one for one in others if built_in_name(one) is None]
         if built_in_name(solid) is None and not isinstance(solid, IsotropicMaterial):
+            unwritten.insert(0, solid)
+        if unwritten:
             raise StudyError(
                 argument="material",
-                given=shown(solid.name),
-                allowed="a built-in material, or an isotropic one",
+                given=shown(unwritten[0].name),
+                allowed="built-in materials; that of the cell may be isotropic",
                 cause="a study file has no table for others",
                 next_step="keep the study in Python",
             )
@@ -318,6 +322,6 @@ class Description:
         left = {"title"} | AFTERWARDS | ({"plate"} if self.finite_plate is None else set())
         data = {key: value for key, value in data.items() if key not in left}
         if self.finite_plate is not None:
-            solids = {name: built_in(name, "").to_dict() for name in self.finite_plate.materials}
-            data["plate"]["materials"] = solids
+            solids = self.finite_plate.materials
+            data["plate"]["materials"] = {name: solid.to_dict() for name, solid in solids.items()}
         return data | {"material": self.cell.material.to_dict()}
