@@ -3,7 +3,9 @@
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
+from matplotlib.figure import Figure
 
+from haptonic.plots import style
 from haptonic.plots.words import khz, readable, scaled_unit
 
 
@@ -37,3 +39,19 @@ def test_expressions_in_words():
     assert scaled_unit("1") == ("dimensionless", 1.0)
     assert scaled_unit("m") == ("mm", 1e3)
     assert scaled_unit("kg/m^3") == ("kg/m^3", 1.0)
+
+
+@pytest.mark.parametrize(
+    ("low", "high", "labels"),
+    [(1e-6, 1e-3, {"10⁻⁵", "10⁻⁴"}), (2e-3, 7e-3, {"2\N{MULTIPLICATION SIGN}10⁻³"}), (1, 30, {"10⁰"})],
+)
+def test_powers_of_ten_are_plain_text(low, high, labels):
+    """Pictures parse no formulas, because a name may hold dollar signs."""
+    with style.styled():
+        axes = Figure().add_subplot()
+        axes.plot([0, 1], [low, high])
+        style.logarithmic(axes)
+        axes.get_figure().draw_without_rendering()
+        shown = {tick.get_text() for which in (False, True) for tick in axes.get_yticklabels(minor=which)}
+    assert labels <= shown
+    assert not set("$\\{}") & set("".join(shown))

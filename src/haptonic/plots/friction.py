@@ -17,6 +17,7 @@ from numpy.typing import NDArray
 from haptonic.friction.signals.record import EVERYBODY
 from haptonic.friction.statistics import IntervalEstimate
 from haptonic.friction.statistics.summary import Condition
+from haptonic.friction.words import change
 from haptonic.plots import style
 from haptonic.plots.words import label
 
@@ -103,7 +104,7 @@ def _said(
     for guide, one in reductions.items():
         role = "driven" if guide == driven else "idle"
         beside = f"; published: {published[role]:.0%}" if published else ""
-        lines.append(f"{guide} ({role}): friction reduced by {_percent(one)}{beside}")
+        lines.append(f"{guide} ({role}): {change(one.value, one.low, one.high)}{beside}")
     for guide, one in stopped.items():
         beside = f"; published: about {published['stopped']:.0%}" if published else ""
         lines.append(f"share of the reduction that does not reach {guide}: {_percent(one)}{beside}")

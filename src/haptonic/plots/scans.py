@@ -60,7 +60,7 @@ def average_response(frequency: Array, amplitude: Array, *, units: str, origin: 
     figure = style.blank(7.0)
     axes = figure.add_subplot()
     axes.plot(frequency / 1e3, np.where(amplitude > 0, amplitude, np.nan), color=style.BLUE, lw=0.9)
-    axes.set_yscale("log")
+    style.logarithmic(axes)
     axes.set(xlabel="frequency (kHz)", ylabel=f"rms over all points ({units})", title=origin,
              xlim=(frequency[0] / 1e3, frequency[-1] / 1e3))  # fmt: skip
     return figure

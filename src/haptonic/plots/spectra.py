@@ -68,7 +68,7 @@ def velocity_spectrum(
     axes = figure.add_subplot()
     positive = {name: np.where(values > 0, values, np.nan) for name, values in velocity.items()}
     handles = _curves(axes, frequency, positive)
-    axes.set_yscale("log")
+    style.logarithmic(axes)
     axes.set_ylabel(f"rms normal velocity of the region\n({units})")
     _finish(figure, axes, frequency, [*handles, *_shade(axes, frequency, gap)], origin)
     return figure
@@ -92,7 +92,7 @@ def impedance_spectrum(frequency: Array, impedance: Complex, gap: Gap, *, origin
         frequency,
         {"electrical impedance of the actuator": np.asarray(np.abs(impedance), dtype=float)},
     )
-    magnitude.set_yscale("log")
+    style.logarithmic(magnitude)
     magnitude.set_ylabel("magnitude (Ω)")
     degrees = np.asarray(np.angle(impedance, deg=True), dtype=float)
     _curves(phase, frequency, {"phase": degrees})

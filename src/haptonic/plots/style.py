@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import io
+import re
 import warnings
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
@@ -14,6 +15,7 @@ import matplotlib as mpl
 from matplotlib.axes import Axes
 from matplotlib.colors import Colormap
 from matplotlib.figure import Figure
+from matplotlib.ticker import LogFormatterSciNotation
 
 from haptonic.paths import inside, target
 from haptonic.store import refuse_overwrite, write_atomically
@@ -95,6 +97,26 @@ def drawn(make: Callable[P, Figure]) -> Callable[P, Figure]:
 def blank(height: float, width: float = WIDTH) -> Figure:
     """An empty figure of a size in cm, with its parts arranged so that they do not overlap."""
     return Figure(figsize=(width * CENTIMETRE, height * CENTIMETRE), layout="constrained")
+
+
+SUPERSCRIPTS = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
+
+
+class PowersOfTen(LogFormatterSciNotation):
+    """Labels of a logarithmic axis, matplotlib's own in plain text: pictures parse no formulas."""
+
+    def __call__(self, x: float, pos: Any = None) -> str:
+        """The label of a place, such as 10⁻³; empty where matplotlib gives none."""
+        formula = super().__call__(x, pos)
+        text = re.sub(r"\^\{(.*?)\}", lambda power: power[1].translate(SUPERSCRIPTS), formula)
+        return re.sub(r"\$|\\mathdefault|[{}]", "", text).replace(r"\times", "\N{MULTIPLICATION SIGN}")
+
+
+def logarithmic(axes: Axes) -> None:
+    """Give axes a logarithmic height."""
+    axes.set_yscale("log")
+    axes.yaxis.set_major_formatter(PowersOfTen())
+    axes.yaxis.set_minor_formatter(PowersOfTen(labelOnlyBase=False, minor_thresholds=(1, 0.4)))
 
 
 def perceptual() -> Colormap:

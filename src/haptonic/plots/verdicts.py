@@ -47,7 +47,7 @@ def before_after(
     figure = style.blank(4.4 * rows + 1.9)
     panels = figure.subplots(rows, 1, sharex=True, squeeze=False)[:, 0]
     handles = _curves(panels[0], frequency, spectra)
-    panels[0].set_yscale("log")
+    style.logarithmic(panels[0])
     panels[0].set_ylabel(f"rms over all points\n({units})")
     for axes, (pair, levels) in zip(panels[1:], contrasts.items(), strict=True):
         _curves(axes, frequency, levels)

@@ -43,7 +43,7 @@ class Value(Part):
 
     quantity: Text = Field(title="Quantity", description="What it is of.")
     value: Text = Field(title="Value", description="As it was published, with its unit.")
-    unit: str = Field("", title="Unit", description="SI unit of the number; empty for a text.")
+    unit: str = Field("", title="Unit", description="SI unit, 1 for a plain number; empty for a text.")
     analysis: str = Field("", title="Analysis", description="That gives our value.")
     path: str = Field("", title="Path", description="Of our value in its answer.")
     error: str = Field("", title="Error", description="Path of the bound of its error.")
@@ -52,7 +52,9 @@ class Value(Part):
     @property
     def number(self) -> float | None:
         """In the SI unit; None of a text."""
-        return to_si(self.value, self.unit, self.quantity) if self.unit else None
+        if not self.unit:
+            return None
+        return to_si(self.value, "" if self.unit == "1" else self.unit, self.quantity)
 
 
 class Remark(Part):

@@ -128,7 +128,9 @@ class Table:
         ]
 
     def labelled(self, origin: str) -> Table:
-        """With a title that says whether its numbers are measured or simulated."""
+        """With a title that says whether its numbers are measured or simulated, if it does not say so yet."""
+        if origin in self.title:
+            return self
         return Table(f"{self.title} ({origin})", self.columns, self.rows, tuple(self.strong))
 
     def to_dataframe(self) -> pd.DataFrame:

@@ -37,14 +37,14 @@ def _row(value: Value, answer: dict[str, Any]) -> tuple[str, str, str, str, str]
         shown = " and ".join(map(str, ours)) if isinstance(ours, list) else str(ours)
         same = "none" if shown == value.value else "differ"
         return (value.quantity, value.value, shown, same, value.remark)
-    unit = value.value.split(maxsplit=1)[1] if value.unit else ""
-    scale = float(value.value.split()[0]) / theirs
+    number, _, unit = value.value.partition(" ")
+    scale = float(number) / theirs
     error = found_at(answer, value.error) if value.error else None
     doubt = f" ± {error * scale:.2g}" if error else ""
     off = ours - theirs
     remark = "Agrees within our error." if error and abs(off) <= error else value.remark
-    difference = minus(f"{off * scale:+.2f} {unit} ({off / theirs:+.1%})")
-    return (value.quantity, value.value, f"{ours * scale:.2f}{doubt} {unit}", difference, remark)
+    difference = minus(" ".join(filter(None, (f"{off * scale:+.2f}", unit, f"({off / theirs:+.1%})"))))
+    return (value.quantity, value.value, f"{ours * scale:.2f}{doubt} {unit}".rstrip(), difference, remark)
 
 
 def _variants(results: Results) -> list[Table]:
