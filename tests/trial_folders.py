@@ -14,7 +14,7 @@ import scipy.io
 
 from haptonic.friction.protocol import Protocol
 from haptonic.friction.signals import Label, Record
-from haptonic.friction.twin import Truth, strokes
+from haptonic.friction.simulation import Truth, strokes
 
 Made = list[tuple[Label, Record]]
 Channels = dict[str, np.ndarray]

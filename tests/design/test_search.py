@@ -17,7 +17,7 @@ from haptonic.design import quick, search
 from haptonic.design.brief import LEAST_GAP, Brief
 from haptonic.design.parameters import values_of
 from haptonic.design.quick import QuickDesign
-from haptonic.design.search import Column, Visited, climb, spread, starts_of
+from haptonic.design.search import HeightRow, Visited, climb, spread, starts_of
 from haptonic.design.settings import DesignLimits
 from haptonic.errors import ResourceError, StudyError
 from haptonic.lattice import Lattice
@@ -252,7 +252,7 @@ def test_a_step_goes_where_the_tangents_meet(start, most, step, expected, promis
 def best_of(brief, share):
     """The gap that holds the carrier best, in the model of a climb."""
     edges = QuickDesign.of(brief.at(share), brief.count).edges()
-    return Column(share[None], edges[None]).best(brief.carrier)[0][1]
+    return HeightRow(share[None], edges[None]).best(brief.carrier)[0][1]
 
 
 def test_a_search_climbs_and_stays_allowed(monkeypatch):
@@ -285,7 +285,7 @@ class TestStarts:
     def column(place, *designs):
         """Designs one above the other, each with its (lower, upper) edges of every pair of bands."""
         shares = np.array([[place, height] for height in np.linspace(0, 1, len(designs))])
-        return Column(shares, np.array([np.transpose(edges) for edges in designs], dtype=float))
+        return HeightRow(shares, np.array([np.transpose(edges) for edges in designs], dtype=float))
 
     def test_bands_that_touch_at_the_carrier_come_after_every_gap(self):
         touching = self.column(0.2, [(100, 100), (140, 120)])
@@ -362,7 +362,9 @@ def test_a_search_is_at_least_as_good_as_a_scan(cheap, seed, kept):
     brief = drawn(seed)
     lines = [6 if path == HEIGHT else 3 for path in brief.paths]
     grid = np.stack(np.meshgrid(*(np.linspace(0, 1, n) for n in lines)), axis=-1).reshape(-1, len(lines))
-    scan = [Column.of(brief, place[None]).best(brief.carrier)[0][1] for place in grid if brief.allows(place)]
+    scan = [
+        HeightRow.of(brief, place[None]).best(brief.carrier)[0][1] for place in grid if brief.allows(place)
+    ]
     visit = max((one for one in scan if one.is_open(brief.carrier)), key=lambda one: one.margin)
     gaps = gaps_of(tasks.gap_dataset((brief.at(visit.share), ASKED, visit.band)))
     (best,) = (gap for gap in gaps if gap.between[0] == visit.band)

@@ -10,10 +10,10 @@ from test_statistics import drawn
 
 from five_parts import refused
 from haptonic.friction.protocol import Protocol
+from haptonic.friction.simulation import Truth, coefficients
 from haptonic.friction.statistics import Test, by_each, compared, corrected, paired
 from haptonic.friction.statistics.sizes import effect_sizes
 from haptonic.friction.statistics.summary import EVERYBODY, summary
-from haptonic.friction.twin import Truth, coefficients
 
 
 def experiment(participants=4, seed=0, **truth):

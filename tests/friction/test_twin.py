@@ -10,8 +10,8 @@ import xarray as xr
 from five_parts import refused
 from haptonic.friction.protocol import Protocol, imbalance
 from haptonic.friction.signals import Label, exclusions, measure, measured
+from haptonic.friction.simulation import Truth, coefficients, strokes
 from haptonic.friction.statistics import by_participants, by_trials, drift, paired, reduction, stopped
-from haptonic.friction.twin import Truth, coefficients, strokes
 
 
 def statistic_table(truth, participants, seed):

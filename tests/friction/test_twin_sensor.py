@@ -13,15 +13,15 @@ from nptdms import TdmsFile
 
 from five_parts import refused
 from haptonic.channels import opened
-from haptonic.friction.lubrication import Finger, Touch, amplitude_for, shared_friction
+from haptonic.friction.lubrication import Fingertip, Touch, amplitude_for, shared_friction
 from haptonic.friction.metronome import END, RATE, START, clicks, write_wav
 from haptonic.friction.protocol import Protocol
+from haptonic.friction.simulation import Truth, explaining, film_of, people, recorded, trials
+from haptonic.friction.simulation.files import WRITERS
+from haptonic.friction.simulation.film import LIGHTEST
+from haptonic.friction.simulation.gauges import BITS, RANGE, calibration, voltages
+from haptonic.friction.simulation.strokes import ABOVE, OFF_AXIS
 from haptonic.friction.trial_list import file_of, write_list
-from haptonic.friction.twin import Truth, explaining, film_of, people, recorded, trials
-from haptonic.friction.twin.files import WRITERS
-from haptonic.friction.twin.film import LIGHTEST
-from haptonic.friction.twin.gauges import BITS, RANGE, calibration, voltages
-from haptonic.friction.twin.strokes import ABOVE, OFF_AXIS
 
 CARRIER = 58.8e3
 FORCE = (0.8, 0.4)
@@ -40,7 +40,7 @@ class TestFilm:
         drawn = np.maximum(LIGHTEST, 0.8 + 0.4 * np.random.default_rng(0).standard_normal(150))
         amplitude = np.array(list(AMPLITUDE.values()))
         each = np.array(
-            [shared_friction(amplitude, Touch(CARRIER, force), Finger().values) for force in drawn]
+            [shared_friction(amplitude, Touch(CARRIER, force), Fingertip().values) for force in drawn]
         )
         error = each.std(axis=0) / np.sqrt(len(drawn))
         assert (np.abs(each.mean(axis=0) - list(film.mean.values())) < 3 * error).all()
@@ -54,7 +54,7 @@ class TestFilm:
         found = film_of(explaining(asked, CARRIER, FORCE), CARRIER, FORCE)
         assert {guide: 1 - left for guide, left in found.mean.items()} == pytest.approx(asked, abs=5e-4)
         steady = explaining(asked, CARRIER, (0.8, 0.0))
-        exact = amplitude_for([0.45, 0.89], Touch(CARRIER, 0.8), Finger().values)
+        exact = amplitude_for([0.45, 0.89], Touch(CARRIER, 0.8), Fingertip().values)
         assert list(steady.values()) == pytest.approx(list(exact), rel=2e-3)
 
     def test_without_vibration_nothing_is_removed(self):
@@ -70,7 +70,7 @@ class TestFilm:
             left = 1.0
             if trial.label.actuation == "on":
                 amplitude = AMPLITUDE[trial.label.waveguide]
-                left = float(shared_friction(amplitude, Touch(CARRIER, trial.force), Finger().values))
+                left = float(shared_friction(amplitude, Touch(CARRIER, trial.force), Fingertip().values))
             assert trial.friction / truth.friction == pytest.approx(left, abs=1e-3)
 
     def test_what_cannot_be_explained_is_refused(self):

@@ -7,8 +7,8 @@ from collections.abc import Mapping
 from haptonic.analyses.needs import need_carrier
 from haptonic.errors import StudyError, nearest
 from haptonic.friction.protocol import Protocol
-from haptonic.friction.twin import Truth, explaining, film_of
-from haptonic.results.protocol import Task
+from haptonic.friction.simulation import Truth, explaining, film_of
+from haptonic.results.protocol import StrokeTask
 from haptonic.study.schema import Description
 from haptonic.units import format_quantity, shown
 
@@ -69,7 +69,7 @@ def waveguides_of(study: Description) -> tuple[str, str]:
     return driven, idle
 
 
-def task_of(study: Description) -> Task:
+def task_of(study: Description) -> StrokeTask:
     """What people are asked to do: force and speed of [touch], the rest of [protocol].
 
     Raises
@@ -77,7 +77,7 @@ def task_of(study: Description) -> Task:
     StudyError : strokes that last too short or too long
     """
     section, touch = study.protocol_settings, study.touch
-    task = Task(touch.speed, touch.force, section.stroke, section.pause)
+    task = StrokeTask(touch.speed, touch.force, section.stroke, section.pause)
     if not SHORTEST <= task.lasting <= LONGEST:
         raise StudyError(
             argument="protocol.stroke",

@@ -73,7 +73,7 @@ def fitted_study(study: Description, fit: Fit, scan: FrequencyResponse) -> str:
     title, origin = scan.dataset.attrs["title"], scan.dataset.attrs["origin"]
     lines = [f"Numbers fitted to a {origin} response" + (f', "{title}":' if title else ":")]
     for one in fit.numbers:
-        lines.append(f"{one.name}: {format_quantity(one.value, one.unit)}, 95 % interval: {one.told}")
+        lines.append(f"{one.name}: {format_quantity(one.value, one.unit)}, 95 % interval: {one.range_text}")
     made = study.with_fitted({one.name: one.value for one in fit.numbers})
     head = [f"# {' '.join(line.splitlines())}" for line in lines]
     return "\n".join([*head, "", made.to_toml()])

@@ -8,7 +8,7 @@ import numpy as np
 from pydantic import Field
 
 from haptonic.design.parameters import OfCell
-from haptonic.fields import INLINE, Bounded, Length, Quantity, described, once, problem
+from haptonic.fields import INLINE, Length, NumberRange, Quantity, described, once, problem
 from haptonic.materials import IsotropicMaterial
 
 # centre of a long plate with clamped sides under a force: w = factor * F * span^2 / D (Timoshenko and
@@ -17,7 +17,7 @@ STRIP_FACTOR = 0.00725
 
 
 @described("design.vary")
-class Variable(OfCell, Bounded):
+class Variable(OfCell, NumberRange):
     """A number of the cell that the design may change."""
 
 

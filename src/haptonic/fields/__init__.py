@@ -4,7 +4,7 @@ from haptonic.fields.described import described, extended, remade, unchecked
 from haptonic.fields.entries import Entries
 from haptonic.fields.keys import Key, leaves, table
 from haptonic.fields.numbers import numbers, with_numbers
-from haptonic.fields.of_number import Bounded, OfNumber, ascending, once
+from haptonic.fields.of_number import NumberRange, OfNumber, ascending, once
 from haptonic.fields.placing import INLINE, TOP, Named, Placed
 from haptonic.fields.quantity import (
     FROM_FILE,
@@ -26,13 +26,13 @@ __all__ = [
     "LARGEST",
     "SMALLEST",
     "TOP",
-    "Bounded",
     "Entries",
     "Frequency",
     "Key",
     "Length",
     "Name",
     "Named",
+    "NumberRange",
     "OfNumber",
     "Placed",
     "Quantity",

@@ -59,7 +59,7 @@ class OfNumber:
 
 
 @described("")
-class Bounded(OfNumber):
+class NumberRange(OfNumber):
     """A number that may change between two bounds, SI."""
 
     low: float = Field(alias="from", title="Lowest value", description="With its unit, if it has one.")

@@ -61,7 +61,7 @@ class PlateModel:
         """Reduce the tiles of a plate for frequencies up to ``highest`` (Hz) and put them together.
 
         ``bonds`` gives, by actuator, the least and the largest thickness (m) that the tile below it has to
-        serve; see `haptonic.plate.retuned`.
+        serve; see `haptonic.plate.updated`.
 
         Raises
         ------

@@ -15,11 +15,11 @@ import xarray as xr
 from numpy.typing import NDArray
 
 from haptonic.friction.protocol import Protocol
+from haptonic.friction.simulation import Person, Stroke, Truth, people, recorded
+from haptonic.friction.simulation.files import SIMULATED, WRITERS
+from haptonic.friction.simulation.gauges import GAUGES, calibration, voltages
+from haptonic.friction.simulation.strokes import AXES, RATE, samples_of
 from haptonic.friction.trial_list import NAME, Per, file_of, write_list
-from haptonic.friction.twin import Person, Stroke, Truth, people, recorded
-from haptonic.friction.twin.files import SIMULATED, WRITERS
-from haptonic.friction.twin.gauges import GAUGES, calibration, voltages
-from haptonic.friction.twin.strokes import AXES, RATE, samples_of
 from haptonic.paths import inside
 from haptonic.progress import Progress, silent
 from haptonic.results.result import Result

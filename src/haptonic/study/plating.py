@@ -17,7 +17,7 @@ from haptonic.plate.parts import Actuator, Finger, Force, Plate
 from haptonic.study.plate_tables import CHANGEABLE, LATTICE, PlateSection
 from haptonic.units import format_quantity, shown
 
-Part = TypeVar("Part", Actuator, Force, Finger)
+Attached = TypeVar("Attached", Actuator, Force, Finger)
 
 
 def plate_of(section: PlateSection | None, own: UnitCell) -> Plate:
@@ -168,7 +168,7 @@ def _check_corners(clamp: Clamp, layout: Layout) -> None:
         )  # fmt: skip
 
 
-def _placed(part: Part, layout: Layout) -> Part:
+def _placed(part: Attached, layout: Layout) -> Attached:
     """The same with its position on the plate, counted from the plate's corner."""
     return unchecked(part, centre=_centre(part, layout), region=None)
 

@@ -8,7 +8,7 @@ from typing import Annotated, Any
 from pydantic import Field
 
 from haptonic.fields import Quantity, described, problem
-from haptonic.friction.lubrication import FORCES, SPEEDS, Finger, Parameter, Touch
+from haptonic.friction.lubrication import FORCES, SPEEDS, Fingertip, Parameter, Touch
 from haptonic.units import format_quantity
 
 Force = Annotated[float, Quantity("N", at_least=FORCES[0], at_most=FORCES[1], typical=(0.1, 5.0))]
@@ -50,7 +50,7 @@ class _Ordered:
                 )
 
 
-_THREES = {name: _three(parameter) for name, parameter in Finger()}
+_THREES = {name: _three(parameter) for name, parameter in Fingertip()}
 SkinSection: Any = described("touch.skin", kw_only=True)(
     type(
         "SkinSection",
@@ -88,11 +88,11 @@ class TouchSection(_Ordered):
         default_factory=SkinSection, title="Skin", description="What the models of friction know of it."
     )
 
-    def finger(self) -> Finger:
+    def finger(self) -> Fingertip:
         """The fingertip as the lubrication models compute with it."""
-        known = dict(Finger())
+        known = dict(Fingertip())
         given = {name: three for name in vars(self.skin) if (three := getattr(self.skin, name))}
         return replace(
-            Finger(),
+            Fingertip(),
             **{name: known[name].having(value, (low, high)) for name, (low, value, high) in given.items()},
         )

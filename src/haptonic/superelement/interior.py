@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 Array = NDArray[np.float64]
 
 # motions of the boundary whose inertia the interior's modes have to answer: these and as many as it gets
-# directions; with 24 whatever it gets, 25 bands lost up to ten times what the omission told
+# directions; with 24 whatever it gets, 25 bands lost up to ten times what the truncation told
 SOFT_TRACES = 4
 DEPENDENT = 1e-13  # share of the largest inertia below which a direction repeats others
 EXTRA = 3  # random ones beside them, for modes that hardly touch the trace
@@ -48,7 +48,7 @@ class CraigBampton:
     static : (n, b), modes : (n, m) fields inside
     stiffness, mass : (b, b), the interior following statically
     values : (m,) eigenvalues, (rad/s)^2; to_modes : (b, m) mass between static answers and modes
-    omission : (b + m, b + m), what was left out, see `Superelement`
+    truncation : (b + m, b + m), what was left out, see `Superelement`
     """
 
     static: Array
@@ -57,7 +57,7 @@ class CraigBampton:
     mass: Array
     values: Array
     to_modes: Array
-    omission: Array
+    truncation: Array
 
 
 def reduced(solver: Factorised, body: Bounded, steps: int, block: int) -> CraigBampton:
@@ -88,9 +88,9 @@ def reduced(solver: Factorised, body: Bounded, steps: int, block: int) -> CraigB
     forces = np.hstack([force, body.mass[:, None] * modes])
     missing = forces.T @ np.hstack([dynamic, moved]) - (to_all / values) @ to_all.T
     spread = la.block_diag(dual, np.eye(len(values)))
-    omission = spread @ missing @ spread.T
-    omission = 0.5 * (omission + omission.T)
-    return CraigBampton(static, modes, stiffness, mass, values, to_modes, omission)
+    truncation = spread @ missing @ spread.T
+    truncation = 0.5 * (truncation + truncation.T)
+    return CraigBampton(static, modes, stiffness, mass, values, to_modes, truncation)
 
 
 def _softest(stiffness: Array, mass: Array, count: int) -> tuple[Array, Array]:

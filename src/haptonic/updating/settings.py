@@ -7,7 +7,7 @@ from typing import Annotated
 
 from pydantic import Field
 
-from haptonic.fields import Bounded, Frequency, ascending, described, once, problem
+from haptonic.fields import Frequency, NumberRange, ascending, described, once, problem
 from haptonic.plate import Plate
 from haptonic.units import format_quantity
 from haptonic.updating.parameters import UNITS, unit_of, values_of
@@ -16,7 +16,7 @@ KNOWN = (*UNITS, "plate.actuator[1].bond.thickness")
 
 
 @described("fit.vary")
-class Unknown(Bounded):
+class Unknown(NumberRange):
     """A number that is fitted to a measurement, beginning with the value of the plate."""
 
     @classmethod

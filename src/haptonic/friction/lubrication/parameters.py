@@ -20,7 +20,7 @@ from haptonic.units import format_quantity, shown
 
 Array = NDArray[np.float64]
 Values = Mapping[str, float | Array]
-"""What a model computes with: `Finger.values`, or draws from `Finger.sampled`."""
+"""What a model computes with: `Fingertip.values`, or draws from `Fingertip.sampled`."""
 Mark = Literal["assumed", "stated", "computed", "given"]
 
 
@@ -84,12 +84,12 @@ class Parameter:
 
 
 @dataclass(frozen=True)
-class Finger:
+class Fingertip:
     """A fingertip, and the air below it, as the two models see it. All values are positive.
 
     Examples
     --------
-    >>> Finger().having(contact_gap=5e-6).contact_gap.mark
+    >>> Fingertip().having(contact_gap=5e-6).contact_gap.mark
     'given'
     """
 
@@ -133,7 +133,7 @@ class Finger:
     def __iter__(self) -> Iterator[tuple[str, Parameter]]:
         return ((entry.name, getattr(self, entry.name)) for entry in fields(self))
 
-    def having(self, **values: float) -> Finger:
+    def having(self, **values: float) -> Fingertip:
         """A finger with values of the user's, taken as exactly known.
 
         Raises

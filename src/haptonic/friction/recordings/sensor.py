@@ -66,7 +66,7 @@ class Sensor:
     largest_gauge: float | None = None
     forced: bool = True
 
-    def wired(self, channels: Group) -> Wiring:
+    def channel_map(self, channels: Group) -> ChannelMap:
         """Which channel is which.
 
         Raises
@@ -75,7 +75,7 @@ class Sensor:
         """
         names = {_plain(name): name for name in channels.signals}
         remarks: list[str] = []
-        leads: dict[str, Lead] = {}
+        scaled: dict[str, ScaledChannel] = {}
         matrix: Array | None = None
         gauges: tuple[str, ...] = ()
         guesses = {
@@ -89,9 +89,9 @@ class Sensor:
             if raw and DIMENSION[meaning] == "N":
                 continue
             if asked:
-                leads[meaning] = self._lead(meaning, asked, channels)
+                scaled[meaning] = self._scaled(meaning, asked, channels)
             elif found:
-                leads[meaning] = self._lead(meaning, found, channels)
+                scaled[meaning] = self._scaled(meaning, found, channels)
                 remarks.append(f'the channel "{found}" was taken as {meaning}')
             elif DIMENSION[meaning] == "N":
                 channels[GUESSES[meaning][0].capitalize()]  # refused, with the names that there are
@@ -100,12 +100,12 @@ class Sensor:
             gauges = self.gauges or _guessed_gauges(names, channels)
             if not self.gauges:
                 remarks.append(f"the channels {', '.join(gauges)} were taken as the gauges, in this order")
-        if "time" not in leads and self.rate is None and channels.rate is None:
+        if "time" not in scaled and self.rate is None and channels.rate is None:
             raise _no_rate()
         limits = self.largest_force, self.largest_gauge
-        return Wiring(leads, self.rate, gauges, matrix, *limits, tuple(remarks), not self.normal)
+        return ChannelMap(scaled, self.rate, gauges, matrix, *limits, tuple(remarks), not self.normal)
 
-    def _lead(self, meaning: str, asked: str, channels: Group) -> Lead:
+    def _scaled(self, meaning: str, asked: str, channels: Group) -> ScaledChannel:
         turned = asked.startswith("-")
         name = asked.removeprefix("-").strip()
         if name not in channels.signals:
@@ -125,7 +125,7 @@ class Sensor:
                     cause="raw volts without a calibration" if unit.endswith("V") else error.cause,
                     next_step=f"give {kind}_unit, or calibration and gauges, in [trials.sensor]",
                 ) from None
-        return Lead(name, -factor if turned else factor)
+        return ScaledChannel(name, -factor if turned else factor)
 
     def _rows(self, calibration: Array) -> Array:
         """(2, 6) rows of the calibration for normal and tangential force."""
@@ -145,7 +145,7 @@ class Sensor:
 
 
 @dataclass(frozen=True)
-class Lead:
+class ScaledChannel:
     """A channel and what one of its units is in SI, negative where the sign is turned."""
 
     name: str
@@ -153,14 +153,14 @@ class Lead:
 
 
 @dataclass(frozen=True, eq=False)
-class Wiring:
-    """Channels by what they mean, ready to make records; see `Sensor.wired`.
+class ChannelMap:
+    """Channels by what they mean, ready to make records; see `Sensor.channel_map`.
 
     remarks : what was guessed, in words
     sign_unknown : whether nobody said in which direction the normal force counts
     """
 
-    leads: dict[str, Lead]
+    scaled: dict[str, ScaledChannel]
     rate: float | None
     gauges: tuple[str, ...]
     matrix: Array | None
@@ -180,8 +180,8 @@ class Wiring:
         last = None if stop is None else round(stop * rate)
 
         def signal(meaning: str) -> Array:
-            lead = self.leads[meaning]
-            return lead.factor * channels[lead.name][first:last]
+            one = self.scaled[meaning]
+            return one.factor * channels[one.name][first:last]
 
         flat = False
         if self.matrix is None:
@@ -201,20 +201,20 @@ class Wiring:
                 cause="the file was cut, or the times are in ms",
                 next_step="put the table of trials right",
             )
-        position = signal("position") if "position" in self.leads else None
+        position = signal("position") if "position" in self.scaled else None
         return Record(normal, tangential, rate, position, flat)
 
-    def turned(self) -> Wiring:
+    def turned(self) -> ChannelMap:
         """The same with the sign of the normal force turned, and a remark on it."""
         remarks = (*self.remarks, "the normal force falls where the finger presses: its sign was turned")
         if self.matrix is not None:
             return replace(self, matrix=self.matrix * np.array([[-1.0], [1.0]]), remarks=remarks)
-        lead = self.leads["normal"]
-        turned = Lead(lead.name, -lead.factor)
-        return replace(self, leads={**self.leads, "normal": turned}, remarks=remarks)
+        one = self.scaled["normal"]
+        turned = ScaledChannel(one.name, -one.factor)
+        return replace(self, scaled={**self.scaled, "normal": turned}, remarks=remarks)
 
     def _any(self, channels: Group) -> Array:
-        return channels[self.gauges[0] if self.gauges else self.leads["normal"].name]
+        return channels[self.gauges[0] if self.gauges else self.scaled["normal"].name]
 
     def rate_in(self, channels: Group) -> float:
         """Sampling rate of a file or group, Hz.
@@ -224,9 +224,9 @@ class Wiring:
         FrictionError : times that do not advance evenly, no rate, or one too low for the filters
         """
         rate = self.rate or channels.rate
-        if "time" in self.leads:
-            lead = self.leads["time"]
-            rate = rate_of(lead.factor * channels[lead.name], f"channel {lead.name}")
+        if "time" in self.scaled:
+            one = self.scaled["time"]
+            rate = rate_of(one.factor * channels[one.name], f"channel {one.name}")
         if rate is None or not 0 < rate < HIGHEST_RATE:
             raise _no_rate()
         design_frequency("literal", rate)

@@ -16,7 +16,7 @@ from haptonic.bloch import Gap, gaps_of
 from haptonic.bloch.settings import COARSEST, BandSettings
 from haptonic.design.brief import SLACK, Brief
 from haptonic.design.parameters import UNITS
-from haptonic.design.search import Column, Visited, distinct, spread, starts_of
+from haptonic.design.search import HeightRow, Visited, distinct, spread, starts_of
 from haptonic.errors import HaptonicError
 from haptonic.jobs import Task
 from haptonic.results.common import stamped
@@ -107,12 +107,12 @@ class _Search:
         self.best: _Refined | None = None
         self.done = 0
 
-    def looked(self, count: int) -> list[Column]:
+    def looked(self, count: int) -> list[HeightRow]:
         """Columns of designs, in the coarse model."""
         places = spread(self.brief, count)
         asked = [tasks.look_task(self.brief, shares) for shares in places]
         found = self._run("look", tasks.look_dataset, asked, places)
-        columns = [Column(data["share"].values, data["edges"].values) for data in found]
+        columns = [HeightRow(data["share"].values, data["edges"].values) for data in found]
         for column in columns:
             self.history += [("look", one.best(self.brief.carrier)[0][1]) for one in column.alone()]
             self.ends += column.edges[:, 1, -1].tolist()

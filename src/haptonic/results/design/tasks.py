@@ -12,7 +12,7 @@ from haptonic.bloch import gaps_dataset
 from haptonic.bloch.settings import BandSettings
 from haptonic.cell import UnitCell
 from haptonic.design.brief import Brief
-from haptonic.design.search import Column, Visited, climb, spread, starts_of
+from haptonic.design.search import HeightRow, Visited, climb, spread, starts_of
 from haptonic.jobs import Task
 
 Array = NDArray[np.float64]
@@ -27,7 +27,7 @@ def look_task(brief: Brief, shares: Array) -> Task:
 
 def look_dataset(argument: tuple[Brief, Array]) -> xr.Dataset:
     """Places and edges of the column."""
-    column = Column.of(*argument)
+    column = HeightRow.of(*argument)
     return xr.Dataset(
         {
             "share": (("design", "parameter"), column.shares),
@@ -69,7 +69,7 @@ def front_task(brief: Brief, share: Array, steps: int) -> Task:
 def front_dataset(argument: tuple[Brief, Array, int]) -> xr.Dataset:
     """All designs of the climb."""
     brief, share, steps = argument
-    columns = [Column.of(brief, shares) for shares in spread(brief, FRONT_STARTS, share)]
+    columns = [HeightRow.of(brief, shares) for shares in spread(brief, FRONT_STARTS, share)]
     start = starts_of(columns, brief.carrier)[0]
     return climb_dataset((brief, start.share, start.band, (0.0, 0.0), steps))
 

@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from haptonic.bloch import Gap
 from haptonic.gate import WORD
 from haptonic.plate import Band, Fineness, Plate, PlateModel, PlateModes, modes_between
-from haptonic.plate.touch import Places, below_finger
+from haptonic.plate.touch import Sites, below_finger
 from haptonic.progress import Progress, silent
 from haptonic.results.common import stamped
 from haptonic.results.plate.question import (
@@ -128,7 +128,7 @@ def _computed(
     there = points_of(regions, driven_region(plate))
     line = loudest_within(frequencies, surface * vibration.omega, there, (0.0, np.inf), middle)
     omega = float(vibration.omega[line])
-    places = Places(points, pad.diameter)
+    places = Sites(points, pad.diameter)
     impedances = [0.0, *(1j * omega * damping for damping in pad.damping)]
     amplitude = below_finger(band.reduced, places, surface[:, line], omega, impedances)
     mode, quality = _loaded_quality(model, modes, drives, omega, places, pad)
@@ -160,7 +160,7 @@ def _loaded_quality(
     modes: PlateModes,
     drives: Mapping[str, complex],
     omega: float,
-    places: Places,
+    places: Sites,
     pad: Pad,
 ) -> tuple[float, Array]:
     """The mode that answers most at omega, Hz, and (load, point) its quality factor with a finger there.

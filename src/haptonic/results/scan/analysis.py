@@ -40,8 +40,8 @@ from haptonic.vibrometry import (
     TimeScan,
     clean_contrast,
     clean_rms,
+    decay_along,
     estimate,
-    fading,
     gap_edges,
     lattice_decay,
     measured_gap,
@@ -50,7 +50,7 @@ from haptonic.vibrometry import (
     warn_if_aliased,
     wavenumber_map,
 )
-from haptonic.vibrometry.estimation.quality import judged
+from haptonic.vibrometry.estimation.quality import assessed
 from haptonic.vibrometry.estimation.spectra import Estimator, WindowName
 from haptonic.vibrometry.settings import ScanSettings
 
@@ -191,7 +191,7 @@ def _estimated(scan: Scan, how: Estimation, on: OnPlate | None, progress: Progre
         median = np.full(points, np.nan) if coherence is None else np.median(coherence, axis=0).astype(float)
         known = json.loads(response.dataset.attrs["inputs"]).get("points")
         names = known if isinstance(known, list) and len(known) == points else range(1, points + 1)
-        quality = judged(tuple(map(str, names)), np.zeros(points), np.zeros(points), median)
+        quality = assessed(tuple(map(str, names)), np.zeros(points), np.zeros(points), median)
         return Estimate(response, quality, scan.report, 0)
     records = scan.records
     segment, band = how.segment, None
@@ -312,7 +312,7 @@ def _gap(response: FrequencyResponse, plate: Plate, data: xr.Dataset) -> Lattice
     """Edges of the lattice's gap; how waves fade in it goes into the dataset."""
     driven = driven_region(plate)
     try:
-        fades = fading(response, strips_of(plate.layout, driven) if driven else [])
+        fades = decay_along(response, strips_of(plate.layout, driven) if driven else [])
     except (ScanError, ResponseError) as error:
         return LatticeGap(None, None, (f"no edges of the gap: {error.given}",))
     data["fading"] = fades

@@ -13,7 +13,7 @@ from numpy.random import Generator
 from haptonic.errors import FrictionError
 from haptonic.friction.protocol import Protocol
 from haptonic.friction.signals import Label
-from haptonic.friction.twin.film import LIGHTEST, Film
+from haptonic.friction.simulation.film import LIGHTEST, Film
 from haptonic.units import shown
 
 SLOWEST = 0.03  # m/s: what a participant who follows instructions does not fall below

@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 
 from haptonic.friction.protocol import Protocol
 from haptonic.friction.signals import Label, Record
-from haptonic.friction.twin.truth import Person, Trial, Truth, people, trials
+from haptonic.friction.simulation.truth import Person, Trial, Truth, people, trials
 
 Array = NDArray[np.float64]
 
