@@ -100,10 +100,8 @@ def test_no_class_name_stands_twice():
 
 
 def test_a_class_name_that_stands_twice_would_be_found():
-    one, other = (
-        ast.parse("class Finger:\n    ..."),
-        ast.parse("class Finger:\n    ...\nclass Hand:\n    ..."),
-    )
+    one, other = ast.parse("class A: ..."), ast.parse("class A: ...
+class B: ...")
     assert defined_twice({"a": one, "b": other}) == {"A": ["a", "b"]}
 
 
