@@ -100,8 +100,7 @@ def test_no_class_name_stands_twice():
 
 
 def test_a_class_name_that_stands_twice_would_be_found():
-    one, other = ast.parse("class A: ..."), ast.parse("class A: ...
-class B: ...")
+    one, other = ast.parse("class A: ..."), ast.parse("class A: ...; b = 1")
     assert defined_twice({"a": one, "b": other}) == {"A": ["a", "b"]}
 
 

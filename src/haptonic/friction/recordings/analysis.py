@@ -20,7 +20,8 @@ from pydantic import Field
 from haptonic.channels import Group, SignalFile, opened
 from haptonic.errors import ChannelError, FrictionError, HaptonicError
 from haptonic.fields import Name, described, problem
-from haptonic.friction.recordings.sensor import ChannelMap, Sensor, pressing
+from haptonic.friction.recordings.channel_map import ChannelMap, pressing
+from haptonic.friction.recordings.sensor import Sensor
 from haptonic.friction.recordings.trial_table import RecordSpan, TrialTable
 from haptonic.friction.signals.measuring import Columns, channels_of, measure_all, processed
 from haptonic.friction.signals.record import Record
@@ -266,9 +267,11 @@ def _channel_map(table: TrialTable, sensor: Sensor) -> ChannelMap:
     HaptonicError : what is wrong with the first file, if none of the first has them
     """
     first: HaptonicError | None = None
+    calibration = sensor.matrix(table.folder)
     for name, spans in islice((one for portion in table.portions() for one in portion), TRIED):
         try:
-            channel_map = sensor.channel_map(opened(table.folder / name).group(spans[0].group))
+            channels = opened(table.folder / name).group(spans[0].group)
+            channel_map = sensor.channel_map(channels, calibration)
         except HaptonicError as error:
             first = first or _of_file(error, name)
             continue
