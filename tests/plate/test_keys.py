@@ -20,13 +20,14 @@ from haptonic.cell.pillar import Step
 from haptonic.design.brief import Brief
 from haptonic.design.settings import DesignLimits
 from haptonic.errors import HaptonicWarning
+from haptonic.friction.lubrication.settings import Pad
 from haptonic.lattice import Lattice
 from haptonic.materials import IsotropicMaterial
 from haptonic.plate.settings import ResponseSettings
 from haptonic.results import Runner
 from haptonic.results.bands import compute_bands
 from haptonic.results.design.tasks import front_task, look_task
-from haptonic.results.feel.loading import Pad, compute_loaded
+from haptonic.results.feel.loading import compute_loaded
 from haptonic.results.plate.compute import compute_plate
 from haptonic.store import Store, content_key
 

@@ -10,6 +10,7 @@ from hypothesis import strategies as st
 from small import COARSE, LOSS, busy_plate, drawn
 from whole import dynamic
 
+from haptonic.friction.lubrication.settings import Pad
 from haptonic.plate import sweep
 from haptonic.plate.holding import Support
 from haptonic.plate.keys import PLATE
@@ -19,7 +20,7 @@ from haptonic.plate.parts import Finger, Force, Plate
 from haptonic.plate.sweep import Band
 from haptonic.plate.touch import Sites, _Compliance, below_finger
 from haptonic.response import FrequencyResponse, disc_average
-from haptonic.results.feel.loading import Pad, _loaded_quality
+from haptonic.results.feel.loading import _loaded_quality
 
 HZ = 2 * np.pi
 DRIVES = {"A": 40.0, "F": 0.3 - 0.2j}

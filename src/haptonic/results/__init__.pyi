@@ -1,7 +1,7 @@
 from .bands import Bands, compute_bands
 from .common import refuse_taken, write_files, write_netcdf
 from .design import Design, compute_design, compute_front
-from .feel import Feel, Pad, compute_loaded
+from .feel import Feel, compute_loaded
 from .friction import FrictionResult, compute_friction
 from .guides import Guides, compute_guides
 from .judging import compute_verdict
@@ -25,7 +25,6 @@ __all__ = [
     "FrictionTwin",
     "Guides",
     "Layers",
-    "Pad",
     "Plan",
     "PlateResult",
     "Result",

@@ -29,6 +29,7 @@ from haptonic.fields import (
     with_numbers,
 )
 from haptonic.fields.writing import document, toml_of
+from haptonic.friction.lubrication.settings import TouchSettings
 from haptonic.materials import IsotropicMaterial, built_in_name
 from haptonic.plate.parts import Plate
 from haptonic.study.experiment_tables import ParticipantsSection, ProtocolSection
@@ -36,7 +37,6 @@ from haptonic.study.plate_tables import PlateSection
 from haptonic.study.plating import plate_of
 from haptonic.study.settings import CARRIER, LayersSettings, WaveguideSettings
 from haptonic.study.sweeps import SweepSection, numeric_parameters
-from haptonic.study.touch_tables import TouchSection
 from haptonic.study.trial_tables import Trials
 from haptonic.study.vary import Expression, check_names, solve
 from haptonic.units import format_quantity, shown
@@ -100,8 +100,8 @@ class Description:
         title="Plate",
         description="A finite one, made of cells and of plain plate.",
     )
-    touch: TouchSection = Field(
-        default=TouchSection(), title="Touch", description="The finger that feels the plate."
+    touch: TouchSettings = Field(
+        default=TouchSettings(), title="Touch", description="The finger that feels the plate."
     )
     trials: Trials = Field(
         default=Trials(), title="Trials", description="How force records are processed, and which count."

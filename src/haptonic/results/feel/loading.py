@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -11,6 +11,7 @@ import xarray as xr
 from numpy.typing import NDArray
 
 from haptonic.bloch import Gap
+from haptonic.friction.lubrication.settings import Pad
 from haptonic.gate import WORD
 from haptonic.plate import Band, Fineness, Plate, PlateModel, PlateModes, modes_between
 from haptonic.plate.touch import Sites, below_finger
@@ -32,18 +33,6 @@ Complex = NDArray[np.complex128]
 
 FREE = "free"  # the vibration that no finger damps
 LOADS = (FREE, "low", "value", "high")  # by the damping of the finger
-
-
-@dataclass(frozen=True)
-class Pad:
-    """What the finger does to the plate: a damper, spread evenly over a disc.
-
-    diameter : m
-    damping : N s/m of the whole disc: the lowest plausible, the value, the highest plausible
-    """
-
-    diameter: float
-    damping: tuple[float, float, float]
 
 
 def compute_loaded(
