@@ -13,8 +13,10 @@ from nptdms import TdmsFile
 
 from five_parts import refused
 from haptonic.channels import opened
+from haptonic.fields import remade
 from haptonic.friction.lubrication import Fingertip, Touch, amplitude_for, shared_friction
 from haptonic.friction.metronome import END, RATE, START, clicks, write_wav
+from haptonic.friction.participants import Participants
 from haptonic.friction.protocol import Protocol
 from haptonic.friction.simulation import Truth, explaining, film_of, people, recorded, trials
 from haptonic.friction.simulation.files import WRITERS
@@ -26,7 +28,7 @@ from haptonic.friction.trial_list import file_of, write_list
 CARRIER = 58.8e3
 FORCE = (0.8, 0.4)
 AMPLITUDE = {"WG1": 0.95e-6, "WG2": 0.27e-6}
-QUIET = Truth(noise=0.0, bias=0.0, within=0.0, drift=0.0, between=0.0, effect_between=0.0)
+QUIET = Truth(Participants(noise=0.0, bias=0.0, within=0.0, drift=0.0, between=0.0, effect_between=0.0))
 
 
 @pytest.fixture(scope="module")
@@ -71,7 +73,7 @@ class TestFilm:
             if trial.label.actuation == "on":
                 amplitude = AMPLITUDE[trial.label.waveguide]
                 left = float(shared_friction(amplitude, Touch(CARRIER, trial.force), Fingertip().values))
-            assert trial.friction / truth.friction == pytest.approx(left, abs=1e-3)
+            assert trial.friction / truth.people.friction == pytest.approx(left, abs=1e-3)
 
     def test_what_cannot_be_explained_is_refused(self):
         refused(lambda: explaining({"WG1": 1e-6}, CARRIER, FORCE), "reduction on WG1")
@@ -97,7 +99,7 @@ class TestAxes:
             assert np.abs(along[pressed]).max() < 0.08
 
     def test_noise_and_friction(self):
-        truth = replace(QUIET, noise=0.021, bias=0.3)
+        truth = replace(QUIET, people=remade(QUIET.people, noise=0.021, bias=0.3))
         rng = np.random.default_rng(3)
         made = list(recorded(truth, Protocol(2, 20), people(truth, 1, rng), rng))
         before = np.concatenate([stroke.axes[:, :200] for stroke in made], axis=1)

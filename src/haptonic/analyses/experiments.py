@@ -119,16 +119,10 @@ def truth_of(study: Description, amplitudes: Mapping[str, float] | None = None) 
             )
     film = film_of({name: amplitudes[name] for name in names}, carrier, force, skin)
     return Truth(
-        friction=people.friction,
+        people,
         remaining=film.mean,
-        between=people.between,
-        effect_between=people.effect_between,
-        within=people.within,
-        drift=people.drift,
-        noise=people.noise,
         force=force,
         speed=(task.speed, people.speed_spread),
-        bias=people.bias,
         contact=task.lasting,
         film=film,
     )

@@ -30,9 +30,10 @@ from haptonic.fields import (
 )
 from haptonic.fields.writing import document, toml_of
 from haptonic.friction.lubrication.settings import TouchSettings
+from haptonic.friction.participants import Participants
 from haptonic.materials import IsotropicMaterial, built_in_name
 from haptonic.plate.parts import Plate
-from haptonic.study.experiment_tables import ParticipantsSection, ProtocolSection
+from haptonic.study.experiment_tables import ProtocolSection
 from haptonic.study.plate_tables import PlateSection
 from haptonic.study.plating import plate_of
 from haptonic.study.settings import CARRIER, LayersSettings, WaveguideSettings
@@ -112,8 +113,8 @@ class Description:
         title="Protocol",
         description="Trials with people: how many, in which order.",
     )
-    participants: ParticipantsSection = Field(
-        default=ParticipantsSection(), title="Participants", description="What is assumed of people."
+    participants: Participants = Field(
+        default=Participants(), title="Participants", description="What is assumed of people."
     )
     scan_settings: ScanSettings = Field(
         default=ScanSettings(),
