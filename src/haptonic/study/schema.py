@@ -1,7 +1,7 @@
 """The study: everything that one run computes with, as it stands in the study file.
 
-Together with `haptonic.study.settings` this is the single declaration of its keys. Checks, help, report
-labels and the written file follow from it.
+It is composed of values that declare their own fields, each in the package that computes with it. The keys of
+the file, checks, help, labels and the written file follow from these declarations.
 """
 
 from __future__ import annotations
@@ -9,11 +9,9 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from typing import Annotated, Any, Self
 
-from pydantic import (
-    Field,
-)
+from pydantic import Field
 
-from haptonic.bloch.settings import BandSettings
+from haptonic.bloch.settings import CARRIER, BandSettings, LayersSettings, WaveguideSettings
 from haptonic.cell import UnitCell
 from haptonic.design.parameters import values_of
 from haptonic.design.settings import DesignSettings
@@ -36,7 +34,6 @@ from haptonic.plate.parts import Plate
 from haptonic.study.experiment_tables import ProtocolSection
 from haptonic.study.plate_tables import PlateSection
 from haptonic.study.plating import plate_of
-from haptonic.study.settings import CARRIER, LayersSettings, WaveguideSettings
 from haptonic.study.sweeps import SweepSection, numeric_parameters
 from haptonic.study.trial_tables import Trials
 from haptonic.study.vary import Expression, check_names, solve

@@ -9,11 +9,10 @@ from typing import Annotated
 
 from pydantic import Field, ValidationInfo, field_validator
 
-from haptonic.bloch.settings import BandSettings
+from haptonic.bloch.settings import CARRIER, BandSettings
 from haptonic.cell import UnitCell
 from haptonic.fields import described, number_of, problem, table
 from haptonic.fields.quantity import collected
-from haptonic.study.settings import CARRIER
 from haptonic.study.vary import Expression, check_names, parse
 from haptonic.units import format_quantity
 
