@@ -34,6 +34,8 @@ CELLS = {
     "all at once": cell(ALL),
     "square section": cell(replace(ALL, section="square", draft=math.radians(-2), step=None)),
     "rectangular": cell(Pillar(3.5 * MM, 9 * MM), RECTANGLE),
+    "centred": cell(Pillar(3 * MM, 9 * MM), Lattice.centred(7 * MM, 10 * MM)),
+    "oblique": cell(Pillar(3 * MM, 9 * MM), Lattice.oblique(7 * MM, 6 * MM, 1.3)),
     "plain plate": cell(None),
 }
 # (cell, phases, band from 0, degenerate modes)
@@ -43,6 +45,8 @@ CASES = [
     ("all at once", GENERIC, 4, 1),
     ("square section", GENERIC, 6, 1),
     ("rectangular", GENERIC, 5, 1),
+    ("centred", GENERIC, 5, 1),
+    ("oblique", GENERIC, 5, 1),
     ("plain plate", GENERIC, 3, 1),
 ]
 cases = pytest.mark.parametrize(("name", "kappa", "band", "together"), CASES)
@@ -91,7 +95,7 @@ def test_slopes_are_those_of_exact_frequencies(name, kappa, band, together):
         expected = five_points(lambda x, p=path: exact_hertz(name, {p: x}, kappa, modes.omega), here, step)
         # where a length hardly counts, rounding of the frequency is what limits the difference
         floor = 1e-11 * found.frequency / step
-        assert slope == pytest.approx(np.full(together, expected), rel=1e-6, abs=floor), path
+        assert slope == pytest.approx(np.full(together, expected), rel=2e-6, abs=floor), path
 
 
 @pytest.mark.parametrize("path", ["cell.pitch", "cell.pitch_y"])
@@ -159,8 +163,9 @@ def test_values_put_back_change_nothing_and_each_changes_what_it_names(name):
 
 
 def test_what_a_cell_does_not_have_cannot_be_varied():
-    assert set(values_of(CELLS["all at once"])) == set(UNITS) - {"cell.pitch_y"}
-    assert set(values_of(CELLS["rectangular"])) == set(UNITS) - {
+    of_oblique = {"cell.pitch_2", "cell.angle"}
+    assert set(values_of(CELLS["all at once"])) == set(UNITS) - {"cell.pitch_y"} - of_oblique
+    assert set(values_of(CELLS["rectangular"])) == set(UNITS) - of_oblique - {
         "cell.pillar.fillet", "cell.pillar.step.diameter", "cell.pillar.step.height",
     }  # fmt: skip
     ply = OrthotropicMaterial("ply", 20e9, 11e9, 9e9, 3e9, 2.5e9, 4e9, 3.1e9, 4.3e9, 5.7e9, density=1500.0)
