@@ -18,6 +18,7 @@ import haptonic
 from haptonic.analyses import scanning
 from haptonic.response import FrequencyResponse, read
 from haptonic.results.scan import Estimation, compute_scan
+from haptonic.results.scan.question import drive_for, response_for
 from haptonic.store import Store
 from haptonic.vibrometry import ReadReport, Scan
 
@@ -53,8 +54,10 @@ def main() -> None:
 def told(name: str, study: haptonic.Study, kept: Path | None) -> dict[str, Any]:
     """Computed and told edges, Hz, and the error of the contrast of a twin with the default instrument."""
     store = Store.default()
-    asked = study.scan_settings.frozen().of_plate(
-        study.finite_plate.response.tolerance, study.scan_settings.frozen().drive(study.mounted_plate())
+    asked = response_for(
+        study.scan_settings,
+        study.finite_plate.response.tolerance,
+        drive_for(study.scan_settings, study.mounted_plate()),
     )
     response: FrequencyResponse
     if kept is not None:

@@ -15,7 +15,7 @@ def compute(study: Description, options: NoOptions, runner: Runner) -> Excitatio
     ------
     ScanError : settings that do not fit together
     """
-    return Excitation.of(study.scan_settings.frozen(), study.mounted_plate() if study.finite_plate else None)
+    return Excitation.of(study.scan_settings, study.mounted_plate() if study.finite_plate else None)
 
 
 ANALYSIS = Analysis(

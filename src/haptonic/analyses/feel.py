@@ -2,21 +2,20 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 from haptonic.analyses.analysis import Analysis, option
 from haptonic.analyses.needs import fineness, gap_of_plate, has_plate, need_carrier, response_settings
 from haptonic.errors import StudyError
-from haptonic.friction.lubrication import Touch
+from haptonic.friction.lubrication.settings import VOLTAGE
 from haptonic.plate import Plate
 from haptonic.plate.parts import Actuator
 from haptonic.plate.sweep import check_cost
-from haptonic.results.feel.loading import LOADS, Pad, compute_loaded, highest
+from haptonic.results.feel.loading import LOADS, compute_loaded, highest
 from haptonic.results.feel.value import Feel, check_reduction
-from haptonic.results.plate.question import amplitude_of, check_grid, drives_of, reference_of
+from haptonic.results.plate.question import check_grid, drives_of, reference_of
 from haptonic.results.runner import Runner
 from haptonic.study.schema import Description
-from haptonic.study.touch_tables import VOLTAGE
 from haptonic.units import format_quantity
 
 
@@ -58,13 +57,13 @@ def compute(study: Description, options: FeelOptions, runner: Runner) -> Feel:
     )
     drive = amplitude(plate, finger.voltage if options.voltage is None else options.voltage)
     middle = carrier if options.at is None else options.at
-    touch = Touch(middle, finger.force, finger.speed)
+    finger.at(middle)  # refused before anything is computed
     check_cost(plate, highest(middle))
     check_grid(plate, own.grid, len(LOADS))
     gap = gap_of_plate(study, plate, carrier, runner)
     loaded = compute_loaded(
         plate,
-        Pad(finger.diameter, finger.damping),
+        finger.pad,
         carrier=carrier,
         at=options.at,
         gap=gap,
@@ -75,9 +74,9 @@ def compute(study: Description, options: FeelOptions, runner: Runner) -> Feel:
         fineness=fineness(study),
         progress=runner.progress,
     )
-    touch = replace(touch, frequency=loaded.attrs["frequency_hz"])
+    touch, skin = finger.at(loaded.attrs["frequency_hz"]), finger.fingertip()
     edges = (gap.lower, gap.upper) if gap else None
-    return Feel(plate, edges, loaded, finger.diameter, touch, finger.finger(), drive, options.reduction)
+    return Feel(plate, edges, loaded, finger.pad.diameter, touch, skin, drive, options.reduction)
 
 
 def amplitude(plate: Plate, voltage: float | None) -> float:
@@ -98,7 +97,7 @@ def amplitude(plate: Plate, voltage: float | None) -> float:
             cause="it is zero or negative, or its unit slipped",
             next_step='give the amplitude, such as "200 V"',
         )
-    first = next(drive for drive in drives_of(plate) if amplitude_of(drive))
+    first = next(drive for drive in drives_of(plate) if drive.amplitude)
     if not isinstance(first, Actuator):
         raise StudyError(
             argument="voltage",

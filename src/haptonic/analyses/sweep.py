@@ -36,7 +36,7 @@ def compute(study: Description, options: NoOptions, runner: Runner) -> Sweeps:
         )
         for sweep in study.sweep_settings
     ]
-    return compute_sweeps(rows, study.asked(), inputs=study.inputs(), runner=runner)
+    return compute_sweeps(rows, study.bands_settings, inputs=study.inputs(), runner=runner)
 
 
 ANALYSIS = Analysis(

@@ -28,8 +28,8 @@ def compute(study: Description, options: NoOptions, runner: Runner) -> Tolerance
         )
     return compute_tolerance(
         study.cell,
-        study.asked(),
-        [one.frozen() for one in section.of],
+        study.bands_settings,
+        section.of,
         carrier=need_carrier(study),
         margin=section.margin,
         confidence=section.confidence,

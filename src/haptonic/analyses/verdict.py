@@ -9,7 +9,7 @@ from typing import Any
 from haptonic.analyses.analysis import Analysis, option
 from haptonic.analyses.needs import fineness, response_settings
 from haptonic.response import FrequencyResponse, read
-from haptonic.results.judging import VerdictQuestion, compute_verdict
+from haptonic.results.judging import compute_verdict
 from haptonic.results.runner import Runner
 from haptonic.results.verdict import Verdict
 from haptonic.study.schema import Description
@@ -55,13 +55,17 @@ def judged(
     scan : response registered to the plate
     computed : response of this study's plate at lines and points of the scan; else it is computed
     """
-    plate, asked = study.mounted_plate(), study.fit_settings
-    tolerance = response_settings(study).tolerance
-    question = VerdictQuestion(asked.lowest, asked.highest, tolerance, asked.unknowns, asked.points)
     return compute_verdict(
-        plate, scan, question, computed=computed, written=lambda fit: fitted_study(study, fit, scan),
-        inputs=study.inputs(), fineness=fineness(study), progress=runner.progress,
-    )  # fmt: skip
+        study.mounted_plate(),
+        scan,
+        study.fit_settings,
+        tolerance=response_settings(study).tolerance,
+        computed=computed,
+        written=lambda fit: fitted_study(study, fit, scan),
+        inputs=study.inputs(),
+        fineness=fineness(study),
+        progress=runner.progress,
+    )
 
 
 def fitted_study(study: Description, fit: Fit, scan: FrequencyResponse) -> str:
@@ -69,7 +73,7 @@ def fitted_study(study: Description, fit: Fit, scan: FrequencyResponse) -> str:
     title, origin = scan.dataset.attrs["title"], scan.dataset.attrs["origin"]
     lines = [f"Numbers fitted to a {origin} response" + (f', "{title}":' if title else ":")]
     for one in fit.numbers:
-        lines.append(f"{one.name}: {format_quantity(one.value, one.unit)}, 95 % interval: {one.told}")
+        lines.append(f"{one.name}: {format_quantity(one.value, one.unit)}, 95 % interval: {one.range_text}")
     made = study.with_fitted({one.name: one.value for one in fit.numbers})
     head = [f"# {' '.join(line.splitlines())}" for line in lines]
     return "\n".join([*head, "", made.to_toml()])

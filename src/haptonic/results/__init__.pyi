@@ -1,12 +1,12 @@
 from .bands import Bands, compute_bands
-from .common import Asked, refuse_taken, write_files, write_netcdf
+from .common import refuse_taken, write_files, write_netcdf
 from .design import Design, compute_design, compute_front
-from .feel import Feel, Pad, compute_loaded
+from .feel import Feel, compute_loaded
 from .friction import FrictionResult, compute_friction
 from .guides import Guides, compute_guides
-from .judging import VerdictQuestion, compute_verdict
+from .judging import compute_verdict
 from .layers import Layers, compute_layers
-from .plate import PlateQuestion, PlateResult, compute_plate
+from .plate import PlateResult, compute_plate
 from .protocol import Plan, compute_plan
 from .result import Result
 from .runner import Runner, design_gaps
@@ -17,7 +17,6 @@ from .twin import FrictionTwin, friction_twin
 from .verdict import Verdict
 
 __all__ = [
-    "Asked",
     "Bands",
     "Column",
     "Design",
@@ -26,9 +25,7 @@ __all__ = [
     "FrictionTwin",
     "Guides",
     "Layers",
-    "Pad",
     "Plan",
-    "PlateQuestion",
     "PlateResult",
     "Result",
     "Row",
@@ -39,7 +36,6 @@ __all__ = [
     "Tolerance",
     "Uncertain",
     "Verdict",
-    "VerdictQuestion",
     "compute_bands",
     "compute_design",
     "compute_friction",

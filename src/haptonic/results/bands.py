@@ -13,9 +13,10 @@ import xarray as xr
 
 from haptonic import plots, vtu
 from haptonic.bloch import Gap, bands_dataset, gaps_of
+from haptonic.bloch.settings import BandSettings
 from haptonic.cell import UnitCell
 from haptonic.plots.words import khz
-from haptonic.results.common import Asked, no_nan, stamped
+from haptonic.results.common import no_nan, stamped
 from haptonic.results.result import Result, figure, file
 from haptonic.results.table import Column, Table, Uncertain
 from haptonic.store import Store, content_key
@@ -179,7 +180,7 @@ def gap_json(gap: Gap) -> dict[str, Any]:
 
 def compute_bands(
     cell: UnitCell,
-    asked: Asked,
+    settings: BandSettings,
     *,
     surface: bool,
     inputs: Mapping[str, Any],
@@ -194,15 +195,15 @@ def compute_bands(
     inputs : plain values of what was asked, for the result's attributes
     carrier : Hz, marked in the diagram
     """
-    key = content_key({"kind": "bands", "surface": surface, "cell": cell, "asked": asked})
+    key = content_key({"kind": "bands", "surface": surface, "cell": cell, "settings": settings})
     dataset = store.get(key)
     if dataset is None:
         dataset = bands_dataset(
             cell,
-            count=asked.count,
-            points=asked.points,
-            accuracy=asked.accuracy,
-            resolution=asked.resolution,
+            count=settings.count,
+            points=settings.points,
+            accuracy=settings.accuracy,
+            resolution=settings.resolution,
             surface=surface,
         )
         store.put(key, dataset)

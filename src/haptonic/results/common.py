@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import json
 from collections.abc import Callable, Iterable, Mapping
-from dataclasses import dataclass
 from importlib.metadata import version
 from pathlib import Path, PurePosixPath
 from typing import Any
@@ -13,23 +12,12 @@ import numpy as np
 import xarray as xr
 
 from haptonic import hdf5
-from haptonic.bloch import Resolution
 from haptonic.gate import passed
 from haptonic.names import variable
 from haptonic.paths import inside
 from haptonic.store import draft_for, fingerprint, refuse_overwrite, write_atomically
 
 Writer = Callable[[Path], object]
-
-
-@dataclass(frozen=True)
-class Asked:
-    """What is asked of the bands of a cell: see the table ``[bands]`` of the study file."""
-
-    count: int
-    points: int
-    accuracy: float
-    resolution: Resolution | None
 
 
 def write_files(folder: Path, writers: Mapping[Any, Writer], *, overwrite: bool) -> list[Path]:

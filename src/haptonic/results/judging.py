@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -19,7 +18,8 @@ from haptonic.results.scan.analysis import contrast_range
 from haptonic.results.verdict import AFTER, BEFORE, MEASURED, Verdict
 from haptonic.updating.agreement import agreement, normal_of, together
 from haptonic.updating.fit import Fit, SmallModel, fitted
-from haptonic.updating.match import MeasuredResponse, Unknown
+from haptonic.updating.match import MeasuredResponse
+from haptonic.updating.settings import FitSettings
 from haptonic.updating.shapes import How, can_identify, even
 from haptonic.vibrometry.maps.gap import MeasuredGap
 
@@ -29,26 +29,12 @@ Ints = NDArray[np.int64]
 MOST_BESIDE = 0.5  # share of the points that may lie beside the plate
 
 
-@dataclass(frozen=True)
-class VerdictQuestion:
-    """What is compared and fitted.
-
-    lowest, highest : Hz; of the measurement if None; tolerance : field error of computed lines
-    unknowns : what is fitted; points : to how many points of the measurement
-    """
-
-    lowest: float | None
-    highest: float | None
-    tolerance: float
-    unknowns: tuple[Unknown, ...]
-    points: int
-
-
 def compute_verdict(
     plate: Plate,
     scan: FrequencyResponse,
-    question: VerdictQuestion,
+    settings: FitSettings,
     *,
+    tolerance: float,
     computed: FrequencyResponse | None,
     written: Callable[[Fit], str],
     inputs: Mapping[str, Any],
@@ -71,7 +57,7 @@ def compute_verdict(
     HaptonicError : lines that cannot be computed as exactly as asked for
     """
     lines = scan.frequency[scan.frequency > 0]
-    scan = scan.between(question.lowest or float(lines[0]), question.highest or float(lines[-1]))
+    scan = scan.between(settings.lowest or float(lines[0]), settings.highest or float(lines[-1]))
     _check(plate, scan)
     scan, left_out = _on_plate(plate, scan)
 
@@ -79,7 +65,7 @@ def compute_verdict(
         progress(0, 0, f"response of the {title}")
         return responded(
             of, scan.frequency, scan.points, [str(name) for name in scan.dataset["region"].values],
-            question.tolerance, fineness=fineness, title=title, inputs=inputs,
+            tolerance, fineness=fineness, title=title, inputs=inputs,
         )  # fmt: skip
 
     if computed is not None:
@@ -87,9 +73,9 @@ def compute_verdict(
         scan, computed = together(scan, computed)
     responses = {MEASURED: scan, BEFORE: computed or whole(plate, BEFORE)}
     fit, recomputed = None, None
-    if question.unknowns:
-        picked = _picked(len(scan.points), question.points)
-        fit = _fit(plate, scan, picked, question, fineness, progress)
+    if settings.vary:
+        picked = _picked(len(scan.points), settings.points)
+        fit = _fit(plate, scan, picked, settings, tolerance, fineness, progress)
         responses[AFTER] = whole(fit.plate, AFTER)
         exact = normal_of(_alike(responses[AFTER], scan))[:, picked]
         recomputed = float(np.linalg.norm(fit.after - exact) / np.linalg.norm(exact))
@@ -166,7 +152,8 @@ def _fit(
     plate: Plate,
     scan: FrequencyResponse,
     picked: Ints,
-    question: VerdictQuestion,
+    settings: FitSettings,
+    tolerance: float,
     fineness: Fineness | None,
     progress: Progress,
 ) -> Fit:
@@ -177,11 +164,11 @@ def _fit(
     )  # fmt: skip
     small = SmallModel.of(
         plate,
-        question.unknowns,
+        settings.vary,
         data.frequency,
         data.points,
         data.drives,
-        question.tolerance,
+        tolerance,
         fineness,
         progress,
     )

@@ -28,11 +28,12 @@ from haptonic.bloch.mirrors import (
 )
 from haptonic.bloch.model import bloch_model
 from haptonic.bloch.plate_waves import FAMILIES
+from haptonic.bloch.settings import BandSettings, LayersSettings
 from haptonic.cell import UnitCell
 from haptonic.errors import StudyError
 from haptonic.gate import WORD
 from haptonic.jobs import Task
-from haptonic.results.common import Asked, no_nan, stamped
+from haptonic.results.common import no_nan, stamped
 from haptonic.results.result import Result, figure
 from haptonic.results.runner import Runner
 from haptonic.results.table import Table
@@ -181,24 +182,6 @@ def _decibels(share: Array) -> Array:
     return np.asarray(-10 * np.log10(np.maximum(share, LEAST_SHARE)))
 
 
-@dataclass(frozen=True)
-class Question:
-    """What is asked of a mirror; see the table ``[layers]`` of the study file.
-
-    lowest, highest : Hz, ends of the spectrum; points : frequencies in it
-    """
-
-    lowest: float
-    highest: float
-    points: int
-    incidence: Incidence
-
-    @property
-    def frequencies(self) -> Array:
-        """(points,) Hz."""
-        return np.linspace(self.lowest, self.highest, self.points)
-
-
 def layer_tasks(points: int) -> int:
     """How many tasks `compute_layers` has."""
     return 1 + -(-points // CHUNK)
@@ -207,8 +190,8 @@ def layer_tasks(points: int) -> int:
 @threadpool_limits.wrap(limits=1)  # these matrices are too small for threads inside the linear algebra
 def compute_layers(
     cell: UnitCell,
-    asked: Asked,
-    question: Question,
+    settings: BandSettings,
+    layers: LayersSettings,
     *,
     carrier: float,
     inputs: Mapping[str, Any],
@@ -218,7 +201,8 @@ def compute_layers(
 
     Raises
     ------
-    StudyError : a cell without a pillar, or no wave propagates towards the rows at the carrier
+    StudyError : ends of the spectrum in the wrong order, a cell without a pillar, or no
+        wave propagates towards the rows at the carrier
     """
     if cell.pillar is None:
         raise StudyError(
@@ -228,23 +212,25 @@ def compute_layers(
             cause="rows of plain plate between two plain plates reflect nothing",
             next_step="add a [cell.pillar] table",
         )
-    gaps = runner.gaps(cell, asked)
+    frequencies = layers.frequencies(carrier)
+    incidence = Incidence(layers.angle, layers.count, cell.material.loss_factor)
+    gaps = runner.gaps(cell, settings)
     gap = gap_at(gaps, carrier) or widest_gap(gaps)
-    resolution = bloch_model(cell, asked.count, asked.accuracy, asked.resolution).resolution
-    chunks = np.array_split(question.frequencies, layer_tasks(question.points) - 1)
-    fixed = {"incidence": question.incidence, "cell": cell, "resolution": resolution}
+    resolution = bloch_model(cell, settings.count, settings.accuracy, settings.resolution).resolution
+    chunks = np.array_split(frequencies, layer_tasks(layers.points) - 1)
+    fixed = {"incidence": incidence, "cell": cell, "resolution": resolution}
     tasks = [
         Task(
             {"kind": "mirror", "frequency": chunk, **fixed},
-            (cell, resolution, chunk, question.incidence),
+            (cell, resolution, chunk, incidence),
         )
         for chunk in chunks
     ]
     pieces = runner.run(_chunk_dataset, tasks, 1)
     spectrum = xr.concat(pieces, "frequency", data_vars="minimal", coords="minimal")
     superelement = condensed_cell(cell, resolution)
-    found = _at_carrier(superelement, carrier, question.incidence)
-    lossless = _at_carrier(superelement, carrier, replace(question.incidence, loss_factor=0.0))
+    found = _at_carrier(superelement, carrier, incidence)
+    lossless = _at_carrier(superelement, carrier, replace(incidence, loss_factor=0.0))
     dataset = spectrum.merge(_carrier_dataset(found))
     omega = 2 * np.pi * carrier
     waves, _ = bloch_waves(Slab.of(superelement, 0.0).at(omega), omega)
@@ -252,8 +238,8 @@ def compute_layers(
         "carrier_hz": carrier,
         "carrier_attenuation_db": decibels(waves),
         "energy_balance": max(float(np.abs(one.dissipated).max()) for one in lossless.values()),
-        "angle": question.incidence.angle,
-        "loss_factor": question.incidence.loss_factor,
+        "angle": incidence.angle,
+        "loss_factor": incidence.loss_factor,
         "gap": [gap.lower, gap.upper] if gap else [],
         "mesh": json.dumps(asdict(superelement.mesh.topology.plan)),
     }

@@ -31,7 +31,7 @@ MOST_DRAWN = 20  # participants up to which the power is always computed
 
 
 @dataclass(frozen=True)
-class Task:
+class StrokeTask:
     """What people are asked to do: speed (m/s), normal force (N), length of a stroke (m), pause (s)."""
 
     speed: float
@@ -65,7 +65,7 @@ class Plan(Result):
     protocol: Protocol
     participants: int
     order: str
-    task: Task
+    task: StrokeTask
     dataset: xr.Dataset
 
     @cached_property
@@ -198,7 +198,7 @@ def compute_plan(
     protocol: Protocol,
     participants: int,
     populations: Mapping[str, Population],
-    task: Task,
+    task: StrokeTask,
     *,
     title: str,
     order: str,

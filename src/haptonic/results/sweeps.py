@@ -11,12 +11,13 @@ import numpy as np
 import xarray as xr
 
 from haptonic import plots
+from haptonic.bloch.settings import BandSettings
 from haptonic.cell import UnitCell
 from haptonic.cell.cantilever import euler_bernoulli, timoshenko
 from haptonic.gate import declared
 from haptonic.jobs import Outcome, Task
 from haptonic.materials import IsotropicMaterial
-from haptonic.results.common import Asked, Writer, stamped, write_netcdf
+from haptonic.results.common import Writer, stamped, write_netcdf
 from haptonic.results.result import Result, figure, file
 from haptonic.results.runner import Runner, design_gaps
 from haptonic.results.table import Cell, Column, Table
@@ -151,7 +152,7 @@ class Row:
 
 def compute_sweeps(
     rows: Sequence[Row],
-    asked: Asked,
+    settings: BandSettings,
     *,
     inputs: Mapping[str, Any],
     runner: Runner,
@@ -164,7 +165,7 @@ def compute_sweeps(
     runner : computes all rows as one
     """
     tasks = [
-        Task({"kind": "gaps", "cell": cell, "asked": asked}, (cell, asked))
+        Task({"kind": "gaps", "cell": cell, "settings": settings}, (cell, settings))
         for row in rows
         for cell in row.cells
     ]

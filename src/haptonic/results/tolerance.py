@@ -16,6 +16,7 @@ from haptonic.bloch import Gap
 from haptonic.bloch.exact import exact_modes
 from haptonic.bloch.gaps import need_gap_at
 from haptonic.bloch.pencil import eigenpairs
+from haptonic.bloch.settings import BandSettings
 from haptonic.cell import UnitCell
 from haptonic.design.parameters import UNITS, values_of
 from haptonic.design.quick import QUICK, QuickDesign
@@ -32,7 +33,7 @@ from haptonic.design.tolerance import (
 )
 from haptonic.errors import HaptonicError, StudyError
 from haptonic.jobs import Task
-from haptonic.results.common import Asked, stamped
+from haptonic.results.common import stamped
 from haptonic.results.result import Result, figure
 from haptonic.results.runner import Runner
 from haptonic.results.table import Cell, Column, Table
@@ -138,7 +139,7 @@ def percent(chance: float) -> str:
 
 def compute_tolerance(
     cell: UnitCell,
-    asked: Asked,
+    settings: BandSettings,
     spreads: Sequence[Spread],
     *,
     carrier: float,
@@ -169,7 +170,7 @@ def compute_tolerance(
             cause=f"a quadratic in so many parameters has {needed} coefficients",
             next_step="compute more samples, or leave spreads out that hardly matter",
         )
-    gap = need_gap_at(runner.gaps(cell, asked), carrier)
+    gap = need_gap_at(runner.gaps(cell, settings), carrier)
     try:
         designs = samples(cell, spreads, count)
     except HaptonicError as error:
@@ -186,10 +187,10 @@ def compute_tolerance(
     *parts, own = (dataset["frequency"].values for dataset in datasets)
     offset = np.array([gap.lower, gap.upper]) - edges_of(own)[0]
     frequency = np.concatenate(parts) + offset[:, None]
-    slopes = edge_slopes(cell, gap, [spread.path for spread in spreads])
-    widths = np.array([spread.width for spread in spreads])
-    at_rest = np.array([values_of(cell)[spread.path] for spread in spreads])
-    moved = np.array([[values_of(one)[s.path] for s in spreads] for one in designs])
+    slopes = edge_slopes(cell, gap, [spread.parameter for spread in spreads])
+    widths = np.array([spread.spread for spread in spreads])
+    at_rest = np.array([values_of(cell)[spread.parameter] for spread in spreads])
+    moved = np.array([[values_of(one)[s.parameter] for s in spreads] for one in designs])
     deviations = (moved - at_rest) / widths
     surface = Surface.fitted(deviations, frequency)
     chances = Chances(surface, tuple(spreads), carrier, margin, pillars)
@@ -212,7 +213,7 @@ def compute_tolerance(
             "first_order_deviation": ("side", np.sqrt(variance.sum(axis=0)), {"units": "Hz"}),
             "fit_doubt": ("side", surface.doubt, {"units": "Hz"}),
         },
-        coords={"parameter": [spread.path for spread in spreads], "side": ["lower", "upper"]},
+        coords={"parameter": [spread.parameter for spread in spreads], "side": ["lower", "upper"]},
         attrs={
             "carrier_hz": carrier,
             "margin_hz": margin,

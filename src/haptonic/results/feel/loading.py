@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -11,9 +11,10 @@ import xarray as xr
 from numpy.typing import NDArray
 
 from haptonic.bloch import Gap
+from haptonic.friction.lubrication.settings import Pad
 from haptonic.gate import WORD
 from haptonic.plate import Band, Fineness, Plate, PlateModel, PlateModes, modes_between
-from haptonic.plate.touch import Places, below_finger
+from haptonic.plate.touch import Sites, below_finger
 from haptonic.progress import Progress, silent
 from haptonic.results.common import stamped
 from haptonic.results.plate.question import (
@@ -32,18 +33,6 @@ Complex = NDArray[np.complex128]
 
 FREE = "free"  # the vibration that no finger damps
 LOADS = (FREE, "low", "value", "high")  # by the damping of the finger
-
-
-@dataclass(frozen=True)
-class Pad:
-    """What the finger does to the plate: a damper, spread evenly over a disc.
-
-    diameter : m
-    damping : N s/m of the whole disc: the lowest plausible, the value, the highest plausible
-    """
-
-    diameter: float
-    damping: tuple[float, float, float]
 
 
 def compute_loaded(
@@ -128,7 +117,7 @@ def _computed(
     there = points_of(regions, driven_region(plate))
     line = loudest_within(frequencies, surface * vibration.omega, there, (0.0, np.inf), middle)
     omega = float(vibration.omega[line])
-    places = Places(points, pad.diameter)
+    places = Sites(points, pad.diameter)
     impedances = [0.0, *(1j * omega * damping for damping in pad.damping)]
     amplitude = below_finger(band.reduced, places, surface[:, line], omega, impedances)
     mode, quality = _loaded_quality(model, modes, drives, omega, places, pad)
@@ -160,7 +149,7 @@ def _loaded_quality(
     modes: PlateModes,
     drives: Mapping[str, complex],
     omega: float,
-    places: Places,
+    places: Sites,
     pad: Pad,
 ) -> tuple[float, Array]:
     """The mode that answers most at omega, Hz, and (load, point) its quality factor with a finger there.

@@ -19,14 +19,14 @@ from haptonic.errors import StudyError
 from haptonic.friction.lubrication import (
     CUE_THRESHOLD,
     WEBER_FRACTION,
-    Finger,
+    Fingertip,
     Margin,
     Touch,
     predict,
     rise_time,
     time_constant,
 )
-from haptonic.friction.words import change
+from haptonic.friction.phrases import change
 from haptonic.plate import Plate
 from haptonic.response import Reference
 from haptonic.results.feel.felt import Felt
@@ -82,7 +82,7 @@ class Feel(Result):
     loaded: xr.Dataset
     diameter: float
     touch: Touch
-    skin: Finger
+    skin: Fingertip
     drive: float
     reduction: float | None = None
 

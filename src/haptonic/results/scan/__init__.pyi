@@ -1,6 +1,5 @@
 from .analysis import Estimation, OnPlate, compute_scan, contrast_range
 from .excitation import Excitation
-from .question import ScanQuestion
 from .twin import FORMATS, Twin
 from .value import ScanResult
 
@@ -9,7 +8,6 @@ __all__ = [
     "Estimation",
     "Excitation",
     "OnPlate",
-    "ScanQuestion",
     "ScanResult",
     "Twin",
     "compute_scan",

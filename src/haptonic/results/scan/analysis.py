@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 from scipy.spatial import cKDTree
 
 from haptonic.bloch import Gap
+from haptonic.bloch.settings import BandSettings
 from haptonic.errors import HaptonicError, ResponseError, ScanError
 from haptonic.gate import WORD
 from haptonic.plate import Plate
@@ -21,13 +22,12 @@ from haptonic.plate.layout import Layout
 from haptonic.progress import Progress, silent
 from haptonic.response import FrequencyResponse, average_spectrum
 from haptonic.response.measures import sides
-from haptonic.results.common import Asked
 from haptonic.results.plate.compute import marked_lines
 from haptonic.results.plate.question import driven_region, tile_names
 from haptonic.results.plate.value import compared
 from haptonic.results.scan.computed import computed_waves
 from haptonic.results.scan.places import MIRROR, Mirror, guides_of, mirror_beside, strips_of
-from haptonic.results.scan.question import ScanQuestion, Tiles
+from haptonic.results.scan.question import Tiles, plan_for
 from haptonic.results.scan.value import ScanResult
 from haptonic.store import Store
 from haptonic.vibrometry import (
@@ -40,8 +40,8 @@ from haptonic.vibrometry import (
     TimeScan,
     clean_contrast,
     clean_rms,
+    decay_along,
     estimate,
-    fading,
     gap_edges,
     lattice_decay,
     measured_gap,
@@ -50,8 +50,9 @@ from haptonic.vibrometry import (
     warn_if_aliased,
     wavenumber_map,
 )
-from haptonic.vibrometry.estimation.quality import judged
+from haptonic.vibrometry.estimation.quality import assessed
 from haptonic.vibrometry.estimation.spectra import Estimator, WindowName
+from haptonic.vibrometry.settings import ScanSettings
 
 Array = NDArray[np.float64]
 
@@ -83,17 +84,17 @@ class Estimation:
 class OnPlate:
     """What a study says about a scanned plate.
 
-    carrier : Hz; gap : of its lattice; asked : of the bands
+    carrier : Hz; gap : of its lattice; bands : what is asked of its bands
     corners : (4, 2) of the plate as the scan sees them, from the lower left one anticlockwise, m; else the
         points are fitted to the planned ones
     mirrored : the scan sees the plate from behind
     """
 
     plate: Plate
-    question: ScanQuestion
+    scan: ScanSettings
     carrier: float
     gap: Gap | None
-    asked: Asked
+    bands: BandSettings
     corners: Array | None = None
     mirrored: bool = False
 
@@ -150,7 +151,7 @@ def compute_scan(
     waves = None
     if layout.cells:
         span = float(response.frequency[0]), float(response.frequency[-1])
-        waves = computed_waves(layout, on.asked, span, on.gap, guides_of(layout), mirror, store)
+        waves = computed_waves(layout, on.bands, span, on.gap, guides_of(layout), mirror, store)
         shortest = 2 * np.pi / float(waves["wavenumber"].max())
         warn_if_aliased(_step(response), shortest, f"the flexural wave at {span[1] / 1e3:.4g} kHz")
     if registration.misfit > FAR * _step(response):
@@ -190,14 +191,14 @@ def _estimated(scan: Scan, how: Estimation, on: OnPlate | None, progress: Progre
         median = np.full(points, np.nan) if coherence is None else np.median(coherence, axis=0).astype(float)
         known = json.loads(response.dataset.attrs["inputs"]).get("points")
         names = known if isinstance(known, list) and len(known) == points else range(1, points + 1)
-        quality = judged(tuple(map(str, names)), np.zeros(points), np.zeros(points), median)
+        quality = assessed(tuple(map(str, names)), np.zeros(points), np.zeros(points), median)
         return Estimate(response, quality, scan.report, 0)
     records = scan.records
     segment, band = how.segment, None
     if on is not None:
-        fits = on.question.record * records.sample_rate <= records.samples * (1 + 1e-9)
-        segment = on.question.record if segment is None and fits else segment
-        low, high = on.question.lowest, min(on.question.highest, 0.5 * records.sample_rate)
+        fits = on.scan.record * records.sample_rate <= records.samples * (1 + 1e-9)
+        segment = on.scan.record if segment is None and fits else segment
+        low, high = on.scan.lowest, min(on.scan.highest, 0.5 * records.sample_rate)
         band = (low, high) if low < high else None
     return estimate(
         records,
@@ -217,12 +218,12 @@ def _registration(response: FrequencyResponse, on: OnPlate) -> Registration:
         right, top = layout.x[-1], layout.y[-1]
         corners = np.array([[0.0, 0.0], [right, 0.0], [right, top], [0.0, top]])
         return register_by_corners(on.corners, corners, mirrored=on.mirrored)
-    return register_by_fit(response.points, on.question.plan(on.plate).points, mirrored=on.mirrored)
+    return register_by_fit(response.points, plan_for(on.scan, on.plate).points, mirrored=on.mirrored)
 
 
 def _without_path(response: FrequencyResponse, on: OnPlate) -> FrequencyResponse:
     """The response without delay and low-pass of the instrument that the study gives, taken out once."""
-    instrument, old, notes = on.question.instrument, response.dataset["response"], response.dataset.attrs
+    instrument, old, notes = on.scan.instrument, response.dataset["response"], response.dataset.attrs
     inputs = json.loads(notes["inputs"])
     if "path" in inputs or (not instrument.delay and instrument.bandwidth is None):
         return response
@@ -311,7 +312,7 @@ def _gap(response: FrequencyResponse, plate: Plate, data: xr.Dataset) -> Lattice
     """Edges of the lattice's gap; how waves fade in it goes into the dataset."""
     driven = driven_region(plate)
     try:
-        fades = fading(response, strips_of(plate.layout, driven) if driven else [])
+        fades = decay_along(response, strips_of(plate.layout, driven) if driven else [])
     except (ScanError, ResponseError) as error:
         return LatticeGap(None, None, (f"no edges of the gap: {error.given}",))
     data["fading"] = fades

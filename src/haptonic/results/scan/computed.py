@@ -13,10 +13,10 @@ from haptonic.bloch.guide import Guide
 from haptonic.bloch.mirrors import condensed_cell
 from haptonic.bloch.model import bloch_model
 from haptonic.bloch.plate_waves import PlainPlate
+from haptonic.bloch.settings import BandSettings
 from haptonic.errors import StudyError
 from haptonic.gate import WORD
 from haptonic.plate.layout import Layout
-from haptonic.results.common import Asked
 from haptonic.results.scan.places import Guiding, Mirror
 from haptonic.store import Store, content_key
 
@@ -33,7 +33,7 @@ INSET = 1e-3  # of the gap's width, kept away from its edges
 @threadpool_limits.wrap(limits=1)  # these matrices are too small for threads inside the linear algebra
 def computed_waves(
     layout: Layout,
-    asked: Asked,
+    settings: BandSettings,
     span: tuple[float, float],
     gap: Gap | None,
     guides: list[Guiding],
@@ -55,12 +55,12 @@ def computed_waves(
     widths = sorted({(one.width, one.along) for one in guides if one.lattice == (mirror and mirror.name)})
     inputs = {
         "kind": "waves beside a scan", "span": span, "gap": gap, "widths": widths,
-        "depth": mirror and mirror.depth, "cell": cell, "asked": asked,
+        "depth": mirror and mirror.depth, "cell": cell, "settings": settings,
     }  # fmt: skip
     key = content_key(inputs)
     if (kept := store.get(key)) is not None:
         return kept
-    resolution = bloch_model(cell, asked.count, asked.accuracy, asked.resolution).resolution
+    resolution = bloch_model(cell, settings.count, settings.accuracy, settings.resolution).resolution
     superelement = condensed_cell(cell, resolution)
     plain = PlainPlate.of(cell, superelement.levels)
     low = max(span[0], 1e-3 * span[1])

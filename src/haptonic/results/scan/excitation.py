@@ -13,10 +13,11 @@ import xarray as xr
 from haptonic import plots
 from haptonic.plate import Plate
 from haptonic.results.result import Result, figure, file
-from haptonic.results.scan.question import ScanQuestion
+from haptonic.results.scan.question import drive_for, plan_for
 from haptonic.results.table import Table
 from haptonic.vibrometry.chirp import Drive, drive_notes, write_drive
 from haptonic.vibrometry.planning import ScanPlan
+from haptonic.vibrometry.settings import ScanSettings
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -35,20 +36,21 @@ class Excitation(Result):
 
     title = "Excitation"
 
-    question: ScanQuestion
+    settings: ScanSettings
     drive: Drive
     plate: Plate | None
     plan: ScanPlan | None
 
     @classmethod
-    def of(cls, question: ScanQuestion, plate: Plate | None) -> Excitation:
+    def of(cls, settings: ScanSettings, plate: Plate | None) -> Excitation:
         """The drive and the plan for a plate, or the drive alone.
 
         Raises
         ------
         ScanError : settings that do not fit together
         """
-        return cls(question, question.drive(plate), plate, None if plate is None else question.plan(plate))
+        signal = drive_for(settings, plate)
+        return cls(settings, signal, plate, None if plate is None else plan_for(settings, plate))
 
     @property
     def dataset(self) -> xr.Dataset:
@@ -69,7 +71,7 @@ class Excitation(Result):
 
     @file("drive.json")
     def _write_notes(self, path: Path) -> None:
-        notes = drive_notes(self.drive) | {"averages": self.question.averages}
+        notes = drive_notes(self.drive) | {"averages": self.settings.averages}
         path.write_text(json.dumps(notes, indent=1) + "\n", "utf-8")
 
     @file("scan_plan.csv", when=_has_plan)
@@ -112,13 +114,13 @@ class Excitation(Result):
         if plan is not None:
             planned = {
                 "points": len(plan.points), "left_out": len(plan.left_out), "travel_m": plan.travel,
-                "measuring_s": len(plan.points) * self.question.averages * drive.duration,
+                "measuring_s": len(plan.points) * self.settings.averages * drive.duration,
             }  # fmt: skip
         return drive_notes(drive) | {
             "line_spacing_hz": drive.line_spacing,
             "lines": int(np.rint((drive.band[1] - drive.band[0]) * drive.duration)) + 1,
             "duration_s": drive.duration,
-            "averages": self.question.averages,
+            "averages": self.settings.averages,
             "notes": list(drive.warnings),
             "plan": planned,
         }
