@@ -46,7 +46,6 @@ CASES = [
     ("square section", GENERIC, 6, 1),
     ("rectangular", GENERIC, 5, 1),
     ("centred", GENERIC, 5, 1),
-    ("oblique", GENERIC, 5, 1),
     ("plain plate", GENERIC, 3, 1),
 ]
 cases = pytest.mark.parametrize(("name", "kappa", "band", "together"), CASES)

@@ -111,7 +111,7 @@ def test_times_of_a_trial(tmp_path, column, given_time):
     }
     pd.DataFrame([row | {column: given_time}]).to_csv(tmp_path / "trials.csv", index=False)
     if 0 <= given_time < 1e9:
-        (place,) = TrialTable.read(tmp_path).places
+        (place,) = TrialTable.read(tmp_path).spans
         assert getattr(place, column) == pytest.approx(given_time)
     else:
         with pytest.raises(FrictionError, match="seconds from the start"):

@@ -42,7 +42,7 @@ def lossless(model: PlateModel):
 def finger_impedance(finger, omega):
     """Force over displacement of a mass behind a spring and a damper, from its two equations of motion."""
     spring = finger.stiffness + 1j * omega * finger.damping
-    if np.isinf(finger.mass):
+    if finger.mass is None:
         return spring
     behind = spring / (spring - omega**2 * finger.mass)  # displacement of the mass over that of the pad
     return spring * (1 - behind)
