@@ -22,7 +22,7 @@ WOOD = OrthotropicMaterial(
 @given(st.data(), st.sampled_from([WOOD, IsotropicMaterial(200e9, 0.3, 7850.0, name="steel")]))
 def test_constant_strains_have_the_energy_of_the_voigt_matrix(data, material):
     cell = data.draw(cells())
-    mesh = mesh_cell(cell, data.draw(plans(cell, highest=3)))
+    mesh = mesh_cell(cell, data.draw(plans(cell, highest=2)))
     K, mass = assembled(mesh, material)
     volume = mass.sum() / 3 / material.density
     fields = unit_strains(mesh.points)
@@ -53,7 +53,7 @@ def test_constant_stress_is_in_balance_inside_curved_meshes(data):
 @given(st.data())
 def test_exactly_the_rigid_motions_are_free_of_energy(data):
     cell = data.draw(cells())
-    mesh = mesh_cell(cell, data.draw(plans(cell, highest=3)))
+    mesh = mesh_cell(cell, data.draw(plans(cell, highest=2)))
     K, _ = assembled(mesh, WOOD)
     motions = rigid_motions(mesh.points)
     largest = np.abs(K).max() * (motions**2).sum(axis=1)
@@ -74,7 +74,7 @@ def test_a_single_element_has_six_free_motions_and_no_more():
 @given(st.data())
 def test_element_matrices_are_symmetric(data):
     cell = data.draw(cells())
-    mesh = mesh_cell(cell, data.draw(plans(cell, highest=3)))
+    mesh = mesh_cell(cell, data.draw(plans(cell, highest=2)))
     for family in mesh.topology.families:
         stiffness = dense(element_matrices(mesh.points, family.nodes[::7], WOOD))
         assert np.abs(stiffness - stiffness.swapaxes(1, 2)).max() < 1e-12 * np.abs(stiffness).max()
