@@ -19,6 +19,7 @@ import numpy as np
 from record import write
 
 from haptonic.bloch import Gap
+from haptonic.bloch.asked import Asked
 from haptonic.cell import Pillar, UnitCell
 from haptonic.design.brief import Brief
 from haptonic.design.quick import edges_of
@@ -26,7 +27,6 @@ from haptonic.errors import HaptonicError
 from haptonic.lattice import Lattice
 from haptonic.materials import IsotropicMaterial, material
 from haptonic.results import Runner, compute_design
-from haptonic.results.common import Asked
 from haptonic.store import Store, write_atomically
 from haptonic.study.asking import DesignSection
 

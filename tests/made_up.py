@@ -13,14 +13,14 @@ import xarray as xr
 import haptonic
 from haptonic.analyses.needs import need_carrier
 from haptonic.bloch import Resolution, bands_dataset
+from haptonic.bloch.asked import Asked
 from haptonic.bloch.layers import OUTGOING
 from haptonic.bloch.mirrors import PHASES, Incidence
 from haptonic.bloch.plate_waves import FAMILIES
 from haptonic.report import Results
-from haptonic.results import Asked, Guides, Layers, Runner, compute_guides, compute_layers
+from haptonic.results import Guides, Layers, Runner, compute_guides, compute_layers
 from haptonic.results.bands import Bands
 from haptonic.results.common import stamped
-from haptonic.results.layers import Question
 from haptonic.results.references import References
 from haptonic.results.sweeps import Sweep, Sweeps
 from haptonic.store import Store
@@ -137,7 +137,7 @@ def _reference_mirror() -> tuple[Layers, Guides]:
     with tempfile.TemporaryDirectory() as folder:
         runner = Runner(Store(Path(folder)))
         layers = compute_layers(
-            cell, asked, Question(50e3, 62e3, 4, Incidence(0.0, 4, 1e-3)),
+            cell, asked, np.linspace(50e3, 62e3, 4), Incidence(0.0, 4, 1e-3),
             carrier=carrier, inputs=study.inputs(), runner=runner,
         )  # fmt: skip
         guides = compute_guides(

@@ -202,14 +202,15 @@ class Lattice:
         return Lattice.triangular(a1[0]) if name == "triangular" else Lattice.square(a1[0])
 
     def check_rectangular(self, what: str) -> None:
-        """Raise GeometryError unless translations are at right angles; ``what`` needs it."""
-        if len(self.neighbours) != 4:
+        """Raise GeometryError unless the translations lie along x and y; ``what`` needs it."""
+        if self.a1[1] or self.a2[0]:
             raise GeometryError(
                 argument="cell.lattice",
                 given=self.name,
                 allowed=f"square or rectangular for {what}",
-                cause=f"{what} knows cells with four sides only; bands, gaps and sweeps know all lattices",
-                next_step='write lattice = "square" or "rectangular", or ask for the bands',
+                cause=f"{what} knows cells with sides along x and y only; other lattices have bands, gaps, "
+                "sweeps, solids and outlines",
+                next_step='write lattice = "square" or "rectangular"',
             )
 
     def scaled(self, factor: float) -> Lattice:

@@ -36,7 +36,7 @@ ALLOWED: dict[str, set[str]] = {
     "bloch": {"superelement", "cell", "lattice", "brillouin", "materials", "errors", "gate", "units"},
     "channels": {"errors", "foreign", "hdf5", "names", "paths", "units"},
     "response": BASE | {"channels"},
-    "vibrometry": BASE | {"channels", "response"},
+    "vibrometry": CORE | {"channels", "plate", "response"},
     "friction": BASE | {"channels", "response"},
     "design": CORE,
     "plate": CORE - {"bloch"} | {"response"},
@@ -49,7 +49,7 @@ ALLOWED: dict[str, set[str]] = {
     "results": LOWER | {"jobs", "pages", "plots", "vtu"},
     "description": LOWER - {"store"} | {"results"},
     "report": LOWER | {"description", "pages", "plots", "results"},
-    "analyses": LOWER | {"description", "report", "results", "workshop"},
+    "analyses": LOWER | {"description", "jobs", "plots", "report", "results", "workshop"},
     "study": {"analyses", "description", "fields", "progress", "results", "store"},
     "cli": CORE | {"analyses", "results", "store", "study", "__init__"},
 }

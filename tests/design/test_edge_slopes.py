@@ -4,12 +4,12 @@ import numpy as np
 import pytest
 
 from haptonic.bloch import Resolution, gaps_of
+from haptonic.bloch.asked import Asked
 from haptonic.bloch.pencil import eigenpairs
+from haptonic.design.edges import edge_slopes
 from haptonic.design.parameters import values_of
 from haptonic.design.quick import QuickDesign
-from haptonic.results.common import Asked
-from haptonic.results.sweeps import design_gaps
-from haptonic.results.tolerance import edge_slopes
+from haptonic.results.runner import design_gaps
 from made_up import reference_study
 
 PATHS = ("cell.pillar.height", "material.density")

@@ -11,6 +11,7 @@ from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
 from haptonic.bloch import Gap, Resolution, gaps_of
+from haptonic.bloch.asked import Asked
 from haptonic.cell import Pillar, Step, UnitCell
 from haptonic.design import quick, search
 from haptonic.design.brief import LEAST_GAP, Brief, Finger
@@ -21,7 +22,6 @@ from haptonic.errors import ResourceError, StudyError
 from haptonic.lattice import Lattice
 from haptonic.materials import IsotropicMaterial, material
 from haptonic.results import Runner, compute_design
-from haptonic.results.common import Asked
 from haptonic.results.design import refusals, tasks
 from haptonic.results.design.search import _rounded
 from haptonic.store import Store

@@ -14,20 +14,22 @@ import pytest
 import xarray as xr
 from small import CELL, COARSE, busy_plate
 
+from haptonic.analyses.feel import compute_loaded
 from haptonic.bloch import Resolution
+from haptonic.bloch.asked import Asked
 from haptonic.cell import Pillar, UnitCell
 from haptonic.cell.pillar import Step
 from haptonic.design.brief import Brief, Finger
 from haptonic.errors import HaptonicWarning
 from haptonic.lattice import Lattice
 from haptonic.materials import IsotropicMaterial
+from haptonic.plate.loaded import Pad
+from haptonic.plate.question import PlateQuestion
+from haptonic.progress import silent
 from haptonic.results import Runner
 from haptonic.results.bands import compute_bands
-from haptonic.results.common import Asked
 from haptonic.results.design.tasks import front_task, look_task
-from haptonic.results.feel.loading import Pad, compute_loaded
 from haptonic.results.plate.compute import compute_plate
-from haptonic.results.plate.question import PlateQuestion
 from haptonic.store import Store, content_key
 
 MATERIAL = IsotropicMaterial(
@@ -85,7 +87,7 @@ def plate_key(plate: Any, question: PlateQuestion, fineness: Any) -> object:
 
 def loaded_key(plate: Any, pad: Pad, fineness: Any) -> object:
     return compute_loaded(
-        plate, pad, carrier=5e4, at=None, gap=None, grid=1e-3, tolerance=1e-2, inputs={}, store=STORE,
+        STORE, {}, silent, plate=plate, pad=pad, carrier=5e4, at=None, gap=None, grid=1e-3, tolerance=1e-2,
         fineness=fineness,
     )  # fmt: skip
 

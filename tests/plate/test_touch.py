@@ -12,13 +12,13 @@ from whole import dynamic
 
 from haptonic.plate import sweep
 from haptonic.plate.keys import PLATE
+from haptonic.plate.loaded import Pad, _loaded_quality
 from haptonic.plate.model import PlateModel
 from haptonic.plate.modes import modes_between
 from haptonic.plate.parts import Finger, Force, Plate, Support
 from haptonic.plate.sweep import Band
 from haptonic.plate.touch import Places, _Compliance, below_finger
 from haptonic.response import FrequencyResponse, disc_average
-from haptonic.results.feel.loading import Pad, _loaded_quality
 
 HZ = 2 * np.pi
 DRIVES = {"A": 40.0, "F": 0.3 - 0.2j}

@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import numpy as np
+
 from haptonic.analyses.analysis import KEPT, Analysis, NoOptions
 from haptonic.analyses.needs import has_mirror, need_carrier
 from haptonic.bloch.mirrors import Incidence
 from haptonic.errors import StudyError
-from haptonic.results.layers import Layers, Question, compute_layers
+from haptonic.results.layers import Layers, compute_layers
 from haptonic.results.runner import Runner
 from haptonic.study.schema import Description
 from haptonic.units import format_quantity
@@ -22,23 +24,20 @@ def compute(study: Description, options: NoOptions, runner: Runner) -> Layers:
     StudyError : no carrier, or no wave that propagates towards the rows
     """
     section, carrier = study.layers_settings, need_carrier(study)
-    question = Question(
-        lowest=section.lowest or LOWEST * carrier,
-        highest=section.highest or HIGHEST * carrier,
-        points=section.points,
-        incidence=Incidence(section.angle, section.count, study.cell.material.loss_factor),
-    )
-    if question.lowest >= question.highest:
+    lowest, highest = section.lowest or LOWEST * carrier, section.highest or HIGHEST * carrier
+    if lowest >= highest:
         raise StudyError(
             argument="layers.lowest",
-            given=format_quantity(question.lowest, "Hz"),
-            allowed=f"less than the highest frequency, {format_quantity(question.highest, 'Hz')}",
+            given=format_quantity(lowest, "Hz"),
+            allowed=f"less than the highest frequency, {format_quantity(highest, 'Hz')}",
             cause="only one end of the spectrum was given, beyond the other's default",
             next_step="give both layers.lowest and layers.highest",
         )
     found: Layers = compute_layers(
-        study.cell, study.asked(), question, carrier=carrier, inputs=study.inputs(), runner=runner
-    )
+        study.cell, study.asked(), np.linspace(lowest, highest, section.points),
+        Incidence(section.angle, section.count, study.cell.material.loss_factor),
+        carrier=carrier, inputs=study.inputs(), runner=runner,
+    )  # fmt: skip
     return found
 
 

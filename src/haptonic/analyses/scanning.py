@@ -14,10 +14,11 @@ from haptonic.progress import Progress, silent
 from haptonic.response import FrequencyResponse
 from haptonic.results.plate.value import PlateResult
 from haptonic.results.runner import Runner
-from haptonic.results.scan import Estimation, OnPlate, ScanQuestion, ScanResult, Twin, compute_scan
+from haptonic.results.scan import Estimation, OnPlate, ScanResult, Twin, compute_scan
 from haptonic.store import Store
 from haptonic.study.schema import Description
 from haptonic.vibrometry import ReadReport, Scan
+from haptonic.vibrometry.question import ScanQuestion
 
 Array = NDArray[np.float64]
 

@@ -1,23 +1,21 @@
 from .bands import Bands, compute_bands
-from .common import Asked, refuse_taken, write_files, write_netcdf
+from .common import refuse_taken, write_files, write_netcdf
 from .design import Design, compute_design, compute_front
-from .feel import Feel, Pad, compute_loaded
+from .feel import Feel
 from .friction import FrictionResult, compute_friction
 from .guides import Guides, compute_guides
-from .judging import VerdictQuestion, compute_verdict
 from .layers import Layers, compute_layers
-from .plate import PlateQuestion, PlateResult, compute_plate
-from .protocol import Plan, compute_plan
+from .plate import PlateResult, compute_plate
+from .protocol import Plan
 from .result import Result
 from .runner import Runner, design_gaps
-from .sweeps import Row, Sweep, Sweeps, compute_sweeps
+from .sweeps import Sweep, Sweeps
 from .table import Column, Table, Uncertain
-from .tolerance import Tolerance, compute_tolerance
+from .tolerance import Tolerance
 from .twin import FrictionTwin, friction_twin
 from .verdict import Verdict
 
 __all__ = [
-    "Asked",
     "Bands",
     "Column",
     "Design",
@@ -26,12 +24,9 @@ __all__ = [
     "FrictionTwin",
     "Guides",
     "Layers",
-    "Pad",
     "Plan",
-    "PlateQuestion",
     "PlateResult",
     "Result",
-    "Row",
     "Runner",
     "Sweep",
     "Sweeps",
@@ -39,19 +34,13 @@ __all__ = [
     "Tolerance",
     "Uncertain",
     "Verdict",
-    "VerdictQuestion",
     "compute_bands",
     "compute_design",
     "compute_friction",
     "compute_front",
     "compute_guides",
     "compute_layers",
-    "compute_loaded",
-    "compute_plan",
     "compute_plate",
-    "compute_sweeps",
-    "compute_tolerance",
-    "compute_verdict",
     "design_gaps",
     "friction_twin",
     "refuse_taken",

@@ -4,32 +4,19 @@ from __future__ import annotations
 
 import json
 from collections.abc import Callable, Iterable, Mapping
-from dataclasses import dataclass
 from importlib.metadata import version
 from pathlib import Path, PurePosixPath
 from typing import Any
 
-import numpy as np
 import xarray as xr
 
 from haptonic import hdf5
-from haptonic.bloch import Resolution
 from haptonic.gate import passed
 from haptonic.names import variable
 from haptonic.paths import inside
 from haptonic.store import draft_for, fingerprint, refuse_overwrite, write_atomically
 
 Writer = Callable[[Path], object]
-
-
-@dataclass(frozen=True)
-class Asked:
-    """What is asked of the bands of a cell: see the table ``[bands]`` of the study file."""
-
-    count: int
-    points: int
-    accuracy: float
-    resolution: Resolution | None
 
 
 def write_files(folder: Path, writers: Mapping[Any, Writer], *, overwrite: bool) -> list[Path]:
@@ -77,8 +64,3 @@ def stamped(dataset: xr.Dataset, inputs: Mapping[str, Any]) -> xr.Dataset:
         "origin": "simulated",
     }
     return passed(dataset)
-
-
-def no_nan(array: np.ndarray) -> Any:
-    """Nested lists with null in place of NaN, which JSON does not have."""
-    return np.where(np.isnan(array), np.array(None), array).tolist()

@@ -10,10 +10,10 @@ from typing import Any
 import xarray as xr
 
 from haptonic.bloch import Gap, gaps_dataset, gaps_of
+from haptonic.bloch.asked import Asked
 from haptonic.cell import UnitCell
 from haptonic.jobs import Outcome, Task, run_all
 from haptonic.progress import Progress, silent
-from haptonic.results.common import Asked
 from haptonic.store import Store
 
 

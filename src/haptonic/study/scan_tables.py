@@ -7,10 +7,10 @@ from typing import Annotated, Literal
 from pydantic import Field
 
 from haptonic.fields import Quantity, described, problem, size
-from haptonic.results.scan import ScanQuestion
 from haptonic.study.asking import Frequency, ascending
 from haptonic.units import format_quantity
 from haptonic.vibrometry.instrument import Instrument
+from haptonic.vibrometry.question import ScanQuestion
 
 Velocity = Annotated[float, Quantity("m/s", above=0.0, at_most=1e3, typical=(1e-7, 10.0))]
 

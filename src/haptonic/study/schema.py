@@ -13,6 +13,7 @@ from pydantic import (
     Field,
 )
 
+from haptonic.bloch.asked import Asked
 from haptonic.bloch.resolution import LADDER, Resolution, starting_rung
 from haptonic.cell import UnitCell
 from haptonic.design.parameters import values_of
@@ -29,7 +30,6 @@ from haptonic.fields import (
 from haptonic.fields.writing import document, toml_of
 from haptonic.materials import IsotropicMaterial, built_in_name
 from haptonic.plate.parts import Plate
-from haptonic.results import Asked
 from haptonic.study.asking import DesignSection, LayersSection, ToleranceSection, WaveguideSection
 from haptonic.study.experiment_tables import ParticipantsSection, ProtocolSection
 from haptonic.study.fitting import FitSection

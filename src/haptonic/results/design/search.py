@@ -13,12 +13,13 @@ import xarray as xr
 from numpy.typing import NDArray
 
 from haptonic.bloch import Gap, gaps_of
+from haptonic.bloch.asked import Asked
 from haptonic.design.brief import SLACK, Brief
 from haptonic.design.parameters import UNITS
 from haptonic.design.search import Column, Visited, distinct, spread, starts_of
 from haptonic.errors import HaptonicError
 from haptonic.jobs import Task
-from haptonic.results.common import Asked, stamped
+from haptonic.results.common import stamped
 from haptonic.results.design import tasks
 from haptonic.results.design.refusals import held_back_by, out_of_reach, uncomputed
 from haptonic.results.design.tasks import visits_of

@@ -9,11 +9,11 @@ import xarray as xr
 from numpy.typing import NDArray
 
 from haptonic.bloch import gaps_dataset
+from haptonic.bloch.asked import Asked
 from haptonic.cell import UnitCell
 from haptonic.design.brief import Brief
 from haptonic.design.search import Column, Visited, climb, spread, starts_of
 from haptonic.jobs import Task
-from haptonic.results.common import Asked
 
 Array = NDArray[np.float64]
 

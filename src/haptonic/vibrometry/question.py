@@ -10,8 +10,8 @@ from numpy.typing import NDArray
 from haptonic.errors import ScanError, nearest
 from haptonic.plate import Plate
 from haptonic.plate.layout import Layout
+from haptonic.plate.question import PlateQuestion, grid_points, reference_of, tile_names
 from haptonic.response import Reference
-from haptonic.results.plate.question import PlateQuestion, grid_points, reference_of, tile_names
 from haptonic.vibrometry.chirp import Drive, Kind, drive
 from haptonic.vibrometry.instrument import Instrument, lines_of
 from haptonic.vibrometry.planning import Rectangle, Region, ScanPlan, visited
