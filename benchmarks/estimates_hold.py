@@ -25,9 +25,10 @@ from record import ROOT, write
 from threadpoolctl import threadpool_limits
 
 sys.path.insert(0, str(ROOT / "tests" / "core"))
-from truth import KINDS, STOUT_FROM, Drawn, Truth, drawn, truth, wavevectors
+from truth import KINDS, STOUT_FROM, Drawn, Truth, drawn, foreseen, truth, wavevectors
 
 from haptonic.bloch.model import REST, bloch_model
+from haptonic.bloch.resolution import check_start, started
 from haptonic.errors import HaptonicError
 
 Array = NDArray[np.float64]
@@ -42,6 +43,7 @@ class Row:
     """One design: what was asked, what came out; errors are relative, seconds are the processor's.
 
     unsure : largest uncertainty of a reference, as a share of the estimate that it judges
+    unjudged : frequencies of which the reference is less sure than the estimate; the ratios leave them out
     """
 
     seed: int
@@ -60,6 +62,7 @@ class Row:
     largest_error: float = float("nan")
     largest_estimate: float = float("nan")
     unsure: float = float("nan")
+    unjudged: int = 0
     route: str = ""
 
 
@@ -93,7 +96,9 @@ def compare(row: Row, frequency: Array, error: Array, exact: Truth) -> None:
     moving = exact.frequency > 2 * REST * exact.frequency.max()
     true, unsure = np.abs(frequency - exact.frequency)[moving], exact.uncertainty[moving]
     error, yardstick = error[moving], exact.frequency[moving]
-    ratio = error / np.maximum(true, unsure)
+    sure = unsure < error
+    ratio = (error / np.maximum(true, unsure))[sure]
+    row.unjudged = int((~sure).sum())
     row.route, row.frequencies, row.unsure = exact.route, true.size, float((unsure / error).max())
     row.below = int((error < true - unsure).sum())
     row.least_ratio, row.median_ratio = float(ratio.min()), float(np.median(ratio))
@@ -103,18 +108,24 @@ def compare(row: Row, frequency: Array, error: Array, exact: Truth) -> None:
     )
 
 
+def found_truth(question: Drawn) -> tuple[Truth | None, float]:
+    start = time.process_time()
+    with threadpool_limits(1):
+        return truth(question), time.process_time() - start
+
+
 def reference(question: Drawn, kept: Path) -> tuple[Truth | None, float]:
-    """The truth of a question, computed once, and the seconds of the processor that it took."""
+    """The truth of a question, computed once, and the seconds of the processor that it took.
+
+    That there is none is kept as well, so that what no mesh fits is not tried at every run.
+    """
     if not kept.exists():
-        start = time.process_time()
-        with threadpool_limits(1):
-            exact = truth(question)
-        if exact is None:
-            return None, time.process_time() - start
-        np.savez(kept, **asdict(exact), seconds=time.process_time() - start)
+        exact, seconds = within(REFERENCE_LIMIT, found_truth, question) or (None, REFERENCE_LIMIT)
+        lacking = Truth(np.empty((0, 0)), np.empty((0, 0)), "none")
+        np.savez(kept, **asdict(exact or lacking), seconds=seconds)
     with np.load(kept) as stored:
         exact = Truth(stored["frequency"], stored["uncertainty"], str(stored["route"]))
-        return exact, float(stored["seconds"])
+        return exact if exact.frequency.size else None, float(stored["seconds"])
 
 
 def _sent(pipe: Connection, limit: int, work: Callable[..., Any], *given: Any) -> None:
@@ -171,6 +182,7 @@ def of_class(rows: list[Row], name: str) -> dict[str, Any]:
         "too_long": sum(row.outcome.startswith("longer") for row in rows),
         "no_reference": sum(row.outcome.startswith("no reference") for row in rows),
         "frequencies": sum(row.frequencies for row in good),
+        "unjudged": sum(row.unjudged for row in good),
         "below_true": sum(row.below for row in good),
         "least_ratio": min((row.least_ratio for row in good), default=None),
         "median_ratio": float(np.median(ratios)) if ratios else None,
@@ -181,6 +193,11 @@ def of_class(rows: list[Row], name: str) -> dict[str, Any]:
         else None,
         "median_unsure": float(np.median([row.unsure for row in good])) if good else None,
     }
+
+
+def kept(seed: int, number: int) -> Path:
+    """Where the reference of a design is kept."""
+    return FOLDER / f"{seed}-{number}.npz"
 
 
 def row_of(seed: int, number: int, limit: float) -> Row:
@@ -195,25 +212,56 @@ def row_of(seed: int, number: int, limit: float) -> Row:
     if answer.refusal:
         row.outcome = f"refused: {answer.refusal}"
         return row
-    found = within(REFERENCE_LIMIT, reference, question, FOLDER / f"{seed}-{number}.npz")
-    exact, row.reference_seconds = found or (None, REFERENCE_LIMIT)
+    exact, row.reference_seconds = reference(question, kept(seed, number))
     if exact is None:
-        row.outcome = "no reference: too large"
+        row.outcome = "no reference: too large, or longer than it may take"
         return row
     compare(row, answer.frequency, answer.error, exact)
     return row
 
 
-def main(count: int, stout: int, seed: int, limit: float, remark: str) -> None:
+def numbers(count: int, stout: int, seed: int) -> list[int]:
+    """Of the designs, those first that are foreseen to take least: a run may be stopped."""
+
+    def seconds(number: int) -> float:
+        question = drawn(seed, number)
+        tried = started(question.cell, question.count, question.accuracy)
+        return foreseen(question) + sum(one.seconds(question.cell) for one in tried)
+
+    return sorted((*range(count), *range(STOUT_FROM, STOUT_FROM + stout)), key=seconds)
+
+
+def references(count: int, stout: int, seed: int) -> None:
+    """Compute and keep what answers are judged by, for any later version of the product."""
+    FOLDER.mkdir(parents=True, exist_ok=True)
+    for number in numbers(count, stout, seed):
+        question = drawn(seed, number)
+        exact, seconds = reference(question, kept(seed, number))
+        route = "none" if exact is None else exact.route
+        print(
+            f"{number} {question.kind} {question.count} {question.accuracy:g}: {route}, {seconds:.0f} s",
+            flush=True,
+        )
+
+
+def refused_at_once(question: Drawn) -> bool:
+    try:
+        check_start(question.cell, question.count, question.accuracy)
+    except HaptonicError:
+        return True
+    return False
+
+
+def main(count: int, stout: int, seed: int, limit: float, stored: bool, remark: str) -> None:
     FOLDER.mkdir(parents=True, exist_ok=True)
     path = FOLDER / "designs.csv"
     done = {(row.seed, row.number) for row in read(path)}
-    apart = range(STOUT_FROM, STOUT_FROM + stout)
-    every = max(count // max(stout, 1), 1)  # so that a run that is stopped has seen every class
-    for number in sorted(
-        (*range(count), *apart), key=lambda n: every * (n - STOUT_FROM) if n in apart else n
-    ):
+    not_run: list[int] = []
+    for number in numbers(count, stout, seed):
         if (seed, number) in done:
+            continue
+        if stored and not kept(seed, number).exists() and not refused_at_once(drawn(seed, number)):
+            not_run.append(number)
             continue
         row = row_of(seed, number, limit)
         append(path, row)
@@ -237,6 +285,8 @@ def main(count: int, stout: int, seed: int, limit: float, remark: str) -> None:
         {
             "seed": seed,
             "limit_s": limit,
+            "drawn": count + stout,
+            "not_run": sorted(not_run),
             "rows": [*classes, of_class(rows, "all")],
             "not_answered": reasons,
             "remark": remark,
@@ -253,5 +303,14 @@ if __name__ == "__main__":
         "--limit", type=float, default=90.0, help="seconds of the processor that a design gets"
     )
     parser.add_argument("--remark", default="", help="what a reader of the record has to know")
+    parser.add_argument(
+        "--references", action="store_true", help="only compute what answers are judged by, and keep it"
+    )
+    parser.add_argument(
+        "--stored", action="store_true", help="leave out designs that have no reference yet, and say which"
+    )
     given = parser.parse_args()
-    main(given.designs, given.stout, given.seed, given.limit, given.remark)
+    if given.references:
+        references(given.designs, given.stout, given.seed)
+    else:
+        main(given.designs, given.stout, given.seed, given.limit, given.stored, given.remark)

@@ -26,6 +26,7 @@ NAMES = {
     "square": ("XY", "M"),
     "rectangular": ("XY", "S"),
     "triangular": ("M", "K"),
+    "centred": ("XS", "HY"),
     "oblique": ("XYC", "H"),
 }
 
@@ -181,4 +182,4 @@ def _angle(point: Array) -> float:
 def _simple(phase: float) -> float:
     """A phase in units of pi; a simple fraction, as symmetric zones have them, exactly."""
     fraction = float(Fraction(phase).limit_denominator(12))
-    return fraction if abs(fraction - phase) < SAME else phase
+    return fraction if abs(fraction - phase) < SAME else float(phase)

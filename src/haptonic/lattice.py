@@ -18,7 +18,7 @@ from numpy.typing import NDArray
 from pydantic import Field
 
 from haptonic.errors import GeometryError
-from haptonic.fields import described, problem, remade, size
+from haptonic.fields import Quantity, described, problem, remade, size
 from haptonic.units import format_quantity
 
 Array = NDArray[np.float64]
@@ -30,6 +30,15 @@ DIAGONAL: Operation = ((0, 1), (1, 0))
 SAME = 1e-9  # relative: lengths, and entries of matrices, that differ by less are equal
 # Of the periods of a rectangle: no mesh has a use for more, and its square is far from 1 / SAME.
 MOST_ELONGATED = 1000.0
+# Of a cell of six sides, in radii of the circle within: at 4e-5 bands were still those of the square that it
+# nearly is.
+LEAST_SIDE = 1e-3
+USUAL_ANGLE = (math.radians(20), math.radians(160))
+# what lattices are given by, besides the pitch
+FURTHER: dict[str, tuple[str, ...]] = {
+    "square": (), "rectangular": ("pitch_y",), "triangular": (), "centred": ("pitch_y",),
+    "oblique": ("pitch_2", "angle"),
+}  # fmt: skip
 LETTERS = {0: "x", 90: "y", 135: "d"}  # names of mirrors, by the angle of their normals in degrees
 
 
@@ -111,43 +120,65 @@ class Lattice:
     """Two translations ``a1``, ``a2`` in the plane of the plate, m, the shortest that there are.
 
     ``name`` is that of the symmetry that is meant. A rectangle whose sides happen to be equal stays one, so
-    that a sweep of a side meets no other zone there. ``pitch`` is the length of a1, and the yardstick
-    of every geometric tolerance.
+    that a sweep of a side meets no other zone there. ``pitch`` is the yardstick of every geometric tolerance.
 
     Raises
     ------
-    GeometryError : a period that is not positive, one too many or too few, or far longer than the other
+    GeometryError : a period that is not positive, one too many or too few, or far longer than the other; a
+        cell of six sides one of which is next to nothing
     """
 
-    name: Literal["square", "rectangular", "triangular"] = Field(
+    name: Literal["square", "rectangular", "triangular", "centred", "oblique"] = Field(
         alias="lattice", default="square", title="Lattice", description="How the cells repeat in the plane."
     )
     pitch: Annotated[float, size(100e-6, 100e-3)] = Field(
-        title="Pitch", description="Period of the lattice; along x for a rectangular one."
+        title="Pitch", description="Period of the lattice; along x for a rectangular or a centred one."
     )
     pitch_y: Annotated[float, size(100e-6, 100e-3)] | None = Field(
-        default=None, title="Pitch along y", description="Of a rectangular lattice only."
+        default=None,
+        title="Pitch along y",
+        description="Of a rectangular lattice, or of a centred one, whose rectangles have a middle pillar.",
+    )
+    pitch_2: Annotated[float, size(100e-6, 100e-3)] | None = Field(
+        default=None, title="Second pitch", description="Of an oblique lattice only."
+    )
+    angle: Annotated[float, Quantity("rad", above=0.0, below=math.pi, typical=USUAL_ANGLE)] | None = Field(
+        default=None,
+        title="Angle",
+        description="From the first pitch, along x, to that of an oblique lattice.",
     )
 
     def __post_init__(self) -> None:
-        if (self.name == "rectangular") != (self.pitch_y is not None):
-            missing = self.pitch_y is None
+        for field in ("pitch_y", "pitch_2", "angle"):
+            value, needed = getattr(self, field), field in FURTHER[self.name]
+            if needed != (value is not None):
+                raise problem(
+                    "nothing"
+                    if value is None
+                    else format_quantity(value, "rad" if field == "angle" else "m"),
+                    f"{field} for a lattice that is {_said(field)}, and for no other",
+                    "it was left out" if needed else f"a {self.name} lattice is given without it",
+                    f"add {field}"
+                    if needed
+                    else f"remove {field}, or write lattice = {_said(field, quoted=True)}",
+                    at=field,
+                )
+        lengths = np.linalg.norm(self.vectors, axis=1)
+        if lengths.max() > MOST_ELONGATED * lengths.min():
             raise problem(
-                "nothing" if missing else format_quantity(self.pitch_y or 0.0, "m"),
-                "pitch_y for a rectangular lattice, and for no other",
-                "the second period was left out" if missing else f"a {self.name} lattice has one period only",
-                'add pitch_y = "7 mm"' if missing else 'remove pitch_y, or write lattice = "rectangular"',
-                at="pitch_y",
-            )
-        if self.pitch_y is not None and (
-            max(self.pitch, self.pitch_y) > MOST_ELONGATED * min(self.pitch, self.pitch_y)
-        ):
-            raise problem(
-                format_quantity(self.pitch_y, "m"),
+                " and ".join(format_quantity(float(length), "m") for length in lengths),
                 f"periods whose ratio is at most {MOST_ELONGATED:g}",
-                f"the other period is {format_quantity(self.pitch, 'm')}",
-                "check the units of pitch and pitch_y",
-                at="pitch_y",
+                "one of them is far longer than the other",
+                "check their units",
+                at=[*FURTHER[self.name], "pitch"][0],
+            )
+        if self.shortest_side < LEAST_SIDE:
+            raise problem(
+                f"{self.name}, a side of its cell {self.shortest_side:.2g} of the circle within",
+                f"six sides, none shorter than {LEAST_SIDE:g} of the radius of the circle within",
+                "its points nearly stand in rectangles, and so short a side cannot be meshed",
+                'change a size by a thousandth, or write lattice = "square" or "rectangular"',
+                at="lattice",
             )
 
     @classmethod
@@ -165,41 +196,42 @@ class Lattice:
         """Triangular lattice, also called hexagonal, of period ``pitch`` (m); a1 lies along x."""
         return cls(lattice="triangular", pitch=pitch)
 
+    @classmethod
+    def centred(cls, pitch: float, pitch_y: float) -> Lattice:
+        """Rectangles of these sides (m) with lattice points at their corners and in their middles."""
+        return cls(lattice="centred", pitch=pitch, pitch_y=pitch_y)
+
+    @classmethod
+    def oblique(cls, pitch: float, pitch_2: float, angle: float) -> Lattice:
+        """Lattice of any two periods (m), the first along x, with an angle (rad) between them."""
+        return cls(lattice="oblique", pitch=pitch, pitch_2=pitch_2, angle=angle)
+
+    @cached_property
+    def vectors(self) -> Array:
+        """(2, 2): the rows are a1 and a2, m."""
+        first = (self.pitch, 0.0)
+        match self.name:
+            case "triangular":
+                return np.array([first, (0.5 * self.pitch, 0.5 * math.sqrt(3) * self.pitch)])
+            case "centred":
+                assert self.pitch_y is not None
+                return shortest(np.array([first, (0.5 * self.pitch, 0.5 * self.pitch_y)]))
+            case "oblique":
+                assert self.pitch_2 is not None
+                assert self.angle is not None
+                second = (self.pitch_2 * math.cos(self.angle), self.pitch_2 * math.sin(self.angle))
+                return shortest(np.array([first, second]))
+        return np.array([first, (0.0, self.pitch_y or self.pitch)])
+
     @property
     def a1(self) -> tuple[float, float]:
         """First translation, m."""
-        return self.pitch, 0.0
+        return float(self.vectors[0, 0]), float(self.vectors[0, 1])
 
     @property
     def a2(self) -> tuple[float, float]:
         """Second translation, m."""
-        if self.name == "triangular":
-            return 0.5 * self.pitch, 0.5 * math.sqrt(3) * self.pitch
-        return 0.0, self.pitch_y or self.pitch
-
-    @staticmethod
-    def oblique(a1: tuple[float, float], a2: tuple[float, float]) -> Oblique:
-        """Lattice of any two translations (m), the shortest that there are."""
-        pitch = math.hypot(*a1)
-        if not (np.isfinite([a1, a2]).all() and abs(np.linalg.det([a1, a2])) > 0):
-            raise GeometryError(
-                argument="cell.lattice",
-                given=f"a1 = {a1}, a2 = {a2}",
-                allowed="two finite translations that are not parallel",
-                cause="a pitch is zero or not a number",
-                next_step="give positive pitches",
-            )
-        (x1, y1), (x2, y2) = a1, a2
-        return Oblique(pitch=pitch, first=(x1 / pitch, y1 / pitch), second=(x2 / pitch, y2 / pitch))
-
-    @staticmethod
-    def spanned(name: str, a1: tuple[float, float], a2: tuple[float, float]) -> Lattice:
-        """The lattice of that name and these translations, m."""
-        if name == "oblique":
-            return Lattice.oblique(a1, a2)
-        if name == "rectangular":
-            return Lattice.rectangular(a1[0], a2[1])
-        return Lattice.triangular(a1[0]) if name == "triangular" else Lattice.square(a1[0])
+        return float(self.vectors[1, 0]), float(self.vectors[1, 1])
 
     def check_rectangular(self, what: str) -> None:
         """Raise GeometryError unless the translations lie along x and y; ``what`` needs it."""
@@ -214,13 +246,9 @@ class Lattice:
             )
 
     def scaled(self, factor: float) -> Lattice:
-        """The same lattice with both periods multiplied by ``factor``."""
-        return remade(self, pitch=self.pitch * factor, pitch_y=self.pitch_y and self.pitch_y * factor)
-
-    @cached_property
-    def vectors(self) -> Array:
-        """(2, 2): the rows are a1 and a2, m."""
-        return np.array([self.a1, self.a2], dtype=float)
+        """The same lattice with all periods multiplied by ``factor``."""
+        periods = {name: getattr(self, name) for name in ("pitch", "pitch_y", "pitch_2")}
+        return remade(self, **{name: value and value * factor for name, value in periods.items()})
 
     @property
     def area(self) -> float:
@@ -247,6 +275,17 @@ class Lattice:
         return float(0.5 * np.linalg.norm(np.array(self.neighbours) @ self.vectors, axis=1).min())
 
     @cached_property
+    def shortest_side(self) -> float:
+        """Of the cell, over the radius of the circle within; 0 where a cell meant to have six has four.
+
+        Infinite for lattices whose cells have no short side whatever their sizes.
+        """
+        if self.name not in ("centred", "oblique"):
+            return math.inf  # of theirs none can be next to nothing
+        sides = np.linalg.norm(self.corners - np.roll(self.corners, 1, axis=0), axis=1)
+        return float(sides.min() / self.inradius) if len(sides) == 6 else 0.0
+
+    @cached_property
     def point_group(self) -> PointGroup:
         """All operations of the symmetry that is meant, which leave the lattice as it is."""
         metric = self.vectors @ self.vectors.T
@@ -258,38 +297,37 @@ class Lattice:
         return PointGroup((self.a1, self.a2), tuple(found)).kept(self._is_meant)
 
     def _is_meant(self, turn: Array) -> bool:
-        return self.name != "rectangular" or bool(turn[0, 1] == 0)
+        match self.name:
+            case "rectangular" | "centred":
+                return bool(turn[0, 1] == 0)
+            case "oblique":
+                return bool(turn[0, 1] == 0 and turn[0, 0] == turn[1, 1])
+        return True
 
     def wavevector(self, kappa: Array) -> Array:
         """(..., 2) wavevectors in rad/m from (..., 2) phases: k . a_j = kappa_j."""
         return np.asarray(kappa) @ np.linalg.inv(self.vectors).T
 
 
-@described("cell", GeometryError, kw_only=True)
-class Oblique(Lattice):
-    """A lattice of any two translations, given in units of the pitch; no study file describes one."""
+def shortest(vectors: Array) -> Array:
+    """(2, 2) the shortest two translations that span the same lattice, in the same sense of turning.
 
-    name: Literal["oblique"] = Field(  # type: ignore[assignment]
-        alias="lattice", default="oblique", title="Lattice", description="How the cells repeat in the plane."
-    )
-    first: tuple[float, float] = Field(title="First translation", description="Over the pitch.")
-    second: tuple[float, float] = Field(title="Second translation", description="Over the pitch.")
+    By Lagrange's reduction. Of translations of equal length those that are given stay.
+    """
+    one, other = vectors
+    while True:
+        along = float(one @ other / (one @ one))
+        if abs(along) > 0.5 + SAME:
+            other = other - round(along) * one
+        elif other @ other < (1 - SAME) * (one @ one):
+            one, other = other, -one
+        else:
+            return np.array([one, other])
 
-    def __post_init__(self) -> None:
-        """Of its two periods none is left out."""
 
-    @property
-    def a1(self) -> tuple[float, float]:
-        """First translation, m."""
-        return self.pitch * self.first[0], self.pitch * self.first[1]
-
-    @property
-    def a2(self) -> tuple[float, float]:
-        """Second translation, m."""
-        return self.pitch * self.second[0], self.pitch * self.second[1]
-
-    def _is_meant(self, turn: Array) -> bool:
-        return bool(turn[0, 1] == 0 and turn[0, 0] == turn[1, 1])
+def _said(field: str, *, quoted: bool = False) -> str:
+    mark = '"' if quoted else ""
+    return " or ".join(f"{mark}{name}{mark}" for name, fields in FURTHER.items() if field in fields)
 
 
 def voronoi_cell(vectors: NDArray[np.floating]) -> tuple[tuple[tuple[int, int], ...], Array]:

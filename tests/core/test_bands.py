@@ -254,7 +254,7 @@ def test_the_empty_lattice_folds_rayleigh_lamb_and_shear_waves():
         exact, kappa = folded_waves(point)
         found = np.sqrt(np.maximum(eigenpairs(pencil, kappa, 11)[0], 0)) / (2 * np.pi)
         assert (found[exact == 0] < 20).all()
-        assert found[exact > 0] == pytest.approx(exact[exact > 0], rel=2e-4)
+        assert found[exact > 0] == pytest.approx(exact[exact > 0], rel=1e-4)
 
 
 def test_estimates_bound_the_error_against_exact_waves():

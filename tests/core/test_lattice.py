@@ -28,8 +28,9 @@ def test_sizes(pitch, ratio):
     lattice = Lattice.rectangular(pitch, ratio * pitch)
     assert lattice.pitch == pitch
     assert lattice.area == pytest.approx(ratio * pitch**2)
-    leaning = Lattice.oblique((pitch, 0.2 * pitch), (-0.3 * pitch, 0.8 * pitch))
-    assert leaning.area == pytest.approx((0.8 + 0.06) * pitch**2)
+    leaning = Lattice.oblique(pitch, 1.3 * pitch, 2.0)
+    assert leaning.area == pytest.approx(1.3 * np.sin(2.0) * pitch**2)
+    assert Lattice.centred(pitch, 1.7 * pitch).area == pytest.approx(0.85 * pitch**2)
 
 
 @pytest.mark.parametrize("pitch", [0.0, float("nan"), float("inf")])
@@ -86,7 +87,7 @@ def test_mirrors_are_those_of_the_lattice():
     assert list(triangular.mirrors) == ["x", "y", "120°", "150°", "30°", "60°"]
     assert list(triangular.distinct_mirrors) == ["x", "y"]
     assert list(Lattice.rectangular(1.0, 2.0).point_group.mirrors) == ["x", "y"]
-    assert Lattice.oblique((1.0, 0.0), (0.3, 1.0)).point_group.mirrors == {}
+    assert Lattice.oblique(1.0, 1.1, 1.3).point_group.mirrors == {}
 
 
 @given(lattices())

@@ -214,7 +214,7 @@ def test_condensed_frequencies_against_brute_force_on_the_same_mesh(case):
     assert (lost[:6] < 2e-4).all()
     finer, _ = losses(case, 3)
     assert (finer < lost + 1e-9).all()
-    assert finer[-1] < 0.95 * lost[-1]
+    assert finer[-1] < 0.6 * lost[-1]
 
 
 @pytest.mark.parametrize("case", CASES)
@@ -222,7 +222,10 @@ def test_the_omission_estimates_what_the_reduction_loses(case):
     lost, estimate = losses(case, 2)
     rounding = 2e-9
     assert (lost <= 1.2 * estimate + rounding).all()
-    assert (estimate <= 1.4 * lost + rounding).all()  # a first order, which is too large for large ones
+    # First order tells too much where the omitted field is much of what is left out at all: of a cell in one
+    # class, with as many directions as elsewhere a quarter of the cell has, the tenth band by 1.29.
+    most = 1.4 if case == "without mirrors" else 1.2
+    assert (estimate <= most * lost + rounding).all()
 
 
 def test_the_trace_costs_little_beside_a_free_rim():

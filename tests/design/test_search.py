@@ -31,6 +31,16 @@ ALUMINIUM = IsotropicMaterial(70e9, 0.33, 2700.0, name="aluminium")
 SQUARE = Lattice.square(7 * MM)
 CELL = UnitCell(SQUARE, 1.5 * MM, ALUMINIUM, Pillar(3.5 * MM, 9 * MM))
 ALL = replace(CELL, pillar=Pillar(4.5 * MM, 9 * MM, "round", math.radians(2), 0.6 * MM, Step(3 * MM, 5 * MM)))
+# and the bounds of what they have besides the pitch
+LATTICES = {
+    "square": (SQUARE, {}),
+    "rectangular": (Lattice.rectangular(8 * MM, 7 * MM), {"cell.pitch_y": (4 * MM, 14 * MM)}),
+    "triangular": (Lattice.triangular(7 * MM), {}),
+    "centred": (Lattice.centred(8 * MM, 12 * MM), {"cell.pitch_y": (4 * MM, 14 * MM)}),
+    "oblique": (
+        Lattice.oblique(8 * MM, 9 * MM, 1.2), {"cell.pitch_2": (4 * MM, 14 * MM), "cell.angle": (0.8, 2.0)}
+    ),
+}  # fmt: skip
 HEIGHT = "cell.pillar.height"
 PATHS = ("cell.pitch", "cell.thickness", "cell.pillar.diameter", HEIGHT)
 
@@ -97,7 +107,7 @@ class TestLimits:
         assert brief_of(plate, {"cell.pitch": (5 * MM, 9 * MM)}).limits(np.array([0.5])) == {}
 
     @settings(max_examples=300)
-    @given(st.lists(st.floats(0, 1), min_size=8, max_size=8), st.sampled_from(["square", "rectangular"]))
+    @given(st.lists(st.floats(0, 1), min_size=9, max_size=9), st.sampled_from(sorted(LATTICES)))
     def test_what_meets_the_limits_is_a_body(self, share, lattice):
         """Whatever the optimiser may try can be meshed."""
         bounds = {
@@ -109,12 +119,9 @@ class TestLimits:
             "cell.pillar.step.diameter": (0.1 * MM, 8 * MM),
             "cell.pillar.step.height": (0.3 * MM, 15 * MM),
         }
-        start = ALL
-        if lattice == "rectangular":
-            start = replace(ALL, lattice=Lattice.rectangular(8 * MM, 7 * MM))
-            bounds["cell.pitch_y"] = (4 * MM, 14 * MM)
-        brief = brief_of(start, bounds)
-        place = np.array(share[: len(bounds)])
+        given, further = LATTICES[lattice]
+        brief = brief_of(replace(ALL, lattice=given), bounds | further)
+        place = np.array(share[: len(brief.bounds)])
         nearby = brief.feasible(place)
         assume(min(brief.limits(nearby).values()) >= 0)
         brief.at(nearby)

@@ -28,6 +28,7 @@ thickness = "1.5 mm"
 diameter = "3.5 mm"
 height = "14.7 mm"
 """
+OF_OBLIQUE = {"cell.pitch_2", "cell.angle"}  # which squares and rectangles do not have
 PLAIN = 'material = "steel"\n[cell]\npitch = "10 mm"\nthickness = "1 mm"\n'
 
 
@@ -228,10 +229,11 @@ class TestReading:
     def test_any_number_of_the_cell_can_be_named(self, every_key_text):
         study = loads(every_key_text)
         own = study.parameters()
-        assert set(UNITS) < set(own)
+        known = {path: unit for path, unit in UNITS.items() if path not in OF_OBLIQUE}
+        assert set(known) < set(own)
         start = every_key_text.index("[[tolerance.of]]")
         end = every_key_text.index("[[sweep]]")
-        for path, unit in UNITS.items():
+        for path, unit in known.items():
             written = f'"{0.01 * own[path]!r} {unit}"' if unit else repr(0.01 * own[path])
             text = every_key_text[:start] + of(path, written) + every_key_text[end:]
             assert loads(text).tolerance_settings.of[0].spread == pytest.approx(0.01 * own[path], rel=1e-12)
@@ -298,7 +300,12 @@ class TestWriting:
             pillar["step"] = {"diameter": 1.5e-3 * scale, "height": 0.4 * pillar["height"]}
         solid = {"youngs_modulus": 7e10 * data.draw(sizes), "poisson_ratio": 0.3, "density": 2700.0}
         cell = {"pitch": 7e-3 * scale, "thickness": 1e-3 * data.draw(sizes), "pillar": pillar}
-        there = set(UNITS) - {"cell.pitch_y"} - ({"cell.pillar.fillet"} if not pillar["fillet"] else set())
+        there = (
+            set(UNITS)
+            - {"cell.pitch_y"}
+            - OF_OBLIQUE
+            - ({"cell.pillar.fillet"} if not pillar["fillet"] else set())
+        )
         there -= {path for path in UNITS if ".step." in path and "step" not in pillar}
         names = data.draw(st.lists(st.sampled_from(sorted(there)), unique=True, max_size=12))
         ranges = {"material.poisson_ratio": (0.1, 0.4), "cell.pillar.draft": (-0.3, 0.3)}

@@ -98,8 +98,8 @@ NOT_NAMED_THERE = {
     "too many rings": (("[bands]", "[mesh]\nfoot_rings = 7\n[bands]"), "mesh.foot_rings", ["at most 6"]),
     "unknown lattice": (('"square"', '"sqare"'), "cell.lattice", ['write "square"', '"rectangular"']),
     "lattice of later": (('"square"', '"triangular"'), "cell.lattice", ['"square" or "rectangular"']),
-    "rectangle with one side": (('"square"', '"rectangular"'), "cell.pitch_y", ["second period"]),
-    "square with two sides": ((PITCH, PITCH + '\npitch_y = "7 mm"'), "cell.pitch_y", ["one period only"]),
+    "rectangle with one side": (('"square"', '"rectangular"'), "cell.pitch_y", ["left out"]),
+    "square with two sides": ((PITCH, PITCH + '\npitch_y = "7 mm"'), "cell.pitch_y", ["without it"]),
     "blank name": (('"aluminium (paper)"', '" "'), "material.name", ["left out"]),
     "empty title": (('"Touchpad with two waveguides"', '""'), "title", ["text"]),
     "endless title": (

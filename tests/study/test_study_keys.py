@@ -11,6 +11,7 @@ from haptonic.fields.keys import leaves
 from haptonic.study import Study, load, loads
 
 KEYS = table(Study)
+OF_OBLIQUE = {"cell.pitch_2", "cell.angle"}  # which the study with every key, a rectangular one, cannot have
 
 
 def paths_of(data, prefix=""):
@@ -29,7 +30,7 @@ def paths_of(data, prefix=""):
 
 def test_the_table_has_every_key_and_no_other(every_key_text, reference_text):
     given = set(paths_of(tomllib.loads(every_key_text)))
-    assert given == {path for path, key in KEYS.items() if key.kind not in {"table", "tables"}}
+    assert given | OF_OBLIQUE == {path for path, key in KEYS.items() if key.kind not in {"table", "tables"}}
     assert set(paths_of(tomllib.loads(reference_text))) < given
     loads(every_key_text)
 
@@ -53,7 +54,7 @@ def test_declared_once_and_read_everywhere():
     assert KEYS["bands.count"].bounds == "at least 1 and at most 60"
     assert KEYS["bands.count"].default == "10"
     assert KEYS["mesh.order"].bounds == "at least 2 and at most 10"
-    assert KEYS["cell.lattice"].choices == ("square", "rectangular", "triangular")
+    assert KEYS["cell.lattice"].choices == ("square", "rectangular", "triangular", "centred", "oblique")
     assert KEYS["material.poisson_ratio"].bounds == "above -1 and below 0.5"
     assert not KEYS["carrier"].required
     assert KEYS["title"].bounds == "at most 200 characters"
@@ -77,8 +78,10 @@ def test_required_keys_are_those_that_cannot_be_left_out(path, every_key_text):
 
 
 @pytest.mark.parametrize(
-    "path", [path for path, key in KEYS.items() if not key.required and key.kind not in {"table", "tables"}]
-)
+    "path",
+    [path for path, key in KEYS.items()
+     if not key.required and key.kind not in {"table", "tables"} and path not in OF_OBLIQUE],
+)  # fmt: skip
 def test_every_other_key_can_be_left_out_of_its_table(path, every_key_text):
     """Alone, unless another key is there only because of it."""
     together = {

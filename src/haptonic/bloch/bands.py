@@ -79,7 +79,7 @@ def bands_dataset(
         "projection_error": model.fine.projection_error,
         "counts_checked": checked,
         "counts_missed": missed,
-        "lattice": json.dumps({name: getattr(cell.lattice, name) for name in ("name", "a1", "a2")}),
+        "lattice": json.dumps(asdict(cell.lattice)),
         "point_group": json.dumps(cell.point_group.operations),
         "zone": json.dumps(cell.zone.corners),
         "path_labels": json.dumps(path.labels),

@@ -13,6 +13,8 @@ from scipy.optimize import minimize
 from haptonic.cell import UnitCell
 from haptonic.design.parameters import values_of
 from haptonic.errors import StudyError
+from haptonic.fields import unchecked
+from haptonic.lattice import FURTHER, LEAST_SIDE
 from haptonic.materials import IsotropicMaterial
 
 Array = NDArray[np.float64]
@@ -117,7 +119,9 @@ class Brief:
 
     def _of_shape(self, own: Mapping[str, float]) -> dict[str, float]:
         """What makes a body of the pillar, and keeps it on its cell."""
-        pitch = min(own["cell.pitch"], own.get("cell.pitch_y", np.inf))
+        sizes = {name: own[f"cell.{name}"] for name in ("pitch", *FURTHER[self.cell.lattice.name])}
+        lattice = unchecked(self.cell.lattice, **sizes)
+        pitch = 2 * lattice.inradius  # from side to side where the cell is narrowest
         draft, fillet = own["cell.pillar.draft"], own.get("cell.pillar.fillet", 0.0)
         diameter, height = own["cell.pillar.diameter"], own["cell.pillar.height"]
         lower, upper = (
@@ -134,6 +138,8 @@ class Brief:
             "fillet": 1 - at_foot / pitch - LEAST_GAP * own["cell.pitch"] / pitch,
             "tip": min(upper, top) / diameter - LEAST_TIP,
         }
+        if math.isfinite(lattice.shortest_side):
+            room["side of the cell"] = lattice.shortest_side - LEAST_SIDE
         if fillet:
             room["height of the fillet"] = 0.75 - fillet * (1 - math.sin(draft)) / lower
         if stepped:

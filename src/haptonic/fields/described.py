@@ -14,7 +14,6 @@ from a file. What has to hold between fields is checked in ``__post_init__``, wh
 from __future__ import annotations
 
 from collections.abc import Callable
-from copy import copy
 from dataclasses import fields
 from functools import wraps
 from typing import Any, TypeVar, cast, dataclass_transform
@@ -82,7 +81,7 @@ def remade(value: T, **changes: Any) -> T:
 
 def unchecked(value: T, **changes: Any) -> T:
     """A copy without a check, for changes that cannot make a possible value impossible: a part left out."""
-    made = copy(value)
-    for name, one in changes.items():
-        object.__setattr__(made, name, one)
+    made: T = object.__new__(type(value))
+    for field in fields(value):  # type: ignore[arg-type]
+        object.__setattr__(made, field.name, changes.get(field.name, getattr(value, field.name)))
     return made

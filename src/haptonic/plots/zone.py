@@ -68,7 +68,7 @@ def _contours(figure: Figure, axes: Axes, surface: ZoneSurface, band: int) -> No
             bbox={"boxstyle": "round,pad=0.2", "facecolor": "white", "edgecolor": "none"},
         )  # fmt: skip
     axes.set_aspect("equal")
-    axes.set_title(f"band {band}")
+    axes.set_title(f"band {band}", pad=15)  # above the labels of corners at the upper border
     axes.xaxis.set_major_locator(MaxNLocator(5, symmetric=True))
     axes.yaxis.set_major_locator(MaxNLocator(5, symmetric=True))
 
@@ -116,16 +116,16 @@ def _telling_bands(dataset: xr.Dataset) -> tuple[int, ...]:
 
 def _surface(dataset: xr.Dataset) -> ZoneSurface:
     """The surface that a result holds: lattice, operations and corners of the zone are in its attributes."""
-    lattice, operations, corners = (
+    given, operations, corners = (
         json.loads(dataset.attrs[name]) for name in ("lattice", "point_group", "zone")
     )
-    vectors = (tuple(lattice["a1"]), tuple(lattice["a2"]))
+    lattice = Lattice(lattice=given.pop("name"), **given)
     return ZoneSurface(
         zone=IrreducibleZone(
-            Lattice.spanned(lattice["name"], *vectors),
+            lattice,
             tuple((label, tuple(point)) for label, point in corners),
         ),
-        group=PointGroup(vectors, tuple(((a, b), (c, d)) for (a, b), (c, d) in operations)),
+        group=PointGroup((lattice.a1, lattice.a2), tuple(((a, b), (c, d)) for (a, b), (c, d) in operations)),
         kappa=dataset["zone_kappa"].values,
         triangles=dataset["zone_triangle"].values,
         frequency=dataset["zone_frequency"].values,

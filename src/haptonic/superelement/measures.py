@@ -49,7 +49,9 @@ class ClassMeasures:
         fields = np.hstack([own.static, own.modes])
         lateral, rim = len(trace.kept), len(shared.through) * trace.places
         pillar = shared.pillar_stiffness(q)
-        strain = fields.T @ (pillar.matrix() @ fields)
+        stiff = pillar.matrix().tocsr()
+        rows = np.flatnonzero(np.diff(stiff.indptr))  # most of a cell is no pillar
+        strain = fields[rows].T @ (stiff[rows][:, rows] @ fields[rows])
         whole, mass, in_pillar = fields, body.mass, shared.above
         if on_top is not None:  # its values follow from the boundary's unknowns behind the trace
             top = np.zeros((len(on_top), fields.shape[1]))
@@ -60,12 +62,17 @@ class ClassMeasures:
             above = shared.representative_mass[shared.folding.interior + rim :]
             mass = np.concatenate([mass, np.repeat(above, 3)])
             in_pillar = np.concatenate([in_pillar, np.ones(len(top))])
-        along_z = np.tile([0.0, 0.0, 1.0], len(mass) // 3)
         pillar_mass, vertical_mass = (
-            whole.T @ ((mass * share)[:, None] * whole) for share in (in_pillar, along_z)
+            _gram(whole[kept], mass[kept]) for kept in (np.flatnonzero(in_pillar), np.s_[2::3])
         )
         vertical_mass[:lateral, :lateral] += body.outer_mass[:lateral, :lateral] * trace.is_vertical
         momenta = momentum_forms(shared.mesh, shared.folding, q, shared.nodal_mass)
         seen = np.r_[: len(fields), len(fields) + 3 * rim : momenta.shape[1]][: len(whole)]
         energies = dict(zip(ENERGIES, (strain, pillar_mass, vertical_mass), strict=True))
         return cls(energies, np.asarray(momenta[:, seen] @ whole))
+
+
+def _gram(fields: Array, mass: Array) -> Array:
+    """(k, k) products of fields (n, k) of diagonal mass (n,)."""
+    scaled = np.sqrt(mass)[:, None] * fields
+    return np.asarray(scaled.T @ scaled)
