@@ -235,12 +235,12 @@ class Lattice:
 
     def check_rectangular(self, what: str) -> None:
         """Raise GeometryError unless the translations lie along x and y; ``what`` needs it."""
-        if self.a1[1] or self.a2[0]:
+        if max(abs(self.a1[1]), abs(self.a2[0])) > SAME * self.pitch:
             raise GeometryError(
                 argument="cell.lattice",
                 given=self.name,
                 allowed=f"square or rectangular for {what}",
-                cause=f"{what} knows cells with sides along x and y only; other lattices have bands, gaps, "
+                cause=f"{what} knows cells with four sides along x and y only; others have bands, gaps, "
                 "sweeps, solids and outlines",
                 next_step='write lattice = "square" or "rectangular"',
             )
