@@ -12,6 +12,7 @@ import textwrap
 import time
 import warnings
 from collections.abc import Callable
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -502,10 +503,13 @@ class TestWholeSets:
     NAMES = ("a.nc", "b.csv", "scan/c.csv")
 
     @given(st.integers(0, 3), st.sampled_from([OSError(28, "full"), ValueError, KeyboardInterrupt]),
-           st.booleans(), st.sampled_from(["new", "new/deeper", "there"]))  # fmt: skip
-    @settings(max_examples=40, deadline=None)
-    def test_all_or_none(self, place: int, failure: Any, overwrite: bool, where: str) -> None:
-        """Whatever fails and wherever: the folder is as it was; without a failure all files are there."""
+           st.booleans(), st.sampled_from(["new", "new/deeper", "there"]), st.booleans())  # fmt: skip
+    @settings(max_examples=60, deadline=None)
+    def test_all_or_none(self, place: int, failure: Any, overwrite: bool, where: str, deep: bool) -> None:
+        """Whatever fails and wherever: the folder is as it was; without a failure all files are there.
+
+        ``deep``: the writer that fails writes a file in its turn.
+        """
         with tempfile.TemporaryDirectory() as name:
             root = Path(name)
             (root / "there").mkdir()
@@ -518,7 +522,8 @@ class TestWholeSets:
                 with whole_set(root / where, overwrite=overwrite) as draft:
                     for number, file in enumerate(self.NAMES):
                         if number == place:
-                            write_atomically(draft / file, fails)
+                            fail = partial(write_atomically, writer=fails) if deep else fails
+                            write_atomically(draft / file, fail)
                         write_atomically(draft / file, lambda path: path.write_text("new"))
 
             def fails(_: Path) -> None:

@@ -267,11 +267,8 @@ def whole_set(folder: Path, *, overwrite: bool) -> Iterator[Path]:
     ResourceError : a name is taken, the folder cannot be made or written, or the disk is full
     """
     with draft_for(folder) as (draft, _):
-        try:
+        with _asked_for(folder, draft):
             yield draft
-        except ResourceError as error:  # tell of the file that was asked for
-            parts = error.parts() | {"given": error.given.replace(str(draft), str(folder))}
-            raise ResourceError(**parts) from error
         files = sorted(path.relative_to(draft) for path in draft.rglob("*") if path.is_file())
         for name in files:
             refuse_overwrite(folder / name, overwrite)
@@ -281,6 +278,16 @@ def whole_set(folder: Path, *, overwrite: bool) -> Iterator[Path]:
                 (draft / name).replace(folder / name)
             except OSError as error:
                 raise _unwritable(folder / name, error) from error
+
+
+@contextmanager
+def _asked_for(path: Path, made: Path) -> Iterator[None]:
+    """Errors tell of the path that was asked for, not of what was made in its place."""
+    try:
+        yield
+    except ResourceError as error:
+        parts = error.parts() | {"given": error.given.replace(str(made), str(path))}
+        raise ResourceError(**parts) from error
 
 
 @contextmanager
@@ -338,7 +345,8 @@ def _replace(path: Path, writer: Callable[[Path], object]) -> None:
     # Not tempfile: its files are for their owner only, and results follow the umask like any other file.
     temporary = path.parent / f"{TEMPORARY}{secrets.token_hex(8)}.tmp{path.suffix}"
     try:
-        writer(temporary)
+        with _asked_for(path, temporary):
+            writer(temporary)
         assert temporary.exists(), f"the writer of {path.name} wrote nothing"
         with temporary.open("rb+") as written:
             os.fsync(written.fileno())

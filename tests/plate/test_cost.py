@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import time
 import warnings
 from types import SimpleNamespace
@@ -10,6 +11,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from haptonic.bloch.resolution import Resolution
 from haptonic.errors import ResourceError
 from haptonic.results.plate import compute
 from haptonic.store import Store
@@ -84,3 +86,40 @@ def test_it_is_refused_at_once_or_begun(asked: str, grid: float, rows: int, colu
     assert time.process_time() - began < 2
     assert not (heavy and begun)
     assert not light or begun
+
+
+@pytest.mark.parametrize("asked", ["a band", "one frequency", "a finger"])
+@given(order=st.integers(2, 10), rings=st.integers(0, 4), free=st.floats(1e9, 40e9))
+@settings(max_examples=15, deadline=None)
+def test_a_mesh_that_somebody_chose_is_held_or_refused_with_one_that_is(
+    asked: str, order: int, rings: int, free: float
+) -> None:
+    """For the bands of its cell and for the plate alike."""
+    text = STUDY.format(line="oo1", rows=3, grid=2e-3) + "[mesh]\norder = {}\nfoot_rings = {}\n"
+    begun = []
+
+    def first_step(*_: object, **__: object) -> None:
+        begun.append(True)
+        raise KeyboardInterrupt
+
+    def outcome(tried: int) -> BaseException:
+        begun.clear()
+        with pytest.MonkeyPatch.context() as patch:
+            patch.setattr(compute, "_computed", first_step)
+            patch.setattr("haptonic.bloch.model.BlochModel.of", first_step)
+            patch.setattr("psutil.virtual_memory", lambda: SimpleNamespace(total=1e12, available=free))
+            with pytest.raises((ResourceError, KeyboardInterrupt)) as caught:
+                ASKS[asked](loads(text.format(tried, rings)))
+        return caught.value
+
+    cell = loads(text.format(order, rings)).cell
+    error = outcome(order)
+    if not isinstance(error, ResourceError):
+        assert begun
+        return
+    assert not begun
+    assert error.argument == "mesh"
+    assert f"order = {order}" in error.given
+    assert 0.9 * free < Resolution(order, rings, 3, 20).memory(cell)
+    if advised := re.search(r"order = (\d+)", error.next_step):
+        assert not isinstance(outcome(int(advised[1])), ResourceError)

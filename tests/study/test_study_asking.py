@@ -156,6 +156,13 @@ class TestRefusals:
     def test_bounds_of_an_unknown_parameter_are_not_a_problem_of_their_own(self):
         assert "problem" not in refused(BASE + vary("cell.pich", '"6 mm"', '"7 mm"')).next_step
 
+    def test_a_fillet_does_not_shrink_to_a_sharp_edge(self):
+        filleted = BASE.replace('height = "14.7 mm"', 'height = "14.7 mm"\nfillet = "0.5 mm"')
+        error = refused(filleted + vary("cell.pillar.fillet", 0, '"0.6 mm"'))
+        assert error.argument == "study: design.vary[1].from"
+        assert "another mesh" in error.cause
+        loads(filleted + vary("cell.pillar.fillet", '"50 um"', '"0.6 mm"'))
+
     def test_pitch_along_y_belongs_to_a_rectangle(self):
         error = refused(PLAIN + vary("cell.pitch_y", '"6 mm"', '"7 mm"'))
         assert error.argument == "study: design.vary[1].parameter"

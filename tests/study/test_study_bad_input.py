@@ -2,12 +2,22 @@
 
 import json
 import pickle
+import re
+import tomllib
+from collections.abc import Iterator
+from typing import Any
 
 import pydantic
 import pytest
 
+from haptonic.cell import Pillar, UnitCell
 from haptonic.errors import StudyError
-from haptonic.study import loads
+from haptonic.fields import read, table
+from haptonic.fields.keys import slots
+from haptonic.fields.problems import MOST_LISTED
+from haptonic.lattice import Lattice
+from haptonic.study import Study, loads
+from haptonic.study.plate_tables import PlateSection
 
 PITCH = 'pitch = "7 mm"'
 RATIO = "cell.pillar.height / cell.pitch"
@@ -164,6 +174,51 @@ def test_all_problems_are_reported_at_once(edited):
     assert "3 other problems" in error.next_step
     for path in ("cell.pitch", "material.poisson_ratio", "bands.points"):
         assert path in error.next_step
+
+
+KEYS = table(Study)
+WORDS = sorted(
+    {one.rpartition(".")[2].removesuffix("[]") for one in KEYS}
+    | {slot.name for kind in (Study, UnitCell, Lattice, Pillar, PlateSection) for slot in slots(kind)}
+)
+
+
+def places(study: Any, path: str = "", pattern: str = "") -> Iterator[tuple[Any, str, str]]:
+    """Every table of a study: itself, its path, and the path in the table of keys with a dot after it."""
+    yield study, path, pattern
+    for name, value in study.items():
+        key = KEYS.get(f"{pattern}{name}")
+        if key and key.kind == "table":
+            yield from places(value, f"{path}{name}.", f"{pattern}{name}.")
+        if key and key.kind == "tables":
+            for number, one in enumerate(value, start=1):
+                yield from places(one, f"{path}{name}[{number}].", f"{pattern}{name}[].")
+
+
+def test_a_key_in_any_place_but_its_own_is_refused_there(every_key_text):
+    """Also the word that stands for a value in Python, and a key at the top in the table that holds it."""
+    study = tomllib.loads(every_key_text)
+    for table_there, path, pattern in list(places(study)):
+        wrong = [word for word in WORDS if not any(f"{key}.".startswith(f"{pattern}{word}.") for key in KEYS)]
+        for first in range(0, len(wrong), MOST_LISTED):
+            some = wrong[first : first + MOST_LISTED]
+            table_there |= dict.fromkeys(some, "brass")
+            with pytest.raises(StudyError) as caught:
+                read(Study, study)
+            told = [
+                caught.value.argument,
+                *re.findall(r"^ +(\S+): got an unknown", caught.value.next_step, re.M),
+            ]
+            assert sorted(told) == sorted(f"{path}{word}" for word in some)
+            for word in some:
+                del table_there[word]
+
+
+@pytest.mark.parametrize("beside", ["", 'material = "steel"'])
+def test_a_material_in_the_cell_is_told_where_it_belongs(beside):
+    error = refused(f'{beside}\n[cell]\npitch = "7 mm"\nthickness = "1 mm"\nmaterial = "brass"')
+    assert error.argument.endswith("cell.material")
+    assert "move it to the top" in error.next_step
 
 
 def test_list_of_problems_is_cut():

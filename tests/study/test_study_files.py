@@ -31,10 +31,15 @@ class TestUnreadableFiles:
         assert "folder" in error.cause
         assert "touchpad.toml" in error.next_step
 
-    def test_binary(self, tmp_path):
+    @pytest.mark.parametrize(
+        "head", [b"title = 'x'\n", b"\x89PNG\r\n\x1a\n", b"\x89HDF\r\n\x1a\n", b"PK\x03\x04\xff", b"CDF\x01"]
+    )
+    def test_binary(self, tmp_path, head):
         path = tmp_path / "study.toml"
-        path.write_bytes(b"title = 'x'\n\x00\x01")
-        assert "binary" in self.refused(path).cause
+        path.write_bytes(head + b"\x00\x01")
+        error = self.refused(path)
+        assert "binary" in error.cause
+        assert ".toml" in error.next_step
 
     def test_not_utf8_names_the_line(self, tmp_path):
         path = tmp_path / "study.toml"

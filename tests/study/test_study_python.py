@@ -95,7 +95,7 @@ def test_only_what_lies_on_the_way_is_made_anew():
     assert other.trials is study.trials
     assert other.cell.lattice is study.cell.lattice
     assert other.cell.material == material("steel")
-    with pytest.raises(AssertionError, match="step"):
+    with pytest.raises(StudyError, match="step"):
         with_numbers(study, {"cell.pillar.step.height": 1e-3})
 
 
@@ -105,3 +105,28 @@ def test_a_material_without_a_table_cannot_be_written():
         study.to_toml()
     silicon = Study(cell=UnitCell(Lattice.square(7e-3), 1e-3, "silicon"))
     assert loads(silicon.to_toml()) == silicon
+
+
+@given(
+    st.text() | st.sampled_from([*numbers(CELL, "cell."), "cell", "cell.pillar.step"]), st.floats(1e-4, 1e-2)
+)
+def test_a_number_of_no_name_is_an_error_of_five_parts(name, value):
+    study = Study(cell=CELL)
+    known = {*numbers(CELL, "cell."), *study.parameters(), "cell.pitch_y"}
+    for change in (study.with_parameter, one_number):
+        if name not in known:
+            with pytest.raises(HaptonicError) as caught:
+                change(name, value)
+            assert all(caught.value.parts().values())
+
+
+def one_number(path, value):
+    return CELL.with_numbers({path: value})
+
+
+@given(st.floats(0.0, 0.5e-3))
+def test_the_radius_of_a_sharp_edge_is_a_number_like_others(radius):
+    """Each value of it is a body of its own, and zero the sharp one."""
+    filleted = CELL.with_numbers({"cell.pillar.fillet": radius})
+    assert filleted.pillar == Pillar(3.5e-3, 14.7e-3, fillet=radius)
+    assert filleted.with_numbers({"cell.pillar.fillet": 0.0}) == CELL

@@ -4,8 +4,10 @@ from __future__ import annotations
 
 from haptonic.bloch import Gap
 from haptonic.bloch.gaps import gap_at
+from haptonic.bloch.resolution import Resolution, check_memory
 from haptonic.errors import StudyError
 from haptonic.plate import Fineness, Plate
+from haptonic.plate.reduction import BLOCK, STEPS
 from haptonic.results.runner import Runner
 from haptonic.study.plate_tables import ResponseSection
 from haptonic.study.schema import Description
@@ -36,12 +38,20 @@ def response_settings(study: Description) -> ResponseSection:
 
 
 def fineness(study: Description) -> Fineness | None:
-    """Of the finite plate's mesh, if [mesh] says one."""
+    """Of the finite plate's mesh, if [mesh] says one.
+
+    Raises
+    ------
+    ResourceError : a mesh of a cell that this machine cannot hold, foreseen before anything is computed
+    """
     order, rings = study.mesh.order, study.mesh.foot_rings
-    if order is None:
+    if order is None and rings is None:
         return None
     usual = Fineness()
+    order = usual.cell if order is None else order
     rings = usual.rings if rings is None else rings
+    for cell in study.mounted_plate().layout.cells.values():
+        check_memory(cell, Resolution(order, rings, STEPS, BLOCK))
     return Fineness(min(order, usual.along), usual.through, cell=order, rings=rings, plain=order)
 
 

@@ -20,6 +20,7 @@ from haptonic.bloch.resolution import (
     SHARED,
     Resolution,
     check_cost,
+    check_memory,
     check_start,
     check_thickness,
     first_rung,
@@ -330,7 +331,10 @@ def candidate_models(
         for _ in range(grown):  # what the mesh before lacked inside this one would lack as well
             tried = tried.grown()
         while True:
-            spent += check_cost(cell, tried, accuracy, spent, reached, timed=resolution is None)
+            if resolution is None:
+                spent += check_cost(cell, tried, accuracy, spent, reached)
+            else:
+                check_memory(cell, tried)
             model = BlochModel.of(cell, tried, count, **what)
             given_up = resolution is not None and grown == MOST_GROWTH
             if model.omission <= TRUSTED_OMISSION or given_up:

@@ -20,6 +20,7 @@ MEASURED = {
     (6, 2): 1.2,
 }  # by order and rings, see `remaining`
 PER_ANSWER, PER_CUBE = 4e-7, 1e-8  # s, see `seconds`
+LEAST_ORDER = 2  # that a study can ask for
 LEAST_STEPS, WIDEST = 2, 40  # of an interior's blocks: fewest, and the size from which depth counts
 UNRESOLVED = 25.0  # see `Resolution.unresolved`
 SHARED = 0.5  # of the bands' mean relative distance to the next lower orders that every band's error gets
@@ -239,20 +240,17 @@ def check_cost(
     accuracy: float,
     spent: float = 0.0,
     reached: float = math.inf,
-    *,
-    timed: bool = True,
 ) -> float:
     """Refuse a mesh that does not fit, or takes longer than anybody waits for; else its processor time, s.
 
     Parameters
     ----------
     spent : s, for the meshes that were tried before; reached : the best accuracy among them
-    timed : whether time counts: not where an expert chose the mesh
     """
     needed, memory = resolution.seconds(cell), resolution.memory(cell)
     free = float(psutil.virtual_memory().available)
     too_large = memory > MOST_MEMORY * free
-    if not too_large and (not timed or spent + needed <= longest(accuracy)):
+    if not too_large and spent + needed <= longest(accuracy):
         return needed
     possible = reached if reached < math.inf else within_reach(cell, resolution.bands, accuracy)
     would = (
@@ -261,7 +259,7 @@ def check_cost(
         else f"take about {needed:.0f} s of processor time for this cell"
         + (f", after {spent:.0f} s for lower ones" if spent else "")
     )
-    fewer = most_bands(cell, resolution.bands, accuracy) if timed else 0
+    fewer = most_bands(cell, resolution.bands, accuracy)
     raise ResourceError(
         argument="bands.accuracy",
         given=f"{accuracy:g}",
@@ -277,6 +275,23 @@ def check_cost(
             + [f"ask for at most {fewer} bands"] * (fewer > 0)
         )
         or "choose a thicker plate, a wider gap between the pillars, or a stouter pillar",
+    )
+
+
+def check_memory(cell: UnitCell, chosen: Resolution) -> None:
+    """Refuse a mesh that somebody chose and this machine cannot hold; how long it takes is up to them."""
+    free = MOST_MEMORY * psutil.virtual_memory().available
+    needed = chosen.memory(cell)
+    if needed <= free:
+        return
+    lower = (replace(chosen, order=order) for order in range(chosen.order - 1, LEAST_ORDER - 1, -1))
+    fits = next((one.order for one in lower if one.memory(cell) <= free), None)
+    raise ResourceError(
+        argument="mesh",
+        given=f"order = {chosen.order}, foot_rings = {chosen.foot_rings}",
+        allowed=f"a mesh of a cell that fits into the {free / 1e9:.1f} GB that are free",
+        cause=f"it may need {needed / 1e9:.1f} GB",
+        next_step=f"write order = {fits}, or leave [mesh] out" if fits else "leave [mesh] out",
     )
 
 

@@ -94,25 +94,26 @@ class Voice:
     def show(self, content: Table) -> None:
         """Show a table to a person.
 
-        In a narrow terminal heads and words are folded first, then numbers are parted from their errors;
-        no number is cut.
+        In a narrow terminal heads and words are folded first, then numbers are parted from their errors, then
+        words and numbers are broken; nothing is cut off.
         """
         if self.machine:
             return
         padding = 0 if len(content.columns) > ROOMY else 1
-        columns = list(zip(*content.texts, strict=True)) or [()] * len(content.columns)
-        folded = [_longest_word((head, *cells)) for head, cells in zip(content.head, columns, strict=True)]
-        whole = [max(map(cell_len, cells), default=0) if _numeric(cells) else 0 for cells in columns]
-        widths = [max(pair) for pair in zip(folded, whole, strict=True)]
-        if sum(widths) + len(columns) * (2 * padding + 1) + 1 > self.out.width:
-            widths = folded
+        room = self.out.width - len(content.columns) * (2 * padding + 1) - 1
+        texts = content.texts or (("none", *[""] * (len(content.columns) - 1)),)
+        columns = list(zip(content.head, *texts, strict=True))
+        folded = [_longest_word(column) for column in columns]
+        whole = [max(map(cell_len, cells), default=0) if _numeric(cells) else 0 for _, *cells in columns]
+        least = [max(pair) for pair in zip(folded, whole, strict=True)]
+        least = least if sum(least) <= room else folded
+        widths = _fitting([max(map(cell_len, column)) for column in columns], least, room)
+        widths = _fitting(widths, [1] * len(widths), room)
         shown = RichTable(title=content.title, padding=(0, padding))
         for head, width in zip(content.head, widths, strict=True):
-            shown.add_column(head, overflow="fold", min_width=width)
-        for number, row in enumerate(content.texts):
+            shown.add_column(head, overflow="fold", width=width)
+        for number, row in enumerate(texts):
             shown.add_row(*row, style="bold" if number in content.strong else "")
-        if not content.rows:
-            shown.add_row("none", *[""] * (len(content.columns) - 1))
         self.out.print(shown)
 
     @contextmanager
@@ -167,6 +168,17 @@ def speaking(machine: bool, kept: str = "") -> Iterator[Voice]:
 
 def _longest_word(texts: Sequence[str]) -> int:
     return max((cell_len(word) for text in texts for word in text.split()), default=0)
+
+
+def _fitting(widths: Sequence[int], least: Sequence[int], room: int) -> list[int]:
+    """Widths of columns, the widest of which give way until all fit; none gives more than it can spare."""
+    found = list(widths)
+    while sum(found) > room:
+        spare = [width if width > low else 0 for width, low in zip(found, least, strict=True)]
+        if not any(spare):
+            break
+        found[spare.index(max(spare))] -= 1
+    return found
 
 
 def _numeric(cells: Sequence[str]) -> bool:

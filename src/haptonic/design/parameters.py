@@ -12,13 +12,16 @@ UNITS = {
 }
 """Every number of a cell that its bands depend on, and its SI unit; the material's come last."""
 
+FILLET = "cell.pillar.fillet"
+"""Its radius may vary, but not to zero: a sharp edge needs another mesh."""
+
 
 def values_of(cell: UnitCell) -> dict[str, float]:
     """All numbers of a cell that can be varied, in SI units and the order of `UNITS`.
 
-    A sharp edge cannot be varied into a fillet, which would need another mesh; nor can an absent step.
+    A sharp edge cannot be varied into a fillet; nor can an absent step.
     """
     found = cell.numbers()
     if cell.pillar is not None and not cell.pillar.fillet:
-        del found["cell.pillar.fillet"]
+        del found[FILLET]
     return {path: found[path] for path in UNITS if path in found}

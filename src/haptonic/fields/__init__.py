@@ -3,7 +3,7 @@
 from haptonic.fields.described import described, extended, remade, unchecked
 from haptonic.fields.entries import Entries
 from haptonic.fields.keys import Key, leaves, table
-from haptonic.fields.numbers import numbers, with_numbers
+from haptonic.fields.numbers import numbers, unknown_number, with_numbers
 from haptonic.fields.placing import INLINE, TOP, Named, Placed
 from haptonic.fields.quantity import FROM_FILE, LARGEST, SMALLEST, Name, Quantity, number_of, problem, size
 from haptonic.fields.reading import read
@@ -31,5 +31,6 @@ __all__ = [
     "size",
     "table",
     "unchecked",
+    "unknown_number",
     "with_numbers",
 ]

@@ -6,11 +6,14 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from types import MappingProxyType
 from typing import Any, TypeVar
 
+from haptonic.errors import StudyError, nearest
 from haptonic.fields.described import remade
 from haptonic.fields.entries import Entries
 from haptonic.fields.keys import Slot, is_described, leaves, slots
+from haptonic.units import shown
 
 T = TypeVar("T")
 
@@ -34,11 +37,33 @@ def with_numbers(value: T, changes: Mapping[str, float], prefix: str = "") -> T:
     Raises
     ------
     HaptonicError : a number out of its bounds, or numbers that do not fit together; of the value's own family
+    StudyError : a name that no number of the value has
     """
     left = dict(changes)
     made: T = _changed(value, left, prefix)
-    assert not left, f"{type(value).__name__} does not have {', '.join(left)}"
+    for name in left:
+        raise unknown_number(name, numbers(value, prefix))
     return made
+
+
+def unknown_number(
+    name: object, known: Mapping[str, object], absent: Mapping[str, str] = MappingProxyType({}), at: str = ""
+) -> StudyError:
+    """A name that stands for none of the numbers that are known.
+
+    Parameters
+    ----------
+    absent : names that exist elsewhere, and why not here
+    at : the key that gives the name; by default it is an argument itself
+    """
+    guess = nearest(str(name), known)
+    return StudyError(
+        argument=at or "name of a number",
+        given=shown(name),
+        allowed=f"one of {', '.join(known)}",
+        cause=absent.get(str(name), "no numeric parameter has this name"),
+        next_step=f'write "{guess}"' if guess and name not in absent else "name one of the list",
+    )
 
 
 def _changed(value: Any, changes: dict[str, float], prefix: str) -> Any:

@@ -12,6 +12,7 @@ from haptonic.fields.keys import Key, key_of, slots, table
 from haptonic.units import shown
 
 TAG = "<"  # begins the tags of a union, which pydantic puts into the path
+MISPLACED = "\0"  # begins a key that stands in a table and belongs to the top; no file has a NUL
 PARTS = ("given", "allowed", "cause", "next_step")
 UNKNOWN = {"extra_forbidden", "unexpected_keyword_argument"}  # pydantic's names for an undeclared key
 EXTRA = "unexpected_positional_argument"
@@ -126,6 +127,7 @@ def _path(location: tuple[int | str, ...], kind: type, place: str = "") -> tuple
         if slot and slot.placed.top:
             path = pattern = slot.key
             continue
+        step = step.removeprefix(MISPLACED)
         name = step if step.replace("_", "").replace("-", "").isalnum() and len(step) < 60 else shown(step)
         path, pattern = f"{path}.{name}".lstrip("."), f"{pattern}.{step}".lstrip(".")
     return path, pattern

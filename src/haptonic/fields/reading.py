@@ -9,7 +9,7 @@ from pydantic import ValidationError
 
 from haptonic.fields.keys import is_described, slots
 from haptonic.fields.placing import Placed
-from haptonic.fields.problems import refusal
+from haptonic.fields.problems import MISPLACED, refusal
 from haptonic.fields.quantity import FROM_FILE
 
 T = TypeVar("T")
@@ -68,7 +68,9 @@ def arranged(
                 if keys or complete:
                     own[slot.key] = {key: own.pop(key) for key in keys}
             elif isinstance(value, Mapping):
-                own[slot.key] = arranged(below, {**moved, **value}, top)
+                outside = {one.key for one in slots(below) if one.placed.top}
+                here = {f"{MISPLACED}{key}" if key in outside else key: one for key, one in value.items()}
+                own[slot.key] = arranged(below, {**moved, **here}, top)
             elif isinstance(value, list | tuple):
                 own[slot.key] = [
                     arranged(below, one, top) if isinstance(one, Mapping) else one for one in value

@@ -84,6 +84,8 @@ def _read(path: Path) -> str:
         raise _unreadable(path, f"it is larger than {LARGEST_FILE} bytes", "check that it is a study file")
     if content.startswith((b"\xff\xfe", b"\xfe\xff")):
         raise _unreadable(path, "it is encoded as UTF-16", "save it as UTF-8")
+    if b"\0" in content:
+        raise _unreadable(path, "it is a binary file", "give the .toml file that describes the study")
     try:
         text = content.decode("utf-8-sig")
     except UnicodeDecodeError as error:
@@ -91,8 +93,6 @@ def _read(path: Path) -> str:
         raise _unreadable(
             path, f"line {line} holds bytes that are not UTF-8 text", "save it as UTF-8"
         ) from None
-    if "\0" in text:
-        raise _unreadable(path, "it is a binary file", "give the .toml file that describes the study")
     return text
 
 

@@ -16,7 +16,7 @@ from pydantic import (
 from haptonic.bloch.asked import Asked
 from haptonic.bloch.resolution import LADDER, Resolution, starting_rung
 from haptonic.cell import UnitCell
-from haptonic.design.parameters import values_of
+from haptonic.design.parameters import FILLET, values_of
 from haptonic.errors import HaptonicError, StudyError
 from haptonic.fields import (
     described,
@@ -25,6 +25,7 @@ from haptonic.fields import (
     problem,
     table,
     unchecked,
+    unknown_number,
     with_numbers,
 )
 from haptonic.fields.writing import document, toml_of
@@ -202,6 +203,12 @@ class Description:
                         format_quantity(value, one.unit), f"{path} has to be {quantity.limits}",
                         "designs there would not be possible", "choose a narrower range", at=f"{at}.{name}",
                     )  # fmt: skip
+            if path == FILLET and one.start == 0:
+                raise problem(
+                    "0 m", "more than zero", "a sharp edge needs another mesh than any fillet",
+                    'choose a small radius, such as "50 um", or look for a sharp one without this table',
+                    at=f"{at}.from",
+                )  # fmt: skip
 
     def mounted_plate(self) -> Plate:
         """The finite plate as the core computes with it.
@@ -249,9 +256,12 @@ class Description:
 
         Raises
         ------
-        StudyError : a value is out of bounds, or the design is not possible
+        StudyError : an unknown name, a value that is out of bounds, or a design that is not possible
         """
-        assert values.keys() <= self.parameters().keys(), values.keys()
+        known = self.parameters()
+        for path in values:
+            if path not in known:
+                raise unknown_number(path, known, self.absent_parameters())
         alone = unchecked(self, sweep_settings=(), fit_settings=FitSection())
         return alone._with_numbers(values)
 

@@ -12,7 +12,8 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from functools import cache
 
-from haptonic.errors import StudyError, nearest
+from haptonic.errors import StudyError
+from haptonic.fields import unknown_number
 from haptonic.units import registry, shown
 
 LONGEST_TEXT = 200
@@ -127,18 +128,8 @@ def check_names(expression: Expression, known: Mapping[str, object], absent: Map
     absent : parameters that exist but not in this study, and why
     """
     for name, _ in expression.powers:
-        if name in known:
-            continue
-        guess = nearest(name, known)
-        raise StudyError(
-            argument="sweep.vary",
-            given=shown(name),
-            allowed=f"one of {', '.join(known)}",
-            cause=absent.get(name, "no numeric parameter has this name"),
-            next_step=f'write "{guess}"'
-            if guess and name not in absent
-            else "name a parameter that this study gives",
-        )
+        if name not in known:
+            raise unknown_number(name, known, absent, "sweep.vary")
 
 
 def solve(

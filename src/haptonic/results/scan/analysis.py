@@ -246,7 +246,7 @@ def _told_on_plate(
         data["error_of_contrast"] = along({pair: level["error"] for pair, level in levels.items()}, "pair")
     for pair, level in levels.items():
         if hidden := int(np.isnan(level["level"].values).sum()):
-            told.append(f"noise hides the contrast of {pair} at {hidden} lines")
+            told.append(f"noise hides the contrast of {pair} at {hidden} line{'s' if hidden > 1 else ''}")
     waves: dict[str, xr.DataArray] = {}
     for guide in guides_of(layout):
         try:
