@@ -22,7 +22,7 @@ from haptonic.bloch.tracking import diagram
 
 def reference_cell():
     study = haptonic.load(STUDY)
-    return fresh(study.cell), study.asked()
+    return fresh(study.cell), study.bands_settings
 
 
 def frequencies_and_errors() -> BlochModel:

@@ -35,6 +35,7 @@ Array = NDArray[np.float64]
 
 FOLDER = ROOT / "results" / "estimates_hold"
 REFERENCE_LIMIT = 400.0  # s of the processor
+AT_ONCE = 2.0  # s of the processor that a refusal may take
 CLASSES = (*dict.fromkeys(KINDS), "stout")
 
 
@@ -170,6 +171,10 @@ def append(path: Path, row: Row) -> None:
         writer.writerow(asdict(row))
 
 
+def at_once(row: Row) -> bool:
+    return row.outcome.startswith("refused") and row.seconds < AT_ONCE
+
+
 def of_class(rows: list[Row], name: str) -> dict[str, Any]:
     """The figures of one class; a design's median ratio stands for its frequencies."""
     good = [row for row in rows if row.frequencies]
@@ -278,7 +283,7 @@ def main(count: int, stout: int, seed: int, limit: float, stored: bool, remark: 
         f"{row.number} ({row.kind}, {row.count} bands at {row.accuracy:g}), {row.seconds:.0f} s: "
         + row.outcome
         for row in rows
-        if not row.frequencies
+        if not row.frequencies and not at_once(row)
     ]
     write(
         "estimates_hold",
@@ -287,6 +292,7 @@ def main(count: int, stout: int, seed: int, limit: float, stored: bool, remark: 
             "limit_s": limit,
             "drawn": count + stout,
             "not_run": sorted(not_run),
+            "refused_at_once": sum(at_once(row) for row in rows),
             "rows": [*classes, of_class(rows, "all")],
             "not_answered": reasons,
             "remark": remark,

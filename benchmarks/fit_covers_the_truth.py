@@ -94,7 +94,7 @@ class Bench:
         study = loads(STUDY)
         self.plate, self.unknowns, self.fineness = (
             study.mounted_plate(),
-            study.fit_settings.unknowns,
+            study.fit_settings.vary,
             fineness(study),
         )
         self.points, _ = grid_points(self.plate, GRID)
@@ -159,7 +159,7 @@ def main(seeds: int) -> None:
         "fit_covers_the_truth",
         {
             "seeds": seeds,
-            "parameters": [one.name for one in bench.unknowns],
+            "parameters": [one.parameter for one in bench.unknowns],
             "within": within.tolist(),
             "least_allowed": int(binom.ppf(CHANCE, seeds, 0.95)),
             "chance": CHANCE,

@@ -20,6 +20,7 @@ from haptonic.response import FrequencyResponse, read
 from haptonic.results.scan import Estimation, compute_scan
 from haptonic.store import Store
 from haptonic.vibrometry import ReadReport, Scan
+from haptonic.vibrometry.question import drive_for, response_for
 
 # pitch, thickness, pillar's diameter and height, guide's width (mm), columns of a guide, cells along, rows of
 # a mirror, band of the scan and carrier (kHz), sample rate (kHz), loss factor
@@ -53,8 +54,10 @@ def main() -> None:
 def told(name: str, study: haptonic.Study, kept: Path | None) -> dict[str, Any]:
     """Computed and told edges, Hz, and the error of the contrast of a twin with the default instrument."""
     store = Store.default()
-    asked = study.scan_settings.frozen().of_plate(
-        study.finite_plate.response.tolerance, study.scan_settings.frozen().drive(study.mounted_plate())
+    asked = response_for(
+        study.scan_settings,
+        study.finite_plate.response.tolerance,
+        drive_for(study.scan_settings, study.mounted_plate()),
     )
     response: FrequencyResponse
     if kept is not None:

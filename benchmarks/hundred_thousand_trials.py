@@ -25,7 +25,7 @@ from record import peak_memory, write
 from haptonic.friction.protocol import Protocol
 from haptonic.friction.recordings import Sensor
 from haptonic.friction.signals import Rules
-from haptonic.friction.twin import Truth, strokes
+from haptonic.friction.simulation import Truth, strokes
 from haptonic.results import compute_friction
 
 PARTICIPANTS = 42  # of 240 trials each: 10 080

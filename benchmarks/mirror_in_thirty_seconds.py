@@ -12,6 +12,7 @@ from record import STUDY, write
 import haptonic
 from haptonic.analyses.needs import need_carrier
 from haptonic.design.brief import Brief
+from haptonic.design.settings import DesignLimits
 from haptonic.results import Runner, compute_design
 from haptonic.store import Store
 
@@ -26,14 +27,13 @@ def main() -> None:
         need_carrier(study),
         study.bands_settings.count,
         BOUNDS,
-        slenderness=5.0,
-        tool=2e-3,
+        DesignLimits(slenderness=5.0, tool=2e-3),
     )
     with tempfile.TemporaryDirectory() as folder:
         start = time.perf_counter()
         found = compute_design(
             brief,
-            study.asked(),
+            study.bands_settings,
             starts=section.starts,
             climbs=section.climbs,
             steps=section.steps,

@@ -23,7 +23,7 @@ NAMES = (
     "fit_covers_the_truth",
 )  # fmt: skip
 
-WHOLE_SAMPLE = 120  # designs drawn over all classes that count as a proof of the estimates
+WHOLE_SAMPLE = 120  # designs answered over all classes that count as a proof of the estimates
 
 
 def table(heads: list[str], rows: list[list[Any]]) -> str:
@@ -165,18 +165,18 @@ def estimates(record: dict[str, Any]) -> str:
     heads = ["class", "designs", "answered", "refused", "too long", "no reference", "frequencies",
              "estimate below true", "designs beyond the accuracy", "ratio: least", "median of designs",
              "unsure, median", "seconds, median", "of the reference"]  # fmt: skip
-    drawn = record["rows"][-1]["designs"]
+    answered = record["rows"][-1]["answered"]
     few = (
-        ""
-        if drawn >= WHOLE_SAMPLE
-        else (
-            f" **Only {drawn} designs were run for this record: it is no proof of the estimates, which takes "
-            f"{WHOLE_SAMPLE}, nor does it reach the goal for the median of the ratio, 6.**"
-            if record["rows"][-1]["median_ratio"] > 6
-            else f" **Only {drawn} designs were run for this record: it is no proof of the estimates, which "
-            f"takes {WHOLE_SAMPLE}.**"
-        )
+        f" Of {record['drawn']} designs drawn {record['refused_at_once']} were refused within 2 s; "
+        f"{len(record['not_run'])} were not run."
     )
+    if answered < WHOLE_SAMPLE:
+        few += (
+            f" **Only {answered} designs were answered for this record: it is no proof of the estimates, which "
+            f"takes {WHOLE_SAMPLE}."
+        )
+        missed = record["rows"][-1]["median_ratio"] > 6
+        few += " Nor is the goal for the median of the ratio reached, 6.**" if missed else "**"
     reasons = "".join(f"- {reason}\n" for reason in record["not_answered"])
     if reasons:
         few += " Not answered, by number:"

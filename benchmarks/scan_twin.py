@@ -25,6 +25,7 @@ from haptonic.results import write_files
 from haptonic.results.scan import Estimation, OnPlate, ScanResult, Twin, compute_scan
 from haptonic.store import Store
 from haptonic.vibrometry import ReadReport, Scan, estimate, read_scan
+from haptonic.vibrometry.question import drive_for, response_for
 
 SEEDS = range(5)
 LONG = '[scan]\nrate = "200 kHz"\nhighest = "80 kHz"\naverages = 56\n\n# Wider and narrower pillars'
@@ -49,10 +50,10 @@ print(time.process_time(), status("VmHWM"), own[0])
 def main() -> None:
     warnings.simplefilter("ignore", haptonic.HaptonicWarning)  # the period is shorter than the ring-down
     study, store = haptonic.load(STUDY), Store.default()
-    question = study.scan_settings.frozen()
+    question = study.scan_settings
     section = study.finite_plate
     assert section is not None
-    asked = question.of_plate(section.response.tolerance, question.drive(study.mounted_plate()))
+    asked = response_for(question, section.response.tolerance, drive_for(question, study.mounted_plate()))
     start = time.perf_counter()
     response = study.plate(asked=asked, store=store).response
     computing = time.perf_counter() - start

@@ -19,16 +19,16 @@ import numpy as np
 from record import write
 
 from haptonic.bloch import Gap
-from haptonic.bloch.asked import Asked
+from haptonic.bloch.settings import BandSettings
 from haptonic.cell import Pillar, UnitCell
 from haptonic.design.brief import Brief
 from haptonic.design.quick import edges_of
+from haptonic.design.settings import DesignLimits, DesignSettings
 from haptonic.errors import HaptonicError
 from haptonic.lattice import Lattice
 from haptonic.materials import IsotropicMaterial, material
 from haptonic.results import Runner, compute_design
 from haptonic.store import Store, write_atomically
-from haptonic.study.asking import DesignSection
 
 MATERIALS = ("aluminium-paper", "soda-lime-glass", "borosilicate-glass", "brass", "steel")
 HEIGHT = "cell.pillar.height"
@@ -60,10 +60,12 @@ def drawn(count: int, seed: int) -> list[Brief]:
         slenderness = float(rng.uniform(3.0, 16.0)) if rng.random() < 0.8 else None
         own = UnitCell(Lattice.square(pitch), thickness, stuff, Pillar(0.5 * pitch, 2.0 * pitch))
         bounds = {path: (float(low), float(high)) for path, (low, high) in bounds.items()}
-        brief = Brief(own, carrier, COUNT, bounds, slenderness=slenderness)
+        brief = Brief(own, carrier, COUNT, bounds, DesignLimits(slenderness=slenderness))
         start = brief.feasible(rng.random(len(bounds)))
         if brief.allows(start):
-            briefs.append(Brief(brief.at(start), carrier, COUNT, bounds, slenderness=slenderness))
+            briefs.append(
+                Brief(brief.at(start), carrier, COUNT, bounds, DesignLimits(slenderness=slenderness))
+            )
     return briefs
 
 
@@ -105,12 +107,12 @@ def margin_of(gap: Gap, carrier: float) -> float:
     return min(carrier - gap.lower - gap.lower_error, gap.upper - gap.upper_error - carrier)
 
 
-ASKED = Asked(COUNT, 3, ACCURACY, None)
+ASKED = BandSettings(COUNT, 8, ACCURACY)
 
 
 def searched(brief: Brief, runner: Runner) -> dict[str, Any]:
     """What the search finds with a study's own settings, or why it does not."""
-    section, start = DesignSection(), time.process_time()
+    section, start = DesignSettings(), time.process_time()
     try:
         design = compute_design(
             brief, ASKED, starts=section.starts, climbs=section.climbs, steps=section.steps, inputs={},

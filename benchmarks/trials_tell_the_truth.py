@@ -21,6 +21,7 @@ import haptonic
 from haptonic.analyses.experiments import protocol_of, truth_of
 from haptonic.friction.protocol import Protocol
 from haptonic.friction.signals import measured
+from haptonic.friction.simulation import Truth, coefficients, people, strokes
 from haptonic.friction.statistics import (
     Pairs,
     by_mixed_model,
@@ -32,7 +33,6 @@ from haptonic.friction.statistics import (
     stopped,
     stopped_here,
 )
-from haptonic.friction.twin import Truth, coefficients, people, strokes
 
 LEVEL = 0.05
 MORE_PEOPLE = (3, 4, 6, 8, 12)

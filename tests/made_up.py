@@ -13,10 +13,10 @@ import xarray as xr
 import haptonic
 from haptonic.analyses.needs import need_carrier
 from haptonic.bloch import Resolution, bands_dataset
-from haptonic.bloch.asked import Asked
 from haptonic.bloch.layers import OUTGOING
-from haptonic.bloch.mirrors import PHASES, Incidence
+from haptonic.bloch.mirrors import PHASES
 from haptonic.bloch.plate_waves import FAMILIES
+from haptonic.bloch.settings import BandSettings, LayersSettings, MeshSettings, WaveguideSettings
 from haptonic.report import Results
 from haptonic.results import Guides, Layers, Runner, compute_guides, compute_layers
 from haptonic.results.bands import Bands
@@ -133,15 +133,15 @@ def made_up_tolerance(paths: tuple[str, ...], margin: float = 500.0) -> xr.Datas
 @cache
 def _reference_mirror() -> tuple[Layers, Guides]:
     study = reference_study()
-    cell, carrier, asked = study.cell, need_carrier(study), Asked(8, 13, 2e-2, Resolution(3, 1))
+    cell, carrier, asked = study.cell, need_carrier(study), BandSettings(8, 13, 2e-2, MeshSettings(3, 1))
     with tempfile.TemporaryDirectory() as folder:
-        runner = Runner(Store(Path(folder)))
+        runner, lossy = Runner(Store(Path(folder))), cell.with_numbers({"material.loss_factor": 1e-3})
         layers = compute_layers(
-            cell, asked, np.linspace(50e3, 62e3, 4), Incidence(0.0, 4, 1e-3),
+            lossy, asked, LayersSettings(lowest=50e3, highest=62e3, points=4, count=4),
             carrier=carrier, inputs=study.inputs(), runner=runner,
         )  # fmt: skip
         guides = compute_guides(
-            cell, asked, carrier=carrier, mode=(0, 17), width=32e-3, rows=20, ends="free",
+            cell, asked, WaveguideSettings(mode="0x17", width=32e-3, rows=20), carrier=carrier,
             inputs=study.inputs(), runner=runner,
         )  # fmt: skip
     return layers, guides

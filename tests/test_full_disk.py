@@ -18,7 +18,7 @@ SCRIPT = """
     from pathlib import Path
     import numpy as np, xarray as xr
     from haptonic.errors import ResourceError
-    from haptonic.friction.twin.files import write_h5
+    from haptonic.friction.simulation.files import write_h5
     from haptonic.response import FrequencyResponse, Reference, write
     from haptonic.results import write_netcdf
     from haptonic.store import write_atomically

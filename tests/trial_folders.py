@@ -12,17 +12,24 @@ import numpy as np
 import pandas as pd
 import scipy.io
 
+from haptonic.friction.participants import Participants
 from haptonic.friction.protocol import Protocol
 from haptonic.friction.signals import Label, Record
-from haptonic.friction.twin import Truth, strokes
+from haptonic.friction.simulation import Truth, strokes
 
 Made = list[tuple[Label, Record]]
 Channels = dict[str, np.ndarray]
 
 
+def truth_of(**changes: Any) -> Truth:
+    """A truth, and its people, with some numbers changed."""
+    people = {name: changes.pop(name) for name in vars(Participants()) if name in changes}
+    return Truth(Participants(**people), **changes)
+
+
 def made_up(participants: int = 3, blocks: int = 2, trials: int = 6, seed: int = 0, **truth: Any) -> Made:
     """Labels and records of an experiment."""
-    experiment = strokes(Truth(**truth), Protocol(blocks, trials), participants, seed)
+    experiment = strokes(truth_of(**truth), Protocol(blocks, trials), participants, seed)
     return [(label, record) for label, record, _ in experiment]
 
 

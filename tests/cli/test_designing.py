@@ -95,7 +95,7 @@ class TestDesign:
         own = package.load(question)
         assert found == own.with_parameters(answer["values"])
         assert found.design_settings == own.design_settings
-        bounds = {one.parameter: (one.start, one.stop) for one in own.design_settings.vary}
+        bounds = {one.parameter: (one.low, one.high) for one in own.design_settings.vary}
         assert answer["values"].keys() == bounds.keys()
         for path, (low, high) in bounds.items():
             assert low <= answer["values"][path] <= high

@@ -11,7 +11,7 @@ import pytest
 import xarray as xr
 
 from five_parts import assert_five_parts
-from haptonic.friction.words import averages
+from haptonic.friction.phrases import averages
 from haptonic.results import FrictionResult
 from trial_folders import edited, made_up, written
 

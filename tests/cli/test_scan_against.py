@@ -16,6 +16,7 @@ from haptonic.results.scan import Estimation, compute_scan
 from haptonic.store import Store
 from haptonic.study import load
 from haptonic.vibrometry import ReadReport, Scan, read_scan
+from haptonic.vibrometry.question import drive_for, response_for
 from tiny_scan import TINY
 
 FIT = """
@@ -46,10 +47,10 @@ def folder(tmp_path_factory, store_folder):
     (out / "plain.toml").write_text(TINY, "utf-8")
     (out / "cell.toml").write_text(TINY[: TINY.index("[plate]")], "utf-8")
     study = load(out / "true.toml")
-    question = study.scan_settings.frozen()
+    question = study.scan_settings
     with pytest.warns(HaptonicWarning, match="ring-down"):
-        drive = question.drive(study.mounted_plate())
-    computed = study.plate(asked=question.of_plate(1e-3, drive), store=store).response
+        drive = drive_for(question, study.mounted_plate())
+    computed = study.plate(asked=response_for(question, 1e-3, drive), store=store).response
     with pytest.warns(HaptonicWarning, match="ring-down"):
         made = study.twin_scan(seed=5, response=computed, store=store)
     write(computed, out / "model.nc")

@@ -15,13 +15,14 @@ import xarray as xr
 from five_parts import assert_five_parts
 from haptonic.analyses import scanning
 from haptonic.errors import HaptonicWarning
-from haptonic.fields import remade
+from haptonic.fields import remade, with_numbers
 from haptonic.response import FrequencyResponse, read, write
 from haptonic.results import write_files
 from haptonic.results.scan import Estimation, OnPlate, Twin, compute_scan
 from haptonic.store import Store
 from haptonic.study import loads
 from haptonic.vibrometry import ReadReport, Scan, TimeScan, estimation, read_scan
+from haptonic.vibrometry.question import drive_for, plan_for, response_for
 from tiny_scan import TINY
 
 PLACES = {
@@ -62,9 +63,7 @@ def store(store_folder):
 def truth(study, store):
     """The plate's response at the points and lines of the scan."""
     with pytest.warns(HaptonicWarning, match="ring-down"):
-        asked = study.scan_settings.frozen().of_plate(
-            1e-3, study.scan_settings.frozen().drive(study.mounted_plate())
-        )
+        asked = response_for(study.scan_settings, 1e-3, drive_for(study.scan_settings, study.mounted_plate()))
     return study.plate(asked=asked, store=store).response
 
 
@@ -174,10 +173,10 @@ class TestChirp:
         assert_five_parts(inside("chirp", path, "--json"), argument)
 
     def test_a_region_is_skipped(self, study):
-        both = study.scan_settings.frozen()
-        half = remade(study.scan_settings, skip="WG2").frozen()
+        both = study.scan_settings
+        half = remade(study.scan_settings, skip="WG2")
         layout = study.mounted_plate().layout
-        everywhere, some = (question.plan(study.mounted_plate()).points for question in (both, half))
+        everywhere, some = (plan_for(question, study.mounted_plate()).points for question in (both, half))
         inside = (some[:, 0] > layout.x[5]) & (some[:, 0] < layout.x[7])
         assert not inside.any()
         assert (
@@ -221,7 +220,7 @@ class TestTwin:
     def test_a_noisy_vibrometer_hides_levels_and_what_is_told_is_right(self, study, truth, on, store):
         shares = []
         for noise in (5e-5, 2e-3, 8e-3):
-            loud = remade(study, scan_settings=remade(study.scan_settings, noise=noise))
+            loud = with_numbers(study, {"scan.noise": noise})
             with pytest.warns(HaptonicWarning, match="ring-down"):
                 made = loud.twin_scan(response=truth, store=store)
             result = compute_scan(_as_scan(made), Estimation(), on, store=store)
@@ -246,7 +245,7 @@ class TestTwin:
         assert known["origin"] == "simulated"
         assert known["seed"] == 3
         # contrast by hand, of the points that are scanned
-        plan = study.scan_settings.frozen().plan(study.mounted_plate()).points
+        plan = plan_for(study.scan_settings, study.mounted_plate()).points
         name = {
             tuple(np.round(p, 6)): str(r)
             for p, r in zip(truth.points, truth.dataset["region"].values, strict=True)
@@ -383,7 +382,7 @@ class TestScan:
         assert np.array_equal(again.response.values, at_once.response.values)
 
     def test_bad_points_are_replaced_and_marked(self, study, truth, on, store):
-        lost = remade(study, scan_settings=remade(study.scan_settings, dropouts=0.1))
+        lost = with_numbers(study, {"scan.dropouts": 0.1})
         with pytest.warns(HaptonicWarning, match="ring-down"):
             made = lost.twin_scan(seed=1, response=truth, store=store)
         plain = compute_scan(_as_scan(made), Estimation(), on, store=store)

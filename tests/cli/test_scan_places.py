@@ -82,12 +82,12 @@ class TestWaves:
         )
         guides = [replace(one, along="y", width=32e-3, lattice="lattice") for one in guides_of(layout)]
         mirror = mirror_beside(layout, "WG1")
-        waves = computed_waves(layout, study.asked(), (40e3, 70e3), gap, guides, mirror)
+        waves = computed_waves(layout, study.bands_settings, (40e3, 70e3), gap, guides, mirror)
         at, wavenumber = guided(waves, guides[0])
         assert len(at) >= 2
         assert (np.diff(at) > 0).all()
         cell = next(iter(layout.cells.values()))
-        resolution = bloch_model(cell, 8, 2e-2, study.asked().resolution).resolution
+        resolution = bloch_model(cell, 8, 2e-2, study.bands_settings.resolution).resolution
         superelement = condensed_cell(cell, resolution)
         mode = strip_mode(
             superelement, width=32e-3, length=17.5 * np.pi / wavenumber[0], intervals=17, nodal_lines=0,

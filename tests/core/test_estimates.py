@@ -10,7 +10,7 @@ from truth import KAPPA, drawn, plain_plate, truth, wavevectors
 
 from haptonic.bloch import BlochModel, Resolution
 from haptonic.bloch.centred import CentredPencil
-from haptonic.bloch.model import REST, TRUSTED_OMISSION, _ranked, bloch_model
+from haptonic.bloch.model import REST, TRUSTED_TRUNCATION, _ranked, bloch_model
 from haptonic.bloch.pencil import eigenpairs
 from haptonic.bloch.resolution import LADDER, starting_rung
 from haptonic.cell import MeshPlan, Pillar, UnitCell
@@ -37,7 +37,7 @@ def test_what_the_interior_leaves_out_is_told_for_many_bands(number):
     cell, resolution, count = drawn(SEED, number).cell, Resolution(2, 1, 3, 24), 25
     exact = hertz(cell, resolution.for_bands(count).plan(cell), count)
     model = BlochModel.of(cell, resolution, count, measured=False, many=False)
-    while model.omission > TRUSTED_OMISSION:
+    while model.truncation > TRUSTED_TRUNCATION:
         model = BlochModel.of(cell, model.resolution.grown(), count, measured=False, many=False)
     pencil = model.fine.centred
     for kappa, expected in zip(SEEN, exact, strict=True):

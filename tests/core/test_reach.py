@@ -96,4 +96,4 @@ def test_many_bands_get_depth_rather_than_width(thickness, diameter, height):
         cell, resolution.plan(cell), resolution.steps, block=resolution.block, measured=False
     )
     reduced = ReducedCell.of(whole, 40, np.inf)
-    assert BlochModel(cell, resolution, 40, reduced, reduced.pencil).omission < 4 * model.TRUSTED_OMISSION
+    assert BlochModel(cell, resolution, 40, reduced, reduced.pencil).truncation < 4 * model.TRUSTED_TRUNCATION

@@ -200,7 +200,7 @@ def test_the_omission_tells_what_two_steps_lose():
     values, modes = eigenpairs(pencil, kappa, 10)
     fields = pencil.periodic.expanded(pencil.free(modes, kappa), kappa)
     lost = np.sqrt(values / exact) - 1
-    told = 0.5 * values * on_each(poor.omission, fields)
+    told = 0.5 * values * on_each(poor.truncation, fields)
     assert lost[-1] > 1e-5, "else the test sees nothing"
     assert lost == pytest.approx(told, rel=0.2, abs=2e-6)
 

@@ -203,7 +203,7 @@ def losses(case: str, steps: int):
     superelement = condense(cell, plan, steps, measured=False)
     values, modes = eigenpairs(bloch_pencil(superelement), KAPPA, 10)
     fields = Periodic.of(superelement).expanded(modes, KAPPA)
-    omitted = np.einsum("ik,ik->k", fields.conj(), superelement.omission @ fields).real
+    omitted = np.einsum("ik,ik->k", fields.conj(), superelement.truncation @ fields).real
     return hertz(values) / exact - 1, 0.5 * values * omitted
 
 

@@ -3,9 +3,9 @@
 import numpy as np
 import pytest
 
-from haptonic.bloch import Resolution, gaps_of
-from haptonic.bloch.asked import Asked
+from haptonic.bloch import gaps_of
 from haptonic.bloch.pencil import eigenpairs
+from haptonic.bloch.settings import BandSettings, MeshSettings
 from haptonic.design.edges import edge_slopes
 from haptonic.design.parameters import values_of
 from haptonic.design.quick import QuickDesign
@@ -23,7 +23,7 @@ def band_frequency(cell, kappa, number):
 def test_slopes_are_differences_of_the_bands_even_if_the_gap_is_from_a_coarse_mesh():
     """On this mesh the lower edge lies 2 kHz too high, nearer to nothing than to another band."""
     cell = reference_study().cell
-    dataset = design_gaps((cell, Asked(8, 13, 2e-2, Resolution(2, 0))))
+    dataset = design_gaps((cell, BandSettings(8, 13, 2e-2, MeshSettings(2, 0))))
     gap = next(gap for gap in gaps_of(dataset) if gap.complete and gap.between == (6, 7))
     slopes = edge_slopes(cell, gap, PATHS)
     own = values_of(cell)

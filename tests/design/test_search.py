@@ -11,13 +11,14 @@ from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
 from haptonic.bloch import Gap, Resolution, gaps_of
-from haptonic.bloch.asked import Asked
+from haptonic.bloch.settings import BandSettings, MeshSettings
 from haptonic.cell import Pillar, Step, UnitCell
 from haptonic.design import quick, search
-from haptonic.design.brief import LEAST_GAP, Brief, Finger
+from haptonic.design.brief import LEAST_GAP, Brief
 from haptonic.design.parameters import values_of
 from haptonic.design.quick import QuickDesign
-from haptonic.design.search import Column, Visited, climb, spread, starts_of
+from haptonic.design.search import HeightRow, Visited, climb, spread, starts_of
+from haptonic.design.settings import DesignLimits
 from haptonic.errors import ResourceError, StudyError
 from haptonic.lattice import Lattice
 from haptonic.materials import IsotropicMaterial, material
@@ -48,12 +49,18 @@ PATHS = ("cell.pitch", "cell.thickness", "cell.pillar.diameter", HEIGHT)
 def brief_of(cell, bounds=None, carrier=60e3, **limits):
     if bounds is None:
         bounds = {path: (0.8 * values_of(cell)[path], 1.2 * values_of(cell)[path]) for path in PATHS}
-    return Brief(cell, carrier, 8, bounds, **limits)
+    return Brief(cell, carrier, 8, bounds, DesignLimits(**limits))
 
 
 class TestLimits:
     everything = brief_of(
-        ALL, slenderness=4.0, tool=2 * MM, reach=10 * MM, finger=Finger(1.0, 60 * MM, 20e-6)
+        ALL,
+        slenderness=4.0,
+        tool=2 * MM,
+        reach=10 * MM,
+        finger_force=1.0,
+        finger_span=60 * MM,
+        finger_deflection=20e-6,
     )
 
     def room(self, **changes):
@@ -252,7 +259,7 @@ def test_a_step_goes_where_the_tangents_meet(start, most, step, expected, promis
 def best_of(brief, share):
     """The gap that holds the carrier best, in the model of a climb."""
     edges = QuickDesign.of(brief.at(share), brief.count).edges()
-    return Column(share[None], edges[None]).best(brief.carrier)[0][1]
+    return HeightRow(share[None], edges[None]).best(brief.carrier)[0][1]
 
 
 def test_a_search_climbs_and_stays_allowed(monkeypatch):
@@ -285,7 +292,7 @@ class TestStarts:
     def column(place, *designs):
         """Designs one above the other, each with its (lower, upper) edges of every pair of bands."""
         shares = np.array([[place, height] for height in np.linspace(0, 1, len(designs))])
-        return Column(shares, np.array([np.transpose(edges) for edges in designs], dtype=float))
+        return HeightRow(shares, np.array([np.transpose(edges) for edges in designs], dtype=float))
 
     def test_bands_that_touch_at_the_carrier_come_after_every_gap(self):
         touching = self.column(0.2, [(100, 100), (140, 120)])
@@ -308,7 +315,7 @@ class TestStarts:
 
 
 CHEAP = Resolution(2, 1)
-ASKED = Asked(8, 3, 0.02, Resolution(3, 1))
+ASKED = BandSettings(8, 8, 0.02, MeshSettings(3, 1))
 
 
 @pytest.fixture
@@ -338,7 +345,7 @@ def glass(carrier=40e3, start=(2.0, 10.0, 0.7), slenderness=16.0):
         HEIGHT: (3 * MM, 30 * MM),
         "cell.thickness": (0.3 * MM, 1.5 * MM),
     }
-    return Brief(cell, carrier, 8, bounds, slenderness=slenderness)
+    return Brief(cell, carrier, 8, bounds, DesignLimits(slenderness=slenderness))
 
 
 def drawn(seed):
@@ -350,7 +357,9 @@ def drawn(seed):
     cell = UnitCell(
         Lattice.square(pitch), rng.uniform(0.1, 0.2) * pitch, stuff, Pillar(0.5 * pitch, 2.0 * pitch)
     )
-    brief = Brief(cell, rng.uniform(0.06, 0.16) * shear / pitch, 8, bounds, slenderness=rng.uniform(4, 12))
+    brief = Brief(
+        cell, rng.uniform(0.06, 0.16) * shear / pitch, 8, bounds, DesignLimits(slenderness=rng.uniform(4, 12))
+    )
     return replace(brief, cell=brief.at(brief.feasible(rng.random(2))))
 
 
@@ -360,7 +369,9 @@ def test_a_search_is_at_least_as_good_as_a_scan(cheap, seed, kept):
     brief = drawn(seed)
     lines = [6 if path == HEIGHT else 3 for path in brief.paths]
     grid = np.stack(np.meshgrid(*(np.linspace(0, 1, n) for n in lines)), axis=-1).reshape(-1, len(lines))
-    scan = [Column.of(brief, place[None]).best(brief.carrier)[0][1] for place in grid if brief.allows(place)]
+    scan = [
+        HeightRow.of(brief, place[None]).best(brief.carrier)[0][1] for place in grid if brief.allows(place)
+    ]
     visit = max((one for one in scan if one.is_open(brief.carrier)), key=lambda one: one.margin)
     gaps = gaps_of(tasks.gap_dataset((brief.at(visit.share), ASKED, visit.band)))
     (best,) = (gap for gap in gaps if gap.between[0] == visit.band)

@@ -103,9 +103,9 @@ class TestSpread:
     @pytest.mark.parametrize("spread", [HEIGHT, DIAMETER], ids=["normal", "uniform"])
     def test_variance_and_range_by_integration(self, spread):
         draws = Chances(Surface(np.zeros((3, 2, 1)), np.zeros(2)), (spread,), 0.0, 0.0, 1).drawn(2**14)
-        assert draws.std() * spread.width == pytest.approx(math.sqrt(spread.variance), rel=1e-3)
-        assert np.abs(draws).max() * spread.width <= spread.half_range
-        assert np.abs(draws).max() * spread.width > 0.99 * spread.half_range
+        assert draws.std() * spread.spread == pytest.approx(math.sqrt(spread.variance), rel=1e-3)
+        assert np.abs(draws).max() * spread.spread <= spread.half_range
+        assert np.abs(draws).max() * spread.spread > 0.99 * spread.half_range
 
     def test_variances_by_hand(self):
         assert DIAMETER.variance == pytest.approx((30 * UM) ** 2 / 3)
@@ -122,12 +122,14 @@ class TestSpread:
         spreads = (HEIGHT, DIAMETER, MODULUS)
         cells = samples(CELL, spreads, 64)
         assert len(cells) == 64
-        away = np.array([[values_of(c)[s.path] - values_of(CELL)[s.path] for s in spreads] for c in cells])
+        away = np.array(
+            [[values_of(c)[s.parameter] - values_of(CELL)[s.parameter] for s in spreads] for c in cells]
+        )
         share = away / [s.half_range for s in spreads]
         assert np.abs(share).max() <= REACH * (1 + 1e-9)
         assert (np.abs(share).max(axis=0) > 0.9 * REACH).all()
         assert share.mean(axis=0) == pytest.approx(np.zeros(3), abs=0.05)
-        untouched = set(values_of(CELL)) - {s.path for s in spreads}
+        untouched = set(values_of(CELL)) - {s.parameter for s in spreads}
         assert all(values_of(c)[p] == values_of(CELL)[p] for c in cells for p in untouched)
 
 
@@ -225,7 +227,7 @@ class TestImportance:
         assert gap.deviations() == pytest.approx([math.sqrt(self.variances().sum()), 0.0], rel=1e-3, abs=1e-3)
 
     def test_first_order_is_exact_where_the_gap_is_linear(self):
-        widths = np.array([s.width for s in self.spreads])
+        widths = np.array([s.spread for s in self.spreads])
         slopes = np.stack([self.slopes / widths, -2 * self.slopes / widths], axis=1)
         expected = np.stack([self.variances(), 4 * self.variances()], axis=1)
         assert first_order(slopes, self.spreads) == pytest.approx(expected)

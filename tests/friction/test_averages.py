@@ -5,7 +5,7 @@ import re
 from hypothesis import assume, given
 from hypothesis import strategies as st
 
-from haptonic.friction.words import change
+from haptonic.friction.phrases import change
 
 shares = st.floats(-1.5, 1.0)
 

@@ -13,7 +13,7 @@ from haptonic.errors import StudyError
 from haptonic.friction.lubrication import (
     CUE_THRESHOLD,
     WEBER_FRACTION,
-    Finger,
+    Fingertip,
     Touch,
     intermittent_friction,
     shared_friction,
@@ -52,7 +52,7 @@ def made(drive=150.0, idle=0.1, speed=0.078, **finger):
         },
         attrs={"frequency_hz": 58.8e3, "reference": "F, N", "solver_error": 1e-4, "haptonic_version": "0"},
     )  # fmt: skip
-    skin = Finger().having(**finger) if finger else Finger()
+    skin = Fingertip().having(**finger) if finger else Fingertip()
     return Feel(PLATE, (52e3, 60e3), loaded, 10e-3, Touch(58.8e3, 0.5, speed), skin, drive)
 
 

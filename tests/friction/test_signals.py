@@ -25,7 +25,7 @@ from haptonic.friction.signals import (
     smoothed,
     write_trials,
 )
-from haptonic.friction.twin import Truth, strokes
+from haptonic.friction.simulation import Truth, strokes
 
 LABEL = Label("P1", 1, 1, "WG1", "on")
 

@@ -10,16 +10,17 @@ from test_statistics import drawn
 
 from five_parts import refused
 from haptonic.friction.protocol import Protocol
+from haptonic.friction.simulation import coefficients
 from haptonic.friction.statistics import Test, by_each, compared, corrected, paired
 from haptonic.friction.statistics.sizes import effect_sizes
 from haptonic.friction.statistics.summary import EVERYBODY, summary
-from haptonic.friction.twin import Truth, coefficients
+from trial_folders import truth_of
 
 
 def experiment(participants=4, seed=0, **truth):
     """A table of trials without force records."""
     rng = np.random.default_rng(seed)
-    rows = list(coefficients(Truth(**truth), Protocol(4, 10), participants, rng))
+    rows = list(coefficients(truth_of(**truth), Protocol(4, 10), participants, rng))
     names = ("participant", "block", "trial", "waveguide", "actuation")
     table = {name: np.array([getattr(label, name) for label, _ in rows]) for name in names}
     friction = np.array([value for _, value in rows])

@@ -6,8 +6,8 @@ from scipy import stats
 
 from haptonic.friction.protocol import Protocol
 from haptonic.friction.signals import measured
+from haptonic.friction.simulation import Truth, film_of, people, strokes
 from haptonic.friction.statistics import paired, reduction, reduction_here, stopped
-from haptonic.friction.twin import Truth, film_of, people, strokes
 
 FORCE = (0.8, 0.4)
 AMPLITUDE = {"WG1": 0.95e-6, "WG2": 0.27e-6}

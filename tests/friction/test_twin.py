@@ -8,10 +8,11 @@ import pytest
 import xarray as xr
 
 from five_parts import refused
+from haptonic.friction.participants import Participants
 from haptonic.friction.protocol import Protocol, imbalance
 from haptonic.friction.signals import Label, exclusions, measure, measured
+from haptonic.friction.simulation import Truth, coefficients, strokes
 from haptonic.friction.statistics import by_participants, by_trials, drift, paired, reduction, stopped
-from haptonic.friction.twin import Truth, coefficients, strokes
 
 
 def statistic_table(truth, participants, seed):
@@ -29,7 +30,7 @@ class TestStrokes:
     def test_the_friction_of_every_stroke_is_found_again(self):
         """Without noise of the sensor to a third of a percent, with it to a few per cent, and unbiased."""
         for noise, spread in ((0.0, 0.003), (0.021, 0.03)):
-            made = list(strokes(Truth(noise=noise), Protocol(2, 20), 2, seed=3))
+            made = list(strokes(Truth(Participants(noise=noise)), Protocol(2, 20), 2, seed=3))
             table = measured((label, record) for label, record, _ in made)
             assert exclusions(table) == dict.fromkeys(exclusions(table), 0)
             off = table["friction"].values / np.array([friction for *_, friction in made]) - 1
@@ -58,7 +59,7 @@ class TestStrokes:
             assert float(table["friction"][here & on].mean()) == pytest.approx(left * level, rel=0.02)
 
     def test_both_channels_have_the_bias(self):
-        made = [record for _, record, _ in strokes(Truth(bias=0.3), Protocol(2, 10), 1, seed=1)]
+        made = [record for _, record, _ in strokes(Truth(Participants(bias=0.3)), Protocol(2, 10), 1, seed=1)]
         quiet = np.concatenate([[record.normal[:200], record.tangential[:200]] for record in made], axis=1)
         assert quiet.mean(axis=1) == pytest.approx([0.3, -0.3], abs=0.003)
 
@@ -70,9 +71,9 @@ class TestStrokes:
         assert (one != other).any()
 
     def test_bad_truths_are_refused(self):
-        refused(lambda: Truth(within=22), "twin.within")
-        refused(lambda: Truth(noise=float("nan")), "nan")
-        refused(lambda: Truth(friction=0.0), "twin.friction")
+        refused(lambda: Truth(Participants(within=22)), "participants.within")
+        refused(lambda: Truth(Participants(noise=float("nan"))), "nan")
+        refused(lambda: Truth(Participants(friction=0.0)), "participants.friction")
         refused(lambda: Truth(remaining={"WG1": 45.0}), "remaining.WG1")
         refused(lambda: list(strokes(Truth(remaining={"WG1": 0.45}), Protocol(), 1)), "WG2")
         refused(lambda: list(strokes(Truth(), Protocol(), 0)), "participants")
@@ -82,7 +83,7 @@ class TestExperiment:
     @pytest.mark.slow
     def test_the_published_experiment(self):
         """Three people, 240 strokes each: what went in comes out within its own intervals."""
-        truth = Truth(effect_between=0.03)
+        truth = Truth(Participants(effect_between=0.03))
         made = list(strokes(truth, Protocol(), 3, seed=11))
         table = measured((label, record) for label, record, _ in made)
         driven, idle = paired(table, "WG1"), paired(table, "WG2")
@@ -94,7 +95,7 @@ class TestExperiment:
         assert test.high - test.low == pytest.approx(0.04, abs=0.008)  # as published
 
     def test_intervals_hold_the_truth_in_95_of_100(self):
-        truth = Truth(between=0.1)
+        truth = Truth(Participants(between=0.1))
         inside, blind = [], []
         for seed in range(100):
             pairs = paired(statistic_table(truth, 3, seed), "WG2")
@@ -106,12 +107,12 @@ class TestExperiment:
 
     def test_the_drift_that_was_put_in(self):
         """0.1 of the session's mean, seen through 22 % of scatter by ten people."""
-        steady = statistic_table(Truth(drift=0.4, between=0.0, within=0.0), 1, 0)
+        steady = statistic_table(Truth(Participants(drift=0.4, between=0.0, within=0.0)), 1, 0)
         off = steady["friction"].values[steady["actuation"].values == "off"]
         assert off.mean() == pytest.approx(0.42, rel=0.005)
-        found = drift(statistic_table(Truth(drift=0.1), 10, 0))
+        found = drift(statistic_table(Truth(Participants(drift=0.1)), 10, 0))
         assert found.low < 0.1 < found.high
-        none = drift(statistic_table(Truth(drift=0.0, within=0.01), 10, 0))
+        none = drift(statistic_table(Truth(Participants(drift=0.0, within=0.01)), 10, 0))
         assert none.value == pytest.approx(0, abs=0.005)
 
 

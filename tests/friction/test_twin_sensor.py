@@ -13,20 +13,22 @@ from nptdms import TdmsFile
 
 from five_parts import refused
 from haptonic.channels import opened
-from haptonic.friction.lubrication import Finger, Touch, amplitude_for, shared_friction
+from haptonic.fields import remade
+from haptonic.friction.lubrication import Fingertip, Touch, amplitude_for, shared_friction
 from haptonic.friction.metronome import END, RATE, START, clicks, write_wav
+from haptonic.friction.participants import Participants
 from haptonic.friction.protocol import Protocol
+from haptonic.friction.simulation import Truth, explaining, film_of, people, recorded, trials
+from haptonic.friction.simulation.files import WRITERS
+from haptonic.friction.simulation.film import LIGHTEST
+from haptonic.friction.simulation.gauges import BITS, RANGE, calibration, voltages
+from haptonic.friction.simulation.strokes import ABOVE, OFF_AXIS
 from haptonic.friction.trial_list import file_of, write_list
-from haptonic.friction.twin import Truth, explaining, film_of, people, recorded, trials
-from haptonic.friction.twin.files import WRITERS
-from haptonic.friction.twin.film import LIGHTEST
-from haptonic.friction.twin.gauges import BITS, RANGE, calibration, voltages
-from haptonic.friction.twin.strokes import ABOVE, OFF_AXIS
 
 CARRIER = 58.8e3
 FORCE = (0.8, 0.4)
 AMPLITUDE = {"WG1": 0.95e-6, "WG2": 0.27e-6}
-QUIET = Truth(noise=0.0, bias=0.0, within=0.0, drift=0.0, between=0.0, effect_between=0.0)
+QUIET = Truth(Participants(noise=0.0, bias=0.0, within=0.0, drift=0.0, between=0.0, effect_between=0.0))
 
 
 @pytest.fixture(scope="module")
@@ -40,7 +42,7 @@ class TestFilm:
         drawn = np.maximum(LIGHTEST, 0.8 + 0.4 * np.random.default_rng(0).standard_normal(150))
         amplitude = np.array(list(AMPLITUDE.values()))
         each = np.array(
-            [shared_friction(amplitude, Touch(CARRIER, force), Finger().values) for force in drawn]
+            [shared_friction(amplitude, Touch(CARRIER, force), Fingertip().values) for force in drawn]
         )
         error = each.std(axis=0) / np.sqrt(len(drawn))
         assert (np.abs(each.mean(axis=0) - list(film.mean.values())) < 3 * error).all()
@@ -54,7 +56,7 @@ class TestFilm:
         found = film_of(explaining(asked, CARRIER, FORCE), CARRIER, FORCE)
         assert {guide: 1 - left for guide, left in found.mean.items()} == pytest.approx(asked, abs=5e-4)
         steady = explaining(asked, CARRIER, (0.8, 0.0))
-        exact = amplitude_for([0.45, 0.89], Touch(CARRIER, 0.8), Finger().values)
+        exact = amplitude_for([0.45, 0.89], Touch(CARRIER, 0.8), Fingertip().values)
         assert list(steady.values()) == pytest.approx(list(exact), rel=2e-3)
 
     def test_without_vibration_nothing_is_removed(self):
@@ -70,8 +72,8 @@ class TestFilm:
             left = 1.0
             if trial.label.actuation == "on":
                 amplitude = AMPLITUDE[trial.label.waveguide]
-                left = float(shared_friction(amplitude, Touch(CARRIER, trial.force), Finger().values))
-            assert trial.friction / truth.friction == pytest.approx(left, abs=1e-3)
+                left = float(shared_friction(amplitude, Touch(CARRIER, trial.force), Fingertip().values))
+            assert trial.friction / truth.people.friction == pytest.approx(left, abs=1e-3)
 
     def test_what_cannot_be_explained_is_refused(self):
         refused(lambda: explaining({"WG1": 1e-6}, CARRIER, FORCE), "reduction on WG1")
@@ -97,7 +99,7 @@ class TestAxes:
             assert np.abs(along[pressed]).max() < 0.08
 
     def test_noise_and_friction(self):
-        truth = replace(QUIET, noise=0.021, bias=0.3)
+        truth = replace(QUIET, people=remade(QUIET.people, noise=0.021, bias=0.3))
         rng = np.random.default_rng(3)
         made = list(recorded(truth, Protocol(2, 20), people(truth, 1, rng), rng))
         before = np.concatenate([stroke.axes[:, :200] for stroke in made], axis=1)

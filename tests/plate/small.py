@@ -5,8 +5,9 @@ import numpy as np
 from haptonic.cell import Pillar, UnitCell
 from haptonic.lattice import Lattice
 from haptonic.materials import IsotropicMaterial, material
+from haptonic.plate.holding import Support
 from haptonic.plate.layout import Layout
-from haptonic.plate.parts import Actuator, Bond, Finger, Force, Plate, Support
+from haptonic.plate.parts import Actuator, Bond, Finger, Force, Plate
 from haptonic.plate.recipes import Fineness
 
 ALUMINIUM = IsotropicMaterial(youngs_modulus=70e9, poisson_ratio=0.33, density=2700.0, name="aluminium")

@@ -17,11 +17,12 @@ from haptonic.plate import krylov, sweep
 from haptonic.plate.assembly import Assembly
 from haptonic.plate.blocks import blocks_of
 from haptonic.plate.direct import direct_answer
+from haptonic.plate.holding import Support
 from haptonic.plate.keys import FINGER, PLATE, SUPPORTS, bond, ceramic, dielectric, electric
 from haptonic.plate.krylov import Basis, chains
 from haptonic.plate.model import PlateModel, impedance, sunflower
 from haptonic.plate.modes import modes_between
-from haptonic.plate.parts import Finger, Force, Plate, Support
+from haptonic.plate.parts import Finger, Force, Plate
 from haptonic.plate.skeleton import Block
 from haptonic.plate.sweep import MOST_DIRECT, Band, _forces
 from haptonic.plate.vibration import ReducedPlate, amplification
@@ -93,7 +94,7 @@ def test_another_damping_needs_no_new_basis(loss):
     st.floats(0, 0.1),
     st.floats(0, 0.3),
     st.floats(0, 10.0),
-    st.sampled_from([2e-3, np.inf]),
+    st.sampled_from([2e-3, None]),
 )
 def test_losses_of_all_kinds_on_one_basis(plate_loss, glue_loss, spring_loss, damping, mass):
     plate = busy_plate()
@@ -185,7 +186,7 @@ def test_a_finger_moves_without_a_new_basis(finger):
 
 def test_a_light_finger_takes_its_share_of_a_mode():
     """By the power that it takes at the resonance, in the direct solution."""
-    finger = Finger((18e-3, 11e-3), 6e-3, mass=np.inf, stiffness=0.0, damping=2e-2)
+    finger = Finger((18e-3, 11e-3), 6e-3, mass=None, stiffness=0.0, damping=2e-2)
     plate = replace(busy_plate(), finger=finger, loss_factor=1e-4)
     band = Band.of(replace(busy(), plate=plate), 2e3, 30e3)
     modes = modes_between(band, 2e3, 30e3)
@@ -542,7 +543,7 @@ def test_a_finger_adds_its_mass_at_an_antinode_and_nothing_at_a_clamp():
 
 def test_a_damped_finger_lowers_a_peak_where_the_plate_moves():
     _, bare = resonance_of_a_strip(None)
-    damper = {"diameter": 2e-3, "mass": np.inf, "stiffness": 0.0, "damping": 0.5}
+    damper = {"diameter": 2e-3, "mass": None, "stiffness": 0.0, "damping": 0.5}
     _, tip = resonance_of_a_strip(Finger((26.5e-3, 3.5e-3), **damper))
     _, foot = resonance_of_a_strip(Finger((1.2e-3, 3.5e-3), **damper))
     assert tip[0] < 0.5 * bare[0]

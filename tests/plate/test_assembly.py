@@ -13,8 +13,9 @@ from whole import answered, forms, foundations, lossless
 
 from haptonic.cell.quadrature import lobatto
 from haptonic.plate import model as model_module
+from haptonic.plate.holding import Support
 from haptonic.plate.model import PlateModel
-from haptonic.plate.parts import Force, Plate, Support
+from haptonic.plate.parts import Force, Plate
 from haptonic.plate.skeleton import Block, Skeleton, TraceOrders
 from haptonic.plate.supports import CLAMPED, supported
 

@@ -15,16 +15,16 @@ import xarray as xr
 from small import CELL, COARSE, busy_plate
 
 from haptonic.analyses.feel import compute_loaded
-from haptonic.bloch import Resolution
-from haptonic.bloch.asked import Asked
+from haptonic.bloch.settings import BandSettings, MeshSettings
 from haptonic.cell import Pillar, UnitCell
 from haptonic.cell.pillar import Step
-from haptonic.design.brief import Brief, Finger
+from haptonic.design.brief import Brief
+from haptonic.design.settings import DesignLimits
 from haptonic.errors import HaptonicWarning
+from haptonic.friction.lubrication.settings import Pad
 from haptonic.lattice import Lattice
 from haptonic.materials import IsotropicMaterial
-from haptonic.plate.loaded import Pad
-from haptonic.plate.question import PlateQuestion
+from haptonic.plate.settings import ResponseSettings
 from haptonic.progress import silent
 from haptonic.results import Runner
 from haptonic.results.bands import compute_bands
@@ -39,12 +39,13 @@ FULL = UnitCell(
     Lattice.square(7e-3), 1.5e-3, MATERIAL,
     Pillar(3.5e-3, 14.7e-3, draft=0.01, fillet=0.2e-3, step=Step(3e-3, 5e-3)),
 )  # fmt: skip
-ASKED = Asked(6, 20, 1e-3, Resolution(3, 1))
+ASKED = BandSettings(6, 20, 1e-3, MeshSettings(3, 1))
 BRIEF = Brief(
-    FULL, 60e3, 8, {"cell.pitch": (5e-3, 9e-3), "cell.thickness": (1e-3, 2e-3)}, slenderness=8.0, tool=2e-3,
-    reach=20e-3, finger=Finger(5.0, 30e-3, 1e-4), held={"cell.pillar.diameter": 3e-3},
+    FULL, 60e3, 8, {"cell.pitch": (5e-3, 9e-3), "cell.thickness": (1e-3, 2e-3)},
+    DesignLimits(slenderness=8.0, tool=2e-3, reach=20e-3, finger_force=5.0, finger_span=30e-3,
+    finger_deflection=1e-4), held={"cell.pillar.diameter": 3e-3},
 )  # fmt: skip
-QUESTION = PlateQuestion(40e3, 60e3, 11, 1e-2, 2e-3)
+QUESTION = ResponseSettings(lowest=40e3, highest=60e3, points=11, tolerance=1e-2, grid=2e-3)
 PAD = Pad(10e-3, (0.5, 1.0, 2.0))
 
 
@@ -63,11 +64,11 @@ class Asking(Store):
 STORE = Asking(Path("nowhere"))
 
 
-def gaps_key(cell: UnitCell, asked: Asked) -> object:
+def gaps_key(cell: UnitCell, asked: BandSettings) -> object:
     return Runner(STORE).gaps(cell, asked)
 
 
-def bands_key(cell: UnitCell, asked: Asked) -> object:
+def bands_key(cell: UnitCell, asked: BandSettings) -> object:
     return compute_bands(cell, asked, surface=False, inputs={}, carrier=None, store=STORE)
 
 
@@ -79,7 +80,7 @@ def front_key(brief: Brief) -> object:
     raise FoundError(content_key(front_task(brief, np.array([0.5, 0.5]), 3).key_inputs))
 
 
-def plate_key(plate: Any, question: PlateQuestion, fineness: Any) -> object:
+def plate_key(plate: Any, question: ResponseSettings, fineness: Any) -> object:
     return compute_plate(
         plate, question, carrier=5e4, gap=None, inputs={}, store=STORE, fineness=fineness
     )  # fmt: skip
@@ -87,8 +88,8 @@ def plate_key(plate: Any, question: PlateQuestion, fineness: Any) -> object:
 
 def loaded_key(plate: Any, pad: Pad, fineness: Any) -> object:
     return compute_loaded(
-        STORE, {}, silent, plate=plate, pad=pad, carrier=5e4, at=None, gap=None, grid=1e-3, tolerance=1e-2,
-        fineness=fineness,
+        STORE, {}, silent, plate=plate, diameter=pad.diameter, damping=pad.damping, carrier=5e4, at=None,
+        gap=None, grid=1e-3, tolerance=1e-2, fineness=fineness,
     )  # fmt: skip
 
 

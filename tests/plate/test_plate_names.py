@@ -17,9 +17,10 @@ from small import COARSE, LOSS, drawn, glued
 from haptonic import plots
 from haptonic.cli.console import Voice
 from haptonic.plate import Plate
+from haptonic.plate.holding import Support
 from haptonic.plate.keys import FINGER, PLATE, SUPPORTS, bond, ceramic, dielectric, electric
-from haptonic.plate.parts import Force, Support
-from haptonic.plate.question import PlateQuestion
+from haptonic.plate.parts import Force
+from haptonic.plate.settings import ResponseSettings
 from haptonic.response import read, write
 from haptonic.results.common import write_netcdf
 from haptonic.results.plate.compute import compute_plate
@@ -31,7 +32,7 @@ slow_but_few = settings(
     max_examples=6, deadline=None,
     suppress_health_check=[HealthCheck.function_scoped_fixture, HealthCheck.too_slow],
 )  # fmt: skip
-QUESTION = PlateQuestion(4e3, 12e3, 3, 1e-2, 3.5e-3)
+QUESTION = ResponseSettings(lowest=4e3, highest=12e3, points=3, tolerance=1e-2, grid=3.5e-3)
 # of the regions in which the patch and the force lie, of the patch and of the force
 fours = st.tuples(
     st.lists(names, min_size=2, max_size=2, unique=True), st.lists(names, min_size=2, max_size=2, unique=True)

@@ -6,8 +6,9 @@ import scipy.linalg as la
 from small import PITCH, drawn
 from whole import lossless
 
+from haptonic.plate.holding import Support
 from haptonic.plate.model import PlateModel
-from haptonic.plate.parts import Plate, Support
+from haptonic.plate.parts import Plate
 
 pytest.importorskip("ngsolve")
 

@@ -11,8 +11,9 @@ from haptonic.bloch.plate_waves import PlainPlate
 from haptonic.cell import MeshPlan, UnitCell
 from haptonic.errors import HaptonicError
 from haptonic.lattice import Lattice
+from haptonic.plate.holding import Support
 from haptonic.plate.model import PlateModel
-from haptonic.plate.parts import Plate, Support
+from haptonic.plate.parts import Plate
 from haptonic.plate.recipes import Fineness
 from haptonic.plate.reduction import cell_tile
 from haptonic.plate.resolved import _bending, highest_resolved

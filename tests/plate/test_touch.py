@@ -11,13 +11,14 @@ from small import COARSE, LOSS, busy_plate, drawn
 from whole import dynamic
 
 from haptonic.plate import sweep
+from haptonic.plate.holding import Support
 from haptonic.plate.keys import PLATE
-from haptonic.plate.loaded import Pad, _loaded_quality
+from haptonic.plate.loaded import _loaded_quality
 from haptonic.plate.model import PlateModel
 from haptonic.plate.modes import modes_between
-from haptonic.plate.parts import Finger, Force, Plate, Support
+from haptonic.plate.parts import Finger, Force, Plate
 from haptonic.plate.sweep import Band
-from haptonic.plate.touch import Places, _Compliance, below_finger
+from haptonic.plate.touch import Sites, _Compliance, below_finger
 from haptonic.response import FrequencyResponse, disc_average
 
 HZ = 2 * np.pi
@@ -61,7 +62,7 @@ def with_a_finger(place, places, omega, stiffness):
 @given(st.floats(6e3, 34e3), st.integers(0, 5), st.floats(0.5, 60.0), st.floats(-2e6, 2e6))
 def test_a_finger_anywhere_is_as_in_the_whole_matrix(frequency, which, damping, stiffness):
     omega = HZ * frequency
-    places, stiff = Places(grid(), 8e-3), stiffness + 1j * omega * damping
+    places, stiff = Sites(grid(), 8e-3), stiffness + 1j * omega * damping
     found = below_finger(bare_band().reduced, places, free_field(omega), omega, [0.0, stiff])
     place = np.linspace(0, len(grid()) - 1, 6).astype(int)[which]
     for row, value in enumerate((0.0, stiff)):
@@ -84,16 +85,16 @@ def test_compliance_is_the_inverse_of_the_reduced_matrix():
 
 def test_the_quality_with_a_finger_is_that_of_the_plate_with_one():
     """To first order in its damping, by the loss of the touched plate's modes."""
-    pad, modes = Pad(8e-3, (0.1, 0.2, 0.4)), modes_between(bare_band(), 1e3, 40e3)
+    damping, modes = (0.1, 0.2, 0.4), modes_between(bare_band(), 1e3, 40e3)
     layout = bare().plate.layout
     room = np.minimum(grid(), np.array([layout.x[-1], layout.y[-1]]) - grid()).min(axis=1)
     for k in (2, 5):
         omega = HZ * modes.frequency[k]
-        near, quality = _loaded_quality(bare(), modes, DRIVES, omega, Places(grid(), 8e-3), pad)
+        near, quality = _loaded_quality(bare(), modes, DRIVES, omega, Sites(grid(), 8e-3), damping)
         assert near == pytest.approx(modes.frequency[k])
         assert quality[0] == pytest.approx(np.full(len(grid()), modes.quality[k]))
         place = int(np.where(room > 4e-3, quality[3], np.inf).argmin())  # where it is felt most
-        finger = Finger(tuple(grid()[place]), 8e-3, mass=np.inf, stiffness=0.0, damping=0.4)
+        finger = Finger(tuple(grid()[place]), 8e-3, mass=None, stiffness=0.0, damping=0.4)
         touched = modes_between(bare_band().touched(finger), 1e3, 40e3).quality[k]
         ours = 1 / quality[3, place] - 1 / quality[0, place]
         assert ours == pytest.approx(1 / touched - 1 / modes.quality[k], rel=0.15)
@@ -107,25 +108,23 @@ def test_without_a_finger_it_is_the_average_over_the_disc():
         field[None, :, None], frequency=np.array([21e3]), x=grid()[:, 0], y=grid()[:, 1],
         reference="A, V", origin="simulated", quantity="displacement",
     )  # fmt: skip
-    found = below_finger(bare_band().reduced, Places(grid(), 8e-3), field, omega, [0.0])
+    found = below_finger(bare_band().reduced, Sites(grid(), 8e-3), field, omega, [0.0])
     np.testing.assert_allclose(found[0], disc_average(response, 8e-3).values[0], rtol=1e-5)
 
 
 def test_a_finger_that_does_not_give_way_stops_the_plate():
     omega = HZ * 21e3
-    free, held = below_finger(
-        bare_band().reduced, Places(grid(), 8e-3), free_field(omega), omega, [0.0, 1e13]
-    )
+    free, held = below_finger(bare_band().reduced, Sites(grid(), 8e-3), free_field(omega), omega, [0.0, 1e13])
     assert (held < 1e-3 * free.max()).all()
 
 
 def test_the_grid_of_a_disc_is_fine_enough():
     """Another grid of points below the same finger, the one that a plate with a finger of its own has."""
     omega, place = HZ * 21e3, len(grid()) // 2 + 5
-    found = below_finger(bare_band().reduced, Places(grid(), 8e-3), free_field(omega), omega, [10j * omega])
-    finger = Finger(tuple(grid()[place]), 8e-3, mass=np.inf, stiffness=0.0, damping=10.0)
+    found = below_finger(bare_band().reduced, Sites(grid(), 8e-3), free_field(omega), omega, [10j * omega])
+    finger = Finger(tuple(grid()[place]), 8e-3, mass=None, stiffness=0.0, damping=10.0)
     _, vibration = bare_band().touched(finger).answer(DRIVES, np.array([21e3]), 1e-2)
-    disc = Places(grid(), 8e-3).discs[place]
+    disc = Sites(grid(), 8e-3).discs[place]
     moved = bare().displaced(grid()[disc], vibration.vectors) @ vibration.amplitudes
     assert found[0, place] == pytest.approx(np.sqrt((np.abs(moved) ** 2).mean()), rel=0.05)
 

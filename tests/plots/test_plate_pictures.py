@@ -15,8 +15,9 @@ from seeing import artists, assert_readable, shown_texts
 
 from haptonic import plots
 from haptonic.errors import ResourceError
+from haptonic.plate.holding import Support
 from haptonic.plate.layout import Layout
-from haptonic.plate.parts import Plate, Support
+from haptonic.plate.parts import Plate
 from haptonic.plots.mapped import FRAMES
 from haptonic.response import FrequencyResponse
 

@@ -29,6 +29,7 @@ from haptonic.results import compute_friction
 from haptonic.results.quality import quality
 from haptonic.store import Store
 from haptonic.study import loads
+from haptonic.vibrometry.question import drive_for, response_for
 from tiny_scan import TINY
 from trial_folders import made_up, written
 
@@ -131,10 +132,10 @@ def test_pages_of_a_plate_and_its_scan_hold_text_only(tmp_path, monkeypatch):
     for plain, name in zip(("WG1", "WG2"), regions, strict=True):
         text = text.replace(f'"{plain}"', f'"{name}"')
     study, store = loads(text), Store(tmp_path)
-    question = study.scan_settings.frozen()
+    question = study.scan_settings
     with pytest.warns(HaptonicWarning, match="ring-down"):
-        drive = question.drive(study.mounted_plate())
-    asked = replace(question.of_plate(1e-3, drive), points=126)
+        drive = drive_for(question, study.mounted_plate())
+    asked = replace(response_for(question, 1e-3, drive), points=126)
     plate = study.plate(asked=asked, store=store)
     scan = scanning.rescanned(study, plate, seed=2, store=store)
     monkeypatch.setattr("haptonic.report.page.IN_ORDER", (plates.chapter, scans.chapter))

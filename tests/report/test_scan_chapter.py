@@ -16,6 +16,7 @@ from haptonic.results.references import References
 from haptonic.store import Store
 from haptonic.study import loads
 from haptonic.vibrometry.on_plate import contrast_range
+from haptonic.vibrometry.question import drive_for, response_for
 from tiny_scan import TINY
 
 
@@ -32,10 +33,10 @@ def study():
 @pytest.fixture(scope="module")
 def plate(study, store):
     """Computed at 126 lines 400 Hz apart: others than those of the study's own scan."""
-    question = study.scan_settings.frozen()
+    question = study.scan_settings
     with pytest.warns(HaptonicWarning, match="ring-down"):
-        drive = question.drive(study.mounted_plate())
-    asked = replace(question.of_plate(1e-3, drive), points=126)
+        drive = drive_for(question, study.mounted_plate())
+    asked = replace(response_for(question, 1e-3, drive), points=126)
     return study.plate(asked=asked, store=store)
 
 

@@ -5,9 +5,9 @@ from types import SimpleNamespace
 
 import pytest
 
+from haptonic.friction.phrases import averages
 from haptonic.friction.recordings import Sensor
 from haptonic.friction.signals import Rules
-from haptonic.friction.words import averages
 from haptonic.report import Absent, Chapter, Results
 from haptonic.report.chapters.trials import chapter
 from haptonic.results import compute_friction

@@ -8,7 +8,6 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from haptonic.analyses import design
-from haptonic.design.brief import Finger
 from haptonic.design.parameters import UNITS
 from haptonic.errors import StudyError
 from haptonic.study import Study, loads
@@ -189,15 +188,16 @@ class TestReading:
         assert (study.layers_settings.lowest, study.layers_settings.highest) == (40e3, 80e3)
         assert study.waveguide_settings.nodal_lines == (1, 12)
         angle, ratio = study.design_settings.vary
-        assert (angle.start, angle.unit) == (0.0, "rad")
-        assert angle.stop == pytest.approx(math.radians(3), rel=1e-15)
-        assert (ratio.start, ratio.stop, ratio.unit) == (0.3, 0.35, "")
-        assert study.design_settings.finger == Finger(5.0, 0.02, 20e-6)
-        size, stiffness = (one.frozen() for one in study.tolerance_settings.of)
-        assert (size.path, size.width, size.distribution, size.per) == (
+        assert (angle.low, angle.unit) == (0.0, "rad")
+        assert angle.high == pytest.approx(math.radians(3), rel=1e-15)
+        assert (ratio.low, ratio.high, ratio.unit) == (0.3, 0.35, "")
+        limits = study.design_settings.limits
+        assert (limits.finger_force, limits.finger_span, limits.finger_deflection) == (5.0, 0.02, 20e-6)
+        size, stiffness = study.tolerance_settings.of
+        assert (size.parameter, size.spread, size.distribution, size.per) == (
             "cell.pillar.diameter", 20e-6, "uniform", "pillar",
         )  # fmt: skip
-        assert (stiffness.width, stiffness.distribution, stiffness.per) == (5e8, "normal", "batch")
+        assert (stiffness.spread, stiffness.distribution, stiffness.per) == (5e8, "normal", "batch")
 
     def test_the_pillar_reaches_the_core(self, every_key_text):
         pillar = loads(every_key_text).cell.pillar
@@ -209,14 +209,14 @@ class TestReading:
         brief = design.brief(loads(every_key_text))
         assert brief.carrier == 60e3
         assert brief.paths == ("cell.pillar.draft", "material.poisson_ratio")
-        assert (brief.slenderness, brief.tool, brief.reach) == (8.0, 2e-3, 20e-3)
-        assert brief.finger == Finger(5.0, 0.02, 20e-6)
+        assert (brief.allowed.slenderness, brief.allowed.tool, brief.allowed.reach) == (8.0, 2e-3, 20e-3)
+        assert brief.allowed.finger_force == 5.0
         assert brief.count == 8
 
     def test_what_is_left_out(self):
         study = loads(BASE)
         assert study.design_settings.vary == study.tolerance_settings.of == ()
-        assert study.design_settings.finger is None
+        assert study.design_settings.limits.finger_force is None
         assert study.waveguide_settings.nodal_lines == (0, 17)
         for asking, path in ((study.design, "design.vary"), (study.tolerance, "tolerance.of")):
             with pytest.raises(StudyError) as caught:
@@ -267,7 +267,6 @@ class TestManyParametersAtOnce:
         for name in (
             "title",
             "bands_settings",
-            "mesh",
             "layers_settings",
             "waveguide_settings",
             "design_settings",

@@ -66,7 +66,7 @@ def test_short_study_has_the_documented_defaults():
         66,
         2e-3,
     )
-    assert (study.mesh.order, study.mesh.foot_rings) == (None, None)
+    assert (study.bands_settings.mesh.order, study.bands_settings.mesh.foot_rings) == (None, None)
     assert study.sweep_settings == ()
 
 
@@ -95,7 +95,7 @@ def test_units_of_other_people_are_read():
 
 def test_expert_mesh_is_passed_on():
     study = loads(PLAIN + "[mesh]\norder = 5\nfoot_rings = 0\n")
-    assert (study.mesh.order, study.mesh.foot_rings) == (5, 0)
+    assert (study.bands_settings.mesh.order, study.bands_settings.mesh.foot_rings) == (5, 0)
 
 
 def test_byte_order_mark_and_windows_line_ends_are_accepted(tmp_path, reference_path, reference_text):

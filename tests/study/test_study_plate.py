@@ -13,8 +13,9 @@ from hypothesis import strategies as st
 from haptonic.errors import HaptonicWarning, StudyError
 from haptonic.fields import remade
 from haptonic.fields.entries import Entries
+from haptonic.plate.holding import Support
 from haptonic.plate.layout import Layout, pieces
-from haptonic.plate.parts import Plate, Support
+from haptonic.plate.parts import Plate
 from haptonic.study import Study, load, loads
 
 STUDIES = Path(__file__).parents[2] / "studies"
@@ -216,10 +217,10 @@ PATCHES = {
     "patch of no height": ((PATCH, 'size = ["9 mm", "8 mm", "0 mm"]'), "plate.actuator[1].size[3]", ["zero"]),
     "patch in Hz": ((PATCH, 'size = ["9 mm", "8 Hz", "1 mm"]'), "plate.actuator[1].size[2]",
                     ["not a unit of length"]),
-    "steel patch": (('"PZT 4"', '"steel"'), 'plate.actuator[1] "A1".material',
+    "steel patch": (('"PZT 4"', '"steel"'), 'plate.actuator[1].material',
                     ["not piezoelectric", "pzt-4"]),
-    "unknown patch": (('"PZT 4"', '"PZT 44"'), 'plate.actuator[1] "A1".material', ['write "pzt-4"']),
-    "unknown bond": (('"Epoxy"', '"epoxi"'), 'plate.actuator[1] "A1".bond.material', ['write "epoxy"']),
+    "unknown patch": (('"PZT 4"', '"PZT 44"'), 'plate.actuator[1].material', ['write "pzt-4"']),
+    "unknown bond": (('"Epoxy"', '"epoxi"'), 'plate.actuator[1].bond.material', ['write "epoxy"']),
     "bond of nothing": (('"50 um"', '"0 um"'), "plate.actuator[1].bond.thickness", ["zero"]),
     "unknown region": (('region = "WG1"', 'region = "WG3"'), "plate.actuator[1].region",
                        ["'WG3'", 'write "WG']),
@@ -343,9 +344,16 @@ class TestTwoCarriers:
         assert layout.pillars == 64 - len(layout.of("L")) - len(layout.of("straight")) == 64 - 20 - 6
         assert set(layout.tiles[1]) == {"lattice", "L"}  # the foot of the L lies below
 
+    def test_without_a_region_a_centre_counts_from_the_corner_of_the_plate(self):
+        study = load(STUDIES / "two_carriers.toml")
+        named, plate = study.mounted_plate(), study.finite_plate
+        placed = remade(plate, actuator=named.actuators, force=named.forces, finger=named.finger)
+        assert remade(study, finite_plate=placed).mounted_plate() == named
+        assert [one.region for one in placed.actuator] == [None, None]
+
     def test_antiphase_is_exact(self):
         arm, foot = load(STUDIES / "two_carriers.toml").mounted_plate().actuators
-        assert (arm.voltage, foot.voltage) == (60, -60)
+        assert (arm.amplitude, foot.amplitude) == (60, -60)
 
 
 # --- layout ----------------------------------------------------------------------------------------------
@@ -531,7 +539,7 @@ class TestWhatIsFixedToIt:
         for one in (*plate.actuators, *plate.forces, plate.finger):
             assert one.centre == pytest.approx((0.033, 0.010), rel=1e-12)
         assert plate.forces[0].amplitude == 1
-        assert (plate.finger.mass, plate.finger.stiffness, plate.finger.damping) == (math.inf, 0.0, 10.0)
+        assert (plate.finger.mass, plate.finger.stiffness, plate.finger.damping) == (None, 0.0, 10.0)
         assert plate.actuators[0].material.name == "pzt-4"
         assert plate.actuators[0].bond.material.name == "epoxy"
         assert plate.loss_factor == 1e-3  # the material's
@@ -541,11 +549,11 @@ class TestWhatIsFixedToIt:
         plate = loads(
             edited(('voltage = "60 V"', f'voltage = "60 V"\nphase = "{phase} deg"'))
         ).mounted_plate()
-        assert plate.actuators[0].voltage == 60 * factor
+        assert plate.actuators[0].amplitude == 60 * factor
 
     def test_phase_in_between(self):
         plate = loads(edited(('voltage = "60 V"', 'voltage = "60 V"\nphase = "30 deg"'))).mounted_plate()
-        assert plate.actuators[0].voltage == pytest.approx(60 * (math.sqrt(0.75) + 0.5j), rel=1e-12)
+        assert plate.actuators[0].amplitude == pytest.approx(60 * (math.sqrt(0.75) + 0.5j), rel=1e-12)
 
     def test_a_patch_may_fill_its_region_and_touch_another(self):
         size = 'size = ["24 mm", "21 mm", "0.7 mm"]'
@@ -655,8 +663,8 @@ class TestInAStudy:
 
     def test_inputs_hold_the_constants_of_patch_and_bond(self):
         inputs = json.loads(json.dumps(loads(TEXT).inputs(), allow_nan=False))["plate"]
-        assert inputs["materials"]["PZT 4"]["density"] == 7500.0
-        assert inputs["materials"]["Epoxy"]["kind"] == "isotropic"
+        assert inputs["materials"]["pzt-4"]["density"] == 7500.0
+        assert inputs["materials"]["epoxy"]["kind"] == "isotropic"
         assert inputs["tiles"] == {"o": "lattice", "f": "fine", "1": "WG1", "2": "WG2"}
         assert inputs["actuator"][0]["centre"] == [0.012, 0.010]
 

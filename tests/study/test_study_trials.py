@@ -37,8 +37,8 @@ def test_the_defaults_are_those_of_the_analysis():
     section = Trials()
     assert rules_in(section) == Rules()
     assert section.exclude == ()
-    sensor = section.sensor.frozen(Path("nowhere"))
-    assert vars(sensor) == vars(Sensor(forced=False))
+    assert section.sensor == Sensor()
+    assert section.sensor.matrix(Path("nowhere")) is None
 
 
 def test_a_file_with_trials_alone(tmp_path):
@@ -49,12 +49,12 @@ def test_a_file_with_trials_alone(tmp_path):
     assert rules_in(section) == Rules("none", 0.05, force=(0.3, 2.0), speed=(0.05, 0.2))
     assert section.exclude == (Exclusion("P1", "ill"),)
     with pytest.raises(FrictionError, match="cannot be read"):
-        section.sensor.frozen(tmp_path)
+        section.sensor.matrix(tmp_path)
     pd.DataFrame(2 * np.eye(6)).to_csv(tmp_path / "m.csv", header=False, index=False)
-    sensor = section.sensor.frozen(tmp_path)
-    assert sensor.gauges == ("a", "b", "c", "d", "e", "f")
-    assert sensor.calibration == pytest.approx(2 * np.eye(6))
-    assert (sensor.normal, sensor.largest_gauge, sensor.forced) == ("-Fz", 5.0, True)
+    sensor = section.sensor
+    assert sensor.gauge_names == ("a", "b", "c", "d", "e", "f")
+    assert sensor.matrix(tmp_path) == pytest.approx(2 * np.eye(6))
+    assert (sensor.normal, sensor.largest_gauge) == ("-Fz", 5.0)
     path.write_text(ALONE.replace("bias_window", "bias_windw"))
     with pytest.raises(StudyError, match="bias_windw"):
         load_trials(path)

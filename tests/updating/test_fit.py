@@ -41,7 +41,7 @@ def test_a_fit_finds_the_numbers_and_the_spoiled_point():
         assert one.interval_95[1] < 1.02 * one.interval_95[0]
     assert fit.unexplained == pytest.approx(1e-4, rel=0.1), "what is left is the noise"
     assert fit.unexplained_before > 0.5
-    assert fit.told.independent
+    assert fit.uncertainty.independent
     assert values_of(fit.plate) == {one.name: one.value for one in fit.numbers}
 
 
@@ -69,7 +69,7 @@ def test_a_spring_that_holds_like_a_wall_is_not_told():
     young, edges = fit.numbers
     assert young.interval_95 is not None
     assert edges.interval_95 is None
-    assert edges.told == edges.remark == "the data do not tell it"
+    assert edges.range_text == edges.remark == "the data do not tell it"
 
 
 def test_a_number_beyond_its_bound_stops_there():

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from scipy.stats import binom
 
-from haptonic.updating.intervals import told
+from haptonic.updating.intervals import uncertainty
 
 LINES, POINTS, COUNT, SEEDS = 150, 20, 2, 150
 
@@ -51,7 +51,7 @@ def solved(error):
     J = slopes().reshape(-1, COUNT)
     both = np.vstack([J.real, J.imag])
     x = np.linalg.lstsq(both, np.concatenate([error.real.ravel(), error.imag.ravel()]), rcond=None)[0]
-    return x, told(slopes(), (J @ x).reshape(error.shape) - error)
+    return x, uncertainty(slopes(), (J @ x).reshape(error.shape) - error)
 
 
 @pytest.mark.parametrize(
@@ -91,17 +91,17 @@ def test_errors_that_are_alike_count_less():
 def test_what_changes_nothing_is_not_told():
     error = errors("independent", 0)
     unmoved = np.concatenate([slopes(), np.zeros((LINES, POINTS, 1))], axis=-1)
-    said = told(unmoved, error)
+    said = uncertainty(unmoved, error)
     assert np.isinf(said.half).tolist() == [False, False, True]
-    assert said.half[:2] == pytest.approx(told(slopes(), error).half, rel=1e-3)
+    assert said.half[:2] == pytest.approx(uncertainty(slopes(), error).half, rel=1e-3)
 
 
 def test_of_two_that_do_the_same_neither_is_told():
     twice = np.concatenate([slopes(), 2 * slopes()[..., :1]], axis=-1)
-    said = told(twice, errors("independent", 0))
+    said = uncertainty(twice, errors("independent", 0))
     assert np.isinf(said.half).tolist() == [True, False, True]
     near = twice + 1e-4 * errors("independent", 1)[..., None] * np.array([0, 0, 1.0])
-    said = told(near, errors("independent", 0))
+    said = uncertainty(near, errors("independent", 0))
     assert said.tied(0) == [2]
     assert said.tied(2) == [0]
     assert said.tied(1) == []
@@ -110,4 +110,6 @@ def test_of_two_that_do_the_same_neither_is_told():
 def test_units_of_a_parameter_do_not_matter():
     error = errors("of the reference", 5)
     scale = np.array([1e-9, 1e6])
-    assert told(slopes() * scale, error).half * scale == pytest.approx(told(slopes(), error).half, rel=1e-9)
+    assert uncertainty(slopes() * scale, error).half * scale == pytest.approx(
+        uncertainty(slopes(), error).half, rel=1e-9
+    )

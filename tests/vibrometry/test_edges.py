@@ -21,8 +21,8 @@ from haptonic.vibrometry import (
     TimeScan,
     clean_contrast,
     clean_rms,
+    decay_along,
     estimate,
-    fading,
     gap_edges,
 )
 from haptonic.vibrometry.maps.edges import METHOD
@@ -79,7 +79,7 @@ class TestEdges:
     @pytest.mark.parametrize("gap", [(52e3, 62e3), (47.3e3, 55.9e3)])
     @pytest.mark.parametrize("reflected", [0.0, 1.0])
     def test_both_edges_are_told_where_all_waves_stop(self, gap, reflected):
-        found = gap_edges(fading(field(lambda phase: gap, reflected=reflected), [STRIP]))
+        found = gap_edges(decay_along(field(lambda phase: gap, reflected=reflected), [STRIP]))
         assert found.reasons == ()
         for edge, true in ((found.lower, gap[0]), (found.upper, gap[1])):
             assert abs(edge.frequency - true) < edge.error
@@ -87,7 +87,7 @@ class TestEdges:
             assert METHOD * true < edge.error < 1.1 * METHOD * true
 
     def test_it_fades_as_prescribed_and_not_in_the_band_whatever_comes_back(self):
-        seen = fading(field(whole, reflected=1.0), [STRIP])
+        seen = decay_along(field(whole, reflected=1.0), [STRIP])
         phases = (seen["phase"] > 0.3) & (seen["phase"] < 2.9)
         inside = seen.sel(frequency=slice(55e3, 59e3))[:, phases]
         assert inside.median().item() == pytest.approx(20 * np.log10(np.e) * 1.6, rel=0.03)
@@ -100,44 +100,46 @@ class TestEdges:
         )  # fmt: skip
         area = Rectangle(0.0, -STRIP.start - ROWS * PITCH, CELLS * PITCH, ROWS * PITCH)
         strip = LatticeRows(area, "y", -STRIP.start, -1, PITCH, PITCH, ROWS)
-        assert fading(turned, [strip]).values == pytest.approx(fading(plain, [STRIP]).values, abs=1e-6)
+        assert decay_along(turned, [strip]).values == pytest.approx(
+            decay_along(plain, [STRIP]).values, abs=1e-6
+        )
 
     @pytest.mark.parametrize("small", [True, False])
     def test_a_gap_for_some_phases_only_is_no_gap(self, small):
         found = gap_edges(
-            fading(field(lambda q: (52e3, 62e3) if (q < np.pi / 2) == small else None), [STRIP])
+            decay_along(field(lambda q: (52e3, 62e3) if (q < np.pi / 2) == small else None), [STRIP])
         )
         assert found.lower is None
         assert found.upper is None
         assert any(("nowhere" if small else "nearly in phase") in text for text in found.reasons)
 
     def test_an_edge_beyond_the_lines_is_not_told(self):
-        found = gap_edges(fading(field(lambda phase: (60e3, 90e3)), [STRIP]))
+        found = gap_edges(decay_along(field(lambda phase: (60e3, 90e3)), [STRIP]))
         assert abs(found.lower.frequency - 60e3) < found.lower.error
         assert found.upper is None
         assert "end of the scanned range" in found.reasons[0]
 
     def test_noise_is_taken_out_or_said(self):
-        true = fading(field(whole), [STRIP]).sel(frequency=slice(55e3, 59e3))
+        true = decay_along(field(whole), [STRIP]).sel(frequency=slice(55e3, 59e3))
         loud = field(whole, noise=0.4, averages=8)
-        kept = fading(loud, [STRIP]).sel(frequency=slice(55e3, 59e3))
+        kept = decay_along(loud, [STRIP]).sel(frequency=slice(55e3, 59e3))
         silent = loud.dataset.drop_vars("coherence")
-        fooled = fading(FrequencyResponse(silent), [STRIP]).sel(frequency=slice(55e3, 59e3))
+        fooled = decay_along(FrequencyResponse(silent), [STRIP]).sel(frequency=slice(55e3, 59e3))
         off = [float(np.abs(np.nanmedian(one.values - true.values))) for one in (kept, fooled)]
         assert off[0] < 0.3 * off[1] > 0.15
-        nothing = gap_edges(fading(field(whole, noise=300.0, averages=8), [STRIP]))
+        nothing = gap_edges(decay_along(field(whole, noise=300.0, averages=8), [STRIP]))
         assert (nothing.lower, nothing.upper) == (None, None)
         assert "noise" in nothing.reasons[0]
 
     def test_what_cannot_be_done_is_refused(self):
         two = LatticeRows(Rectangle(14e-3, 0.0, 2 * PITCH, CELLS * PITCH), "x", 14e-3, 1, PITCH, PITCH, 2)
         with pytest.raises(ScanError) as caught:
-            fading(field(whole), [two])
+            decay_along(field(whole), [two])
         assert_told(caught.value, "fewer than three rows")
         plain = field(whole)
         holes = np.flatnonzero((np.arange(len(X)) % 7 != 3) | (X > 0.05))
         with pytest.raises(ScanError) as caught:
-            fading(FrequencyResponse(plain.dataset.isel(point=holes)), [STRIP])
+            decay_along(FrequencyResponse(plain.dataset.isel(point=holes)), [STRIP])
         assert_told(caught.value, "without a missing point")
 
 
@@ -213,7 +215,7 @@ class TestNoise:
     @settings(max_examples=5)
     def test_fading_that_noise_hides_is_declared_to_the_gate(self, noise):
         loud = field(lambda phase: (52e3, 62e3), noise=noise, averages=8)
-        passed(xr.Dataset({"fading": fading(loud, [STRIP])}))
+        passed(xr.Dataset({"fading": decay_along(loud, [STRIP])}))
 
     def test_without_averages_a_level_is_taken_as_it_is(self):
         response, loud = noisy(0.1)

@@ -25,7 +25,7 @@ def compute(study: Description, options: BandsOptions, runner: Runner) -> Bands:
     ResourceError : the accuracy needs more memory than there is
     """
     return compute_bands(
-        study.cell, study.asked(), surface=options.surface, inputs=study.inputs(),
+        study.cell, study.bands_settings, surface=options.surface, inputs=study.inputs(),
         carrier=study.carrier, store=runner.store,
     )  # fmt: skip
 

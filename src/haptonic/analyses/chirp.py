@@ -19,7 +19,8 @@ from haptonic.results.table import Table
 from haptonic.study.schema import Description
 from haptonic.vibrometry.chirp import Drive, drive_notes, write_drive
 from haptonic.vibrometry.planning import ScanPlan
-from haptonic.vibrometry.question import ScanQuestion
+from haptonic.vibrometry.question import drive_for, plan_for
+from haptonic.vibrometry.settings import ScanSettings
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -38,7 +39,7 @@ class Excitation(Result):
 
     title = "Excitation"
 
-    question: ScanQuestion
+    settings: ScanSettings
     drive: Drive
     plate: Plate | None
     plan: ScanPlan | None
@@ -62,7 +63,7 @@ class Excitation(Result):
 
     @file("drive.json")
     def _write_notes(self, path: Path) -> None:
-        notes = drive_notes(self.drive) | {"averages": self.question.averages}
+        notes = drive_notes(self.drive) | {"averages": self.settings.averages}
         path.write_text(json.dumps(notes, indent=1) + "\n", "utf-8")
 
     @file("scan_plan.csv", when=_has_plan)
@@ -104,13 +105,13 @@ class Excitation(Result):
         if plan is not None:
             planned = {
                 "points": len(plan.points), "left_out": len(plan.left_out), "travel_m": plan.travel,
-                "measuring_s": len(plan.points) * self.question.averages * drive.duration,
+                "measuring_s": len(plan.points) * self.settings.averages * drive.duration,
             }  # fmt: skip
         return drive_notes(drive) | {
             "line_spacing_hz": drive.line_spacing,
             "lines": int(np.rint((drive.band[1] - drive.band[0]) * drive.duration)) + 1,
             "duration_s": drive.duration,
-            "averages": self.question.averages,
+            "averages": self.settings.averages,
             "notes": list(drive.warnings),
             "plan": planned,
         }
@@ -123,10 +124,10 @@ def compute(study: Description, options: NoOptions, runner: Runner) -> Excitatio
     ------
     ScanError : settings that do not fit together
     """
-    question = study.scan_settings.frozen()
+    settings = study.scan_settings
     plate = study.mounted_plate() if study.finite_plate else None
-    plan = None if plate is None else question.plan(plate)
-    return Excitation(question, question.drive(plate), plate, plan)
+    plan = None if plate is None else plan_for(settings, plate)
+    return Excitation(settings, drive_for(settings, plate), plate, plan)
 
 
 ANALYSIS = Analysis(

@@ -53,7 +53,7 @@ def brief(study: Description) -> Brief:
             cause="the study does not say what may change",
             next_step='add [[design.vary]] with parameter = "cell.pillar.height", from and to',
         )
-    if section.finger is not None and not isinstance(study.cell.material, IsotropicMaterial):
+    if section.limits.finger_force is not None and not isinstance(study.cell.material, IsotropicMaterial):
         raise StudyError(
             argument="design.finger_force",
             given=f"with {study.cell.material.name}",
@@ -65,11 +65,8 @@ def brief(study: Description) -> Brief:
         cell=study.cell,
         carrier=carrier,
         count=study.bands_settings.count,
-        bounds={one.parameter: (one.start, one.stop) for one in section.vary},
-        slenderness=section.slenderness,
-        tool=section.tool,
-        reach=section.reach,
-        finger=section.finger,
+        bounds={one.parameter: (one.low, one.high) for one in section.vary},
+        allowed=section.limits,
     )
 
 
@@ -82,7 +79,7 @@ def compute(study: Description, options: DesignOptions, runner: Runner) -> Desig
     """
     section = study.design_settings
     found = compute_design(
-        brief(study), study.asked(), starts=section.starts, climbs=section.climbs, steps=section.steps,
+        brief(study), study.bands_settings, starts=section.starts, climbs=section.climbs, steps=section.steps,
         inputs=study.inputs(), runner=runner,
     )  # fmt: skip
     own = study.parameters()

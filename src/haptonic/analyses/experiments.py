@@ -7,8 +7,8 @@ from collections.abc import Mapping
 from haptonic.analyses.needs import need_carrier
 from haptonic.errors import StudyError, nearest
 from haptonic.friction.protocol import Protocol
-from haptonic.friction.twin import Truth, explaining, film_of
-from haptonic.results.protocol import Task
+from haptonic.friction.simulation import Truth, explaining, film_of
+from haptonic.results.protocol import StrokeTask
 from haptonic.study.schema import Description
 from haptonic.units import format_quantity, shown
 
@@ -54,7 +54,7 @@ def waveguides_of(study: Description) -> tuple[str, str]:
                 cause="no region of the plate has this name",
                 next_step=f'write "{guess}"' if guess else "choose one of them, or leave [plate] out",
             )
-    actuated = [one.region for one in plate.actuator] if plate else []
+    actuated = [one.region for one in plate.actuator if one.region] if plate else []
     names = known or list(PUBLISHED)
     driven = section.driven or next((n for n in [*actuated, *names] if n != section.idle), None)
     idle = section.idle or next((name for name in names if name != driven), None)
@@ -69,7 +69,7 @@ def waveguides_of(study: Description) -> tuple[str, str]:
     return driven, idle
 
 
-def task_of(study: Description) -> Task:
+def task_of(study: Description) -> StrokeTask:
     """What people are asked to do: force and speed of [touch], the rest of [protocol].
 
     Raises
@@ -77,7 +77,7 @@ def task_of(study: Description) -> Task:
     StudyError : strokes that last too short or too long
     """
     section, touch = study.protocol_settings, study.touch
-    task = Task(touch.speed, touch.force, section.stroke, section.pause)
+    task = StrokeTask(touch.speed, touch.force, section.stroke, section.pause)
     if not SHORTEST <= task.lasting <= LONGEST:
         raise StudyError(
             argument="protocol.stroke",
@@ -103,7 +103,7 @@ def truth_of(study: Description, amplitudes: Mapping[str, float] | None = None) 
     FrictionError : amplitudes or reductions that load sharing does not explain
     """
     people, carrier, names = study.participants, need_carrier(study), waveguides_of(study)
-    task, skin = task_of(study), study.touch.finger()
+    task, skin = task_of(study), study.touch.fingertip()
     force = (task.force, people.force_spread)
     if amplitudes is None:
         reductions = dict(zip(names, (people.driven, people.idle), strict=True))
@@ -119,16 +119,10 @@ def truth_of(study: Description, amplitudes: Mapping[str, float] | None = None) 
             )
     film = film_of({name: amplitudes[name] for name in names}, carrier, force, skin)
     return Truth(
-        friction=people.friction,
+        people,
         remaining=film.mean,
-        between=people.between,
-        effect_between=people.effect_between,
-        within=people.within,
-        drift=people.drift,
-        noise=people.noise,
         force=force,
         speed=(task.speed, people.speed_spread),
-        bias=people.bias,
         contact=task.lasting,
         film=film,
     )

@@ -140,8 +140,8 @@ def drawn_tolerances(study: Description, runner: Runner) -> tuple[dict[str, floa
     if not section.of:
         return {}, "the study gives no spreads, [tolerance] of"
     result = tolerance.compute(study, NoOptions(), runner)
-    spreads, shown = [one.frozen() for one in section.of], dimensions_of(study.cell)
-    drawn = {s.path: result.loosest * s.half_range for s in spreads if s.path in shown}
+    shown = dimensions_of(study.cell)
+    drawn = {s.parameter: result.loosest * s.half_range for s in section.of if s.parameter in shown}
     if not drawn:
         return {}, "the study gives spreads of the material or of what is not drawn only"
     if result.loosest > 0:

@@ -11,11 +11,11 @@ import xarray as xr
 from haptonic.analyses.analysis import Analysis, option
 from haptonic.analyses.needs import fineness, gap_of_plate, has_plate, need_carrier, response_settings
 from haptonic.errors import StudyError
-from haptonic.friction.lubrication import Touch
+from haptonic.friction.lubrication.settings import VOLTAGE
 from haptonic.plate import Plate
-from haptonic.plate.loaded import LOADS, Pad, highest, loaded
+from haptonic.plate.loaded import LOADS, highest, loaded
 from haptonic.plate.parts import Actuator
-from haptonic.plate.question import amplitude_of, check_grid, drives_of, reference_of
+from haptonic.plate.question import check_grid, drives_of, reference_of
 from haptonic.plate.sweep import check_cost
 from haptonic.progress import Progress
 from haptonic.results.common import stamped
@@ -23,7 +23,6 @@ from haptonic.results.feel.value import Feel, check_reduction
 from haptonic.results.runner import Runner
 from haptonic.store import Store
 from haptonic.study.schema import Description
-from haptonic.study.touch_tables import VOLTAGE
 from haptonic.units import format_quantity
 
 
@@ -65,18 +64,18 @@ def compute(study: Description, options: FeelOptions, runner: Runner) -> Feel:
     )
     drive = amplitude(plate, finger.voltage if options.voltage is None else options.voltage)
     middle = carrier if options.at is None else options.at
-    touch = Touch(middle, finger.force, finger.speed)
+    finger.at(middle)  # refused before anything is computed
     check_cost(plate, highest(middle))
     check_grid(plate, own.grid, len(LOADS))
     gap = gap_of_plate(study, plate, carrier, runner)
     edges = (gap.lower, gap.upper) if gap else None
     found = compute_loaded(
         runner.store, study.inputs(), runner.progress, plate=plate,
-        pad=Pad(finger.diameter, finger.damping), carrier=carrier, at=options.at, gap=edges, grid=own.grid,
-        tolerance=own.tolerance, fineness=fineness(study),
+        diameter=finger.pad.diameter, damping=finger.pad.damping, carrier=carrier, at=options.at, gap=edges,
+        grid=own.grid, tolerance=own.tolerance, fineness=fineness(study),
     )  # fmt: skip
-    touch = replace(touch, frequency=found.attrs["frequency_hz"])
-    return Feel(plate, edges, found, finger.diameter, touch, finger.finger(), drive, options.reduction)
+    touch, skin = finger.at(found.attrs["frequency_hz"]), finger.fingertip()
+    return Feel(plate, edges, found, finger.pad.diameter, touch, skin, drive, options.reduction)
 
 
 def compute_loaded(
@@ -113,7 +112,7 @@ def amplitude(plate: Plate, voltage: float | None) -> float:
             cause="it is zero or negative, or its unit slipped",
             next_step='give the amplitude, such as "200 V"',
         )
-    first = next(drive for drive in drives_of(plate) if amplitude_of(drive))
+    first = next(drive for drive in drives_of(plate) if drive.amplitude)
     if not isinstance(first, Actuator):
         raise StudyError(
             argument="voltage",

@@ -7,7 +7,6 @@ from pathlib import Path
 from typing import Any
 
 from haptonic.analyses.analysis import Analysis, option
-from haptonic.friction.recordings import Sensor
 from haptonic.paths import source
 from haptonic.plate.question import driven_region
 from haptonic.results.friction import FrictionResult, compute_friction
@@ -51,9 +50,8 @@ def compute(study: None, options: FrictionOptions, runner: Runner) -> FrictionRe
     """
     path = options.path
     section, whole = _asked(path, options.study)
-    sensor = section.sensor.frozen(path) if path.is_dir() else Sensor()
     found = compute_friction(
-        path, sensor, section, section.exclude, driven=section.driven or _driven(whole),
+        path, section.sensor, section, section.exclude, driven=section.driven or _driven(whole),
         workers=runner.workers, progress=runner.progress,
     )  # fmt: skip
     return replace(found, published=options.references.friction if options.references else {})

@@ -8,8 +8,8 @@ from haptonic.bloch.resolution import Resolution, check_memory
 from haptonic.errors import StudyError
 from haptonic.plate import Fineness, Plate
 from haptonic.plate.reduction import BLOCK, STEPS
+from haptonic.plate.settings import ResponseSettings
 from haptonic.results.runner import Runner
-from haptonic.study.plate_tables import ResponseSection
 from haptonic.study.schema import Description
 
 
@@ -31,7 +31,7 @@ def need_carrier(study: Description) -> float:
     return study.carrier
 
 
-def response_settings(study: Description) -> ResponseSection:
+def response_settings(study: Description) -> ResponseSettings:
     """The table [plate.response] of a study that has a plate."""
     assert study.finite_plate is not None
     return study.finite_plate.response
@@ -44,7 +44,8 @@ def fineness(study: Description) -> Fineness | None:
     ------
     ResourceError : a mesh of a cell that this machine cannot hold, foreseen before anything is computed
     """
-    order, rings = study.mesh.order, study.mesh.foot_rings
+    mesh = study.bands_settings.mesh
+    order, rings = mesh.order, mesh.foot_rings
     if order is None and rings is None:
         return None
     usual = Fineness()
@@ -58,7 +59,7 @@ def fineness(study: Description) -> Fineness | None:
 def gap_of_plate(study: Description, plate: Plate, carrier: float, runner: Runner) -> Gap | None:
     """The gap of the plate's lattice that holds the carrier (Hz), if there is one."""
     cells = list(plate.layout.cells.values())
-    return gap_at(Runner(runner.store).gaps(cells[0], study.asked()), carrier) if cells else None
+    return gap_at(Runner(runner.store).gaps(cells[0], study.bands_settings), carrier) if cells else None
 
 
 def has_mirror(study: Description) -> bool:

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 
 from haptonic.analyses.analysis import Analysis, option
 from haptonic.analyses.needs import fineness, gap_of_plate, has_plate, need_carrier, response_settings
-from haptonic.plate.question import PlateQuestion, check_grid
+from haptonic.plate.question import check_grid
+from haptonic.plate.settings import ResponseSettings
 from haptonic.plate.sweep import check_cost
 from haptonic.results.plate.compute import compute_plate
 from haptonic.results.plate.value import PlateResult
@@ -22,7 +23,7 @@ class PlateOptions:
     """
 
     at: float | None = option(None, 'One frequency only, such as "58.8 kHz".', unit="Hz", metavar="FREQUENCY")
-    asked: PlateQuestion | None = field(default=None)
+    asked: ResponseSettings | None = field(default=None)
 
 
 def check(study: Description, options: PlateOptions) -> None:
@@ -38,17 +39,17 @@ def compute(study: Description, options: PlateOptions, runner: Runner) -> PlateR
     StudyError : no [plate], no carrier, or nothing that drives the plate
     ResourceError : a grid or a plate that this machine cannot hold, found before anything is computed
     """
-    plate, own, at = study.mounted_plate(), response_settings(study), options.at
+    plate, at = study.mounted_plate(), options.at
     carrier = need_carrier(study) if at is None else at
-    question = options.asked or PlateQuestion(own.lowest, own.highest, own.points, own.tolerance, own.grid)
+    settings = options.asked or response_settings(study)
     if at is not None:
-        question = replace(question, lowest=at, highest=at, points=1)
-    check_cost(plate, question.highest, single=at is not None)
+        settings = settings.single(at)
+    check_cost(plate, settings.highest, single=at is not None)
     place = "plate.response.grid" if options.asked is None else "scan.grid"
-    check_grid(plate, question.grid, question.points, place)
+    check_grid(plate, settings.grid, settings.points, place)
     return compute_plate(
         plate,
-        question,
+        settings,
         carrier=carrier,
         gap=gap_of_plate(study, plate, carrier, runner) if at is None else None,
         inputs=study.inputs(),

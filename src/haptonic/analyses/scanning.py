@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 import warnings
-from dataclasses import replace
 
 import numpy as np
 from numpy.typing import NDArray
 
 from haptonic.analyses.needs import gap_of_plate, need_carrier, response_settings
 from haptonic.errors import HaptonicWarning, ScanError
+from haptonic.fields import unchecked
 from haptonic.progress import Progress, silent
 from haptonic.response import FrequencyResponse
 from haptonic.results.plate.value import PlateResult
@@ -18,7 +18,8 @@ from haptonic.results.scan import Estimation, OnPlate, ScanResult, Twin, compute
 from haptonic.store import Store
 from haptonic.study.schema import Description
 from haptonic.vibrometry import ReadReport, Scan
-from haptonic.vibrometry.question import ScanQuestion
+from haptonic.vibrometry.question import drive_for
+from haptonic.vibrometry.settings import ScanSettings
 
 Array = NDArray[np.float64]
 
@@ -40,7 +41,7 @@ def on_plate(
     """
     plate, carrier = study.mounted_plate(), need_carrier(study)
     gap = gap_of_plate(study, plate, carrier, Runner(store or Store.default()))
-    return OnPlate(plate, study.scan_settings.frozen(), carrier, gap, study.asked(), corners, mirrored)
+    return OnPlate(plate, study.scan_settings, carrier, gap, study.bands_settings, corners, mirrored)
 
 
 def rescanned(
@@ -66,19 +67,19 @@ def rescanned(
     ScanError : lines that no periodic drive has, or a scan of other points than the plate was computed at
     """
     lines = computed.response.frequency
-    question = _periodic(lines, study)
-    driven = (round(question.lowest * question.record) + np.arange(len(lines))) / question.record
+    settings = _periodic(lines, study)
+    driven = (round(settings.lowest * settings.record) + np.arange(len(lines))) / settings.record
     response = FrequencyResponse(computed.response.dataset.assign_coords(frequency=driven))
     with warnings.catch_warnings():  # a twin is in its steady state, however short the period
         warnings.filterwarnings("ignore", "the period of", HaptonicWarning)
-        signal = question.drive(computed.plate)
-    made = Twin.of(computed.plate, question, signal, response, gap=computed.gap, seed=seed)
+        signal = drive_for(settings, computed.plate)
+    made = Twin.of(computed.plate, settings, signal, response, gap=computed.gap, seed=seed)
     scan = Scan(made.records, ReadReport("simulated records", "memory", len(made.records.names)))
-    on = OnPlate(computed.plate, question, computed.carrier, computed.gap, study.asked())
+    on = OnPlate(computed.plate, settings, computed.carrier, computed.gap, study.bands_settings)
     return compute_scan(scan, Estimation(), on, store=store or Store.default(), progress=progress)
 
 
-def _periodic(lines: Array, study: Description) -> ScanQuestion:
+def _periodic(lines: Array, study: Description) -> ScanSettings:
     """The study's scan with a drive that has these lines, evenly spaced, Hz, at the points of the plate."""
     spacing = float(lines[-1] - lines[0]) / max(len(lines) - 1, 1)
     first = round(lines[0] / spacing) if spacing else 0
@@ -91,7 +92,11 @@ def _periodic(lines: Array, study: Description) -> ScanQuestion:
             next_step="choose lowest, highest and points of [plate.response] so that it is",
         )
     rate = np.ceil(max(study.scan_settings.rate, 2 * lines[-1]) / spacing) * spacing
-    return replace(
-        study.scan_settings.frozen(), lowest=first * spacing, highest=(first + len(lines) - 1) * spacing,
-        rate=float(rate), record=1 / spacing, grid=response_settings(study).grid,
-    )  # fmt: skip
+    return unchecked(  # `drive` refuses what no drive has; a scan in earnest has more lines
+        study.scan_settings,
+        lowest=first * spacing,
+        highest=(first + len(lines) - 1) * spacing,
+        rate=float(rate),
+        record=1 / spacing,
+        grid=response_settings(study).grid,
+    )

@@ -38,9 +38,11 @@ def check(study: Description, options: NoOptions) -> None:
 def compute(study: Description, options: NoOptions, runner: Runner) -> Sweeps:
     """Complete gaps of every design; those that could not be computed are left out, and it is said."""
     rows = [[design.cell for design in study.designs(sweep)] for sweep in study.sweep_settings]
-    asked = study.asked()
+    settings = study.bands_settings
     tasks = [
-        Task({"kind": "gaps", "cell": cell, "asked": asked}, (cell, asked)) for row in rows for cell in row
+        Task({"kind": "gaps", "cell": cell, "settings": settings}, (cell, settings))
+        for row in rows
+        for cell in row
     ]
     outcomes = iter(runner.tried(design_gaps, tasks, 0))
     each = zip(study.sweep_settings, rows, strict=True)

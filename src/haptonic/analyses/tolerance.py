@@ -57,8 +57,7 @@ def compute(study: Description, options: NoOptions, runner: Runner) -> Tolerance
             cause="the study does not say what differs",
             next_step='add [[tolerance.of]] with parameter = "cell.pillar.diameter", spread = "20 um"',
         )
-    cell, carrier, count = study.cell, need_carrier(study), section.samples
-    spreads = [one.frozen() for one in section.of]
+    cell, carrier, count, spreads = study.cell, need_carrier(study), section.samples, section.of
     needed = terms_needed(len(spreads))
     if count < 2 * needed:
         raise StudyError(
@@ -68,7 +67,7 @@ def compute(study: Description, options: NoOptions, runner: Runner) -> Tolerance
             cause=f"a quadratic in so many parameters has {needed} coefficients",
             next_step="compute more samples, or leave spreads out that hardly matter",
         )
-    gap = need_gap_at(runner.gaps(cell, study.asked()), carrier)
+    gap = need_gap_at(runner.gaps(cell, study.bands_settings), carrier)
     try:
         designs = samples(cell, spreads, count)
     except HaptonicError as error:
@@ -85,15 +84,15 @@ def compute(study: Description, options: NoOptions, runner: Runner) -> Tolerance
     *parts, own = (dataset["frequency"].values for dataset in datasets)
     offset = np.array([gap.lower, gap.upper]) - edges_of(own)[0]
     frequency = np.concatenate(parts) + offset[:, None]
-    slopes = edge_slopes(cell, gap, [spread.path for spread in spreads])
-    widths = np.array([spread.width for spread in spreads])
-    at_rest = np.array([values_of(cell)[spread.path] for spread in spreads])
-    moved = np.array([[values_of(one)[s.path] for s in spreads] for one in designs])
+    slopes = edge_slopes(cell, gap, [spread.parameter for spread in spreads])
+    widths = np.array([spread.spread for spread in spreads])
+    at_rest = np.array([values_of(cell)[spread.parameter] for spread in spreads])
+    moved = np.array([[values_of(one)[s.parameter] for s in spreads] for one in designs])
     deviations = (moved - at_rest) / widths
     surface = Surface.fitted(deviations, frequency)
-    chances = Chances(surface, tuple(spreads), carrier, section.margin, section.pillars)
+    chances = Chances(surface, spreads, carrier, section.margin, section.pillars)
     straight = Chances(
-        linear(gap, slopes * widths[:, None]), tuple(spreads), carrier, section.margin, section.pillars
+        linear(gap, slopes * widths[:, None]), spreads, carrier, section.margin, section.pillars
     )
     variance = first_order(slopes, spreads)
     dataset = xr.Dataset(
@@ -113,7 +112,7 @@ def compute(study: Description, options: NoOptions, runner: Runner) -> Tolerance
             "first_order_deviation": ("side", np.sqrt(variance.sum(axis=0)), {"units": "Hz"}),
             "fit_doubt": ("side", surface.doubt, {"units": "Hz"}),
         },
-        coords={"parameter": [spread.path for spread in spreads], "side": ["lower", "upper"]},
+        coords={"parameter": [spread.parameter for spread in spreads], "side": ["lower", "upper"]},
         attrs={
             "carrier_hz": carrier,
             "margin_hz": section.margin,

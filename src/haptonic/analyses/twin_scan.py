@@ -13,6 +13,7 @@ from haptonic.analyses.verdict import response_in
 from haptonic.results.runner import Runner
 from haptonic.results.scan.twin import Kind, Twin, kind_of
 from haptonic.study.schema import Description
+from haptonic.vibrometry.question import drive_for, response_for
 
 
 @dataclass(frozen=True)
@@ -48,15 +49,15 @@ def compute(study: Description, options: TwinScanOptions, runner: Runner) -> Twi
     StudyError : no [plate], no carrier, or nothing that drives the plate
     ScanError : settings of [scan] that do not fit together, or a response at other lines or points
     """
-    body, question = study.mounted_plate(), study.scan_settings.frozen()
-    signal = question.drive(body)
+    body, settings = study.mounted_plate(), study.scan_settings
+    signal = drive_for(settings, body)
     if options.response is not None:
         gap, response = on_plate(study, store=runner.store).gap, options.response
     else:
-        asked = question.of_plate(response_settings(study).tolerance, signal)
+        asked = response_for(settings, response_settings(study).tolerance, signal)
         result = plate.compute(study, plate.PlateOptions(asked=asked), runner)
         gap, response = result.gap, result.response
-    made = Twin.of(body, question, signal, response, gap=gap, seed=options.seed)
+    made = Twin.of(body, settings, signal, response, gap=gap, seed=options.seed)
     return replace(made, form=options.form, kind=options.kind)
 
 

@@ -70,10 +70,10 @@ def judged(
     scan : response registered to the plate
     computed : response of this study's plate at lines and points of the scan; else it is computed
     """
-    plate, asked = study.mounted_plate(), study.fit_settings
+    plate, settings = study.mounted_plate(), study.fit_settings
     tolerance, progress = response_settings(study).tolerance, runner.progress
     lines = scan.frequency[scan.frequency > 0]
-    scan = scan.between(asked.lowest or float(lines[0]), asked.highest or float(lines[-1]))
+    scan = scan.between(settings.lowest or float(lines[0]), settings.highest or float(lines[-1]))
     _check(plate, scan)
     scan, left_out = _on_plate(plate, scan)
 
@@ -89,11 +89,11 @@ def judged(
         scan, computed = together(scan, computed)
     responses = {MEASURED: scan, BEFORE: computed or whole(plate, BEFORE)}
     fit, recomputed = None, None
-    if asked.unknowns:
-        picked = _picked(len(scan.points), asked.points)
+    if settings.vary:
+        picked = _picked(len(scan.points), settings.points)
         seen = _measured(plate, scan, picked)
         small = SmallModel.of(
-            plate, asked.unknowns, seen.frequency, seen.points, seen.drives, tolerance, fineness(study),
+            plate, settings.vary, seen.frequency, seen.points, seen.drives, tolerance, fineness(study),
             progress,
         )  # fmt: skip
         fit = fitted(small, seen, progress)
@@ -115,7 +115,7 @@ def fitted_study(study: Description, fit: Fit, scan: FrequencyResponse) -> str:
     title, origin = scan.dataset.attrs["title"], scan.dataset.attrs["origin"]
     lines = [f"Numbers fitted to a {origin} response" + (f', "{title}":' if title else ":")]
     for one in fit.numbers:
-        lines.append(f"{one.name}: {format_quantity(one.value, one.unit)}, 95 % interval: {one.told}")
+        lines.append(f"{one.name}: {format_quantity(one.value, one.unit)}, 95 % interval: {one.range_text}")
     made = study.with_fitted({one.name: one.value for one in fit.numbers})
     head = [f"# {' '.join(line.splitlines())}" for line in lines]
     return "\n".join([*head, "", made.to_toml()])

@@ -6,11 +6,11 @@ from dataclasses import dataclass
 
 from haptonic.analyses.analysis import Analysis, option
 from haptonic.analyses.needs import has_mirror, need_carrier
+from haptonic.bloch.settings import WaveguideSettings
 from haptonic.errors import StudyError
 from haptonic.fields import remade
 from haptonic.results.guides import Guides, compute_guides
 from haptonic.results.runner import Runner
-from haptonic.study.asking import WaveguideSection
 from haptonic.study.schema import Description
 from haptonic.units import shown
 
@@ -22,7 +22,7 @@ class WaveguideOptions:
     mode: str | None = option(None, "Nodal lines across, intervals along; else the study's.", metavar="MxN")
 
 
-def asked(study: Description, options: WaveguideOptions) -> WaveguideSection:
+def asked(study: Description, options: WaveguideOptions) -> WaveguideSettings:
     """What the study asks for, with the mode that was chosen.
 
     Raises
@@ -51,11 +51,14 @@ def compute(study: Description, options: WaveguideOptions, runner: Runner) -> Gu
     ------
     StudyError : no carrier, no gap that holds it, or no such waveguide
     """
-    section = asked(study, options)
     found: Guides = compute_guides(
-        study.cell, study.asked(), carrier=need_carrier(study), mode=section.nodal_lines,
-        width=section.width, rows=section.rows, ends=section.ends, inputs=study.inputs(), runner=runner,
-    )  # fmt: skip
+        study.cell,
+        study.bands_settings,
+        asked(study, options),
+        carrier=need_carrier(study),
+        inputs=study.inputs(),
+        runner=runner,
+    )
     return found
 
 

@@ -36,13 +36,13 @@ class Wall:
 
     plate : the plate's waves to the right
     reflection : (p, p) amplitudes of their mirror images, to the left, for unit ones that come
-    lead : number of the flexural wave that propagates
+    flexural : number of the flexural wave that propagates
     closed : whether no wave enters the lattice
     """
 
     plate: PlateWaves
     reflection: Complex
-    lead: int
+    flexural: int
     closed: bool
 
     @classmethod
@@ -60,12 +60,12 @@ class Wall:
     @property
     def wavenumber(self) -> float:
         """Of the flexural wave across the interface, rad/m."""
-        return float(np.abs(self.plate.wavenumber[self.lead].real))
+        return float(np.abs(self.plate.wavenumber[self.flexural].real))
 
     @property
     def delay(self) -> float:
         """Phase (rad) from the interface to the equivalent fixed line and back, from -pi/2 to 3 pi/2."""
-        r = self.reflection[self.lead, self.lead]  # -1 if the plate is held at the interface itself
+        r = self.reflection[self.flexural, self.flexural]  # -1 if the plate is held at the interface itself
         return float(0.5 * np.pi - np.angle(-1j * r))
 
     @property
@@ -82,7 +82,7 @@ class Wall:
         add to the phase. No other wave may propagate.
         """
         round_trip, _ = self._closing(width, nodal_lines)
-        alone = self.reflection[self.lead, self.lead] * np.exp(-1j * self.wavenumber * width)
+        alone = self.reflection[self.flexural, self.flexural] * np.exp(-1j * self.wavenumber * width)
         return float(self.wavenumber * width + self.delay - np.angle(round_trip / alone))
 
     def across(self, width: float, nodal_lines: int) -> tuple[Array, Array]:
@@ -92,7 +92,7 @@ class Wall:
         """
         sign = (-1) ** nodal_lines
         _, others = self._closing(width, nodal_lines)
-        amplitudes = np.insert(others, self.lead, 1.0)
+        amplitudes = np.insert(others, self.flexural, 1.0)
         position = np.linspace(-0.5 * width, 0.5 * width, SAMPLES)
         k = 1j * self.plate.wavenumber[:, None]
         away = np.exp(k * (0.5 * width - position)) + sign * np.exp(k * (0.5 * width + position))
@@ -108,10 +108,11 @@ class Wall:
         """
         sign = (-1) ** nodal_lines
         passed = sign * self.reflection * np.exp(1j * self.plate.wavenumber * width)
-        rest = np.delete(np.arange(len(self.plate)), self.lead)
+        k = self.flexural
+        rest = np.delete(np.arange(len(self.plate)), k)
         inner = np.eye(len(rest)) - passed[np.ix_(rest, rest)]
-        others = la.solve(inner, passed[rest, self.lead])
-        return sign * complex(passed[self.lead, self.lead] + passed[self.lead, rest] @ others), others
+        others = la.solve(inner, passed[rest, k])
+        return sign * complex(passed[k, k] + passed[k, rest] @ others), others
 
 
 @dataclass(frozen=True)

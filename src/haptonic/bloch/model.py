@@ -40,10 +40,10 @@ LOST_DIRECTION = 1e-10  # smallest share of the snapshots' inertia that still ma
 TIGHTER = 0.1  # factor on that share where it was too coarse: little inertia may be much energy
 # Relative error up to which what the interior leaves out is what its first order tells: where 1.4e-2 was told
 # 4.7e-2 was lost, and bands had changed places; up to the share of the accuracy the interior need not grow.
-TRUSTED_OMISSION, OMISSION_SHARE = 1e-3, 0.25
+TRUSTED_TRUNCATION, TRUNCATION_SHARE = 1e-3, 0.25
 # What the lower orders' interior leaves out, as a multiple: of a pillar of 25 diameters 2.5e-3 was left out,
 # and the distance was 1.1e-2; with more inside 7e-4.
-LOWER_OMISSION = 4.4
+LOWER_TRUNCATION = 4.4
 FIRST_ORDER = 1.5  # what was lost was at most that many times what first order told, below the trusted one
 MOST_GROWTH = 4  # of the interior at one mesh
 ABOVE = 2  # modes above those asked for that may change places with them: a tenth band was 1.3 % off so
@@ -226,11 +226,11 @@ class BlochModel:
 
     def _lost(self, values: Array, fields: Complex) -> Array:
         """(k,) Hz by which the interior fields that were left out would lower each of k modes."""
-        omitted = np.abs(on_each(self.fine.superelement.omission, fields))
-        return np.asarray(0.5 * FIRST_ORDER * values * omitted * _hertz(values))
+        left_out = np.abs(on_each(self.fine.superelement.truncation, fields))
+        return np.asarray(0.5 * FIRST_ORDER * values * left_out * _hertz(values))
 
     @cached_property
-    def omission(self) -> float:
+    def truncation(self) -> float:
         """Largest relative error that the interior's short space adds at the corners of the zone."""
         worst = 0.0
         for kappa in self.cell.zone.corner_phases.values():
@@ -259,8 +259,8 @@ class BlochModel:
         The interior of the lower orders is as short and leaves out more: all that a band's distance to them
         is may be that.
         """
-        of_distance = self.resolution.remaining(self.cell) * (1 + SHARED) * LOWER_OMISSION
-        return self.worst_error - (1 + of_distance) * self.omission
+        of_distance = self.resolution.remaining(self.cell) * (1 + SHARED) * LOWER_TRUNCATION
+        return self.worst_error - (1 + of_distance) * self.truncation
 
     @cached_property
     def highest(self) -> float:
@@ -337,11 +337,12 @@ def candidate_models(
                 check_memory(cell, tried)
             model = BlochModel.of(cell, tried, count, **what)
             given_up = resolution is not None and grown == MOST_GROWTH
-            if model.omission <= TRUSTED_OMISSION or given_up:
+            if model.truncation <= TRUSTED_TRUNCATION or given_up:
                 yield model
                 reached = min(reached, model.worst_error)
             # a mesh is judged by what a trusted interior leaves of its error, and left where that is too much
-            trusted, enough = model.omission <= TRUSTED_OMISSION, model.omission <= OMISSION_SHARE * accuracy
+            trusted = model.truncation <= TRUSTED_TRUNCATION
+            enough = model.truncation <= TRUNCATION_SHARE * accuracy
             too_coarse = trusted and resolution is None and model.mesh_error > accuracy
             if grown == MOST_GROWTH or (trusted and enough) or too_coarse:
                 break

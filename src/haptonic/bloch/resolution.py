@@ -23,7 +23,7 @@ PER_ANSWER, PER_CUBE = 4e-7, 1e-8  # s, see `seconds`
 LEAST_ORDER = 2  # that a study can ask for
 LEAST_STEPS, WIDEST = 2, 40  # of an interior's blocks: fewest, and the size from which depth counts
 UNRESOLVED = 25.0  # see `Resolution.unresolved`
-SHARED = 0.5  # of the bands' mean relative distance to the next lower orders that every band's error gets
+SHARED = 1.5  # of the bands' mean relative distance to the next lower orders that every band's error gets
 
 # Rounding of a plate's stiffness grows as the fourth power of pitch over thickness: at 1/400 it spoilt the
 # estimates of a plain plate, and at 1/1000 it moved the lowest band by 0.7 %.
@@ -82,9 +82,10 @@ class Resolution:
         degrees) stress grows as r^-0.4555, so on a given mesh the error of a frequency falls as
         order^(-4 * 0.5445) once the edge is all that is left of it. Before that the smooth part still counts,
         the error falls faster, and the factors are measured ones: on forty designs, with a tenth to a
-        third of room, while the worst band's distance was shared and counted twice. They were changed so that
-        they give as much where all bands are equally far, and eleven other designs need no more of them than
-        0.55 with order 3 and 0.43 with order 4. With two rings or more the edge never leads up to order 6,
+        third of room, while the worst band's distance was shared and counted twice. They give as much now,
+        and more, where all bands are equally far. Eleven other designs needed no more than 0.55 with order 3
+        and 0.43 with order 4 of half the mean's share; a twelfth, two of whose bands nearly met, needed 1.35
+        of the mean. With two rings or more the edge never leads up to order 6,
         which is taken to hold beyond. A step is another re-entrant edge, towards which the mesh is graded as
         towards the foot; above a fillet it is not, and the edge is taken to lead from the start: with order 3
         one needed 1.1. A plain plate has no edge: eight needed 0.14 where bands were resolved; `unresolved`

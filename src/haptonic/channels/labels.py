@@ -24,7 +24,7 @@ _PLAIN = re.compile(r"(?P<prefix>[pnuµmkMG]?)(?P<unit>V|N|A|Pa|W|Hz|s)")
 
 
 @dataclass(frozen=True)
-class Label:
+class UnitLabel:
     """What a written unit means.
 
     motion : what moves, or None when it is no motion
@@ -41,30 +41,32 @@ class Label:
 class Ratio:
     """A numerator and what it is divided by; the denominator's unit is empty if there is none."""
 
-    over: Label
-    under: Label
+    over: UnitLabel
+    under: UnitLabel
 
     @property
     def factor(self) -> float:
         return self.over.factor / self.under.factor
 
 
-def label_of(text: str) -> Label:
+def label_of(text: str) -> UnitLabel:
     """Meaning of one unit without a denominator of its own: "mm/s", "g", "mV"."""
     plain = re.sub(r"[\s()\[\]]", "", text.translate(TYPOGRAPHIC))
     if plain.upper() in ("", "NONE", "-"):
-        return Label(None, "", 1.0)
+        return UnitLabel(None, "", 1.0)
     if plain in ("g", "gn", "G"):
-        return Label("acceleration", "m/s^2", GRAVITY)
+        return UnitLabel("acceleration", "m/s^2", GRAVITY)
     match = _MOTION.fullmatch(plain)
     if match:
         power = 0 if not match["per"] else 2 if match["squared"] else 1
         unit = ("m", "m/s", "m/s^2")[power]
-        return Label(ORDER[power], unit, OTHER[match["other"]] if match["other"] else PREFIX[match["prefix"]])
+        return UnitLabel(
+            ORDER[power], unit, OTHER[match["other"]] if match["other"] else PREFIX[match["prefix"]]
+        )
     match = _PLAIN.fullmatch(plain)
     if match:
-        return Label(None, match["unit"], PREFIX[match["prefix"]])
-    return Label(None, text.strip(), 1.0)
+        return UnitLabel(None, match["unit"], PREFIX[match["prefix"]])
+    return UnitLabel(None, text.strip(), 1.0)
 
 
 def ratio_of(text: str) -> Ratio:

@@ -17,8 +17,8 @@ from numpy.typing import NDArray
 from haptonic.channels.notes import Notebook
 from haptonic.channels.signals import ORIGIN, SIMULATED, Array, Channel, Group, Samples
 from haptonic.channels.uff_blocks import (
-    Block,
     Buffer,
+    DataSet,
     Header,
     UnreadableError,
     blocks_of,
@@ -49,7 +49,7 @@ class Function:
     """A curve of a file. Its numbers stay there, in the units of the file, until `values` reads them."""
 
     path: Path
-    block: Block
+    block: DataSet
     header: Header
     begin: int
 
@@ -174,7 +174,7 @@ def scaled(contents: UffContents, length_unit: float) -> UffContents:
     return replace(contents, nodes={number: factor * place for number, place in contents.nodes.items()})
 
 
-def _by_pyuff(block: Block, data: Buffer) -> dict[str, Any]:
+def _by_pyuff(block: DataSet, data: Buffer) -> dict[str, Any]:
     """One small data set, read by pyuff; node by node where pyuff gives up."""
     if not block.closed and block.kind not in (15, 2411):
         raise UnreadableError("its end is missing")
@@ -202,7 +202,7 @@ def _raise_what_no_file_is_to_blame_for(error: BaseException) -> None:
         cause = cause.__context__
 
 
-def _nodes_line_by_line(block: Block, content: bytes) -> dict[str, Any]:
+def _nodes_line_by_line(block: DataSet, content: bytes) -> dict[str, Any]:
     """The nodes that are whole."""
     words = [line.decode("ascii", "replace").replace("D", "E").split() for line in content.splitlines()]
     if block.kind == 2411:

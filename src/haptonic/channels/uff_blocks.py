@@ -31,7 +31,7 @@ _EXPONENT = re.compile(r"(?<=[0-9.])[dD](?=[+-]?\d)|(?<=[0-9.])(?=[+-]\d{3}$)")
 
 
 @dataclass(frozen=True)
-class Block:
+class DataSet:
     """One data set: its type, where its text begins, after the line of the type, and ends."""
 
     number: int
@@ -82,9 +82,9 @@ class UnreadableError(Exception):
     """A data set cannot be read; the text says why."""
 
 
-def blocks_of(data: Buffer) -> list[Block]:
+def blocks_of(data: Buffer) -> list[DataSet]:
     """All data sets, also the ones that are cut short."""
-    found: list[Block] = []
+    found: list[DataSet] = []
     position = _delimiter(data, 0)
     while position >= 0:
         kind_line, begin = _line(data, _after(data, position))
@@ -101,14 +101,14 @@ def blocks_of(data: Buffer) -> list[Block]:
             # two delimiters meet between data sets; one alone, with a type after it, begins the next
             closed = opens is None or follows.strip() == DELIMITER.strip()
         stop = end if end >= 0 else len(data)
-        found.append(Block(len(found) + 1, int(match[1]), binary, begin, stop, kind_line, closed))
+        found.append(DataSet(len(found) + 1, int(match[1]), binary, begin, stop, kind_line, closed))
         if end < 0:
             break
         position = _delimiter(data, end + len(DELIMITER)) if closed else end
     return found
 
 
-def header_of(block: Block, data: Buffer) -> tuple[Header, int]:
+def header_of(block: DataSet, data: Buffer) -> tuple[Header, int]:
     """Header of a curve, and where its values begin.
 
     Raises
@@ -140,7 +140,7 @@ def header_of(block: Block, data: Buffer) -> tuple[Header, int]:
     return header, position
 
 
-def values_of(block: Block, header: Header, begin: int, data: Buffer) -> tuple[Array, NDArray[Any]]:
+def values_of(block: DataSet, header: Header, begin: int, data: Buffer) -> tuple[Array, NDArray[Any]]:
     """Abscissa and ordinate of a curve.
 
     Raises
@@ -164,7 +164,7 @@ def values_of(block: Block, header: Header, begin: int, data: Buffer) -> tuple[A
     return np.asarray(abscissa), np.asarray(ordinate)
 
 
-def _binary(block: Block, header: Header, content: bytes, expected: int) -> Array:
+def _binary(block: DataSet, header: Header, content: bytes, expected: int) -> Array:
     """Values of data set 58b. An uneven abscissa has the precision of the ordinate."""
     order, form = block.first_line[7:13].strip(), block.first_line[13:19].strip()
     if form not in (b"2", b"0", b""):

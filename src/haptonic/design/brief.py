@@ -12,6 +12,7 @@ from scipy.optimize import minimize
 
 from haptonic.cell import UnitCell
 from haptonic.design.parameters import values_of
+from haptonic.design.settings import DesignLimits
 from haptonic.errors import StudyError
 from haptonic.fields import unchecked
 from haptonic.lattice import FURTHER, LEAST_SIDE
@@ -23,24 +24,6 @@ LEAST_GAP = 0.02  # between pillars, as a share of the pitch, if no tool asks fo
 LEAST_TIP = 0.1  # narrowest width of a pillar, as a share of that at its foot
 SLACK = 1e-6  # by which a limit may be missed
 MARGIN = 1e-3  # by which a starting point meets its limits
-# centre of a long plate with clamped sides under a force: w = factor * F * span^2 / D (Timoshenko and
-# Woinowsky-Krieger, Theory of Plates and Shells, table 37, the limit of long plates)
-STRIP_FACTOR = 0.00725
-
-
-@dataclass(frozen=True)
-class Finger:
-    """A force (N) in the middle of a region of some width (m), and how far the plate may give way (m)."""
-
-    force: float
-    span: float
-    deflection: float
-
-    def least_thickness(self, material: IsotropicMaterial) -> float:
-        """Thickness of the plate that is just stiff enough, m; the region is long, its sides clamped."""
-        stiffness = STRIP_FACTOR * self.force * self.span**2 / self.deflection
-        nu = material.poisson_ratio
-        return float(np.cbrt(12 * (1 - nu**2) * stiffness / material.youngs_modulus))
 
 
 @dataclass(frozen=True)
@@ -50,10 +33,7 @@ class Brief:
     cell : where the search starts, and what stays as it is
     carrier : Hz; count : bands that are computed
     bounds : by path, lowest and highest value (SI) of what may change
-    slenderness : largest height of a pillar over its diameter, or None
-    tool : diameter (m) of the end mill that has to pass between two pillars, or None
-    reach : how deep (m) that end mill can cut, or None
-    finger : what the plate has to bear, or None
+    allowed : what the workshop can cut, and what the plate has to bear
     held : by path, values (SI) instead of the cell's own; alone they need not make a possible cell
     """
 
@@ -61,10 +41,7 @@ class Brief:
     carrier: float
     count: int
     bounds: Mapping[str, tuple[float, float]]
-    slenderness: float | None = None
-    tool: float | None = None
-    reach: float | None = None
-    finger: Finger | None = None
+    allowed: DesignLimits = field(default_factory=DesignLimits)
     held: Mapping[str, float] = field(default_factory=dict)
 
     @property
@@ -110,9 +87,9 @@ class Brief:
         own = {**values_of(self.cell), **self.held}
         own |= dict(zip(self.paths, self.values(share), strict=True))
         room: dict[str, float] = {}
-        if self.finger is not None:
+        if self.allowed.finger_force is not None:
             assert isinstance(self.cell.material, IsotropicMaterial)
-            room["finger"] = own["cell.thickness"] / self.finger.least_thickness(self.cell.material) - 1
+            room["finger"] = own["cell.thickness"] / self.allowed.least_thickness(self.cell.material) - 1
         if self.cell.pillar is not None:
             room |= self._of_shape(own) | self._of_tools(own)
         return room
@@ -132,7 +109,7 @@ class Brief:
         at_step = diameter - 2 * slope * lower
         top = upper - 2 * slope * (height - (lower if stepped else 0.0))
         at_foot = diameter + 2 * fillet * (1 / math.cos(draft) - slope)
-        least = max(LEAST_GAP * own["cell.pitch"], self.tool or 0.0) / pitch
+        least = max(LEAST_GAP * own["cell.pitch"], self.allowed.tool or 0.0) / pitch
         room = {
             "gap between pillars": 1 - max(diameter, at_step, top) / pitch - least,
             "fillet": 1 - at_foot / pitch - LEAST_GAP * own["cell.pitch"] / pitch,
@@ -151,10 +128,10 @@ class Brief:
         """What the workshop can cut."""
         height, room = own["cell.pillar.height"], {}
         thinnest = min(own["cell.pillar.diameter"], own.get("cell.pillar.step.diameter", np.inf))
-        if self.slenderness is not None:
-            room["slenderness"] = 1 - height / (self.slenderness * thinnest)
-        if self.reach is not None:
-            room["reach of the tool"] = 1 - height / self.reach
+        if self.allowed.slenderness is not None:
+            room["slenderness"] = 1 - height / (self.allowed.slenderness * thinnest)
+        if self.allowed.reach is not None:
+            room["reach of the tool"] = 1 - height / self.allowed.reach
         return room
 
     def allows(self, share: Array) -> bool:

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 from haptonic.cell import UnitCell
-from haptonic.fields import table
+from haptonic.fields import OfNumber, described, table
 
 UNITS = {
     path: key.unit
@@ -14,6 +16,21 @@ UNITS = {
 
 FILLET = "cell.pillar.fillet"
 """Its radius may vary, but not to zero: a sharp edge needs another mesh."""
+
+
+@described("")
+class OfCell(OfNumber):
+    """A value about one number of the cell."""
+
+    @classmethod
+    def unit_of(cls, path: str) -> str | None:
+        """SI unit of a number of the cell; None of any other."""
+        return UNITS.get(path)
+
+    @classmethod
+    def known(cls) -> Sequence[str]:
+        """Paths of the numbers of a cell."""
+        return tuple(UNITS)
 
 
 def values_of(cell: UnitCell) -> dict[str, float]:

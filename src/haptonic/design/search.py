@@ -69,7 +69,7 @@ def promise(lower: Array, upper: Array, pull: float) -> Array:
 
 
 @dataclass(frozen=True)
-class Column:
+class HeightRow:
     """Edges of designs that differ in the pillar's height only, or of a single design.
 
     shares : (designs, parameters); edges : (designs, 2, bands - 1) Hz, as of `edges_of`
@@ -79,15 +79,15 @@ class Column:
     edges: Array
 
     @classmethod
-    def of(cls, brief: Brief, shares: Array) -> Column:
+    def of(cls, brief: Brief, shares: Array) -> HeightRow:
         """Look at the designs at some places in the box."""
         return cls(shares, np.stack([edges_of(brief.at(share), brief.count) for share in shares]))
 
-    def alone(self) -> list[Column]:
+    def alone(self) -> list[HeightRow]:
         """Each design as a column of its own."""
-        return [Column(s[None], e[None]) for s, e in zip(self.shares, self.edges, strict=True)]
+        return [HeightRow(s[None], e[None]) for s, e in zip(self.shares, self.edges, strict=True)]
 
-    def finer(self) -> Column:
+    def finer(self) -> HeightRow:
         """With designs between its own, whose edges are interpolated by their logarithms."""
         own = np.arange(len(self.shares))
         places = np.linspace(0, own[-1], BETWEEN * own[-1] + 1)
@@ -97,7 +97,7 @@ class Column:
             found = [np.interp(places, own, one) for one in flat.T]
             return np.stack(found, axis=1).reshape(len(places), *values.shape[1:])
 
-        return Column(between(self.shares), np.exp(between(np.log(np.maximum(self.edges, 1.0)))))
+        return HeightRow(between(self.shares), np.exp(between(np.log(np.maximum(self.edges, 1.0)))))
 
     def best(self, carrier: float, pull: float = 1.0) -> list[tuple[float, Visited]]:
         """What the best of the designs promises, and that design, for the gap above each band; best first."""
@@ -163,7 +163,7 @@ def _column(brief: Brief, share: Array, count: int, *, own: bool = True) -> Arra
     return np.array(sorted(found + [share] * own, key=lambda place: float(place[row])))
 
 
-def starts_of(columns: Sequence[Column], carrier: float) -> list[Visited]:
+def starts_of(columns: Sequence[HeightRow], carrier: float) -> list[Visited]:
     """Where climbs may start, the most promising first: in every basin that was seen, once."""
     promising = [one for column in columns for one in column.finer().best(carrier, PULL)]
     return distinct([visit for _, visit in sorted(promising, key=lambda one: -one[0])], DISTINCT)

@@ -14,14 +14,17 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Literal
+from typing import Annotated, Literal
 
 import numpy as np
 import scipy
 from numpy.typing import NDArray
+from pydantic import Field
 
 from haptonic.cell import UnitCell
-from haptonic.design.parameters import UNITS, values_of
+from haptonic.design.parameters import OfCell, values_of
+from haptonic.fields import Quantity, described, once, problem
+from haptonic.units import format_quantity
 
 Array = NDArray[np.float64]
 
@@ -32,41 +35,88 @@ PILLAR_DRAWS = 2**10  # for each of fewer draws of what a plate has in common
 PLATE_DRAWS = 2**8
 
 
-@dataclass(frozen=True)
-class Spread:
-    """How much a number of the cell varies.
+@described("tolerance.of")
+class Spread(OfCell):
+    """How much a number of the cell differs from one plate, or one pillar, to the next."""
 
-    path : its name; width : standard deviation or half-width, SI; per : what has a value of its own
-    """
+    spread: float = Field(
+        title="Spread",
+        description="Standard deviation of a normal, half-width of a uniform distribution.",
+    )
+    distribution: Literal["normal", "uniform"] = Field(
+        default="normal", title="Distribution", description="Normal ones are cut off at three deviations."
+    )
+    per: Literal["batch", "pillar"] = Field(
+        default="batch",
+        title="Per",
+        description="Whether all pillars of a plate differ alike, or each by itself.",
+    )
 
-    path: str
-    width: float
-    distribution: Literal["normal", "uniform"]
-    per: Literal["batch", "pillar"]
+    def __post_init__(self) -> None:
+        if not self.spread > 0:
+            raise problem(
+                format_quantity(self.spread, self.unit),
+                "a positive spread",
+                "it is zero or has the wrong sign",
+                "give a positive one, or leave it out",
+                at="spread",
+            )
+        if self.per == "pillar" and not self.parameter.startswith("cell.pillar."):
+            raise problem(
+                self.parameter,
+                'per = "batch" for whatever is not of the pillar',
+                "pillars of one plate have it in common",
+                'write per = "batch"',
+                at="per",
+            )
 
     @property
     def is_machined(self) -> bool:
         """Whether the workshop decides it: sizes and angles."""
-        return UNITS[self.path] in ("m", "rad")
+        return self.unit in ("m", "rad")
 
     @property
     def half_range(self) -> float:
         """Largest deviation, SI."""
-        return self.width * (CUT if self.distribution == "normal" else 1.0)
+        return self.spread * (CUT if self.distribution == "normal" else 1.0)
 
     @property
     def variance(self) -> float:
         """SI squared."""
-        return float(self.frozen.var()) * self.width**2
+        return float(self.frozen.var()) * self.spread**2
 
     @property
     def frozen(self) -> scipy.stats.rv_continuous:
-        """Distribution of the deviation in units of ``width``."""
+        """Distribution of the deviation in units of ``spread``."""
         return (
             scipy.stats.truncnorm(-CUT, CUT)
             if self.distribution == "normal"
             else scipy.stats.uniform(-1.0, 2.0)
         )
+
+
+@described("tolerance", kw_only=True)
+class ToleranceSettings:
+    """How much the parts differ, and how sure the gap has to hold the carrier."""
+
+    of: tuple[Spread, ...] = Field(
+        default=(), title="Spreads", description="What differs, and how much.", max_length=12
+    )
+    margin: Annotated[float, Quantity("Hz", at_least=0.0, at_most=1e9)] = Field(
+        default=0.0, title="Margin", description="Least distance of the carrier from the gap's edges."
+    )
+    confidence: Annotated[float, Quantity("", above=0.0, below=1.0, typical=(0.9, 0.9999))] = Field(
+        default=0.99, title="Confidence", description="Share of plates that have to keep the margin."
+    )
+    pillars: Annotated[int, Field(ge=1, le=10**7, strict=True)] = Field(
+        default=180, title="Pillars", description="On a plate; each of them has to keep the margin."
+    )
+    samples: Annotated[int, Field(ge=16, le=4096, strict=True)] = Field(
+        default=64, title="Samples", description="Designs that are computed."
+    )
+
+    def __post_init__(self) -> None:
+        once(self.of, "of")
 
 
 def samples(cell: UnitCell, spreads: Sequence[Spread], count: int) -> list[UnitCell]:
@@ -76,11 +126,11 @@ def samples(cell: UnitCell, spreads: Sequence[Spread], count: int) -> list[UnitC
     ------
     GeometryError : a spread so large that some of them are no body
     """
-    own = values_of(cell)
+    own, names = values_of(cell), [spread.parameter for spread in spreads]
     places = REACH * (2 * _sobol(len(spreads), count) - 1)
     rows = places * [spread.half_range for spread in spreads]
     return [
-        cell.with_numbers({s.path: own[s.path] + float(d) for s, d in zip(spreads, row, strict=True)})
+        cell.with_numbers({name: own[name] + float(d) for name, d in zip(names, row, strict=True)})
         for row in rows
     ]
 

@@ -4,8 +4,20 @@ from haptonic.fields.described import described, extended, remade, unchecked
 from haptonic.fields.entries import Entries
 from haptonic.fields.keys import Key, leaves, table
 from haptonic.fields.numbers import numbers, unknown_number, with_numbers
+from haptonic.fields.of_number import NumberRange, OfNumber, ascending, once
 from haptonic.fields.placing import INLINE, TOP, Named, Placed
-from haptonic.fields.quantity import FROM_FILE, LARGEST, SMALLEST, Name, Quantity, number_of, problem, size
+from haptonic.fields.quantity import (
+    FROM_FILE,
+    LARGEST,
+    SMALLEST,
+    Frequency,
+    Length,
+    Name,
+    Quantity,
+    number_of,
+    problem,
+    size,
+)
 from haptonic.fields.reading import read
 
 __all__ = [
@@ -15,16 +27,22 @@ __all__ = [
     "SMALLEST",
     "TOP",
     "Entries",
+    "Frequency",
     "Key",
+    "Length",
     "Name",
     "Named",
+    "NumberRange",
+    "OfNumber",
     "Placed",
     "Quantity",
+    "ascending",
     "described",
     "extended",
     "leaves",
     "number_of",
     "numbers",
+    "once",
     "problem",
     "read",
     "remade",

@@ -121,7 +121,7 @@ def _slots(kind: type) -> tuple[Slot, ...]:
     for name, field in fields_of(kind).items():
         placed = next((one for one in field.metadata if isinstance(one, Placed)), Placed())
         named = next((one for one in field.metadata if isinstance(one, Named)), None)
-        kinds = (named.table,) if named else tuple(_kinds(field.annotation))
+        kinds = tuple(_kinds(named.table if named else field.annotation))
         made.append(Slot(name, field.alias or name, field, placed, named, quantities_of(field), kinds))
     return tuple(made)
 
@@ -208,7 +208,8 @@ def _kind(field: FieldInfo) -> str:
         return "quantity" if quantity.unit else "number"
     if _choices(field.annotation):
         return "choice"
-    if any(_kinds(field.annotation)):
+    named = next((item for item in field.metadata if isinstance(item, Named)), None)
+    if any(_kinds(named.table if named else field.annotation)):
         return "table"
     plain = {get_args(part)[0] if get_origin(part) is Annotated else part for part in parts}
     return "integer" if int in plain else "number" if float in plain else "text"

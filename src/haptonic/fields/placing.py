@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Hashable, Mapping
 from dataclasses import dataclass
 from typing import Any
 
@@ -33,13 +33,13 @@ class Named:
 
     find : the value of a name; raises an error with five parts
     name_of : the name of a value; None if it has none
-    table : the class that a table is read as
+    table : the class that a table is read as; None where a file gives names only
     others : further classes, which only Python and names can give
     """
 
     find: Callable[[str], Any]
     name_of: Callable[[Any], str | None]
-    table: type
+    table: type | None
     others: tuple[type, ...] = ()
 
     def __get_pydantic_core_schema__(
@@ -47,7 +47,9 @@ class Named:
     ) -> core_schema.CoreSchema:
         named = core_schema.no_info_after_validator_function(self._found, core_schema.str_schema())
         # a tag in brackets cannot be taken for a key in the path of an error
-        choices = {"<name>": named, "<table>": handler.generate_schema(self.table)}
+        choices: dict[Hashable, core_schema.CoreSchema] = {"<name>": named}
+        if self.table:
+            choices["<table>"] = handler.generate_schema(self.table)
         if self.others:
             choices["<made>"] = core_schema.is_instance_schema(self.others)
         return core_schema.tagged_union_schema(choices, self._tag)
@@ -61,4 +63,4 @@ class Named:
             return "<name>"
         if isinstance(value, self.others):
             return "<made>"
-        return "<table>" if isinstance(value, Mapping | self.table) else None
+        return "<table>" if self.table and isinstance(value, Mapping | self.table) else None

@@ -176,5 +176,7 @@ def _printable(name: str) -> str:
     return name
 
 
+Length = Annotated[float, Quantity("m", at_least=SMALLEST, at_most=LARGEST)]
+Frequency = Annotated[float, Quantity("Hz", at_least=1.0, at_most=1e9, typical=(1e3, 1e6))]
 Name = Annotated[str, Field(max_length=40, strict=True), AfterValidator(_printable)]
 """What somebody calls a part, a region or a person."""

@@ -67,9 +67,10 @@ def arranged(
                 keys = [one.key for one in slots(below) if one.key in own]
                 if keys or complete:
                     own[slot.key] = {key: own.pop(key) for key in keys}
-            elif isinstance(value, Mapping):
+            elif isinstance(value, Mapping) or (moved and not slot.field.is_required()):
                 outside = {one.key for one in slots(below) if one.placed.top}
-                here = {f"{MISPLACED}{key}" if key in outside else key: one for key, one in value.items()}
+                given_here = dict(value or {}).items()
+                here = {f"{MISPLACED}{key}" if key in outside else key: one for key, one in given_here}
                 own[slot.key] = arranged(below, {**moved, **here}, top)
             elif isinstance(value, list | tuple):
                 own[slot.key] = [

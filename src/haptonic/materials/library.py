@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
+import re
 import tomllib
 from collections.abc import Callable, Mapping
-from functools import cache
+from functools import cache, partial
 from importlib.resources import files
 from types import MappingProxyType
 
@@ -57,5 +58,34 @@ def material(name: str) -> Material:
     )
 
 
+def built_in(name: str, *, piezoelectric: bool = False) -> Material:
+    """A material of the library, whatever the case of its name and the blanks in it.
+
+    Raises
+    ------
+    StudyError : no such material, or one that is not piezoelectric where it has to be
+    """
+    known = {
+        key: solid
+        for key, solid in library().items()
+        if not piezoelectric or isinstance(solid, PiezoelectricMaterial)
+    }
+    key = re.sub(r"[\s_-]+", "-", name.strip().lower())
+    if key in known:
+        return known[key]
+    guess = nearest(key, known)
+    raise StudyError(
+        argument="material",
+        given=shown(name),
+        allowed=f"one of {', '.join(known)}",
+        cause="it is not piezoelectric" if key in library() else "the library does not hold this material",
+        next_step=f'write "{guess}"' if guess else "choose one of them",
+    )
+
+
 GIVEN = Named(material, built_in_name, IsotropicMaterial, (OrthotropicMaterial, PiezoelectricMaterial))
 """How a study gives a material: by the name of a built-in one or by a table of constants."""
+SOLID = Named(built_in, built_in_name, None, (IsotropicMaterial, OrthotropicMaterial, PiezoelectricMaterial))
+"""By the name of a built-in one only."""
+CERAMIC = Named(partial(built_in, piezoelectric=True), built_in_name, None, (PiezoelectricMaterial,))
+"""By the name of a built-in piezoelectric one."""

@@ -47,7 +47,7 @@ def lines_dataset(plate: Plate, vibration: Vibration, band: Band) -> xr.Dataset:
     _, unit = reference_of(plate)
     impedance = np.stack(
         [
-            np.asarray(a.voltage / unit / (1j * vibration.omega * vibration.charge[a.name]))
+            np.asarray(a.amplitude / unit / (1j * vibration.omega * vibration.charge[a.name]))
             for a in plate.actuators
         ]
     ) if actuators else np.zeros((0, len(vibration.omega)), complex)  # fmt: skip

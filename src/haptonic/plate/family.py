@@ -24,9 +24,9 @@ from haptonic.plate.damping import real_times
 from haptonic.plate.keys import PLATE, PartKey, bond, support
 from haptonic.plate.model import PlateModel
 from haptonic.plate.parts import Plate
-from haptonic.plate.retuned import bond_thickness, retuned, stiffness_ratio, support_ratio
 from haptonic.plate.sweep import Band
 from haptonic.plate.tile import applied
+from haptonic.plate.updated import bond_thickness, stiffness_ratio, support_ratio, updated
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
@@ -119,7 +119,7 @@ class Family:
         )  # fmt: skip
 
     def poles(self, plate: Plate) -> Poles:
-        """The modes of the plate with other numbers; see `haptonic.plate.retuned`."""
+        """The modes of the plate with other numbers; see `haptonic.plate.updated`."""
         thickness, factors = bond_thickness(plate), loss_factors(plate)
         factors[PLATE] *= stiffness_ratio(self.plate, plate)
         for number, held in enumerate(plate.supports):
@@ -158,7 +158,7 @@ def anchored(
     ------
     HaptonicError : lines that stay above the tolerance
     """
-    other = retuned(model, plate)
+    other = updated(model, plate)
     band = Band.of(other.model, 0.0, float(frequencies[-1]))  # one that begins higher may have to begin anew
     _, vibration = band.answer(drives, frequencies, tolerance)
     found = vibration.amplitudes

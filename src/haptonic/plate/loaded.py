@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 import numpy as np
 import xarray as xr
@@ -20,7 +20,7 @@ from haptonic.plate.question import (
     reference_of,
     unit_drives,
 )
-from haptonic.plate.touch import Places, below_finger
+from haptonic.plate.touch import Sites, below_finger
 from haptonic.progress import Progress, silent
 
 Array = NDArray[np.float64]
@@ -30,18 +30,6 @@ FREE = "free"  # the vibration that no finger damps
 LOADS = (FREE, "low", "value", "high")  # by the damping of the finger
 
 
-@dataclass(frozen=True)
-class Pad:
-    """What the finger does to the plate: a damper, spread evenly over a disc.
-
-    diameter : m
-    damping : N s/m of the whole disc: the lowest plausible, the value, the highest plausible
-    """
-
-    diameter: float
-    damping: tuple[float, float, float]
-
-
 def highest(middle: float) -> float:
     """Up to where a basis is needed for what is felt near a frequency, Hz."""
     return (1 + NEAR) * middle
@@ -49,8 +37,9 @@ def highest(middle: float) -> float:
 
 def loaded(
     plate: Plate,
-    pad: Pad,
     *,
+    diameter: float,
+    damping: Sequence[float],
     carrier: float,
     at: float | None,
     gap: Sequence[float] | None,
@@ -63,6 +52,8 @@ def loaded(
 
     Parameters
     ----------
+    diameter : of the disc that the finger covers, m
+    damping : N s/m of the whole disc, evenly spread: the lowest plausible, the value, the highest plausible
     at : Hz; by default the resonance of the driven region that is loudest near the carrier, in the gap if
         there is one
     gap : edges of the gap around the carrier, Hz
@@ -97,10 +88,10 @@ def loaded(
     there = points_of(regions, driven_region(plate))
     line = loudest_within(frequencies, surface * vibration.omega, there, (0.0, np.inf), middle)
     omega = float(vibration.omega[line])
-    places = Places(points, pad.diameter)
-    impedances = [0.0, *(1j * omega * damping for damping in pad.damping)]
+    places = Sites(points, diameter)
+    impedances = [0.0, *(1j * omega * one for one in damping)]
     amplitude = below_finger(band.reduced, places, surface[:, line], omega, impedances)
-    mode, quality = _loaded_quality(model, modes, drives, omega, places, pad)
+    mode, quality = _loaded_quality(model, modes, drives, omega, places, damping)
     reference, _ = reference_of(plate)
     return xr.Dataset(
         {
@@ -129,8 +120,8 @@ def _loaded_quality(
     modes: PlateModes,
     drives: Mapping[str, complex],
     omega: float,
-    places: Places,
-    pad: Pad,
+    places: Sites,
+    damping: Sequence[float],
 ) -> tuple[float, Array]:
     """The mode that answers most at omega, Hz, and (load, point) its quality factor with a finger there.
 
@@ -144,5 +135,5 @@ def _loaded_quality(
     best = int(np.abs(answer).argmax())
     shape = model.displaced(places.points, modes.vectors[:, [best]])[:, 0]
     square = np.array([(shape[disc] ** 2).mean() for disc in places.discs])
-    lost = np.array([0.0, *pad.damping])[:, None] * square / np.sqrt(values[best])
+    lost = np.array([0.0, *damping])[:, None] * square / np.sqrt(values[best])
     return float(modes.frequency[best]), 1 / (1 / modes.quality[best] + lost)

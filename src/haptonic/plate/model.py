@@ -61,7 +61,7 @@ class PlateModel:
         """Reduce the tiles of a plate for frequencies up to ``highest`` (Hz) and put them together.
 
         ``bonds`` gives, by actuator, the least and the largest thickness (m) that the tile below it has to
-        serve; see `haptonic.plate.retuned`.
+        serve; see `haptonic.plate.updated`.
 
         Raises
         ------
@@ -201,7 +201,7 @@ def drives_on(assembly: Assembly) -> dict[str, Array]:
 def impedance(finger: Finger, omega: Array) -> Complex:
     """Dynamic stiffness of a whole finger: force over displacement, N/m."""
     spring = finger.stiffness + 1j * omega * finger.damping
-    if np.isinf(finger.mass):
+    if finger.mass is None:
         return np.asarray(spring)
     inertia = -(omega**2) * finger.mass
     return np.asarray(spring * inertia / (spring + inertia))

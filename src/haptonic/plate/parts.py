@@ -1,94 +1,156 @@
-"""What is fixed to a plate: supports, actuators, forces, a finger. Positions are those of the plate, m."""
+"""What is fixed to a plate: actuators, forces, a finger; and the plate with all of it.
+
+Positions count from the corner of a region in a study, from that of the plate where no region is given.
+"""
 
 from __future__ import annotations
 
+import cmath
+import math
 from dataclasses import dataclass
-from typing import Literal
+from typing import Annotated
 
 import numpy as np
+from pydantic import Field
 
+from haptonic.fields import LARGEST, Name, Quantity, described, problem, size
 from haptonic.materials import Material, PiezoelectricMaterial
+from haptonic.materials.library import CERAMIC, SOLID
+from haptonic.plate.holding import Support
 from haptonic.plate.layout import Layout
-from haptonic.plate.layout import Side as Side
+from haptonic.units import format_quantity
 
-Place = Literal["left", "right", "bottom", "top", "corners"]
-Hold = Literal["clamped", "simple", "spring"]
-
-
-@dataclass(frozen=True)
-class Support:
-    """What holds the plate at its outer side faces.
-
-    where : the faces that look to one side, or what of them lies next to the corners of the map
-    hold : "clamped" no motion; "simple" no motion along the face (hard simple support), normal motion free;
-        "spring" an elastic foundation
-    length : of the held part of each face from the corner on, m; only for "corners"
-    stiffness : of the foundation, per area of side face and alike in all directions, N/m^3; only for "spring"
-    loss_factor : of the foundation
-    """
-
-    where: Place
-    hold: Hold
-    length: float | None = None
-    stiffness: float | None = None
-    loss_factor: float = 0.0
+Position = Annotated[float, Quantity("m", at_least=-LARGEST, at_most=LARGEST)]
+Width = Annotated[float, size(100e-6, 100e-3)]
+PatchThickness = Annotated[float, size(20e-6, 10e-3)]
+BondThickness = Annotated[float, size(0.5e-6, 1e-3)]
+Phase = Annotated[float, Quantity("rad", at_least=-2 * math.pi, at_most=2 * math.pi)]
+CENTRE = "From the lower left corner of the smallest rectangle around the region, else around the plate."
 
 
-@dataclass(frozen=True)
+@described("plate.actuator.bond")
 class Bond:
-    """The layer of glue below an actuator. thickness : m"""
+    """The layer of glue below an actuator."""
 
-    thickness: float
-    material: Material
+    thickness: BondThickness = Field(title="Thickness of the bond", description="Of the layer of glue.")
+    material: Annotated[Material, SOLID] = Field(title="Material of the bond", description="A built-in one.")
 
 
-@dataclass(frozen=True)
+@described("plate.actuator")
 class Actuator:
     """A piezoelectric patch on the face that carries the pillars, poled along z, an electrode on either face.
 
-    centre : (x, y), m; size : (along x, along y, thickness), m
-    bond : None if the patch is one with the plate
-    voltage : complex amplitude between its free and its glued electrode, V
+    The voltage counts between its free and its glued electrode.
     """
 
-    name: str
-    centre: tuple[float, float]
-    size: tuple[float, float, float]
-    material: PiezoelectricMaterial
-    bond: Bond | None
-    voltage: complex = 1.0
+    name: Name = Field(title="Name", description="Shown in results.")
+    centre: tuple[Position, Position] = Field(title="Centre", description=CENTRE)
+    size: tuple[Width, Width, PatchThickness] = Field(
+        title="Size", description="Along x, along y, and its thickness."
+    )
+    material: Annotated[PiezoelectricMaterial, CERAMIC] = Field(
+        title="Material", description="A built-in piezoelectric one, poled along z."
+    )
+    bond: Bond | None = Field(
+        default=None, title="Bond", description="Without this table the patch is one with the plate."
+    )
+    voltage: Annotated[float, Quantity("V", at_least=0.0, at_most=1e5, typical=(0.0, 1e3))] = Field(
+        default=1.0, title="Voltage", description="Amplitude between the electrodes on its two faces."
+    )
+    phase: Phase = Field(default=0.0, title="Phase", description="Of the voltage.")
+    region: Name | None = Field(
+        default=None,
+        title="Region",
+        description="Of plain plate, that the whole patch lies on; else any.",
+    )
+
+    def __post_init__(self) -> None:
+        *sides, thickness = self.size
+        if thickness > min(sides):
+            raise problem(
+                format_quantity(thickness, "m"),
+                f"at most its shorter side, {format_quantity(min(sides), 'm')}",
+                "the sizes are in another order, or this is a stack, which has more than two electrodes",
+                "write size = [along x, along y, thickness]",
+                at="size",
+            )
+
+    @property
+    def amplitude(self) -> complex:
+        """Of the voltage, V."""
+        return _phasor(self.voltage, self.phase)
 
 
-@dataclass(frozen=True)
+@described("plate.force")
 class Force:
-    """A force normal to the flat face, at a point or spread evenly over a rectangle.
+    """A force normal to the flat face, at a point or spread evenly over a rectangle."""
 
-    centre : (x, y), m; size : (along x, along y), m, or None for a point
-    amplitude : complex, N
-    """
+    name: Name = Field(title="Name", description="Shown in results.")
+    centre: tuple[Position, Position] = Field(title="Centre", description=CENTRE)
+    size: tuple[Width, Width] | None = Field(
+        default=None, title="Size", description="Along x and along y; else the force acts at a point."
+    )
+    force: Annotated[float, Quantity("N", at_least=0.0, at_most=1e6, typical=(0.0, 100.0))] = Field(
+        default=1.0, title="Force", description="Amplitude of its total."
+    )
+    phase: Phase = Field(default=0.0, title="Phase", description="Of the force.")
+    region: Name | None = Field(
+        default=None,
+        title="Region",
+        description="Or lattice, that all of the force lies on; else any.",
+    )
 
-    name: str
-    centre: tuple[float, float]
-    size: tuple[float, float] | None
-    amplitude: complex = 1.0
+    @property
+    def amplitude(self) -> complex:
+        """Of the force, N."""
+        return _phasor(self.force, self.phase)
 
 
-@dataclass(frozen=True)
+@described("plate.finger")
 class Finger:
-    """A mass on a spring and damper, spread over a disc of the flat face; it meets normal motion only.
+    """A finger on the flat face: a mass on a spring and a damper, spread over a disc.
 
-    The pad is a foundation of springs and dampers whose other ends carry a mass each, so that every point of
-    the disc feels the same impedance per area. Totals over the disc:
-
-    centre : (x, y), m; diameter : m
-    mass : kg; stiffness : N/m; damping : N s/m; mass inf means that the other ends are at rest
+    It meets normal motion only. The pad is a foundation of springs and dampers whose other ends carry a mass
+    each, so that every point of the disc feels the same impedance per area; the numbers are totals over the
+    disc.
     """
 
-    centre: tuple[float, float]
-    diameter: float
-    mass: float
-    stiffness: float
-    damping: float
+    centre: tuple[Position, Position] = Field(title="Centre", description=CENTRE)
+    diameter: Annotated[float, size(1e-3, 40e-3)] = Field(
+        default=10e-3, title="Diameter", description="Of the disc that it touches."
+    )
+    mass: Annotated[float, Quantity("kg", above=0.0, at_most=1e3, typical=(1e-5, 1.0))] | None = Field(
+        default=None,
+        title="Mass",
+        description="That vibrates with the pad; else spring and damper end at rest.",
+    )
+    stiffness: Annotated[float, Quantity("N/m", at_least=0.0, at_most=1e12, typical=(0.0, 1e6))] = Field(
+        default=0.0, title="Stiffness of the pad", description="Of the whole disc."
+    )
+    damping: Annotated[float, Quantity("N s/m", at_least=0.0, at_most=1e9, typical=(0.0, 1e3))] = Field(
+        default=0.0, title="Damping of the pad", description="Of the whole disc."
+    )
+    region: Name | None = Field(
+        default=None, title="Region", description="Or lattice, from whose corner its centre counts; else any."
+    )
+
+    def __post_init__(self) -> None:
+        if self.stiffness == 0 and self.damping == 0:
+            raise problem(
+                "neither stiffness nor damping",
+                "at least one of them above zero",
+                "nothing ties the finger to the plate",
+                'add damping = "10 N s/m", or remove the finger',
+                at="damping",
+            )
+
+
+def _phasor(amplitude: float, phase: float) -> complex:
+    """Amplitude times exp(i phase); quarter turns, such as antiphase, are exact."""
+    quarters = round(phase / (0.5 * math.pi))
+    if abs(phase - quarters * 0.5 * math.pi) < 1e-12:
+        return amplitude * (1, 1j, -1, -1j)[quarters % 4]
+    return cmath.rect(amplitude, phase)
 
 
 @dataclass(frozen=True)

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -30,22 +29,6 @@ BYTES = (
 ON_LINE = 1e-6  # of the smallest tile, within which a point lies on a line between tiles
 
 
-@dataclass(frozen=True)
-class PlateQuestion:
-    """What is asked of a plate. lowest, highest : Hz; points : lines; tolerance : field error; grid : m"""
-
-    lowest: float
-    highest: float
-    points: int
-    tolerance: float
-    grid: float
-
-    @property
-    def frequencies(self) -> Array:
-        """Hz"""
-        return np.linspace(self.lowest, self.highest, self.points)
-
-
 def drives_of(plate: Plate) -> list[Actuator | Force]:
     return [*plate.actuators, *plate.forces]
 
@@ -57,13 +40,9 @@ def driven_region(plate: Plate) -> str | None:
     return next((name for name in names if name is not None and name not in layout.cells), None)
 
 
-def amplitude_of(drive: Actuator | Force) -> complex:
-    return drive.voltage if isinstance(drive, Actuator) else drive.amplitude
-
-
 def reference_of(plate: Plate) -> tuple[Reference, float]:
     """What the response is divided by: the first drive's name and unit, and its amplitude."""
-    moving = [drive for drive in drives_of(plate) if amplitude_of(drive)]
+    moving = [drive for drive in drives_of(plate) if drive.amplitude]
     if not moving:
         raise StudyError(
             argument="plate.actuator",
@@ -73,13 +52,13 @@ def reference_of(plate: Plate) -> tuple[Reference, float]:
             next_step='add [[plate.force]] with region, centre and force = "1 N"',
         )
     first = moving[0]
-    return Reference(first.name, "V" if isinstance(first, Actuator) else "N"), abs(amplitude_of(first))
+    return Reference(first.name, "V" if isinstance(first, Actuator) else "N"), abs(first.amplitude)
 
 
 def unit_drives(plate: Plate) -> dict[str, complex]:
     """Complex amplitudes of all drives by name, for a unit of the first that drives the plate."""
     _, unit = reference_of(plate)
-    return {drive.name: amplitude_of(drive) / unit for drive in drives_of(plate)}
+    return {drive.name: drive.amplitude / unit for drive in drives_of(plate)}
 
 
 def check_grid(plate: Plate, spacing: float, lines: int, at: str = "plate.response.grid") -> None:

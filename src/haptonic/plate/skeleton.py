@@ -13,8 +13,7 @@ from numpy.polynomial.legendre import legder, legval
 from numpy.typing import NDArray
 
 from haptonic.cell.quadrature import interpolation, lobatto
-from haptonic.plate.layout import Layout
-from haptonic.plate.parts import Side
+from haptonic.plate.layout import Layout, Side
 
 Array = NDArray[np.float64]
 Ints = NDArray[np.int64]
@@ -191,7 +190,7 @@ def _around(block: Block) -> list[tuple[int, int, Side]]:
 
 def numbered(x: Array, y: Array, blocks: Sequence[Block], order: int) -> tuple[tuple[Ints, ...], Array]:
     """Places on the rims of blocks between lines, numbered without gaps, and the (places, 2) points, m."""
-    grid = _Grid(x, y, order)
+    grid = _GridNumbers(x, y, order)
     rims = [grid.rim(block) for block in blocks]
     used, number = np.unique(np.concatenate(rims), return_inverse=True)
     ends = np.cumsum([len(rim) for rim in rims])
@@ -213,7 +212,7 @@ def traced(x: Array, y: Array, blocks: Sequence[Block], orders: TraceOrders) -> 
     return both, size + 2 * len(points)
 
 
-class _Grid:
+class _GridNumbers:
     """Numbers of all places that lines can carry."""
 
     def __init__(self, x: Array, y: Array, order: int) -> None:

@@ -10,8 +10,8 @@ import scipy.sparse as sp
 from numpy.polynomial.legendre import leggauss
 from numpy.typing import NDArray
 
+from haptonic.plate.holding import Support
 from haptonic.plate.layout import Layout
-from haptonic.plate.parts import Support
 from haptonic.plate.skeleton import OuterEdge, Skeleton, TraceOrders, edge_fields
 
 Array = NDArray[np.float64]

@@ -32,7 +32,7 @@ TOGETHER = 32  # places that are answered at once
 
 
 @dataclass(frozen=True, eq=False)
-class Places:
+class Sites:
     """Points of the flat face, and the discs of a finger around each of them.
 
     points : (k, 2) m, as evenly spread as a grid; diameter : of the disc, m
@@ -48,7 +48,11 @@ class Places:
 
 
 def below_finger(
-    reduced: ReducedPlate, places: Places, displacement: Complex, omega: float, impedances: Sequence[complex]
+    reduced: ReducedPlate,
+    places: Sites,
+    displacement: Complex,
+    omega: float,
+    impedances: Sequence[complex],
 ) -> Array:
     """Amplitude below a finger at every place: root mean square over its disc, m.
 

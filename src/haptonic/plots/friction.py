@@ -14,10 +14,10 @@ from matplotlib.figure import Figure
 from matplotlib.patches import Patch, Rectangle
 from numpy.typing import NDArray
 
+from haptonic.friction.phrases import change
 from haptonic.friction.signals.record import EVERYBODY
 from haptonic.friction.statistics import IntervalEstimate
 from haptonic.friction.statistics.summary import Condition
-from haptonic.friction.words import change
 from haptonic.plots import style
 from haptonic.plots.words import label
 

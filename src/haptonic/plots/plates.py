@@ -15,8 +15,9 @@ from matplotlib.patches import Circle, Patch, Rectangle
 from matplotlib.patheffects import withStroke
 from numpy.typing import NDArray
 
-from haptonic.plate.layout import Layout
-from haptonic.plate.parts import Hold, Plate, Side, Support
+from haptonic.plate.holding import Hold, Support
+from haptonic.plate.layout import Layout, Side
+from haptonic.plate.parts import Plate
 from haptonic.plots import style
 
 Array = NDArray[np.float64]

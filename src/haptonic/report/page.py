@@ -94,7 +94,7 @@ def _appendix(results: Results) -> Chapter:
     if results.timings:
         rows = tuple((name, f"{seconds:.1f}") for name, seconds in results.timings.items())
         tables.append(
-            Table("Run times. What was in the store already takes no time.", ("Part", "Seconds"), rows)
+            Table("Run times. What was in the store already takes no time.", ("Product", "Seconds"), rows)
         )
     return Chapter(
         title="Appendix: inputs, errors, versions",

@@ -19,7 +19,7 @@ SLACK = 1e-6  # by which a coherence may exceed 1: rounding in single precision
 Numbers = NDArray[Any]
 
 
-def words(given: str, allowed: tuple[str, ...], argument: str) -> None:
+def one_of(given: str, allowed: tuple[str, ...], argument: str) -> None:
     """Refuse a word that is none of the allowed ones."""
     if given not in allowed:
         guess = nearest(str(given), allowed)

@@ -80,8 +80,8 @@ class FrequencyResponse:
         ------
         ResponseError : arrays that do not fit together, numbers that are not finite, unknown words
         """
-        checks.words(quantity, tuple(UNITS), "quantity")
-        checks.words(origin, ("simulated", "measured"), "origin")
+        checks.one_of(quantity, tuple(UNITS), "quantity")
+        checks.one_of(origin, ("simulated", "measured"), "origin")
         checks.directions(direction)
         reference = Reference.parse(reference) if isinstance(reference, str) else reference
         checks.reference(reference)

@@ -14,7 +14,7 @@ import xarray as xr
 
 from haptonic import plots, vtu
 from haptonic.bloch import Gap, bands_dataset, gaps_of
-from haptonic.bloch.asked import Asked
+from haptonic.bloch.settings import BandSettings
 from haptonic.cell import UnitCell
 from haptonic.plots.words import khz
 from haptonic.results.common import stamped
@@ -159,7 +159,7 @@ def counted(checked: int, missed: int) -> str:
 
 def compute_bands(
     cell: UnitCell,
-    asked: Asked,
+    settings: BandSettings,
     *,
     surface: bool,
     inputs: Mapping[str, Any],
@@ -175,10 +175,10 @@ def compute_bands(
     carrier : Hz, marked in the diagram
     """
     dataset = store.kept(
-        {"kind": "bands", "surface": surface, "cell": cell, "asked": asked},
+        {"kind": "bands", "surface": surface, "cell": cell, "settings": settings},
         lambda: bands_dataset(
-            cell, count=asked.count, points=asked.points, accuracy=asked.accuracy,
-            resolution=asked.resolution, surface=surface,
+            cell, count=settings.count, points=settings.points, accuracy=settings.accuracy,
+            resolution=settings.resolution, surface=surface,
         ),
     )  # fmt: skip
     if carrier is not None:

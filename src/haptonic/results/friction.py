@@ -12,10 +12,10 @@ import pandas as pd
 import xarray as xr
 
 from haptonic import plots
+from haptonic.friction.phrases import AVERAGES
 from haptonic.friction.recordings import Exclusion, Sensor, analysed, traces
 from haptonic.friction.signals import Rules, exclusions, write_trials
 from haptonic.friction.statistics.summary import Summary, summary
-from haptonic.friction.words import AVERAGES
 from haptonic.names import cell
 from haptonic.paths import source as checked
 from haptonic.progress import Progress, silent

@@ -7,10 +7,10 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING, TypeVar
 
 from haptonic.friction.lubrication import WEBER_FRACTION
+from haptonic.friction.phrases import averages, change
 from haptonic.friction.signals.record import EVERYBODY
 from haptonic.friction.statistics import IntervalEstimate, Test
 from haptonic.friction.statistics.summary import Condition
-from haptonic.friction.words import averages, change
 from haptonic.results.table import Cell, Table
 
 if TYPE_CHECKING:

@@ -13,13 +13,13 @@ from threadpoolctl import threadpool_limits
 
 from haptonic import plots
 from haptonic.bloch import Gap
-from haptonic.bloch.asked import Asked
 from haptonic.bloch.evanescent import bloch_waves, decibels
 from haptonic.bloch.gaps import need_gap_at
-from haptonic.bloch.guide import Ends, Guide, GuidedMode, Wall, along_strip, strip_mode
+from haptonic.bloch.guide import Guide, GuidedMode, Wall, along_strip, strip_mode
 from haptonic.bloch.layers import Interface
 from haptonic.bloch.model import bloch_model
 from haptonic.bloch.plate_waves import PlainPlate
+from haptonic.bloch.settings import BandSettings, WaveguideSettings
 from haptonic.cell import UnitCell
 from haptonic.errors import StudyError
 from haptonic.results.common import stamped
@@ -122,13 +122,10 @@ class Guides(Result):
 @threadpool_limits.wrap(limits=1)  # these matrices are too small for threads inside the linear algebra
 def compute_guides(
     cell: UnitCell,
-    asked: Asked,
+    settings: BandSettings,
+    waveguide: WaveguideSettings,
     *,
     carrier: float,
-    mode: tuple[int, int],
-    width: float | None,
-    rows: int | None,
-    ends: Ends,
     inputs: Mapping[str, Any],
     runner: Runner,
 ) -> Guides:
@@ -136,38 +133,35 @@ def compute_guides(
 
     Parameters
     ----------
-    mode : nodal lines across, intervals between nodal lines along
-    width : of the strip, m; None takes the one that puts the mode at the carrier
-    rows : length in cells; None compares several
     inputs : plain values of what was asked, for the result's attributes
 
     Raises
     ------
     StudyError : no complete gap around the carrier, or no such waveguide
     """
-    gap = need_gap_at(runner.gaps(cell, asked), carrier)
-    superelement = bloch_model(cell, asked.count, asked.accuracy, asked.resolution).fine.superelement
-    across, along = mode
+    gap = need_gap_at(runner.gaps(cell, settings), carrier)
+    superelement = bloch_model(cell, settings.count, settings.accuracy, settings.resolution).fine.superelement
+    across, along = waveguide.nodal_lines
     period = float(np.linalg.norm(cell.lattice.vectors[1]))
     plate = PlainPlate.of(cell, superelement.levels)
     wavenumber = plate.wavenumber(2 * np.pi * carrier, 0.0, "A0")
     assert wavenumber is not None
     shortest = max(1, int((along + 0.5) * np.pi / (wavenumber * period)))
-    lengths = [rows] if rows else range(shortest, shortest + MOST_LENGTHS + 1)
+    lengths = [waveguide.rows] if waveguide.rows else range(shortest, shortest + MOST_LENGTHS + 1)
     strips, refusal = [], None
     for count in lengths:
         try:
-            strips.append(_strip(superelement, gap, carrier, (across, along), width, count, period, ends))
+            strips.append(_strip(superelement, gap, carrier, waveguide, count, period))
         except StudyError as error:
             refusal = error
     if not strips:
         assert refusal is not None
         raise refusal
     dataset = _dataset(strips).assign_attrs(
-        carrier_hz=carrier, mode=f"{across}x{along}", ends=ends,
+        carrier_hz=carrier, mode=f"{across}x{along}", ends=waveguide.ends,
         mesh=json.dumps(asdict(superelement.mesh.topology.plan)),
     )  # fmt: skip
-    return Guides(carrier, gap, across, along, ends, tuple(strips), stamped(dataset, inputs))
+    return Guides(carrier, gap, across, along, waveguide.ends, tuple(strips), stamped(dataset, inputs))
 
 
 def _dataset(strips: Sequence[Strip]) -> xr.Dataset:
@@ -191,14 +185,12 @@ def _strip(
     superelement: Superelement,
     gap: Gap,
     carrier: float,
-    mode: tuple[int, int],
-    width: float | None,
+    waveguide: WaveguideSettings,
     rows: int,
     period: float,
-    ends: Ends,
 ) -> Strip:
     omega, length = 2 * np.pi * carrier, rows * period
-    across, along = mode
+    (across, along), width, ends = waveguide.nodal_lines, waveguide.width, waveguide.ends
     if width is None:
         wavenumber = along_strip(superelement, omega, length, along, ends)
         found = Guide.of(superelement, wavenumber).mode_at(omega, across)

@@ -15,7 +15,6 @@ from threadpoolctl import threadpool_limits
 
 from haptonic import plots
 from haptonic.bloch import Gap, Resolution
-from haptonic.bloch.asked import Asked
 from haptonic.bloch.evanescent import Slab, bloch_waves, decibels
 from haptonic.bloch.gaps import gap_at, widest_gap
 from haptonic.bloch.layers import OUTGOING, Scattering
@@ -30,6 +29,7 @@ from haptonic.bloch.mirrors import (
 )
 from haptonic.bloch.model import bloch_model
 from haptonic.bloch.plate_waves import FAMILIES
+from haptonic.bloch.settings import BandSettings, LayersSettings
 from haptonic.cell import UnitCell
 from haptonic.errors import StudyError
 from haptonic.gate import WORD
@@ -187,9 +187,8 @@ def _decibels(share: xr.DataArray) -> xr.DataArray:
 @threadpool_limits.wrap(limits=1)  # these matrices are too small for threads inside the linear algebra
 def compute_layers(
     cell: UnitCell,
-    asked: Asked,
-    frequencies: Array,
-    incidence: Incidence,
+    settings: BandSettings,
+    layers: LayersSettings,
     *,
     carrier: float,
     inputs: Mapping[str, Any],
@@ -199,12 +198,13 @@ def compute_layers(
 
     Parameters
     ----------
-    frequencies : of the spectra, Hz; carrier : Hz
+    layers : the rows and the spectra; carrier : Hz
     inputs : plain values of what was asked, for the result's attributes
 
     Raises
     ------
-    StudyError : a cell without a pillar, or no wave propagates towards the rows at the carrier
+    StudyError : ends of the spectrum in the wrong order, a cell without a pillar, or no
+        wave propagates towards the rows at the carrier
     """
     if cell.pillar is None:
         raise StudyError(
@@ -214,9 +214,11 @@ def compute_layers(
             cause="rows of plain plate between two plain plates reflect nothing",
             next_step="add a [cell.pillar] table",
         )
-    gaps = runner.gaps(cell, asked)
+    frequencies = layers.frequencies(carrier)
+    incidence = Incidence(layers.angle, layers.count, cell.material.loss_factor)
+    gaps = runner.gaps(cell, settings)
     gap = gap_at(gaps, carrier) or widest_gap(gaps)
-    resolution = bloch_model(cell, asked.count, asked.accuracy, asked.resolution).resolution
+    resolution = bloch_model(cell, settings.count, settings.accuracy, settings.resolution).resolution
     chunks = np.array_split(frequencies, -(-len(frequencies) // CHUNK))
     fixed = {"incidence": incidence, "cell": cell, "resolution": resolution}
     tasks = [

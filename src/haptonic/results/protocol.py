@@ -27,7 +27,7 @@ if TYPE_CHECKING:
 
 
 @dataclass(frozen=True)
-class Task:
+class StrokeTask:
     """What people are asked to do: speed (m/s), normal force (N), length of a stroke (m), pause (s)."""
 
     speed: Annotated[float, In("m/s")]
@@ -61,7 +61,7 @@ class Plan(Result):
     protocol: Protocol
     participants: int
     order: str
-    task: Task
+    task: StrokeTask
     dataset: xr.Dataset
 
     @cached_property

@@ -32,13 +32,13 @@ FOLDER = "references"
 Text = Annotated[str, Field(min_length=1, max_length=2000, strict=True)]
 
 
-class Part(BaseModel):
+class _FileTable(BaseModel):
     """A table of such a file: immutable, without unknown keys."""
 
     model_config = ConfigDict(frozen=True, extra="forbid")
 
 
-class Value(Part):
+class Value(_FileTable):
     """A value that an analysis is compared with; without a unit it is a text."""
 
     quantity: Text = Field(title="Quantity", description="What it is of.")
@@ -57,14 +57,14 @@ class Value(Part):
         return to_si(self.value, "" if self.unit == "1" else self.unit, self.quantity)
 
 
-class Remark(Part):
+class Remark(_FileTable):
     """A sentence for a chapter of the report."""
 
     chapter: Text = Field(title="Chapter", description="By its anchor in the page.")
     text: Text = Field(title="Text", description="The sentence.")
 
 
-class Variant(Part):
+class Variant(_FileTable):
     """The study with one thing changed, to see what that moves."""
 
     table: Text = Field(title="Table", description="Variants of one table are compared with its first.")
@@ -74,7 +74,7 @@ class Variant(Part):
     change: dict[str, Any] = Field({}, title="Change", description="New values by key of the study file.")
 
 
-class References(Part):
+class References(_FileTable):
     """All that an example brings."""
 
     title: Text = Field("the reference", title="Title", description="How the report calls it.")

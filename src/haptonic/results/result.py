@@ -33,7 +33,7 @@ KINDS = ("svg", "png")  # of files of a picture
 
 
 @dataclass(frozen=True)
-class Part:
+class Product:
     """A picture or a file of a result: its name, what makes it, and whether this result has it.
 
     name : with a "*" in it for several, which ``make`` gives by name
@@ -60,23 +60,23 @@ def figure(
     name: str, caption: str = "", *, when: Callable[[Any], object] = _always
 ) -> Callable[[Callable[..., Any]], Any]:
     """Mark a method that draws the picture of this name; of ``name-*`` one that gives drawers by name."""
-    return lambda make: _Marked((Part(name, make, when, caption),), "_pictures")
+    return lambda make: _Marked((Product(name, make, when, caption),), "_pictures")
 
 
 def file(*names: str, when: Callable[[Any], object] = _always) -> Callable[[Callable[..., Any]], Any]:
     """Mark a method that writes the file of this name to a path, or several, each in the form that its ending
     says; of ``name-*`` one that gives writers by name."""
-    return lambda make: _Marked(tuple(Part(name, make, when) for name in names), "_writers")
+    return lambda make: _Marked(tuple(Product(name, make, when) for name in names), "_writers")
 
 
 @dataclass(frozen=True)
 class _Marked:
-    parts: tuple[Part, ...]
+    parts: tuple[Product, ...]
     kind: str
 
     def __set_name__(self, owner: type[Result], name: str) -> None:
         # a class has the parts of those above it, and its own
-        known: tuple[Part, ...] = getattr(owner, self.kind)
+        known: tuple[Product, ...] = getattr(owner, self.kind)
         setattr(owner, self.kind, (*known, *self.parts))
         setattr(owner, name, self.parts[0].make)
 
@@ -108,8 +108,8 @@ class Result:
 
     title: ClassVar[str] = ""
     data_file: ClassVar[str | None] = None  # name of the NetCDF file of the dataset, without its suffix
-    _pictures: ClassVar[tuple[Part, ...]] = ()
-    _writers: ClassVar[tuple[Part, ...]] = ()
+    _pictures: ClassVar[tuple[Product, ...]] = ()
+    _writers: ClassVar[tuple[Product, ...]] = ()
 
     if TYPE_CHECKING:  # at run time a property here would be taken for the default of a dataclass's field
 

@@ -10,7 +10,7 @@ from typing import Any
 import xarray as xr
 
 from haptonic.bloch import Gap, gaps_dataset, gaps_of
-from haptonic.bloch.asked import Asked
+from haptonic.bloch.settings import BandSettings
 from haptonic.cell import UnitCell
 from haptonic.jobs import Outcome, Task, run_all
 from haptonic.progress import Progress, silent
@@ -49,9 +49,9 @@ class Runner:
             scheduler=self.scheduler, progress=counted,
         )  # fmt: skip
 
-    def gaps(self, cell: UnitCell, asked: Asked, done: int = 0) -> tuple[Gap, ...]:
+    def gaps(self, cell: UnitCell, settings: BandSettings, done: int = 0) -> tuple[Gap, ...]:
         """Complete gaps of a cell, the task of one design of a sweep."""
-        task = Task({"kind": "gaps", "cell": cell, "asked": asked}, (cell, asked))
+        task = Task({"kind": "gaps", "cell": cell, "settings": settings}, (cell, settings))
         (dataset,) = self.run(design_gaps, [task], done)
         return gaps_of(dataset)
 
@@ -63,10 +63,10 @@ def _dataset(outcome: Outcome) -> xr.Dataset:
     return outcome.dataset
 
 
-def design_gaps(design: tuple[UnitCell, Asked]) -> xr.Dataset:
+def design_gaps(design: tuple[UnitCell, BandSettings]) -> xr.Dataset:
     """Complete gaps of one design; what a worker is given to do."""
-    cell, asked = design
+    cell, settings = design
     found: xr.Dataset = gaps_dataset(
-        cell, count=asked.count, accuracy=asked.accuracy, resolution=asked.resolution
+        cell, count=settings.count, accuracy=settings.accuracy, resolution=settings.resolution
     )
     return found

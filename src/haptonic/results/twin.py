@@ -15,11 +15,11 @@ import xarray as xr
 from numpy.typing import NDArray
 
 from haptonic.friction.protocol import Protocol
+from haptonic.friction.simulation import Person, Stroke, Truth, people, recorded
+from haptonic.friction.simulation.files import SIMULATED, WRITERS
+from haptonic.friction.simulation.gauges import GAUGES, calibration, voltages
+from haptonic.friction.simulation.strokes import AXES, RATE, samples_of
 from haptonic.friction.trial_list import NAME, Per, file_of, write_list
-from haptonic.friction.twin import Person, Stroke, Truth, people, recorded
-from haptonic.friction.twin.files import SIMULATED, WRITERS
-from haptonic.friction.twin.gauges import GAUGES, calibration, voltages
-from haptonic.friction.twin.strokes import AXES, RATE, samples_of
 from haptonic.paths import inside
 from haptonic.progress import Progress, silent
 from haptonic.results.result import Result
@@ -85,7 +85,7 @@ class FrictionTwin(Result):
 
     def facts(self) -> dict[str, Any]:
         """The truth."""
-        truth, film = self.truth, self.truth.film
+        truth, people, film = self.truth, self.truth.people, self.truth.film
         guides = self.protocol.waveguides
         driven, idle = (1 - truth.remaining[guide] for guide in guides)
         return {
@@ -96,11 +96,11 @@ class FrictionTwin(Result):
             "population": {
                 "reduction": {guide: 1 - truth.remaining[guide] for guide in guides},
                 "stopped": 1 - idle / driven if driven > NOTHING else None,
-                "friction": truth.friction,
-                "between": truth.between,
-                "effect_between": truth.effect_between,
-                "within": truth.within,
-                "drift": truth.drift,
+                "friction": people.friction,
+                "between": people.between,
+                "effect_between": people.effect_between,
+                "within": people.within,
+                "drift": people.drift,
             },
             "participants": {
                 f"P{number}": {
@@ -109,7 +109,12 @@ class FrictionTwin(Result):
                 }
                 for number, person in enumerate(self.group, start=1)
             },
-            "sensor": {"noise_n": truth.noise, "bias_n": truth.bias, "rate_hz": RATE, "raw": self.raw},
+            "sensor": {
+                "noise_n": people.noise,
+                "bias_n": people.bias,
+                "rate_hz": RATE,
+                "raw": self.raw,
+            },
             "force_n": list(truth.force),
             "speed_m_per_s": list(truth.speed),
         }

@@ -152,9 +152,10 @@ class Verdict(Result):
             for name, one in self.agreements.items()
         ]
         if (fit := self.fit) is not None:
-            kind = "look independent" if fit.told.independent else "are alike at neighbouring points or lines"
+            known = fit.uncertainty
+            kind = "look independent" if known.independent else "are alike at neighbouring points or lines"
             said.append(
-                f"Residuals {kind}: {fit.told.data} numbers count as {fit.told.effective:.0f}. The response "
+                f"Residuals {kind}: {known.data} numbers count as {known.effective:.0f}. The response "
                 f"of the fit is {self.recomputed:.1e} off the plate computed anew. {len(fit.left_out)} "
                 "points of strange residuals were left out."
             )
@@ -219,10 +220,10 @@ class Verdict(Result):
             "unexplained_before": fit.unexplained_before,
             "unexplained": fit.unexplained,
             "points_left_out": len(fit.left_out),
-            "residuals_independent": fit.told.independent,
-            "data": fit.told.data,
-            "effective_data": fit.told.effective,
-            "correlation": fit.told.correlation,
+            "residuals_independent": fit.uncertainty.independent,
+            "data": fit.uncertainty.data,
+            "effective_data": fit.uncertainty.effective,
+            "correlation": fit.uncertainty.correlation,
             "small_model_error": fit.error,
             "recomputed_error": self.recomputed,
             "answers_in_small_model": fit.anchors,
@@ -232,7 +233,12 @@ class Verdict(Result):
 def fit_table(fit: Fit) -> Table:
     """Each number before and after."""
     rows = [
-        (one.name, format_quantity(one.start, one.unit), format_quantity(one.value, one.unit), one.told)
+        (
+            one.name,
+            format_quantity(one.start, one.unit),
+            format_quantity(one.value, one.unit),
+            one.range_text,
+        )
         for one in fit.numbers
     ]
     return Table("numbers fitted to the response", ("parameter", "start", "fitted", "95 % interval"), rows)

@@ -9,17 +9,12 @@ from pydantic import Field, ValidationInfo, field_validator
 
 from haptonic.design.parameters import UNITS
 from haptonic.errors import nearest
-from haptonic.fields import Entries, Name, Quantity, described, number_of, problem, size
+from haptonic.fields import Entries, Name, described, number_of, problem, size
+from haptonic.materials import Material
+from haptonic.plate.holding import Clamp, Edges, Loss
+from haptonic.plate.parts import Actuator, Finger, Force
+from haptonic.plate.settings import ResponseSettings
 from haptonic.response.checks import REST, THE_REST
-from haptonic.study.asking import ascending
-from haptonic.study.mounting import (
-    ActuatorSection,
-    ClampSection,
-    EdgesSection,
-    FingerSection,
-    ForceSection,
-    Loss,
-)
 from haptonic.study.plate_map import check_map, drawn
 from haptonic.units import shown
 
@@ -27,7 +22,6 @@ CHANGEABLE = [path for path in UNITS if path.startswith("cell.") and path != "ce
 LATTICE = "lattice"  # the name of the study's own cell in [plate.tiles]
 
 TileSize = Annotated[float, size(100e-6, 100e-3)]
-Frequency = Annotated[float, Quantity("Hz", at_least=1.0, at_most=1e9, typical=(1.0, 1e6))]
 
 
 @described("plate.cell", kw_only=True)
@@ -80,26 +74,6 @@ def _changeable(path: str) -> None:
     )
 
 
-@described("plate.response", kw_only=True)
-class ResponseSection:
-    """What is asked of the plate's vibration."""
-
-    lowest: Frequency = Field(default=100.0, title="Lowest frequency", description="Of the response.")
-    highest: Frequency = Field(default=100e3, title="Highest frequency", description="Of the response.")
-    points: Annotated[int, Field(ge=2, le=100_001, strict=True)] = Field(
-        default=1001, title="Frequencies", description="Of the response, both ends included."
-    )
-    tolerance: Annotated[float, Quantity("", at_least=1e-10, at_most=0.1, typical=(1e-8, 1e-2))] = Field(
-        default=1e-3, title="Field error", description="Largest allowed at every frequency, relative."
-    )
-    grid: Annotated[float, size(50e-6, 20e-3)] = Field(
-        default=2e-3, title="Grid", description="Distance of neighbouring points on the flat face."
-    )
-
-    def __post_init__(self) -> None:
-        ascending(self.lowest, self.highest, "response")
-
-
 @described("plate", kw_only=True)
 class PlateSection:
     """A finite plate: a map of tiles, what holds it and what drives it."""
@@ -131,23 +105,23 @@ class PlateSection:
     cell: tuple[LatticeSection, ...] = Field(
         default=(), title="Further lattices", description="For tiles of other names.", max_length=20
     )
-    edges: EdgesSection = Field(default=EdgesSection(), title="Edges", description="What holds them.")
-    clamp: ClampSection | None = Field(
+    edges: Edges = Field(default=Edges(), title="Edges", description="What holds them.")
+    clamp: Clamp | None = Field(
         default=None,
         title="Corners",
         description="Held, if this table is there.",
     )
-    actuator: tuple[ActuatorSection, ...] = Field(
+    actuator: tuple[Actuator, ...] = Field(
         default=(), title="Actuators", description="Piezoelectric patches.", max_length=100
     )
-    force: tuple[ForceSection, ...] = Field(
+    force: tuple[Force, ...] = Field(
         default=(), title="Forces", description="On the flat face.", max_length=100
     )
-    finger: FingerSection | None = Field(
+    finger: Finger | None = Field(
         default=None, title="Finger", description="On the flat face, if it is there."
     )
-    response: ResponseSection = Field(
-        default=ResponseSection(), title="Response", description="What is asked of the vibration."
+    response: ResponseSettings = Field(
+        default=ResponseSettings(), title="Response", description="What is asked of the vibration."
     )
 
     @field_validator("map")
@@ -194,14 +168,15 @@ class PlateSection:
                 self._unknown(f"cell[{i}].name", one.name, self.regions, "no tile is of this lattice",
                               f'add a letter = "{one.name}" to [plate.tiles], or remove it')  # fmt: skip
         named = {f"{table}.{name}": name for table in ("widths", "heights") for name in getattr(self, table)}
-        named |= {f"actuator[{i}].region": one.region for i, one in enumerate(self.actuator, start=1)}
+        patches, forces = enumerate(self.actuator, start=1), enumerate(self.force, start=1)
+        named |= {f"actuator[{i}].region": one.region for i, one in patches if one.region}
         for at, name in named.items():
             if name not in self.regions and name in there:
                 self._unknown(at, name, self.regions, "it is a lattice", "name a region of plain plate")
             elif name not in self.regions:
                 self._unknown(at, name, self.regions, "no tile is of this region")
-        named = {f"force[{i}].region": one.region for i, one in enumerate(self.force, start=1)}
-        named |= {"finger.region": self.finger.region} if self.finger else {}
+        named = {f"force[{i}].region": one.region for i, one in forces if one.region}
+        named |= {"finger.region": self.finger.region} if self.finger and self.finger.region else {}
         for at, name in named.items():
             if name not in there:
                 self._unknown(at, name, there, "no tile has this name")
@@ -214,10 +189,10 @@ class PlateSection:
         raise problem(shown(name), allowed, cause, next_step or hint, at=at)
 
     @property
-    def materials(self) -> list[str]:
-        """Names of the built-in materials of patches and bonds, as given."""
+    def materials(self) -> dict[str, Material]:
+        """Of patches and bonds, by name."""
         bonds = [one.bond.material for one in self.actuator if one.bond]
-        return sorted({*(one.material for one in self.actuator), *bonds})
+        return {solid.name: solid for solid in (*(one.material for one in self.actuator), *bonds)}
 
     def doubtful(self) -> dict[str, str]:
         """Sentences, by path, on regions whose name is nearly that of a lattice."""

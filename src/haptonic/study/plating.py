@@ -2,22 +2,22 @@
 
 from __future__ import annotations
 
-import cmath
 import math
-import re
 from collections.abc import Iterable, Iterator, Mapping
 from fractions import Fraction
 from itertools import accumulate, combinations
-from typing import Literal
+from typing import TypeVar
 
 from haptonic.cell import UnitCell
-from haptonic.errors import HaptonicError, StudyError, nearest
-from haptonic.materials import Material, PiezoelectricMaterial, library
+from haptonic.errors import HaptonicError, StudyError
+from haptonic.fields import unchecked
+from haptonic.plate.holding import Clamp
 from haptonic.plate.layout import CLOSE, Layout, Rectangle
-from haptonic.plate.parts import Actuator, Bond, Finger, Force, Plate, Support
-from haptonic.study.mounting import SIDES, ActuatorSection, ClampSection, FingerSection, ForceSection
+from haptonic.plate.parts import Actuator, Finger, Force, Plate
 from haptonic.study.plate_tables import CHANGEABLE, LATTICE, PlateSection
 from haptonic.units import format_quantity, shown
+
+Attached = TypeVar("Attached", Actuator, Force, Finger)
 
 
 def plate_of(section: PlateSection | None, own: UnitCell) -> Plate:
@@ -39,45 +39,28 @@ def plate_of(section: PlateSection | None, own: UnitCell) -> Plate:
         )  # fmt: skip
     layout = _layout(section, own)
     _check_grid(layout, section.response.grid)
-    actuators = [(_called("actuator", i, one), one) for i, one in enumerate(section.actuator, start=1)]
-    forces = [(_called("force", i, one), one) for i, one in enumerate(section.force, start=1)]
-    patches = [_actuator(at, one, layout) for at, one in actuators]
-    for (place, first), (_, second) in combinations(
-        zip([at for at, _ in actuators], patches, strict=True), 2
-    ):
-        _check_apart(place, first, second, layout)
-    loss = own.material.loss_factor if section.loss_factor is None else section.loss_factor
+    called = [_called("actuator", i, one) for i, one in enumerate(section.actuator, start=1)]
+    for at, patch in zip(called, section.actuator, strict=True):
+        _check_placed(at, patch, layout)
+    patches = tuple(_placed(one, layout) for one in section.actuator)
+    for (at, first), (_, second) in combinations(zip(called, patches, strict=True), 2):
+        _check_apart(at, first, second, layout)
+    supports = section.edges.supports
+    if section.clamp:
+        _check_corners(section.clamp, layout)
+        supports += (section.clamp.support,)
+    for i, force in enumerate(section.force, start=1):
+        _check_placed(_called("force", i, force), force, layout)
+    if section.finger:
+        _check_finger(section.finger, layout)
     return Plate(
         layout,
-        tuple(_supports(section, layout)),
-        tuple(patches),
-        tuple(_force(at, one, layout) for at, one in forces),
-        _finger(section.finger, layout) if section.finger else None,
-        loss,
+        supports,
+        patches,
+        tuple(_placed(force, layout) for force in section.force),
+        section.finger and _placed(section.finger, layout),
+        own.material.loss_factor if section.loss_factor is None else section.loss_factor,
     )
-
-
-def built_in(name: str, at: str, *, piezoelectric: bool = False) -> Material:
-    """A material of the library, whatever the case of its name and the blanks in it.
-
-    Raises
-    ------
-    StudyError : no such material, or one that is not piezoelectric where it has to be
-    """
-    known = {
-        key: solid
-        for key, solid in library().items()
-        if not piezoelectric or isinstance(solid, PiezoelectricMaterial)
-    }
-    key = re.sub(r"[\s_-]+", "-", name.strip().lower())
-    if key in known:
-        return known[key]
-    guess = nearest(key, known)
-    raise _refused(
-        f"{at}.material", shown(name), f"one of {', '.join(known)}",
-        "it is not piezoelectric" if key in library() else "the library does not hold this material",
-        f'write "{guess}"' if guess else "choose one of them",
-    )  # fmt: skip
 
 
 def _layout(section: PlateSection, own: UnitCell) -> Layout:
@@ -171,19 +154,7 @@ def _check_grid(layout: Layout, grid: float) -> None:
         )  # fmt: skip
 
 
-def _supports(section: PlateSection, layout: Layout) -> Iterator[Support]:
-    edges = section.edges
-    for side in SIDES:
-        hold: Literal["free", "clamped", "simple", "spring"] = getattr(edges, side)
-        if hold == "spring":
-            yield Support(side, hold, stiffness=edges.spring, loss_factor=edges.loss_factor)
-        elif hold != "free":
-            yield Support(side, hold)
-    if section.clamp:
-        yield _corners(section.clamp, layout)
-
-
-def _corners(clamp: ClampSection, layout: Layout) -> Support:
+def _check_corners(clamp: Clamp, layout: Layout) -> None:
     ends = ((i, j) for i in (0, layout.rows - 1) for j in (0, layout.columns - 1))
     boxes = [layout.bounds(tile) for tile in ends if layout.at(tile)]
     room = min((min(right - left, top - bottom) for left, bottom, right, top in boxes), default=0.0)
@@ -195,36 +166,47 @@ def _corners(clamp: ClampSection, layout: Layout) -> Support:
             "the held part would reach beyond the outermost tile" if boxes else "the corners are cut out",
             "choose a shorter one" if boxes else "remove [plate.clamp], and hold the plate at [plate.edges]",
         )  # fmt: skip
-    if clamp.spring is None:
-        return Support("corners", "clamped", length=clamp.corners)
-    return Support("corners", "spring", clamp.corners, clamp.spring, clamp.loss_factor)
 
 
-def _actuator(at: str, one: ActuatorSection, layout: Layout) -> Actuator:
-    centre = _centre(one, layout)
-    _check_lies_on(at, one.region, layout, _box(centre, (one.size[0], one.size[1])))
-    solid = built_in(one.material, at, piezoelectric=True)
-    assert isinstance(solid, PiezoelectricMaterial)
-    glue = one.bond
-    bond = Bond(glue.thickness, built_in(glue.material, f"{at}.bond")) if glue else None
-    return Actuator(one.name, centre, one.size, solid, bond, _phasor(one.voltage, one.phase))
+def _placed(part: Attached, layout: Layout) -> Attached:
+    """The same with its position on the plate, counted from the plate's corner."""
+    return unchecked(part, centre=_centre(part, layout), region=None)
 
 
-def _force(at: str, one: ForceSection, layout: Layout) -> Force:
-    centre = _centre(one, layout)
-    _check_lies_on(at, one.region, layout, _box(centre, one.size or (0.0, 0.0)))
-    return Force(one.name, centre, one.size, _phasor(one.force, one.phase))
+def _centre(part: Actuator | Force | Finger, layout: Layout) -> tuple[float, float]:
+    (left, bottom), (x, y) = layout.corner(part.region) if part.region else (0.0, 0.0), part.centre
+    return left + x, bottom + y
 
 
-def _phasor(amplitude: float, phase: float) -> complex:
-    """Amplitude times exp(i phase); quarter turns, such as antiphase, are exact."""
-    quarters = round(phase / (0.5 * math.pi))
-    if abs(phase - quarters * 0.5 * math.pi) < 1e-12:
-        return amplitude * (1, 1j, -1, -1j)[quarters % 4]
-    return cmath.rect(amplitude, phase)
+def _check_placed(at: str, part: Actuator | Force, layout: Layout) -> None:
+    """Refuse a patch or a force that leaves its region."""
+    size = (part.size[0], part.size[1]) if part.size else (0.0, 0.0)
+    box = _box(_centre(part, layout), size)
+    others = layout.cells if isinstance(part, Force) else ()
+    on = {part.region} if part.region else {*layout.regions, *others}
+    names = [layout.at(tile) for tile in layout.under(box)]
+    is_point = box[0] == box[2]  # which may lie on its region's border
+    if (any if is_point else all)(name in on for name in names):
+        return
+    strange = next((name for name in names if name is not None and name not in on), None)
+    if strange is None:
+        cause = "it reaches beyond the plate"
+    else:
+        kind = "across cells of the lattice" if strange in layout.cells else "onto the region"
+        cause = f'it reaches {kind} "{strange}"'
+    where = f'"{part.region}"' if part.region else "the plate" if others else "one region of plain plate"
+    around = f'the rectangle around "{part.region}"' if part.region else "the plate"
+    raise _refused(
+        f"{at}.centre",
+        _written(part.centre),
+        f"a place at which all of it lies on {where}",
+        cause,
+        f"move it, or make it smaller; the centre counts from the lower left corner of {around}",
+    )
 
 
-def _finger(one: FingerSection, layout: Layout) -> Finger:
+def _check_finger(one: Finger, layout: Layout) -> None:
+    """Refuse a disc that reaches beyond the plate."""
     (x, y), radius = _centre(one, layout), 0.5 * one.diameter
     for tile in layout.under(_box((x, y), (one.diameter, one.diameter))):
         i, j = tile
@@ -235,8 +217,6 @@ def _finger(one: FingerSection, layout: Layout) -> Finger:
                 f"the disc of {format_quantity(one.diameter, 'm')} reaches beyond the plate",
                 "move it inwards, or choose a smaller diameter",
             )  # fmt: skip
-    mass = math.inf if one.mass is None else one.mass
-    return Finger((x, y), one.diameter, mass, one.stiffness, one.damping)
 
 
 def _bounds(layout: Layout, i: int, j: int) -> Rectangle:
@@ -250,35 +230,9 @@ def _distance(x: float, y: float, box: Rectangle) -> float:
     return math.hypot(max(left - x, 0.0, x - right), max(bottom - y, 0.0, y - top))
 
 
-def _centre(one: ActuatorSection | ForceSection | FingerSection, layout: Layout) -> tuple[float, float]:
-    (left, bottom), (x, y) = layout.corner(one.region), one.centre
-    return left + x, bottom + y
-
-
 def _box(centre: tuple[float, float], size: tuple[float, float]) -> Rectangle:
     (x, y), (width, height) = centre, size
     return x - 0.5 * width, y - 0.5 * height, x + 0.5 * width, y + 0.5 * height
-
-
-def _check_lies_on(at: str, region: str, layout: Layout, box: Rectangle) -> None:
-    """Refuse a rectangle that leaves its region; a point may lie on the region's border."""
-    names = [layout.at(tile) for tile in layout.under(box)]
-    is_point = box[0] == box[2]
-    if (any if is_point else all)(name == region for name in names):
-        return
-    strange = next((name for name in names if name not in (region, None)), None)
-    left, bottom = layout.corner(region)
-    centre = (0.5 * (box[0] + box[2]) - left, 0.5 * (box[1] + box[3]) - bottom)
-    if strange is None:
-        cause = "it reaches beyond the plate"
-    else:
-        kind = "across cells of the lattice" if strange in layout.cells else "onto the region"
-        cause = f'it reaches {kind} "{strange}"'
-    raise _refused(
-        f"{at}.centre", _written(centre), f'a place at which all of it lies on "{region}"', cause,
-        "move it, or make it smaller; the centre counts from the lower left corner of the rectangle around "
-        f'"{region}"',
-    )  # fmt: skip
 
 
 def _check_apart(at: str, first: Actuator, second: Actuator, layout: Layout) -> None:
@@ -295,7 +249,7 @@ def _check_apart(at: str, first: Actuator, second: Actuator, layout: Layout) -> 
         )  # fmt: skip
 
 
-def _called(table: str, number: int, one: ActuatorSection | ForceSection) -> str:
+def _called(table: str, number: int, one: Actuator | Force) -> str:
     return f'plate.{table}[{number}] "{one.name}"'
 
 

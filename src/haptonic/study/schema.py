@@ -1,7 +1,7 @@
 """The study: everything that one run computes with, as it stands in the study file.
 
-Together with `haptonic.study.sections` this is the single declaration of its keys. Checks, help, report
-labels and the written file follow from it.
+It is composed of values that declare their own fields, each in the package that computes with it. The keys of
+the file, checks, help, labels and the written file follow from these declarations.
 """
 
 from __future__ import annotations
@@ -9,14 +9,13 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from typing import Annotated, Any, Self
 
-from pydantic import (
-    Field,
-)
+from pydantic import Field
 
-from haptonic.bloch.asked import Asked
-from haptonic.bloch.resolution import LADDER, Resolution, starting_rung
+from haptonic.bloch.settings import CARRIER, BandSettings, LayersSettings, WaveguideSettings
 from haptonic.cell import UnitCell
 from haptonic.design.parameters import FILLET, values_of
+from haptonic.design.settings import DesignSettings
+from haptonic.design.tolerance import ToleranceSettings
 from haptonic.errors import HaptonicError, StudyError
 from haptonic.fields import (
     described,
@@ -29,20 +28,19 @@ from haptonic.fields import (
     with_numbers,
 )
 from haptonic.fields.writing import document, toml_of
+from haptonic.friction.lubrication.settings import TouchSettings
+from haptonic.friction.participants import Participants
 from haptonic.materials import IsotropicMaterial, built_in_name
 from haptonic.plate.parts import Plate
-from haptonic.study.asking import DesignSection, LayersSection, ToleranceSection, WaveguideSection
-from haptonic.study.experiment_tables import ParticipantsSection, ProtocolSection
-from haptonic.study.fitting import FitSection
+from haptonic.study.experiment_tables import ProtocolSection
 from haptonic.study.plate_tables import PlateSection
-from haptonic.study.plating import built_in, plate_of
-from haptonic.study.scan_tables import ScanSection
-from haptonic.study.sections import CARRIER, BandsSection, MeshSection
+from haptonic.study.plating import plate_of
 from haptonic.study.sweeps import SweepSection, numeric_parameters
-from haptonic.study.touch_tables import TouchSection
 from haptonic.study.trial_tables import Trials
 from haptonic.study.vary import Expression, check_names, solve
 from haptonic.units import format_quantity, shown
+from haptonic.updating.settings import FitSettings
+from haptonic.vibrometry.settings import ScanSettings
 
 MOST_SWEEPS = 50
 # tables that decide no bands and no plate
@@ -68,32 +66,29 @@ class Description:
         default=None, title="Carrier", description="Frequency of the drive; marked in the diagrams."
     )
     cell: UnitCell = Field(title="Unit cell", description="One period of the plate.")
-    bands_settings: BandsSection = Field(
-        default=BandsSection(), alias="bands", title="Bands", description="What the band diagram shows."
+    bands_settings: BandSettings = Field(
+        default=BandSettings(), alias="bands", title="Bands", description="What the band diagram shows."
     )
-    mesh: MeshSection = Field(
-        default=MeshSection(), title="Mesh", description="For experts; else the accuracy decides."
-    )
-    layers_settings: LayersSection = Field(
-        default=LayersSection(),
+    layers_settings: LayersSettings = Field(
+        default=LayersSettings(),
         alias="layers",
         title="Layers",
         description="Rows of cells as a mirror between two plates.",
     )
-    waveguide_settings: WaveguideSection = Field(
-        default=WaveguideSection(),
+    waveguide_settings: WaveguideSettings = Field(
+        default=WaveguideSettings(),
         alias="waveguide",
         title="Waveguide",
         description="A strip of plate between two mirrors.",
     )
-    design_settings: DesignSection = Field(
-        default=DesignSection(),
+    design_settings: DesignSettings = Field(
+        default=DesignSettings(),
         alias="design",
         title="Design",
         description="What may change so that the gap holds the carrier.",
     )
-    tolerance_settings: ToleranceSection = Field(
-        default=ToleranceSection(),
+    tolerance_settings: ToleranceSettings = Field(
+        default=ToleranceSettings(),
         alias="tolerance",
         title="Tolerance",
         description="How much the parts differ.",
@@ -104,8 +99,8 @@ class Description:
         title="Plate",
         description="A finite one, made of cells and of plain plate.",
     )
-    touch: TouchSection = Field(
-        default=TouchSection(), title="Touch", description="The finger that feels the plate."
+    touch: TouchSettings = Field(
+        default=TouchSettings(), title="Touch", description="The finger that feels the plate."
     )
     trials: Trials = Field(
         default=Trials(), title="Trials", description="How force records are processed, and which count."
@@ -116,17 +111,17 @@ class Description:
         title="Protocol",
         description="Trials with people: how many, in which order.",
     )
-    participants: ParticipantsSection = Field(
-        default=ParticipantsSection(), title="Participants", description="What is assumed of people."
+    participants: Participants = Field(
+        default=Participants(), title="Participants", description="What is assumed of people."
     )
-    scan_settings: ScanSection = Field(
-        default=ScanSection(),
+    scan_settings: ScanSettings = Field(
+        default=ScanSettings(),
         alias="scan",
         title="Scan",
         description="How a laser vibrometer scans the plate.",
     )
-    fit_settings: FitSection = Field(
-        default=FitSection(), alias="fit", title="Fit", description="What a measurement of the plate tells."
+    fit_settings: FitSettings = Field(
+        default=FitSettings(), alias="fit", title="Fit", description="What a measurement of the plate tells."
     )
     sweep_settings: tuple[SweepSection, ...] = Field(
         default=(),
@@ -197,13 +192,13 @@ class Description:
                 )  # fmt: skip
             quantity = keys[path].quantity
             assert quantity is not None, path
-            for name, value in (("from", one.start), ("to", one.stop)):
+            for name, value in (("from", one.low), ("to", one.high)):
                 if not quantity.holds(value):
                     raise problem(
                         format_quantity(value, one.unit), f"{path} has to be {quantity.limits}",
                         "designs there would not be possible", "choose a narrower range", at=f"{at}.{name}",
                     )  # fmt: skip
-            if path == FILLET and one.start == 0:
+            if path == FILLET and one.low == 0:
                 raise problem(
                     "0 m", "more than zero", "a sharp edge needs another mesh than any fillet",
                     'choose a small radius, such as "50 um", or look for a sharp one without this table',
@@ -222,17 +217,6 @@ class Description:
     def without_plate(self) -> Self:
         """The same study of the lattice alone."""
         return unchecked(self, finite_plate=None)
-
-    def asked(self) -> Asked:
-        """What is asked of the bands."""
-        bands, mesh = self.bands_settings, self.mesh
-        resolution = None
-        if mesh.order is not None or mesh.foot_rings is not None:
-            rung = LADDER[starting_rung(bands.accuracy)]
-            order = rung.order if mesh.order is None else mesh.order
-            rings = rung.foot_rings if mesh.foot_rings is None else mesh.foot_rings
-            resolution = Resolution(order, rings, rung.steps, rung.block)
-        return Asked(bands.count, bands.points, bands.accuracy, resolution)
 
     def parameters(self) -> dict[str, float]:
         """Value of every numeric parameter that this study gives, by path and in SI units."""
@@ -262,7 +246,7 @@ class Description:
         for path in values:
             if path not in known:
                 raise unknown_number(path, known, self.absent_parameters())
-        alone = unchecked(self, sweep_settings=(), fit_settings=FitSection())
+        alone = unchecked(self, sweep_settings=(), fit_settings=FitSettings())
         return alone._with_numbers(values)
 
     def with_fitted(self, values: Mapping[str, float]) -> Self:
@@ -322,11 +306,15 @@ class Description:
         StudyError : a material, given in Python, that no file describes
         """
         solid = self.cell.material
+        others = self.finite_plate.materials.values() if self.finite_plate else ()
+        unwritten = [one for one in others if built_in_name(one) is None]
         if built_in_name(solid) is None and not isinstance(solid, IsotropicMaterial):
+            unwritten.insert(0, solid)
+        if unwritten:
             raise StudyError(
                 argument="material",
-                given=shown(solid.name),
-                allowed="a built-in material, or an isotropic one",
+                given=shown(unwritten[0].name),
+                allowed="built-in materials; that of the cell may be isotropic",
                 cause="a study file has no table for others",
                 next_step="keep the study in Python",
             )
@@ -342,6 +330,6 @@ class Description:
         left = {"title"} | AFTERWARDS | ({"plate"} if self.finite_plate is None else set())
         data = {key: value for key, value in data.items() if key not in left}
         if self.finite_plate is not None:
-            solids = {name: built_in(name, "").to_dict() for name in self.finite_plate.materials}
-            data["plate"]["materials"] = solids
+            solids = self.finite_plate.materials
+            data["plate"]["materials"] = {name: solid.to_dict() for name, solid in solids.items()}
         return data | {"material": self.cell.material.to_dict()}

@@ -9,10 +9,10 @@ from typing import Annotated
 
 from pydantic import Field, ValidationInfo, field_validator
 
+from haptonic.bloch.settings import CARRIER, BandSettings
 from haptonic.cell import UnitCell
 from haptonic.fields import described, number_of, problem, table
 from haptonic.fields.quantity import collected
-from haptonic.study.sections import CARRIER, BandsSection
 from haptonic.study.vary import Expression, check_names, parse
 from haptonic.units import format_quantity
 
@@ -20,7 +20,7 @@ from haptonic.units import format_quantity
 @cache
 def numeric_parameters() -> Mapping[str, str]:
     """SI unit of every parameter that an expression can name, by path: what decides the bands."""
-    keys = table(UnitCell, "cell.") | table(BandsSection, "bands.")
+    keys = table(UnitCell, "cell.") | table(BandSettings, "bands.")
     units = {path: key.quantity.unit for path, key in keys.items() if key.quantity}
     return MappingProxyType({"carrier": CARRIER.unit, **units})
 

@@ -26,7 +26,7 @@ from haptonic.lattice import Operation
 from haptonic.solvers import Solver, definite
 from haptonic.superelement.folded import FoldedMesh
 from haptonic.superelement.interior import CraigBampton, reduced
-from haptonic.superelement.lifting import DiagonalImage, Lifting, Part, lifted
+from haptonic.superelement.lifting import ClassLifting, DiagonalImage, Lifting, lifted
 from haptonic.superelement.measures import ENERGIES, ClassMeasures, Measures
 from haptonic.superelement.parallel import for_each_class
 from haptonic.superelement.sections import PillarSections, mirrored_momenta, section_sizes
@@ -43,7 +43,7 @@ class Superelement:
     cell, mesh : what it was made from
     levels : trace nodes through the thickness
     stiffness, mass : (t + m, t + m), N/m and kg
-    omission : (t + m, t + m) such that ``lambda**2 u* omission u`` is, to first order, what the interior
+    truncation : (t + m, t + m) such that ``lambda**2 u* truncation u`` is, to first order, what the interior
         fields that were left out would take off the eigenvalue lambda of a field u of unit mass
     parts : the symmetry classes, in the order of their modes
     measures : what characterises motion, if it was asked for
@@ -54,7 +54,7 @@ class Superelement:
     levels: int
     stiffness: Array
     mass: Array
-    omission: Array
+    truncation: Array
     parts: tuple[Lifting, ...]
     measures: Measures | None
 
@@ -138,7 +138,7 @@ def assembled(
         levels=levels,
         stiffness=whole(pieces, "stiffness"),
         mass=whole(pieces, "mass"),
-        omission=whole(pieces, "omission"),
+        truncation=whole(pieces, "truncation"),
         parts=tuple(piece.part for piece in pieces),
         measures=measures,
     )
@@ -197,7 +197,7 @@ class CondensedClass:
         forms = {
             "stiffness": ClassForm.unfolded(trace, own.stiffness, apart, np.diag(own.values)),
             "mass": ClassForm.unfolded(trace, own.mass, own.to_modes, np.eye(part.count)),
-            "omission": ClassForm.split(trace, own.omission),
+            "truncation": ClassForm.split(trace, own.truncation),
         }
         momenta = np.zeros((0, count + part.count))
         if measured is not None:
@@ -221,5 +221,5 @@ def _condense_class(
     folded = shared.symmetry_class(q)
     solver.factorise(folded.interior)
     own = reduced(solver, folded.body, steps, block)
-    part = Part(folded.trace, shared.through, own.static, own.modes)
+    part = ClassLifting(folded.trace, shared.through, own.static, own.modes)
     return CondensedClass.of(part, own, ClassMeasures.of(shared, q, folded, own) if measured else None)

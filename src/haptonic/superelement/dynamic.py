@@ -22,7 +22,7 @@ from numpy.typing import NDArray
 
 from haptonic.solvers import Solver
 from haptonic.superelement.folded import FoldedMesh
-from haptonic.superelement.lifting import DiagonalImage, Fields, Part, lifted
+from haptonic.superelement.lifting import ClassLifting, DiagonalImage, Fields, lifted
 from haptonic.superelement.parallel import for_each_class
 
 Array = NDArray[np.float64]
@@ -43,7 +43,7 @@ class DynamicStiffness:
     below: int
     matrix: Array
     mass: Array
-    parts: tuple[Part, ...]
+    parts: tuple[ClassLifting, ...]
     held: Fields
     force: Fields
 
@@ -59,7 +59,7 @@ class _DynamicClass:
     below: int
     matrix: Array
     mass: Array
-    part: Part
+    part: ClassLifting
     held: Fields
     force: Fields
     image_held: Fields
@@ -102,7 +102,7 @@ def dynamic_stiffness(shared: FoldedMesh, omega: float, loads: Fields | None = N
             share = _folded_load(shared, q, load)
             held = _unfolded(shared, q, _solved(solver, share))
             answers += [held, trace.unfold_rows(inside.T @ share)]
-        part = Part(trace, shared.through, inside, np.zeros((len(inside), 0)))
+        part = ClassLifting(trace, shared.through, inside, np.zeros((len(inside), 0)))
         return _DynamicClass(below, unfold(0.5 * (own + own.T)), unfold(inertia), part, *answers)
 
     def mirrored(original: _DynamicClass) -> _DynamicClass:

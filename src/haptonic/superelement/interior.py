@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 Array = NDArray[np.float64]
 
 # motions of the boundary whose inertia the interior's modes have to answer: these and as many as it gets
-# directions; with 24 whatever it gets, 25 bands lost up to ten times what the omission told
+# directions; with 24 whatever it gets, 25 bands lost up to ten times what the truncation told
 SOFT_TRACES = 4
 # Of a block's directions, as many of these motions the blocks start from, however many blocks there are: the
 # space of more steps holds that of fewer then. From as many as there are directions in all, one step more
@@ -52,7 +52,7 @@ class CraigBampton:
     static : (n, b), modes : (n, m) fields inside
     stiffness, mass : (b, b), the interior following statically
     values : (m,) eigenvalues, (rad/s)^2; to_modes : (b, m) mass between static answers and modes
-    omission : (b + m, b + m), what was left out, see `Superelement`
+    truncation : (b + m, b + m), what was left out, see `Superelement`
     """
 
     static: Array
@@ -61,7 +61,7 @@ class CraigBampton:
     mass: Array
     values: Array
     to_modes: Array
-    omission: Array
+    truncation: Array
 
 
 def reduced(solver: Factorised, body: Bounded, steps: int, block: int) -> CraigBampton:
@@ -92,9 +92,9 @@ def reduced(solver: Factorised, body: Bounded, steps: int, block: int) -> CraigB
     forces = np.hstack([force, body.mass[:, None] * modes])
     missing = forces.T @ np.hstack([dynamic, moved]) - (to_all / values) @ to_all.T
     spread = la.block_diag(dual, np.eye(len(values)))
-    omission = spread @ missing @ spread.T
-    omission = 0.5 * (omission + omission.T)
-    return CraigBampton(static, modes, stiffness, mass, values, to_modes, omission)
+    truncation = spread @ missing @ spread.T
+    truncation = 0.5 * (truncation + truncation.T)
+    return CraigBampton(static, modes, stiffness, mass, values, to_modes, truncation)
 
 
 def _softest(stiffness: Array, mass: Array, count: int) -> tuple[Array, Array]:

@@ -34,7 +34,7 @@ class DiagonalImage:
 
 
 @dataclass(frozen=True)
-class Part:
+class ClassLifting:
     """How one symmetry class is lifted back: static answers (3 interior, b) and modes (3 interior, m).
 
     ``image`` is for a class that is the diagonal's mirror image of the one that all this belongs to.
@@ -51,7 +51,7 @@ class Part:
         """Number of modes."""
         return int(self.modes.shape[1])
 
-    def mirrored(self, mirror: DiagonalImage) -> Part:
+    def mirrored(self, mirror: DiagonalImage) -> ClassLifting:
         """How the class of this one's mirror images is lifted back."""
         return replace(self, image=mirror)
 
@@ -64,7 +64,7 @@ class Part:
 
 
 class Lifting(Protocol):
-    """How a symmetry class is lifted back; see `Part`."""
+    """How a symmetry class is lifted back; see `ClassLifting`."""
 
     @property
     def trace(self) -> FoldedTrace: ...

@@ -219,8 +219,8 @@ def _joined(
     of_shaft = np.delete(inner, np.s_[section:below], axis=0)
     part = ShaftedPart(foot, shaft, mesh, through, static, dynamic)
     piece = CondensedClass.of(part, found, _measured(foot, shaft, stiff, of_foot, of_shaft))
-    omission = of_foot.T @ own.omission @ of_foot + found.omission
-    return replace(piece, forms=piece.forms | {"omission": ClassForm.split(foot.trace, omission)})
+    truncation = of_foot.T @ own.truncation @ of_foot + found.truncation
+    return replace(piece, forms=piece.forms | {"truncation": ClassForm.split(foot.trace, truncation)})
 
 
 def _measured(
@@ -254,7 +254,7 @@ class _Dense:
 
 @dataclass(frozen=True)
 class ShaftedPart:
-    """How one symmetry class is lifted back, see `haptonic.superelement.lifting.Part`.
+    """How one symmetry class is lifted back, see `haptonic.superelement.lifting.ClassLifting`.
 
     static : (u, b), modes : (u, m) of section, foot's modes and the rest of the shaft
     """

@@ -17,9 +17,10 @@ from haptonic.plate import Fineness, Plate, PlateModel
 from haptonic.plate.family import Anchor, Family, anchored
 from haptonic.progress import Progress, silent
 from haptonic.units import format_quantity
-from haptonic.updating.intervals import Told, told
-from haptonic.updating.match import Match, MeasuredResponse, Space, Unknown
-from haptonic.updating.parameters import LOSS, bonds_of, unit_of
+from haptonic.updating.intervals import Uncertainty, uncertainty
+from haptonic.updating.match import Match, MeasuredResponse, Space
+from haptonic.updating.parameters import LOSS, bonds_of
+from haptonic.updating.settings import Unknown
 
 Array = NDArray[np.float64]
 Ints = NDArray[np.int64]
@@ -50,7 +51,7 @@ class Fitted:
     remark: str
 
     @property
-    def told(self) -> str:
+    def range_text(self) -> str:
         """The interval in words, or why there is none."""
         if self.interval_95 is None:
             return self.remark
@@ -68,7 +69,7 @@ class Fit:
     before, after : (lines, points) computed response with the starting and with the fitted numbers
     unexplained_before, unexplained : shares of the measured energy that these do not have
     left_out : numbers of points whose residuals are far above those of the others
-    told : what the data tell, in logarithms of the numbers
+    uncertainty : what the data tell, in logarithms of the numbers
     error : relative, of the small model's response near the fitted numbers, against that from new tiles; it
         is made up for: the difference was added to the small model, and the numbers fitted again
     anchors : answers that the small model is made of
@@ -81,7 +82,7 @@ class Fit:
     unexplained_before: float
     unexplained: float
     left_out: Ints
-    told: Told
+    uncertainty: Uncertainty
     error: float
     anchors: int
 
@@ -122,12 +123,12 @@ class SmallModel:
         HaptonicError : lines that cannot be computed with that tolerance
         """
         progress(0, 0, "tiles")
-        bonds = bonds_of(plate, {one.name: (one.low, one.high) for one in unknowns})
+        bonds = bonds_of(plate, {one.parameter: (one.low, one.high) for one in unknowns})
         model = PlateModel.of(plate, float(frequency[-1]), fineness, bonds)
         space = Space(plate, unknowns)
         small = cls(space, model, (), frequency, points, drives, tolerance)
         # fields of a plate that hardly loses anything are hard to compute, and no others for that
-        moved = np.array([one.name != LOSS for one in unknowns])
+        moved = np.array([one.parameter != LOSS for one in unknowns])
         tried = np.unique(np.vstack([np.zeros(len(unknowns)), moved * space.spread(ANCHORS - 1)]), axis=0)
         for number, x in enumerate(tried, start=1):
             progress(number, len(tried), "answers for sets of numbers")
@@ -182,7 +183,7 @@ def fitted(small: SmallModel, data: MeasuredResponse, progress: Progress = silen
     match = replace(match, defect=exact - match.response(x))
     x = match.improved(match.of_complex, x)
     found = match.response(x)
-    tells = told(match.jacobian(x), match.misfit(x))
+    tells = uncertainty(match.jacobian(x), match.misfit(x))
     return Fit(
         small.space.plate_at(x), _numbers(small.space, x, tells), before, found, data.unexplained(before),
         data.unexplained(found), strange, tells, _apart(found - match.defect, found), len(small.anchors),
@@ -201,8 +202,8 @@ def _strange(match: Match, x: Array) -> Ints:
     return np.asarray(used[size > STRANGE * np.median(size)])
 
 
-def _numbers(space: Space, x: Array, tells: Told) -> tuple[Fitted, ...]:
-    found, names = [], [one.name for one in space.unknowns]
+def _numbers(space: Space, x: Array, tells: Uncertainty) -> tuple[Fitted, ...]:
+    found, names = [], [one.parameter for one in space.unknowns]
     lost = tells.half > 0.5 * (space.high - space.low)
     for k, (one, start) in enumerate(zip(space.unknowns, space.start.tolist(), strict=True)):
         value = min(max(start * float(np.exp(x[k])), one.low), one.high)
@@ -216,9 +217,7 @@ def _numbers(space: Space, x: Array, tells: Told) -> tuple[Fitted, ...]:
             if tied := [names[other] for other in tells.tied(k) if lost[other]]:
                 remark = f"told only together with {' and '.join(tied)}"
         interval = None if remark else (value * float(np.exp(-half)), value * float(np.exp(half)))
-        unit = unit_of(one.name)
-        assert unit is not None
-        found.append(Fitted(one.name, unit, start, one.low, one.high, value, interval, remark))
+        found.append(Fitted(one.parameter, one.unit, start, one.low, one.high, value, interval, remark))
     return tuple(found)
 
 

@@ -30,7 +30,7 @@ TINY = np.finfo(float).tiny
 
 
 @dataclass(frozen=True, eq=False)
-class Told:
+class Uncertainty:
     """What data tell of parameters.
 
     half : (p,) half widths of 95 % intervals; infinite where the data tell nothing
@@ -51,7 +51,7 @@ class Told:
         return [k for k in range(len(row)) if k != number and row[k] > TOLD]
 
 
-def told(jacobian: Complex, residual: Complex) -> Told:
+def uncertainty(jacobian: Complex, residual: Complex) -> Uncertainty:
     """What a fit tells at its minimum.
 
     Parameters
@@ -82,7 +82,7 @@ def told(jacobian: Complex, residual: Complex) -> Told:
     effective = data * float(((plain / np.maximum(half, TINY)) ** 2)[plain > 0].min(initial=1.0))
     half = half / scale
     half[(np.abs(turn[:, lost]) > PART).any(axis=1)] = np.inf
-    return Told(half, inverse / np.outer(size, size), independent, data, effective)
+    return Uncertainty(half, inverse / np.outer(size, size), independent, data, effective)
 
 
 def _independent(residual: Complex) -> bool:

@@ -19,6 +19,7 @@ from scipy.optimize import least_squares
 from haptonic.plate import Plate
 from haptonic.plate.family import Family
 from haptonic.updating.parameters import changed, values_of
+from haptonic.updating.settings import Unknown
 
 Array = NDArray[np.float64]
 Ints = NDArray[np.int64]
@@ -33,15 +34,6 @@ FLOOR = 0.03  # share of the median amplitude below which magnitudes hardly coun
 STEP = 1e-5  # of a logarithm, for slopes
 SURE = 1e-6  # of a coherence, by which it stays away from 0 and 1
 INWARD = 1e-9  # of a logarithm, by which a start lies within the bounds
-
-
-@dataclass(frozen=True)
-class Unknown:
-    """A number that is not known. name : as in the study file; low, high : bounds, SI"""
-
-    name: str
-    low: float
-    high: float
 
 
 @dataclass(frozen=True, eq=False)
@@ -123,7 +115,7 @@ class Space:
     def start(self) -> Array:
         """(p,) SI."""
         values = values_of(self.plate)
-        return np.array([values[one.name] for one in self.unknowns])
+        return np.array([values[one.parameter] for one in self.unknowns])
 
     @property
     def low(self) -> Array:
@@ -138,7 +130,7 @@ class Space:
     def plate_at(self, x: Array) -> Plate:
         """The plate with other numbers."""
         values = (self.start * np.exp(x)).tolist()
-        return changed(self.plate, dict(zip((one.name for one in self.unknowns), values, strict=True)))
+        return changed(self.plate, dict(zip((one.parameter for one in self.unknowns), values, strict=True)))
 
     def spread(self, count: int) -> Array:
         """(count, p) logarithms spread evenly between the bounds."""

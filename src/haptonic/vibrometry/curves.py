@@ -46,7 +46,7 @@ class Curve:
 
 
 @dataclass(frozen=True)
-class Place:
+class Point:
     """Position of a point, m."""
 
     x: float
@@ -55,7 +55,7 @@ class Place:
 
 def assemble(
     curves: Sequence[Curve],
-    places: Mapping[str, Place],
+    places: Mapping[str, Point],
     notes: Notebook,
     *,
     reference: str | None = None,
@@ -192,7 +192,7 @@ def _other_lines(lines: Array, common: Array, step: float) -> str | None:
     )
 
 
-def _once_each(curves: list[Curve], notes: Notebook, places: Mapping[str, Place]) -> list[Curve]:
+def _once_each(curves: list[Curve], notes: Notebook, places: Mapping[str, Point]) -> list[Curve]:
     """The first curve of each point and direction, and the first point at each place."""
     first: dict[tuple[str, int], Curve] = {}
     there: dict[tuple[float, float], str] = {}

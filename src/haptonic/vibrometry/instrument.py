@@ -3,19 +3,22 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any
+from typing import Annotated, Any
 
 import numpy as np
 import scipy.fft
 from numpy.typing import NDArray
+from pydantic import Field
 
 from haptonic.errors import ScanError
+from haptonic.fields import Frequency, Quantity, described
 from haptonic.response import FrequencyResponse
 from haptonic.vibrometry.chirp import Drive
 from haptonic.vibrometry.records import Samples, TimeScan
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complexfloating[Any, Any]]
+Velocity = Annotated[float, Quantity("m/s", above=0.0, at_most=1e3, typical=(1e-7, 10.0))]
 
 SAME = 1e-6  # of the line spacing, by which lines of drive and response may differ
 HEADROOM = 1.25  # of the range over the largest velocity, where none is given
@@ -23,24 +26,36 @@ LOST = (0.03, 0.12)  # of a record, shortest and longest dropout
 PORTION = 32e6  # bytes that are made at a time while the range is looked for
 
 
-@dataclass(frozen=True)
+@described("scan", kw_only=True)
 class Instrument:
-    """What a vibrometer and its converter do to a velocity.
+    """What a vibrometer and its converter do to a velocity. Its noise is white."""
 
-    bits : of the converter
-    noise : root mean square of the samples, m/s; white
-    full_scale : largest velocity, m/s; None takes 1.25 of the largest one
-    dropouts : share of points at which the laser loses the surface for a part of one period
-    delay : behind the drive, s
-    bandwidth : -3 dB of a first-order low-pass, Hz; None without one
-    """
-
-    bits: int = 16
-    noise: float = 0.0
-    full_scale: float | None = None
-    dropouts: float = 0.0
-    delay: float = 0.0
-    bandwidth: float | None = None
+    bits: Annotated[int, Field(ge=4, le=32, strict=True)] = Field(
+        default=16, title="Bits", description="Of the converter that records the vibrometer."
+    )
+    noise: Annotated[float, Quantity("m/s", at_least=0.0, at_most=1e3, typical=(0.0, 1e-2))] = Field(
+        default=5e-5, title="Noise", description="Of the vibrometer, root mean square of the samples."
+    )
+    full_scale: Velocity | None = Field(
+        default=None,
+        title="Range",
+        description="Largest velocity of the vibrometer; else 1.25 of what comes.",
+    )
+    dropouts: Annotated[float, Quantity("", at_least=0.0, below=1.0, typical=(0.0, 0.1))] = Field(
+        default=0.005,
+        title="Dropouts",
+        description="Share of points at which the laser loses the surface.",
+    )
+    delay: Annotated[float, Quantity("s", at_least=0.0, at_most=1.0, typical=(0.0, 1e-3))] = Field(
+        default=0.0,
+        title="Delay",
+        description="Of the vibrometer behind the drive; the analysis takes it out.",
+    )
+    bandwidth: Frequency | None = Field(
+        default=None,
+        title="Bandwidth",
+        description="-3 dB of its first-order low-pass; the analysis takes it out.",
+    )
 
     def path(self, frequency: Array) -> NDArray[np.complex128]:
         """(frequency,) by what delay and low-pass multiply a velocity."""

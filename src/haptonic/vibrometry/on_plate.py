@@ -12,7 +12,14 @@ from haptonic.plate import Plate
 from haptonic.plate.layout import Layout
 from haptonic.plate.question import driven_region, tile_names
 from haptonic.response import FrequencyResponse
-from haptonic.vibrometry.maps import LatticeGap, MeasuredGap, fading, gap_edges, lattice_decay, measured_gap
+from haptonic.vibrometry.maps import (
+    LatticeGap,
+    MeasuredGap,
+    decay_along,
+    gap_edges,
+    lattice_decay,
+    measured_gap,
+)
 from haptonic.vibrometry.places import MIRROR, Mirror, strips_of
 
 # name of all points on lattices while the gap is looked for; longer than any name of a study
@@ -23,7 +30,7 @@ def lattice_gap(response: FrequencyResponse, plate: Plate, data: xr.Dataset) -> 
     """Edges of the gap of a plate's lattice; how waves fade in it goes into the dataset."""
     driven = driven_region(plate)
     try:
-        fades = fading(response, strips_of(plate.layout, driven) if driven else [])
+        fades = decay_along(response, strips_of(plate.layout, driven) if driven else [])
     except (ScanError, ResponseError) as error:
         return LatticeGap(None, None, (f"no edges of the gap: {error.given}",))
     data["fading"] = fades

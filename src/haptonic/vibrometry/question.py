@@ -10,80 +10,71 @@ from numpy.typing import NDArray
 from haptonic.errors import ScanError, nearest
 from haptonic.plate import Plate
 from haptonic.plate.layout import Layout
-from haptonic.plate.question import PlateQuestion, grid_points, reference_of, tile_names
+from haptonic.plate.question import grid_points, reference_of, tile_names
+from haptonic.plate.settings import ResponseSettings
 from haptonic.response import Reference
-from haptonic.vibrometry.chirp import Drive, Kind, drive
-from haptonic.vibrometry.instrument import Instrument, lines_of
+from haptonic.vibrometry.chirp import Drive, drive
+from haptonic.vibrometry.instrument import lines_of
 from haptonic.vibrometry.planning import Rectangle, Region, ScanPlan, visited
+from haptonic.vibrometry.settings import ScanSettings
 
 Array = NDArray[np.float64]
 
 CLAMPS = "clamps"  # stands for all held corners
 
 
-@dataclass(frozen=True)
-class ScanQuestion:
-    """How a plate is scanned; see the table ``[scan]`` of the study file.
+def drive_for(settings: ScanSettings, plate: Plate | None) -> Drive:
+    """One period, as large as the plate's first drive and in its unit; of 1 V without a plate.
 
-    lowest, highest : of the drive, Hz; rate : Hz; record : period of the drive, s
-    averages : periods at each point; signal : kind of drive
-    grid : distance of neighbouring points, m; skip : names of regions, lattices or "clamps" without points
+    Raises
+    ------
+    ScanError : band, rate and record do not fit together
+    StudyError : nothing drives the plate
     """
+    reference, amplitude = (Reference(unit="V"), 1.0) if plate is None else reference_of(plate)
+    quality = 1 / plate.loss_factor if plate is not None and plate.loss_factor else None
+    return drive(
+        low=settings.lowest, high=settings.highest, sample_rate=settings.rate, duration=settings.record,
+        amplitude=amplitude, kind=settings.signal, quality_factor=quality,
+        unit="N" if reference.unit == "N" else "V",
+    )  # fmt: skip
 
-    lowest: float
-    highest: float
-    rate: float
-    record: float
-    averages: int
-    signal: Kind
-    grid: float
-    skip: tuple[str, ...]
-    instrument: Instrument
 
-    def drive(self, plate: Plate | None) -> Drive:
-        """One period, as large as the plate's first drive and in its unit; of 1 V without a plate.
+def plan_for(settings: ScanSettings, plate: Plate) -> ScanPlan:
+    """The points, in the order of the stage: those at which the plate is computed, less the skipped.
 
-        Raises
-        ------
-        ScanError : band, rate and record do not fit together
-        StudyError : nothing drives the plate
-        """
-        reference, amplitude = (Reference(unit="V"), 1.0) if plate is None else reference_of(plate)
-        quality = 1 / plate.loss_factor if plate is not None and plate.loss_factor else None
-        return drive(
-            low=self.lowest, high=self.highest, sample_rate=self.rate, duration=self.record,
-            amplitude=amplitude, kind=self.signal, quality_factor=quality,
-            unit="N" if reference.unit == "N" else "V",
-        )  # fmt: skip
+    Raises
+    ------
+    ScanError : an unknown name among the skipped, or no point left
+    """
+    points, _ = grid_points(plate, settings.grid, "scan.grid")
+    layout = plate.layout
+    known = (*layout.regions, *layout.cells, CLAMPS)
+    excluded: list[Region] = []
+    for name in settings.skipped:
+        if name not in known:
+            guess = nearest(name, known)
+            raise ScanError(
+                argument="scan.skip",
+                given=f'"{name}"',
+                allowed=f"names of {', '.join(known)}",
+                cause="the plate has no such region or lattice",
+                next_step=f'write "{guess}"' if guess else "choose one of these",
+            )
+        excluded += held_corners(plate) if name == CLAMPS else [Tiles(layout, name)]
+    return visited(points, excluded)
 
-    def plan(self, plate: Plate) -> ScanPlan:
-        """The points, in the order of the stage: those at which the plate is computed, less the skipped.
 
-        Raises
-        ------
-        ScanError : an unknown name among the skipped, or no point left
-        """
-        points, _ = grid_points(plate, self.grid, "scan.grid")
-        layout = plate.layout
-        known = (*layout.regions, *layout.cells, CLAMPS)
-        excluded: list[Region] = []
-        for name in self.skip:
-            if name not in known:
-                guess = nearest(name, known)
-                raise ScanError(
-                    argument="scan.skip",
-                    given=f'"{name}"',
-                    allowed=f"names of {', '.join(known)}",
-                    cause="the plate has no such region or lattice",
-                    next_step=f'write "{guess}"' if guess else "choose one of these",
-                )
-            excluded += held_corners(plate) if name == CLAMPS else [Tiles(layout, name)]
-        return visited(points, excluded)
-
-    def of_plate(self, tolerance: float, signal: Drive) -> PlateQuestion:
-        """What to ask of the plate: its response at the lines of a drive."""
-        lines = lines_of(signal)
-        return PlateQuestion(float(lines[0]), float(lines[-1]), len(lines), tolerance, self.grid)
+def response_for(settings: ScanSettings, tolerance: float, signal: Drive) -> ResponseSettings:
+    """What to ask of the plate: its response at the lines of a drive."""
+    lines = lines_of(signal)
+    return ResponseSettings(
+        lowest=float(lines[0]),
+        highest=float(lines[-1]),
+        points=len(lines),
+        tolerance=tolerance,
+        grid=settings.grid,
+    )
 
 
 @dataclass(frozen=True)

@@ -8,12 +8,12 @@ from numpy.typing import NDArray
 from threadpoolctl import threadpool_limits
 
 from haptonic.bloch import Gap
-from haptonic.bloch.asked import Asked
 from haptonic.bloch.evanescent import attenuation
 from haptonic.bloch.guide import Guide
 from haptonic.bloch.mirrors import condensed_cell
 from haptonic.bloch.model import bloch_model
 from haptonic.bloch.plate_waves import PlainPlate
+from haptonic.bloch.settings import BandSettings
 from haptonic.errors import StudyError
 from haptonic.gate import WORD
 from haptonic.plate.layout import Layout
@@ -32,7 +32,7 @@ INSET = 1e-3  # of the gap's width, kept away from its edges
 @threadpool_limits.wrap(limits=1)  # these matrices are too small for threads inside the linear algebra
 def computed_waves(
     layout: Layout,
-    asked: Asked,
+    settings: BandSettings,
     span: tuple[float, float],
     gap: Gap | None,
     guides: list[Guiding],
@@ -51,7 +51,7 @@ def computed_waves(
     """
     cell = layout.cells[mirror.name] if mirror else next(iter(layout.cells.values()))
     widths = sorted({(one.width, one.along) for one in guides if one.lattice == (mirror and mirror.name)})
-    resolution = bloch_model(cell, asked.count, asked.accuracy, asked.resolution).resolution
+    resolution = bloch_model(cell, settings.count, settings.accuracy, settings.resolution).resolution
     superelement = condensed_cell(cell, resolution)
     plain = PlainPlate.of(cell, superelement.levels)
     low = max(span[0], 1e-3 * span[1])

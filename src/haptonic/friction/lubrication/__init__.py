@@ -1,6 +1,6 @@
 """From vibration to friction: a squeezed film or intermittent contact, and a band of both."""
 
-from haptonic.friction.lubrication.parameters import FORCES, SPEEDS, Finger, Parameter, Touch
+from haptonic.friction.lubrication.parameters import FORCES, SPEEDS, Fingertip, Parameter, Touch
 from haptonic.friction.lubrication.perception import (
     CUE_THRESHOLD,
     WEBER_FRACTION,
@@ -24,7 +24,7 @@ __all__ = [
     "FORCES",
     "SPEEDS",
     "WEBER_FRACTION",
-    "Finger",
+    "Fingertip",
     "Margin",
     "Parameter",
     "QualityLimits",

@@ -9,18 +9,20 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, fields, replace
-from typing import Literal
+from typing import Annotated, Literal
 
 import numpy as np
 import scipy
 from numpy.typing import NDArray
+from pydantic import Field
 
 from haptonic.errors import FrictionError, nearest
+from haptonic.fields import Quantity, described
 from haptonic.units import format_quantity, shown
 
 Array = NDArray[np.float64]
 Values = Mapping[str, float | Array]
-"""What a model computes with: `Finger.values`, or draws from `Finger.sampled`."""
+"""What a model computes with: `Fingertip.values`, or draws from `Fingertip.sampled`."""
 Mark = Literal["assumed", "stated", "computed", "given"]
 
 
@@ -84,12 +86,12 @@ class Parameter:
 
 
 @dataclass(frozen=True)
-class Finger:
+class Fingertip:
     """A fingertip, and the air below it, as the two models see it. All values are positive.
 
     Examples
     --------
-    >>> Finger().having(contact_gap=5e-6).contact_gap.mark
+    >>> Fingertip().having(contact_gap=5e-6).contact_gap.mark
     'given'
     """
 
@@ -133,7 +135,7 @@ class Finger:
     def __iter__(self) -> Iterator[tuple[str, Parameter]]:
         return ((entry.name, getattr(self, entry.name)) for entry in fields(self))
 
-    def having(self, **values: float) -> Finger:
+    def having(self, **values: float) -> Fingertip:
         """A finger with values of the user's, taken as exactly known.
 
         Raises
@@ -186,38 +188,19 @@ class Finger:
 
 FORCES = (0.01, 20.0)  # N, and
 SPEEDS = (1e-3, 2.0)  # m/s: what a finger does
+Force = Annotated[float, Quantity("N", at_least=FORCES[0], at_most=FORCES[1], typical=(0.1, 5.0))]
+Speed = Annotated[float, Quantity("m/s", at_least=SPEEDS[0], at_most=SPEEDS[1], typical=(0.01, 0.5))]
 
 
-@dataclass(frozen=True)
+@described("touch", FrictionError)
 class Touch:
-    """How the finger touches the vibrating plate.
+    """How the finger touches the vibrating plate."""
 
-    frequency : of the vibration, Hz
-    force : normal force, N; within `FORCES`
-    speed : of the sliding, m/s; within `SPEEDS`
-    """
-
-    frequency: float
-    force: float = 0.5
-    speed: float = 0.078
-
-    def __post_init__(self) -> None:
-        limits: Mapping[str, tuple[float, float, str]] = {
-            "frequency": (1e3, 1e6, "Hz"),
-            "force": (*FORCES, "N"),
-            "speed": (*SPEEDS, "m/s"),
-        }
-        for name, (low, high, unit) in limits.items():
-            value = getattr(self, name)
-            number = isinstance(value, int | float) and not isinstance(value, bool)
-            if not (number and low <= value <= high):
-                raise FrictionError(
-                    argument=f"touch.{name}",
-                    given=f"{value:g} {unit}" if number else shown(value),
-                    allowed=f"{format_quantity(low, unit)} to {format_quantity(high, unit)}",
-                    cause="the value is in kHz, mN or mm/s, or it is not a number",
-                    next_step=f"give it in {unit}",
-                )
+    frequency: Annotated[float, Quantity("Hz", at_least=1e3, at_most=1e6)] = Field(
+        title="Frequency", description="Of the vibration."
+    )
+    force: Force = Field(default=0.5, title="Force of the finger", description="Normal to the plate.")
+    speed: Speed = Field(default=0.078, title="Speed of the finger", description="Along the plate.")
 
     @property
     def omega(self) -> float:

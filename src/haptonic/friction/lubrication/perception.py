@@ -24,14 +24,14 @@ class Margin:
     idle: float
 
     @property
-    def felt(self) -> bool:
+    def noticed(self) -> bool:
         """Whether the driven region is felt at all."""
         return self.driven > WEBER_FRACTION
 
     @property
     def localised(self) -> bool:
         """Whether the driven region is felt and the idle one is not."""
-        return self.felt and self.idle <= WEBER_FRACTION
+        return self.noticed and self.idle <= WEBER_FRACTION
 
     @property
     def times_threshold(self) -> float:

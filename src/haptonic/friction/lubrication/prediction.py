@@ -11,7 +11,7 @@ import xarray as xr
 from numpy.typing import ArrayLike, NDArray
 
 from haptonic.errors import FrictionError
-from haptonic.friction.lubrication.parameters import Finger, Touch, Values
+from haptonic.friction.lubrication.parameters import Fingertip, Touch, Values
 from haptonic.friction.lubrication.sharing import (
     amplitude_for,
     amplitude_ratio,
@@ -35,7 +35,7 @@ DIRECT = (
 
 
 def predict(
-    amplitude: xr.DataArray, touch: Touch, finger: Finger, *, samples: int = 200, seed: int = 0
+    amplitude: xr.DataArray, touch: Touch, finger: Fingertip, *, samples: int = 200, seed: int = 0
 ) -> xr.Dataset:
     """Friction over that without vibration, mu / mu0, by both models.
 
@@ -99,7 +99,7 @@ def predict(
 
 
 def explained(
-    driven: float, idle: float, touch: Touch, finger: Finger, *, samples: int = 200, seed: int = 0
+    driven: float, idle: float, touch: Touch, finger: Fingertip, *, samples: int = 200, seed: int = 0
 ) -> xr.Dataset:
     """Which amplitudes, and which ratio between two regions, explain two reductions by load sharing.
 

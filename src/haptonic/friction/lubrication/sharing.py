@@ -13,7 +13,7 @@ from scipy.optimize.elementwise import find_root
 
 from haptonic.errors import FrictionError
 from haptonic.friction.lubrication import film
-from haptonic.friction.lubrication.parameters import Finger, Touch, Values
+from haptonic.friction.lubrication.parameters import Fingertip, Touch, Values
 
 Array = NDArray[np.float64]
 
@@ -43,7 +43,7 @@ def shared_friction(amplitude: ArrayLike, touch: Touch, values: Values) -> Array
     ----------
     amplitude : of displacement, zero to peak, m; any shape that broadcasts with the values
     touch : frequency and force
-    values : of `Finger.values` or `Finger.sampled`
+    values : of `Fingertip.values` or `Fingertip.sampled`
 
     Returns
     -------
@@ -142,7 +142,7 @@ def asperity_pressure(gap: ArrayLike, values: Values) -> Array:
     return np.asarray(values["asperity_pressure"] * np.exp(-distance))
 
 
-def sensitivity(amplitude: float, touch: Touch, finger: Finger) -> dict[str, tuple[float, float]]:
+def sensitivity(amplitude: float, touch: Touch, finger: Fingertip) -> dict[str, tuple[float, float]]:
     """Friction, mu / mu0, at either end of every parameter's plausible interval, the others as they are.
 
     Returns

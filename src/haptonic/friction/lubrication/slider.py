@@ -42,7 +42,7 @@ def intermittent_friction(amplitude: ArrayLike, touch: Touch, values: Values) ->
     ----------
     amplitude : of displacement, zero to peak, m; any shape that broadcasts with the values
     touch : frequency and speed; the force plays no part
-    values : of `Finger.values` or `Finger.sampled`
+    values : of `Fingertip.values` or `Fingertip.sampled`
 
     Raises
     ------

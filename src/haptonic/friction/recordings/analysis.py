@@ -20,8 +20,9 @@ from pydantic import Field
 from haptonic.channels import Group, SignalFile, opened
 from haptonic.errors import ChannelError, FrictionError, HaptonicError
 from haptonic.fields import Name, described, problem
-from haptonic.friction.recordings.sensor import Sensor, Wiring, pressing
-from haptonic.friction.recordings.trial_table import Place, TrialTable
+from haptonic.friction.recordings.channel_map import ChannelMap, pressing
+from haptonic.friction.recordings.sensor import Sensor
+from haptonic.friction.recordings.trial_table import RecordSpan, TrialTable
 from haptonic.friction.signals.measuring import Columns, channels_of, measure_all, processed
 from haptonic.friction.signals.record import Record
 from haptonic.friction.signals.rules import DECLARED, UNREADABLE, Measured, Rules
@@ -29,7 +30,7 @@ from haptonic.friction.signals.tables import LABEL, read_columns, read_records, 
 from haptonic.friction.signals.trials import joined, measured, tabulated
 from haptonic.progress import Progress, silent
 
-Portion = list[tuple[str, list[Place]]]
+Portion = list[tuple[str, list[RecordSpan]]]
 
 TRIED = 20  # files that are looked into for channels of the expected names
 PRESSED = 30  # trials that the sign of the normal force is found from
@@ -75,7 +76,7 @@ class Analysed:
 
 
 class _Read(NamedTuple):
-    place: Place
+    span: RecordSpan
     record: Record | None
     detail: str
     simulated: bool
@@ -129,12 +130,12 @@ def traces(
     if not (source.is_dir() or not source.suffix):
         return
     table = TrialTable.read(source)
-    wiring = _wiring(table, sensor)
+    channel_map = _channel_map(table, sensor)
     people, numbers = table.labels["participant"], table.labels["block"]
     for participant, block in blocks:
         rows = np.flatnonzero((people == participant) & (numbers == block)).tolist()
-        reads = _records(table.folder, wiring, table.portion(rows))
-        parts = {read.place.row: _trace(read.record, rules) for read in reads if read.record is not None}
+        reads = _records(table.folder, channel_map, table.portion(rows))
+        parts = {read.span.row: _trace(read.record, rules) for read in reads if read.record is not None}
         if parts:
             drawn = xr.concat(list(parts.values()), "stroke")
             yield participant, block, drawn.assign(trial=("stroke", table.labels["trial"][list(parts)]))
@@ -164,10 +165,12 @@ def _from_file(path: Path, rules: Rules) -> xr.Dataset:
 def _from_folder(
     table: TrialTable, sensor: Sensor, rules: Rules, workers: int, progress: Progress
 ) -> tuple[xr.Dataset, tuple[str, ...]]:
-    wiring = _wiring(table, sensor)
+    channel_map = _channel_map(table, sensor)
     total, done = len(table.files), 0
     order, found, simulated = [], [], table.simulated
-    for rows, columns, says_so in _portions(partial(_measured, table.folder, wiring, rules), table, workers):
+    for rows, columns, says_so in _portions(
+        partial(_measured, table.folder, channel_map, rules), table, workers
+    ):
         order.append(rows)
         found.append(columns)
         simulated |= says_so
@@ -177,7 +180,7 @@ def _from_folder(
     columns = {name: column[back] for name, column in joined(found).items()}
     origin = "simulated" if simulated else "measured"
     trials = tabulated({**table.labels, **table.carried}, columns, rules, origin=origin)
-    return trials, wiring.remarks
+    return trials, channel_map.remarks
 
 
 def _portions(
@@ -206,10 +209,10 @@ def _portions(
 
 
 def _measured(
-    folder: Path, wiring: Wiring, rules: Rules, portion: Portion
+    folder: Path, channel_map: ChannelMap, rules: Rules, portion: Portion
 ) -> tuple[NDArray[np.int_], Columns, bool]:
     """Rows of the table, their columns, and whether any file says that it is simulated."""
-    reads = list(_records(folder, wiring, portion))
+    reads = list(_records(folder, channel_map, portion))
     good = [i for i, read in enumerate(reads) if read.record is not None]
     numbers = measure_all([read.record for read in reads if read.record is not None], rules)
     empty = asdict(Measured(excluded=UNREADABLE))
@@ -218,45 +221,45 @@ def _measured(
         columns[name] = np.full(len(reads), empty[name], dtype=values.dtype)
         columns[name][good] = values
     columns["detail"] = np.array([read.detail for read in reads], dtype=object)
-    return np.array([read.place.row for read in reads]), columns, any(read.simulated for read in reads)
+    return np.array([read.span.row for read in reads]), columns, any(read.simulated for read in reads)
 
 
-def _records(folder: Path, wiring: Wiring, portion: Portion) -> Iterator[_Read]:
+def _records(folder: Path, channel_map: ChannelMap, portion: Portion) -> Iterator[_Read]:
     """Every trial of a portion with its record, or with what is wrong. A file is opened once."""
-    for name, places in portion:
-        left = list(places)
+    for name, spans in portion:
+        left = list(spans)
         try:
             file = opened(folder / name)
             kept: dict[str, tuple[Group, float]] = {}
             while left:
-                yield _read(name, left[0], file, kept, wiring)
+                yield _read(name, left[0], file, kept, channel_map)
                 left.pop(0)
         except HaptonicError as error:
-            yield from (_Read(place, None, _why(name, error), False) for place in left)
+            yield from (_Read(span, None, _why(name, error), False) for span in left)
 
 
 def _read(
     name: str,
-    place: Place,
+    span: RecordSpan,
     file: SignalFile,
     kept: dict[str, tuple[Group, float]],
-    wiring: Wiring,
+    channel_map: ChannelMap,
 ) -> _Read:
     simulated = False
     try:
-        if place.group not in kept:
+        if span.group not in kept:
             kept.clear()  # groups come one after the other
-            channels = file.group(place.group)
+            channels = file.group(span.group)
             simulated = channels.simulated
-            kept[place.group] = channels, wiring.rate_in(channels)
-        channels, rate = kept[place.group]
-        record = wiring.record(channels, rate, place.start, place.stop)
+            kept[span.group] = channels, channel_map.rate_in(channels)
+        channels, rate = kept[span.group]
+        record = channel_map.record(channels, rate, span.start, span.stop)
     except HaptonicError as error:
-        return _Read(place, None, _why(name, error), simulated)
-    return _Read(place, record, "", channels.simulated)
+        return _Read(span, None, _why(name, error), simulated)
+    return _Read(span, record, "", channels.simulated)
 
 
-def _wiring(table: TrialTable, sensor: Sensor) -> Wiring:
+def _channel_map(table: TrialTable, sensor: Sensor) -> ChannelMap:
     """The meaning of the channels, from the first file that has those that are needed.
 
     Raises
@@ -264,21 +267,23 @@ def _wiring(table: TrialTable, sensor: Sensor) -> Wiring:
     HaptonicError : what is wrong with the first file, if none of the first has them
     """
     first: HaptonicError | None = None
-    for name, places in islice((one for portion in table.portions() for one in portion), TRIED):
+    calibration = sensor.matrix(table.folder)
+    for name, spans in islice((one for portion in table.portions() for one in portion), TRIED):
         try:
-            wiring = sensor.wired(opened(table.folder / name).group(places[0].group))
+            channels = opened(table.folder / name).group(spans[0].group)
+            channel_map = sensor.channel_map(channels, calibration)
         except HaptonicError as error:
             first = first or _of_file(error, name)
             continue
-        return _with_sign(table, wiring) if wiring.sign_unknown else wiring
+        return _with_sign(table, channel_map) if channel_map.sign_unknown else channel_map
     assert first is not None
     raise first
 
 
-def _with_sign(table: TrialTable, wiring: Wiring) -> Wiring:
-    reads = (read for portion in table.portions() for read in _records(table.folder, wiring, portion))
+def _with_sign(table: TrialTable, channel_map: ChannelMap) -> ChannelMap:
+    reads = (read for portion in table.portions() for read in _records(table.folder, channel_map, portion))
     records = [read.record for read in islice(reads, PRESSED) if read.record is not None]
-    return wiring.turned() if pressing(records) < 0 else wiring
+    return channel_map.turned() if pressing(records) < 0 else channel_map
 
 
 def _of_file(error: HaptonicError, name: str) -> HaptonicError:

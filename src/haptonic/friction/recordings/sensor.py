@@ -3,23 +3,21 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Sequence
-from dataclasses import dataclass, replace
 from pathlib import Path
+from typing import Annotated
 
 import numpy as np
 import pandas as pd
-from numpy.typing import NDArray
+from pydantic import AfterValidator, Field
 
 from haptonic.channels import Group
 from haptonic.channels.labels import factor_of
 from haptonic.channels.signals import Array
 from haptonic.errors import FrictionError, HaptonicError
-from haptonic.friction.signals.filters import design_frequency
-from haptonic.friction.signals.measuring import saturated
-from haptonic.friction.signals.record import Record
-from haptonic.friction.signals.tables import rate_of
+from haptonic.fields import Quantity, described, problem
+from haptonic.friction.recordings.channel_map import ChannelMap, ScaledChannel, no_rate
 from haptonic.paths import source
+from haptonic.units import shown, to_si
 
 AXES = ("Fx", "Fy", "Fz", "Tx", "Ty", "Tz")
 WORST_CONDITION = 1e6  # of a calibration matrix; beyond, two gauges say the same
@@ -35,39 +33,102 @@ GAUGES = tuple(
     for word in ("g", "sg", "gauge", "gauge ", "ch", "ai", "v")
     for first in (0, 1)
 )
-HIGHEST_RATE = 1e12  # Hz; no converter comes near, and times that stand still give more
+CALIBRATION = "calibration.csv"  # taken if it lies beside the trials and nothing is said
 DIMENSION = {"normal": "N", "tangential": "N", "position": "m", "time": "s"}
 
 
-@dataclass(frozen=True, eq=False)
+def _unit_like(unit: str) -> AfterValidator:
+    """Refuse what is no unit of the same dimension."""
+
+    def checked(text: str) -> str:
+        try:
+            if text:
+                to_si(f"1 {text}", unit, "")
+        except HaptonicError as error:
+            raise problem(shown(text), f'a unit, such as "m{unit}"', error.cause, error.next_step) from None
+        return text
+
+    return AfterValidator(checked)
+
+
+Text = Annotated[str, Field(max_length=200, strict=True)]
+
+
+@described("trials.sensor", FrictionError, kw_only=True)
 class Sensor:
-    """How channels become forces. What is empty is guessed from usual names, or taken from the file.
+    """What the channels of the files are. What is left out is guessed from usual names, and reported."""
 
-    normal, tangential, position, time : names; a minus before it turns the sign
-    force_unit, position_unit, time_unit : of the channels
-    rate : sampling rate, Hz, where the files have no time
-    gauges : names of six channels in V, in the order of the columns of ``calibration``
-    calibration : (6, 6) Fx Fy Fz Tx Ty Tz (N, N m) for one volt of each gauge, or None
-    forced : whether the calibration is to be used also where a file has forces
-    largest_force, largest_gauge : N and V at which a channel is at its end, or None
-    """
+    normal: Text = Field(
+        default="", title="Normal force", description="Name of its channel; a minus before it turns the sign."
+    )
+    tangential: Text = Field(default="", title="Tangential force", description="Name of its channel.")
+    position: Text = Field(default="", title="Position", description="Name of the channel along the stroke.")
+    time: Text = Field(default="", title="Time", description="Name of its channel.")
+    force_unit: Annotated[Text, _unit_like("N")] = Field(
+        default="", title="Unit of the forces", description="Else the one that the file says, or N."
+    )
+    position_unit: Annotated[Text, _unit_like("m")] = Field(
+        default="", title="Unit of the position", description="Else the one that the file says, or m."
+    )
+    time_unit: Annotated[Text, _unit_like("s")] = Field(
+        default="", title="Unit of the time", description="Else the one that the file says, or s."
+    )
+    rate: Annotated[float, Quantity("Hz", above=0.0, at_most=1e7, typical=(250.0, 1e5))] | None = Field(
+        default=None, title="Sampling rate", description="Where the files have no times."
+    )
+    gauges: Text = Field(
+        default="",
+        title="Gauges",
+        description="Names of six raw channels, with commas, in the calibration's order.",
+    )
+    calibration: Text = Field(
+        default="",
+        title="Calibration",
+        description="CSV file of 6 x 6 numbers beside the trials: Fx Fy Fz Tx Ty Tz for 1 V of each gauge; "
+        f"else {CALIBRATION} if it is there and the files have no forces.",
+    )
+    largest_force: Annotated[float, Quantity("N", above=0.0, at_most=1e4)] | None = Field(
+        default=None, title="End of the range", description="Force at which a channel is saturated."
+    )
+    largest_gauge: Annotated[float, Quantity("V", above=0.0, at_most=1e3)] | None = Field(
+        default=None, title="End of the gauges", description="Voltage at which a raw channel is saturated."
+    )
 
-    normal: str = ""
-    tangential: str = ""
-    position: str = ""
-    time: str = ""
-    force_unit: str = ""
-    position_unit: str = ""
-    time_unit: str = ""
-    rate: float | None = None
-    gauges: tuple[str, ...] = ()
-    calibration: NDArray[np.float64] | None = None
-    largest_force: float | None = None
-    largest_gauge: float | None = None
-    forced: bool = True
+    def __post_init__(self) -> None:
+        names = set(self.gauge_names)
+        if self.gauges and len(names) != 6:
+            raise problem(
+                shown(self.gauges), "six different names with commas between them",
+                f"there are {len(names)}", 'write gauges = "G0, G1, G2, G3, G4, G5"', at="gauges",
+            )  # fmt: skip
+        axes = [name.removeprefix("-").strip() for name in (self.normal, self.tangential) if name]
+        if self.calibration and not set(axes) <= set(AXES[:3]):
+            raise problem(
+                " and ".join(axes), "Fx, Fy or Fz where a calibration makes the forces",
+                "the name of a raw channel was given", 'write normal = "Fz"', at="normal",
+            )  # fmt: skip
 
-    def wired(self, channels: Group) -> Wiring:
+    @property
+    def gauge_names(self) -> tuple[str, ...]:
+        """Of the raw channels, in the order of the calibration's columns."""
+        return tuple(name for part in self.gauges.split(",") if (name := part.strip()))
+
+    def matrix(self, folder: Path) -> Array | None:
+        """(6, 6) Fx Fy Fz Tx Ty Tz (N, N m) for one volt of each gauge, if there is a calibration.
+
+        Raises
+        ------
+        FrictionError : a calibration that is no matrix of full rank
+        """
+        path = folder / (self.calibration or CALIBRATION)
+        return read_calibration(path) if self.calibration or path.is_file() else None
+
+    def channel_map(self, channels: Group, calibration: Array | None) -> ChannelMap:
         """Which channel is which.
+
+        Parameters
+        ----------
+        calibration : see `matrix`; without gauges or a file that is named, forces in the file go before it
 
         Raises
         ------
@@ -75,37 +136,38 @@ class Sensor:
         """
         names = {_plain(name): name for name in channels.signals}
         remarks: list[str] = []
-        leads: dict[str, Lead] = {}
+        scaled: dict[str, ScaledChannel] = {}
         matrix: Array | None = None
         gauges: tuple[str, ...] = ()
         guesses = {
             meaning: next((names[word] for word in words if word in names), "")
             for meaning, words in GUESSES.items()
         }
-        raw = self.calibration is not None and (self.forced or not guesses["normal"])
+        forced = self.calibration or self.gauges
+        raw = calibration is not None and (forced or not guesses["normal"])
         for meaning in ("normal", "tangential", "position", "time"):
             asked = getattr(self, meaning)
             found = guesses[meaning]
             if raw and DIMENSION[meaning] == "N":
                 continue
             if asked:
-                leads[meaning] = self._lead(meaning, asked, channels)
+                scaled[meaning] = self._scaled(meaning, asked, channels)
             elif found:
-                leads[meaning] = self._lead(meaning, found, channels)
+                scaled[meaning] = self._scaled(meaning, found, channels)
                 remarks.append(f'the channel "{found}" was taken as {meaning}')
             elif DIMENSION[meaning] == "N":
                 channels[GUESSES[meaning][0].capitalize()]  # refused, with the names that there are
-        if raw and self.calibration is not None:
-            matrix = self._rows(self.calibration)
-            gauges = self.gauges or _guessed_gauges(names, channels)
+        if raw and calibration is not None:
+            matrix = self._rows(calibration)
+            gauges = self.gauge_names or _guessed_gauges(names, channels)
             if not self.gauges:
                 remarks.append(f"the channels {', '.join(gauges)} were taken as the gauges, in this order")
-        if "time" not in leads and self.rate is None and channels.rate is None:
-            raise _no_rate()
+        if "time" not in scaled and self.rate is None and channels.rate is None:
+            raise no_rate()
         limits = self.largest_force, self.largest_gauge
-        return Wiring(leads, self.rate, gauges, matrix, *limits, tuple(remarks), not self.normal)
+        return ChannelMap(scaled, self.rate, gauges, matrix, *limits, tuple(remarks), not self.normal)
 
-    def _lead(self, meaning: str, asked: str, channels: Group) -> Lead:
+    def _scaled(self, meaning: str, asked: str, channels: Group) -> ScaledChannel:
         turned = asked.startswith("-")
         name = asked.removeprefix("-").strip()
         if name not in channels.signals:
@@ -125,7 +187,7 @@ class Sensor:
                     cause="raw volts without a calibration" if unit.endswith("V") else error.cause,
                     next_step=f"give {kind}_unit, or calibration and gauges, in [trials.sensor]",
                 ) from None
-        return Lead(name, -factor if turned else factor)
+        return ScaledChannel(name, -factor if turned else factor)
 
     def _rows(self, calibration: Array) -> Array:
         """(2, 6) rows of the calibration for normal and tangential force."""
@@ -142,101 +204,6 @@ class Sensor:
                 )
             rows.append(calibration[AXES.index(axis)] * (-1 if asked.startswith("-") else 1))
         return np.array(rows)
-
-
-@dataclass(frozen=True)
-class Lead:
-    """A channel and what one of its units is in SI, negative where the sign is turned."""
-
-    name: str
-    factor: float
-
-
-@dataclass(frozen=True, eq=False)
-class Wiring:
-    """Channels by what they mean, ready to make records; see `Sensor.wired`.
-
-    remarks : what was guessed, in words
-    sign_unknown : whether nobody said in which direction the normal force counts
-    """
-
-    leads: dict[str, Lead]
-    rate: float | None
-    gauges: tuple[str, ...]
-    matrix: Array | None
-    largest_force: float | None
-    largest_gauge: float | None
-    remarks: tuple[str, ...]
-    sign_unknown: bool
-
-    def record(self, channels: Group, rate: float, start: float | None, stop: float | None) -> Record:
-        """The record between two times, s from the first sample of the file; ``rate`` is from `rate_in`.
-
-        Raises
-        ------
-        FrictionError : a channel is missing, nothing between the two times, or forces that no finger makes
-        """
-        first = round((start or 0.0) * rate)
-        last = None if stop is None else round(stop * rate)
-
-        def signal(meaning: str) -> Array:
-            lead = self.leads[meaning]
-            return lead.factor * channels[lead.name][first:last]
-
-        flat = False
-        if self.matrix is None:
-            normal, tangential = signal("normal"), signal("tangential")
-        else:
-            volts = np.array([channels[name][first:last] for name in self.gauges])
-            normal, tangential = self.matrix @ volts
-            flat = bool(volts.size and saturated(volts[:, None]).any())
-            flat |= self.largest_gauge is not None and bool((np.abs(volts) >= self.largest_gauge).any())
-        if self.largest_force is not None:
-            flat |= bool((np.abs([normal, tangential]) >= self.largest_force).any())
-        if not normal.size:
-            raise FrictionError(
-                argument="start and stop",
-                given=f"{start} s to {stop} s",
-                allowed=f"times within the file, which lasts {len(self._any(channels)) / rate:.4g} s",
-                cause="the file was cut, or the times are in ms",
-                next_step="put the table of trials right",
-            )
-        position = signal("position") if "position" in self.leads else None
-        return Record(normal, tangential, rate, position, flat)
-
-    def turned(self) -> Wiring:
-        """The same with the sign of the normal force turned, and a remark on it."""
-        remarks = (*self.remarks, "the normal force falls where the finger presses: its sign was turned")
-        if self.matrix is not None:
-            return replace(self, matrix=self.matrix * np.array([[-1.0], [1.0]]), remarks=remarks)
-        lead = self.leads["normal"]
-        turned = Lead(lead.name, -lead.factor)
-        return replace(self, leads={**self.leads, "normal": turned}, remarks=remarks)
-
-    def _any(self, channels: Group) -> Array:
-        return channels[self.gauges[0] if self.gauges else self.leads["normal"].name]
-
-    def rate_in(self, channels: Group) -> float:
-        """Sampling rate of a file or group, Hz.
-
-        Raises
-        ------
-        FrictionError : times that do not advance evenly, no rate, or one too low for the filters
-        """
-        rate = self.rate or channels.rate
-        if "time" in self.leads:
-            lead = self.leads["time"]
-            rate = rate_of(lead.factor * channels[lead.name], f"channel {lead.name}")
-        if rate is None or not 0 < rate < HIGHEST_RATE:
-            raise _no_rate()
-        design_frequency("literal", rate)
-        return rate
-
-
-def pressing(records: Sequence[Record]) -> float:
-    """How far the normal force goes up less how far it goes down from its start, N, over all records."""
-    apart = [record.normal - record.normal[: max(1, len(record.normal) // 20)].mean() for record in records]
-    return float(sum(np.nanmax(one) + np.nanmin(one) for one in apart if np.isfinite(one).any()))
 
 
 def read_calibration(path: Path) -> Array:
@@ -276,16 +243,6 @@ def read_calibration(path: Path) -> Array:
         allowed="a CSV file of six rows (Fx Fy Fz Tx Ty Tz) by six gauges, of full rank",
         cause=cause,
         next_step="export the matrix from the sensor's calibration file again",
-    )
-
-
-def _no_rate() -> FrictionError:
-    return FrictionError(
-        argument="sampling rate",
-        given="neither times nor a rate",
-        allowed="a channel of times, or trials.sensor.rate",
-        cause="the times were not saved",
-        next_step='add rate = "1 kHz" in [trials.sensor]',
     )
 
 

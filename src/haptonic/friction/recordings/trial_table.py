@@ -23,7 +23,7 @@ LONGEST = 1e9  # s, of a recording: 30 years
 PORTION = 512  # trials that a worker reads at a time
 
 
-class Place(NamedTuple):
+class RecordSpan(NamedTuple):
     """Where the record of a trial is: row of the table, group ("" for none), s from the start of the file."""
 
     row: int
@@ -46,7 +46,7 @@ class TrialTable:
     labels: dict[str, NDArray[Any]]
     carried: dict[str, NDArray[Any]]
     files: list[str]
-    places: list[Place]
+    spans: list[RecordSpan]
     simulated: bool
 
     @classmethod
@@ -82,8 +82,8 @@ class TrialTable:
         times = [
             _times(path, columns, name) if name in columns else [None] * count for name in ("start", "stop")
         ]
-        places = [
-            Place(row, "" if pd.isna(group) else str(group), start, stop)
+        spans = [
+            RecordSpan(row, "" if pd.isna(group) else str(group), start, stop)
             for row, (group, start, stop) in enumerate(zip(groups, *times, strict=True))
         ]
         return cls(
@@ -91,25 +91,25 @@ class TrialTable:
             {name: np.array([getattr(label, name) for label in labels]) for name in LABEL},
             {name: columns[name] for name in CARRIED if name in columns},
             files,
-            places,
+            spans,
             "simulated" in origins,
         )
 
-    def portions(self) -> Iterator[list[tuple[str, list[Place]]]]:
+    def portions(self) -> Iterator[list[tuple[str, list[RecordSpan]]]]:
         """The trials by files, some hundred at a time; a file with many trials is not divided."""
-        portion: list[tuple[str, list[Place]]] = []
+        portion: list[tuple[str, list[RecordSpan]]] = []
         for one in self.portion(range(len(self.files))):
             portion.append(one)
-            if sum(len(places) for _, places in portion) >= PORTION:
+            if sum(len(spans) for _, spans in portion) >= PORTION:
                 yield portion
                 portion = []
         if portion:
             yield portion
 
-    def portion(self, rows: Iterable[int]) -> list[tuple[str, list[Place]]]:
+    def portion(self, rows: Iterable[int]) -> list[tuple[str, list[RecordSpan]]]:
         """Some trials by files."""
         by_file = groupby(rows, self.files.__getitem__)
-        return [(name, [self.places[row] for row in group]) for name, group in by_file]
+        return [(name, [self.spans[row] for row in group]) for name, group in by_file]
 
 
 def _times(path: Path, columns: dict[str, NDArray[Any]], name: str) -> list[float | None]:

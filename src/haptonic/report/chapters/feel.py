@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 
 from haptonic.friction.lubrication import CUE_THRESHOLD, WEBER_FRACTION, explained
-from haptonic.friction.words import change
+from haptonic.friction.phrases import change
 from haptonic.report.chapter import Absent, Chapter, Results, Table
 from haptonic.results.feel.value import Feel
 

@@ -51,12 +51,13 @@ def chapter(results: Results) -> Chapter | Absent:
 
 def _what(results: Results, scan: ScanResult) -> str:
     asked, lines = results.study.scan_settings, scan.response.frequency
+    instrument = asked.instrument
     return (
         "Nobody measured this: the records are simulated. A twin of the instrument takes the velocity of the "
         f"computed plate at {scan.response.dataset.sizes['point']} points and {len(lines)} lines "
         f"{lines[1] - lines[0]:.4g} Hz apart, as a periodic drive has them, records {asked.averages} periods "
-        f"with noise of {1e6 * asked.noise:.3g} um/s and {asked.bits} bits, and loses the surface at "
-        f"{scan.flags['dropout']} points. They are analysed as measured ones are. So this tells what "
+        f"with noise of {1e6 * instrument.noise:.3g} um/s and {instrument.bits} bits, and loses the surface "
+        f"at {scan.flags['dropout']} points. They are analysed as measured ones are. So this tells what "
         "instrument and analysis do to the answer of the plate, not whether its model is right."
     )
 

@@ -5,8 +5,8 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping
 
+from haptonic.friction.phrases import averages, change
 from haptonic.friction.statistics import IntervalEstimate, Test
-from haptonic.friction.words import averages, change
 from haptonic.report.chapter import Absent, Chapter, Results, Table
 from haptonic.results.friction import FrictionResult
 

@@ -13,10 +13,10 @@ import xarray as xr
 from numpy.typing import NDArray
 
 from haptonic.bloch import Gap, gaps_of
-from haptonic.bloch.asked import Asked
+from haptonic.bloch.settings import COARSEST, BandSettings
 from haptonic.design.brief import SLACK, Brief
 from haptonic.design.parameters import UNITS
-from haptonic.design.search import Column, Visited, distinct, spread, starts_of
+from haptonic.design.search import HeightRow, Visited, distinct, spread, starts_of
 from haptonic.errors import HaptonicError
 from haptonic.jobs import Task
 from haptonic.results.common import stamped
@@ -39,7 +39,7 @@ LEAST_ACCURACY = 5e-2  # which any design is tried at before it is said that it 
 
 def compute_design(
     brief: Brief,
-    asked: Asked,
+    settings: BandSettings,
     *,
     starts: int,
     climbs: int,
@@ -57,7 +57,7 @@ def compute_design(
     ResourceError : no design that was found can be computed at the accuracy asked for
     """
     brief.check()
-    search = _Search(brief, asked, runner)
+    search = _Search(brief, settings, runner)
     begun = starts_of(search.looked(starts), brief.carrier)[: MORE_CLIMBS * climbs]
     summits: list[Visited] = []
     for first in range(0, len(begun), climbs):
@@ -96,8 +96,8 @@ class _Search:
     best : the best that could
     """
 
-    def __init__(self, brief: Brief, asked: Asked, runner: Runner) -> None:
-        self.brief, self.asked, self.runner = brief, asked, runner
+    def __init__(self, brief: Brief, settings: BandSettings, runner: Runner) -> None:
+        self.brief, self.settings, self.runner = brief, settings, runner
         self.history: list[tuple[str, Visited]] = []
         self.ends: list[float] = []
         self.left_out: list[dict[str, Any]] = []
@@ -107,12 +107,12 @@ class _Search:
         self.best: _Refined | None = None
         self.done = 0
 
-    def looked(self, count: int) -> list[Column]:
+    def looked(self, count: int) -> list[HeightRow]:
         """Columns of designs, in the coarse model."""
         places = spread(self.brief, count)
         asked = [tasks.look_task(self.brief, shares) for shares in places]
         found = self._run("look", tasks.look_dataset, asked, places)
-        columns = [Column(data["share"].values, data["edges"].values) for data in found]
+        columns = [HeightRow(data["share"].values, data["edges"].values) for data in found]
         for column in columns:
             self.history += [("look", one.best(self.brief.carrier)[0][1]) for one in column.alone()]
             self.ends += column.edges[:, 1, -1].tolist()
@@ -165,8 +165,8 @@ class _Search:
     def _at_accuracy(self, visit: Visited, accuracy: float | None = None) -> list[_Refined]:
         """The complete gap of a design, if it has one and can be computed."""
         values, found = _rounded(self.brief, visit), []
-        asked = self.asked if accuracy is None else replace(self.asked, accuracy=accuracy)
-        task = tasks.gap_task(self.brief.cell.with_numbers(values), asked, visit.band)
+        settings = self.settings if accuracy is None else replace(self.settings, accuracy=accuracy)
+        task = tasks.gap_task(self.brief.cell.with_numbers(values), settings, visit.band)
         for data in self._run("refine", tasks.gap_dataset, [task], [visit.share]):
             for gap in gaps_of(data):
                 if gap.complete and gap.between[0] == visit.band:
@@ -198,7 +198,8 @@ class _Search:
             if not found or found[0].gap.relative_error > accuracy:
                 break
             known = accuracy, found[0].gap
-            accuracy = max(_upward(found[0].gap.relative_error), 2 * self.asked.accuracy)
+            reached = _upward(found[0].gap.relative_error)
+            accuracy = min(max(reached, 2 * self.settings.accuracy), COARSEST)
         return known
 
     def _run(

@@ -9,10 +9,10 @@ import xarray as xr
 from numpy.typing import NDArray
 
 from haptonic.bloch import gaps_dataset
-from haptonic.bloch.asked import Asked
+from haptonic.bloch.settings import BandSettings
 from haptonic.cell import UnitCell
 from haptonic.design.brief import Brief
-from haptonic.design.search import Column, Visited, climb, spread, starts_of
+from haptonic.design.search import HeightRow, Visited, climb, spread, starts_of
 from haptonic.jobs import Task
 
 Array = NDArray[np.float64]
@@ -27,7 +27,7 @@ def look_task(brief: Brief, shares: Array) -> Task:
 
 def look_dataset(argument: tuple[Brief, Array]) -> xr.Dataset:
     """Places and edges of the column."""
-    column = Column.of(*argument)
+    column = HeightRow.of(*argument)
     return xr.Dataset(
         {
             "share": (("design", "parameter"), column.shares),
@@ -47,16 +47,16 @@ def climb_dataset(argument: tuple[Brief, Array, int, tuple[float, float], int]) 
     return as_dataset(list(climb(*argument)))
 
 
-def gap_task(cell: UnitCell, asked: Asked, band: int) -> Task:
+def gap_task(cell: UnitCell, settings: BandSettings, band: int) -> Task:
     """Compute the gap above a band at the accuracy asked for, others less surely."""
-    return Task({"kind": "gap", "above": band, "cell": cell, "asked": asked}, (cell, asked, band))
+    return Task({"kind": "gap", "above": band, "cell": cell, "settings": settings}, (cell, settings, band))
 
 
-def gap_dataset(argument: tuple[UnitCell, Asked, int]) -> xr.Dataset:
+def gap_dataset(argument: tuple[UnitCell, BandSettings, int]) -> xr.Dataset:
     """The gaps; see `haptonic.bloch.gaps_of`."""
-    cell, asked, band = argument
+    cell, settings, band = argument
     found: xr.Dataset = gaps_dataset(
-        cell, count=asked.count, accuracy=asked.accuracy, resolution=asked.resolution, above=band
+        cell, count=settings.count, accuracy=settings.accuracy, resolution=settings.resolution, above=band
     )
     return found
 
@@ -69,7 +69,7 @@ def front_task(brief: Brief, share: Array, steps: int) -> Task:
 def front_dataset(argument: tuple[Brief, Array, int]) -> xr.Dataset:
     """All designs of the climb."""
     brief, share, steps = argument
-    columns = [Column.of(brief, shares) for shares in spread(brief, FRONT_STARTS, share)]
+    columns = [HeightRow.of(brief, shares) for shares in spread(brief, FRONT_STARTS, share)]
     start = starts_of(columns, brief.carrier)[0]
     return climb_dataset((brief, start.share, start.band, (0.0, 0.0), steps))
 

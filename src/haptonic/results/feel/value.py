@@ -19,14 +19,14 @@ from haptonic.errors import StudyError
 from haptonic.friction.lubrication import (
     CUE_THRESHOLD,
     WEBER_FRACTION,
-    Finger,
+    Fingertip,
     Margin,
     Touch,
     predict,
     rise_time,
     time_constant,
 )
-from haptonic.friction.words import change
+from haptonic.friction.phrases import change
 from haptonic.gate import declared
 from haptonic.plate import Plate
 from haptonic.plate.question import driven_region
@@ -91,7 +91,7 @@ class Feel(Result):
     loaded: xr.Dataset
     diameter: float
     touch: Touch
-    skin: Finger
+    skin: Fingertip
     drive: float
     reduction: float | None = None
 
@@ -171,7 +171,7 @@ class Feel(Result):
         }
 
     @cached_property
-    def felt(self) -> xr.Dataset:
+    def by_region(self) -> xr.Dataset:
         """(region) what is felt: ``reduction`` with its ends ``low`` and ``high``, the mean ``amplitude``
         below the finger and without it, and the drive from which on people notice it."""
         found = self.reductions()
@@ -331,7 +331,7 @@ class Feel(Result):
         felt = Table.of(
             f"below a finger of {self.touch.force:g} N at {self.frequency / 1e3:.2f} kHz and "
             f"{format_quantity(self.drive, self.unit)}, simulated",
-            self.felt,
+            self.by_region,
             "region",
             COLUMNS,
             [number for number, name in enumerate(self.regions) if name == self.driven],
@@ -344,7 +344,7 @@ class Feel(Result):
             "gap_hz": self.gap,
             "drive": {"amplitude": self.drive, "unit": self.unit},
             "driven": self.driven,
-            "regions": split(self.felt, "region"),
+            "regions": split(self.by_region, "region"),
             "drive_for": None if self.reduction is None else {"reduction": self.reduction, **self.drives},
             "amplitude_ratio": self.ratio,
             "localised": {name: margin.localised for name, margin in self.margins.items()},

@@ -17,12 +17,12 @@ from haptonic.plate.datasets import body_dataset, lines_dataset, modes_dataset
 from haptonic.plate.levels import ABOVE, BELOW, marked_lines
 from haptonic.plate.question import (
     NEAR,
-    PlateQuestion,
     grid_points,
     reference_of,
     resonance_of,
     unit_drives,
 )
+from haptonic.plate.settings import ResponseSettings
 from haptonic.progress import Progress, silent
 from haptonic.response import FrequencyResponse, from_plain, plain
 from haptonic.results.common import stamped
@@ -35,7 +35,7 @@ AnyComplex = NDArray[np.complexfloating[Any, Any]]
 
 def compute_plate(
     plate: Plate,
-    question: PlateQuestion,
+    settings: ResponseSettings,
     *,
     carrier: float,
     gap: Gap | None,
@@ -64,14 +64,14 @@ def compute_plate(
     edges = None if gap is None else [gap.lower, gap.upper]
     keys = [
         content_key(
-            {"part": part, "plate": plate, "question": question, "carrier": carrier, "gap": edges,
+            {"part": part, "plate": plate, "settings": settings, "carrier": carrier, "gap": edges,
              "fineness": fineness, "inputs": inputs}
         )
         for part in ("plate response", "plate maps", "plate lines", "plate modes", "plate body")
     ]  # fmt: skip
     kept = [dataset for key in keys if (dataset := store.get(key)) is not None]
     if len(kept) < len(keys):
-        kept = _computed(plate, question, carrier, edges, inputs, fineness, progress)
+        kept = _computed(plate, settings, carrier, edges, inputs, fineness, progress)
         for key, dataset in zip(keys, kept, strict=True):
             store.put(key, dataset)
     response, marked, lines, modes, body = kept
@@ -91,14 +91,14 @@ def _need_loss(plate: Plate) -> None:
 
 def _computed(
     plate: Plate,
-    question: PlateQuestion,
+    settings: ResponseSettings,
     carrier: float,
     gap: list[float] | None,
     inputs: Mapping[str, Any],
     fineness: Fineness | None,
     progress: Progress,
 ) -> list[xr.Dataset]:
-    low, high = question.lowest, question.highest
+    low, high = settings.lowest, settings.highest
     model = PlateModel.of(plate, high, fineness)
 
     band = Band.of(model, low, high, progress)
@@ -106,13 +106,13 @@ def _computed(
     reference, _ = reference_of(plate)
     aside = [carrier] if gap is None else [BELOW * gap[0], ABOVE * gap[1], *found.frequency]
     extra = [f for f in aside if low <= f <= high]
-    every = np.union1d(question.frequencies, extra)
-    band, vibration = band.answer(unit_drives(plate), every, question.tolerance, progress)
-    points, regions = grid_points(plate, question.grid)
+    every = np.union1d(settings.frequencies, extra)
+    band, vibration = band.answer(unit_drives(plate), every, settings.tolerance, progress)
+    points, regions = grid_points(plate, settings.grid)
     surface = model.displaced(points, vibration.vectors)
     velocity = real_times(surface, vibration.amplitudes) * (1j * vibration.omega)
     marked = marked_lines(plate, every, velocity, regions, carrier, gap)
-    main = np.searchsorted(every, question.frequencies)
+    main = np.searchsorted(every, settings.frequencies)
 
     def response(picked: NDArray[np.int64], title: str) -> xr.Dataset:
         return plain(

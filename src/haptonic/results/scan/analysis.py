@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 from scipy.spatial import cKDTree
 
 from haptonic.bloch import Gap
-from haptonic.bloch.asked import Asked
+from haptonic.bloch.settings import BandSettings
 from haptonic.errors import HaptonicError, ResponseError, ScanError
 from haptonic.gate import WORD
 from haptonic.plate import Plate
@@ -41,11 +41,12 @@ from haptonic.vibrometry import (
     warn_if_aliased,
     wavenumber_map,
 )
-from haptonic.vibrometry.estimation.quality import judged
+from haptonic.vibrometry.estimation.quality import assessed
 from haptonic.vibrometry.estimation.spectra import Estimator, WindowName
 from haptonic.vibrometry.on_plate import contrast_range, decay_in, lattice_gap
 from haptonic.vibrometry.places import guides_of, mirror_beside
-from haptonic.vibrometry.question import ScanQuestion, Tiles
+from haptonic.vibrometry.question import Tiles, plan_for
+from haptonic.vibrometry.settings import ScanSettings
 from haptonic.vibrometry.theory import computed_waves
 
 Array = NDArray[np.float64]
@@ -76,17 +77,17 @@ class Estimation:
 class OnPlate:
     """What a study says about a scanned plate.
 
-    carrier : Hz; gap : of its lattice; asked : of the bands
+    carrier : Hz; gap : of its lattice; bands : what is asked of its bands
     corners : (4, 2) of the plate as the scan sees them, from the lower left one anticlockwise, m; else the
         points are fitted to the planned ones
     mirrored : the scan sees the plate from behind
     """
 
     plate: Plate
-    question: ScanQuestion
+    scan: ScanSettings
     carrier: float
     gap: Gap | None
-    asked: Asked
+    bands: BandSettings
     corners: Array | None = None
     mirrored: bool = False
 
@@ -143,7 +144,7 @@ def compute_scan(
     waves = None
     if layout.cells:
         span = float(response.frequency[0]), float(response.frequency[-1])
-        parts = layout, on.asked, span, on.gap, guides_of(layout), mirror
+        parts = layout, on.bands, span, on.gap, guides_of(layout), mirror
         waves = store.kept({"kind": "waves beside a scan", "of": parts}, lambda: computed_waves(*parts))
         shortest = 2 * np.pi / float(waves["wavenumber"].max())
         warn_if_aliased(_step(response), shortest, f"the flexural wave at {span[1] / 1e3:.4g} kHz")
@@ -184,14 +185,14 @@ def _estimated(scan: Scan, how: Estimation, on: OnPlate | None, progress: Progre
         median = np.full(points, np.nan) if coherence is None else np.median(coherence, axis=0).astype(float)
         known = json.loads(response.dataset.attrs["inputs"]).get("points")
         names = known if isinstance(known, list) and len(known) == points else range(1, points + 1)
-        quality = judged(tuple(map(str, names)), np.zeros(points), np.zeros(points), median)
+        quality = assessed(tuple(map(str, names)), np.zeros(points), np.zeros(points), median)
         return Estimate(response, quality, scan.report, 0)
     records = scan.records
     segment, band = how.segment, None
     if on is not None:
-        fits = on.question.record * records.sample_rate <= records.samples * (1 + 1e-9)
-        segment = on.question.record if segment is None and fits else segment
-        low, high = on.question.lowest, min(on.question.highest, 0.5 * records.sample_rate)
+        fits = on.scan.record * records.sample_rate <= records.samples * (1 + 1e-9)
+        segment = on.scan.record if segment is None and fits else segment
+        low, high = on.scan.lowest, min(on.scan.highest, 0.5 * records.sample_rate)
         band = (low, high) if low < high else None
     return estimate(
         records,
@@ -211,12 +212,12 @@ def _registration(response: FrequencyResponse, on: OnPlate) -> Registration:
         right, top = layout.x[-1], layout.y[-1]
         corners = np.array([[0.0, 0.0], [right, 0.0], [right, top], [0.0, top]])
         return register_by_corners(on.corners, corners, mirrored=on.mirrored)
-    return register_by_fit(response.points, on.question.plan(on.plate).points, mirrored=on.mirrored)
+    return register_by_fit(response.points, plan_for(on.scan, on.plate).points, mirrored=on.mirrored)
 
 
 def _without_path(response: FrequencyResponse, on: OnPlate) -> FrequencyResponse:
     """The response without delay and low-pass of the instrument that the study gives, taken out once."""
-    instrument, old, notes = on.question.instrument, response.dataset["response"], response.dataset.attrs
+    instrument, old, notes = on.scan.instrument, response.dataset["response"], response.dataset.attrs
     inputs = json.loads(notes["inputs"])
     if "path" in inputs or (not instrument.delay and instrument.bandwidth is None):
         return response

@@ -27,8 +27,9 @@ from haptonic.vibrometry.chirp import Drive
 from haptonic.vibrometry.exports import csv_files, write_mat, write_mat_records, write_tdms
 from haptonic.vibrometry.instrument import recorded
 from haptonic.vibrometry.on_plate import contrast_range
-from haptonic.vibrometry.question import ScanQuestion
+from haptonic.vibrometry.question import plan_for
 from haptonic.vibrometry.readers.folder import GEOMETRY
+from haptonic.vibrometry.settings import ScanSettings
 
 Array = NDArray[np.float64]
 Kind = Literal["time", "frf"]
@@ -59,7 +60,7 @@ class Twin(Result):
     title = "Simulated scan"
 
     plate: Plate
-    question: ScanQuestion
+    settings: ScanSettings
     signal: Drive
     gap: Gap | None
     true: FrequencyResponse
@@ -72,7 +73,7 @@ class Twin(Result):
     def of(
         cls,
         plate: Plate,
-        question: ScanQuestion,
+        settings: ScanSettings,
         signal: Drive,
         response: FrequencyResponse,
         *,
@@ -85,9 +86,9 @@ class Twin(Result):
         ------
         ScanError : a response at other points or lines
         """
-        plan = question.plan(plate).points
+        plan = plan_for(settings, plate).points
         distance, order = cKDTree(response.points).query(plan)
-        if distance.max() > NEAR * question.grid:
+        if distance.max() > NEAR * settings.grid:
             raise ScanError(
                 argument="response",
                 given=f"no point within {distance.max() * 1e3:.3g} mm of a planned one",
@@ -102,8 +103,8 @@ class Twin(Result):
         moved = FrequencyResponse(
             true.dataset.assign_coords(x=("point", points[:, 0]), y=("point", points[:, 1]))
         )
-        records = recorded(moved, signal, question.instrument, averages=question.averages, seed=seed)
-        return cls(plate, question, signal, gap, true, records, seed)
+        records = recorded(moved, signal, settings.instrument, averages=settings.averages, seed=seed)
+        return cls(plate, settings, signal, gap, true, records, seed)
 
     @cached_property
     def estimated(self) -> FrequencyResponse:
@@ -160,7 +161,7 @@ class Twin(Result):
         levels = contrasts(self.true, driven_region(self.plate))
         instrument = asdict(
             replace(
-                self.question.instrument,
+                self.settings.instrument,
                 full_scale=self.records.response_scale * (self.records.full_scale or 1),
             )
         )

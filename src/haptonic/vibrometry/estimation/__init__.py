@@ -21,9 +21,9 @@ from haptonic.response import FrequencyResponse
 from haptonic.vibrometry.estimation.progress import Growing, growing
 from haptonic.vibrometry.estimation.quality import (
     Quality,
+    assessed,
     clipped_share,
     frozen_share,
-    judged,
     repaired,
 )
 from haptonic.vibrometry.estimation.spectra import (
@@ -292,7 +292,7 @@ def _finished(
         coherence=np.asarray(coherence) if averages > 1 else None,
         inputs=settings | {"averages": averages, "points": list(names)},
     )  # fmt: skip
-    quality = judged(names, measures[:, 0], measures[:, 1], median)
+    quality = assessed(names, measures[:, 0], measures[:, 1], median)
     return Estimate(made, quality, ReadReport.of(notes, len(keep)), averages)
 
 

@@ -48,7 +48,7 @@ class Quality:
         return np.array([bool(wanted & set(one)) for one in self.flags])
 
 
-def judged(names: tuple[str, ...], clipped: Array, frozen: Array, coherence: Array) -> Quality:
+def assessed(names: tuple[str, ...], clipped: Array, frozen: Array, coherence: Array) -> Quality:
     """The flags that follow from the measures."""
     flags = []
     for share, run, median in zip(clipped, frozen, coherence, strict=True):

@@ -1,6 +1,6 @@
 """What a scan shows of a plate: regions, gap, waves in the guides, decay through the lattice."""
 
-from haptonic.vibrometry.maps.edges import Edge, LatticeGap, LatticeRows, fading, gap_edges
+from haptonic.vibrometry.maps.edges import Edge, LatticeGap, LatticeRows, decay_along, gap_edges
 from haptonic.vibrometry.maps.gap import MeasuredGap, measured_gap, region_statistics
 from haptonic.vibrometry.maps.noise import clean_contrast, clean_rms
 from haptonic.vibrometry.maps.registration import Registration, register_by_corners, register_by_fit
@@ -14,7 +14,7 @@ __all__ = [
     "Registration",
     "clean_contrast",
     "clean_rms",
-    "fading",
+    "decay_along",
     "gap_edges",
     "lattice_decay",
     "measured_gap",

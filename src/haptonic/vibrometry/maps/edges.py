@@ -31,7 +31,7 @@ LOUD = 4.0  # times the noise: what is weaker is not used
 LINES = 256  # that are transformed at a time
 
 HEARD = 0.5  # of the phases at a line, and of the lines beside an edge, that have to be louder than noise
-FADES = 4.0  # dB per cell, above which waves of large phase count as fading; in a band 0.5 to 3 were found
+FADES = 4.0  # dB per cell, above which waves of large phase count as decaying; in a band 0.5 to 3 were found
 STOPPED = 1.5  # dB per cell, above which those of small phase do, which reach farther; in a band 0.3 to 1
 BESIDE = 0.06  # of a frequency, on either side of an edge, over which what fades and what passes is averaged
 NARROWEST = 0.02  # of a frequency; a narrower range is not looked at
@@ -75,7 +75,7 @@ class LatticeGap:
     reasons: tuple[str, ...]
 
 
-def fading(response: FrequencyResponse, strips: Sequence[LatticeRows]) -> xr.DataArray:
+def decay_along(response: FrequencyResponse, strips: Sequence[LatticeRows]) -> xr.DataArray:
     """By how much waves of a phase fade from row to row, whatever is reflected.
 
     A wave of phase q along the strip and its reflection give neighbouring rows u with u[n-1] + u[n+1] =
@@ -122,7 +122,7 @@ def fading(response: FrequencyResponse, strips: Sequence[LatticeRows]) -> xr.Dat
         20 * np.abs(np.log10(np.abs(multiplier))),
         dims=("frequency", "phase"),
         coords={"frequency": response.dataset["frequency"], "phase": ("phase", phases, {"units": "rad"})},
-        attrs={"units": "dB/cell"} | HIDDEN, name="fading",
+        attrs={"units": "dB/cell"} | HIDDEN, name="decay",
     )  # fmt: skip
 
 
@@ -134,7 +134,7 @@ def gap_edges(fades: xr.DataArray) -> LatticeGap:
 
     Parameters
     ----------
-    fades : see `fading`
+    fades : see `decay_along`
     """
     lines = np.asarray(fades["frequency"].values, float)
     large = fades["phase"].values > np.pi / 2

@@ -20,7 +20,7 @@ from haptonic.channels.labels import label_of, ratio_of
 from haptonic.channels.signals import ORIGIN, SIMULATED, Origin
 from haptonic.errors import ChannelError, ScanError
 from haptonic.response import FrequencyResponse, Reference
-from haptonic.vibrometry.curves import Curve, Place, assemble
+from haptonic.vibrometry.curves import Curve, Point, assemble
 from haptonic.vibrometry.readers.tables import Mapped
 
 Array = NDArray[np.float64]
@@ -68,7 +68,7 @@ class _UnfitError(Exception):
 
 def _geometry(
     path: Path, length_unit: float, notes: Notebook
-) -> tuple[dict[str, Place], dict[str, Path], bool]:
+) -> tuple[dict[str, Point], dict[str, Path], bool]:
     """Places and files of the points by name, and whether they are simulated."""
     table = path / GEOMETRY
     if not table.is_file():
@@ -79,7 +79,7 @@ def _geometry(
             cause="another folder was chosen, or the coordinates were not exported",
             next_step=f"write {GEOMETRY}: a header file,x,y and one line for each file, in m",
         )
-    places: dict[str, Place] = {}
+    places: dict[str, Point] = {}
     files: dict[str, Path] = {}
     simulated = False
     try:
@@ -97,9 +97,9 @@ def _geometry(
         name = (row.get("file") or "").strip()
         simulated |= row.get(ORIGIN) == SIMULATED
         try:
-            place = Place(*(length_unit * float(row.get(axis) or "nan") for axis in "xy"))
+            place = Point(*(length_unit * float(row.get(axis) or "nan") for axis in "xy"))
         except ValueError:
-            place = Place(np.nan, np.nan)
+            place = Point(np.nan, np.nan)
         if not name or Path(name).name != name:
             notes.drop(f"line {number} of {GEOMETRY}", "no name of a file in this folder")
         elif name in files:

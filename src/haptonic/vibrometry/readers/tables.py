@@ -14,7 +14,7 @@ from haptonic.channels.labels import Ratio, ratio_of
 from haptonic.channels.signals import ORIGIN, Origin
 from haptonic.errors import ScanError, nearest
 from haptonic.response import FrequencyResponse, Reference
-from haptonic.vibrometry.curves import Curve, Place, assemble
+from haptonic.vibrometry.curves import Curve, Point, assemble
 from haptonic.vibrometry.records import InMemory, OfChannels, Source, TimeScan
 
 # What a variable may be called when nothing else is said; the first that is there is taken.
@@ -133,7 +133,7 @@ def scan_of(
     return assemble(curves, known, notes, origin=origin, title=title, inputs={"file": notes.path.name})
 
 
-def _places(table: Mapping[str, Channel], how: Mapped, notes: Notebook) -> list[Place | None]:
+def _places(table: Mapping[str, Channel], how: Mapped, notes: Notebook) -> list[Point | None]:
     if "x" in table and "y" in table:
         columns = [np.asarray(table[name], dtype=float).ravel() for name in ("x", "y")]
     elif "points" in table and len(table["points"].shape) == 2:
@@ -147,7 +147,7 @@ def _places(table: Mapping[str, Channel], how: Mapped, notes: Notebook) -> list[
     pairs = [how.length_unit * column for column in columns]
     fine = np.isfinite(pairs[0]) & np.isfinite(pairs[1])
     return [
-        Place(float(x), float(y)) if ok else None for x, y, ok in zip(pairs[0], pairs[1], fine, strict=True)
+        Point(float(x), float(y)) if ok else None for x, y, ok in zip(pairs[0], pairs[1], fine, strict=True)
     ]
 
 
@@ -166,7 +166,7 @@ def _points_first(values: NDArray[Any], points: int, lines: int, notes: Notebook
 
 def _records(
     table: Mapping[str, Channel],
-    places: list[Place | None],
+    places: list[Point | None],
     how: Mapped,
     notes: Notebook,
     origin: Origin,

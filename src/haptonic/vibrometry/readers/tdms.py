@@ -22,7 +22,7 @@ POSITION = (("x", "y"), ("X", "Y"), ("x_m", "y_m"))
 
 
 @dataclass(frozen=True, eq=False)
-class _FromFile:
+class _TdmsRecords:
     """Channels of a file, one for each point, by group and name; those of some points are read together."""
 
     path: Path
@@ -81,7 +81,7 @@ def scan_of_groups(
     named = [[(name, channel.name) for name, channel in zip(names, column, strict=True)]
              for column in zip(*rows, strict=True)]  # fmt: skip
     return TimeScan(
-        _FromFile(notes.path, *named), tuple(names),
+        _TdmsRecords(notes.path, *named), tuple(names),
         np.array([x for x, _ in places]), np.array([y for _, y in places]),
         1, form[0], rate, how.reference or Reference("reference", drive.unit or "V"),
         motion=motion.motion, response_scale=motion.factor, reference_scale=drive.factor,

@@ -6,11 +6,11 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from haptonic.channels.labels import Label, Motion, Ratio, label_of, ratio_of
+from haptonic.channels.labels import Motion, Ratio, UnitLabel, label_of, ratio_of
 from haptonic.channels.uff import Function, UffContents, uff_contents
 from haptonic.channels.uff_blocks import Header, UnreadableError
 from haptonic.response import Reference
-from haptonic.vibrometry.curves import AXES, Curve, Place
+from haptonic.vibrometry.curves import AXES, Curve, Point
 
 __all__ = ["UffContents", "curves_of", "ratio_in", "reference_of", "uff_contents"]
 
@@ -20,12 +20,12 @@ REFERENCES = {9: "N", 13: "N", 15: "Pa"}
 LARGEST_PLATE = 10.0  # m; a larger one is in mm without saying so
 
 
-def curves_of(contents: UffContents) -> tuple[list[Curve], dict[str, Place]]:
+def curves_of(contents: UffContents) -> tuple[list[Curve], dict[str, Point]]:
     """Responses and coherences in SI units, and the places of the points. What is neither is named."""
     notes = contents.notes
     if contents.length is None:
         notes.remark("no data set 164: lengths without a unit were taken as m, forces as N")
-    places = {str(n): Place(float(p[0]), float(p[1])) for n, p in contents.nodes.items()}
+    places = {str(n): Point(float(p[0]), float(p[1])) for n, p in contents.nodes.items()}
     extent = max((abs(v) for p in places.values() for v in (p.x, p.y)), default=0.0)
     if extent > LARGEST_PLATE:
         notes.remark(f"points lie {extent:g} m from the origin: they are probably in mm; give length_unit")
@@ -87,7 +87,7 @@ def ratio_in(header: Header, contents: UffContents) -> Ratio:
     notes, length, force = contents.notes, contents.length or 1.0, contents.force or 1.0
     typed = MOTIONS.get(header.over.kind)
     if over.motion is None and typed is not None and not over.unit:
-        over = Label(typed, "", 1 / length)
+        over = UnitLabel(typed, "", 1 / length)
     elif typed is not None and over.motion is not None and typed != over.motion:
         notes.remark(f'a curve of type {typed} has the unit "{header.over.unit}"; the unit was believed')
     elif over.motion is not None and contents.length not in (None, 1.0):
@@ -97,11 +97,11 @@ def ratio_in(header: Header, contents: UffContents) -> Ratio:
     if not under.unit:
         under = label_of(header.under.unit)
     if not under.unit and header.under.kind in REFERENCES:
-        under = Label(None, REFERENCES[header.under.kind], 1 / force if header.under.kind != 15 else 1.0)
+        under = UnitLabel(None, REFERENCES[header.under.kind], 1 / force if header.under.kind != 15 else 1.0)
     return Ratio(over, under)
 
 
-def reference_of(header: Header, under: Label) -> Reference:
+def reference_of(header: Header, under: UnitLabel) -> Reference:
     if not under.unit:
         return Reference()
     name = header.reference_name or header.under.label

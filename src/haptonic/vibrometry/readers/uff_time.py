@@ -18,7 +18,7 @@ from haptonic.vibrometry.records import Samples, TimeScan
 
 
 @dataclass(frozen=True, eq=False)
-class _FromFile:
+class _UffRecords:
     """Records of the file; all points share the reference when there is one row of it."""
 
     reference: list[list[Function]]
@@ -75,7 +75,7 @@ def time_scan_of(contents: UffContents, origin: Origin, title: str) -> TimeScan:
     drives, channel = _paired(references, points, ratio, contents)
     places = np.array([contents.nodes[node] for node in nodes])
     return TimeScan(
-        _FromFile(drives, [points[node] for node in nodes]),
+        _UffRecords(drives, [points[node] for node in nodes]),
         tuple(str(node) for node in nodes), places[:, 0].copy(), places[:, 1].copy(), repeats, like.count,
         1 / like.step if like.step else 0.0, channel,
         motion=unit.motion or "velocity",

@@ -3,9 +3,9 @@
 Everything that comes from here is labelled as simulated.
 """
 
-from haptonic.friction.twin.film import Film, explaining, film_of
-from haptonic.friction.twin.strokes import Stroke, recorded, strokes
-from haptonic.friction.twin.truth import Person, Trial, Truth, coefficients, people, trials
+from haptonic.friction.simulation.film import Film, explaining, film_of
+from haptonic.friction.simulation.strokes import Stroke, recorded, strokes
+from haptonic.friction.simulation.truth import Person, Trial, Truth, coefficients, people, trials
 
 __all__ = [
     "Film",

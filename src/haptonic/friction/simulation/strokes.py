@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 
 from haptonic.friction.protocol import Protocol
 from haptonic.friction.signals import Label, Record
-from haptonic.friction.twin.truth import Person, Trial, Truth, people, trials
+from haptonic.friction.simulation.truth import Person, Trial, Truth, people, trials
 
 Array = NDArray[np.float64]
 
@@ -101,8 +101,8 @@ def _stroke(truth: Truth, trial: Trial, across: float, rng: Generator) -> Stroke
             across * tangential - along * sideways,
         ]
     )
-    scale = truth.bias * np.array([0.2, -1, 1, NOISY_LEVER, -NOISY_LEVER, NOISY_LEVER])
-    noise = truth.noise * np.array([1, 1, 1, NOISY_LEVER, NOISY_LEVER, NOISY_LEVER])
+    scale = truth.people.bias * np.array([0.2, -1, 1, NOISY_LEVER, -NOISY_LEVER, NOISY_LEVER])
+    noise = truth.people.noise * np.array([1, 1, 1, NOISY_LEVER, NOISY_LEVER, NOISY_LEVER])
     axes += scale[:, None] + noise[:, None] * rng.standard_normal(axes.shape)
     return Stroke(trial, axes, position)
 

@@ -1,4 +1,4 @@
-"""The table of the study file about the finger that feels the plate."""
+"""The finger that feels the plate, and how hard the plate is driven."""
 
 from __future__ import annotations
 
@@ -7,12 +7,11 @@ from typing import Annotated, Any
 
 from pydantic import Field
 
-from haptonic.fields import Quantity, described, problem
-from haptonic.friction.lubrication import FORCES, SPEEDS, Finger, Parameter, Touch
+from haptonic.errors import FrictionError
+from haptonic.fields import INLINE, Quantity, described, problem
+from haptonic.friction.lubrication.parameters import Fingertip, Force, Parameter, Speed, Touch
 from haptonic.units import format_quantity
 
-Force = Annotated[float, Quantity("N", at_least=FORCES[0], at_most=FORCES[1], typical=(0.1, 5.0))]
-Speed = Annotated[float, Quantity("m/s", at_least=SPEEDS[0], at_most=SPEEDS[1], typical=(0.01, 0.5))]
 Damping = Annotated[float, Quantity("N s/m", above=0.0, at_most=1e4, typical=(1.0, 100.0))]
 VOLTAGE = Quantity("V", above=0.0, at_most=1e4, typical=(1.0, 500.0))
 USUAL_DAMPING = (5.0, 10.0, 30.0)  # N s/m, assumed: what a fingertip does to a vibrating plate
@@ -50,10 +49,10 @@ class _Ordered:
                 )
 
 
-_THREES = {name: _three(parameter) for name, parameter in Finger()}
-SkinSection: Any = described("touch.skin", kw_only=True)(
+_THREES = {name: _three(parameter) for name, parameter in Fingertip()}
+Skin: Any = described("touch.skin", FrictionError, kw_only=True)(
     type(
-        "SkinSection",
+        "Skin",
         (_Ordered,),
         {
             "__doc__": "What the models of friction know of the fingertip; what is not given is assumed.",
@@ -65,12 +64,10 @@ SkinSection: Any = described("touch.skin", kw_only=True)(
 )
 
 
-@described("touch", kw_only=True)
-class TouchSection(_Ordered):
-    """The finger that feels the plate, and how hard the plate is driven."""
+@described("touch", FrictionError)
+class Pad(_Ordered):
+    """What the finger does to the plate: a damper, spread evenly over a disc."""
 
-    force: Force = Field(default=Touch.force, title="Force of the finger", description="Normal to the plate.")
-    speed: Speed = Field(default=Touch.speed, title="Speed of the finger", description="Along the plate.")
     diameter: Annotated[float, Quantity("m", at_least=1e-3, at_most=40e-3, typical=(5e-3, 20e-3))] = Field(
         default=10e-3, title="Diameter below the finger", description="Of the disc that it covers; assumed."
     )
@@ -79,20 +76,35 @@ class TouchSection(_Ordered):
         title="Damping of the finger",
         description="Of the whole disc: lowest plausible, value, highest plausible; assumed.",
     )
+
+
+@described("touch", FrictionError, kw_only=True)
+class TouchSettings:
+    """The finger that feels the plate, and how hard the plate is driven."""
+
+    force: Force = Field(default=0.5, title="Force of the finger", description="Normal to the plate.")
+    speed: Speed = Field(default=0.078, title="Speed of the finger", description="Along the plate.")
+    pad: Annotated[Pad, INLINE] = Field(
+        default=Pad(), title="Pad", description="What the finger does to the plate."
+    )
     voltage: Annotated[float, VOLTAGE] | None = Field(
         default=None,
         title="Voltage",
         description="Of the first actuator while the finger feels; else the plate's.",
     )
-    skin: SkinSection = Field(
-        default_factory=SkinSection, title="Skin", description="What the models of friction know of it."
+    skin: Skin = Field(
+        default_factory=Skin, title="Skin", description="What the models of friction know of it."
     )
 
-    def finger(self) -> Finger:
+    def at(self, frequency: float) -> Touch:
+        """The touch at a frequency of the plate, Hz."""
+        return Touch(frequency, self.force, self.speed)
+
+    def fingertip(self) -> Fingertip:
         """The fingertip as the lubrication models compute with it."""
-        known = dict(Finger())
+        known = dict(Fingertip())
         given = {name: three for name in vars(self.skin) if (three := getattr(self.skin, name))}
         return replace(
-            Finger(),
+            Fingertip(),
             **{name: known[name].having(value, (low, high)) for name, (low, value, high) in given.items()},
         )

@@ -11,9 +11,10 @@ import numpy as np
 from numpy.random import Generator
 
 from haptonic.errors import FrictionError
+from haptonic.friction.participants import Participants
 from haptonic.friction.protocol import Protocol
 from haptonic.friction.signals import Label
-from haptonic.friction.twin.film import LIGHTEST, Film
+from haptonic.friction.simulation.film import LIGHTEST, Film
 from haptonic.units import shown
 
 SLOWEST = 0.03  # m/s: what a participant who follows instructions does not fall below
@@ -23,42 +24,23 @@ SLOWEST = 0.03  # m/s: what a participant who follows instructions does not fall
 class Truth:
     """What is true of the made-up participants.
 
-    friction : with the vibration off, mean over people
+    people : friction with the vibration off, and how it differs; the sensor
     remaining : waveguide -> mu / mu0 with the vibration on, in the population
-    between : standard deviation of friction between people, as a share
-    effect_between : standard deviation of the reduction between people (of a reduction of 0.55, say)
-    within : standard deviation of friction from trial to trial, as a share; 0.22 gives the differences of 180
-        pairs on the idle waveguide an interval as wide as the published one, 0.04 [daunizeau-haptics]
-    drift : change of friction over the whole session, as a share: moisture, fatigue
-    noise : of the force sensor, N rms
     force, speed : (mean, standard deviation) over trials, N and m/s
-    bias : of the sensor, N
     contact : time that a stroke lasts, s
     film : how what remains depends on the force of a stroke; without it, not at all
     """
 
-    friction: float = 0.42
+    people: Participants = field(default_factory=Participants)
     remaining: Mapping[str, float] = field(
         default_factory=lambda: MappingProxyType({"WG1": 0.45, "WG2": 0.89})
     )
-    between: float = 0.15
-    effect_between: float = 0.05
-    within: float = 0.22
-    drift: float = 0.1
-    noise: float = 0.021
     force: tuple[float, float] = (0.8, 0.4)
     speed: tuple[float, float] = (0.078, 0.013)
-    bias: float = 0.3
     contact: float = 0.9
     film: Film | None = None
 
     def __post_init__(self) -> None:
-        for name in ("between", "effect_between", "within", "noise"):
-            value = getattr(self, name)
-            if not (math.isfinite(value) and 0 <= value <= 1):
-                raise _untrue(name, value, "0 to 1")
-        if not 0 < self.friction <= 5:
-            raise _untrue("friction", self.friction, "above 0, at most 5")
         for guide, left in self.remaining.items():
             if not 0 < left <= 1:
                 raise _untrue(f"remaining.{guide}", left, "mu / mu0, above 0 and at most 1")
@@ -100,9 +82,9 @@ def people(truth: Truth, participants: int, rng: Generator) -> list[Person]:
     """Participants drawn from the population."""
     return [
         Person(
-            truth.friction * _positive_factor(truth.between, rng),
+            truth.people.friction * _positive_factor(truth.people.between, rng),
             {
-                guide: float(np.clip(mean + truth.effect_between * rng.standard_normal(), 0.01, 2))
+                guide: float(np.clip(mean + truth.people.effect_between * rng.standard_normal(), 0.01, 2))
                 for guide, mean in truth.remaining.items()
             },
         )
@@ -125,11 +107,11 @@ def trials(truth: Truth, protocol: Protocol, group: Sequence[Person], rng: Gener
         person, place = group[row // session], row % session
         force = max(LIGHTEST, truth.force[0] + truth.force[1] * float(rng.standard_normal()))
         speed = max(SLOWEST, truth.speed[0] + truth.speed[1] * float(rng.standard_normal()))
-        friction = person.friction * (1 + truth.drift * (place / session - 0.5))
+        friction = person.friction * (1 + truth.people.drift * (place / session - 0.5))
         if label.actuation == "on":
             friction *= person.remaining[label.waveguide]
             friction *= truth.film.relative(label.waveguide, force) if truth.film else 1.0
-        yield Trial(label, friction * _positive_factor(truth.within, rng), force, speed)
+        yield Trial(label, friction * _positive_factor(truth.people.within, rng), force, speed)
 
 
 def coefficients(

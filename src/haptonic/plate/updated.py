@@ -21,7 +21,7 @@ Fields = NDArray[Any]
 
 
 @dataclass(frozen=True, eq=False)
-class Retuned:
+class UpdatedModel:
     """A model with other numbers.
 
     turns : for each group of the assembly, modes of its tile in terms of those that it had
@@ -39,7 +39,7 @@ class Retuned:
         return found
 
 
-def retuned(model: PlateModel, plate: Plate) -> Retuned:
+def updated(model: PlateModel, plate: Plate) -> UpdatedModel:
     """The model of a plate that differs in numbers only.
 
     Parameters
@@ -50,7 +50,7 @@ def retuned(model: PlateModel, plate: Plate) -> Retuned:
     scale, thickness = stiffness_ratio(model.plate, plate), bond_thickness(plate)
     groups, turns = [], []
     for group in model.assembly.groups:
-        tile, turn = _retuned(group.tile, scale, thickness)
+        tile, turn = _updated(group.tile, scale, thickness)
         groups.append(replace(group, tile=tile))
         turns.append(turn)
     foundations = tuple(
@@ -61,7 +61,7 @@ def retuned(model: PlateModel, plate: Plate) -> Retuned:
     total = total_stiffness(foundations, model.assembly.free)
     assembly = replace(model.assembly, groups=tuple(groups), foundations=total)
     made = replace(model, plate=plate, assembly=assembly, foundations=foundations, drives=drives_on(assembly))
-    return Retuned(made, tuple(turns))
+    return UpdatedModel(made, tuple(turns))
 
 
 def stiffness_ratio(old: Plate, new: Plate) -> float:
@@ -80,7 +80,7 @@ def bond_thickness(plate: Plate) -> dict[str, float]:
     return {one.name: one.bond.thickness for one in plate.actuators if one.bond is not None}
 
 
-def _retuned(tile: Tile, scale: float, thickness: dict[str, float]) -> tuple[Tile, Array]:
+def _updated(tile: Tile, scale: float, thickness: dict[str, float]) -> tuple[Tile, Array]:
     stiffness = {part: scale * form if part == PLATE else form for part, form in tile.stiffness.items()}
     modes = len(tile.values)
     if list(stiffness) == [PLATE]:

@@ -14,7 +14,7 @@ from haptonic.plate.bonds import Bonded
 from haptonic.plate.family import Family, anchored
 from haptonic.plate.keys import PLATE, ceramic, electric
 from haptonic.plate.keys import bond as bond_of
-from haptonic.plate.retuned import retuned
+from haptonic.plate.updated import updated
 
 HIGHEST = 40e3
 POINTS = np.array([(3e-3, 4e-3), (10e-3, 12e-3), (19e-3, 5e-3)])
@@ -83,7 +83,7 @@ def test_three_thicknesses_of_a_bond_give_every_other():
 def test_answers_are_those_of_new_tiles():
     plate = patched(**OTHER)
     new = PlateModel.of(plate, HIGHEST, COARSE)
-    found = retuned(model(), plate).model
+    found = updated(model(), plate).model
     omegas = 2 * np.pi * LINES[::8]
     one, other = (displacement(of, answered(of, {"A": 1.0}, omegas)) for of in (found, new))
     before = displacement(model(), answered(model(), {"A": 1.0}, omegas))
@@ -93,7 +93,7 @@ def test_answers_are_those_of_new_tiles():
 
 def test_vectors_come_back_to_the_old_unknowns():
     """The same displacement, by the old model's unknowns and by the new one's."""
-    other = retuned(model(), patched(**OTHER))
+    other = updated(model(), patched(**OTHER))
     vectors = np.random.default_rng(1).standard_normal((model().assembly.size, 2))
     assert apart(displacement(model(), other.back(vectors)), displacement(other.model, vectors)) < 1e-10
     heavy = other.model.assembly.stiffness_times(vectors)
@@ -127,7 +127,7 @@ def test_a_stiffer_plate_is_a_faster_one(factor):
                         forces=(Force("F", (9e-3, 5e-3), None),))  # fmt: skip
     springs = (replace(plate.supports[0], stiffness=3e11 * factor),)
     old = PlateModel.of(plate, HIGHEST, COARSE)
-    new = retuned(old, replace(stiffer(plate, factor), supports=springs)).model
+    new = updated(old, replace(stiffer(plate, factor), supports=springs)).model
     omegas = 2 * np.pi * np.array([4e3, 11e3, 23e3])
     one = answered(new, {"F": 1.0}, omegas * np.sqrt(factor))
     assert apart(factor * one, answered(old, {"F": 1.0}, omegas)) < 1e-9
@@ -141,7 +141,7 @@ def test_a_family_answers_as_the_whole_plate():
     family = Family.spanned(model(), anchors, drives, POINTS)
     omegas = 2 * np.pi * LINES[::6]
     asked = patched(60e-6, 5e11, 1.03, 9e-3)
-    turned = retuned(model(), asked).model
+    turned = updated(model(), asked).model
     exact = displacement(turned, answered(turned, drives, omegas))
     assert apart(family.poles(asked).displacement(omegas), exact) < 2e-2
     for plate, anchor in zip(plates, anchors, strict=True):

@@ -10,7 +10,7 @@ import scipy
 from numpy.typing import NDArray
 
 from haptonic.errors import FrictionError
-from haptonic.friction.lubrication import Finger, Touch, shared_friction
+from haptonic.friction.lubrication import Fingertip, Touch, shared_friction
 from haptonic.units import format_quantity
 
 Array = NDArray[np.float64]
@@ -19,7 +19,7 @@ LIGHTEST = 0.2  # N: what a participant who follows instructions does not fall b
 WIDEST = 4.0  # standard deviations from the mean force, beyond which the curve is level
 FORCES = 41  # of a curve
 AMPLITUDES = np.geomspace(0.01e-6, 20e-6, 120)  # m, among which one that explains a reduction is looked for
-USUAL = Finger()
+USUAL = Fingertip()
 QUANTILES = (np.arange(400) + 0.5) / 400
 
 
@@ -48,7 +48,7 @@ def film_of(
     amplitude: Mapping[str, float],
     frequency: float,
     force: tuple[float, float],
-    skin: Finger = USUAL,
+    skin: Fingertip = USUAL,
 ) -> Film:
     """What amplitudes leave of the friction.
 
@@ -89,7 +89,7 @@ def explaining(
     reduction: Mapping[str, float],
     frequency: float,
     force: tuple[float, float],
-    skin: Finger = USUAL,
+    skin: Fingertip = USUAL,
 ) -> dict[str, float]:
     """Amplitudes (m) that explain the mean reduction on every waveguide, over the forces of the strokes.
 
@@ -123,7 +123,7 @@ def _forces(force: tuple[float, float]) -> Array:
     return np.linspace(LIGHTEST, max(mean + WIDEST * spread, 1.1 * LIGHTEST), FORCES)
 
 
-def _shared(amplitude: Array, frequency: float, forces: Array, skin: Finger) -> Array:
+def _shared(amplitude: Array, frequency: float, forces: Array, skin: Fingertip) -> Array:
     """(force, amplitude) mu / mu0."""
     values = skin.values
     return np.array([shared_friction(amplitude, Touch(frequency, float(one)), values) for one in forces])

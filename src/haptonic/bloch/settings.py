@@ -1,0 +1,147 @@
+"""What is asked of a lattice: its bands, rows of it as a mirror, a waveguide between two such mirrors."""
+
+from __future__ import annotations
+
+import math
+from typing import Annotated
+
+import numpy as np
+from numpy.typing import NDArray
+from pydantic import Field
+
+from haptonic.bloch.guide import Ends
+from haptonic.bloch.resolution import LADDER, Resolution, starting_rung
+from haptonic.errors import StudyError
+from haptonic.fields import TOP, Frequency, Length, Quantity, ascending, described
+from haptonic.units import format_quantity
+
+CARRIER = Quantity("Hz", at_least=1.0, at_most=1e9, typical=(10e3, 1e6))
+LOWEST, HIGHEST = 0.6, 1.4  # of the carrier: ends of a spectrum where none are given
+COARSEST = 0.1  # accuracy: bands that are less exact tell nothing of gaps
+
+
+@described("mesh")
+class MeshSettings:
+    """For experts: what ``bands.accuracy`` would choose."""
+
+    order: Annotated[int, Field(ge=2, le=10, strict=True)] | None = Field(
+        default=None, title="Element order", description="Polynomial order of the elements."
+    )
+    foot_rings: Annotated[int, Field(ge=0, le=6, strict=True)] | None = Field(
+        default=None,
+        title="Rings at the foot",
+        description="Refinements on either side of the pillar's foot.",
+    )
+
+
+@described("bands")
+class BandSettings:
+    """How many bands, where, and how exactly."""
+
+    count: Annotated[int, Field(ge=1, le=60, strict=True)] = Field(
+        default=10, title="Number of bands", description="Counted from the lowest."
+    )
+    points: Annotated[int, Field(ge=8, le=10_000, strict=True)] = Field(
+        default=66, title="Wavevectors", description="Along the edge of the irreducible zone."
+    )
+    accuracy: Annotated[float, Quantity("", at_least=1e-6, at_most=COARSEST, typical=(1e-5, 0.05))] = Field(
+        default=2e-3,
+        title="Accuracy",
+        description="Relative, of every frequency up to the last band asked for.",
+    )
+    mesh: Annotated[MeshSettings, TOP] = Field(
+        default=MeshSettings(), title="Mesh", description="For experts; else the accuracy decides."
+    )
+
+    @property
+    def resolution(self) -> Resolution | None:
+        """What the mesh settings say, the rest of it as the accuracy has it; None where they say nothing."""
+        order, rings = self.mesh.order, self.mesh.foot_rings
+        if order is None and rings is None:
+            return None
+        rung = LADDER[starting_rung(self.accuracy)]
+        return Resolution(
+            rung.order if order is None else order,
+            rung.foot_rings if rings is None else rings,
+            rung.steps,
+            rung.block,
+        )
+
+
+@described("layers", kw_only=True)
+class LayersSettings:
+    """What is asked of a mirror of several rows of cells between two plates."""
+
+    count: Annotated[int, Field(ge=1, le=20, strict=True)] = Field(
+        default=6, title="Rows", description="The most that are computed; all fewer ones are as well."
+    )
+    lowest: Frequency | None = Field(
+        default=None,
+        title="Lowest frequency",
+        description=f"Of the spectrum; else {LOWEST:g} of the carrier.",
+    )
+    highest: Frequency | None = Field(
+        default=None,
+        title="Highest frequency",
+        description=f"Of the spectrum; else {HIGHEST:g} of the carrier.",
+    )
+    points: Annotated[int, Field(ge=2, le=5000, strict=True)] = Field(
+        default=161, title="Frequencies", description="In the spectrum, both ends included."
+    )
+    angle: Annotated[float, Quantity("rad", at_least=0.0, below=0.5 * math.pi, typical=(0.0, 1.5))] = Field(
+        default=0.0,
+        title="Angle of incidence",
+        description="Between the incident wave and the normal of the rows.",
+    )
+
+    def __post_init__(self) -> None:
+        ascending(self.lowest, self.highest, "spectrum")
+
+    def frequencies(self, carrier: float) -> NDArray[np.float64]:
+        """(points,) of the spectrum around a carrier, Hz.
+
+        Raises
+        ------
+        StudyError : one end beyond the other, which follows from the carrier
+        """
+        low, high = self.lowest or LOWEST * carrier, self.highest or HIGHEST * carrier
+        if low >= high:
+            raise StudyError(
+                argument="layers.lowest",
+                given=format_quantity(low, "Hz"),
+                allowed=f"less than the highest frequency, {format_quantity(high, 'Hz')}",
+                cause="only one end of the spectrum was given, beyond the other's default",
+                next_step="give both layers.lowest and layers.highest",
+            )
+        return np.linspace(low, high, self.points)
+
+
+@described("waveguide", kw_only=True)
+class WaveguideSettings:
+    """A strip of plain plate between two mirrors."""
+
+    mode: str = Field(
+        default="0x17",
+        title="Mode",
+        description="Nodal lines across the strip, and intervals between nodal lines along it.",
+        pattern=r"^[0-9]{1,2}x[0-9]{1,3}$",
+    )
+    width: Length | None = Field(
+        default=None,
+        title="Width",
+        description="Of the plain strip; else the one that puts the mode at the carrier.",
+    )
+    rows: Annotated[int, Field(ge=1, le=1000, strict=True)] | None = Field(
+        default=None, title="Length in cells", description="Of the strip; else several are compared."
+    )
+    ends: Ends = Field(
+        default="free",
+        title="Ends",
+        description="Of the strip: edges of the plate, or closed by the mirror as well.",
+    )
+
+    @property
+    def nodal_lines(self) -> tuple[int, int]:
+        """Nodal lines across, and intervals along."""
+        across, along = self.mode.split("x")
+        return int(across), int(along)

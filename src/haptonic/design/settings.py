@@ -1,0 +1,103 @@
+"""What a design may change, and what the workshop and the finger allow."""
+
+from __future__ import annotations
+
+from typing import Annotated
+
+import numpy as np
+from pydantic import Field
+
+from haptonic.design.parameters import OfCell
+from haptonic.fields import INLINE, Length, NumberRange, Quantity, described, once, problem
+from haptonic.materials import IsotropicMaterial
+
+# centre of a long plate with clamped sides under a force: w = factor * F * span^2 / D (Timoshenko and
+# Woinowsky-Krieger, Theory of Plates and Shells, table 37, the limit of long plates)
+STRIP_FACTOR = 0.00725
+
+
+@described("design.vary")
+class Variable(OfCell, NumberRange):
+    """A number of the cell that the design may change."""
+
+
+@described("design", kw_only=True)
+class DesignLimits:
+    """What the workshop can cut, and what the plate has to bear; None where nothing is asked."""
+
+    slenderness: Annotated[float, Quantity("", at_least=0.1, at_most=100.0, typical=(1.0, 10.0))] | None = (
+        Field(default=None, title="Slenderness", description="Largest height of a pillar over its diameter.")
+    )
+    tool: Length | None = Field(
+        default=None, title="End mill", description="Its diameter: the least gap between two pillars."
+    )
+    reach: Length | None = Field(
+        default=None,
+        title="Reach",
+        description="How deep the end mill can cut: the largest height of a pillar.",
+    )
+    finger_force: Annotated[float, Quantity("N", above=0.0, at_most=1e3, typical=(0.1, 20.0))] | None = Field(
+        default=None, title="Force of a finger", description="In the middle of a waveguide of the span given."
+    )
+    finger_span: Length | None = Field(
+        default=None, title="Span", description="Width of the waveguide that bears the finger."
+    )
+    finger_deflection: Length | None = Field(
+        default=None, title="Deflection", description="How far the plate may give way; limits its thickness."
+    )
+
+    def __post_init__(self) -> None:
+        given = (self.finger_force, self.finger_span, self.finger_deflection)
+        if None in given and given != (None, None, None):
+            raise problem(
+                "only some of finger_force, finger_span and finger_deflection",
+                "all three of them, or none",
+                "one of them was left out",
+                "add the others",
+                at="finger_force",
+            )
+
+    def least_thickness(self, material: IsotropicMaterial) -> float:
+        """Thickness of the plate that is just stiff enough for the finger, m; 0 without a finger.
+
+        The waveguide is long and its sides are clamped, so that its deflection w and bending stiffness D are
+        ``w = STRIP_FACTOR F span^2 / D``, ``D = E h^3 / (12 (1 - nu^2))``.
+        """
+        if self.finger_force is None or self.finger_span is None or self.finger_deflection is None:
+            return 0.0
+        stiffness = STRIP_FACTOR * self.finger_force * self.finger_span**2 / self.finger_deflection
+        nu = material.poisson_ratio
+        return float(np.cbrt(12 * (1 - nu**2) * stiffness / material.youngs_modulus))
+
+
+@described("design", kw_only=True)
+class DesignSettings:
+    """What a design may change, and how long it is looked for."""
+
+    vary: tuple[Variable, ...] = Field(
+        default=(), title="Parameters", description="What the design may change.", max_length=12
+    )
+    starts: Annotated[int, Field(ge=1, le=1024, strict=True)] = Field(
+        default=48,
+        title="Starts",
+        description="Designs, the study's own among them, that are looked at first.",
+    )
+    climbs: Annotated[int, Field(ge=1, le=64, strict=True)] = Field(
+        default=3,
+        title="Climbs",
+        description="How many of the best starts are improved; more while none reaches the carrier.",
+    )
+    steps: Annotated[int, Field(ge=1, le=200, strict=True)] = Field(
+        default=12, title="Steps", description="Designs computed in each climb at most."
+    )
+    limits: Annotated[DesignLimits, INLINE] = Field(
+        default=DesignLimits(), title="Limits", description="What the workshop and the finger allow."
+    )
+    pitches: Annotated[int, Field(ge=2, le=40, strict=True)] = Field(
+        default=6,
+        title="Pitches",
+        description="How many are compared between the bounds of the pitch for the front.",
+    )
+
+    def __post_init__(self) -> None:
+        once(self.vary, "vary")

@@ -1,0 +1,98 @@
+"""Values about one number of a study, whose other numbers are in the unit of that number."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from pydantic import Field, ValidationInfo, field_validator
+
+from haptonic.errors import nearest
+from haptonic.fields.described import described
+from haptonic.fields.quantity import number_of, problem
+from haptonic.units import format_quantity, shown
+
+
+@described("")
+class OfNumber:
+    """A table about one number of the study; a subclass says by `unit_of` and `known` about which."""
+
+    parameter: str = Field(
+        title="Parameter",
+        description="By its name in this file; tables of one name count from 1.",
+        strict=True,
+    )
+
+    @classmethod
+    def unit_of(cls, path: str) -> str | None:
+        """SI unit of a number that the table can be about; None of any other."""
+        raise NotImplementedError
+
+    @classmethod
+    def known(cls) -> Sequence[str]:
+        """Paths of such numbers."""
+        raise NotImplementedError
+
+    @field_validator("parameter")
+    @classmethod
+    def _known(cls, path: str) -> str:
+        if cls.unit_of(path) is None:
+            guess = nearest(path, cls.known())
+            raise problem(
+                shown(path),
+                f"one of {', '.join(cls.known())}",
+                "no number of this name can be changed here",
+                f'write "{guess}"' if guess else "choose one of the list",
+            )
+        return path
+
+    @field_validator("low", "high", "spread", mode="plain", check_fields=False)
+    @classmethod
+    def _in_its_unit(cls, value: object, info: ValidationInfo) -> float:
+        if "parameter" not in info.data:  # refused already; without it the unit is not known
+            return 0.0
+        return number_of(value, cls.unit_of(info.data["parameter"]) or "", info.context)
+
+    @property
+    def unit(self) -> str:
+        """SI unit of the number; empty when it is dimensionless."""
+        return self.unit_of(self.parameter) or ""
+
+
+@described("")
+class NumberRange(OfNumber):
+    """A number that may change between two bounds, SI."""
+
+    low: float = Field(alias="from", title="Lowest value", description="With its unit, if it has one.")
+    high: float = Field(alias="to", title="Highest value", description="With its unit, if it has one.")
+
+    def __post_init__(self) -> None:
+        if not self.low < self.high:
+            raise problem(
+                format_quantity(self.high, self.unit),
+                f"more than the lowest value, {format_quantity(self.low, self.unit)}",
+                "the bounds contradict each other",
+                "exchange them, or leave the parameter out to keep its value",
+                at="to",
+            )
+
+
+def once(parameters: Sequence[OfNumber], at: str) -> None:
+    """Refuse a number that two tables of one name are about; ``at`` is that name."""
+    names = [one.parameter for one in parameters]
+    twice = sorted({name for name in names if names.count(name) > 1})
+    if twice:
+        raise problem(
+            f"{twice[0]}, twice", "every parameter once", "a table was copied", "remove one of them", at=at
+        )
+
+
+def ascending(lowest: float | None, highest: float | None, what: str) -> None:
+    """Refuse two ends of a range of frequencies, Hz, in the wrong order."""
+    if lowest is not None and highest is not None and lowest >= highest:
+        raise problem(
+            format_quantity(highest, "Hz"),
+            f"more than the lowest frequency, {format_quantity(lowest, 'Hz')}",
+            f"the two ends of the {what} are exchanged or equal",
+            "exchange them",
+            at="highest",
+        )

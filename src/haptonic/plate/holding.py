@@ -1,0 +1,132 @@
+"""What holds a plate: its edges and its corners, each free, clamped, simply supported or on springs."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Annotated, Literal
+
+from pydantic import Field
+
+from haptonic.fields import Quantity, described, problem, size
+from haptonic.plate.layout import Side
+from haptonic.units import format_quantity
+
+SIDES: tuple[Side, ...] = ("left", "right", "bottom", "top")
+Held = Literal["left", "right", "bottom", "top", "corners"]
+Hold = Literal["clamped", "simple", "spring"]
+EdgeHold = Literal["free", "clamped", "simple", "spring"]
+FoundationStiffness = Annotated[float, Quantity("N/m^3", above=0.0, at_most=1e20, typical=(1e6, 1e16))]
+Loss = Annotated[float, Quantity("", at_least=0.0, below=1.0, typical=(0.0, 0.5))]
+
+
+@dataclass(frozen=True)
+class Support:
+    """What holds the plate at its outer side faces.
+
+    where : the faces that look to one side, or what of them lies next to the corners of the map
+    hold : "clamped" no motion; "simple" no motion along the face (hard simple support), normal motion free;
+        "spring" an elastic foundation
+    length : of the held part of each face from the corner on, m; only for "corners"
+    stiffness : of the foundation, per area of side face and alike in all directions, N/m^3; only for "spring"
+    loss_factor : of the foundation
+    """
+
+    where: Held
+    hold: Hold
+    length: float | None = None
+    stiffness: float | None = None
+    loss_factor: float = 0.0
+
+
+@described("plate.edges", kw_only=True)
+class Edges:
+    """What holds the outer side faces of the plate, by the direction in which they look."""
+
+    left: EdgeHold = Field(
+        default="free", title="Left edge", description="What holds the faces that look left."
+    )
+    right: EdgeHold = Field(
+        default="free",
+        title="Right edge",
+        description="What holds the faces that look right.",
+    )
+    bottom: EdgeHold = Field(
+        default="free",
+        title="Bottom edge",
+        description="What holds the faces that look down.",
+    )
+    top: EdgeHold = Field(default="free", title="Top edge", description="What holds the faces that look up.")
+    spring: FoundationStiffness | None = Field(
+        default=None,
+        title="Springs of the edges",
+        description='Stiffness per area of every edge on a "spring".',
+    )
+    loss_factor: Loss = Field(
+        default=0.0,
+        title="Loss of the edges' springs",
+        description="Imaginary over real part of their stiffness.",
+    )
+
+    def __post_init__(self) -> None:
+        on_springs = [side for side in SIDES if getattr(self, side) == "spring"]
+        if on_springs and self.spring is None:
+            raise problem(
+                "nothing", f"a stiffness per area, because {on_springs[0]} is on a spring",
+                "the stiffness was left out", 'add spring = "1e12 N/m^3"', at="spring",
+            )  # fmt: skip
+        if self.spring is not None and not on_springs:
+            raise problem(
+                format_quantity(self.spring, "N/m^3"), 'a stiffness only where some edge is on a "spring"',
+                "no edge is", 'write left = "spring", or leave spring out', at="spring",
+            )  # fmt: skip
+        _belongs_to_springs(self)
+
+    @property
+    def supports(self) -> tuple[Support, ...]:
+        """What holds each side that is not free."""
+        made = []
+        for side in SIDES:
+            hold: EdgeHold = getattr(self, side)
+            if hold == "spring":
+                made.append(Support(side, hold, stiffness=self.spring, loss_factor=self.loss_factor))
+            elif hold != "free":
+                made.append(Support(side, hold))
+        return tuple(made)
+
+
+@described("plate.clamp", kw_only=True)
+class Clamp:
+    """What holds the plate at the four corners of the rectangle around it."""
+
+    corners: Annotated[float, size(100e-6, 100e-3)] = Field(
+        title="Held length", description="Of each side face, from the corner on."
+    )
+    spring: FoundationStiffness | None = Field(
+        default=None,
+        title="Springs of the corners",
+        description="Stiffness per area; else the corners are clamped.",
+    )
+    loss_factor: Loss = Field(
+        default=0.0,
+        title="Loss of the corners' springs",
+        description="Imaginary over real part of their stiffness.",
+    )
+
+    def __post_init__(self) -> None:
+        _belongs_to_springs(self)
+
+    @property
+    def support(self) -> Support:
+        """The same as a support of the corners."""
+        if self.spring is None:
+            return Support("corners", "clamped", length=self.corners)
+        return Support("corners", "spring", self.corners, self.spring, self.loss_factor)
+
+
+def _belongs_to_springs(held: Edges | Clamp) -> None:
+    if held.loss_factor and held.spring is None:
+        raise problem(
+            format_quantity(held.loss_factor, ""), "a loss factor only where there are springs",
+            "what is clamped does not move, so it loses nothing", "leave it out, or give a spring",
+            at="loss_factor",
+        )  # fmt: skip

@@ -1,0 +1,42 @@
+"""What is asked of a plate's vibration."""
+
+from __future__ import annotations
+
+from typing import Annotated
+
+import numpy as np
+from numpy.typing import NDArray
+from pydantic import Field
+
+from haptonic.fields import Quantity, ascending, described, size, unchecked
+
+Frequency = Annotated[float, Quantity("Hz", at_least=1.0, at_most=1e9, typical=(1.0, 1e6))]
+
+
+@described("plate.response", kw_only=True)
+class ResponseSettings:
+    """What is asked of the plate's vibration."""
+
+    lowest: Frequency = Field(default=100.0, title="Lowest frequency", description="Of the response.")
+    highest: Frequency = Field(default=100e3, title="Highest frequency", description="Of the response.")
+    points: Annotated[int, Field(ge=2, le=1_000_001, strict=True)] = Field(
+        default=1001, title="Frequencies", description="Of the response, both ends included."
+    )
+    tolerance: Annotated[float, Quantity("", at_least=1e-10, at_most=0.1, typical=(1e-8, 1e-2))] = Field(
+        default=1e-3, title="Field error", description="Largest allowed at every frequency, relative."
+    )
+    grid: Annotated[float, size(50e-6, 20e-3)] = Field(
+        default=2e-3, title="Grid", description="Distance of neighbouring points on the flat face."
+    )
+
+    def __post_init__(self) -> None:
+        ascending(self.lowest, self.highest, "response")
+
+    @property
+    def frequencies(self) -> NDArray[np.float64]:
+        """(points,) evenly spaced lines of the response, Hz."""
+        return np.linspace(self.lowest, self.highest, self.points)
+
+    def single(self, frequency: float) -> ResponseSettings:
+        """The same at one frequency, Hz, alone."""
+        return unchecked(self, lowest=frequency, highest=frequency, points=1)

@@ -1,0 +1,90 @@
+"""What is not known of a plate, and what of a measurement it is fitted to."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import Annotated
+
+from pydantic import Field
+
+from haptonic.fields import Frequency, NumberRange, ascending, described, once, problem
+from haptonic.plate import Plate
+from haptonic.units import format_quantity
+from haptonic.updating.parameters import UNITS, unit_of, values_of
+
+KNOWN = (*UNITS, "plate.actuator[1].bond.thickness")
+
+
+@described("fit.vary")
+class Unknown(NumberRange):
+    """A number that is fitted to a measurement, beginning with the value of the plate."""
+
+    @classmethod
+    def unit_of(cls, path: str) -> str | None:
+        """SI unit of a number of a plate that can be fitted; None of any other."""
+        return unit_of(path)
+
+    @classmethod
+    def known(cls) -> Sequence[str]:
+        """Paths of such numbers."""
+        return KNOWN
+
+    def __post_init__(self) -> None:
+        if not 0 < self.low < self.high:
+            raise problem(
+                f"{format_quantity(self.low, self.unit)} to {format_quantity(self.high, self.unit)}",
+                "two positive values, the lower one first",
+                "the bounds contradict each other",
+                "exchange them, or leave the parameter out to keep its value",
+                at="to",
+            )
+
+
+@described("fit", kw_only=True)
+class FitSettings:
+    """What a measurement is compared with, and what is fitted to it."""
+
+    lowest: Frequency | None = Field(
+        default=None, title="Lowest frequency", description="That is compared; else that of the measurement."
+    )
+    highest: Frequency | None = Field(
+        default=None, title="Highest frequency", description="That is compared; else that of the measurement."
+    )
+    points: Annotated[int, Field(ge=3, le=10_000, strict=True)] = Field(
+        default=60, title="Points", description="Whose response is fitted, drawn evenly from all."
+    )
+    vary: tuple[Unknown, ...] = Field(
+        default=(), title="Unknowns", description="What is fitted.", max_length=12
+    )
+
+    def __post_init__(self) -> None:
+        ascending(self.lowest, self.highest, "range")
+        once(self.vary, "vary")
+
+    def check(self, plate: Plate | None, absent: Mapping[str, str]) -> None:
+        """Refuse unknowns that a study does not give, or whose value lies outside of their bounds.
+
+        ``absent`` says, by name, why the study does not give a number.
+        """
+        there = {} if plate is None else values_of(plate)
+        there = {name: value for name, value in there.items() if name not in absent}
+        for number, unknown in enumerate(self.vary, start=1):
+            at, name = f"fit.vary[{number}]", unknown.parameter
+            if name not in there:
+                raise problem(
+                    name,
+                    f"one of {', '.join(there) or 'none, without a [plate]'}",
+                    absent.get(name, "this study does not give it"),
+                    "give it in this study, as the value to begin with, or leave this table out",
+                    at=f"{at}.parameter",
+                )
+            value = there[name]
+            low, high = (format_quantity(end, unknown.unit) for end in (unknown.low, unknown.high))
+            if not unknown.low <= value <= unknown.high:
+                raise problem(
+                    format_quantity(value, unknown.unit),
+                    f"between {low} and {high}",
+                    f"the fit begins with {name} of this study, which its bounds leave out",
+                    "widen the bounds, or change the value",
+                    at=at,
+                )

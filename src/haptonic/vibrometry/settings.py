@@ -1,0 +1,76 @@
+"""How a laser vibrometer scans a plate: its drive, its points, the instrument."""
+
+from __future__ import annotations
+
+from typing import Annotated
+
+from pydantic import Field
+
+from haptonic.fields import INLINE, Frequency, Quantity, ascending, described, problem, size
+from haptonic.units import format_quantity
+from haptonic.vibrometry.chirp import Kind
+from haptonic.vibrometry.instrument import Instrument
+
+
+@described("scan", kw_only=True)
+class ScanSettings:
+    """How a laser vibrometer scans the plate."""
+
+    lowest: Frequency = Field(
+        default=1e3, title="Lowest frequency", description="That the drive sweeps through."
+    )
+    highest: Frequency = Field(
+        default=100e3, title="Highest frequency", description="That the drive sweeps through."
+    )
+    rate: Annotated[float, Quantity("Hz", at_least=10.0, at_most=1e9, typical=(1e4, 1e7))] = Field(
+        default=250e3, title="Sample rate", description="Of drive and vibrometer."
+    )
+    record: Annotated[float, Quantity("s", above=0.0, at_most=100.0, typical=(1e-3, 2.0))] = Field(
+        default=0.02,
+        title="Record",
+        description="Length of one period of the drive; lines lie its inverse apart.",
+    )
+    averages: Annotated[int, Field(ge=1, le=10_000, strict=True)] = Field(
+        default=4, title="Averages", description="Periods that are recorded at each point."
+    )
+    signal: Kind = Field(
+        default="chirp",
+        title="Signal",
+        description="A periodic sweep, or lines of equal size with low peaks.",
+    )
+    grid: Annotated[float, size(50e-6, 20e-3)] = Field(
+        default=2e-3, title="Grid", description="Distance of neighbouring points on the flat face."
+    )
+    skip: Annotated[str, Field(max_length=400, strict=True)] = Field(
+        default="clamps",
+        title="Skip",
+        description="Regions or lattices without points, with commas between; clamps: held corners.",
+    )
+    instrument: Annotated[Instrument, INLINE] = Field(
+        default=Instrument(), title="Instrument", description="The vibrometer and its converter."
+    )
+
+    def __post_init__(self) -> None:
+        ascending(self.lowest, self.highest, "sweep")
+        if self.highest > 0.5 * self.rate:
+            raise problem(
+                format_quantity(self.highest, "Hz"),
+                f"at most {format_quantity(0.5 * self.rate, 'Hz')}, half the sample rate",
+                "higher frequencies cannot be sampled",
+                "lower it, or raise the rate",
+                at="highest",
+            )
+        lines = (self.highest - self.lowest) * self.record
+        if not 8 <= lines <= 1e6 or self.rate * self.record > 1e8:
+            raise problem(
+                format_quantity(self.record, "s"),
+                f"a period with 8 to 1e6 lines between the frequencies; here {lines:.3g}",
+                "the period was given in another unit",
+                'write it like record = "20 ms"',
+                at="record",
+            )
+
+    @property
+    def skipped(self) -> tuple[str, ...]:
+        """Names of what has no points."""
+        return tuple(name for part in self.skip.split(",") if (name := part.strip()))
