@@ -12,6 +12,7 @@ _PROPERLY = {
     "material.youngs_modulus": "Young's modulus",
     "material.poisson_ratio": "Poisson ratio",
     "cell.pitch_y": "pitch along y",
+    "cell.pitch_2": "second pitch",
 }
 _PROPER = re.compile(rf"\b(?:{'|'.join(map(re.escape, _PROPERLY))})\b")
 MOST_DECIMALS = 6
