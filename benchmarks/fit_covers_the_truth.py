@@ -17,7 +17,7 @@ from scipy.stats import binom
 from haptonic.analyses.needs import fineness
 from haptonic.plate import Band, PlateModel
 from haptonic.plate.damping import real_times
-from haptonic.results.plate.question import grid_points, unit_drives
+from haptonic.plate.question import grid_points, unit_drives
 from haptonic.study import loads
 from haptonic.updating.fit import Fit, SmallModel, fitted
 from haptonic.updating.match import MeasuredResponse
@@ -144,7 +144,9 @@ def main(seeds: int) -> None:
         start = time.perf_counter()
         fit, true, spoiled = bench.fit(seed)
         seconds.append(time.perf_counter() - start)
-        half = np.array([np.log(n.interval[1] / n.value) if n.interval else np.nan for n in fit.numbers])
+        half = np.array(
+            [np.log(n.interval_95[1] / n.value) if n.interval_95 else np.nan for n in fit.numbers]
+        )
         off = np.log(np.array([n.value for n in fit.numbers]) / true)
         hits.append(np.abs(off) <= half)
         scores.append(off / half)

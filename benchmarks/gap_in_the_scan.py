@@ -18,9 +18,9 @@ import haptonic
 from haptonic.analyses import scanning
 from haptonic.response import FrequencyResponse, read
 from haptonic.results.scan import Estimation, compute_scan
-from haptonic.results.scan.question import drive_for, response_for
 from haptonic.store import Store
 from haptonic.vibrometry import ReadReport, Scan
+from haptonic.vibrometry.question import drive_for, response_for
 
 # pitch, thickness, pillar's diameter and height, guide's width (mm), columns of a guide, cells along, rows of
 # a mirror, band of the scan and carrier (kHz), sample rate (kHz), loss factor

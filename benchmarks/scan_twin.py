@@ -18,14 +18,14 @@ from record import STUDY, write
 
 import haptonic
 from haptonic.analyses import scanning
+from haptonic.plate.levels import contrasts
+from haptonic.plate.question import driven_region
 from haptonic.response import FrequencyResponse
 from haptonic.results import write_files
-from haptonic.results.plate.question import driven_region
-from haptonic.results.plate.value import contrasts
 from haptonic.results.scan import Estimation, OnPlate, ScanResult, Twin, compute_scan
-from haptonic.results.scan.question import drive_for, response_for
 from haptonic.store import Store
 from haptonic.vibrometry import ReadReport, Scan, estimate, read_scan
+from haptonic.vibrometry.question import drive_for, response_for
 
 SEEDS = range(5)
 LONG = '[scan]\nrate = "200 kHz"\nhighest = "80 kHz"\naverages = 56\n\n# Wider and narrower pillars'

@@ -133,7 +133,7 @@ def made_up_tolerance(paths: tuple[str, ...], margin: float = 500.0) -> xr.Datas
 @cache
 def _reference_mirror() -> tuple[Layers, Guides]:
     study = reference_study()
-    cell, carrier, asked = study.cell, need_carrier(study), BandSettings(8, 13, 2e-2, MeshSettings(3, 1))
+    cell, carrier, asked = study.cell, need_carrier(study), BandSettings(8, 13, 2e-2, MeshSettings(4, 1))
     with tempfile.TemporaryDirectory() as folder:
         runner, lossy = Runner(Store(Path(folder))), cell.with_numbers({"material.loss_factor": 1e-3})
         layers = compute_layers(

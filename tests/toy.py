@@ -48,8 +48,8 @@ class Toy(Result):
     def _drawn(self) -> Figure:
         return Figure()
 
-    def to_json(self) -> dict[str, object]:
-        return {"number": self.number, "length_m": self.length}
+    def facts(self) -> dict[str, object]:
+        return {"number": self.number, "length_m": self.length, "steps": self.dataset}
 
 
 def compute(study: Description, options: ToyOptions, runner: Runner) -> Toy:

@@ -234,14 +234,15 @@ class Lattice:
         return float(self.vectors[1, 0]), float(self.vectors[1, 1])
 
     def check_rectangular(self, what: str) -> None:
-        """Raise GeometryError unless translations are at right angles; ``what`` needs it."""
-        if len(self.neighbours) != 4:
+        """Raise GeometryError unless the translations lie along x and y; ``what`` needs it."""
+        if max(abs(self.a1[1]), abs(self.a2[0])) > SAME * self.pitch:
             raise GeometryError(
                 argument="cell.lattice",
                 given=self.name,
                 allowed=f"square or rectangular for {what}",
-                cause=f"{what} knows cells with four sides only; bands, gaps and sweeps know all lattices",
-                next_step='write lattice = "square" or "rectangular", or ask for the bands',
+                cause=f"{what} knows cells with four sides along x and y only; others have bands, gaps, "
+                "sweeps, solids and outlines",
+                next_step='write lattice = "square" or "rectangular"',
             )
 
     def scaled(self, factor: float) -> Lattice:

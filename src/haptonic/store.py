@@ -188,6 +188,15 @@ class Store:
         # A quantity whose unit is the second stays a number instead of becoming a timedelta.
         return xr.load_dataset(io.BytesIO(content), engine="h5netcdf", decode_timedelta=False)
 
+    def kept(self, question: Mapping[str, object], make: Callable[[], xr.Dataset]) -> xr.Dataset:
+        """What answers a question, all of which becomes its key; it is made if it is not here yet."""
+        key = content_key(question)
+        found = self.get(key)
+        if found is None:
+            found = make()
+            self.put(key, found)
+        return found
+
     def put(self, key: str, dataset: xr.Dataset) -> None:
         """Keep a dataset under this key, in place of one that is there.
 

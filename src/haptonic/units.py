@@ -11,10 +11,11 @@ import math
 import re
 import reprlib
 from collections.abc import Callable
+from dataclasses import dataclass
 from decimal import Decimal
 from fractions import Fraction
 from functools import cache
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Annotated
 
 from haptonic.errors import HaptonicError, nearest
 
@@ -68,6 +69,16 @@ _QUANTITY = re.compile(rf"\s*{_NUMBER}\s*(?P<unit>{_NAME}(?:(?:\s*[*/]\s*|\s+){_
 _NOT_FINITE = re.compile(r"\s*[+-]?(nan|inf|infinity)\b", re.IGNORECASE)
 _MU = "\u03bc"  # the Greek letter; prefixes are written with the micro sign, and people type either
 TYPOGRAPHIC = str.maketrans({_MU: "µ", "·": "*", "\u00d7": "*", "²": "^2", "³": "^3"})
+
+
+@dataclass(frozen=True)
+class In:
+    """The SI unit of a number, ``Annotated[float, In("Hz")]``; JSON writes it into the number's name."""
+
+    unit: str
+
+
+Hertz = Annotated[float, In("Hz")]
 
 
 @cache

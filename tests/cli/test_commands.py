@@ -24,8 +24,8 @@ def test_bands_writes_its_files_and_a_table(haptonic, study, tmp_path):
     ran = haptonic("bands", study(), "--out", out, "--surface")
     assert ran.code == 0, ran.err
     assert "band gaps" in ran.out
-    counts = json.loads(haptonic("bands", study(), "--json", "--surface").out)["counts"]
-    assert counted(**counts) in " ".join(ran.out.split())
+    told = json.loads(haptonic("bands", study(), "--json", "--surface").out)
+    assert counted(told["counts_checked"], told["counts_missed"]) in " ".join(ran.out.split())
     names = {path.name for path in out.iterdir()}
     pictures = {
         f"{name}.{kind}"
@@ -53,11 +53,11 @@ def test_json_is_one_object_and_nothing_is_written_without_out(haptonic, study, 
     assert set(gap) >= {"lower_hz", "upper_hz", "lower_error_hz", "upper_error_hz", "complete", "between"}
     assert gap["between"] == [6, 7]
     bands = answer["bands"]
-    assert np.array(bands["kappa"]).shape == (13, 2)
+    assert np.array(bands["kappa_rad"]).shape == (13, 2)
     assert np.array(bands["frequency_hz"]).shape == (13, 8)
-    assert bands["labels"] == ["Γ", "X", "M", "Γ"]
+    assert answer["path_labels"] == ["Γ", "X", "M", "Γ"]
     assert bands["group_velocity_m_per_s"][0][0] == [None, None]
-    assert answer["counts"]["missed"] == 0
+    assert answer["counts_missed"] == 0
     assert {path.name for path in tmp_path.iterdir()} == {"quick.toml"}
 
 

@@ -45,14 +45,14 @@ def test_the_voltage_scales_amplitudes_and_nothing_is_computed_anew(inside, plat
     assert three["amplitude_m"] == pytest.approx(3 * one["amplitude_m"])
     assert one["amplitude_m"] < one["amplitude_without_finger_m"]
     assert three["reduction"] > one["reduction"]
-    assert one["drive_to_be_felt"] == pytest.approx(three["drive_to_be_felt"], rel=1e-3)
+    assert one["drive_to_be_felt_v"] == pytest.approx(three["drive_to_be_felt_v"], rel=1e-3)
     assert low["origin"] == "simulated"
     assert low["quality_factor"] < low["quality_factor_without_finger"]
     assert {light["colour"] for light in low["lights"]} <= {"green", "amber", "red"}
     # the same plate at the same frequency by the other command, per volt, without a finger
     line = inside("plate", plated(), "--at", f"{low['frequency_hz']} Hz", "--json").json["maps"][0]
-    assert line["finger_um"]["WG"] * 10 == pytest.approx(
-        1e6 * one["amplitude_without_finger_m"], rel=0.35
+    assert line["finger_m_per_v"]["WG"] * 10 == pytest.approx(
+        one["amplitude_without_finger_m"], rel=0.35
     )  # its largest against our mean
 
 

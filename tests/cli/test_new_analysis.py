@@ -45,7 +45,10 @@ class TestAddedAnalysis:
         assert "4.00" in said
         assert {path.name for path in out.iterdir()} == {"toy.nc", "toy.svg", "toy.png"}
         answer = json.loads(ran("toy", study(), "--length", "2 mm", "--json"))
-        assert answer == {"number": 2, "length_m": 2e-3, "warnings": []}
+        assert answer == {
+            "summary": ["It counts to 2."], "number": 2, "length_m": 2e-3, "steps": {"number": [0, 1]},
+            "warnings": [],
+        }  # fmt: skip
 
     def test_it_refuses_to_overwrite(self, study, tmp_path):
         out = tmp_path / "out"

@@ -19,10 +19,10 @@ from haptonic.fields import remade, with_numbers
 from haptonic.response import FrequencyResponse, read, write
 from haptonic.results import write_files
 from haptonic.results.scan import Estimation, OnPlate, Twin, compute_scan
-from haptonic.results.scan.question import drive_for, plan_for, response_for
 from haptonic.store import Store
 from haptonic.study import loads
 from haptonic.vibrometry import ReadReport, Scan, TimeScan, estimation, read_scan
+from haptonic.vibrometry.question import drive_for, plan_for, response_for
 from tiny_scan import TINY
 
 PLACES = {
@@ -387,8 +387,8 @@ class TestScan:
             made = lost.twin_scan(seed=1, response=truth, store=store)
         plain = compute_scan(_as_scan(made), Estimation(), on, store=store)
         mended = compute_scan(_as_scan(made), Estimation(repair=("dropout",)), on, store=store)
-        assert plain.to_json()["flags"]["repaired"] == 0
-        assert mended.to_json()["flags"]["repaired"] == plain.to_json()["flags"]["dropout"] > 10
+        assert plain.flags["repaired"] == 0
+        assert mended.flags["repaired"] == plain.flags["dropout"] > 10
         assert "repaired" in mended.response.dataset.attrs["title"]
 
     @pytest.mark.parametrize(
@@ -451,7 +451,7 @@ class TestOwnNames:
         ran = inside("scan", path, *self.ASKED, *self.UNITS, "--out", out)
         assert ran.code == 0, ran.err
         assert "24 points (none flagged), 71 lines from 40 to 75 kHz, measured." in ran.out
-        assert "52.000 kHz" in ran.out
+        assert "52.000" in ran.out
         assert "warning" not in ran.err
         response = read(out / "response.nc")
         assert response.frequency[[0, -1]] == pytest.approx([40e3, 75e3])

@@ -11,10 +11,10 @@ from haptonic.bloch import Gap
 from haptonic.bloch.guide import strip_mode
 from haptonic.bloch.mirrors import condensed_cell
 from haptonic.bloch.model import bloch_model
-from haptonic.results.scan.computed import computed_waves, guided
-from haptonic.results.scan.places import guides_of, mirror_beside, strips_of
 from haptonic.store import Store
 from haptonic.study import loads
+from haptonic.vibrometry.places import guides_of, mirror_beside, strips_of
+from haptonic.vibrometry.theory import computed_waves, guided
 from tiny_scan import TINY
 
 
@@ -74,7 +74,7 @@ class TestPlaces:
 
 
 class TestWaves:
-    def test_the_guide_s_mode_is_that_of_a_strip_as_long_as_it_needs(self, study, store):
+    def test_the_guide_s_mode_is_that_of_a_strip_as_long_as_it_needs(self, study):
         """The mode at a wavenumber is that of a strip with free ends whose length fits it."""
         layout, gap = (
             study.mounted_plate().layout,
@@ -82,7 +82,7 @@ class TestWaves:
         )
         guides = [replace(one, along="y", width=32e-3, lattice="lattice") for one in guides_of(layout)]
         mirror = mirror_beside(layout, "WG1")
-        waves = computed_waves(layout, study.bands_settings, (40e3, 70e3), gap, guides, mirror, store)
+        waves = computed_waves(layout, study.bands_settings, (40e3, 70e3), gap, guides, mirror)
         at, wavenumber = guided(waves, guides[0])
         assert len(at) >= 2
         assert (np.diff(at) > 0).all()

@@ -10,9 +10,9 @@ import xarray as xr
 
 from five_parts import assert_five_parts
 from haptonic.analyses.needs import fineness
+from haptonic.plate.answer import responded
+from haptonic.plate.question import grid_points
 from haptonic.response import FrequencyResponse, read, write
-from haptonic.results.plate.answer import responded
-from haptonic.results.plate.question import grid_points
 from haptonic.study import load
 from haptonic.updating.parameters import changed
 
@@ -148,7 +148,7 @@ def test_verdict_finds_the_numbers_and_writes_its_files(haptonic, plated, scan, 
 
 def test_a_response_that_is_there_is_not_computed_again(inside, plated, scan, monkeypatch):
     """The made-up scan against itself, without anything to fit and without the extra for modes."""
-    monkeypatch.setattr("haptonic.results.judging.can_identify", lambda: False)
+    monkeypatch.setattr("haptonic.analyses.verdict.can_identify", lambda: False)
     path = scan()
     without = PLATE[1][PLATE[1].index("[[fit.vary]]") : PLATE[1].index("[[sweep]]")]
     ran = inside("verdict", path, plated((without, "")), "--computed", path, "--json")

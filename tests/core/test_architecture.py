@@ -46,7 +46,7 @@ ALLOWED: dict[str, set[str]] = {
     },
     "channels": {"errors", "foreign", "hdf5", "names", "paths", "units"},
     "response": BASE | {"channels"},
-    "vibrometry": BASE | {"channels", "response"},
+    "vibrometry": CORE | {"channels", "plate", "response"},
     "friction": BASE | {"channels", "response"},
     "design": CORE,
     "plate": CORE - {"bloch"} | {"response"},
@@ -59,7 +59,7 @@ ALLOWED: dict[str, set[str]] = {
     "results": LOWER | {"jobs", "pages", "plots", "vtu"},
     "description": LOWER - {"store"} | {"results"},
     "report": LOWER | {"description", "pages", "plots", "results"},
-    "analyses": LOWER | {"description", "report", "results", "workshop"},
+    "analyses": LOWER | {"description", "jobs", "plots", "report", "results", "workshop"},
     "study": {"analyses", "description", "fields", "progress", "results", "store"},
     "cli": CORE | {"analyses", "results", "store", "study", "__init__"},
 }

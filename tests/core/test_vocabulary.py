@@ -44,6 +44,7 @@ LEFT = {
     "haptonic.analyses.verdict": {"judged"},
     "haptonic.analyses.waveguide": {"asked"},
     "haptonic.bloch.evanescent": {"places"},
+    "haptonic.plate.question": {"question"},
     "haptonic.plots.scans": {"fading"},
     "haptonic.plots.words": {"words"},
     "haptonic.report.chapters.dispersion": {"words"},
@@ -51,18 +52,15 @@ LEFT = {
     "haptonic.results.feel.lights": {"lights"},
     "haptonic.results.feel.value": {"lights"},
     "haptonic.results.friction_tables": {"told"},
-    "haptonic.results.judging": {"judging"},
-    "haptonic.results.layers": {"question"},
-    "haptonic.results.plate.question": {"question"},
     "haptonic.results.plate.value": {"told"},
-    "haptonic.results.scan.places": {"places"},
-    "haptonic.results.scan.question": {"question"},
     "haptonic.results.scan.twin": {"twin"},
     "haptonic.results.scan.value": {"told"},
     "haptonic.results.twin": {"twin"},
     "haptonic.superelement.shaft": {"shaft"},
     "haptonic.superelement.shafted": {"shaft", "shafted"},
     "haptonic.superelement.trace": {"places"},
+    "haptonic.vibrometry.places": {"places"},
+    "haptonic.vibrometry.question": {"question"},
 }
 
 

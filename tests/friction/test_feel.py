@@ -50,7 +50,7 @@ def made(drive=150.0, idle=0.1, speed=0.078, **finger):
             "load": ["free", "low", "value", "high"],
             "x": ("point", x), "y": ("point", y), "region": ("point", region),
         },
-        attrs={"frequency_hz": 58.8e3, "reference": "F, N", "error": 1e-4, "haptonic_version": "0"},
+        attrs={"frequency_hz": 58.8e3, "reference": "F, N", "solver_error": 1e-4, "haptonic_version": "0"},
     )  # fmt: skip
     skin = Fingertip().having(**finger) if finger else Fingertip()
     return Feel(PLATE, (52e3, 60e3), loaded, 10e-3, Touch(58.8e3, 0.5, speed), skin, drive)

@@ -14,6 +14,7 @@ import pytest
 import xarray as xr
 from small import CELL, COARSE, busy_plate
 
+from haptonic.analyses.feel import compute_loaded
 from haptonic.bloch.settings import BandSettings, MeshSettings
 from haptonic.cell import Pillar, UnitCell
 from haptonic.cell.pillar import Step
@@ -24,10 +25,10 @@ from haptonic.friction.lubrication.settings import Pad
 from haptonic.lattice import Lattice
 from haptonic.materials import IsotropicMaterial
 from haptonic.plate.settings import ResponseSettings
+from haptonic.progress import silent
 from haptonic.results import Runner
 from haptonic.results.bands import compute_bands
 from haptonic.results.design.tasks import front_task, look_task
-from haptonic.results.feel.loading import compute_loaded
 from haptonic.results.plate.compute import compute_plate
 from haptonic.store import Store, content_key
 
@@ -87,8 +88,8 @@ def plate_key(plate: Any, question: ResponseSettings, fineness: Any) -> object:
 
 def loaded_key(plate: Any, pad: Pad, fineness: Any) -> object:
     return compute_loaded(
-        plate, pad, carrier=5e4, at=None, gap=None, grid=1e-3, tolerance=1e-2, inputs={}, store=STORE,
-        fineness=fineness,
+        STORE, {}, silent, plate=plate, diameter=pad.diameter, damping=pad.damping, carrier=5e4, at=None,
+        gap=None, grid=1e-3, tolerance=1e-2, fineness=fineness,
     )  # fmt: skip
 
 

@@ -64,7 +64,8 @@ def computed(plate, folder):
 def energies(tmp_path_factory):
     """Stored in both regions and in the patch, with names that cannot be mistaken."""
     lines = computed(called(("R1", "R2"), ("A1", "F1")), tmp_path_factory.mktemp("plain")).lines
-    return lines["stored"].sel(region=["R1", "R2"]).values, lines["stored_in_actuator"].values[:, 0]
+    stored = lines["strain_energy"]
+    return stored.sel(part=["region R1", "region R2"]).values, stored.sel(part="actuator A1").values
 
 
 @slow_but_few
@@ -74,17 +75,19 @@ def test_energy_is_where_it_belongs_whatever_the_names(energies, tmp_path_factor
     folder = tmp_path_factory.mktemp("named")
     result = computed(called(regions, drives), folder / "store")
     lines = result.lines
-    assert set(lines["region"].values.tolist()) == set(regions)
+    stored = lines["strain_energy"]
+    parts = [*(f"region {name}" for name in regions), f"actuator {drives[0]}"]
+    assert sorted(stored["part"].values.tolist()) == sorted(parts)
     assert lines["actuator"].values.tolist() == [drives[0]]
     in_plate, in_patch = energies
     for k, name in enumerate(regions):
-        there = lines["stored"].values[:, lines["region"].values.tolist().index(name)]
+        there = stored.sel(part=f"region {name}").values
         assert there == pytest.approx(in_plate[:, k], rel=1e-6)
-    assert lines["stored_in_actuator"].values[:, 0] == pytest.approx(in_patch, rel=1e-6)
+    assert stored.sel(part=parts[-1]).values == pytest.approx(in_patch, rel=1e-6)
     # the loss of the plate's own material is 2 omega times its loss factor times its mean energy, all of it
     turns = 2 * np.pi * lines["frequency"].values
     whole = lines["dissipated"].sel(loss="plate").values / (2 * turns * LOSS)
-    assert lines["stored"].sum("region").values == pytest.approx(whole, rel=1e-6)
+    assert stored.sel(part=parts[:-1]).sum("part").values == pytest.approx(whole, rel=1e-6)
     lost = lines["dissipated"].sum("loss").values
     assert lost == pytest.approx(lines["given"].values, rel=1e-4)
     assert len(set(lines["loss"].values.tolist())) == lines.sizes["loss"]
@@ -98,7 +101,7 @@ def shown_whole(result, regions, drives, folder: Path):
     write_netcdf(result.lines, out / "plate.nc")
     write(result.response, out / "response.nc")
     with xr.open_dataset(out / "plate.nc", engine="h5netcdf") as file:
-        assert set(file["region"].values.tolist()) == set(regions)
+        assert {f"region {name}" for name in regions} < set(file["part"].values.tolist())
         assert file["actuator"].values.tolist() == [drives[0]]
     back = read(out / "response.nc")
     assert set(back.regions) == set(regions)
@@ -134,8 +137,9 @@ def shown_whole(result, regions, drives, folder: Path):
     said = "".join(voice.out.file.getvalue().split())
     assert all("".join(name.split()) in said for name in (*regions, drives[0]))
     told = result.to_json()["maps"][0]
-    assert set(told["strain_energy_j"]) == set(regions)
-    assert list(told["strain_energy_actuator_j"]) == [drives[0]]
+    parts = {*(f"region {name}" for name in regions), f"actuator {drives[0]}"}
+    assert set(told["strain_energy_j"]) == parts
+    assert set(told["impedance_ohm"]) == {drives[0]}
 
 
 def test_a_name_that_goes_up_writes_nothing_above():

@@ -10,17 +10,16 @@ from hypothesis import strategies as st
 from small import COARSE, LOSS, busy_plate, drawn
 from whole import dynamic
 
-from haptonic.friction.lubrication.settings import Pad
 from haptonic.plate import sweep
 from haptonic.plate.holding import Support
 from haptonic.plate.keys import PLATE
+from haptonic.plate.loaded import _loaded_quality
 from haptonic.plate.model import PlateModel
 from haptonic.plate.modes import modes_between
 from haptonic.plate.parts import Finger, Force, Plate
 from haptonic.plate.sweep import Band
 from haptonic.plate.touch import Sites, _Compliance, below_finger
 from haptonic.response import FrequencyResponse, disc_average
-from haptonic.results.feel.loading import _loaded_quality
 
 HZ = 2 * np.pi
 DRIVES = {"A": 40.0, "F": 0.3 - 0.2j}
@@ -86,12 +85,12 @@ def test_compliance_is_the_inverse_of_the_reduced_matrix():
 
 def test_the_quality_with_a_finger_is_that_of_the_plate_with_one():
     """To first order in its damping, by the loss of the touched plate's modes."""
-    pad, modes = Pad(8e-3, (0.1, 0.2, 0.4)), modes_between(bare_band(), 1e3, 40e3)
+    damping, modes = (0.1, 0.2, 0.4), modes_between(bare_band(), 1e3, 40e3)
     layout = bare().plate.layout
     room = np.minimum(grid(), np.array([layout.x[-1], layout.y[-1]]) - grid()).min(axis=1)
     for k in (2, 5):
         omega = HZ * modes.frequency[k]
-        near, quality = _loaded_quality(bare(), modes, DRIVES, omega, Sites(grid(), 8e-3), pad)
+        near, quality = _loaded_quality(bare(), modes, DRIVES, omega, Sites(grid(), 8e-3), damping)
         assert near == pytest.approx(modes.frequency[k])
         assert quality[0] == pytest.approx(np.full(len(grid()), modes.quality[k]))
         place = int(np.where(room > 4e-3, quality[3], np.inf).argmin())  # where it is felt most

@@ -27,9 +27,9 @@ from haptonic.report.chapters.trials import chapter
 from haptonic.report.page import page
 from haptonic.results import compute_friction
 from haptonic.results.quality import quality
-from haptonic.results.scan.question import drive_for, response_for
 from haptonic.store import Store
 from haptonic.study import loads
+from haptonic.vibrometry.question import drive_for, response_for
 from tiny_scan import TINY
 from trial_folders import made_up, written
 

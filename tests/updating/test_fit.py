@@ -37,8 +37,8 @@ def test_a_fit_finds_the_numbers_and_the_spoiled_point():
     fit = fitted(small(), replace(data, response=spoiled))
     assert fit.left_out.tolist() == [4]
     for one in fit.numbers:
-        assert one.interval[0] < TRUE[one.name] < one.interval[1], one
-        assert one.interval[1] < 1.02 * one.interval[0]
+        assert one.interval_95[0] < TRUE[one.name] < one.interval_95[1], one
+        assert one.interval_95[1] < 1.02 * one.interval_95[0]
     assert fit.unexplained == pytest.approx(1e-4, rel=0.1), "what is left is the noise"
     assert fit.unexplained_before > 0.5
     assert fit.uncertainty.independent
@@ -67,8 +67,8 @@ def test_a_spring_that_holds_like_a_wall_is_not_told():
     data = MeasuredResponse.of(of.frequency, of.points, exact * (1 + 1e-3j), False, of.drives)
     fit = fitted(model, data)
     young, edges = fit.numbers
-    assert young.interval is not None
-    assert edges.interval is None
+    assert young.interval_95 is not None
+    assert edges.interval_95 is None
     assert edges.range_text == edges.remark == "the data do not tell it"
 
 
@@ -78,8 +78,8 @@ def test_a_number_beyond_its_bound_stops_there():
     assert fit.numbers[0].remark == "stopped at its bound"
     assert fit.numbers[0].value == pytest.approx(71e9, rel=1e-3)
     assert fit.numbers[0].value <= 71e9
-    assert fit.numbers[0].interval is None
-    assert fit.numbers[1].interval is not None
+    assert fit.numbers[0].interval_95 is None
+    assert fit.numbers[1].interval_95 is not None
 
 
 def test_another_plate_is_refused():

@@ -4,9 +4,9 @@ import numpy as np
 import pytest
 from small_plate import LINES, plate
 
+from haptonic.analyses.verdict import _on_plate
 from haptonic.errors import ScanError
 from haptonic.response import FrequencyResponse
-from haptonic.results.judging import _on_plate
 
 
 def scan(points):

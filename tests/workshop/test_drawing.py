@@ -237,7 +237,7 @@ def test_tolerances_that_mean_nothing_are_refused(tolerances, message):
 
 def test_a_cell_that_is_no_rectangle_is_refused():
     oblique = Lattice.oblique(7 * MM, 7.5 * MM, 1.3)
-    with pytest.raises(GeometryError, match="rectangular lattice"):
+    with pytest.raises(GeometryError, match="square or rectangular for the drawing"):
         cell_drawing(UnitCell(oblique, 1.5 * MM, METAL), "Plate")
 
 

@@ -2,10 +2,119 @@
 
 from __future__ import annotations
 
+import json
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+import xarray as xr
+
+from haptonic import plots
 from haptonic.analyses.analysis import Analysis, NoOptions
+from haptonic.plate import Plate
+from haptonic.results.result import Result, figure, file
 from haptonic.results.runner import Runner
-from haptonic.results.scan.excitation import Excitation
+from haptonic.results.table import Table
 from haptonic.study.schema import Description
+from haptonic.vibrometry.chirp import Drive, drive_notes, write_drive
+from haptonic.vibrometry.planning import ScanPlan
+from haptonic.vibrometry.question import drive_for, plan_for
+from haptonic.vibrometry.settings import ScanSettings
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+
+def _has_plan(result: Excitation) -> bool:
+    return result.plan is not None
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class Excitation(Result):
+    """One period of a drive, and the plan of a scan.
+
+    plan : None without a plate
+    """
+
+    title = "Excitation"
+
+    settings: ScanSettings
+    drive: Drive
+    plate: Plate | None
+    plan: ScanPlan | None
+
+    @property
+    def dataset(self) -> xr.Dataset:
+        """One period of the drive, and the points of the plan in the order of the stage."""
+        time = np.arange(len(self.drive.samples)) / self.drive.sample_rate
+        made = xr.Dataset(
+            {"drive": ("time", self.drive.samples, {"units": self.drive.unit})},
+            coords={"time": ("time", time, {"units": "s"})},
+        )
+        if self.plan is None:
+            return made
+        x, y = self.plan.points.T
+        return made.assign_coords(x=("point", x, {"units": "m"}), y=("point", y, {"units": "m"}))
+
+    @file("drive.wav", "drive.csv", "drive.h5")
+    def _write_drive(self, path: Path) -> None:
+        write_drive(self.drive, path)
+
+    @file("drive.json")
+    def _write_notes(self, path: Path) -> None:
+        notes = drive_notes(self.drive) | {"averages": self.settings.averages}
+        path.write_text(json.dumps(notes, indent=1) + "\n", "utf-8")
+
+    @file("scan_plan.csv", when=_has_plan)
+    def _write_plan(self, path: Path) -> None:
+        assert self.plan is not None
+        rows = [f"{i},{x:.7g},{y:.7g}" for i, (x, y) in enumerate(self.plan.points, start=1)]
+        path.write_text("\n".join(["point,x (m),y (m)", *rows, ""]), "utf-8")
+
+    @figure("signal", "One period of the drive.")
+    def _signal(self) -> Figure:
+        return plots.drive_signal(self.drive)
+
+    @figure("scan-plan", "The points in the order of the stage.", when=_has_plan)
+    def _scan_plan(self) -> Figure:
+        assert self.plate is not None
+        assert self.plan is not None
+        return plots.plate_plan(self.plate, self.plan.points)
+
+    def tables(self) -> list[Table]:
+        told, plan = self.facts(), self.facts()["plan"]
+        rows = [
+            ("band", f"{told['low'] / 1e3:.5g} to {told['high'] / 1e3:.5g} kHz"),
+            ("lines", f"{told['lines']:.0f}, {told['line_spacing_hz']:.4g} Hz apart"),
+            ("period", f"{told['duration_s'] * 1e3:.4g} ms, {told['averages']:.0f} recorded at each point"),
+            ("sample rate", f"{told['sample_rate'] / 1e3:.5g} kHz"),
+            ("largest value",
+             f"{told['full_scale']:.4g} {told['unit']}, crest factor {told['crest_factor']:.3f}"),
+        ]  # fmt: skip
+        if plan:
+            rows += [
+                ("points", f"{plan['points']}, {plan['left_out']} left out"),
+                ("way", f"{plan['travel_m']:.3g} m, {plan['measuring_s']:.0f} s of recording"),
+            ]
+        return [Table("excitation", ("what", "value"), rows)]
+
+    def facts(self) -> dict[str, Any]:
+        drive, plan = self.drive, self.plan
+        planned = None
+        if plan is not None:
+            planned = {
+                "points": len(plan.points), "left_out": len(plan.left_out), "travel_m": plan.travel,
+                "measuring_s": len(plan.points) * self.settings.averages * drive.duration,
+            }  # fmt: skip
+        return drive_notes(drive) | {
+            "line_spacing_hz": drive.line_spacing,
+            "lines": int(np.rint((drive.band[1] - drive.band[0]) * drive.duration)) + 1,
+            "duration_s": drive.duration,
+            "averages": self.settings.averages,
+            "notes": list(drive.warnings),
+            "plan": planned,
+        }
 
 
 def compute(study: Description, options: NoOptions, runner: Runner) -> Excitation:
@@ -15,7 +124,10 @@ def compute(study: Description, options: NoOptions, runner: Runner) -> Excitatio
     ------
     ScanError : settings that do not fit together
     """
-    return Excitation.of(study.scan_settings, study.mounted_plate() if study.finite_plate else None)
+    settings = study.scan_settings
+    plate = study.mounted_plate() if study.finite_plate else None
+    plan = None if plate is None else plan_for(settings, plate)
+    return Excitation(settings, drive_for(settings, plate), plate, plan)
 
 
 ANALYSIS = Analysis(

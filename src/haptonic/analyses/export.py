@@ -103,7 +103,7 @@ class Workshop(Result):
     def remarks(self) -> list[str]:
         return [f"the drawing has no tolerances: {self.why_none}"] if self.why_none and self.asked else []
 
-    def to_json(self) -> dict[str, Any]:
+    def facts(self) -> dict[str, Any]:
         if "drawing" not in self.options.kinds:
             return {}
         return {"tolerances": self.tolerances, "why_no_tolerances": self.why_none or None}

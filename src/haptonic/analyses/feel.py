@@ -2,19 +2,26 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+from typing import Any
+
+import xarray as xr
 
 from haptonic.analyses.analysis import Analysis, option
 from haptonic.analyses.needs import fineness, gap_of_plate, has_plate, need_carrier, response_settings
 from haptonic.errors import StudyError
 from haptonic.friction.lubrication.settings import VOLTAGE
 from haptonic.plate import Plate
+from haptonic.plate.loaded import LOADS, highest, loaded
 from haptonic.plate.parts import Actuator
+from haptonic.plate.question import check_grid, drives_of, reference_of
 from haptonic.plate.sweep import check_cost
-from haptonic.results.feel.loading import LOADS, compute_loaded, highest
+from haptonic.progress import Progress
+from haptonic.results.common import stamped
 from haptonic.results.feel.value import Feel, check_reduction
-from haptonic.results.plate.question import check_grid, drives_of, reference_of
 from haptonic.results.runner import Runner
+from haptonic.store import Store
 from haptonic.study.schema import Description
 from haptonic.units import format_quantity
 
@@ -61,22 +68,30 @@ def compute(study: Description, options: FeelOptions, runner: Runner) -> Feel:
     check_cost(plate, highest(middle))
     check_grid(plate, own.grid, len(LOADS))
     gap = gap_of_plate(study, plate, carrier, runner)
-    loaded = compute_loaded(
-        plate,
-        finger.pad,
-        carrier=carrier,
-        at=options.at,
-        gap=gap,
-        grid=own.grid,
-        tolerance=own.tolerance,
-        inputs=study.inputs(),
-        store=runner.store,
-        fineness=fineness(study),
-        progress=runner.progress,
-    )
-    touch, skin = finger.at(loaded.attrs["frequency_hz"]), finger.fingertip()
     edges = (gap.lower, gap.upper) if gap else None
-    return Feel(plate, edges, loaded, finger.pad.diameter, touch, skin, drive, options.reduction)
+    found = compute_loaded(
+        runner.store, study.inputs(), runner.progress, plate=plate,
+        diameter=finger.pad.diameter, damping=finger.pad.damping, carrier=carrier, at=options.at, gap=edges,
+        grid=own.grid, tolerance=own.tolerance, fineness=fineness(study),
+    )  # fmt: skip
+    touch, skin = finger.at(found.attrs["frequency_hz"]), finger.fingertip()
+    return Feel(plate, edges, found, finger.pad.diameter, touch, skin, drive, options.reduction)
+
+
+def compute_loaded(
+    store: Store, inputs: Mapping[str, Any], progress: Progress, *, plate: Plate, **asked: Any
+) -> xr.Dataset:
+    """Vibration below a finger, from the store if it was computed before; see `haptonic.plate.loaded.loaded`.
+
+    Parameters
+    ----------
+    inputs : plain values of what was asked; asked : all that `loaded` is given besides
+    """
+    asked = {**asked, "plate": replace(plate, finger=None)}  # the finger of [touch] takes its place
+    return store.kept(
+        {"part": "below a finger", **asked, "inputs": inputs},
+        lambda: stamped(loaded(**asked, progress=progress), inputs),
+    )
 
 
 def amplitude(plate: Plate, voltage: float | None) -> float:

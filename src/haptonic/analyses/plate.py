@@ -6,10 +6,10 @@ from dataclasses import dataclass, field
 
 from haptonic.analyses.analysis import Analysis, option
 from haptonic.analyses.needs import fineness, gap_of_plate, has_plate, need_carrier, response_settings
+from haptonic.plate.question import check_grid
 from haptonic.plate.settings import ResponseSettings
 from haptonic.plate.sweep import check_cost
 from haptonic.results.plate.compute import compute_plate
-from haptonic.results.plate.question import check_grid
 from haptonic.results.plate.value import PlateResult
 from haptonic.results.runner import Runner
 from haptonic.study.schema import Description

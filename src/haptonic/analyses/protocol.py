@@ -2,12 +2,19 @@
 
 from __future__ import annotations
 
+import numpy as np
+import xarray as xr
+
 from haptonic.analyses.analysis import Analysis, NoOptions
 from haptonic.analyses.experiments import protocol_of, task_of
-from haptonic.friction.statistics import Population
-from haptonic.results.protocol import Plan, compute_plan
+from haptonic.friction.statistics import Population, participants_needed, power, smallest_shown
+from haptonic.gate import declared
+from haptonic.results.common import stamped
+from haptonic.results.protocol import Plan
 from haptonic.results.runner import Runner
 from haptonic.study.schema import Description
+
+MOST_DRAWN = 20  # participants up to which the power is always computed
 
 
 def compute(study: Description, options: NoOptions, runner: Runner) -> Plan:
@@ -22,16 +29,31 @@ def compute(study: Description, options: NoOptions, runner: Runner) -> Plan:
         name: Population(reduction, people.effect_between, people.within, people.between)
         for name, reduction in zip(protocol.waveguides, (people.driven, people.idle), strict=True)
     }
-    return compute_plan(
-        protocol,
-        section.participants,
-        populations,
-        task_of(study),
-        title=study.title,
-        order=section.order,
-        wanted=section.power,
-        seed=section.seed,
-        inputs=study.inputs(),
+    participants = section.participants
+    pairs = protocol.pairs
+    found, needed = [], []
+    for population in populations.values():
+        needed.append(participants_needed(population, pairs, wanted=section.power, seed=section.seed))
+    most = max([MOST_DRAWN, *(people + 2 for people in needed if people)])
+    tried = sorted({*range(2, most + 1), max(participants, 2)})
+    for population in populations.values():
+        chance = power(population, tried, [pairs], tests=len(populations), seed=section.seed)
+        found.append(chance.isel(trials=0))
+    joined = xr.concat(found, dim="waveguide", combine_attrs="identical").assign_coords(
+        waveguide=list(populations)
+    )
+    least = None
+    if participants > 1:
+        least = smallest_shown(
+            next(iter(populations.values())), participants, pairs, wanted=section.power, seed=section.seed
+        )
+    joined["reduction"] = ("waveguide", [population.reduction for population in populations.values()])
+    joined["needed"] = ("waveguide", np.array([np.nan if n is None else n for n in needed], dtype=float))
+    joined["shown"] = np.nan if least is None else least
+    declared(joined, needed="more than are ever tried", shown="no reduction at all")
+    joined.attrs |= {"wanted": section.power}
+    return Plan(
+        study.title, protocol, participants, section.order, task_of(study), stamped(joined, study.inputs())
     )
 
 

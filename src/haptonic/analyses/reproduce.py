@@ -34,7 +34,6 @@ from haptonic.results.references import References, Variant, found_at
 from haptonic.results.result import Result
 from haptonic.results.runner import Runner
 from haptonic.results.scan.value import ScanResult
-from haptonic.results.sweeps import Sweeps
 from haptonic.results.table import Table
 from haptonic.results.twin import friction_twin
 from haptonic.study.schema import Description
@@ -95,10 +94,9 @@ class Reproduction(Result):
     def remarks(self) -> list[str]:
         return [text for one in self.parts.values() for text in one.remarks()]
 
-    def to_json(self) -> dict[str, Any]:
+    def facts(self) -> dict[str, Any]:
         sweeps = self.parts.get("sweep")
-        rows = sweeps.to_json()["sweeps"] if isinstance(sweeps, Sweeps) else []
-        return {**self.bands.to_json(), "seconds": dict(self.results.timings), "sweeps": rows}
+        return {**self.bands.facts(), "seconds": self.results.timings, **(sweeps.facts() if sweeps else {})}
 
     def located(self, folder: Path) -> dict[str, Any]:
         return {"report": str(folder / "report.html")}
@@ -214,7 +212,7 @@ def _varied(study: Description, variant: Variant, runner: Runner) -> float | Non
     except HaptonicError as error:
         warnings.warn(f"{variant.table}, {variant.label}: {error}", HaptonicWarning, stacklevel=2)
         return None
-    value = found_at(found.facts(), variant.path)
+    value = found_at(found.to_json(), variant.path)
     return float(value) if isinstance(value, int | float) else None
 
 

@@ -15,10 +15,10 @@ from haptonic.response import FrequencyResponse
 from haptonic.results.plate.value import PlateResult
 from haptonic.results.runner import Runner
 from haptonic.results.scan import Estimation, OnPlate, ScanResult, Twin, compute_scan
-from haptonic.results.scan.question import drive_for
 from haptonic.store import Store
 from haptonic.study.schema import Description
 from haptonic.vibrometry import ReadReport, Scan
+from haptonic.vibrometry.question import drive_for
 from haptonic.vibrometry.settings import ScanSettings
 
 Array = NDArray[np.float64]

@@ -2,11 +2,25 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
+import numpy as np
+import xarray as xr
+
 from haptonic.analyses.analysis import KEPT, Analysis, NoOptions
+from haptonic.cell import UnitCell
+from haptonic.cell.cantilever import euler_bernoulli, timoshenko
 from haptonic.errors import StudyError
-from haptonic.results.runner import Runner
-from haptonic.results.sweeps import Row, Sweeps, compute_sweeps
+from haptonic.gate import declared
+from haptonic.jobs import Outcome, Task
+from haptonic.materials import IsotropicMaterial
+from haptonic.results.common import stamped
+from haptonic.results.runner import Runner, design_gaps
+from haptonic.results.sweeps import Sweep, Sweeps
 from haptonic.study.schema import Description
+from haptonic.study.sweeps import SweepSection
+
+RESONANCES = 3  # of the pillar alone
 
 
 def check(study: Description, options: NoOptions) -> None:
@@ -23,20 +37,63 @@ def check(study: Description, options: NoOptions) -> None:
 
 def compute(study: Description, options: NoOptions, runner: Runner) -> Sweeps:
     """Complete gaps of every design; those that could not be computed are left out, and it is said."""
-    rows = [
-        Row(
-            sweep.values,
-            [design.cell for design in study.designs(sweep)],
-            {
-                "expression": sweep.vary,
-                "units": sweep.unit,
-                "own_value": sweep.expression.value(study.parameters()),
-                "carrier_hz": study.carrier,
-            },
-        )
-        for sweep in study.sweep_settings
+    rows = [[design.cell for design in study.designs(sweep)] for sweep in study.sweep_settings]
+    settings = study.bands_settings
+    tasks = [
+        Task({"kind": "gaps", "cell": cell, "settings": settings}, (cell, settings))
+        for row in rows
+        for cell in row
     ]
-    return compute_sweeps(rows, study.bands_settings, inputs=study.inputs(), runner=runner)
+    outcomes = iter(runner.tried(design_gaps, tasks, 0))
+    each = zip(study.sweep_settings, rows, strict=True)
+    return Sweeps(tuple(swept(study, sweep, row, [next(outcomes) for _ in row]) for sweep, row in each))
+
+
+def swept(
+    study: Description, sweep: SweepSection, cells: Sequence[UnitCell], outcomes: Sequence[Outcome]
+) -> Sweep:
+    """One row of designs; what could not be computed is NaN."""
+    slots = max([o.dataset.sizes["gap"] for o in outcomes if o.dataset is not None], default=0)
+    names = ("gap_lower", "gap_upper", "gap_lower_error", "gap_upper_error", "gap_below")
+    table = {name: np.full((len(cells), slots), np.nan) for name in names}
+    highest = np.full(len(cells), np.nan)
+    for step, outcome in enumerate(outcomes):
+        if outcome.dataset is not None:
+            for name in names:
+                table[name][step, : outcome.dataset.sizes["gap"]] = outcome.dataset[name]
+            highest[step] = float(outcome.dataset["searched_up_to"])
+    beams = [_cantilever(cell) for cell in cells]
+    dataset = xr.Dataset(
+        {
+            "value": ("step", np.asarray(sweep.values)),
+            **{name: (("step", "gap_slot"), array) for name, array in table.items()},
+            "searched_up_to": ("step", highest),
+            "euler_bernoulli": (("step", "resonance"), np.stack([slender for slender, _ in beams])),
+            "timoshenko": (("step", "resonance"), np.stack([stocky for _, stocky in beams])),
+        }
+    )
+    for variable in dataset.values():
+        variable.attrs = {"units": "1" if variable.name == "gap_below" else "Hz"}
+    declared(
+        dataset,
+        **dict.fromkeys(table, "no further gap"),
+        searched_up_to="the design could not be computed",
+        **dict.fromkeys(("euler_bernoulli", "timoshenko"), "no formula for this pillar"),
+    )
+    dataset["value"].attrs = {"units": sweep.unit or "1", "long_name": sweep.vary}
+    known = {"own_value": sweep.expression.value(study.parameters()), "carrier_hz": study.carrier}
+    dataset.attrs = {"expression": sweep.vary} | {n: value for n, value in known.items() if value is not None}
+    failed = {step: o.error.parts() for step, o in enumerate(outcomes) if o.error is not None}
+    return Sweep(stamped(dataset, study.inputs()), failed)
+
+
+def _cantilever(cell: UnitCell) -> tuple[np.ndarray, np.ndarray]:
+    if cell.pillar is None or not isinstance(cell.material, IsotropicMaterial):
+        return np.full(RESONANCES, np.nan), np.full(RESONANCES, np.nan)
+    slender = np.full(RESONANCES, np.nan)
+    if cell.pillar.is_cylinder:  # equation (3) knows no other
+        slender = euler_bernoulli(cell.pillar, cell.material)
+    return slender, timoshenko(cell.pillar, cell.material, RESONANCES)
 
 
 ANALYSIS = Analysis(

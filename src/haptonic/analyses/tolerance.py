@@ -2,20 +2,51 @@
 
 from __future__ import annotations
 
+import json
+from collections.abc import Sequence
+from dataclasses import asdict
+
+import numpy as np
+import xarray as xr
+from numpy.typing import NDArray
+
 from haptonic.analyses.analysis import KEPT, Analysis, NoOptions
 from haptonic.analyses.needs import need_carrier
-from haptonic.errors import StudyError
+from haptonic.bloch import Gap
+from haptonic.bloch.gaps import need_gap_at
+from haptonic.cell import UnitCell
+from haptonic.design.edges import beside_dataset, edge_slopes, linear
+from haptonic.design.parameters import values_of
+from haptonic.design.quick import QUICK
+from haptonic.design.tolerance import (
+    REACH,
+    Chances,
+    Surface,
+    edges_of,
+    first_order,
+    samples,
+    terms_needed,
+)
+from haptonic.errors import HaptonicError, StudyError
+from haptonic.jobs import Task
+from haptonic.results.common import stamped
 from haptonic.results.runner import Runner
-from haptonic.results.tolerance import Tolerance, compute_tolerance
+from haptonic.results.tolerance import Tolerance
 from haptonic.study.schema import Description
+
+Array = NDArray[np.float64]
+
+BATCH = 8  # designs of one task
+DRAWN = 2000  # plates in the result's dataset
 
 
 def compute(study: Description, options: NoOptions, runner: Runner) -> Tolerance:
-    """Chances, what they depend on, and the loosest machining that keeps them.
+    """First-order answer from exact slopes, full answer from designs that are computed.
 
     Raises
     ------
-    StudyError : no carrier, no spreads, or a gap that does not hold the carrier as drawn
+    StudyError : no carrier, no spreads, a gap that does not hold the carrier as drawn, or too few
+        samples
     """
     section = study.tolerance_settings
     if not section.of:
@@ -26,18 +57,83 @@ def compute(study: Description, options: NoOptions, runner: Runner) -> Tolerance
             cause="the study does not say what differs",
             next_step='add [[tolerance.of]] with parameter = "cell.pillar.diameter", spread = "20 um"',
         )
-    return compute_tolerance(
-        study.cell,
-        study.bands_settings,
-        section.of,
-        carrier=need_carrier(study),
-        margin=section.margin,
-        confidence=section.confidence,
-        pillars=section.pillars,
-        count=section.samples,
-        inputs=study.inputs(),
-        runner=runner,
+    cell, carrier, count, spreads = study.cell, need_carrier(study), section.samples, section.of
+    needed = terms_needed(len(spreads))
+    if count < 2 * needed:
+        raise StudyError(
+            argument="tolerance.samples",
+            given=count,
+            allowed=f"at least {2 * needed} for {len(spreads)} spreads",
+            cause=f"a quadratic in so many parameters has {needed} coefficients",
+            next_step="compute more samples, or leave spreads out that hardly matter",
+        )
+    gap = need_gap_at(runner.gaps(cell, study.bands_settings), carrier)
+    try:
+        designs = samples(cell, spreads, count)
+    except HaptonicError as error:
+        raise StudyError(
+            argument="tolerance.of",
+            given="spreads that lead to bodies that cannot be",
+            allowed=f"spreads of which {REACH:g} times as large ones still make a body",
+            cause=f"{error.argument} would be {error.given}: {error.cause}",
+            next_step="give smaller spreads",
+        ) from None
+    batches = [designs[i : i + BATCH] for i in range(0, count, BATCH)]
+    tasks = [_beside_task(batch, gap) for batch in (*batches, [cell])]
+    datasets = runner.run(beside_dataset, tasks, 1)
+    *parts, own = (dataset["frequency"].values for dataset in datasets)
+    offset = np.array([gap.lower, gap.upper]) - edges_of(own)[0]
+    frequency = np.concatenate(parts) + offset[:, None]
+    slopes = edge_slopes(cell, gap, [spread.parameter for spread in spreads])
+    widths = np.array([spread.spread for spread in spreads])
+    at_rest = np.array([values_of(cell)[spread.parameter] for spread in spreads])
+    moved = np.array([[values_of(one)[s.parameter] for s in spreads] for one in designs])
+    deviations = (moved - at_rest) / widths
+    surface = Surface.fitted(deviations, frequency)
+    chances = Chances(surface, spreads, carrier, section.margin, section.pillars)
+    straight = Chances(
+        linear(gap, slopes * widths[:, None]), spreads, carrier, section.margin, section.pillars
     )
+    variance = first_order(slopes, spreads)
+    dataset = xr.Dataset(
+        {
+            "edge": (
+                ("design", "side"), edges_of(frequency),
+                {"units": "Hz", "long_name": "edges of computed designs"},
+            ),
+            "drawn": (
+                ("plate", "side"), surface.at(chances.drawn(DRAWN)),
+                {"units": "Hz", "long_name": "edges of drawn designs, from the fit"},
+            ),
+            "slope": (("parameter", "side"), slopes, {"units": "Hz/SI"}),
+            "first_order_share": (("parameter", "side"), variance / variance.sum(axis=0), {"units": "1"}),
+            "total_index": (("parameter", "side"), chances.importance(), {"units": "1"}),
+            "deviation": ("side", chances.deviations(), {"units": "Hz"}),
+            "first_order_deviation": ("side", np.sqrt(variance.sum(axis=0)), {"units": "Hz"}),
+            "fit_doubt": ("side", surface.doubt, {"units": "Hz"}),
+        },
+        coords={"parameter": [spread.parameter for spread in spreads], "side": ["lower", "upper"]},
+        attrs={
+            "carrier_hz": carrier,
+            "margin_hz": section.margin,
+            "mesh": json.dumps(asdict(QUICK)),
+            "chance_to_first_order": straight.of_a_plate(),
+        },
+    )  # fmt: skip
+    return Tolerance(
+        gap=gap,
+        plate=chances.of_a_plate(),
+        pillar=chances.of_one_pillar(),
+        loosest=chances.loosest(section.confidence),
+        dataset=stamped(dataset, study.inputs()),
+        margin=section.margin,
+        pillars=section.pillars,
+        confidence=section.confidence,
+    )
+
+
+def _beside_task(cells: Sequence[UnitCell], gap: Gap) -> Task:
+    return Task({"kind": "beside", "cells": cells, "gap": gap}, (cells, gap))
 
 
 ANALYSIS = Analysis(

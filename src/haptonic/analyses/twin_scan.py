@@ -11,9 +11,9 @@ from haptonic.analyses.needs import response_settings
 from haptonic.analyses.scanning import on_plate
 from haptonic.analyses.verdict import response_in
 from haptonic.results.runner import Runner
-from haptonic.results.scan.question import drive_for, response_for
 from haptonic.results.scan.twin import Kind, Twin, kind_of
 from haptonic.study.schema import Description
+from haptonic.vibrometry.question import drive_for, response_for
 
 
 @dataclass(frozen=True)

@@ -12,7 +12,7 @@ from haptonic.bloch.model import BlochModel
 from haptonic.bloch.pencil import eigenpairs
 from haptonic.bloch.tracking import Diagram
 from haptonic.errors import StudyError
-from haptonic.units import format_quantity
+from haptonic.units import Hertz, format_quantity
 
 Array = NDArray[np.float64]
 Ints = NDArray[np.int64]
@@ -37,10 +37,10 @@ class Gap:
     """
 
     between: tuple[int, int]
-    lower: float
-    upper: float
-    lower_error: float
-    upper_error: float
+    lower: Hertz
+    upper: Hertz
+    lower_error: Hertz
+    upper_error: Hertz
     lower_kappa: tuple[float, float]
     upper_kappa: tuple[float, float]
     complete: bool

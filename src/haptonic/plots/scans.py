@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from itertools import cycle
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -14,7 +13,8 @@ from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
 from haptonic.plots import style
-from haptonic.plots.words import in_pi, label
+from haptonic.plots.spectra import curves, finished, shaded
+from haptonic.plots.words import in_pi
 
 if TYPE_CHECKING:
     from haptonic.vibrometry import Drive, LatticeGap, MeasuredGap, Quality
@@ -78,16 +78,9 @@ def measured_contrast(
     """Contrasts of a scan (dB; NaN where noise hides it) and the range in which the region stands out."""
     figure = style.blank(8.6)
     axes = figure.add_subplot()
-    looks = cycle([(style.BLUE, style.SOLID), (style.RED, style.DASHED), (style.GREEN, style.DASH_DOTTED)])
-    handles: list[Artist] = []
-    for (name, level), (colour, dashes) in zip(contrasts.items(), looks, strict=False):
-        handles += axes.plot(frequency / 1e3, level, color=colour, ls=dashes, lw=0.9, label=label(name))
+    handles = curves(axes, frequency, contrasts, width=0.9)
     axes.axhline(0, color=style.INK, lw=0.7, zorder=1)
-    if computed is not None:
-        low, high = computed[0] / 1e3, computed[1] / 1e3
-        shade = axes.axvspan(low, high, facecolor=style.GAP, lw=0, zorder=0)
-        shade.set_label(f"computed gap, {low:.1f} to {high:.1f} kHz")
-        handles.append(shade)
+    handles += shaded(axes, frequency, computed, "computed gap")
     if gap is not None:
         for edge, error in ((gap.lower, gap.lower_error), (gap.upper, gap.upper_error)):
             axes.axvspan((edge - error) / 1e3, (edge + error) / 1e3, lw=0,
@@ -97,9 +90,8 @@ def measured_contrast(
             f"high contrast, {gap.lower / 1e3:.1f} to {gap.upper / 1e3:.1f} kHz; standard error shaded"
         )
         handles.append(line)
-    axes.set(xlabel="frequency (kHz)", ylabel="contrast (dB)", title=origin,
-             xlim=(frequency[0] / 1e3, frequency[-1] / 1e3))  # fmt: skip
-    figure.legend(handles=handles, loc="outside lower center", ncols=2)
+    axes.set_ylabel("contrast (dB)")
+    finished(figure, axes, frequency, handles, origin)
     return figure
 
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from itertools import cycle
 from typing import Any
 
@@ -18,6 +18,7 @@ from haptonic.plots.words import label
 Array = NDArray[np.float64]
 Complex = NDArray[np.complexfloating[Any, Any]]
 Gap = tuple[float, float] | None
+Looks = Sequence[tuple[str, Any]]
 
 PASSIVE = 95.0  # deg, phase of an impedance that takes up power, rounding included
 LOOKS = tuple(
@@ -44,10 +45,10 @@ def contrast_spectrum(
     """
     figure = style.blank(_height(len(contrast)))
     axes = figure.add_subplot()
-    handles = _curves(axes, frequency, contrast)
+    handles = curves(axes, frequency, contrast)
     axes.axhline(0, color=style.INK, lw=0.7, zorder=1, gid="zero")
     axes.set_ylabel("contrast (dB)")
-    _finish(figure, axes, frequency, [*handles, *_shade(axes, frequency, gap)], origin)
+    finished(figure, axes, frequency, [*handles, *shaded(axes, frequency, gap)], origin)
     return figure
 
 
@@ -67,10 +68,10 @@ def velocity_spectrum(
     figure = style.blank(_height(len(velocity)))
     axes = figure.add_subplot()
     positive = {name: np.where(values > 0, values, np.nan) for name, values in velocity.items()}
-    handles = _curves(axes, frequency, positive)
+    handles = curves(axes, frequency, positive)
     style.logarithmic(axes)
     axes.set_ylabel(f"rms normal velocity of the region\n({units})")
-    _finish(figure, axes, frequency, [*handles, *_shade(axes, frequency, gap)], origin)
+    finished(figure, axes, frequency, [*handles, *shaded(axes, frequency, gap)], origin)
     return figure
 
 
@@ -87,7 +88,7 @@ def impedance_spectrum(frequency: Array, impedance: Complex, gap: Gap, *, origin
     """
     figure = style.blank(10.5)
     magnitude, phase = figure.subplots(2, 1, sharex=True, height_ratios=(3, 2))
-    handles = _curves(
+    handles = curves(
         magnitude,
         frequency,
         {"electrical impedance of the actuator": np.asarray(np.abs(impedance), dtype=float)},
@@ -95,13 +96,13 @@ def impedance_spectrum(frequency: Array, impedance: Complex, gap: Gap, *, origin
     style.logarithmic(magnitude)
     magnitude.set_ylabel("magnitude (Ω)")
     degrees = np.asarray(np.angle(impedance, deg=True), dtype=float)
-    _curves(phase, frequency, {"phase": degrees})
+    curves(phase, frequency, {"phase": degrees})
     phase.set_ylabel("phase (deg)")
     passive = np.abs(degrees).max() <= PASSIVE  # more is an error of measurement, and has to be seen
     phase.set_ylim(*((-100, 100) if passive else (-190, 190)))
     phase.set_yticks([-90, -45, 0, 45, 90] if passive else [-180, -90, 0, 90, 180])
-    shades = [_shade(axes, frequency, gap) for axes in (magnitude, phase)]
-    _finish(figure, phase, frequency, [*handles, *shades[0]], origin)
+    shades = [shaded(axes, frequency, gap) for axes in (magnitude, phase)]
+    finished(figure, phase, frequency, [*handles, *shades[0]], origin)
     return figure
 
 
@@ -110,25 +111,30 @@ def _height(curves: int) -> float:
     return 7.6 + 0.5 * (-(-(curves + 1) // 2))
 
 
-def _curves(axes: Axes, frequency: Array, values: Mapping[str, Array]) -> list[Artist]:
+def curves(
+    axes: Axes, frequency: Array, values: Mapping[str, Array], looks: Looks = LOOKS, width: float = 1.2
+) -> list[Artist]:
     """Draw curves by name; what the legend needs."""
     return [
-        axes.plot(frequency / 1e3, curve, color=colour, ls=dashes, lw=1.2, label=label(name), gid="curve")[0]
-        for (name, curve), (colour, dashes) in zip(values.items(), cycle(LOOKS), strict=False)
+        axes.plot(frequency / 1e3, curve, color=colour, ls=dashes, lw=width, label=label(name), gid="curve")[
+            0
+        ]
+        for (name, curve), (colour, dashes) in zip(values.items(), cycle(looks), strict=False)
     ]
 
 
-def _shade(axes: Axes, frequency: Array, gap: Gap) -> list[Artist]:
+def shaded(axes: Axes, frequency: Array, gap: Gap, name: str = "band gap") -> list[Artist]:
     """Shade the gap where it is in view; what the legend needs."""
     if gap is None or gap[0] >= frequency[-1] or gap[1] <= frequency[0]:
         return []
     low, high = gap[0] / 1e3, gap[1] / 1e3
     shade = axes.axvspan(low, high, facecolor=style.GAP, edgecolor="none", zorder=0, gid="gap")
-    shade.set_label(f"band gap, {low:.1f} to {high:.1f} kHz")
+    shade.set_label(f"{name}, {low:.1f} to {high:.1f} kHz")
     return [shade]
 
 
-def _finish(figure: Figure, axes: Axes, frequency: Array, handles: list[Artist], origin: str) -> None:
+def finished(figure: Figure, axes: Axes, frequency: Array, handles: list[Artist], origin: str = "") -> None:
+    """Title, the axis of frequencies, and the legend."""
     figure.axes[0].set_title(origin)
     axes.set_xlabel("frequency (kHz)")
     axes.set_xlim(frequency[0] / 1e3, frequency[-1] / 1e3)

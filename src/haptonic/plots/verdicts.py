@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 import numpy as np
-from matplotlib.axes import Axes
 from matplotlib.collections import LineCollection
 from matplotlib.colors import Normalize
 from matplotlib.figure import Figure
@@ -16,7 +15,7 @@ from numpy.typing import NDArray
 from haptonic.plate.layout import Layout
 from haptonic.plots import style
 from haptonic.plots.plates import region_borders
-from haptonic.plots.words import label
+from haptonic.plots.spectra import curves, finished
 from haptonic.updating.agreement import Agreement
 
 Array = NDArray[np.float64]
@@ -46,25 +45,15 @@ def before_after(
     rows = 1 + len(contrasts)
     figure = style.blank(4.4 * rows + 1.9)
     panels = figure.subplots(rows, 1, sharex=True, squeeze=False)[:, 0]
-    handles = _curves(panels[0], frequency, spectra)
+    handles = curves(panels[0], frequency, spectra, LOOKS)
     style.logarithmic(panels[0])
     panels[0].set_ylabel(f"rms over all points\n({units})")
     for axes, (pair, levels) in zip(panels[1:], contrasts.items(), strict=True):
-        _curves(axes, frequency, levels)
+        curves(axes, frequency, levels, LOOKS)
         axes.axhline(0, color=style.PALE_INK, lw=0.6, zorder=1)
         axes.set_ylabel(f"{pair}\n(dB)")
-    panels[-1].set_xlabel("frequency (kHz)")
-    panels[-1].set_xlim(frequency[0] / 1e3, frequency[-1] / 1e3)
-    figure.legend(handles=handles, loc="outside lower center", ncols=2)
+    finished(figure, panels[-1], frequency, handles)
     return figure
-
-
-def _curves(axes: Axes, frequency: Array, values: Mapping[str, Array]) -> list[object]:
-    """Draw the first curve in ink and others as usual; what the legend needs."""
-    return [
-        axes.plot(frequency / 1e3, curve, color=colour, ls=dashes, lw=1.2, label=label(name), gid="curve")[0]
-        for (name, curve), (colour, dashes) in zip(values.items(), LOOKS, strict=False)
-    ]
 
 
 @style.drawn

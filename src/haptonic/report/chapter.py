@@ -60,6 +60,19 @@ class Results:
         """Where the references show the same as a picture, for the sentence below it."""
         return self.references.where(picture) if self.references else ""
 
+    def pictures(self, result: Result, words: Mapping[str, str]) -> tuple[Picture, ...]:
+        """Pictures of a result with their captions, and where the references show the same.
+
+        Parameters
+        ----------
+        words : of each picture that is shown, what tells of it where it cannot be seen
+        """
+        figures = result.figures
+        return tuple(
+            Picture(figures[name], figures.captions[name] + self.where(name), words[name])
+            for name in figures if name in words
+        )  # fmt: skip
+
 
 @dataclass(frozen=True, eq=False)
 class Chapter:

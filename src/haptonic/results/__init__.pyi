@@ -1,18 +1,17 @@
 from .bands import Bands, compute_bands
 from .common import refuse_taken, write_files, write_netcdf
 from .design import Design, compute_design, compute_front
-from .feel import Feel, compute_loaded
+from .feel import Feel
 from .friction import FrictionResult, compute_friction
 from .guides import Guides, compute_guides
-from .judging import compute_verdict
 from .layers import Layers, compute_layers
 from .plate import PlateResult, compute_plate
-from .protocol import Plan, compute_plan
+from .protocol import Plan
 from .result import Result
 from .runner import Runner, design_gaps
-from .sweeps import Row, Sweep, Sweeps, compute_sweeps
+from .sweeps import Sweep, Sweeps
 from .table import Column, Table, Uncertain
-from .tolerance import Tolerance, compute_tolerance
+from .tolerance import Tolerance
 from .twin import FrictionTwin, friction_twin
 from .verdict import Verdict
 
@@ -28,7 +27,6 @@ __all__ = [
     "Plan",
     "PlateResult",
     "Result",
-    "Row",
     "Runner",
     "Sweep",
     "Sweeps",
@@ -42,12 +40,7 @@ __all__ = [
     "compute_front",
     "compute_guides",
     "compute_layers",
-    "compute_loaded",
-    "compute_plan",
     "compute_plate",
-    "compute_sweeps",
-    "compute_tolerance",
-    "compute_verdict",
     "design_gaps",
     "friction_twin",
     "refuse_taken",

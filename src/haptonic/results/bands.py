@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+import numpy as np
 import pandas as pd
 import xarray as xr
 
@@ -16,13 +17,20 @@ from haptonic.bloch import Gap, bands_dataset, gaps_of
 from haptonic.bloch.settings import BandSettings
 from haptonic.cell import UnitCell
 from haptonic.plots.words import khz
-from haptonic.results.common import no_nan, stamped
+from haptonic.results.common import stamped
+from haptonic.results.plain import plain
 from haptonic.results.result import Result, figure, file
 from haptonic.results.table import Column, Table, Uncertain
-from haptonic.store import Store, content_key
+from haptonic.store import Store
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
+
+
+WRITTEN = [
+    "band_below", "band_above", "lower_hz", "upper_hz", "lower_error_hz", "upper_error_hz", "complete",
+    "direction", "samples",
+]  # fmt: skip
 
 
 def _over_the_zone(result: Bands) -> bool:
@@ -75,38 +83,46 @@ class Bands(Result):
         ]
         return [Table("band gaps", columns, rows, [k for k, gap in enumerate(gaps) if gap.complete])]
 
-    @figure("dispersion")
+    @figure(
+        "dispersion",
+        "Simulated dispersion along the edge of the irreducible zone. Colour, dashes and markers tell what "
+        "moves; a curve changes its colour where the mode changes its nature. Complete gaps are shaded.",
+    )
     def _dispersion(self) -> Figure:
         """Dispersion diagram with the complete gaps and the carrier."""
         return plots.dispersion(self.dataset, carrier_hz=self.dataset.attrs.get("carrier_hz"))
 
-    @figure("modes")
+    @figure(
+        "modes",
+        "Simulated mode shapes at one wavevector; the body at rest in grey lines. Same view and scale for "
+        "all; each mode's largest displacement is drawn equally large.",
+    )
     def _modes(self) -> Figure:
         return plots.mode_shapes(self.dataset)
 
-    @figure("iso_frequency", when=_over_the_zone)
+    @figure(
+        "iso_frequency",
+        "Simulated contours of equal frequency over the first Brillouin zone; the dashed line bounds the "
+        "irreducible zone. Waves travel at right angles to the contours.",
+        when=_over_the_zone,
+    )
     def _iso_frequency(self) -> Figure:
         return plots.iso_frequency(self.dataset)
 
-    @figure("density_of_states", when=_over_the_zone)
+    @figure(
+        "density_of_states",
+        "Simulated density of states of the infinite lattice, from the bands over the whole zone.",
+        when=_over_the_zone,
+    )
     def _density_of_states(self) -> Figure:
         return plots.density_of_states(self.dataset)
 
     @file("gaps.csv")
     def _write_gaps(self, path: Path) -> None:
-        columns = {
-            "band_below": [gap.between[0] for gap in self.gaps],
-            "band_above": [gap.between[1] for gap in self.gaps],
-            **{
-                f"{name}_hz": [f"{getattr(gap, name):.3f}" for gap in self.gaps]
-                for name in ("lower", "upper", "lower_error", "upper_error")
-            },
-            **{
-                name: [getattr(gap, name) for gap in self.gaps]
-                for name in ("complete", "direction", "samples")
-            },
-        }
-        pd.DataFrame(columns).to_csv(path, index=False)
+        rows = [
+            {"band_below": gap.between[0], "band_above": gap.between[1], **plain(gap)} for gap in self.gaps
+        ]
+        pd.DataFrame(rows, columns=WRITTEN).to_csv(path, index=False, float_format="%.3f")
 
     @file("modes.vtu")
     def _write_modes(self, path: Path) -> None:
@@ -117,33 +133,12 @@ class Bands(Result):
         return {name: int(self.dataset.attrs[f"counts_{name}"]) for name in ("checked", "missed")}
 
     def facts(self) -> dict[str, Any]:
-        return self.to_json() | {"modes": mode_names(self.dataset)}
-
-    def to_json(self) -> dict[str, Any]:
-        data = self.dataset
-        labels, corners = json.loads(data.attrs["path_labels"]), json.loads(data.attrs["path_corners"])
-        names = json.loads(data.attrs["character_names"])
+        data, names = self.dataset, json.loads(self.dataset.attrs["character_names"])
+        along = [name for name, one in data.items() if {"wavevector", "path_corner"} & set(one.dims)]
+        named = data["character"].dims, np.array(names)[data["character"].values]
         return {
-            "gaps": [gap_json(gap) for gap in self.gaps],
-            "bands": {
-                "labels": labels,
-                "corners": corners,
-                "kappa": data["kappa"].values.tolist(),
-                "frequency_hz": data["frequency"].values.tolist(),
-                "error_hz": data["frequency_error"].values.tolist(),
-                "group_velocity_m_per_s": no_nan(data["group_velocity"].values),
-                "out_of_plane": data["out_of_plane"].values.tolist(),
-                "pillar_strain": data["pillar_strain"].values.tolist(),
-                "parity": data["parity"].values.tolist(),
-                "corner_symmetry": data["corner_symmetry"].values.tolist(),
-                "branch": data["branch"].values.tolist(),
-                "character": [[names[i] for i in row] for row in data["character"].values],
-            },
-            "counts": self._counts,
-            "mesh": json.loads(data.attrs["mesh"]) | {"unknowns": int(data.attrs["unknowns"])},
-            "inputs": json.loads(data.attrs["inputs"]),
-            "version": data.attrs["haptonic_version"],
-        }
+            "gaps": self.gaps, "bands": data[along].assign(character=named), "modes": mode_names(data),
+        }  # fmt: skip
 
 
 def mode_names(data: xr.Dataset) -> list[str]:
@@ -160,22 +155,6 @@ def counted(checked: int, missed: int) -> str:
         return "Bands were not counted by another method: where it would be done, one lies within its error."
     missing = f"{missed or 'no'} band{'s' * (missed != 1)} missing"
     return f"Counted by another method, in {checked} comparison{'s' * (checked != 1)}: {missing}."
-
-
-def gap_json(gap: Gap) -> dict[str, Any]:
-    """One gap as plain values."""
-    return {
-        "lower_hz": gap.lower,
-        "upper_hz": gap.upper,
-        "lower_error_hz": gap.lower_error,
-        "upper_error_hz": gap.upper_error,
-        "complete": gap.complete,
-        "between": list(gap.between),
-        "direction": gap.direction,
-        "lower_kappa": list(gap.lower_kappa),
-        "upper_kappa": list(gap.upper_kappa),
-        "samples": gap.samples,
-    }
 
 
 def compute_bands(
@@ -195,18 +174,13 @@ def compute_bands(
     inputs : plain values of what was asked, for the result's attributes
     carrier : Hz, marked in the diagram
     """
-    key = content_key({"kind": "bands", "surface": surface, "cell": cell, "settings": settings})
-    dataset = store.get(key)
-    if dataset is None:
-        dataset = bands_dataset(
-            cell,
-            count=settings.count,
-            points=settings.points,
-            accuracy=settings.accuracy,
-            resolution=settings.resolution,
-            surface=surface,
-        )
-        store.put(key, dataset)
+    dataset = store.kept(
+        {"kind": "bands", "surface": surface, "cell": cell, "settings": settings},
+        lambda: bands_dataset(
+            cell, count=settings.count, points=settings.points, accuracy=settings.accuracy,
+            resolution=settings.resolution, surface=surface,
+        ),
+    )  # fmt: skip
     if carrier is not None:
         dataset.attrs["carrier_hz"] = carrier
     return Bands(stamped(dataset, inputs))

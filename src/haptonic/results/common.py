@@ -8,7 +8,6 @@ from importlib.metadata import version
 from pathlib import Path, PurePosixPath
 from typing import Any
 
-import numpy as np
 import xarray as xr
 
 from haptonic import hdf5
@@ -65,8 +64,3 @@ def stamped(dataset: xr.Dataset, inputs: Mapping[str, Any]) -> xr.Dataset:
         "origin": "simulated",
     }
     return passed(dataset)
-
-
-def no_nan(array: np.ndarray) -> Any:
-    """Nested lists with null in place of NaN, which JSON does not have."""
-    return np.where(np.isnan(array), np.array(None), array).tolist()

@@ -2,11 +2,9 @@
 
 from __future__ import annotations
 
-import json
-import math
 from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import asdict, dataclass, field
+from dataclasses import dataclass, field
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -22,6 +20,7 @@ from haptonic.names import cell
 from haptonic.paths import source as checked
 from haptonic.progress import Progress, silent
 from haptonic.results.friction_tables import conditions_table, excluded_table, tests_tables, told
+from haptonic.results.plain import determined, plain, split
 from haptonic.results.quality import quality
 from haptonic.results.result import Result, figure, file
 from haptonic.results.table import Table
@@ -74,17 +73,17 @@ class FrictionResult(Result):
 
     @file("conditions.csv")
     def _write_conditions(self, path: Path) -> None:
-        _write_rows([asdict(one) for one in self.found.conditions], self.origin, path)
+        _write_rows([plain(one) for one in self.found.conditions], self.origin, path)
 
     @file("tests.csv")
     def _write_tests(self, path: Path) -> None:
-        _write_rows([asdict(one) for one in (*self.found.tests, *self.found.each)], self.origin, path)
+        _write_rows([plain(one) for one in (*self.found.tests, *self.found.each)], self.origin, path)
 
     @file("quality.html")
     def _write_quality(self, path: Path) -> None:
         path.write_text(quality(self), encoding="utf-8")
 
-    @figure("conditions", "Friction of the conditions, mean and one standard deviation over trials.")
+    @figure("conditions", "{Origin} friction of the conditions, mean and one standard deviation over trials.")
     def _conditions(self) -> Figure:
         found = self.found
         return plots.conditions(
@@ -92,7 +91,10 @@ class FrictionResult(Result):
             published=self.published or None, origin=self.origin,
         )  # fmt: skip
 
-    @figure("reductions", "Reductions with 95 % intervals: of people in general, and of each participant.")
+    @figure(
+        "reductions",
+        "{Origin} reductions with 95 % intervals: of people in general, and of each participant.",
+    )
     def _reductions(self) -> Figure:
         return plots.reductions(self.found.reductions, self.found.own, origin=self.origin)
 
@@ -124,48 +126,33 @@ class FrictionResult(Result):
             here = (trials["participant"].values == person) & (trials["block"].values == block)
             yield person, block, plots.trial_sheet(trials.isel(stroke=here), drawn, origin=self.origin)
 
-    def to_json(self) -> dict[str, Any]:
-        """Plain values for machines."""
+    def facts(self) -> dict[str, Any]:
         found, trials = self.found, self.trials
-        left_out = trials.isel(stroke=trials["excluded"].values != "")
-        values: dict[str, Any] = _finite(
-            {
-                "origin": self.origin,
-                "trials": trials.sizes["stroke"],
-                "excluded": [
-                    {
-                        name: left_out[name].values[row].item()
-                        for name in ("participant", "block", "trial", "waveguide", "actuation")
-                    }
-                    | {
-                        "reason": str(left_out["excluded"].values[row]),
-                        "detail": str(left_out["detail"].values[row]),
-                    }
-                    for row in range(left_out.sizes["stroke"])
-                ],
-                "exclusions": self.excluded,
-                "remarks": list(self.guessed),
-                "omissions": list(found.omissions),
-                "driven": found.driven,
-                "driven_chosen": found.chosen,
-                "conditions": [asdict(one) for one in found.conditions],
-                "tests": [asdict(one) for one in (*found.tests, *found.each)],
-                "conclusions": list(found.conclusions),
-                "reduction": {guide: asdict(one) for guide, one in found.reductions.items()},
-                "averages": AVERAGES,
-                "own_reduction": [
-                    {"waveguide": guide, "participant": name, **asdict(one)}
-                    for (guide, name), one in found.own.items()
-                ],
-                "stopped": {guide: asdict(one) for guide, one in found.stopped.items()},
-                "stopped_here": {guide: asdict(one) for guide, one in found.stopped_here.items()},
-                "equivalence": [asdict(one) for one in found.equivalences],
-                "drift": asdict(found.drift) if found.drift else None,
-                "rules": json.loads(trials.attrs["rules"]) if "rules" in trials.attrs else None,
-                "version": trials.attrs.get("haptonic_version"),
-            }
-        )
-        return values
+        named = ["participant", "block", "trial", "waveguide", "actuation", "excluded", "detail"]
+        left_out = trials[named].isel(stroke=trials["excluded"].values != "")
+        told = {
+            "trials": trials.sizes["stroke"],
+            "excluded": split(left_out.reset_coords(), "stroke"),
+            "exclusions": self.excluded,
+            "remarks": self.guessed,
+            "omissions": found.omissions,
+            "driven": found.driven,
+            "driven_chosen": found.chosen,
+            "conclusions": found.conclusions,
+            "conditions": found.conditions,
+            "tests": (*found.tests, *found.each),
+            "reduction": found.reductions,
+            "averages": AVERAGES,
+            "own_reduction": [
+                {"waveguide": guide, "participant": name, **plain(one)}
+                for (guide, name), one in found.own.items()
+            ],
+            "stopped": found.stopped,
+            "stopped_here": found.stopped_here,
+            "equivalence": found.equivalences,
+            "drift": found.drift,
+        }
+        return {name: determined(plain(one)) for name, one in told.items()}
 
 
 def compute_friction(
@@ -199,17 +186,8 @@ def _write_rows(rows: list[dict[str, Any]], origin: str, path: Path) -> None:
     """A CSV table; a pair (mean, standard deviation) becomes two columns, and each row says its origin."""
     flat = []
     for row in rows:
-        pairs = {name: value for name, value in row.items() if isinstance(value, tuple)}
+        pairs = {name: value for name, value in row.items() if isinstance(value, list)}
         plain = {name: value for name, value in row.items() if name not in pairs}
         plain |= {f"{name}_{part}": value[k] for name, value in pairs.items() for k, part in enumerate(PARTS)}
         flat.append({name: cell(value) for name, value in plain.items()} | {"origin": origin})
     pd.DataFrame(flat).to_csv(path, index=False)
-
-
-def _finite(value: Any) -> Any:
-    """The same with None in place of NaN, which JSON does not have."""
-    if isinstance(value, dict):
-        return {key: _finite(item) for key, item in value.items()}
-    if isinstance(value, list | tuple):
-        return [_finite(item) for item in value]
-    return None if isinstance(value, float) and not math.isfinite(value) else value

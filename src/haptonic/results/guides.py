@@ -23,6 +23,7 @@ from haptonic.bloch.settings import BandSettings, WaveguideSettings
 from haptonic.cell import UnitCell
 from haptonic.errors import StudyError
 from haptonic.results.common import stamped
+from haptonic.results.plain import split
 from haptonic.results.result import Result, figure
 from haptonic.results.runner import Runner
 from haptonic.results.table import Column, Table
@@ -32,6 +33,13 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 INSET = 1e-3  # of the gap's width, kept away from its edges
+COLUMNS = (
+    Column("width", shown="mm", form=".2f"), Column("length", shown="mm", form=".1f"),
+    Column("cells", of="rows"), Column("frequency", shown="kHz", form=".3f"),
+    Column("nodal spacing", shown="mm", form=".3f", of="nodal_spacing"),
+    Column("edge / peak", form=".3f", of="amplitude_at_edge"),
+    Column("fixed line", shown="mm", form=".2f", of="fixed_line"), Column("decay", form=".1f"),
+)  # fmt: skip
 MOST_LENGTHS = 6  # of waveguides that are compared
 
 
@@ -59,19 +67,6 @@ class Strip:
     def spacing(self) -> float:
         """Between nodal lines along the strip, m."""
         return float(np.pi / self.mode.wavenumber)
-
-    def to_json(self) -> dict[str, Any]:
-        """Plain values for machines."""
-        return {
-            "width_m": self.mode.width,
-            "rows": self.rows,
-            "length_m": self.length,
-            "frequency_hz": self.frequency,
-            "nodal_spacing_m": self.spacing,
-            "amplitude_at_edge": self.mode.at_edge,
-            "fixed_line_m": self.fixed_line,
-            "decay_db_per_row": self.decay,
-        }
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -108,37 +103,20 @@ class Guides(Result):
         ]
 
     def tables(self) -> list[Table]:
-        columns = (
-            Column("width", "m", "mm", ".2f"), Column("length", "m", "mm", ".1f"), Column("cells"),
-            Column("frequency", "Hz", "kHz", ".3f"), Column("nodal spacing", "m", "mm", ".3f"),
-            Column("edge / peak", form=".3f"), Column("fixed line", "m", "mm", ".2f"),
-            Column("dB per row", form=".1f"),
-        )  # fmt: skip
-        rows = [
-            (one.mode.width, one.length, one.rows, one.frequency, one.spacing, one.mode.at_edge,
-             one.fixed_line, one.decay)
-            for one in self.strips
-        ]  # fmt: skip
         title = (
             f"waveguides for mode {self.across}x{self.along}: nodal lines across, intervals between nodal "
             f"lines along; {self.ends} ends"
         )
-        return [Table(title, columns, rows, [self.strips.index(self.best)])]
+        return [Table.of(title, self.dataset, "waveguide", COLUMNS, [self.strips.index(self.best)])]
 
     @figure("waveguide", "Simulated mode across the waveguide.")
     def _across(self) -> Figure:
         best = self.best
         return plots.guide(best.mode.position, best.mode.amplitude, best.mode.width, best.fixed_line)
 
-    def to_json(self) -> dict[str, Any]:
-        """Plain values for machines."""
-        return {
-            "mode": f"{self.across}x{self.along}",
-            "ends": self.ends,
-            "carrier_hz": self.carrier,
-            "waveguides": [strip.to_json() for strip in self.strips],
-            "nearest": self.best.to_json(),
-        }
+    def facts(self) -> dict[str, Any]:
+        found = split(self.dataset, "waveguide")
+        return {"waveguides": found, "nearest": found[self.strips.index(self.best)]}
 
 
 @threadpool_limits.wrap(limits=1)  # these matrices are too small for threads inside the linear algebra
@@ -188,12 +166,18 @@ def compute_guides(
 
 def _dataset(strips: Sequence[Strip]) -> xr.Dataset:
     """A number of each waveguide, and the amplitude across it."""
-    units = {"width": "m", "rows": "1", "length": "m", "frequency": "Hz", "nodal_spacing": "m",
-             "amplitude_at_edge": "1", "fixed_line": "m", "decay": "dB/row"}  # fmt: skip
-    columns = zip(*(one.to_json().values() for one in strips), strict=True)
-    named = zip(units.items(), columns, strict=True)
+    numbers = {
+        "width": ("m", [one.mode.width for one in strips]),
+        "rows": ("1", [one.rows for one in strips]),
+        "length": ("m", [one.length for one in strips]),
+        "frequency": ("Hz", [one.frequency for one in strips]),
+        "nodal_spacing": ("m", [one.spacing for one in strips]),
+        "amplitude_at_edge": ("1", [one.mode.at_edge for one in strips]),
+        "fixed_line": ("m", [one.fixed_line for one in strips]),
+        "decay": ("dB/row", [one.decay for one in strips]),
+    }
     return xr.Dataset(
-        {name: ("waveguide", np.array(column), {"units": unit}) for (name, unit), column in named}
+        {name: ("waveguide", values, {"units": unit}) for name, (unit, values) in numbers.items()}
     )
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 from collections.abc import Mapping
 from dataclasses import asdict, dataclass, replace
+from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -33,10 +34,11 @@ from haptonic.cell import UnitCell
 from haptonic.errors import StudyError
 from haptonic.gate import WORD
 from haptonic.jobs import Task
-from haptonic.results.common import no_nan, stamped
+from haptonic.results.common import stamped
+from haptonic.results.plain import plain, split
 from haptonic.results.result import Result, figure
 from haptonic.results.runner import Runner
-from haptonic.results.table import Table
+from haptonic.results.table import Column, Table
 from haptonic.superelement import Superelement
 from haptonic.units import format_quantity
 
@@ -79,15 +81,29 @@ class Layers(Result):
         """Rows from which the insulation stays at each of the goals (dB); None if `MOST_ROWS` do not do."""
         return {goal: first_reaching(self.insulation(family), goal) for goal in GOALS}
 
-    def dissipated(self, family: str) -> Array:
-        """(rows,) share of the energy of an incident wave at the carrier that the rows turn into heat."""
-        at_carrier = self.dataset["carrier_transmitted"] + self.dataset["carrier_reflected"]
-        return np.asarray(1 - at_carrier.sel(incident=family).sum("outgoing").values)
+    @cached_property
+    def at_carrier(self) -> xr.Dataset:
+        """(incident, rows) what many rows do at the carrier to each kind of wave that propagates there.
 
-    def same_wave(self, family: str) -> Array:
-        """(rows,) transmitted energy of the incident kind alone at the carrier, dB below the incident one."""
-        share = self.dataset["carrier_transmitted"].sel(incident=family, outgoing=family).values
-        return _decibels(share)
+        ``insulation`` : all transmitted energy, dB below the incident one; ``same_wave`` : that of the
+        incident kind alone; ``dissipated`` : share of the incident energy that the rows turn into heat
+        """
+        names = ["carrier_transmitted", "carrier_reflected"]
+        data = self.dataset[names].sel(incident=self.families).rename(many="rows")
+        passed, left = data[names[0]], data[names[0]] + data[names[1]]
+        alike = xr.DataArray(self.families, dims="incident")
+        return xr.Dataset(
+            {
+                "insulation": _decibels(passed.sum("outgoing")),
+                "same_wave": _decibels(passed.sel(outgoing=alike).drop_vars("outgoing")),
+                "dissipated": 1 - left.sum("outgoing"),
+            }
+        )
+
+    @property
+    def few_rows(self) -> xr.Dataset:
+        """The same of as many rows as the spectra are for."""
+        return self.at_carrier.isel(rows=slice(self.dataset.sizes["rows"]))
 
     @property
     def carrier(self) -> float:
@@ -119,72 +135,53 @@ class Layers(Result):
         ]
 
     def tables(self) -> list[Table]:
-        families, counts = self.families, self.dataset["rows"].values
-        passed = Table(
+        passed = Table.of(
             f"transmitted energy at {self.carrier / 1e3:g} kHz {self.incidence}, dB below the incident wave: "
-            "all waves, in brackets the same kind alone",
-            ("rows", *(f"incident {family}" for family in families)),
-            [
-                (str(rows), *(f"{self.insulation(f)[k]:.1f} ({self.same_wave(f)[k]:.1f})" for f in families))
-                for k, rows in enumerate(counts)
-            ],
-        )
-        needed = {family: self.needed(family) for family in families}
-        goals = [f"{goal:g} dB" for goal in GOALS]
-        many = f"more than {MOST_ROWS}"
-        return [
-            passed,
-            Table(
-                "rows needed: from which on less energy than so many dB below the incident wave passes",
-                ("incident", *goals),
-                [
-                    (family, *(str(n) if n else many for n in found.values()))
-                    for family, found in needed.items()
-                ],
+            "all waves, then the same kind alone",
+            self.few_rows,
+            "rows",
+            (
+                "rows",
+                Column("incident {}", form=".1f", of="insulation"),
+                Column("{} alone", form=".1f", of="same_wave"),
             ),
-        ]
+        )
+        most = f"more than {MOST_ROWS}"
+        needed = Table(
+            "rows needed: from which on less energy than so many dB below the incident wave passes",
+            ("incident", *(f"{goal:g} dB" for goal in GOALS)),
+            [(name, *(n or most for n in self.needed(name).values())) for name in self.families],
+        )
+        return [passed, needed]
 
     def insulation(self, family: str) -> Array:
         """(rows,) all transmitted energy at the carrier, dB below the incident one."""
-        share = self.dataset["carrier_transmitted"].sel(incident=family).sum("outgoing").values
-        return _decibels(share)
+        return np.asarray(self.at_carrier["insulation"].sel(incident=family).values)
 
-    def to_json(self) -> dict[str, Any]:
-        """Plain values for machines."""
+    def facts(self) -> dict[str, Any]:
         data = self.dataset
-        few = slice(0, data.sizes["rows"])
+        spectrum = data[["attenuation"]].assign(
+            {
+                name: data[name].sum("outgoing", skipna=False, keep_attrs=True)
+                for name in ("transmitted", "reflected")
+            }
+        )
         return {
-            "carrier_hz": self.carrier,
-            "gap": None if self.gap is None else {"lower_hz": self.gap.lower, "upper_hz": self.gap.upper},
-            "attenuation_db_per_row": float(data.attrs["carrier_attenuation_db"]),
-            "energy_balance": float(data.attrs["energy_balance"]),
+            "gap": self.gap,
             "incident": {
-                family: {
-                    "rows_needed": {f"{goal:g} dB": rows for goal, rows in self.needed(family).items()},
-                    "insulation_db": self.insulation(family)[few].tolist(),
-                    "same_wave_db": self.same_wave(family)[few].tolist(),
-                    "dissipated": self.dissipated(family)[few].tolist(),
+                name: {
+                    "rows_needed": {f"{goal:g} dB": n for goal, n in self.needed(name).items()},
+                    **plain(one),
                 }
-                for family in self.families
+                for name, one in split(self.few_rows, "incident").items()
             },
-            "spectrum": {
-                "frequency_hz": data["frequency"].values.tolist(),
-                "phase_rad": data["phase"].values.tolist(),
-                "attenuation_db": data["attenuation"].values.tolist(),
-                "transmitted": no_nan(data["transmitted"].sum("outgoing", skipna=False).values),
-                "reflected": no_nan(data["reflected"].sum("outgoing", skipna=False).values),
-            },
+            "spectrum": spectrum,
         }
 
 
-def _decibels(share: Array) -> Array:
+def _decibels(share: xr.DataArray) -> xr.DataArray:
     """Below the incident energy; rounding is all that is left below `LEAST_SHARE`."""
-    return np.asarray(-10 * np.log10(np.maximum(share, LEAST_SHARE)))
-
-
-def layer_tasks(points: int) -> int:
-    """How many tasks `compute_layers` has."""
-    return 1 + -(-points // CHUNK)
+    return xr.DataArray(-10 * np.log10(share.clip(min=LEAST_SHARE))).assign_attrs(units="dB")
 
 
 @threadpool_limits.wrap(limits=1)  # these matrices are too small for threads inside the linear algebra
@@ -197,7 +194,12 @@ def compute_layers(
     inputs: Mapping[str, Any],
     runner: Runner,
 ) -> Layers:
-    """Spectra of a mirror, a few frequencies at a time, and how many rows it needs at the carrier (Hz).
+    """Spectra of a mirror, a few frequencies at a time, and how many rows it needs at the carrier.
+
+    Parameters
+    ----------
+    layers : the rows and the spectra; carrier : Hz
+    inputs : plain values of what was asked, for the result's attributes
 
     Raises
     ------
@@ -217,13 +219,10 @@ def compute_layers(
     gaps = runner.gaps(cell, settings)
     gap = gap_at(gaps, carrier) or widest_gap(gaps)
     resolution = bloch_model(cell, settings.count, settings.accuracy, settings.resolution).resolution
-    chunks = np.array_split(frequencies, layer_tasks(layers.points) - 1)
+    chunks = np.array_split(frequencies, -(-len(frequencies) // CHUNK))
     fixed = {"incidence": incidence, "cell": cell, "resolution": resolution}
     tasks = [
-        Task(
-            {"kind": "mirror", "frequency": chunk, **fixed},
-            (cell, resolution, chunk, incidence),
-        )
+        Task({"kind": "mirror", "frequency": chunk, **fixed}, (cell, resolution, chunk, incidence))
         for chunk in chunks
     ]
     pieces = runner.run(_chunk_dataset, tasks, 1)

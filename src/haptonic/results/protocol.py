@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from dataclasses import asdict, dataclass
+from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Annotated, Any
 
 import numpy as np
 import xarray as xr
@@ -16,28 +15,25 @@ from haptonic.friction.lubrication import WEBER_FRACTION
 from haptonic.friction.metronome import clicks, write_wav
 from haptonic.friction.protocol import Protocol, imbalance
 from haptonic.friction.signals import Label
-from haptonic.friction.statistics import Population, participants_needed, power, smallest_shown
 from haptonic.friction.trial_list import NAME, write_list
-from haptonic.gate import declared
-from haptonic.results.common import stamped
+from haptonic.results.plain import split
 from haptonic.results.result import Result, figure, file
 from haptonic.results.sheet import sheet
 from haptonic.results.table import Table
+from haptonic.units import In
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
-
-MOST_DRAWN = 20  # participants up to which the power is always computed
 
 
 @dataclass(frozen=True)
 class StrokeTask:
     """What people are asked to do: speed (m/s), normal force (N), length of a stroke (m), pause (s)."""
 
-    speed: float
-    force: float
-    stroke: float
-    pause: float
+    speed: Annotated[float, In("m/s")]
+    force: Annotated[float, In("N")]
+    stroke: Annotated[float, In("m")]
+    pause: Annotated[float, In("s")]
 
     @property
     def lasting(self) -> float:
@@ -127,32 +123,17 @@ class Plan(Result):
             f"{session} adds {added:.2g} % of the friction to a difference."
         )
 
-    def to_json(self) -> dict[str, Any]:
-        """Plain values for machines."""
-        data = self.dataset
+    def facts(self) -> dict[str, Any]:
         return {
-            "origin": "simulated",
             "order": self.order,
             "participants": self.participants,
             "blocks": self.protocol.blocks,
             "trials": self.protocol.trials,
-            "waveguides": list(self.protocol.waveguides),
-            "task": asdict(self.task),
+            "waveguides": self.protocol.waveguides,
+            "task": self.task,
             "imbalance_trials": self.imbalance,
-            "wanted": float(data.attrs["wanted"]),
-            "shown": float(data["shown"]) if np.isfinite(data["shown"]) else None,
-            "waveguide": {
-                name: {
-                    "reduction": float(row["reduction"]),
-                    "needed": int(row["needed"]) if np.isfinite(row["needed"]) else None,
-                    "participants": row["participants"].values.tolist(),
-                    "power": row["power"].values.tolist(),
-                    "error": row["error"].values.tolist(),
-                }
-                for name, row in ((name, data.sel(waveguide=name)) for name in self.protocol.waveguides)
-            },
-            "statements": self.statements,
-            "drift": self.drift_remark,
+            "shown": self.dataset["shown"],
+            "waveguide": split(self.dataset.drop_vars("shown"), "waveguide"),
         }
 
     def summary(self) -> list[str]:
@@ -192,47 +173,3 @@ class Plan(Result):
 
 def _percent(share: Any) -> str:
     return f"{100 * float(share):.0f} %"
-
-
-def compute_plan(
-    protocol: Protocol,
-    participants: int,
-    populations: Mapping[str, Population],
-    task: StrokeTask,
-    *,
-    title: str,
-    order: str,
-    wanted: float,
-    seed: int,
-    inputs: Mapping[str, Any],
-) -> Plan:
-    """Plan trials: the chance of showing what is assumed of each waveguide, by simulated experiments.
-
-    Parameters
-    ----------
-    populations : waveguide -> what is assumed of people there
-    wanted : chance of showing it, for which participants are counted
-    """
-    pairs = protocol.pairs
-    found, needed = [], []
-    for population in populations.values():
-        needed.append(participants_needed(population, pairs, wanted=wanted, seed=seed))
-    most = max([MOST_DRAWN, *(people + 2 for people in needed if people)])
-    tried = sorted({*range(2, most + 1), max(participants, 2)})
-    for population in populations.values():
-        chance = power(population, tried, [pairs], tests=len(populations), seed=seed)
-        found.append(chance.isel(trials=0))
-    joined = xr.concat(found, dim="waveguide", combine_attrs="identical").assign_coords(
-        waveguide=list(populations)
-    )
-    least = None
-    if participants > 1:
-        least = smallest_shown(
-            next(iter(populations.values())), participants, pairs, wanted=wanted, seed=seed
-        )
-    joined["reduction"] = ("waveguide", [population.reduction for population in populations.values()])
-    joined["needed"] = ("waveguide", np.array([np.nan if n is None else n for n in needed], dtype=float))
-    joined["shown"] = np.nan if least is None else least
-    declared(joined, needed="more than are ever tried", shown="no reduction at all")
-    joined.attrs |= {"wanted": wanted}
-    return Plan(title, protocol, participants, order, task, stamped(joined, inputs))

@@ -20,6 +20,7 @@ from haptonic import plots
 from haptonic.paths import target
 from haptonic.progress import Progress, silent
 from haptonic.results.common import Writer, refuse_taken, write_files, write_netcdf
+from haptonic.results.plain import attributes, plain
 from haptonic.results.table import Table
 from haptonic.store import whole_set
 
@@ -128,13 +129,19 @@ class Result:
         """What may be wrong, or was left out; told as warnings."""
         return []
 
-    def to_json(self) -> dict[str, Any]:
-        """Plain values for machines."""
-        raise NotImplementedError
-
     def facts(self) -> dict[str, Any]:
-        """What reference values may be compared with: the JSON, and what else is told by name."""
-        return self.to_json()
+        """What machines are told by name: numbers, texts, values, datasets; by default all of the dataset."""
+        return {"data": self.dataset}
+
+    def to_json(self) -> dict[str, Any]:
+        """What was found, the facts as plain values, and what made them; see `haptonic.results.plain`."""
+        told = {"summary": self.summary(), **plain(self.facts())}
+        return told | {name: one for name, one in attributes(self.dataset).items() if name not in told}
+
+    @property
+    def origin(self) -> str:
+        """Of the numbers, "simulated" or "measured"; a caption says it at "{Origin}"."""
+        return "simulated"
 
     @property
     def figures(self) -> Figures:
@@ -143,7 +150,7 @@ class Result:
         for part in self._pictures:
             found = part.of(self)
             drawers |= found
-            captions |= dict.fromkeys(found, part.caption)
+            captions |= dict.fromkeys(found, part.caption.replace("{Origin}", self.origin.capitalize()))
         return Figures(drawers, captions)
 
     @property

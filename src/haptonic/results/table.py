@@ -5,12 +5,13 @@ from __future__ import annotations
 import csv
 import html
 import math
-from collections.abc import Sequence
-from dataclasses import dataclass
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, replace
 from functools import cache
 from io import StringIO
 
 import pandas as pd
+import xarray as xr
 
 from haptonic.names import cell as safe
 from haptonic.units import to_si
@@ -45,17 +46,42 @@ class Column:
 
     name : its head; unit : SI unit of the values, empty for words and bare numbers
     shown : unit in which people read them, the SI unit by default; form : of a number, as in `format`
+    of : variable of a dataset that gives the values and their unit, for `Table.of`; by default the name
+    error : variable that bounds the errors of the values; ends : variables of the ends of their intervals
     """
 
     name: str
     unit: str = ""
     shown: str = ""
     form: str = ".4g"
+    of: str = ""
+    error: str = ""
+    ends: tuple[str, str] | None = None
+
+    def read(self, data: xr.Dataset, along: str) -> Iterator[tuple[Column, list[Cell]]]:
+        """The column with its cells; one for each name of a dimension besides, "{}" in its head."""
+        array = data[self.of or self.name]
+        found = replace(self, unit=array.attrs.get("units", "").removeprefix("1"))
+        others = [str(dimension) for dimension in array.dims if dimension != along]
+        for other in others:
+            for number, label in enumerate(data[other].values.tolist()):
+                cells = array.isel({other: number}).values.tolist()
+                yield replace(found, name=self.name.format(label)), cells
+        if others:
+            return
+        cells = array.values.tolist()
+        if self.error:
+            cells = [Uncertain(*pair) for pair in zip(cells, data[self.error].values.tolist(), strict=True)]
+        if self.ends is not None:
+            low, high = (data[end].values.tolist() for end in self.ends)
+            cells = [Ranged(*three) for three in zip(low, high, cells, strict=True)]
+        yield found, cells
 
     @property
     def head(self) -> str:
         """The name with the unit that people read."""
         unit = self.shown or self.unit
+        unit = f"({unit})" if self.name and "/" in unit else unit
         return f"{self.name} / {unit}" if self.name and unit else self.name or unit
 
     @property
@@ -113,6 +139,24 @@ class Table:
         object.__setattr__(self, "columns", made)
         object.__setattr__(self, "rows", tuple(tuple(row) for row in rows))
         object.__setattr__(self, "strong", frozenset(strong))
+
+    @classmethod
+    def of(
+        cls,
+        title: str,
+        data: xr.Dataset,
+        along: str,
+        columns: Sequence[Column | str],
+        strong: Sequence[int] = (),
+    ) -> Table:
+        """Rows along a dimension of a dataset; see `Column.read` for what becomes of its variables."""
+        read = [
+            pair
+            for one in columns
+            for pair in (Column(one) if isinstance(one, str) else one).read(data, along)
+        ]
+        rows = list(zip(*(cells for _, cells in read), strict=True))
+        return cls(title, [column for column, _ in read], rows, strong)
 
     @property
     def head(self) -> tuple[str, ...]:

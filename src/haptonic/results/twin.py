@@ -83,15 +83,14 @@ class FrictionTwin(Result):
         records = dict.fromkeys(file_of(label, self.suffix, self.per) for label in labels)
         return [*records, TRUTH, STUDY, *([CALIBRATION] if self.raw else []), NAME]
 
-    def to_json(self) -> dict[str, Any]:
-        """The truth, as plain values for machines."""
+    def facts(self) -> dict[str, Any]:
+        """The truth."""
         truth, people, film = self.truth, self.truth.people, self.truth.film
         guides = self.protocol.waveguides
         driven, idle = (1 - truth.remaining[guide] for guide in guides)
         return {
             "origin": SIMULATED,
             "haptonic_version": version("haptonic"),
-            "seed": self.seed,
             "waveguides": {"driven": guides[0], "idle": guides[1]},
             "amplitude_m": dict(film.amplitude) if film else None,
             "population": {
@@ -154,7 +153,7 @@ class FrictionTwin(Result):
 
     def tables(self) -> list[Table]:
         """True reductions, of the population and of every participant."""
-        truth, guides = self.to_json(), self.protocol.waveguides
+        truth, guides = self.facts(), self.protocol.waveguides
         rows = [
             (name, row["friction"], *(row["reduction"][guide] for guide in guides))
             for name, row in {"population": truth["population"], **truth["participants"]}.items()

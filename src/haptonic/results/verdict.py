@@ -15,9 +15,10 @@ from numpy.typing import NDArray
 from haptonic import plots
 from haptonic.gate import declared
 from haptonic.plate import Plate
+from haptonic.plate.question import driven_region
 from haptonic.response import FrequencyResponse, average_spectrum, contrast, write
-from haptonic.results.common import no_nan, stamped
-from haptonic.results.plate.question import driven_region
+from haptonic.results.common import stamped
+from haptonic.results.plain import split
 from haptonic.results.result import Result, figure, file
 from haptonic.results.table import Cell, Column, Table, Uncertain
 from haptonic.units import format_quantity
@@ -30,6 +31,14 @@ if TYPE_CHECKING:
 
 Array = NDArray[np.float64]
 MOST_ROWS = 40  # pairs that a table shows
+PAIR_COLUMNS = (
+    Column("measured", shown="kHz", form=".3f"), Column("model", shown="kHz", form=".3f", of="computed"),
+    Column("difference", shown="%", form="+.2f", of="frequency_difference"),
+    Column("damping", shown="%", form=".3f", of="measured_damping"),
+    Column("model damping", shown="%", form=".3f", of="computed_damping"),
+    Column("MAC", form=".3f", of="mac"),
+)  # fmt: skip
+UNRESOLVED = dict.fromkeys(("measured_damping", "computed_damping"), "the lines are too far apart to tell")
 MEASURED, BEFORE, AFTER = "measurement", "model as given", "model fitted"
 
 
@@ -189,46 +198,36 @@ class Verdict(Result):
                 "y": ("point", self.measured.points[:, 1], {"units": "m"}),
             },
         )
-        unresolved = dict.fromkeys(
-            ("measured_damping", "computed_damping"), "the lines are too far apart to tell"
-        )
-        declared(data, frac="the point does not move", **unresolved)
+        declared(data, frac="the point does not move", **UNRESOLVED)
         made = stamped(data, dict(self.inputs))
         return made.assign_attrs(origin=f"{self.origin} response against a simulated one")
 
-    def to_json(self) -> dict[str, Any]:
-        """Plain values for machines."""
+    def facts(self) -> dict[str, Any]:
         return {
             "measurement": self.origin,
             "model": "simulated",
             "lines": len(self.measured.frequency),
             "points": len(self.measured.points),
             "points_left_out": self.left_out,
-            "agreement": {name: _agreement_json(one) for name, one in self.agreements.items()},
-            "contrast_range_hz": {name: one and _range_json(one) for name, one in self.ranges.items()},
-            "fit": self.fit and self._fit_json(self.fit),
-            "inputs": dict(self.inputs),
+            "agreement": {name: _facts_of(one) for name, one in self.agreements.items()},
+            "contrast_range": self.ranges,
+            "fit": self.fit and self._fit_facts(self.fit),
         }
 
-    def _fit_json(self, fit: Fit) -> dict[str, Any]:
+    def _fit_facts(self, fit: Fit) -> dict[str, Any]:
         return {
-            "parameters": [
-                {
-                    "name": one.name, "unit": one.unit, "start": one.start, "bounds": [one.low, one.high],
-                    "value": one.value, "interval_95": one.interval, "remark": one.remark,
-                } for one in fit.numbers
-            ],
+            "parameters": fit.numbers,
             "unexplained_before": fit.unexplained_before,
             "unexplained": fit.unexplained,
             "points_left_out": len(fit.left_out),
             "residuals_independent": fit.uncertainty.independent,
             "data": fit.uncertainty.data,
             "effective_data": fit.uncertainty.effective,
-            "correlation": fit.uncertainty.correlation.tolist(),
+            "correlation": fit.uncertainty.correlation,
             "small_model_error": fit.error,
             "recomputed_error": self.recomputed,
             "answers_in_small_model": fit.anchors,
-        }  # fmt: skip
+        }
 
 
 def fit_table(fit: Fit) -> Table:
@@ -247,52 +246,34 @@ def fit_table(fit: Fit) -> Table:
 
 def pairs_table(one: Agreement, model: str) -> Table:
     """Shapes that belong together."""
-    first, second = one.measured, one.computed
-    columns = (
-        Column("measured", "Hz", "kHz", ".3f"), Column("model", "Hz", "kHz", ".3f"),
-        Column("difference", "", "%", "+.2f"), Column("damping", "", "%", ".3f"),
-        Column("model damping", "", "%", ".3f"), Column("MAC", form=".3f"),
-    )  # fmt: skip
-    rows = [
-        (
-            float(first.frequency[pair.first]),
-            float(second.frequency[pair.second]),
-            float(second.frequency[pair.second] / first.frequency[pair.first] - 1),
-            float(first.damping[pair.first]),
-            float(second.damping[pair.second]),
-            pair.mac,
-        )
-        for pair in one.pairs[:MOST_ROWS]
-    ]
     title = (
-        f"{first.how}: {len(one.pairs)} pairs of {len(first.frequency)} measured and "
-        f"{len(second.frequency)} of the {model}"
+        f"{one.measured.how}: {len(one.pairs)} pairs of {len(one.measured.frequency)} measured and "
+        f"{len(one.computed.frequency)} of the {model}"
     )
-    return Table(title, columns, rows)
+    return Table.of(title, paired(one).isel(pair=slice(MOST_ROWS)), "pair", PAIR_COLUMNS)
 
 
-def _agreement_json(one: Agreement) -> dict[str, Any]:
-    first, second = one.measured, one.computed
-    ratio = [second.frequency[pair.second] / first.frequency[pair.first] for pair in one.pairs]
+def paired(one: Agreement) -> xr.Dataset:
+    """(pair) frequencies of shapes that belong together, their difference, damping, and MAC."""
+    first, second = ([getattr(pair, which) for pair in one.pairs] for which in ("first", "second"))
+    measured, computed = one.measured.frequency[first], one.computed.frequency[second]
+    numbers = {
+        "measured": (measured, "Hz"), "computed": (computed, "Hz"),
+        "frequency_difference": (computed / measured - 1, "1"), "mac": ([p.mac for p in one.pairs], "1"),
+        "measured_damping": (one.measured.damping[first], "1"),
+        "computed_damping": (one.computed.damping[second], "1"),
+    }  # fmt: skip
+    made = xr.Dataset({name: ("pair", values, {"units": u}) for name, (values, u) in numbers.items()})
+    return declared(made, **UNRESOLVED)
+
+
+def _facts_of(one: Agreement) -> dict[str, Any]:
     return {
-        "shapes": first.how,
+        "shapes": one.measured.how,
         "unexplained": one.unexplained,
         "frac_median": float(np.nanmedian(one.frac)),
-        "measured_hz": first.frequency.tolist(),
-        "computed_hz": second.frequency.tolist(),
-        "mac": one.mac.tolist(),
-        "pairs": [
-            {
-                "measured_hz": float(first.frequency[pair.first]),
-                "computed_hz": float(second.frequency[pair.second]),
-                "mac": pair.mac,
-                "frequency_difference": float(quotient - 1),
-                "measured_damping": no_nan(first.damping[[pair.first]])[0],
-                "computed_damping": no_nan(second.damping[[pair.second]])[0],
-            } for pair, quotient in zip(one.pairs, ratio, strict=True)
-        ],
-    }  # fmt: skip
-
-
-def _range_json(one: MeasuredGap) -> dict[str, float]:
-    return {name: getattr(one, name) for name in ("lower", "upper", "lower_error", "upper_error")}
+        "measured_hz": one.measured.frequency,
+        "computed_hz": one.computed.frequency,
+        "mac": one.mac,
+        "pairs": split(paired(one), "pair"),
+    }

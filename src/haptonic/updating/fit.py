@@ -38,7 +38,7 @@ UNEXPLAINED = 0.5  # share of the measured energy that a fit may leave
 class Fitted:
     """A number after the fit, SI.
 
-    interval : of 95 %; None if the data do not tell it; remark : why
+    interval_95 : None if the data do not tell it; remark : why
     """
 
     name: str
@@ -47,15 +47,15 @@ class Fitted:
     low: float
     high: float
     value: float
-    interval: tuple[float, float] | None
+    interval_95: tuple[float, float] | None
     remark: str
 
     @property
     def range_text(self) -> str:
         """The interval in words, or why there is none."""
-        if self.interval is None:
+        if self.interval_95 is None:
             return self.remark
-        low, high = self.interval
+        low, high = self.interval_95
         if high < (1 + NARROW) * self.value:
             return f"± {100 * (high / self.value - 1):.2g} %"
         return f"{format_quantity(low, self.unit)} to {format_quantity(high, self.unit)}"

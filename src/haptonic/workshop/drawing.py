@@ -14,7 +14,6 @@ from pathlib import Path
 import matplotlib as mpl
 
 from haptonic.cell import UnitCell
-from haptonic.errors import GeometryError
 from haptonic.plots.style import DOTS_PER_INCH, styled
 from haptonic.store import refuse_overwrite, write_atomically
 from haptonic.workshop.dimensions import checked_tolerances, number
@@ -60,14 +59,7 @@ def cell_drawing(
     """
     tolerances = checked_tolerances(cell, tolerances or {})
     scaled = in_mm(cell, columns, rows)
-    if scaled.lattice.a1[1] or scaled.lattice.a2[0]:
-        raise GeometryError(
-            argument="cell.lattice",
-            given=f"a1 = {cell.lattice.a1}, a2 = {cell.lattice.a2}",
-            allowed="a square or rectangular lattice along x and y",
-            cause="the plan view shows its dimensions along x and y only",
-            next_step="write the solid (STEP) or the outlines (DXF) instead",
-        )
+    scaled.lattice.check_rectangular("the drawing")
     with reproducible():
         sheet = Sheet.of(outlines(scaled, columns, rows))
         left, bottom, right, top = FRAME, FRAME, A4[0] - FRAME, A4[1] - FRAME

@@ -16,7 +16,7 @@ def chapter(results: Results) -> Chapter | Absent:
     known = results.references
     if known is None:
         return Absent("Comparison", "the study brings no reference values")
-    answers = {name: one.facts() for name, one in results.parts.items()}
+    answers = {name: one.to_json() for name, one in results.parts.items()}
     rows = [_row(one, answers.get(one.analysis, {})) for one in known.value]
     head = ("Quantity", known.title[0].upper() + known.title[1:], "haptonic", "Difference", "Why")
     compared = Table(f"{head[1]} and haptonic, for the same study.", head, rows)

@@ -6,27 +6,24 @@ import json
 
 import xarray as xr
 
-from haptonic import plots
 from haptonic.bloch import Gap, gaps_of
 from haptonic.plots.words import khz
-from haptonic.report.chapter import Absent, Chapter, Picture, Results, Table
+from haptonic.report.chapter import Absent, Chapter, Results
 
 
 def chapter(results: Results) -> Chapter | Absent:
     """Dispersion along the edge of the irreducible zone, and what the whole zone adds."""
-    data, carrier = results.bands, results.study.carrier
-    gaps = gaps_of(data)
-    complete = [gap for gap in gaps if gap.complete]
-    path = "-".join(along(data))
-    picture = Picture(
-        plots.dispersion(data, carrier_hz=carrier),
-        f"Simulated dispersion along {path}. Colour, dashes and markers tell what moves; a curve changes "
-        "its colour where the mode changes its nature. Complete gaps are shaded."
-        + results.where("dispersion"),
-        f"Band diagram: {data.sizes['band']} bands along {path}; "
-        + ("; ".join(f"complete gap {in_words(gap)}" for gap in complete) or "no complete gap")
-        + ".",
-    )
+    bands, carrier = results.parts["bands"], results.study.carrier
+    complete = [gap for gap in gaps_of(results.bands) if gap.complete]
+    told = "; ".join(f"complete gap {in_words(gap)}" for gap in complete) or "no complete gap"
+    second = "the band below the widest complete gap" if complete else "the second band"
+    empty = f"; it is zero in the complete gap from {in_words(complete[0])}" if complete else ""
+    words = {
+        "dispersion": f"Band diagram: {results.bands.sizes['band']} bands along "
+        f"{'-'.join(along(results.bands))}; {told}.",
+        "iso_frequency": f"Contour maps over the first Brillouin zone: the first band, and {second}.",
+        "density_of_states": f"Density of states against frequency{empty}.",
+    }
     return Chapter(
         title="Bands and gaps",
         identifier="dispersion",
@@ -34,11 +31,12 @@ def chapter(results: Results) -> Chapter | Absent:
             "The bands are those of one unit cell with Floquet-Bloch phases on its sides. A gap is called "
             "complete only after the whole irreducible zone was sampled, more finely near the gap's edges; "
             "the other gaps hold for the wavevectors of one segment only.",
-            "A bound after ± holds the error of the mesh, of the reduced model and of the sampling.",
+            "A bound after ± holds the error of the mesh, of the reduced model and of the sampling. Samples "
+            "are the wavevectors that a gap rests on.",
         ),
-        findings=tuple(_findings(complete, carrier)),
-        pictures=(picture, *_zone_pictures(results, complete)),
-        tables=(_gap_table(gaps),),
+        findings=(*bands.summary()[:-1], *_about_carrier(complete, carrier)),
+        pictures=results.pictures(bands, words),
+        tables=tuple(bands.tables()),
     )
 
 
@@ -52,24 +50,13 @@ def in_words(gap: Gap) -> str:
     return f"{khz(gap.lower, gap.lower_error)} to {khz(gap.upper, gap.upper_error)} kHz"
 
 
-def _findings(complete: list[Gap], carrier: float | None) -> list[str]:
-    if not complete:
-        return ["There is no complete gap among the bands that were computed."]
-    said = [
-        f"Complete gap from {in_words(gap)}, between bands {gap.between[0]} and {gap.between[1]}"
-        + ("." if gap.certain else "; it is not wider than the errors of its edges, so it may not exist.")
-        for gap in complete
-    ]
-    if carrier is not None:
-        said.append(_about_carrier(complete, carrier))
-    return said
-
-
-def _about_carrier(complete: list[Gap], carrier: float) -> str:
+def _about_carrier(complete: list[Gap], carrier: float | None) -> list[str]:
+    if carrier is None or not complete:
+        return []
     name = f"The carrier, {carrier / 1e3:g} kHz,"
     holding = [gap for gap in complete if gap.lower < carrier < gap.upper]
     if not holding:
-        return f"{name} lies in no complete gap: at this frequency the lattice lets waves through."
+        return [f"{name} lies in no complete gap: at this frequency the lattice lets waves through."]
     gap = holding[0]
     below, above = carrier - gap.lower, gap.upper - carrier
     edge, room, error = (
@@ -77,45 +64,7 @@ def _about_carrier(complete: list[Gap], carrier: float) -> str:
     )
     said = f"{name} lies inside the gap, {room / 1e3:.2g} kHz ({room / carrier:.1%}) from its {edge} edge"
     if room <= error:
-        return f"{said}, which is within the error of that edge."
+        return [f"{said}, which is within the error of that edge."]
     if room < 0.1 * gap.width:
-        return (
-            f"{said}: close enough for a tolerance of the sizes or of the material to move the edge past it."
-        )
-    return f"{said}."
-
-
-def _gap_table(gaps: tuple[Gap, ...]) -> Table:
-    rows = tuple(
-        (
-            f"{gap.between[0]} and {gap.between[1]}",
-            "complete" if gap.complete else f"{gap.direction} only",
-            khz(gap.lower, gap.lower_error),
-            khz(gap.upper, gap.upper_error),
-            khz(gap.width, gap.lower_error + gap.upper_error),
-            f"{gap.samples}",
-        )
-        for gap in gaps
-    )
-    head = ("Between bands", "Where", "Lower edge (kHz)", "Upper edge (kHz)", "Width (kHz)", "Wavevectors")
-    return Table("Gaps, and the number of wavevectors that each claim rests on.", head, rows)
-
-
-def _zone_pictures(results: Results, complete: list[Gap]) -> tuple[Picture, ...]:
-    data = results.bands
-    if "zone_frequency" not in data or "lattice" not in data.attrs:
-        return ()
-    contours = Picture(
-        plots.iso_frequency(data),
-        "Simulated contours of equal frequency over the first Brillouin zone; the dashed line bounds the "
-        "irreducible zone. Waves travel at right angles to the contours.",
-        "Contour maps of frequency over the first Brillouin zone: the first band"
-        + (", and the band below the widest complete gap." if complete else ", and the second band."),
-    )
-    density = Picture(
-        plots.density_of_states(data),
-        "Simulated density of states of the infinite lattice, from the bands over the whole zone.",
-        "Density of states against frequency"
-        + (f"; it is zero in the complete gap from {in_words(complete[0])}." if complete else "."),
-    )
-    return (contours, density)
+        said += ": close enough for a tolerance of the sizes or of the material to move the edge past it"
+    return [f"{said}."]

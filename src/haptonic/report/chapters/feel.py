@@ -6,9 +6,8 @@ import math
 
 from haptonic.friction.lubrication import CUE_THRESHOLD, WEBER_FRACTION, explained
 from haptonic.friction.phrases import change
-from haptonic.report.chapter import Absent, Chapter, Picture, Results, Table
+from haptonic.report.chapter import Absent, Chapter, Results, Table
 from haptonic.results.feel.value import Feel
-from haptonic.units import format_quantity
 
 TITLE = "What a finger feels"
 
@@ -18,22 +17,10 @@ def chapter(results: Results) -> Chapter | Absent:
     result = results.of(Feel)
     if result is None:
         return Absent(TITLE, "it was not computed in this run")
-    figures = result.figures
-    drive = format_quantity(result.drive, result.unit)
-    pictures = (
-        Picture(
-            figures["friction"],
-            "Simulated friction below a finger with its middle at each point, over that without vibration, "
-            f"at {result.frequency / 1e3:.2f} kHz and {drive}; on either side the ends of the band that two "
-            "models and all plausible parameters leave.",
-            "Maps of friction over the plate.",
-        ),
-        Picture(
-            figures["reduction"],
-            "Simulated reduction of friction, averaged over each region, against the amplitude of the drive.",
-            "Reduction of each region against the drive, with bands.",
-        ),
-    )
+    words = {
+        "friction": "Maps of friction over the plate.",
+        "reduction": "Reduction of each region against the drive, with bands.",
+    }
     assumed = [str(one["title"]) for one in result.skin.assumptions().values() if one["mark"] == "assumed"]
     return Chapter(
         title=TITLE,
@@ -46,7 +33,7 @@ def chapter(results: Results) -> Chapter | Absent:
             f"Nobody measured this fingertip. Assumed: {'; '.join(assumed)}; the damping that it adds.",
         ),
         findings=(*_findings(result), *_inversion(results, result)),
-        pictures=pictures,
+        pictures=results.pictures(result, words),
         tables=(
             *(one.labelled("simulated") for one in result.tables()),
             *_published(results, result),

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from haptonic.report.chapter import Absent, Chapter, Picture, Results
+from haptonic.report.chapter import Absent, Chapter, Results
 from haptonic.results.guides import Guides
 from haptonic.results.layers import Layers
 
@@ -18,25 +18,14 @@ def chapter(results: Results) -> Chapter | Absent:
     layers, guides = results.of(Layers), results.of(Guides)
     if layers is None:
         return Absent(TITLE, "it was not computed in this run")
-    figures, said = layers.figures, layers.summary()[0]
-    pictures = [
-        Picture(figures["layers"], figures.captions["layers"], said),
-        Picture(
-            figures["decay"],
-            figures.captions["decay"],
-            "Waves that propagate or fade in the lattice against frequency.",
-        ),
-    ]
+    words = {
+        "layers": layers.summary()[0],
+        "decay": "Waves that propagate or fade in the lattice against frequency.",
+    }
+    pictures = results.pictures(layers, words)
     tables = layers.tables()
     if guides is not None:
-        best = guides.best
-        pictures.append(
-            Picture(
-                guides.plot(),
-                f"Simulated mode across a waveguide {best.mode.width * 1e3:.1f} mm wide.",
-                f"The amplitude falls to {best.mode.at_edge:.0%} of its peak at the lattice.",
-            )
-        )
+        pictures += results.pictures(guides, {"waveguide": guides.summary()[1]})
         tables += guides.tables()
     loss = float(layers.dataset.attrs["loss_factor"])
     return Chapter(
@@ -50,7 +39,7 @@ def chapter(results: Results) -> Chapter | Absent:
             f"{float(layers.dataset.attrs['energy_balance']):.0e}.",
         ),
         findings=tuple(_findings(layers, guides)),
-        pictures=tuple(pictures),
+        pictures=pictures,
         tables=tuple(tables),
     )
 
@@ -58,7 +47,8 @@ def chapter(results: Results) -> Chapter | Absent:
 def _findings(layers: Layers, guides: Guides | None) -> list[str]:
     carrier, rows, said = layers.carrier, ROWS, []
     if "A0" in layers.families:
-        total, same = layers.insulation("A0")[rows - 1], layers.same_wave("A0")[rows - 1]
+        seen = layers.at_carrier.sel(incident="A0", rows=rows)
+        total, same = float(seen["insulation"]), float(seen["same_wave"])
         verdict = "almost" if total >= ALMOST_TOTAL else "not"
         said.append(
             f"At the carrier, {carrier / 1e3:g} kHz, three rows let {10 ** (-total / 10):.1%} of the energy "

@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-from haptonic import plots
 from haptonic.plots.modes import SHOWN
 from haptonic.plots.words import khz
-from haptonic.report.chapter import Absent, Chapter, Picture, Results, Table
+from haptonic.report.chapter import Absent, Chapter, Results, Table
 from haptonic.results.bands import mode_names
 
 
@@ -34,15 +33,13 @@ def chapter(results: Results) -> Chapter | Absent:
             "than half, else of the plate.",
             *(note if twisted else ()),
         ),
-        pictures=(
-            Picture(
-                plots.mode_shapes(data),
-                f"Simulated mode shapes at the {where}; the body at rest in grey lines. Same view and scale "
-                "for all; each mode's largest displacement is drawn equally large." + results.where("modes"),
-                "Deformed unit cells, one for each mode: "
+        pictures=results.pictures(
+            results.parts["bands"],
+            {
+                "modes": "Deformed unit cells, one for each mode: "
                 + ", ".join(f"{number} {name} at {frequency} kHz" for number, frequency, name in rows)
-                + ".",
-            ),
+                + "."
+            },
         ),
         tables=(Table(f"Modes at the {where}.", ("Mode", "Frequency (kHz)", "Name"), rows),),
     )

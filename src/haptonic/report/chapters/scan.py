@@ -8,8 +8,10 @@ from haptonic import plots
 from haptonic.errors import HaptonicError
 from haptonic.report.chapter import Absent, Chapter, Picture, Results, Table
 from haptonic.results.plate.value import PlateResult
-from haptonic.results.scan import ScanResult, contrast_range
+from haptonic.results.scan import ScanResult
+from haptonic.results.table import Column
 from haptonic.vibrometry import MeasuredGap
+from haptonic.vibrometry.on_plate import contrast_range
 
 TITLE = "The scan, from a twin"
 MEANING = (
@@ -28,31 +30,21 @@ def chapter(results: Results) -> Chapter | Absent:
         return Absent(TITLE, "no scan was made up in this run")
     edges = None if plate.gap is None else (plate.gap.lower, plate.gap.upper)
     rows = {"computed": plate.response, "scan by the twin": scan.response}
-    pictures = [
-        Picture(
-            plots.maps_compared(rows, scan.shapes, plate.plate.layout, edges),
-            f"Simulated normal velocity of the flat face{results.where('maps')}; below it the twin's "
-            f"scan{results.where('scan')}. Each "
-            "map is scaled to its largest point; grey: not scanned.",
-            "Maps below, in and above the gap, computed ones above those of the twin's scan.",
-        )
-    ]
-    if curves := {name: level.values for name, level in scan.contrasts.items()}:
-        pictures.append(
-            Picture(
-                plots.measured_contrast(
-                    scan.response.frequency, curves, scan.measured, edges, origin=scan.origin
-                ),
-                "Simulated contrast of the driven region in the twin's scan, and where it is high.",
-                "Contrast against frequency; the range of high contrast and the computed gap are marked.",
-            )
-        )
+    maps = Picture(
+        plots.maps_compared(rows, scan.shapes, plate.plate.layout, edges),
+        f"Simulated normal velocity of the flat face{results.where('maps')}; below it the twin's "
+        f"scan{results.where('scan')}. Each map is scaled to its largest point; grey: not scanned.",
+        "Maps below, in and above the gap, computed ones above those of the twin's scan.",
+    )
+    words = {
+        "contrast": "Contrast against frequency; the range of high contrast and the computed gap are marked."
+    }
     return Chapter(
         title=TITLE,
         identifier="scan",
         paragraphs=(_what(results, scan), MEANING),
         findings=(*_everywhere(plate, scan), *(f"{one[0].upper()}{one[1:]}." for one in scan.told)),
-        pictures=tuple(pictures),
+        pictures=(maps, *results.pictures(scan, words)),
         tables=(_levels(plate, scan), _gaps(plate, scan)),
     )
 
@@ -60,13 +52,12 @@ def chapter(results: Results) -> Chapter | Absent:
 def _what(results: Results, scan: ScanResult) -> str:
     asked, lines = results.study.scan_settings, scan.response.frequency
     instrument = asked.instrument
-    flags = scan.to_json()["flags"]
     return (
         "Nobody measured this: the records are simulated. A twin of the instrument takes the velocity of the "
         f"computed plate at {scan.response.dataset.sizes['point']} points and {len(lines)} lines "
         f"{lines[1] - lines[0]:.4g} Hz apart, as a periodic drive has them, records {asked.averages} periods "
         f"with noise of {1e6 * instrument.noise:.3g} um/s and {instrument.bits} bits, and loses the surface "
-        f"at {flags['dropout']} points. They are analysed as measured ones are. So this tells what "
+        f"at {scan.flags['dropout']} points. They are analysed as measured ones are. So this tells what "
         "instrument and analysis do to the answer of the plate, not whether its model is right."
     )
 
@@ -74,14 +65,15 @@ def _what(results: Results, scan: ScanResult) -> str:
 def _levels(plate: PlateResult, scan: ScanResult) -> Table:
     rows = []
     for frequency in scan.shapes:
-        line, seen = plate.response.at(frequency), scan.told_at(frequency)["contrast_db"]
-        for name, level in plate.contrasts(line).items():
-            told = seen.get(name)
+        seen = {
+            name: level.sel(frequency=frequency, method="nearest") for name, level in scan.contrasts.items()
+        }
+        for name, level in plate.contrasts(plate.response.at(frequency)).items():
             rows.append(
-                (f"{name}, {frequency / 1e3:.2f} kHz", f"{float(level[0]):.1f} dB",
-                 "-" if told is None else f"{told:.1f} dB")
-            )  # fmt: skip
-    return Table("Simulated contrast at the maps.", ("", "computed", "scan by the twin"), tuple(rows))
+                (f"{name}, {frequency / 1e3:.2f} kHz", float(level[0]), float(seen.get(name, np.nan)))
+            )
+    columns = Column("computed", "dB", form=".1f"), Column("scan by the twin", "dB", form=".1f")
+    return Table("Simulated contrast at the maps.", ("contrast", *columns), rows)
 
 
 def _everywhere(plate: PlateResult, scan: ScanResult) -> list[str]:

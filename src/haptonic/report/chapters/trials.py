@@ -7,10 +7,14 @@ from collections.abc import Mapping
 
 from haptonic.friction.phrases import averages, change
 from haptonic.friction.statistics import IntervalEstimate, Test
-from haptonic.report.chapter import Absent, Chapter, Picture, Results, Table
+from haptonic.report.chapter import Absent, Chapter, Results, Table
 from haptonic.results.friction import FrictionResult
 
 TITLE = "Friction trials"
+WORDS = {
+    "conditions": "Bars of mean friction with the vibration on and off, by waveguide and participant.",
+    "reductions": "Reduction of friction on each waveguide with intervals.",
+}
 
 
 def chapter(results: Results) -> Chapter | Absent:
@@ -21,7 +25,6 @@ def chapter(results: Results) -> Chapter | Absent:
     known = results.references
     published = known.friction if known else None
     made_up = result.origin == "simulated"
-    figures = result.figures
     found = result.found
     origin = result.origin.capitalize()
     trials, left_out = result.trials.sizes["stroke"], sum(result.excluded.values())
@@ -37,19 +40,7 @@ def chapter(results: Results) -> Chapter | Absent:
             *([averages()] if found.equivalences else []),
         ),
         findings=(*_reductions(result, published), *found.conclusions, *_alarms(results, people)),
-        pictures=(
-            Picture(
-                figures["conditions"],
-                f"{origin} friction of the four conditions, mean and one standard deviation over trials."
-                + results.where("conditions"),
-                "Bars of mean friction with the vibration on and off, by waveguide and participant.",
-            ),
-            Picture(
-                figures["reductions"],
-                f"{origin} reductions with 95 % intervals: of people in general, and of each participant.",
-                "Reduction of friction on each waveguide with intervals.",
-            ),
-        ),
+        pictures=results.pictures(result, WORDS),
         tables=(_tests(found.tests, origin),),
     )  # fmt: skip
 

@@ -18,10 +18,11 @@ from haptonic.design.parameters import UNITS
 from haptonic.design.quick import QUICK
 from haptonic.design.search import Visited
 from haptonic.plots.words import khz
-from haptonic.results.common import no_nan, write_netcdf
+from haptonic.results.common import write_netcdf
 from haptonic.results.design.tasks import as_dataset
+from haptonic.results.plain import split
 from haptonic.results.result import Result, figure, file
-from haptonic.results.table import Cell, Column, Table
+from haptonic.results.table import Column, Table
 from haptonic.units import format_quantity
 
 if TYPE_CHECKING:
@@ -113,51 +114,27 @@ class Design(Result):
     def _write_study(self, path: Path) -> None:
         path.write_text(self.study, "utf-8")
 
-    def to_json(self) -> dict[str, Any]:
-        """Plain values for machines."""
-        data = self.dataset
-        names = [str(name) for name in data["parameter"].values]
-        found: dict[str, Any] = {
+    def facts(self) -> dict[str, Any]:
+        front = {} if self.front is None else {"front": self.front[["pitch", "lower", "upper", "margin"]]}
+        return {
             "values": self.values,
-            "gap": {
-                "lower_hz": self.gap.lower,
-                "upper_hz": self.gap.upper,
-                "lower_error_hz": self.gap.lower_error,
-                "upper_error_hz": self.gap.upper_error,
-                "between": list(self.gap.between),
-            },
+            "gap": self.gap,
             "margin_hz": self.margin,
-            "held_back_by": self.held_back_by,
-            "left_out": self.left_out,
-            "carrier_hz": float(data.attrs["carrier_hz"]),
-            "seen": [
-                {
-                    "stage": str(data["stage"].values[i]),
-                    "values": dict(zip(names, data["value"].values[i].tolist(), strict=True)),
-                    "lower_hz": float(data["lower"][i]),
-                    "upper_hz": float(data["upper"][i]),
-                    "margin": float(data["margin"][i]),
-                }
-                for i in range(data.sizes["visit"])
-            ],
+            "seen": split(self.dataset, "visit"),
             "study": self.study,
+            **front,
         }
-        if self.front is not None:
-            shown = ("pitch", "lower", "upper", "margin")
-            found["front"] = {name: no_nan(self.front[name].values) for name in shown}
-        return found
 
 
 def front_table(front: xr.Dataset) -> Table:
     """The widest gap of each pitch."""
-    rows: list[tuple[Cell, ...]] = []
-    for pitch, low, high, margin in zip(
-        *(front[name].values.tolist() for name in ("pitch", "lower", "upper", "margin")), strict=True
-    ):
-        held = margin > 0  # NaN is not
-        rows.append((pitch, low, high, high - low) if held else (pitch, None, None, "none"))
-    edges = [Column(name, "Hz", "kHz", ".2f") for name in ("from", "to", "width")]
-    return Table("widest gap around the carrier", (Column("pitch", "m", "mm", ".3g"), *edges), rows)
+    held = front.where(front["margin"] > 0)  # NaN is not
+    columns = (
+        Column("pitch", shown="mm", form=".3g"), Column("from", shown="kHz", form=".2f", of="lower"),
+        Column("to", shown="kHz", form=".2f", of="upper"), Column("width", shown="kHz", form=".2f"),
+    )  # fmt: skip
+    told = held.assign(pitch=front["pitch"], width=(held["upper"] - held["lower"]).assign_attrs(units="Hz"))
+    return Table.of("widest gap around the carrier (-: none)", told, "design", columns)
 
 
 def all_seen(brief: Brief, history: Sequence[tuple[str, Visited]]) -> xr.Dataset:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import Any, Literal
+from typing import Literal
 
 from haptonic.friction.lubrication import CUE_THRESHOLD, WEBER_FRACTION
 from haptonic.results.feel.felt import Felt
@@ -20,10 +20,6 @@ class Light:
     colour: Colour
     what: str
     reason: str
-
-    def to_json(self) -> dict[str, Any]:
-        """Plain values for machines."""
-        return {"colour": self.colour, "what": self.what, "reason": self.reason}
 
 
 def lights(

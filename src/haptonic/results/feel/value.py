@@ -27,13 +27,15 @@ from haptonic.friction.lubrication import (
     time_constant,
 )
 from haptonic.friction.phrases import change
+from haptonic.gate import declared
 from haptonic.plate import Plate
+from haptonic.plate.question import driven_region
 from haptonic.response import Reference
 from haptonic.results.feel.felt import Felt
 from haptonic.results.feel.lights import Light, lights
-from haptonic.results.plate.question import driven_region
+from haptonic.results.plain import determined, split
 from haptonic.results.result import Result, figure
-from haptonic.results.table import Cell, Column, Table
+from haptonic.results.table import Column, Table
 from haptonic.units import format_quantity
 
 if TYPE_CHECKING:
@@ -48,6 +50,13 @@ AMPLITUDES = np.exp(LOGARITHMS)
 ENDS = ("value", "low", "high")
 CURVE = 41  # drives of the curve of reduction against drive
 MARKS = {"green": "●", "amber": "▲", "red": "■"}  # told apart without their colour too
+COLUMNS = (
+    Column("region"),
+    Column("amplitude", shown="um", form=".3g"),
+    Column("without finger", shown="um", form=".3g", of="amplitude_without_finger"),
+    Column("reduction", shown="%", form=".0f", ends=("low", "high")),
+    Column("noticed from", form=".3g", of="drive_to_be_felt"),
+)
 BEYOND = 2.0  # times the drive: where that curve ends
 
 
@@ -68,7 +77,7 @@ class Feel(Result):
     """Friction that a finger meets on a plate, over that without vibration.
 
     plate : what vibrates; gap : edges of its lattice's gap around the carrier, Hz, if there is one
-    loaded : from `compute_loaded`; diameter : of the finger's disc, m
+    loaded : from `haptonic.plate.loaded.loaded`; diameter : of the finger's disc, m
     touch : frequency, force and speed; skin : what the lubrication models know of the finger
     drive : amplitude of the first drive, V or N
     reduction : for which a drive is asked, if one is
@@ -160,6 +169,25 @@ class Feel(Result):
             )
             for name in self.regions
         }
+
+    @cached_property
+    def by_region(self) -> xr.Dataset:
+        """(region) what is felt: ``reduction`` with its ends ``low`` and ``high``, the mean ``amplitude``
+        below the finger and without it, and the drive from which on people notice it."""
+        found = self.reductions()
+        told = {
+            "reduction": ("1", [found[name].value for name in self.regions]),
+            "low": ("1", [found[name].low for name in self.regions]),
+            "high": ("1", [found[name].high for name in self.regions]),
+            "amplitude": ("m", [self.amplitude(name) for name in self.regions]),
+            "amplitude_without_finger": ("m", [self.amplitude(name, "free") for name in self.regions]),
+            "drive_to_be_felt": (
+                self.unit, [self.drive_for(WEBER_FRACTION, name) or np.nan for name in self.regions]
+            ),
+        }  # fmt: skip
+        made = xr.Dataset({name: ("region", numbers, {"units": u}) for name, (u, numbers) in told.items()})
+        declared(made, drive_to_be_felt="no drive makes it noticed")
+        return made.assign_coords(region=np.array(self.regions, dtype=str))
 
     def drive_for(self, reduction: float, region: str) -> float | None:
         """Amplitude of the drive, V or N, for a mean reduction; None if none up to `STRONGEST` gives it."""
@@ -300,63 +328,31 @@ class Feel(Result):
 
     def tables(self) -> list[Table]:
         """Every region: amplitudes, reduction, the drive from which on it is noticed; then the demands."""
-        reductions, drive = self.reductions(), format_quantity(self.drive, self.unit)
-        amplitude = [Column(name, "m", "um", ".3g") for name in ("amplitude", "without finger")]
-        rows: list[tuple[Cell, ...]] = [
-            (
-                f"{name} (driven)" if name == self.driven else name,
-                self.amplitude(name),
-                self.amplitude(name, "free"),
-                str(reductions[name]),
-                self.drive_text(self.drive_for(WEBER_FRACTION, name)),
-            )
-            for name in self.regions
-        ]
-        felt = Table(
-            f"below a finger of {self.touch.force:g} N at {self.frequency / 1e3:.2f} kHz and {drive}, "
-            "simulated",
-            ("region", *amplitude, "reduction", "noticed from"),
-            rows,
+        felt = Table.of(
+            f"below a finger of {self.touch.force:g} N at {self.frequency / 1e3:.2f} kHz and "
+            f"{format_quantity(self.drive, self.unit)}, simulated",
+            self.by_region,
+            "region",
+            COLUMNS,
+            [number for number, name in enumerate(self.regions) if name == self.driven],
         )
         demands = [(f"{MARKS[one.colour]} {one.colour}", one.what, one.reason) for one in self.lights]
         return [felt, Table("does the plate do what it is for?", ("", "demand", "why"), demands)]
 
-    def to_json(self) -> dict[str, Any]:
-        """Plain values for machines."""
-        found = self.reductions()
-        wanted = {} if self.reduction is None else {"drive_for": {"reduction": self.reduction, **self.drives}}
+    def facts(self) -> dict[str, Any]:
         return {
-            "origin": "simulated",
-            "frequency_hz": self.frequency,
             "gap_hz": self.gap,
             "drive": {"amplitude": self.drive, "unit": self.unit},
-            "touch": {"force_n": self.touch.force, "speed_m_s": self.touch.speed},
             "driven": self.driven,
-            "regions": {
-                name: {
-                    "reduction": found[name].value,
-                    "reduction_interval": [found[name].low, found[name].high],
-                    "amplitude_m": self.amplitude(name),
-                    "amplitude_without_finger_m": self.amplitude(name, "free"),
-                    "drive_to_be_felt": self.drive_for(WEBER_FRACTION, name),
-                }
-                for name in self.regions
-            },
+            "regions": split(self.by_region, "region"),
+            "drive_for": None if self.reduction is None else {"reduction": self.reduction, **self.drives},
             "amplitude_ratio": self.ratio,
             "localised": {name: margin.localised for name, margin in self.margins.items()},
             "stopped": {name: margin.stopped for name, margin in self.margins.items()},
-            "quality_factor": _finite(self.quality()),
-            "quality_factor_without_finger": _finite(self.quality("free")),
-            "rise_time_s": _finite(self.rise),
+            "quality_factor": determined(self.quality()),
+            "quality_factor_without_finger": determined(self.quality("free")),
+            "rise_time_s": determined(self.rise),
             "cue_threshold_s": CUE_THRESHOLD,
             "weber_fraction": WEBER_FRACTION,
-            "lights": [light.to_json() for light in self.lights],
-            "solver_error": float(self.loaded.attrs["error"]),
-            "assumptions": self.skin.assumptions(),
-            "version": self.loaded.attrs["haptonic_version"],
-            **wanted,
+            "lights": self.lights,
         }
-
-
-def _finite(value: float) -> float | None:
-    return value if math.isfinite(value) else None

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from typing import Any
 
 import numpy as np
@@ -13,28 +13,24 @@ from haptonic.bloch import Gap
 from haptonic.errors import StudyError
 from haptonic.plate import Band, Fineness, Plate, PlateModel, modes_between
 from haptonic.plate.damping import real_times
-from haptonic.plate.settings import ResponseSettings
-from haptonic.progress import Progress, silent
-from haptonic.response import FrequencyResponse, from_plain, plain
-from haptonic.results.common import stamped
-from haptonic.results.plate.datasets import body_dataset, lines_dataset, modes_dataset
-from haptonic.results.plate.question import (
+from haptonic.plate.datasets import body_dataset, lines_dataset, modes_dataset
+from haptonic.plate.levels import ABOVE, BELOW, marked_lines
+from haptonic.plate.question import (
     NEAR,
-    driven_region,
     grid_points,
-    loudest_within,
-    points_of,
     reference_of,
     resonance_of,
     unit_drives,
 )
+from haptonic.plate.settings import ResponseSettings
+from haptonic.progress import Progress, silent
+from haptonic.response import FrequencyResponse, from_plain, plain
+from haptonic.results.common import stamped
 from haptonic.results.plate.value import PlateResult
 from haptonic.store import Store, content_key
 
 Array = NDArray[np.float64]
 AnyComplex = NDArray[np.complexfloating[Any, Any]]
-
-BELOW, ABOVE = 0.76, 1.25  # of the gap's edges, where the maps below and above it are taken
 
 
 def compute_plate(
@@ -137,25 +133,3 @@ def _computed(
         stamped(modes_dataset(plate, band, found, shapes, points, regions), inputs),
         stamped(body_dataset(band, vibration, at_resonance), inputs),
     ]
-
-
-def marked_lines(
-    plate: Plate,
-    every: Array,
-    velocity: AnyComplex,
-    regions: list[str],
-    carrier: float,
-    gap: Sequence[float] | None,
-) -> NDArray[np.int64]:
-    """Lines of the maps: below, in and above the gap; in it where the driven region resonates most."""
-    if gap is None:
-        return np.array([int(np.abs(every - carrier).argmin())])
-    there = points_of(regions, driven_region(plate))
-    found = []
-    if every[0] <= BELOW * gap[0]:
-        found.append(int(np.abs(every - BELOW * gap[0]).argmin()))
-    if ((every > gap[0]) & (every < gap[1])).any():
-        found.append(loudest_within(every, velocity, there, gap, carrier))
-    if every[-1] >= ABOVE * gap[1]:
-        found.append(int(np.abs(every - ABOVE * gap[1]).argmin()))
-    return np.array(found or [int(np.abs(every - carrier).argmin())])

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cached_property, partial
@@ -17,10 +16,11 @@ from haptonic import plots
 from haptonic.bloch import Gap
 from haptonic.names import file_parts
 from haptonic.plate import Plate
-from haptonic.response import FrequencyResponse, contrast, disc_average, rms, write
-from haptonic.response.checks import REST, THE_REST
+from haptonic.plate.levels import below_finger, compared, contrasts
+from haptonic.plate.question import driven_region, resonance_of
+from haptonic.response import FrequencyResponse, rms, write
 from haptonic.results.common import write_netcdf
-from haptonic.results.plate.question import driven_region, resonance_of
+from haptonic.results.plain import along, split
 from haptonic.results.plate.tables import lines_table, modes_table, power_table
 from haptonic.results.result import Result, figure, file
 from haptonic.results.table import Table
@@ -30,8 +30,6 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 Complex = NDArray[np.complex128]
-
-FINGER = 10e-3  # m, width of the disc over which a finger averages
 
 # Measured in tests/plate/test_full_plate.py; no cheap estimate for the plate at hand is known.
 ERRORS = (
@@ -147,14 +145,12 @@ class PlateResult(Result):
         plots.animated(path, self.marked, self.resonance, self.plate.layout, overwrite=True)
 
     def summary(self) -> list[str]:
-        line = self.told(self.marked.at(self.resonance))
-        levels = "; ".join(f"{name} by {level:.1f} dB" for name, level in line["contrast_db"].items())
-        said = [f"At {line['frequency_hz'] / 1e3:.3f} kHz {self.driven} vibrates more: {levels}."] * bool(
-            levels
-        )
+        line = self.maps.sel(frequency=self.resonance)
+        levels = [f"{name} by {level:.1f} dB" for name, level in split(line.get("contrast"), "pair").items()]
+        said = f"At {self.resonance / 1e3:.3f} kHz {self.driven} vibrates more: {'; '.join(levels)}."
         return [
-            *said,
-            f"Largest solver's error of the field at any line: {float(self.lines['error'].max()):.1e} "
+            *([said] if levels else []),
+            f"Largest solver's error of the field at any line: {float(self.lines['solver_error'].max()):.1e} "
             f"(a bound), of {self.lines.attrs['unknowns']} unknowns on {self.lines.attrs['basis']} vectors. "
             f"{ERRORS} Simulated.",
         ]
@@ -166,7 +162,7 @@ class PlateResult(Result):
 
     def tables(self) -> list[Table]:
         found = [lines_table(self), power_table(self)]
-        return [*found, modes_table(self)] if self.modes.sizes["mode"] else found
+        return [*found, modes_table(self.modes)] if self.modes.sizes["mode"] else found
 
     @property
     def _gap_edges(self) -> tuple[float, float] | None:
@@ -182,111 +178,55 @@ class PlateResult(Result):
         """The frequency of the map in the gap, or else of the one nearest to the carrier, Hz."""
         return resonance_of(self.marked.frequency, self.carrier, self._gap_edges)
 
-    def told(self, line: FrequencyResponse) -> dict[str, Any]:
-        """Plain values at one line of the response or of the maps."""
-        where = {"frequency": float(line.frequency[0])}
-        lines = self.lines.sel(where, method="nearest")
-        return {
-            "frequency_hz": where["frequency"],
-            "solver_error": float(lines["error"]),
-            "rms": {name: float(rms(line, name)[0]) for name in line.regions if name},
-            "units": line.units,
-            "contrast_db": {name: float(level[0]) for name, level in self.contrasts(line).items()},
-            "finger_um": below_finger(line),
-            "impedance_ohm": {
-                name: [float(lines[f"impedance_{part}"].sel(actuator=name)) for part in ("real", "imag")]
-                for name in self.lines["actuator"].values.tolist()
-            },
-            "given_w": float(lines["given"]),
-            "dissipated_w": _by_name(lines["dissipated"], "loss"),
-            "strain_energy_j": _by_name(lines["stored"], "region"),
-            "strain_energy_actuator_j": _by_name(lines["stored_in_actuator"], "actuator"),
-        }  # fmt: skip
+    @cached_property
+    def maps(self) -> xr.Dataset:
+        """All that is known at the frequencies of the maps; see `told`."""
+        return self.told(self.marked)
 
-    @property
-    def map_lines(self) -> list[FrequencyResponse]:
-        """The response at each frequency of the maps."""
-        return [self.marked.at(float(f)) for f in self.marked.frequency]
+    def told(self, response: FrequencyResponse) -> xr.Dataset:
+        """What is known at the lines of the response or of the maps: energies, powers, impedances, and
 
-    def facts(self) -> dict[str, Any]:
-        return self.to_json() | {"guide_modes": self._guide_modes()}
+        ``rms`` (region) : velocity; ``contrast`` (pair) : dB of the driven region over others
+        ``finger`` (region) : largest amplitude below a finger, per unit of the reference
+        """
+        lines = self.lines.sel(frequency=response.frequency, method="nearest")
+        found = lines.assign_coords(frequency=("frequency", response.frequency, {"units": "Hz"}))
+        if names := [name for name in response.regions if name]:
+            found["rms"] = along({name: rms(response, name) for name in names}, "region")
+            found["finger"] = along(below_finger(response), "region")
+        if levels := self.contrasts(response):
+            found["contrast"] = along(levels, "pair")
+        parts = found["impedance_real"], found["impedance_imag"]
+        found["impedance"] = (parts[0] + 1j * parts[1]).assign_attrs(units="ohm")
+        return found.drop_vars(["impedance_real", "impedance_imag"])
 
     def _guide_modes(self) -> dict[str, dict[str, float]]:
         """By region and name, the frequency (Hz) of the mode with most of its energy there."""
         modes, found = self.modes, dict[str, dict[str, float]]()
-        names, frequency = modes["name"].values.tolist(), modes["mode_frequency"].values
+        names, frequency = modes["name"].values.tolist(), modes["frequency"].values
         for region in self.plate.layout.regions:
-            share = modes["stored"].sel(region=region).values
+            share = modes["strain_energy"].sel(part=f"region {region}").values
             best = {name: max((k for k, n in enumerate(names) if n == name), key=share.__getitem__)
                     for name in names if name}  # fmt: skip
             found[region] = {name: float(frequency[k]) for name, k in best.items()}
         return found
 
-    def to_json(self) -> dict[str, Any]:
-        """Plain values for machines."""
-        modes = self.modes
+    def facts(self) -> dict[str, Any]:
         return {
-            "origin": "simulated",
             "reference": self.response.dataset.attrs["reference"],
             "carrier_hz": self.carrier,
             "gap_hz": self._gap_edges,
             "driven": self.driven,
-            "unknowns": int(self.lines.attrs["unknowns"]),
-            "basis": int(self.lines.attrs["basis"]),
             "pillars": self.plate.layout.pillars,
-            "largest_solver_error": float(self.lines["error"].max()),
-            "errors": ERRORS,
             "resonance_hz": self.resonance,
-            "maps": [self.told(line) for line in self.map_lines],
-            "modes": [
-                {
-                    "frequency_hz": float(mode["mode_frequency"]),
-                    "solver_error": float(mode["mode_error"]),
-                    "quality_factor": _finite(mode["quality"]),
-                    "rise_time_s": _finite(mode["rise_time"]),
-                    "name": str(mode["name"].values),
-                    "strain_energy": _by_name(mode["stored"], "region"),
-                    "strain_energy_actuator": _by_name(mode["stored_in_actuator"], "actuator"),
-                    "loss": _by_name(mode["lost"], "loss"),
-                }
-                for mode in (modes.isel(mode=k) for k in range(modes.sizes["mode"]))
-            ],
-            "inputs": json.loads(self.lines.attrs["inputs"]),
-            "version": self.lines.attrs["haptonic_version"],
-        }  # fmt: skip
+            "largest_solver_error": float(self.lines["solver_error"].max()),
+            "maps": split(self.maps, "frequency"),
+            "modes": split(self.modes.drop_dims("point"), "mode"),
+            "guide_modes": self._guide_modes(),
+        }
 
 
 def impedance_names(plate: Plate) -> dict[str, str]:
     """By actuator, what the picture of its impedance is called."""
     parts = file_parts(actuator.name for actuator in plate.actuators)
     return {name: f"impedance-{part}" for name, part in parts.items()}
-
-
-def contrasts(response: FrequencyResponse, driven: str | None) -> dict[str, xr.DataArray]:
-    """How much more a region vibrates than others and than all the rest, dB."""
-    return {
-        f"{driven} over {words}": contrast(response, driven or "", other)
-        for words, other in compared(response, driven)
-    }
-
-
-def compared(response: FrequencyResponse, driven: str | None) -> list[tuple[str, str]]:
-    """What a driven region is compared with: words for it, and its name in `contrast`."""
-    if driven is None or driven not in response.regions:
-        return []
-    others = [(name, name) for name in response.regions if name not in ("", driven)]
-    return others if response.inside(driven).all() else [*others, (THE_REST, REST)]
-
-
-def below_finger(line: FrequencyResponse) -> dict[str, float]:
-    """Amplitude below a finger where it is largest in each region, um per unit of the reference."""
-    amplitude = disc_average(line.displacement(), FINGER).values[0]
-    return {name: float(amplitude[line.inside(name)].max() * 1e6) for name in line.regions if name}
-
-
-def _by_name(values: xr.DataArray, dim: str) -> dict[str, float]:
-    return dict(zip(values[dim].values.tolist(), values.values.tolist(), strict=True))
-
-
-def _finite(value: xr.DataArray) -> float | None:
-    return float(value) if np.isfinite(value) else None

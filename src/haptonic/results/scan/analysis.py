@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
@@ -18,21 +18,16 @@ from haptonic.bloch.settings import BandSettings
 from haptonic.errors import HaptonicError, ResponseError, ScanError
 from haptonic.gate import WORD
 from haptonic.plate import Plate
-from haptonic.plate.layout import Layout
+from haptonic.plate.levels import compared, marked_lines
+from haptonic.plate.question import driven_region, tile_names
 from haptonic.progress import Progress, silent
 from haptonic.response import FrequencyResponse, average_spectrum
 from haptonic.response.measures import sides
-from haptonic.results.plate.compute import marked_lines
-from haptonic.results.plate.question import driven_region, tile_names
-from haptonic.results.plate.value import compared
-from haptonic.results.scan.computed import computed_waves
-from haptonic.results.scan.places import MIRROR, Mirror, guides_of, mirror_beside, strips_of
-from haptonic.results.scan.question import Tiles, plan_for
+from haptonic.results.plain import along
 from haptonic.results.scan.value import ScanResult
 from haptonic.store import Store
 from haptonic.vibrometry import (
     Estimate,
-    LatticeGap,
     MeasuredGap,
     ReadReport,
     Registration,
@@ -40,11 +35,7 @@ from haptonic.vibrometry import (
     TimeScan,
     clean_contrast,
     clean_rms,
-    decay_along,
     estimate,
-    gap_edges,
-    lattice_decay,
-    measured_gap,
     register_by_corners,
     register_by_fit,
     warn_if_aliased,
@@ -52,12 +43,14 @@ from haptonic.vibrometry import (
 )
 from haptonic.vibrometry.estimation.quality import assessed
 from haptonic.vibrometry.estimation.spectra import Estimator, WindowName
+from haptonic.vibrometry.on_plate import contrast_range, decay_in, lattice_gap
+from haptonic.vibrometry.places import guides_of, mirror_beside
+from haptonic.vibrometry.question import Tiles, plan_for
 from haptonic.vibrometry.settings import ScanSettings
+from haptonic.vibrometry.theory import computed_waves
 
 Array = NDArray[np.float64]
 
-# name of all points on lattices while the gap is looked for; longer than any name of a study
-LATTICE = "the points on the lattices of the plate, all together"
 FAR = 0.5  # of a step of the grid: a worse misfit of a registration is told
 SAME_SCALE = 0.05  # by which a registration may scale before it is told
 
@@ -141,7 +134,7 @@ def compute_scan(
     )
     stands_out, told = _told_on_plate(response, on, data)
     told += unseen
-    lattice = _gap(response, on.plate, data)
+    lattice = lattice_gap(response, on.plate, data)
     edges = None if on.gap is None else (on.gap.lower, on.gap.upper)
     names = [str(name) for name in response.dataset["region"].values]
     marked = marked_lines(on.plate, response.frequency, response.values[..., 0].T, names, on.carrier, edges)
@@ -151,7 +144,8 @@ def compute_scan(
     waves = None
     if layout.cells:
         span = float(response.frequency[0]), float(response.frequency[-1])
-        waves = computed_waves(layout, on.bands, span, on.gap, guides_of(layout), mirror, store)
+        parts = layout, on.bands, span, on.gap, guides_of(layout), mirror
+        waves = store.kept({"kind": "waves beside a scan", "of": parts}, lambda: computed_waves(*parts))
         shortest = 2 * np.pi / float(waves["wavenumber"].max())
         warn_if_aliased(_step(response), shortest, f"the flexural wave at {span[1] / 1e3:.4g} kHz")
     if registration.misfit > FAR * _step(response):
@@ -266,7 +260,7 @@ def _told_on_plate(
         return None, [*told, "no contrast: the study does not say which region is driven"]
     found = None
     try:
-        found = measured_gap(_on_lattices(response, layout), driven, LATTICE)
+        found = contrast_range(response, on.plate)
     except (ScanError, ResponseError) as error:
         told.append(f"no range of high contrast: {error.given}")
     mirror = mirror_beside(layout, driven)
@@ -279,12 +273,6 @@ def _told_on_plate(
             data.update(decay.rename(error="error_of_decay"))
             data.attrs["decay"] = json.dumps(decay.attrs)
     return found, told
-
-
-def along(values: Mapping[str, xr.DataArray], dimension: str) -> xr.DataArray:
-    """Arrays of the same axes along a dimension of names."""
-    names = xr.DataArray(np.array(list(values), dtype=str), dims=dimension, name=dimension)
-    return xr.concat(list(values.values()), names, combine_attrs="drop_conflicts").rename(None)
 
 
 def _by_guide(waves: Mapping[str, xr.DataArray]) -> xr.Dataset:
@@ -306,55 +294,6 @@ def _by_guide(waves: Mapping[str, xr.DataArray]) -> xr.Dataset:
             "wavenumber": (("guide", "step"), wavenumber, {"units": "rad/m", **shorter}),
         },
     )
-
-
-def _gap(response: FrequencyResponse, plate: Plate, data: xr.Dataset) -> LatticeGap:
-    """Edges of the lattice's gap; how waves fade in it goes into the dataset."""
-    driven = driven_region(plate)
-    try:
-        fades = decay_along(response, strips_of(plate.layout, driven) if driven else [])
-    except (ScanError, ResponseError) as error:
-        return LatticeGap(None, None, (f"no edges of the gap: {error.given}",))
-    data["fading"] = fades
-    return gap_edges(fades)
-
-
-def contrast_range(response: FrequencyResponse, plate: Plate) -> MeasuredGap:
-    """The range in which the driven region of a plate stands out from all its lattices.
-
-    Raises
-    ------
-    ScanError : no driven region, or no such range
-    ResponseError : no point in one of them
-    """
-    driven = driven_region(plate)
-    if driven is None:
-        raise ScanError(
-            argument="plate.actuator", given="no driven region", allowed="a drive on a region of plain plate",
-            cause="the drive lies on the lattice", next_step="add a drive to a region",
-        )  # fmt: skip
-    return measured_gap(_on_lattices(response, plate.layout), driven, LATTICE)
-
-
-def decay_in(response: FrequencyResponse, mirror: Mirror) -> xr.Dataset:
-    """Decay of a response through a mirror; see `haptonic.vibrometry.lattice_decay`."""
-    inside = mirror.area.holds(response.points)
-    named = _named(response, [MIRROR if one else "" for one in inside])
-    return lattice_decay(
-        named, MIRROR, depth=mirror.depth, start=mirror.start, pitch=mirror.pitch, inwards=mirror.inwards
-    )
-
-
-def _on_lattices(response: FrequencyResponse, layout: Layout) -> FrequencyResponse:
-    """The same with the points on lattices named as well."""
-    return _named(
-        response,
-        [LATTICE if name in layout.cells else name or "" for name in tile_names(layout, response.points)],
-    )
-
-
-def _named(response: FrequencyResponse, names: Sequence[str]) -> FrequencyResponse:
-    return FrequencyResponse(response.dataset.assign_coords(region=("point", np.array(names, dtype=str))))
 
 
 def _step(response: FrequencyResponse) -> float:

@@ -17,17 +17,17 @@ from scipy.spatial import cKDTree
 from haptonic.bloch import Gap
 from haptonic.errors import HaptonicError, ScanError
 from haptonic.plate import Plate
+from haptonic.plate.levels import contrasts
+from haptonic.plate.question import driven_region
 from haptonic.response import FrequencyResponse, write
 from haptonic.results.common import Writer
-from haptonic.results.plate.question import driven_region
-from haptonic.results.plate.value import contrasts
 from haptonic.results.result import Result
-from haptonic.results.scan.analysis import contrast_range
-from haptonic.results.scan.question import plan_for
 from haptonic.vibrometry import TimeScan, estimate, write_records, write_uff, write_uff_records
 from haptonic.vibrometry.chirp import Drive
 from haptonic.vibrometry.exports import csv_files, write_mat, write_mat_records, write_tdms
 from haptonic.vibrometry.instrument import recorded
+from haptonic.vibrometry.on_plate import contrast_range
+from haptonic.vibrometry.question import plan_for
 from haptonic.vibrometry.readers.folder import GEOMETRY
 from haptonic.vibrometry.settings import ScanSettings
 
@@ -139,7 +139,7 @@ class Twin(Result):
             f"{records.sample_rate / 1e3:g} kHz, written as {what}. Simulated."
         ]
 
-    def to_json(self) -> dict[str, Any]:
+    def facts(self) -> dict[str, Any]:
         truth = self.truth()
         return {
             "origin": "simulated", "kind": self.kind, "points": truth["points"],

@@ -6,8 +6,8 @@ import csv
 import json
 import shutil
 from collections.abc import Callable
-from dataclasses import asdict, dataclass
-from functools import partial
+from dataclasses import dataclass
+from functools import cached_property, partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -16,22 +16,26 @@ import xarray as xr
 
 from haptonic import plots
 from haptonic.bloch import Gap
+from haptonic.gate import WORD
 from haptonic.names import cell, file_parts
 from haptonic.plate import Plate
 from haptonic.plate.layout import Layout
 from haptonic.progress import Progress, silent
 from haptonic.response import FrequencyResponse, write
 from haptonic.results.common import write_netcdf
+from haptonic.results.plain import split
 from haptonic.results.result import Result, figure, file
-from haptonic.results.scan.computed import guided
-from haptonic.results.scan.places import Guiding, Mirror, guides_of
-from haptonic.results.table import Cell, Table
+from haptonic.results.table import Column, Table
 from haptonic.results.verdict import Verdict
 from haptonic.vibrometry import LatticeGap, MeasuredGap, Quality, ReadReport, Registration
+from haptonic.vibrometry.estimation.quality import FLAGS
+from haptonic.vibrometry.places import Guiding, Mirror, guides_of
+from haptonic.vibrometry.theory import guided
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
+SHOWN = ("average", "rms", "contrast", "decay", "low", "high")  # of the data, at the operating shapes
 DECAY = ("decay", "error_of_decay", "low", "high")  # variables of the decay through a mirror
 
 
@@ -96,13 +100,13 @@ class ScanResult(Result):
 
     @property
     def dataset(self) -> xr.Dataset:
-        """The data with what the whole scan told."""
-        return self.data.assign_attrs(origin=self.origin, report=json.dumps(self._told()))
+        """The data, with what may be seen of them."""
+        return self.data.assign_attrs(origin=self.origin)
 
     @property
     def contrasts(self) -> dict[str, xr.DataArray]:
         """dB against frequency, by what is compared."""
-        return by_name(self.data, "contrast", "pair")
+        return dict(split(self.data.get("contrast"), "pair"))
 
     @property
     def decay(self) -> xr.Dataset | None:
@@ -124,36 +128,38 @@ class ScanResult(Result):
         """Whether there are maps and an animation: they need the motion normal to the plate."""
         return "z" in self.response.dataset["direction"].values
 
-    @figure("average", "Velocity averaged over all points.")
+    @figure("average", "{Origin} velocity averaged over all points.")
     def _average(self) -> Figure:
         average = self.data["average"].values
         return plots.average_response(
             self.response.frequency, average, units=self.response.units, origin=self.origin
         )
 
-    @figure("quality", "Quality of every point.")
+    @figure("quality", "{Origin} quality of every point.")
     def _quality(self) -> Figure:
         return plots.point_quality(self.response.points, self.quality, origin=self.origin)
 
-    @figure("maps", "Normal velocity, each map scaled to its largest point.", when=_mapped)
+    @figure("maps", "{Origin} normal velocity, each map scaled to its largest point.", when=_mapped)
     def _maps(self) -> Figure:
         return plots.maps(self.response, self.shapes, self.layout, self._edges)
 
-    @figure("velocity", "Velocity of the regions.", when=_has("rms"))
+    @figure("velocity", "{Origin} velocity of the regions.", when=_has("rms"))
     def _velocity(self) -> Figure:
-        levels = {name: level.values for name, level in by_name(self.data, "rms", "region").items()}
+        levels = {name: level.values for name, level in split(self.data.get("rms"), "region").items()}
         return plots.velocity_spectrum(
             self.response.frequency, levels, self._edges, units=self.response.units, origin=self.origin
         )
 
-    @figure("contrast", "Contrast of the driven region, and where it is high.", when=_has("contrast"))
+    @figure(
+        "contrast", "{Origin} contrast of the driven region, and where it is high.", when=_has("contrast")
+    )
     def _contrast(self) -> Figure:
         curves = {name: level.values for name, level in self.contrasts.items()}
         return plots.measured_contrast(
             self.response.frequency, curves, self.measured, self._edges, origin=self.origin
         )
 
-    @figure("waves-*", "Waves along a guide.", when=_has("waves"))
+    @figure("waves-*", "{Origin} waves along a guide.", when=_has("waves"))
     def _waves(self) -> dict[str, Callable[[], Figure]]:
         assert self.layout is not None
         named, seen = wave_names(self.layout), self.data["guide"].values.tolist()
@@ -170,11 +176,11 @@ class ScanResult(Result):
             mode = guided(self.waves, guide)
         return plots.wave_map(seen, plain, mode, region=guide.region, origin=self.origin)
 
-    @figure("fading", "How waves fade from row to row of the lattice.", when=_has("fading"))
+    @figure("fading", "{Origin} fading of waves from row to row of the lattice.", when=_has("fading"))
     def _fading_map(self) -> Figure:
         return plots.fading_map(self.data["fading"], self.lattice, self._edges, origin=self.origin)
 
-    @figure("decay", "Decay into the lattice.", when=_has("decay"))
+    @figure("decay", "{Origin} decay into the lattice.", when=_has("decay"))
     def _decay(self) -> Figure:
         assert self.decay is not None
         return plots.fading(self.decay, self._fading, self._edges, origin=self.origin)
@@ -185,7 +191,7 @@ class ScanResult(Result):
 
     @file("scan.nc")
     def _write_data(self, path: Path) -> None:
-        write_netcdf(self.dataset, path)
+        write_netcdf(self.dataset.assign_attrs(report=json.dumps(self.to_json())), path)
 
     @file("shape.webp", when=_mapped)
     def _animate(self, path: Path) -> None:
@@ -208,11 +214,11 @@ class ScanResult(Result):
 
     def summary(self) -> list[str]:
         """What was read, how it was registered, the gap in it."""
-        told = self._told()
-        flags = ", ".join(f"{count} {flag}" for flag, count in told["flags"].items() if count)
+        flags = ", ".join(f"{count} {flag}" for flag, count in self.flags.items() if count)
+        low, high = (f"{self.response.frequency[end] / 1e3:.4g}" for end in (0, -1))
         said = [
-            f"{told['points']} points ({flags or 'none flagged'}), {told['lines']} lines from "
-            f"{told['band_hz'][0] / 1e3:.4g} to {told['band_hz'][1] / 1e3:.4g} kHz, {self.origin}."
+            f"{len(self.response.points)} points ({flags or 'none flagged'}), {len(self.response.frequency)} "
+            f"lines from {low} to {high} kHz, {self.origin}."
         ]
         if not self.report.complete or self.report.remarks:
             said.append(str(self.report))
@@ -241,24 +247,18 @@ class ScanResult(Result):
 
     def tables(self) -> list[Table]:
         """Velocities, contrasts and decay at the frequencies of the operating shapes; then the verdict."""
-        lines = [self.told_at(frequency) for frequency in self.shapes]
-        rows: list[tuple[Cell, ...]] = [
-            (f"rms / ({self.response.units})", *(f"{line['rms_of_all']:.3g}" for line in lines))
-        ]
-        for name in lines[0]["rms"]:
-            rows.append((f"rms of {name}", *(_number(line["rms"][name], ".3g") for line in lines)))
-        for name in lines[0]["contrast_db"]:
-            rows.append((f"{name} / dB", *(_number(line["contrast_db"][name], ".1f") for line in lines)))
-        decays = [line.get("decay_db_per_cell", {}) for line in lines]
-        if any(decays):
-            fitted = (f"{d['decay']:.1f} ({d['low']:.1f} to {d['high']:.1f})" if d else "" for d in decays)
-            computed = (
-                f"{d['computed_least']:.1f} to {d['computed_largest']:.1f}" if "computed_least" in d else ""
-                for d in decays
-            )  # fmt: skip
-            rows += [("decay / (dB/cell)", *fitted), ("computed", *computed)]
-        head = (f"{line['frequency_hz'] / 1e3:.3f} kHz" for line in lines)
-        shapes = Table(self.origin, ("operating shape", *head), rows)
+        columns = (
+            Column("frequency", shown="kHz", form=".3f"),
+            Column("rms", form=".3g", of="average"),
+            Column("rms of {}", form=".3g", of="rms"),
+            Column("{}", form=".1f", of="contrast"),
+            Column("decay", form=".1f", ends=("low", "high")),
+            Column("computed from", form=".1f", of="computed_least"),
+            Column("to", form=".1f", of="computed_largest"),
+        )
+        told = self.at_shapes
+        known = [column for column in columns if (column.of or column.name) in told]
+        shapes = Table.of(f"operating shapes, {self.origin}", told, "frequency", known)
         return [shapes, *(self.verdict.tables() if self.verdict else [])]
 
     @property
@@ -280,65 +280,45 @@ class ScanResult(Result):
                      f"{quality.frozen[i]:.3g}", coherence, "; ".join(quality.flags[i]), self.origin]
                 )  # fmt: skip
 
-    def told_at(self, frequency: float) -> dict[str, Any]:
-        """Plain values at one frequency, Hz."""
-        line = self.data.sel(frequency=frequency, method="nearest")
-        found: dict[str, Any] = {
-            "frequency_hz": float(line["frequency"]),
-            "rms_of_all": float(line["average"]),
-            "rms": {name: _finite(value) for name, value in by_name(line, "rms", "region").items()},
-            "contrast_db": {
-                name: _finite(value) for name, value in by_name(line, "contrast", "pair").items()
-            },
-        }
-        if "decay" in line:
-            decay = {name: float(line[name]) for name in ("decay", "low", "high")}
-            if (fading := self._fading) is not None and fading["frequency"].min() <= frequency <= fading[
-                "frequency"
-            ].max():
-                near = fading["attenuation"].interp(frequency=frequency).values
-                decay |= {"computed_least": float(near.min()), "computed_largest": float(near.max())}
-            found["decay_db_per_cell"] = decay
+    @cached_property
+    def at_shapes(self) -> xr.Dataset:
+        """The data at the operating shapes; beside a decay ``computed_least`` and ``computed_largest``."""
+        names = [name for name in SHOWN if name in self.data]
+        found = self.data[names].sel(frequency=list(self.shapes), method="nearest")
+        if "decay" in found and (fading := self._fading) is not None:
+            near = fading["attenuation"].interp(frequency=list(self.shapes))
+            beyond = {"units": "dB/cell", WORD: "it was computed around the gap only"}
+            found["computed_least"] = "frequency", near.min("phase").values, beyond
+            found["computed_largest"] = "frequency", near.max("phase").values, beyond
         return found
 
-    def to_json(self) -> dict[str, Any]:
-        judged = {"verdict": self.verdict.to_json()} if self.verdict else {}
-        return self._told() | judged
+    @property
+    def flags(self) -> dict[str, int]:
+        """How many points have each flag."""
+        return {flag: int(self.quality.flagged(flag).sum()) for flag in FLAGS}
 
-    def _told(self) -> dict[str, Any]:
-        quality, attributes, registration = self.quality, self.response.dataset.attrs, self.registration
-        lines = self.response.frequency
+    def facts(self) -> dict[str, Any]:
+        report, lines = self.report, self.response.frequency
+        reasons = self.lattice.reasons if self.lattice else ()
         return {
-            "origin": self.origin,
-            "format": self.report.format,
+            "format": report.format,
             "points": self.response.dataset.sizes["point"],
-            "dropped": [str(one) for one in self.report.dropped],
-            "missing": list(self.report.missing),
-            "remarks": [*self.report.remarks, *self.told, *(self.lattice.reasons if self.lattice else ())],
+            "dropped": [str(one) for one in report.dropped],
+            "missing": report.missing,
+            "remarks": [*report.remarks, *self.told, *reasons],
             "lines": len(lines),
             "band_hz": [float(lines[0]), float(lines[-1])],
             "averages": self.averages,
             "units": self.response.units,
-            "reference": attributes["reference"],
-            "flags": {flag: int(quality.flagged(flag).sum())
-                      for flag in ("saturated", "dropout", "low coherence", "repaired")},
-            "registration": None if registration is None else {
-                "scale": registration.scale, "angle_rad": registration.angle,
-                "shift_m": registration.shift.tolist(), "mirrored": registration.mirrored,
-                "misfit_m": registration.misfit,
-            },
-            "gap": None if self.lattice is None else asdict(self.lattice),
-            "contrast_range": None if self.measured is None else asdict(self.measured),
+            "reference": self.response.dataset.attrs["reference"],
+            "flags": self.flags,
+            "registration": self.registration,
+            "gap": self.lattice,
+            "contrast_range": self.measured,
             "computed_gap_hz": self._edges,
-            "shapes": [self.told_at(frequency) for frequency in self.shapes],
-        }  # fmt: skip
-
-
-def by_name(data: xr.Dataset, variable: str, dimension: str) -> dict[str, xr.DataArray]:
-    """A variable along a dimension of names, by name; nothing if it is not there."""
-    if variable not in data:
-        return {}
-    return {str(name): data[variable].sel({dimension: name}, drop=True) for name in data[dimension].values}
+            "shapes": split(self.at_shapes, "frequency"),
+            **({"verdict": self.verdict.to_json()} if self.verdict else {}),
+        }
 
 
 def waves_of(data: xr.Dataset, guide: str) -> xr.DataArray:
@@ -347,14 +327,6 @@ def waves_of(data: xr.Dataset, guide: str) -> xr.DataArray:
     there = np.isfinite(seen["wavenumber"].values)
     cut = seen.isel(step=there).drop_vars("guide")
     return cut.swap_dims(step="wavenumber")
-
-
-def _number(value: float | None, form: str) -> str:
-    return "-" if value is None else format(value, form)
-
-
-def _finite(value: xr.DataArray) -> float | None:
-    return float(value) if np.isfinite(value) else None
 
 
 def wave_names(layout: Layout) -> dict[str, str]:

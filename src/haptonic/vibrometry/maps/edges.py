@@ -13,6 +13,7 @@ from scipy.interpolate import make_interp_spline
 
 from haptonic.errors import ScanError
 from haptonic.response import FrequencyResponse
+from haptonic.units import Hertz
 from haptonic.vibrometry.maps.noise import HIDDEN, averages_of, noise_power
 from haptonic.vibrometry.maps.waves import Axis
 from haptonic.vibrometry.planning import Rectangle
@@ -58,8 +59,8 @@ class LatticeRows:
 class Edge:
     """Frequency and standard error, Hz."""
 
-    frequency: float
-    error: float
+    frequency: Hertz
+    error: Hertz
 
     def __str__(self) -> str:
         return f"{self.frequency / 1e3:.2f} ± {self.error / 1e3:.2f} kHz"

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Annotated
 
 import numpy as np
 import xarray as xr
@@ -10,6 +11,7 @@ from numpy.typing import NDArray
 
 from haptonic.errors import ScanError
 from haptonic.response import FrequencyResponse
+from haptonic.units import Hertz, In
 
 Array = NDArray[np.float64]
 
@@ -29,14 +31,14 @@ class MeasuredGap:
     outside, inside : levels of the contrast, dB
     """
 
-    lower: float
-    upper: float
-    lower_error: float
-    upper_error: float
-    lower_transition: float
-    upper_transition: float
-    outside: float
-    inside: float
+    lower: Hertz
+    upper: Hertz
+    lower_error: Hertz
+    upper_error: Hertz
+    lower_transition: Hertz
+    upper_transition: Hertz
+    outside: Annotated[float, In("dB")]
+    inside: Annotated[float, In("dB")]
 
 
 def measured_gap(

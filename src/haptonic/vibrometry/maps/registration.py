@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 from collections.abc import Mapping
 from dataclasses import dataclass
+from typing import Annotated
 
 import numpy as np
 from numpy.typing import NDArray
@@ -12,6 +13,7 @@ from scipy.spatial import ConvexHull, QhullError, cKDTree
 
 from haptonic.errors import ScanError
 from haptonic.response import FrequencyResponse
+from haptonic.units import In
 from haptonic.vibrometry.planning import Region
 
 Array = NDArray[np.float64]
@@ -32,10 +34,10 @@ class Registration:
     """
 
     scale: float
-    angle: float
-    shift: Array
+    angle: Annotated[float, In("rad")]
+    shift: Annotated[Array, In("m")]
     mirrored: bool
-    misfit: float
+    misfit: Annotated[float, In("m")]
 
     def of(self, points: Array) -> Array:
         """(point, 2) places on the plate of points of the scan, m."""

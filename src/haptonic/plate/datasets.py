@@ -12,38 +12,38 @@ from numpy.typing import NDArray
 
 from haptonic.plate import Band, Plate, PlateModel, PlateModes, Vibration
 from haptonic.plate.keys import PLATE, PartKey
-from haptonic.results.plate.question import reference_of
-from haptonic.results.plate.shapes import nodal_name
+from haptonic.plate.nodal import nodal_name
+from haptonic.plate.question import reference_of
 
 Array = NDArray[np.float64]
 
 
-def _by_region(plate: Plate, stored: Mapping[PartKey, Array], model: PlateModel) -> tuple[list[str], Array]:
-    """Names of regions and lattices, and (n, names) what is stored in the plate there."""
+def _by_part(plate: Plate, stored: Mapping[PartKey, Array], model: PlateModel) -> tuple[list[str], Array]:
+    """Parts of a plate, and (n, parts) what is stored in each: "region WG1", "lattice bulk", and each
+    "actuator A1" with its bond."""
     layout, blocks = plate.layout, model.assembly.skeleton.blocks
     names = [layout.at(block.tiles[0]) for block in blocks]
-    shares = {
-        name: stored[PLATE][:, [k for k, other in enumerate(names) if other == name]].sum(axis=1)
-        for name in dict.fromkeys(names) if name is not None
-    }  # fmt: skip
+    shares = {}
+    for name in dict.fromkeys(name for name in names if name is not None):
+        there = [number for number, other in enumerate(names) if other == name]
+        shares[part_name(plate, name)] = stored[PLATE][:, there].sum(axis=1)
+    for one in plate.actuators:
+        own = [values.sum(axis=1) for part, values in stored.items()
+               if (part.kind, part.owner) == ("actuator", one.name)]  # fmt: skip
+        shares[f"actuator {one.name}"] = sum(own, np.zeros(len(stored[PLATE])))
     return list(shares), np.stack(list(shares.values()), axis=-1)
 
 
-def _in_actuators(plate: Plate, stored: Mapping[PartKey, Array]) -> tuple[list[str], Array]:
-    """Names of actuators, and (n, names) what is stored in each and in its bond."""
-    names = [actuator.name for actuator in plate.actuators]
-    shares = np.zeros((len(stored[PLATE]), len(names)))
-    for part, values in stored.items():
-        if part.kind == "actuator":
-            shares[:, names.index(str(part.owner))] += values.sum(axis=1)
-    return names, shares
+def part_name(plate: Plate, tile: str) -> str:
+    """Of a region or a lattice on the dimension ``part``; its first word says which of them it is."""
+    return f"{'lattice' if tile in plate.layout.cells else 'region'} {tile}"
 
 
 def lines_dataset(plate: Plate, vibration: Vibration, band: Band) -> xr.Dataset:
     """Energies, powers, impedances and errors against frequency."""
     model = band.reduced.model
-    regions, stored = _by_region(plate, vibration.stored, model)
-    actuators, in_actuators = _in_actuators(plate, vibration.stored)
+    parts, stored = _by_part(plate, vibration.stored, model)
+    actuators = [one.name for one in plate.actuators]
     _, unit = reference_of(plate)
     impedance = np.stack(
         [
@@ -54,11 +54,8 @@ def lines_dataset(plate: Plate, vibration: Vibration, band: Band) -> xr.Dataset:
     losses = list(vibration.dissipated)
     data = xr.Dataset(
         {
-            "error": ("frequency", vibration.error, {"long_name": "bound of the relative error of solving"}),
-            "stored": (("frequency", "region"), stored, {"units": "J", "long_name": "mean strain energy"}),
-            "stored_in_actuator": (
-                ("frequency", "actuator"), in_actuators, {"units": "J", "long_name": "mean strain energy"},
-            ),
+            "solver_error": ("frequency", vibration.error, {"long_name": "relative, a bound"}),
+            "strain_energy": (("frequency", "part"), stored, {"units": "J", "long_name": "mean"}),
             "moving": (
                 "frequency", vibration.moving.sum(axis=1), {"units": "J", "long_name": "mean kinetic energy"},
             ),
@@ -72,7 +69,7 @@ def lines_dataset(plate: Plate, vibration: Vibration, band: Band) -> xr.Dataset:
         },
         coords={
             "frequency": ("frequency", vibration.frequency, {"units": "Hz"}),
-            "region": regions,
+            "part": parts,
             "loss": [str(part) for part in losses],
             "actuator": np.array(actuators, dtype=str),
         },
@@ -90,27 +87,22 @@ def modes_dataset(
     plate: Plate, band: Band, found: PlateModes, shapes: Array, points: Array, regions: list[str]
 ) -> xr.Dataset:
     """Modes near the carrier."""
-    names, stored = _by_region(plate, found.stored, band.reduced.model)
-    actuators, in_actuators = _in_actuators(plate, found.stored)
+    parts, stored = _by_part(plate, found.stored, band.reduced.model)
     losses = list(found.lost)
     called = mode_names(plate, band.reduced.model, found, shapes, points, regions)
     return xr.Dataset(
         {
-            "mode_frequency": ("mode", found.frequency, {"units": "Hz"}),
-            "mode_error": ("mode", found.error, {"long_name": "bound of the relative error of solving"}),
-            "quality": ("mode", found.quality, {"long_name": "quality factor"}),
+            "frequency": ("mode", found.frequency, {"units": "Hz"}),
+            "solver_error": ("mode", found.error, {"long_name": "bound of the relative error of solving"}),
+            "quality_factor": ("mode", found.quality, {"long_name": "quality factor"}),
             "rise_time": ("mode", found.rise_time, {"units": "s", "long_name": "10 to 90 %"}),
-            "stored": (("mode", "region"), stored, {"long_name": "share of the strain energy"}),
-            "stored_in_actuator": (
-                ("mode", "actuator"), in_actuators, {"long_name": "share of the strain energy"},
-            ),
+            "strain_energy": (("mode", "part"), stored, {"long_name": "share in each part"}),
             "lost": (("mode", "loss"), np.stack([found.lost[part] for part in losses], axis=-1)),
             "name": ("mode", np.array(called, dtype=str)),
             "shape": (("mode", "point"), shapes.T.astype(np.float32), {"long_name": "normal displacement"}),
         },
         coords={
-            "region": names, "loss": [str(part) for part in losses],
-            "actuator": np.array(actuators, dtype=str),
+            "part": parts, "loss": [str(part) for part in losses],
             "x": ("point", points[:, 0], {"units": "m"}), "y": ("point", points[:, 1], {"units": "m"}),
         },
     )  # fmt: skip
@@ -123,12 +115,11 @@ def mode_names(
 
     shapes : (points, modes) normal displacement; regions : of the points
     """
-    names, stored = _by_region(plate, found.stored, model)
-    inside = np.array(regions)
-    plain = [name for name in names if name in plate.layout.regions]
+    parts, stored = _by_part(plate, found.stored, model)
+    inside, column = np.array(regions), {name: parts.index(f"region {name}") for name in plate.layout.regions}
     called = []
     for k in range(len(found.frequency)):
-        best = max(plain, key=lambda name: stored[k, names.index(name)], default=None)
+        best = max(column, key=lambda name: stored[k, column[name]], default=None)
         called.append(nodal_name(_on_grid(points, shapes[:, k], inside == best)) if best else "")
     return called
 

@@ -10,8 +10,8 @@ from numpy.typing import NDArray
 
 from haptonic.plate import Band, Fineness, Plate, PlateModel
 from haptonic.plate.damping import real_times
+from haptonic.plate.question import reference_of, unit_drives
 from haptonic.response import FrequencyResponse
-from haptonic.results.plate.question import reference_of, unit_drives
 
 Array = NDArray[np.float64]
 

@@ -17,8 +17,7 @@ from haptonic.bloch.settings import BandSettings
 from haptonic.errors import StudyError
 from haptonic.gate import WORD
 from haptonic.plate.layout import Layout
-from haptonic.results.scan.places import Guiding, Mirror
-from haptonic.store import Store, content_key
+from haptonic.vibrometry.places import Guiding, Mirror
 
 Array = NDArray[np.float64]
 
@@ -38,9 +37,8 @@ def computed_waves(
     gap: Gap | None,
     guides: list[Guiding],
     mirror: Mirror | None,
-    store: Store,
 ) -> xr.Dataset:
-    """Waves of a plate's parts, from the store if they were computed before.
+    """Waves of a plate's parts.
 
     Parameters
     ----------
@@ -53,13 +51,6 @@ def computed_waves(
     """
     cell = layout.cells[mirror.name] if mirror else next(iter(layout.cells.values()))
     widths = sorted({(one.width, one.along) for one in guides if one.lattice == (mirror and mirror.name)})
-    inputs = {
-        "kind": "waves beside a scan", "span": span, "gap": gap, "widths": widths,
-        "depth": mirror and mirror.depth, "cell": cell, "settings": settings,
-    }  # fmt: skip
-    key = content_key(inputs)
-    if (kept := store.get(key)) is not None:
-        return kept
     resolution = bloch_model(cell, settings.count, settings.accuracy, settings.resolution).resolution
     superelement = condensed_cell(cell, resolution)
     plain = PlainPlate.of(cell, superelement.levels)
@@ -100,11 +91,9 @@ def computed_waves(
                 found[:, row, step] = mode.omega / (2 * np.pi), k
     made["guided_frequency"] = ("guide", "step"), found[0], {"units": "Hz", WORD: none_there}
     made["guided_wavenumber"] = ("guide", "step"), found[1], {"units": "rad/m", WORD: none_there}
-    made = made.assign_coords(
+    return made.assign_coords(
         width=("guide", [w for w, _ in widths]), along=("guide", [a for _, a in widths])
     )
-    store.put(key, made)
-    return made
 
 
 def guided(waves: xr.Dataset, one: Guiding) -> tuple[Array, Array]:

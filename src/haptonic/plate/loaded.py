@@ -2,22 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
-from typing import Any
 
 import numpy as np
 import xarray as xr
 from numpy.typing import NDArray
 
-from haptonic.bloch import Gap
-from haptonic.friction.lubrication.settings import Pad
 from haptonic.gate import WORD
 from haptonic.plate import Band, Fineness, Plate, PlateModel, PlateModes, modes_between
-from haptonic.plate.touch import Sites, below_finger
-from haptonic.progress import Progress, silent
-from haptonic.results.common import stamped
-from haptonic.results.plate.question import (
+from haptonic.plate.question import (
     NEAR,
     driven_region,
     grid_points,
@@ -26,7 +20,8 @@ from haptonic.results.plate.question import (
     reference_of,
     unit_drives,
 )
-from haptonic.store import Store, content_key
+from haptonic.plate.touch import Sites, below_finger
+from haptonic.progress import Progress, silent
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
@@ -35,34 +30,41 @@ FREE = "free"  # the vibration that no finger damps
 LOADS = (FREE, "low", "value", "high")  # by the damping of the finger
 
 
-def compute_loaded(
+def highest(middle: float) -> float:
+    """Up to where a basis is needed for what is felt near a frequency, Hz."""
+    return (1 + NEAR) * middle
+
+
+def loaded(
     plate: Plate,
-    pad: Pad,
     *,
+    diameter: float,
+    damping: Sequence[float],
     carrier: float,
     at: float | None,
-    gap: Gap | None,
+    gap: Sequence[float] | None,
     grid: float,
     tolerance: float,
-    inputs: Mapping[str, Any],
-    store: Store,
     fineness: Fineness | None = None,
     progress: Progress = silent,
 ) -> xr.Dataset:
-    """Amplitudes below a finger per unit of the first drive, from the store if they were computed before.
+    """Amplitudes below a finger per unit of the first drive.
 
     Parameters
     ----------
+    diameter : of the disc that the finger covers, m
+    damping : N s/m of the whole disc, evenly spread: the lowest plausible, the value, the highest plausible
     at : Hz; by default the resonance of the driven region that is loudest near the carrier, in the gap if
         there is one
+    gap : edges of the gap around the carrier, Hz
     grid : distance of the places, m; tolerance : relative error of the vibration without a finger
 
     Returns
     -------
     ``amplitude`` (load, point), m per unit: root mean square over the disc around each point, peak in time;
     ``quality`` (load, point) of the mode that answers most, with a finger there; ``load`` is "free" or the
-    "low", "value" or "high" damping; attributes ``frequency_hz``, ``reference``, ``error`` and, for the mode,
-    ``mode_hz``
+    "low", "value" or "high" damping; attributes ``frequency_hz``, ``reference``, ``solver_error``
+    and, for the mode, ``mode_hz``
 
     Raises
     ------
@@ -70,38 +72,7 @@ def compute_loaded(
     ResourceError : the basis would need more memory than there is
     HaptonicError : the vibration cannot be had as exactly as asked for
     """
-    alone = replace(plate, finger=None)
-    reference_of(alone)
-    edges = None if gap is None else [gap.lower, gap.upper]
-    key = content_key(
-        {"part": "below a finger", "plate": alone, "pad": pad, "carrier": carrier, "at": at, "gap": edges,
-         "grid": grid, "tolerance": tolerance, "fineness": fineness, "inputs": inputs}
-    )  # fmt: skip
-    found = store.get(key)
-    if found is None:
-        found = stamped(
-            _computed(alone, pad, carrier, at, edges, grid, tolerance, fineness, progress), inputs
-        )
-        store.put(key, found)
-    return found
-
-
-def highest(middle: float) -> float:
-    """Up to where a basis is needed for what is felt near a frequency, Hz."""
-    return (1 + NEAR) * middle
-
-
-def _computed(
-    plate: Plate,
-    pad: Pad,
-    carrier: float,
-    at: float | None,
-    gap: list[float] | None,
-    grid: float,
-    tolerance: float,
-    fineness: Fineness | None,
-    progress: Progress,
-) -> xr.Dataset:
+    plate = replace(plate, finger=None)
     middle = carrier if at is None else at
     high = highest(middle)
     model = PlateModel.of(plate, high, fineness)
@@ -117,10 +88,10 @@ def _computed(
     there = points_of(regions, driven_region(plate))
     line = loudest_within(frequencies, surface * vibration.omega, there, (0.0, np.inf), middle)
     omega = float(vibration.omega[line])
-    places = Sites(points, pad.diameter)
-    impedances = [0.0, *(1j * omega * damping for damping in pad.damping)]
+    places = Sites(points, diameter)
+    impedances = [0.0, *(1j * omega * one for one in damping)]
     amplitude = below_finger(band.reduced, places, surface[:, line], omega, impedances)
-    mode, quality = _loaded_quality(model, modes, drives, omega, places, pad)
+    mode, quality = _loaded_quality(model, modes, drives, omega, places, damping)
     reference, _ = reference_of(plate)
     return xr.Dataset(
         {
@@ -137,7 +108,7 @@ def _computed(
         },
         attrs={
             "frequency_hz": omega / (2 * np.pi), "mode_hz": mode, "reference": str(reference),
-            "error": float(vibration.error[line]), "unknowns": model.assembly.size,
+            "solver_error": float(vibration.error[line]), "unknowns": model.assembly.size,
             "basis": band.reduced.basis.dimension, "origin": "simulated",
             WORD: "no mode near this frequency",
         },
@@ -150,7 +121,7 @@ def _loaded_quality(
     drives: Mapping[str, complex],
     omega: float,
     places: Sites,
-    pad: Pad,
+    damping: Sequence[float],
 ) -> tuple[float, Array]:
     """The mode that answers most at omega, Hz, and (load, point) its quality factor with a finger there.
 
@@ -164,5 +135,5 @@ def _loaded_quality(
     best = int(np.abs(answer).argmax())
     shape = model.displaced(places.points, modes.vectors[:, [best]])[:, 0]
     square = np.array([(shape[disc] ** 2).mean() for disc in places.discs])
-    lost = np.array([0.0, *pad.damping])[:, None] * square / np.sqrt(values[best])
+    lost = np.array([0.0, *damping])[:, None] * square / np.sqrt(values[best])
     return float(modes.frequency[best]), 1 / (1 / modes.quality[best] + lost)

@@ -10,9 +10,9 @@ from numpy.typing import NDArray
 from haptonic.errors import ScanError, nearest
 from haptonic.plate import Plate
 from haptonic.plate.layout import Layout
+from haptonic.plate.question import grid_points, reference_of, tile_names
 from haptonic.plate.settings import ResponseSettings
 from haptonic.response import Reference
-from haptonic.results.plate.question import grid_points, reference_of, tile_names
 from haptonic.vibrometry.chirp import Drive, drive
 from haptonic.vibrometry.instrument import lines_of
 from haptonic.vibrometry.planning import Rectangle, Region, ScanPlan, visited

@@ -1,0 +1,61 @@
+"""The edges of a gap as a design changes: exact slopes, and the bands beside it over the zone."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+import xarray as xr
+from numpy.typing import NDArray
+
+from haptonic.bloch import Gap
+from haptonic.bloch.exact import exact_modes
+from haptonic.bloch.pencil import eigenpairs
+from haptonic.cell import UnitCell
+from haptonic.design.quick import QuickDesign
+from haptonic.design.sensitivity import sensitivity
+from haptonic.design.tolerance import Surface, terms_needed
+
+Array = NDArray[np.float64]
+
+DIVISIONS = 10  # of the irreducible zone's sides, where the bands beside the gap are followed
+
+
+def edge_slopes(cell: UnitCell, gap: Gap, paths: Sequence[str]) -> Array:
+    """(parameters, 2) exact slopes of a gap's lower and upper edge, Hz per SI unit.
+
+    Where an edge is degenerate, its modes part as a parameter changes: the lower edge follows the steepest of
+    them, the upper one the least.
+    """
+    band = gap.between[0]
+    quick = QuickDesign.of(cell, band + 2)
+    fine, columns = quick.model.fine, []
+    for number, kappa, pick in ((band, gap.lower_kappa, -1), (band + 1, gap.upper_kappa, 0)):
+        # from the same mesh: another one's frequency may lie nearer to a neighbouring band
+        value = eigenpairs(fine.pencil, np.array(kappa), number)[0][-1]
+        modes = exact_modes(quick.shared, fine.superelement, np.array(kappa), float(np.sqrt(value)))
+        found = sensitivity(quick.shared, modes, paths)
+        columns.append([found.slopes[path][pick] for path in paths])
+    return np.array(columns).T
+
+
+def beside_dataset(argument: tuple[Sequence[UnitCell], Gap]) -> xr.Dataset:
+    """The bands beside a gap for several designs, over the zone; what a worker is given to do."""
+    cells, gap = argument
+    band = gap.between[0]
+    frequencies = []
+    for cell in cells:
+        pencil = QuickDesign.of(cell, band + 2).model.fine.pencil
+        grid, _ = cell.zone.triangles(DIVISIONS)
+        wavevectors = (*grid, np.array(gap.lower_kappa), np.array(gap.upper_kappa))
+        values = [eigenpairs(pencil, kappa, band + 1)[0][band - 1 :] for kappa in wavevectors]
+        frequencies.append(np.sqrt(np.array(values).T) / (2 * np.pi))
+    return xr.Dataset({"frequency": (("design", "side", "wavevector"), np.array(frequencies))})
+
+
+def linear(gap: Gap, per_width: Array) -> Surface:
+    """The edges as they move to first order."""
+    coefficients = np.zeros((terms_needed(len(per_width)), 2, 1))
+    coefficients[0, :, 0] = gap.lower, gap.upper
+    coefficients[1 : len(per_width) + 1, :, 0] = per_width
+    return Surface(coefficients, np.zeros(2))

@@ -1,0 +1,69 @@
+"""What a response tells of the regions of its plate: contrasts, amplitudes below a finger, loud lines."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+import xarray as xr
+from numpy.typing import NDArray
+
+from haptonic.plate.parts import Plate
+from haptonic.plate.question import driven_region, loudest_within, points_of
+from haptonic.response import FrequencyResponse, contrast, disc_average
+from haptonic.response.checks import REST, THE_REST
+
+Array = NDArray[np.float64]
+AnyComplex = NDArray[np.complexfloating[Any, Any]]
+
+FINGER = 10e-3  # m, width of the disc over which a finger averages
+BELOW, ABOVE = 0.76, 1.25  # of the gap's edges, where the maps below and above it are taken
+
+
+def contrasts(response: FrequencyResponse, driven: str | None) -> dict[str, xr.DataArray]:
+    """How much more a region vibrates than others and than all the rest, dB."""
+    return {
+        f"{driven} over {words}": contrast(response, driven or "", other)
+        for words, other in compared(response, driven)
+    }
+
+
+def compared(response: FrequencyResponse, driven: str | None) -> list[tuple[str, str]]:
+    """What a driven region is compared with: words for it, and its name in `contrast`."""
+    if driven is None or driven not in response.regions:
+        return []
+    others = [(name, name) for name in response.regions if name not in ("", driven)]
+    return others if response.inside(driven).all() else [*others, (THE_REST, REST)]
+
+
+def below_finger(response: FrequencyResponse) -> dict[str, xr.DataArray]:
+    """Amplitude below a finger where it is largest in each region, per unit of the reference."""
+    moved = response.displacement()
+    amplitude = disc_average(moved, FINGER)
+    return {
+        name: amplitude[:, response.inside(name)].max("point").assign_attrs(units=moved.units)
+        for name in response.regions if name
+    }  # fmt: skip
+
+
+def marked_lines(
+    plate: Plate,
+    every: Array,
+    velocity: AnyComplex,
+    regions: list[str],
+    carrier: float,
+    gap: Sequence[float] | None,
+) -> NDArray[np.int64]:
+    """Lines of the maps: below, in and above the gap; in it where the driven region resonates most."""
+    if gap is None:
+        return np.array([int(np.abs(every - carrier).argmin())])
+    there = points_of(regions, driven_region(plate))
+    found = []
+    if every[0] <= BELOW * gap[0]:
+        found.append(int(np.abs(every - BELOW * gap[0]).argmin()))
+    if ((every > gap[0]) & (every < gap[1])).any():
+        found.append(loudest_within(every, velocity, there, gap, carrier))
+    if every[-1] >= ABOVE * gap[1]:
+        found.append(int(np.abs(every - ABOVE * gap[1]).argmin()))
+    return np.array(found or [int(np.abs(every - carrier).argmin())])
