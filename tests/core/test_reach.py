@@ -15,7 +15,7 @@ from haptonic.bloch.resolution import LADDER, check_start, first_rung
 from haptonic.cell import Pillar, UnitCell
 from haptonic.errors import ResourceError
 from haptonic.lattice import Lattice
-from haptonic.superelement import condense_by_parts
+from haptonic.superelement import Tiling, condense_by_parts
 
 PITCH = 6e-3
 
@@ -95,5 +95,5 @@ def test_many_bands_get_depth_rather_than_width(thickness, diameter, height):
     whole = condense_by_parts(
         cell, resolution.plan(cell), resolution.steps, block=resolution.block, measured=False
     )
-    reduced = ReducedCell.of(whole, 40, np.inf)
+    reduced = ReducedCell.of(Tiling.single(whole), 40, np.inf)
     assert BlochModel(cell, resolution, 40, reduced, reduced.pencil).truncation < 4 * model.TRUSTED_TRUNCATION

@@ -64,7 +64,7 @@ def gap_of_plate(study: Description, plate: Plate, carrier: float, runner: Runne
 
 def has_mirror(study: Description) -> bool:
     """Whether a mirror can be asked for: there is a carrier, and something that reflects."""
-    return study.carrier is not None and study.cell.pillar is not None
+    return study.carrier is not None and study.cell.is_simple and study.cell.pillar is not None
 
 
 def has_plate(study: Description) -> bool:

@@ -206,6 +206,7 @@ def compute_layers(
     StudyError : ends of the spectrum in the wrong order, a cell without a pillar, or no
         wave propagates towards the rows at the carrier
     """
+    cell.check_simple("a row of cells")
     if cell.pillar is None:
         raise StudyError(
             argument="cell.pillar",

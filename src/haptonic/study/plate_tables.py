@@ -18,7 +18,9 @@ from haptonic.response.checks import REST, THE_REST
 from haptonic.study.plate_map import check_map, drawn
 from haptonic.units import shown
 
-CHANGEABLE = [path for path in UNITS if path.startswith("cell.") and path != "cell.thickness"]
+CHANGEABLE = [
+    path for path in UNITS if path.startswith("cell.") and "[]" not in path and path != "cell.thickness"
+]
 LATTICE = "lattice"  # the name of the study's own cell in [plate.tiles]
 
 TileSize = Annotated[float, size(100e-6, 100e-3)]
@@ -49,7 +51,7 @@ class LatticeSection:
     @property
     def units(self) -> dict[str, str]:
         """SI unit of every number that may change."""
-        return UNITS
+        return dict(UNITS)
 
 
 def _flat(tree: dict[str, Any], prefix: str = "") -> dict[str, object]:
