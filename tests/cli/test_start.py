@@ -133,7 +133,9 @@ class TestKeys:
         told = keys.lines(KEYS[path])
         lines = printed(80, path, told)
         assert max(map(len, lines)) <= 80
-        assert all(line.startswith("  ") for line in lines[1:])  # what goes on stands below what it belongs to
+        assert all(
+            line.startswith("  ") for line in lines[1:]
+        )  # what goes on stands below what it belongs to
         for text in told.values():
             assert squeezed(text) in squeezed("".join(lines))
 
@@ -311,3 +313,19 @@ def test_a_shell_completes(words, at, offered):
     assert offered <= set(said.split())
     assert "Usage" not in said
     assert not {"keys", "mirror", "--json"} & set(said.split()) or words == "haptonic "
+
+
+def test_the_page_on_the_first_hour_is_true(inside, tmp_path, monkeypatch):
+    """Every line that it prints, in its order; what a shell does with the output is left to it."""
+    page = (Path(__file__).parents[2] / "docs" / "start.md").read_text("utf-8")
+    monkeypatch.chdir(tmp_path)
+    lines = [
+        line.split("#")[0].split(">")[0]
+        for text in re.findall(r"```sh\n(.*?)```", page, re.DOTALL)
+        for line in text.splitlines()
+        if "--install-completion" not in line
+    ]
+    assert len(lines) >= 7
+    for line in lines:
+        assert inside(*line.split()[1:]).code == 0, line
+    assert all(f"`{name}`" in page for name in TEMPLATES)

@@ -103,8 +103,8 @@ def answered(analysis: Analysis, given: dict[str, Any]) -> None:
     workers, scheduler = given.pop("workers", 0), given.pop("scheduler", None)
     file = given.pop("study_file", None)
     with speaking(json, analysis.kept) as voice:
-        study = None if file is None else load(file)
         options = analysis.chosen({name: value for name, value in given.items() if value is not None})
+        study = None if file is None else load(file)
         analysis.check(study, options)
         about = path_of(options) if analysis.study != "needed" else file
         assert about is not None, f"{analysis.name} is asked of nothing"

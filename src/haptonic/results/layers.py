@@ -218,7 +218,7 @@ def compute_layers(
     incidence = Incidence(layers.angle, layers.count, cell.material.loss_factor)
     gaps = runner.gaps(cell, settings)
     gap = gap_at(gaps, carrier) or widest_gap(gaps)
-    resolution = bloch_model(cell, settings.count, settings.accuracy, settings.resolution).resolution
+    resolution = bloch_model(cell, settings).resolution
     chunks = np.array_split(frequencies, -(-len(frequencies) // CHUNK))
     fixed = {"incidence": incidence, "cell": cell, "resolution": resolution}
     tasks = [

@@ -50,7 +50,7 @@ class Study(Description):
         ------
         StudyError : there is no such analysis or option, or the study lacks what it needs
         """
-        runner = Runner(store or Store.default(), workers, scheduler, progress)
+        runner = Runner(Store.default() if store is None else store, workers, scheduler, progress)
         return named(name).run(self, runner, options)
 
     if not TYPE_CHECKING:  # a checker is to know no method that is not there
