@@ -111,7 +111,8 @@ def answered(analysis: Analysis, given: dict[str, Any]) -> None:
         options = analysis.chosen({name: value for name, value in given.items() if value is not None})
         study = None if file is None else load(file)
         analysis.check(study, options)
-        cost = FORECASTS[analysis.name].cost(study, options) if analysis.name in FORECASTS else None
+        forecast = FORECASTS.get(analysis.name)
+        cost = forecast.cost(study, options) if forecast and study else None
         if cost and dry:
             voice.tell(cost.words)
             voice.answer({"processor_s": cost.seconds, "memory_b": cost.memory})

@@ -119,7 +119,7 @@ class Plan(Result):
             (one.name, f"{one.size[0] * 1e3:.4g} x {one.size[1] * 1e3:.4g}", *one.centre, one.voltage)
             for one in plate.actuators
         ]
-        columns = ("patch", "size / mm", *wide, Column("voltage", "V", form=".4g"))
+        columns: list[Column | str] = ["patch", "size / mm", *wide, Column("voltage", "V", form=".4g")]
         return [*found, Table("patches, by their centres on the plate", columns, rows)] if rows else found
 
     def remarks(self) -> list[str]:
