@@ -27,6 +27,7 @@ from haptonic.errors import HaptonicError, ResourceError
 from haptonic.gate import passed
 from haptonic.progress import Progress, silent
 from haptonic.store import Store, content_key, fingerprint
+from haptonic.units import shown
 
 if TYPE_CHECKING:
     from distributed import Client, Future, LocalCluster
@@ -93,7 +94,7 @@ def run_all(
     ResourceError : no scheduler at that address, it has no workers, it is lost on the way, local workers do
         not start, or the store cannot be used
     """
-    _check(workers, scheduler)
+    check_workers(workers, scheduler)
     keys = [content_key(task.key_inputs) for task in tasks]
     arguments = {key: task.argument for key, task in zip(keys, tasks, strict=True)}
     copies = Counter(keys)
@@ -127,11 +128,13 @@ def run_all(
     return [outcomes[key] for key in keys]
 
 
-def _check(workers: int, scheduler: str | None) -> None:
-    if workers < 0 or (workers > 0 and scheduler is not None):
+def check_workers(workers: object, scheduler: object) -> None:
+    """Refuse what is no number of workers, no address of a scheduler, or both at once."""
+    counted = isinstance(workers, int) and not isinstance(workers, bool) and workers >= 0
+    if not counted or (scheduler is not None and (workers or not isinstance(scheduler, str))):
         raise HaptonicError(
             argument="workers",
-            given=workers if scheduler is None else f"{workers}, and the scheduler {scheduler}",
+            given=shown(workers) if scheduler is None else f"{workers!r}, and the scheduler {scheduler!r}",
             allowed="0 or more worker processes on this machine, or a scheduler with workers of its own",
             cause="a slip, or two ways of computing asked for at once",
             next_step="give --workers N or --scheduler ADDRESS, not both",

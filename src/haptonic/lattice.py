@@ -156,18 +156,15 @@ class Lattice:
     def __post_init__(self) -> None:
         for field in ("pitch_y", "pitch_2", "angle"):
             value, needed = getattr(self, field), field in FURTHER[self.name]
-            if needed != (value is not None):
-                raise problem(
-                    "nothing"
-                    if value is None
-                    else format_quantity(value, "rad" if field == "angle" else "m"),
-                    f"{field} for a lattice that is {_said(field)}, and for no other",
-                    "it was left out" if needed else f"a {self.name} lattice is given without it",
-                    f"add {field}"
-                    if needed
-                    else f"remove {field}, or write lattice = {_said(field, quoted=True)}",
-                    at=field,
-                )
+            having = [name for name, others in FURTHER.items() if field in others]
+            allowed = f"{field} for a lattice that is {' or '.join(having)}, and for no other"
+            if needed and value is None:
+                raise problem("nothing", allowed, "it was left out", f"add {field}", at=field)
+            if value is not None and not needed:
+                given = format_quantity(value, "rad" if field == "angle" else "m")
+                cause = f"a {self.name} lattice is given without it"
+                names = " or ".join(f'"{name}"' for name in having)
+                raise problem(given, allowed, cause, f"remove {field}, or write lattice = {names}", at=field)
         lengths = np.linalg.norm(self.vectors, axis=1)
         if lengths.max() > MOST_ELONGATED * lengths.min():
             raise problem(
@@ -238,9 +235,14 @@ class Lattice:
         """Second translation, m."""
         return float(self.vectors[1, 0]), float(self.vectors[1, 1])
 
+    @property
+    def is_rectangular(self) -> bool:
+        """Whether the translations lie along x and y."""
+        return max(abs(self.a1[1]), abs(self.a2[0])) <= SAME * self.pitch
+
     def check_rectangular(self, what: str) -> None:
         """Raise GeometryError unless the translations lie along x and y; ``what`` needs it."""
-        if max(abs(self.a1[1]), abs(self.a2[0])) > SAME * self.pitch:
+        if not self.is_rectangular:
             raise GeometryError(
                 argument="cell.lattice",
                 given=self.name,
@@ -328,11 +330,6 @@ def shortest(vectors: Array) -> Array:
             one, other = other, -one
         else:
             return np.array([one, other])
-
-
-def _said(field: str, *, quoted: bool = False) -> str:
-    mark = '"' if quoted else ""
-    return " or ".join(f"{mark}{name}{mark}" for name, fields in FURTHER.items() if field in fields)
 
 
 def voronoi_cell(vectors: NDArray[np.floating]) -> tuple[tuple[tuple[int, int], ...], Array]:

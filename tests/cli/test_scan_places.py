@@ -87,7 +87,7 @@ class TestWaves:
         assert len(at) >= 2
         assert (np.diff(at) > 0).all()
         cell = next(iter(layout.cells.values()))
-        resolution = bloch_model(cell, 8, 2e-2, study.bands_settings.resolution).resolution
+        resolution = bloch_model(cell, study.bands_settings).resolution
         superelement = condensed_cell(cell, resolution)
         mode = strip_mode(
             superelement, width=32e-3, length=17.5 * np.pi / wavenumber[0], intervals=17, nodal_lines=0,

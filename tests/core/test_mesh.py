@@ -9,6 +9,7 @@ from hypothesis import strategies as st
 from strategies import ALUMINIUM, cells, plans, reference_cell, upright_lattices
 
 from haptonic.bloch.model import bloch_model
+from haptonic.bloch.settings import BandSettings
 from haptonic.cell import HexMesh, MeshPlan, Pillar, UnitCell, mesh_cell
 from haptonic.cell.quadrature import lobatto
 from haptonic.errors import GeometryError
@@ -223,4 +224,4 @@ def test_a_fillet_that_reaches_beyond_the_cell_is_blamed_itself():
 @given(thickness=st.floats(1e-9, 2.39e-5))
 def test_plates_too_thin_for_any_digit_are_refused_at_once(thickness, pillar):
     with pytest.raises(GeometryError, match=r"cell\.thickness: got .*\n  allowed: at least 0\.024 mm"):
-        bloch_model(UnitCell(Lattice.square(6e-3), thickness, ALUMINIUM, pillar), 10, 2e-3)
+        bloch_model(UnitCell(Lattice.square(6e-3), thickness, ALUMINIUM, pillar), BandSettings())

@@ -98,7 +98,7 @@ def test_tiles_fill_the_period_edge_to_edge(cell):
         for n in (-1, 0, 1):
             for m in (-1, 0, 1):
                 for share in cell.shares:
-                    away = np.linalg.norm(corners - (share + (n, m)) @ cell.lattice.vectors, axis=1)
+                    away = np.linalg.norm(corners - (share + np.array([n, m])) @ cell.lattice.vectors, axis=1)
                     own = np.linalg.norm(corners - one.position, axis=1)
                     assert (away > own * (1 - 1e-6)).all(), "a corner is nearest to its own site"
 

@@ -16,7 +16,8 @@ from matplotlib.patches import Rectangle
 from seeing import artists, assert_readable, shown_texts
 
 from haptonic import plots
-from haptonic.bloch import Resolution, bands_dataset
+from haptonic.bloch import bands_dataset
+from haptonic.bloch.settings import BandSettings, MeshSettings
 from haptonic.errors import ResourceError
 from haptonic.plots import style
 from haptonic.plots.bands import CURVE_STYLES, RIGID
@@ -316,7 +317,7 @@ class TestModes:
 
     def test_a_plate_without_a_pillar_is_drawn(self):
         plain = reference_study().cell.without_pillar()
-        plate = bands_dataset(plain, count=10, points=8, accuracy=2e-2, resolution=Resolution(2, 0))
+        plate = bands_dataset(plain, BandSettings(10, 8, 2e-2, MeshSettings(2, 0)))
         figure = plots.mode_shapes(plate)
         assert len(artists(figure, "deformed")) == 8
 

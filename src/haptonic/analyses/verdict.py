@@ -33,7 +33,15 @@ MOST_BESIDE = 0.5  # share of the points that may lie beside the plate
 
 
 def response_in(given: str) -> FrequencyResponse:
-    """A response from its file."""
+    """A response from its file, which a command line takes before the study."""
+    if Path(given).suffix == ".toml":
+        raise ResponseError(
+            argument="response",
+            given=given,
+            allowed="response.nc that a scan has given, and after it the study",
+            cause="it is a study: the two files are exchanged",
+            next_step="haptonic verdict RESPONSE STUDY",
+        )
     return read(Path(given))
 
 
@@ -205,7 +213,6 @@ def _range(plate: Plate, response: FrequencyResponse) -> MeasuredGap | None:
 
 ANALYSIS = Analysis(
     name="verdict",
-    help="A response that a scan has given, once more against its plate's model: new unknowns, no records.",
     result=Verdict,
     compute=compute,
     options=VerdictOptions,

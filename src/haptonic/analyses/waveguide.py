@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from haptonic.analyses.analysis import Analysis, option
-from haptonic.analyses.needs import has_mirror, need_carrier
+from haptonic.analyses.needs import has_mirror, need_carrier, need_rows
 from haptonic.bloch.settings import WaveguideSettings
 from haptonic.errors import StudyError
 from haptonic.fields import remade
@@ -27,8 +27,9 @@ def asked(study: Description, options: WaveguideOptions) -> WaveguideSettings:
 
     Raises
     ------
-    StudyError : the mode is not written like ``0x17``
+    HaptonicError : no carrier, no rows, or a mode that is not written like ``0x17``
     """
+    need_rows(study, "a waveguide")
     own = study.waveguide_settings
     if options.mode is None:
         return own
@@ -64,7 +65,6 @@ def compute(study: Description, options: WaveguideOptions, runner: Runner) -> Gu
 
 ANALYSIS = Analysis(
     name="waveguide",
-    help="Width, length and frequency of a waveguide between two such mirrors.",
     result=Guides,
     compute=compute,
     reported=lambda study: WaveguideOptions() if has_mirror(study) else None,

@@ -15,7 +15,7 @@ from haptonic.bloch.character import NAMES, characters
 from haptonic.bloch.gaps import Gap, complete_gaps, partial_gaps
 from haptonic.bloch.model import BlochModel, bloch_model, candidate_models
 from haptonic.bloch.pencil import Periodic
-from haptonic.bloch.resolution import Resolution
+from haptonic.bloch.settings import BandSettings
 from haptonic.bloch.tracking import Diagram, diagram
 from haptonic.bloch.zone import zone_surface
 from haptonic.cell import UnitCell
@@ -29,24 +29,11 @@ DENSITY_BINS = 200
 
 
 @threadpool_limits.wrap(limits=1)  # these matrices are too small for threads inside the linear algebra
-def bands_dataset(
-    cell: UnitCell,
-    *,
-    count: int,
-    points: int,
-    accuracy: float,
-    resolution: Resolution | None = None,
-    surface: bool = False,
-) -> xr.Dataset:
+def bands_dataset(cell: UnitCell, settings: BandSettings, *, surface: bool = False) -> xr.Dataset:
     """Band diagram, gaps and mode shapes of a cell.
 
     Parameters
     ----------
-    cell : the unit cell
-    count : bands, from the lowest
-    points : wavevectors along the edge of the irreducible zone
-    accuracy : relative error allowed for every frequency
-    resolution : overrides what the accuracy would choose
     surface : also sample the whole zone evenly, for contours and the density of states
 
     Returns
@@ -58,8 +45,8 @@ def bands_dataset(
     ------
     ResourceError : the accuracy needs more memory than there is
     """
-    model = bloch_model(cell, count, accuracy, resolution)
-    path = cell.zone.path(points)
+    model = bloch_model(cell, settings)
+    path = cell.zone.path(settings.points)
     along = diagram(model, path)
     gaps = complete_gaps(model)
     dataset = _diagram_dataset(along)
@@ -87,29 +74,22 @@ def bands_dataset(
         "path_corners": json.dumps(path.corners),
         "modes_at": f"middle of {path.labels[1]}-{path.labels[2]}",
         "character_names": json.dumps(NAMES),
-        "accuracy": accuracy,
+        "accuracy": settings.accuracy,
     }
     return dataset
 
 
 @threadpool_limits.wrap(limits=1)
-def gaps_dataset(
-    cell: UnitCell,
-    *,
-    count: int,
-    accuracy: float,
-    resolution: Resolution | None = None,
-    above: int | None = None,
-) -> xr.Dataset:
+def gaps_dataset(cell: UnitCell, settings: BandSettings, *, above: int | None = None) -> xr.Dataset:
     """The complete gaps of a cell alone: one design of a sweep.
 
-    Parameters and errors as in `bands_dataset`; here the accuracy is asked of the gaps' edges only, and if
+    Errors as in `bands_dataset`; here the accuracy is asked of the gaps' edges only, and if
     ``above`` names a band, from 1, only of those of the gap above it.
     """
-    for model in candidate_models(cell, count, accuracy, resolution, gaps_only=True):
+    for model in candidate_models(cell, settings, gaps_only=True):
         gaps = complete_gaps(model)
         matter = [gap for gap in gaps if above is None or gap.between[0] == above]
-        if resolution is not None or all(gap.relative_error <= accuracy for gap in matter):
+        if settings.resolution or all(gap.relative_error <= settings.accuracy for gap in matter):
             break
     dataset = _gaps_dataset(gaps)
     wavevectors, _ = cell.zone.triangles(2)

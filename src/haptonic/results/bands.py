@@ -176,11 +176,8 @@ def compute_bands(
     """
     dataset = store.kept(
         {"kind": "bands", "surface": surface, "cell": cell, "settings": settings},
-        lambda: bands_dataset(
-            cell, count=settings.count, points=settings.points, accuracy=settings.accuracy,
-            resolution=settings.resolution, surface=surface,
-        ),
-    )  # fmt: skip
+        lambda: bands_dataset(cell, settings, surface=surface),
+    )
     if carrier is not None:
         dataset.attrs["carrier_hz"] = carrier
     return Bands(stamped(dataset, inputs))

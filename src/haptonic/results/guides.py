@@ -139,10 +139,8 @@ def compute_guides(
     ------
     StudyError : no complete gap around the carrier, or no such waveguide
     """
-    cell.check_simple("a row of cells")
     gap = need_gap_at(runner.gaps(cell, settings), carrier)
-    model = bloch_model(cell, settings.count, settings.accuracy, settings.resolution)
-    (superelement,) = model.fine.tiling.tiles
+    (superelement,) = bloch_model(cell, settings).fine.tiling.tiles
     across, along = waveguide.nodal_lines
     period = float(np.linalg.norm(cell.lattice.vectors[1]))
     plate = PlainPlate.of(cell, superelement.levels)

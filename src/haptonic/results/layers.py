@@ -206,7 +206,6 @@ def compute_layers(
     StudyError : ends of the spectrum in the wrong order, a cell without a pillar, or no
         wave propagates towards the rows at the carrier
     """
-    cell.check_simple("a row of cells")
     if cell.pillar is None:
         raise StudyError(
             argument="cell.pillar",
@@ -219,7 +218,7 @@ def compute_layers(
     incidence = Incidence(layers.angle, layers.count, cell.material.loss_factor)
     gaps = runner.gaps(cell, settings)
     gap = gap_at(gaps, carrier) or widest_gap(gaps)
-    resolution = bloch_model(cell, settings.count, settings.accuracy, settings.resolution).resolution
+    resolution = bloch_model(cell, settings).resolution
     chunks = np.array_split(frequencies, -(-len(frequencies) // CHUNK))
     fixed = {"incidence": incidence, "cell": cell, "resolution": resolution}
     tasks = [
