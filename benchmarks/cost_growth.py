@@ -15,7 +15,7 @@ from threadpoolctl import threadpool_limits
 import haptonic
 from haptonic.bloch import Resolution
 from haptonic.bloch.pencil import Periodic
-from haptonic.cell import Placed, UnitCell
+from haptonic.cell import PlacedTile, UnitCell
 from haptonic.lattice import Lattice
 from haptonic.superelement import Superelement, Tiling, condense, condense_by_parts
 
@@ -30,7 +30,7 @@ def repeated(cell: UnitCell, one: Superelement, columns: int, rows: int) -> Tili
     pitch = cell.lattice.pitch
     whole = UnitCell(Lattice.rectangular(columns * pitch, rows * pitch), cell.thickness, cell.material)
     steps = [np.array([i, j]) for j in range(rows) for i in range(columns)]
-    placed = [Placed(cell, np.eye(3), pitch * step) for step in steps]
+    placed = [PlacedTile(cell, np.eye(3), pitch * step) for step in steps]
     return Tiling.of(whole, placed, [one] * len(placed))
 
 

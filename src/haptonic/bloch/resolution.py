@@ -8,7 +8,7 @@ from dataclasses import dataclass, replace
 
 import psutil
 
-from haptonic.cell import MeshPlan, Pillar, Tile, UnitCell
+from haptonic.cell import MeshPlan, Pillar, TileShape, UnitCell
 from haptonic.cell.plan import THIN_PLATE, USUAL_BANDS
 from haptonic.errors import GeometryError, ResourceError
 from haptonic.superelement.symmetry import folds_of
@@ -64,7 +64,7 @@ class Resolution:
         """The same with more of the interior: what is left out falls by about ten."""
         return replace(self, steps=self.steps + 1, block=self.block * 3 // 2)
 
-    def plan(self, tile: Tile, share: float = 1.0) -> MeshPlan:
+    def plan(self, tile: TileShape, share: float = 1.0) -> MeshPlan:
         """Plan of a tile whose area is a share of the cell's."""
         return MeshPlan.suited(tile, self.order, self.foot_rings, self.bands * share)
 
@@ -80,7 +80,7 @@ class Resolution:
             plan.lowered(tile) for plan, tile in zip(self.plans(cell), tiles, strict=True)
         ])  # fmt: skip
 
-    def _meshed(self, cell: UnitCell) -> list[tuple[Tile, MeshPlan]]:
+    def _meshed(self, cell: UnitCell) -> list[tuple[TileShape, MeshPlan]]:
         """Tiles that differ and their plans, without the shafts of prisms, which take next to nothing."""
         made = {}
         for one, plan in zip(cell.tiles, self.plans(cell), strict=True):
@@ -137,7 +137,7 @@ class Resolution:
         """
         return 2.5e8 + sum(self._memory(tile, plan) for tile, plan in self._meshed(cell))
 
-    def _memory(self, tile: Tile, plan: MeshPlan) -> float:
+    def _memory(self, tile: TileShape, plan: MeshPlan) -> float:
         nodes, classes = sum(plan.level_sizes), 2 ** len(folds_of(tile))
         trace = 3 * plan.sides * plan.side * (plan.upward + 1)
         quarter = 3 * nodes / classes  # of the nodes, where there are two mirrors

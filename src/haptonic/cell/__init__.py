@@ -5,17 +5,17 @@ from haptonic.cell.mesh import HexMesh, mesh_cell
 from haptonic.cell.pillar import Pillar, Step
 from haptonic.cell.plan import MeshPlan
 from haptonic.cell.sites import Site
-from haptonic.cell.tile import Placed, Tile
+from haptonic.cell.tile import PlacedTile, TileShape
 from haptonic.cell.topology import Topology
 
 __all__ = [
     "HexMesh",
     "MeshPlan",
     "Pillar",
-    "Placed",
+    "PlacedTile",
     "Site",
     "Step",
-    "Tile",
+    "TileShape",
     "Topology",
     "UnitCell",
     "mesh_cell",

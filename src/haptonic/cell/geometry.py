@@ -26,7 +26,7 @@ from haptonic.cell.sites import (
     site_map,
     site_tile,
 )
-from haptonic.cell.tile import HALF_TURNED, Placed, Tile
+from haptonic.cell.tile import HALF_TURNED, PlacedTile, TileShape
 from haptonic.errors import GeometryError
 from haptonic.fields import INLINE, TOP, described, numbers, problem, size, with_numbers
 from haptonic.lattice import HALF_TURN, Lattice, Operation, PointGroup
@@ -38,7 +38,7 @@ LEAST_CLEARANCE = 0.01  # of the pitch, between a pillar and the nearest side of
 
 
 @described("cell", GeometryError)
-class UnitCell(Tile):
+class UnitCell(TileShape):
     """One period of the plate; its flat face lies at z = 0, pillars stand on z = ``thickness``.
 
     A cell of one site, in its middle, is a tile itself; one of several consists of their `tiles`.
@@ -141,10 +141,10 @@ class UnitCell(Tile):
         return any(self.pillars)
 
     @cached_property
-    def tiles(self) -> tuple[Placed, ...]:
+    def tiles(self) -> tuple[PlacedTile, ...]:
         """What the cell consists of, a tile for each site; equal ones are one object."""
         if self.is_simple:
-            return (Placed(self, np.eye(3), np.zeros(2)),)
+            return (PlacedTile(self, np.eye(3), np.zeros(2)),)
         return placed_tiles(
             self.shares @ self.lattice.vectors,
             self.outlines,
@@ -153,7 +153,7 @@ class UnitCell(Tile):
             self.site_map(HALF_TURN),
         )
 
-    def tile_along(self, number: int, turn: Array) -> Tile:
+    def tile_along(self, number: int, turn: Array) -> TileShape:
         """The tile of a site in axes that are turned (3, 3), whatever its own symmetry would ask for."""
         if self.is_simple:
             return self

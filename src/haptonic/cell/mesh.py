@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from haptonic.cell.plan import MeshPlan
 from haptonic.cell.profile import Profile
 from haptonic.cell.quadrature import lobatto
-from haptonic.cell.tile import Tile
+from haptonic.cell.tile import TileShape
 from haptonic.cell.topology import Topology, topology_of
 
 Array = NDArray[np.float64]
@@ -55,7 +55,7 @@ class HexMesh:
         ])  # fmt: skip
 
 
-def mesh_cell(cell: Tile, plan: MeshPlan) -> HexMesh:
+def mesh_cell(cell: TileShape, plan: MeshPlan) -> HexMesh:
     """Mesh of a unit cell: its topology from the plan, its points from the sizes."""
     profile, outlines = Profile.of(cell, plan), _Outlines.of(cell, plan)
     levels = []
@@ -82,7 +82,7 @@ class _Outlines:
     shares: Array
 
     @classmethod
-    def of(cls, cell: Tile, plan: MeshPlan) -> _Outlines:
+    def of(cls, cell: TileShape, plan: MeshPlan) -> _Outlines:
         along = 0.5 * (1 + lobatto(plan.order)[0])
         share = (np.arange(plan.blocks)[:, None] + along[:-1]).ravel() / plan.blocks
         corners = cell.corners

@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 
 from haptonic.cell.edges import bridges
 from haptonic.cell.pillar import Pillar
-from haptonic.cell.tile import Tile
+from haptonic.cell.tile import TileShape
 
 LAYER_LENGTH = 1.4  # of an element along the pillar, in diameters
 THIN_PLATE = 0.16  # thickness, in half pitches, below which elements beside a pillar bend like a plate's
@@ -69,7 +69,7 @@ class MeshPlan:
         object.__setattr__(self, "along", self.along or self.upward)
 
     @classmethod
-    def suited(cls, cell: Tile, order: int, foot_rings: int, bands: float | None = None) -> MeshPlan:
+    def suited(cls, cell: TileShape, order: int, foot_rings: int, bands: float | None = None) -> MeshPlan:
         """Plan for a cell of any number of sides.
 
         Where these are not four there are two blocks to each, because patches of the core end in the middle
@@ -84,7 +84,7 @@ class MeshPlan:
         return replace(plan, sides=sides, blocks=2, order=math.ceil(share) + 1)
 
     @classmethod
-    def _of_quarters(cls, cell: Tile, order: int, foot_rings: int, bands: float | None) -> MeshPlan:
+    def _of_quarters(cls, cell: TileShape, order: int, foot_rings: int, bands: float | None) -> MeshPlan:
         """Plan of similar errors in all directions, its elements not much longer than the pillar is wide.
 
         More bands than usual are shorter waves: a polynomial needs pi orders for each wave along it before
@@ -130,7 +130,7 @@ class MeshPlan:
         )
 
     @classmethod
-    def _of_sheet(cls, cell: Tile, pillar: Pillar, order: int, foot_rings: int) -> MeshPlan:
+    def _of_sheet(cls, cell: TileShape, pillar: Pillar, order: int, foot_rings: int) -> MeshPlan:
         """Plan for a plate that is thin beside everything else: fine in its plane, coarse through it.
 
         What errs on the plans of thicker plates is the smooth part. On one of 1/200 of the pitch the plan of
@@ -153,7 +153,7 @@ class MeshPlan:
             along=max(order, 4) + (ALONG_MORE if _has_no_shaft(pillar) else 0),
         )
 
-    def lowered(self, cell: Tile) -> MeshPlan:
+    def lowered(self, cell: TileShape) -> MeshPlan:
         """The same blocks with orders one lower, to tell the error by.
 
         With a single thin ring the order along z stays through the plate and, where the pillar is a prism,
@@ -252,7 +252,7 @@ def _layers_along(pillar: Pillar) -> list[int]:
     ]
 
 
-def _neck(cell: Tile, pillar: Pillar, least: float = 0.0) -> float:
+def _neck(cell: TileShape, pillar: Pillar, least: float = 0.0) -> float:
     """Half the length on which two round pillars are near each other, as a share of half the side it lies on.
 
     That is the longer side. On a cell of 1 to 1.7 whose pillar leaves 0.15 of the shorter one nine orders
@@ -265,7 +265,7 @@ def _neck(cell: Tile, pillar: Pillar, least: float = 0.0) -> float:
     return math.sqrt(2 * cell.clearance * max(pillar.widest, least)) / half_side
 
 
-def _waves(cell: Tile, bands: float) -> float:
+def _waves(cell: TileShape, bands: float) -> float:
     """Wavelengths along the longer side of the cell that the last of so many bands of a plain plate has.
 
     As many flexural waves fit into a circle about Gamma whose area is that of as many zones.

@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 from pydantic import Field, field_validator
 
 from haptonic.cell.pillar import Pillar
-from haptonic.cell.tile import HALF_TURNED, Placed, SiteTile, Tile
+from haptonic.cell.tile import HALF_TURNED, PlacedTile, SiteTile, TileShape
 from haptonic.errors import GeometryError
 from haptonic.fields import Quantity, described, problem
 from haptonic.lattice import LEAST_SIDE, SAME, Operation, voronoi_cell
@@ -71,7 +71,8 @@ class Site:
         """(2,) of the translations; None where the lattice is named after its sites."""
         if self.position is not None:
             found = np.linalg.solve(vectors.T, np.array(self.position))
-            return np.where(np.abs(found - np.round(found)) < SAME, np.round(found), found) + 0.0
+            rounded = (np.abs(found - np.round(found)) < SAME) & (found < 1)
+            return np.where(rounded, np.round(found) % 1.0, found)
         return None if self.at is None else np.array(self.at)
 
 
@@ -205,28 +206,28 @@ def placed_tiles(
     pillars: Sequence[Pillar | None],
     plate: tuple[float, Material],
     half_turn: SiteMap | None,
-) -> tuple[Placed, ...]:
+) -> tuple[PlacedTile, ...]:
     """A tile for each site, in its place; equal ones are one object, turned.
 
     A turned tile has its own axes, along its mirrors where it has any, if the material allows for it. The
     half-turn of the cell takes a tile to the same one turned by just that.
     """
     thickness, material = plate
-    made: list[Placed] = []
+    made: list[PlacedTile] = []
     for number, (outline, position) in enumerate(zip(outlines, positions, strict=True)):
         if half_turn is not None and half_turn.image[number] < number:
             other = made[half_turn.image[number]]
-            made.append(Placed(other.tile, HALF_TURNED @ other.turn, position))
+            made.append(PlacedTile(other.tile, HALF_TURNED @ other.turn, position))
             continue
         mine = [one for one in made if one.tile.pillar == pillars[number]]
         tile, turn = _like(outline, [one.tile for one in mine], material) or _upright(
             outline, thickness, material, pillars[number]
         )
-        made.append(Placed(tile, turn, position))
+        made.append(PlacedTile(tile, turn, position))
     return tuple(made)
 
 
-def _like(outline: Array, tiles: Sequence[Tile], material: Material) -> tuple[Tile, Array] | None:
+def _like(outline: Array, tiles: Sequence[TileShape], material: Material) -> tuple[TileShape, Array] | None:
     """One of some tiles, and the turn, that a polygon is the image of."""
     for tile in tiles:
         if len(tile.corners) != len(outline):
@@ -285,7 +286,7 @@ def _turn(angle: float) -> Array:
     return np.where(np.abs(turn - near) < SAME, near, turn) if np.abs(turn - near).max() < SAME else turn
 
 
-def check_tiles(tiles: Sequence[Placed], given: int, pitch: float, least: float) -> None:
+def check_tiles(tiles: Sequence[PlacedTile], given: int, pitch: float, least: float) -> None:
     """Refuse sites that are one, sides of tiles that are next to nothing, and pillars that touch a side.
 
     given : tables of sites in the study, 0 where all pillars are one
@@ -314,9 +315,11 @@ def check_tiles(tiles: Sequence[Placed], given: int, pitch: float, least: float)
                 at=f"{at}.pillar.section" if number <= given else "pillar.section",
             )
         if tile.clearance < least:
-            room = 2 * (tile.inradius - least) - 2 * (pillar.widest - pillar.radius)
+            beyond = 2 * (pillar.widest - pillar.radius)
+            room = 2 * (tile.inradius - least) - beyond
             raise problem(
-                f"{pillar.diameter * 1e3:g} mm wide, {2 * pillar.widest * 1e3:.4g} mm where it is widest",
+                f"{pillar.diameter * 1e3:g} mm wide"
+                + (f", and {beyond * 1e3:.4g} mm more where it is widest" if beyond else ""),
                 f"less than {room * 1e3:.4g} mm wide, so that a hundredth of the pitch stays free up to half-"
                 "way to the next site",
                 "the pillar overlaps the next one, or touches the edge half-way to it",

@@ -24,7 +24,7 @@ SHEET = 0.08  # thickness, in half pitches, below which a plate is thin
 SHEET_CLEARANCE = 3.0  # and so narrow a neck, in thicknesses, that it is none
 
 
-class Tile:
+class TileShape:
     """What a mesh has to know of a piece of plate; the pillar's axis is the origin.
 
     corners : (sides, 2) of the polygon, anticlockwise, m
@@ -115,8 +115,8 @@ class Tile:
 
 
 @dataclass(frozen=True)
-class SiteTile(Tile):
-    """What lies nearer to one site of a cell than to any other, in axes of its own; see `Tile`."""
+class SiteTile(TileShape):
+    """What lies nearer to one site of a cell than to any other, in axes of its own; see `TileShape`."""
 
     outline: tuple[tuple[float, float], ...]
     period: float
@@ -134,13 +134,13 @@ class SiteTile(Tile):
 
 
 @dataclass(frozen=True, eq=False)
-class Placed:
+class PlacedTile:
     """A tile in its place in a cell: turned about the normal, then moved.
 
     turn : (3, 3) from the tile's axes to the cell's; position : (2,) of the tile's origin, m
     """
 
-    tile: Tile
+    tile: TileShape
     turn: Array
     position: Array
 

@@ -21,7 +21,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from haptonic.bloch.exact import ExactModes
-from haptonic.cell import HexMesh, Placed, UnitCell, mesh_cell
+from haptonic.cell import HexMesh, PlacedTile, UnitCell, mesh_cell
 from haptonic.cell.quadrature import lobatto
 from haptonic.design.parameters import UNITS, values_of
 from haptonic.errors import GeometryError
@@ -112,7 +112,7 @@ def _beside(cell: UnitCell, path: str) -> tuple[UnitCell, UnitCell, float]:
 
 
 def _velocities(
-    shared: FoldedMesh, placed: Placed, number: int, ahead: UnitCell, behind: UnitCell, apart: float
+    shared: FoldedMesh, placed: PlacedTile, number: int, ahead: UnitCell, behind: UnitCell, apart: float
 ) -> tuple[Array, Array]:
     """Of the nodes (nodes, 3) of a tile and of the map from its trace to its levels, per unit of a parameter.
 

@@ -21,7 +21,7 @@ import numpy as np
 import scipy.linalg as la
 from numpy.typing import NDArray
 
-from haptonic.cell import HexMesh, MeshPlan, Tile
+from haptonic.cell import HexMesh, MeshPlan, TileShape
 from haptonic.solvers import Solver, definite
 from haptonic.superelement.folded import FoldedMesh
 from haptonic.superelement.interior import CraigBampton, reduced
@@ -48,7 +48,7 @@ class Superelement:
     measures : what characterises motion, if it was asked for
     """
 
-    cell: Tile
+    cell: TileShape
     mesh: HexMesh
     levels: int
     stiffness: Array
@@ -92,7 +92,7 @@ def on_each(form: Fields, fields: Fields) -> Array:
 
 
 def condense(
-    cell: Tile, plan: MeshPlan, steps: int = 2, *, block: int = 10, measured: bool = True
+    cell: TileShape, plan: MeshPlan, steps: int = 2, *, block: int = 10, measured: bool = True
 ) -> Superelement:
     """Condense a cell onto its lateral faces.
 
@@ -122,7 +122,7 @@ def condensed(shared: FoldedMesh, steps: int, *, block: int, measured: bool) -> 
 
 
 def assembled(
-    cell: Tile, mesh: HexMesh, levels: int, pieces: Sequence[CondensedClass], sizes: Array | None
+    cell: TileShape, mesh: HexMesh, levels: int, pieces: Sequence[CondensedClass], sizes: Array | None
 ) -> Superelement:
     """The superelement that consists of given classes; measured ones come with the sizes of the sections."""
     measures = None

@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from haptonic.cell import Placed, UnitCell
+from haptonic.cell import PlacedTile, UnitCell
 from haptonic.cell.tile import HALF_TURNED
 from haptonic.errors import GeometryError
 from haptonic.lattice import HALF_TURN, Operation
@@ -57,13 +57,13 @@ class Joint:
     """
 
     cell: UnitCell
-    placed: tuple[Placed, ...]
+    placed: tuple[PlacedTile, ...]
     levels: int
     position: Array
     ends: Ints
 
     @classmethod
-    def of(cls, cell: UnitCell, placed: Sequence[Placed], rims: Sequence[Array], levels: int) -> Joint:
+    def of(cls, cell: UnitCell, placed: Sequence[PlacedTile], rims: Sequence[Array], levels: int) -> Joint:
         """Join tiles, given the places (n, 3) of their rims in their own axes, m.
 
         Raises

@@ -9,7 +9,7 @@ from typing import Any, Protocol
 import numpy as np
 from numpy.typing import NDArray
 
-from haptonic.cell import Tile, Topology
+from haptonic.cell import TileShape, Topology
 from haptonic.superelement.symmetry import DIAGONAL
 from haptonic.superelement.trace import FoldedTrace, TraceOperation
 
@@ -25,7 +25,7 @@ class DiagonalImage:
     moved: NDArray[np.int64]
 
     @classmethod
-    def of(cls, tile: Tile, topology: Topology, levels: int) -> DiagonalImage:
+    def of(cls, tile: TileShape, topology: Topology, levels: int) -> DiagonalImage:
         sides = tile.moved_sides(DIAGONAL)
         assert sides is not None, "no square"
         return cls(TraceOperation.of(tile, topology, levels, DIAGONAL), topology.permutation(sides))

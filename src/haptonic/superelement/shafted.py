@@ -15,7 +15,7 @@ import numpy as np
 import scipy.linalg as la
 from numpy.typing import NDArray
 
-from haptonic.cell import HexMesh, MeshPlan, Tile, mesh_cell
+from haptonic.cell import HexMesh, MeshPlan, TileShape, mesh_cell
 from haptonic.cell.edges import FOOT_LAYER
 from haptonic.cell.topology import Topology, topology_of
 from haptonic.solvers import Solver, definite
@@ -39,7 +39,7 @@ KEPT_FEET = 4  # that wait for the next design with the same
 
 @definite()
 def condense_by_parts(
-    cell: Tile, plan: MeshPlan, steps: int = 2, *, block: int = 10, measured: bool = True
+    cell: TileShape, plan: MeshPlan, steps: int = 2, *, block: int = 10, measured: bool = True
 ) -> Superelement:
     """Condense a cell onto its lateral faces, its pillar's shaft apart where it is a prism.
 
@@ -59,7 +59,7 @@ def condense_by_parts(
     return assembled(cell, mesh, foot.levels, [joined[q] for q in sorted(joined)], sizes)
 
 
-def shaft_of(cell: Tile, mesh: HexMesh) -> Shaft | None:
+def shaft_of(cell: TileShape, mesh: HexMesh) -> Shaft | None:
     """The shaft of a cell's pillar, which starts where the mesh's second layer above the thin ones does."""
     pillar, plan = cell.pillar, mesh.topology.plan
     if pillar is None or pillar.draft or pillar.step or plan.pillar_layers < 2:
@@ -120,7 +120,9 @@ def _below_shaft(plan: MeshPlan) -> Topology:
     return topology_of(replace(plan, pillar_layers=1))
 
 
-def _foot_below(cell: Tile, mesh: HexMesh, shaft: Shaft, steps: int, block: int, measured: bool) -> _Foot:
+def _foot_below(
+    cell: TileShape, mesh: HexMesh, shaft: Shaft, steps: int, block: int, measured: bool
+) -> _Foot:
     """The foot of a shaft, made or found again; nodes are numbered from the flat face up, its own first."""
     topology = _below_shaft(mesh.topology.plan)
     points = mesh.points[: topology.nodes]

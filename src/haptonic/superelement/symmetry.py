@@ -13,7 +13,7 @@ from itertools import product
 import numpy as np
 from numpy.typing import NDArray
 
-from haptonic.cell import Tile, Topology
+from haptonic.cell import TileShape, Topology
 from haptonic.cell.tile import HALF_TURNED, Sides
 
 Ints = NDArray[np.int64]
@@ -24,13 +24,13 @@ MIRRORS = np.diag([-1.0, 1.0, 1.0]), np.diag([1.0, -1.0, 1.0])  # across x and a
 DIAGONAL = np.array([[0.0, 1.0, 0.0], [1.0, 0.0, 0.0], [0.0, 0.0, 1.0]])  # exchanges x and y
 
 
-def folds_of(tile: Tile) -> Folds:
+def folds_of(tile: TileShape) -> Folds:
     """The mirrors across x and y that a tile has, or else its half-turn, or else nothing."""
     mirrors = tuple(_fold(tile, turn) for turn in MIRRORS if tile.has_symmetry(turn))
     return mirrors or tuple(_fold(tile, turn) for turn in (HALF_TURNED,) if tile.has_symmetry(turn))
 
 
-def _fold(tile: Tile, turn: NDArray[np.float64]) -> tuple[Sides, tuple[int, int, int]]:
+def _fold(tile: TileShape, turn: NDArray[np.float64]) -> tuple[Sides, tuple[int, int, int]]:
     sides, (x, y, z) = tile.moved_sides(turn), np.diag(turn).astype(int)
     assert sides is not None
     return sides, (int(x), int(y), int(z))

@@ -16,7 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.linalg import block_diag
 
-from haptonic.cell import HexMesh, MeshPlan, Placed, Tile, UnitCell
+from haptonic.cell import HexMesh, MeshPlan, PlacedTile, TileShape, UnitCell
 from haptonic.lattice import HALF_TURN
 from haptonic.superelement.condense import Superelement, condensed
 from haptonic.superelement.dynamic import DynamicStiffness, dynamic_stiffness
@@ -43,7 +43,7 @@ class Tiling:
     tiles: tuple[Superelement, ...]
 
     @classmethod
-    def of(cls, cell: UnitCell, placed: Sequence[Placed], tiles: Sequence[Superelement]) -> Tiling:
+    def of(cls, cell: UnitCell, placed: Sequence[PlacedTile], tiles: Sequence[Superelement]) -> Tiling:
         """Join condensed tiles in their places; each its own, or the same several times.
 
         Raises
@@ -70,7 +70,7 @@ class Tiling:
         plans : of each tile; parameters else as for `condense`
         """
 
-        def condense(tile: Tile, plan: MeshPlan) -> Superelement:
+        def condense(tile: TileShape, plan: MeshPlan) -> Superelement:
             return condense_by_parts(tile, plan, steps, block=directions(tile, block), measured=measured)
 
         return cls.of(cell, cell.tiles, _each(cell.tiles, plans, condense))
@@ -199,7 +199,7 @@ class Tiling:
 
 
 def _each(
-    placed: Sequence[Placed], plans: Sequence[MeshPlan], made: Callable[[Tile, MeshPlan], Any]
+    placed: Sequence[PlacedTile], plans: Sequence[MeshPlan], made: Callable[[TileShape, MeshPlan], Any]
 ) -> list[Any]:
     """``made(tile, plan)`` for each tile; equal ones share it."""
     kept: dict[tuple[int, MeshPlan], Any] = {}
@@ -209,7 +209,7 @@ def _each(
     return [kept[id(one.tile), plan] for one, plan in zip(placed, plans, strict=True)]
 
 
-def directions(tile: Tile, block: int) -> int:
+def directions(tile: TileShape, block: int) -> int:
     """Size of the blocks of a tile's Krylov space: one symmetry class gets as many in all as two do."""
     return block if folds_of(tile) else 2 * block
 

@@ -13,7 +13,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from haptonic.cell import MeshPlan, Tile, Topology
+from haptonic.cell import MeshPlan, TileShape, Topology
 from haptonic.superelement.symmetry import Folding
 
 Array = NDArray[np.float64]
@@ -124,7 +124,7 @@ class TraceOperation:
     levels: int
 
     @classmethod
-    def of(cls, tile: Tile, topology: Topology, levels: int, turn: Array) -> TraceOperation:
+    def of(cls, tile: TileShape, topology: Topology, levels: int, turn: Array) -> TraceOperation:
         """An operation (3, 3) on space that is its own inverse and leaves the tile as it is."""
         sides = tile.moved_sides(turn)
         assert sides is not None, "no symmetry of this tile"
