@@ -32,7 +32,7 @@ ALLOWED: dict[str, set[str]] = {
     "jobs": BASE | {"store"},
     "cell": BASE | {"materials", "lattice", "brillouin"},
     "elements": {"cell", "materials"},
-    "superelement": {"solvers", "elements", "cell", "lattice", "materials"},
+    "superelement": {"cell", "elements", "errors", "lattice", "materials", "solvers"},
     "bloch": {
         "superelement",
         "cell",

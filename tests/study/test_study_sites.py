@@ -9,12 +9,13 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from haptonic.analyses import design, export, layers, waveguide
-from haptonic.cell import Pillar, Site, UnitCell
+from haptonic.cell import Pillar, Site, Step, UnitCell
+from haptonic.fields import table
 from haptonic.design.parameters import values_of
 from haptonic.errors import GeometryError, HaptonicError
 from haptonic.lattice import Lattice
 from haptonic.materials import material
-from haptonic.study import loads
+from haptonic.study import Study, loads
 
 STUDY = """
 title = "Sites"
@@ -52,6 +53,30 @@ pillar = { diameter = "1 mm", height = "4 mm" }
 SQUARE = STUDY.replace("honeycomb", "square")
 ALUMINIUM = material("aluminium-2017a")
 MM = 1e-3
+KEYS = table(Study)
+
+
+def test_a_site_has_all_keys_of_a_pillar():
+    whole = SQUARE + """
+[[cell.site]]
+at = [0.25, "1/4"]
+[cell.site.pillar]
+diameter = "3 mm"
+height = "9 mm"
+section = "round"
+draft = "1 deg"
+fillet = "0.2 mm"
+[cell.site.pillar.step]
+diameter = "1.5 mm"
+height = "5 mm"
+"""
+    (site,) = loads(whole).cell.site
+    assert site.at == (0.25, 0.25)
+    assert site.pillar == Pillar(
+        "3 mm", "9 mm", "round", np.radians(1), "0.2 mm", Step("1.5 mm", "5 mm")
+    )
+    known = {path.removeprefix("cell.site[].") for path in KEYS if path.startswith("cell.site[].pillar.")}
+    assert known == {path.removeprefix("cell.") for path in KEYS if path.startswith("cell.pillar.")}
 
 
 @pytest.mark.parametrize("text", [STUDY + UNEQUAL, STUDY + EQUAL, SQUARE + FREE, STUDY])
