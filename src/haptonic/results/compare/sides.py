@@ -34,7 +34,7 @@ LENGTHS = {"rad/m": 1.0, "1/m": 1.0, "rad/mm": 1e3}
 
 
 @dataclass(frozen=True, eq=False)
-class Side:
+class BandSet:
     """Bands along a path.
 
     name : how it is called
@@ -68,10 +68,10 @@ class Side:
         }
 
 
-def of_dataset(name: str, data: xr.Dataset) -> Side:
+def of_dataset(name: str, data: xr.Dataset) -> BandSet:
     """Bands that haptonic computed."""
     corners = data["distance"].values[json.loads(data.attrs["path_corners"])]
-    return Side(
+    return BandSet(
         name,
         np.interp(data["distance"].values, corners, np.arange(len(corners))),
         np.sort(data["frequency"].values, axis=1),
@@ -104,7 +104,7 @@ def of_file(path: Path) -> xr.Dataset:
     return data
 
 
-def of_table(path: Path, along: xr.Dataset, wavevector: str | None, frequency_unit: str | None) -> Side:
+def of_table(path: Path, along: xr.Dataset, wavevector: str | None, frequency_unit: str | None) -> BandSet:
     """Bands of a text file, on the path of ours.
 
     Parameters
@@ -137,7 +137,7 @@ def of_table(path: Path, along: xr.Dataset, wavevector: str | None, frequency_un
     frequency = np.full((len(rows), max(map(len, rows))), np.nan)
     for row, found in zip(frequency, rows, strict=True):
         row[: len(found)] = found
-    return Side(
+    return BandSet(
         path.stem, np.unique(position), frequency, tuple(json.loads(along.attrs["path_labels"])), (), {}, ours=False
     )
 

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from haptonic import plots
 from haptonic.results.common import stamped
-from haptonic.results.compare.sides import Side
+from haptonic.results.compare.sides import BandSet
 from haptonic.results.result import Result, figure
 from haptonic.results.table import Cell, Column, Table
 from haptonic.units import format_quantity
@@ -36,8 +36,8 @@ class Comparison(Result):
     title = "Comparison"
     data_file = "compare"
 
-    first: Side
-    second: Side
+    first: BandSet
+    second: BandSet
     units: Mapping[str, str] = field(default_factory=dict)
 
     @property
@@ -174,7 +174,7 @@ class Comparison(Result):
         )
 
 
-def _edges(side: Side) -> dict[tuple[int, int], tuple[float, float]]:
+def _edges(side: BandSet) -> dict[tuple[int, int], tuple[float, float]]:
     return {gap.between: (gap.lower, gap.upper) for gap in side.gaps} if side.ours else side.on_path()
 
 
