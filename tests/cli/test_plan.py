@@ -72,7 +72,7 @@ class TestPlan:
         ran = inside(command, path, "--dry-run")
         assert ran.code == 0, ran.err
         cost = FORECASTS[command].cost(haptonic.load(path), None)
-        assert cost.words in ran.out.replace("\n", " ")
+        assert cost.sentence in ran.out.replace("\n", " ")
         told = inside(command, path, "--dry-run", "--json").json
         assert (told["processor_s"], told["memory_b"]) == (cost.seconds, cost.memory)
         assert [one.name for one in tmp_path.iterdir()] == ["mine.toml"]

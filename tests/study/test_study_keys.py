@@ -11,7 +11,7 @@ from haptonic.fields.keys import leaves
 from haptonic.study import Study, load, loads
 
 KEYS = table(Study)
-# which the study with every key, a rectangular cell with one pillar, cannot have; for sites see test_study_sites
+# that a rectangular cell with one pillar cannot have; for those of sites see test_study_sites
 OF_OTHERS = {"cell.pitch_2", "cell.angle", *(path for path in KEYS if path.startswith("cell.site[]."))}
 
 
@@ -62,7 +62,8 @@ def test_declared_once_and_read_everywhere():
     assert KEYS["sweep"].kind == "tables"
 
 
-@pytest.mark.parametrize("path", [path for path, key in KEYS.items() if key.required and path not in OF_OTHERS]
+@pytest.mark.parametrize(
+    "path", [path for path, key in KEYS.items() if key.required and path not in OF_OTHERS]
 )
 def test_required_keys_are_those_that_cannot_be_left_out(path, every_key_text):
     *sections, name = re.split(r"\[?\]?\.", path)

@@ -114,7 +114,7 @@ def answered(analysis: Analysis, given: dict[str, Any]) -> None:
         forecast = FORECASTS.get(analysis.name)
         cost = forecast.cost(study, options) if forecast and study else None
         if cost and dry:
-            voice.tell(cost.words)
+            voice.tell(cost.sentence)
             voice.answer({"processor_s": cost.seconds, "memory_b": cost.memory})
             return
         about = path_of(options) if analysis.study != "needed" else file
@@ -122,7 +122,7 @@ def answered(analysis: Analysis, given: dict[str, Any]) -> None:
         folder = folder_for(about, out, json and not analysis.writes, analysis.folder or analysis.name)
         refuse_taken(folder, taken(folder, analysis.names(options, about.stem)), overwrite=overwrite)
         if cost and cost.seconds >= LONG:
-            voice.say(cost.words)
+            voice.say(cost.sentence)
         with voice.counted(analysis.doing or analysis.name) as progress:
             runner = Runner(Store.default(), workers, scheduler, progress, about, folder)
             result = analysis.compute(study, options, runner)

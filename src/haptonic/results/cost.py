@@ -41,7 +41,7 @@ class Cost:
         return f"{max(_round(self.memory / 1e9), 0.1):g} GB"
 
     @property
-    def words(self) -> str:
+    def sentence(self) -> str:
         """A sentence."""
         return f"About {self.time} of processor time and {self.gigabytes}; less if parts are in the store."
 
