@@ -290,7 +290,7 @@ def test_measures_are_energies_of_the_lifted_field(cell):
     strain = np.einsum("ik,ik->k", flat.conj(), K @ flat).real
     assert energy(measures.pillar_stiffness) == pytest.approx(strain)
 
-    sections = measures.sections
+    (sections,) = measures.sections
     momentum = sections.motion @ fields
     for level, height in enumerate(sections.height):
         here = np.abs(z - height) < 1e-9

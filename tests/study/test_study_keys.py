@@ -12,7 +12,8 @@ from haptonic.study import Study, load, loads
 
 KEYS = table(Study)
 # that a rectangular cell with one pillar cannot have; for those of sites see test_study_sites
-OF_OTHERS = {"cell.pitch_2", "cell.angle", *(path for path in KEYS if path.startswith("cell.site[]."))}
+OF_SITES = {path for path, key in KEYS.items() if path.startswith("cell.site[].") and key.kind != "table"}
+OF_OTHERS = {"cell.pitch_2", "cell.angle"} | OF_SITES
 
 
 def paths_of(data, prefix=""):
