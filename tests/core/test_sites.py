@@ -118,9 +118,11 @@ def test_equal_tiles_are_one_object(name, distinct, sides):
 def test_turned_tiles_have_the_bands_of_tiles_in_the_axes_of_the_cell(name):
     """Condensed once and turned, or each by itself on a mesh of its own orientation."""
     cell = CELLS[name]
-    upright = [
-        PlacedTile(cell.tile_along(n, np.eye(3)), np.eye(3), one.position) for n, one in enumerate(cell.tiles)
-    ]
+    upright = []
+    for number, one in enumerate(cell.tiles):
+        outline = tuple((float(x), float(y)) for x, y in cell.outlines[number])
+        tile = replace(one.tile, outline=outline)
+        upright.append(PlacedTile(tile, np.eye(3), one.position))
     plans = [COARSE.plan(one.tile) for one in upright]
     alone = replace(cell)
     alone.__dict__["tiles"] = tuple(upright)

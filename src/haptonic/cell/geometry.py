@@ -153,11 +153,14 @@ class UnitCell(TileShape):
             self.site_map(HALF_TURN),
         )
 
-    def tile_along(self, number: int, turn: Array) -> TileShape:
-        """The tile of a site in axes that are turned (3, 3), whatever its own symmetry would ask for."""
+    def tile_like(self, number: int, placed: PlacedTile) -> TileShape:
+        """The tile of a site in the axes of another, of whose corners its own are numbered alike."""
         if self.is_simple:
             return self
-        return site_tile(self.outlines[number], turn, self.thickness, self.material, self.pillars[number])
+        outline, turn = self.outlines[number], placed.turn
+        away = np.linalg.norm(outline @ turn[:2, :2] - placed.tile.corners[0], axis=1)
+        outline = np.roll(outline, -int(away.argmin()), axis=0)
+        return site_tile(outline, turn, self.thickness, self.material, self.pillars[number])
 
     @cached_property
     def outlines(self) -> list[Array]:

@@ -104,10 +104,24 @@ def _by_scale(path: str, material: Material, values: Array, count: int) -> Field
 
 
 def _beside(cell: UnitCell, path: str) -> tuple[UnitCell, UnitCell, float]:
-    """Cells in which a parameter is a little larger and smaller, and how far the two are apart."""
+    """Cells in which a parameter is a little larger and smaller, and how far the two are apart.
+
+    Raises
+    ------
+    GeometryError : one of them is not possible, such as where four tiles meet in a point no more
+    """
     here = values_of(cell)[path]
     step = STEP * (1.0 if UNITS[path] == "rad" else here)
-    ahead, behind = (cell.with_numbers({path: here + sign * step}) for sign in (1, -1))
+    try:
+        ahead, behind = (cell.with_numbers({path: here + sign * step}) for sign in (1, -1))
+    except GeometryError as error:
+        raise GeometryError(
+            argument=path,
+            given=error.given,
+            allowed=f"a number that can be a little larger and smaller; {error.allowed}",
+            cause=f"there is no slope with it: {error.cause}",
+            next_step="leave it out, or move the design away from this limit by a hundredth",
+        ) from None
     return ahead, behind, 2 * step
 
 
@@ -117,23 +131,12 @@ def _velocities(
     """Of the nodes (nodes, 3) of a tile and of the map from its trace to its levels, per unit of a parameter.
 
     Differences of smooth closed formulas, good to ten digits; the tile keeps its axes.
-
-    Raises
-    ------
-    GeometryError : four tiles or more meet in a point, and the parameter parts them
     """
     plan = shared.mesh.topology.plan
     meshes = []
     for cell in (ahead, behind):
-        tile = cell.tile_along(number, placed.turn)
-        if len(tile.corners) != plan.sides:
-            raise GeometryError(
-                argument="cell.site",
-                given="tiles of which more than three meet in a point",
-                allowed="sites whose tiles keep their sides when a size of the lattice changes a little",
-                cause="with another size of the lattice they would have more sides, so there is no slope",
-                next_step="leave sizes of the lattice out, or move a site by a hundredth of the pitch",
-            )
+        tile = cell.tile_like(number, placed)
+        assert len(tile.corners) == plan.sides, "a tile keeps its sides"
         mesh = mesh_cell(tile, plan)
         meshes.append((mesh.points, through_levels(tile, mesh, shared.levels)))
     (here, map_ahead), (there, map_behind) = meshes
