@@ -100,9 +100,9 @@ def test_the_polynomials_are_orthonormal_over_the_section(section, degree):
         y = np.outer(radius, np.sin(turn)).ravel()
         weight = np.repeat(0.5 * weights * radius, 40) * 2 * np.pi / 40
     for parity in PARITIES:
-        values = body.over_section(parity, RADIUS * x, RADIUS * y)
+        values = body.over_section((parity,), RADIUS * x, RADIUS * y)
         assert (values.T * weight) @ values == pytest.approx(np.eye(body.shapes), abs=1e-9)
-        turned = body.over_section(parity, -RADIUS * x, RADIUS * y)
+        turned = body.over_section((parity,), -RADIUS * x, RADIUS * y)
         assert turned == pytest.approx((-1) ** parity[0] * values)
 
 
