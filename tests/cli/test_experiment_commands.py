@@ -120,9 +120,9 @@ class TestProtocol:
         named = study(PLATE, (TABLE, '[protocol]\ndriven = "far"\nidle = "right"\n[[sweep]]'))
         assert inside("protocol", named, "--json").json["waveguides"] == ["far", "right"]
         wrong = study(PLATE, (TABLE, '[protocol]\nidle = "lift"\n[[sweep]]'))
-        assert_five_parts(inside("protocol", wrong), "protocol.idle", 'write "left"')
+        assert_five_parts(inside("protocol", wrong), code="unknown", argument="protocol.idle")
         single = study(PLATE, ("o11o2o3o", "o11o"), (', 2 = "right", 3 = "far"', ""), ('"right"', '"left"'))
-        assert_five_parts(inside("protocol", single), "single region")
+        assert_five_parts(inside("protocol", single), code="missing", argument="protocol.idle")
 
     @pytest.mark.parametrize(
         ("change", "words"),
@@ -144,11 +144,18 @@ class TestProtocol:
     def test_nothing_is_overwritten_unasked(self, inside, study, tmp_path):
         path = study(SMALL)
         assert inside("protocol", path, "--out", tmp_path / "plan").code == 0
-        assert_five_parts(inside("protocol", path, "--out", tmp_path / "plan"), "output file")
+        assert_five_parts(
+            inside("protocol", path, "--out", tmp_path / "plan"), code="repeated", argument="output file"
+        )
         assert inside("protocol", path, "--out", tmp_path / "plan", "--overwrite").code == 0
         (tmp_path / "other").mkdir()
         (tmp_path / "other" / "power.png").touch()
-        assert_five_parts(inside("protocol", path, "--out", tmp_path / "other"), "power.png")
+        assert_five_parts(
+            inside("protocol", path, "--out", tmp_path / "other"),
+            "power.png",
+            code="repeated",
+            argument="output file",
+        )
         assert len(list((tmp_path / "other").iterdir())) == 1
 
 
@@ -274,11 +281,17 @@ class TestTwin:
             bad.write_text(text)
             assert_five_parts(inside("twin", "friction", path, *folder, "--from", bad), *words)
         none = tmp_path / "none.json"
-        assert_five_parts(inside("twin", "friction", path, *folder, "--from", none), "no such file")
-        assert_five_parts(inside("twin", "friction", path, *folder, "--participants", 0), "participants")
+        assert_five_parts(
+            inside("twin", "friction", path, *folder, "--from", none), code="unreadable", argument="--from"
+        )
+        assert_five_parts(
+            inside("twin", "friction", path, *folder, "--participants", 0),
+            code="out-of-range",
+            argument="participants",
+        )
         still = study(SMALL, ('carrier = "60 kHz"\n', ""), name="still.toml")
-        assert_five_parts(inside("twin", "friction", still, *folder), "carrier")
+        assert_five_parts(inside("twin", "friction", still, *folder), code="missing", argument="carrier")
         assert not (tmp_path / "twin").exists()
         (tmp_path / "twin").mkdir()
         (tmp_path / "twin" / "truth.json").touch()
-        assert_five_parts(inside("twin", "friction", path, *folder), "output file")
+        assert_five_parts(inside("twin", "friction", path, *folder), code="repeated", argument="output file")

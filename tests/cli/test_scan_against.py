@@ -92,7 +92,10 @@ def test_one_command_gives_maps_gap_and_verdict(inside, folder, tmp_path):
     )
     assert again.json["agreement"]["model as given"]["unexplained"] == pytest.approx(after, rel=1e-3)
     assert_five_parts(
-        inside("scan", folder / "scan.h5", "--against", folder / "wrong.toml", "--out", out), "response.nc"
+        inside("scan", folder / "scan.h5", "--against", folder / "wrong.toml", "--out", out),
+        "response.nc",
+        code="repeated",
+        argument="output file",
     )
 
 
@@ -124,7 +127,7 @@ def test_the_path_is_taken_out_only_once(folder, store_folder):
 def test_files_of_a_verdict_in_the_way_stop_it_before_the_work(inside, folder, tmp_path):
     (tmp_path / "fitted.toml").write_text("mine")
     ran = inside("scan", folder / "scan.h5", "--against", folder / "true.toml", "--out", tmp_path)
-    assert_five_parts(ran, "fitted.toml")
+    assert_five_parts(ran, "fitted.toml", code="repeated", argument="output file")
     assert [file.name for file in tmp_path.iterdir()] == ["fitted.toml"]
 
 

@@ -283,7 +283,12 @@ class TestTwin:
             )
 
     def test_it_does_not_replace_a_scan(self, inside, tiny, answer, recorded):
-        assert_five_parts(inside("twin", "scan", tiny, "--from", answer, "--out", recorded), "scan.h5")
+        assert_five_parts(
+            inside("twin", "scan", tiny, "--from", answer, "--out", recorded),
+            "scan.h5",
+            code="repeated",
+            argument="output file",
+        )
 
 
 class TestScan:
@@ -301,7 +306,12 @@ class TestScan:
         with (out / "points.csv").open() as text:
             rows = list(csv.DictReader(text))
         assert {row["origin"] for row in rows} == {"simulated"}
-        assert_five_parts(inside("scan", recorded / "scan.h5", tiny, "--out", out), "response.nc")
+        assert_five_parts(
+            inside("scan", recorded / "scan.h5", tiny, "--out", out),
+            "response.nc",
+            code="repeated",
+            argument="output file",
+        )
 
     def test_without_a_study_it_does_what_needs_no_plate(self, inside, recorded, tmp_path):
         ran = inside("scan", recorded / "scan.h5", "--segment", "3 ms", "--out", tmp_path / "out", "--json",

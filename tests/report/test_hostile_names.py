@@ -13,6 +13,7 @@ import pytest
 import xarray as xr
 from test_report import read, results
 
+from five_parts import refusing
 from haptonic import plots
 from haptonic.analyses import scanning
 from haptonic.cli.console import Voice
@@ -122,7 +123,9 @@ def test_pages_hold_text_only(trials, monkeypatch):
 
 
 def test_the_word_for_all_people_is_nobody_s_name():
-    with pytest.raises(FrictionError, match="stands for all of them"):
+    with refusing(
+        FrictionError, "malformed", "participant of participant all participants, block 1, trial 1"
+    ):
         Label("all participants", 1, 1, "WG1", "on")
 
 

@@ -7,6 +7,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from five_parts import refusing
 from haptonic.analyses import scanning
 from haptonic.errors import HaptonicWarning, ScanError
 from haptonic.report import Absent, Chapter, Results
@@ -84,5 +85,5 @@ def test_without_a_scan_there_is_no_chapter(study, plate):
 def test_lines_that_no_periodic_drive_has_are_refused(study, plate):
     for shift in (30.0, -30.0):
         moved = plate.response.dataset.assign_coords(frequency=plate.response.frequency + shift)
-        with pytest.raises(ScanError, match=r"multiples of their distance"):
+        with refusing(ScanError, "out-of-range", "plate.response"):
             scanning.rescanned(study, replace(plate, response=FrequencyResponse(moved)))

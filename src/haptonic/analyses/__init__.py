@@ -9,8 +9,7 @@ from __future__ import annotations
 from importlib import import_module
 
 from haptonic.analyses.analysis import Analysis
-from haptonic.errors import StudyError, nearest
-from haptonic.units import shown
+from haptonic.errors import StudyError
 
 # in the order of the help; "twin scan" is the module twin_scan
 NAMES = (
@@ -42,14 +41,7 @@ def analysis(name: str) -> Analysis:
     StudyError : there is none of this name
     """
     if name not in NAMES:
-        guess = nearest(name, NAMES)
-        raise StudyError(
-            argument="name of the analysis",
-            given=shown(name),
-            allowed=f"one of {', '.join(NAMES)}",
-            cause="there is no such analysis",
-            next_step=f'write "{guess}"' if guess else "choose one of these",
-        )
+        raise StudyError.unknown("name of the analysis", name, NAMES, "there is no such analysis")
     found = import_module(f"haptonic.analyses.{name.replace(' ', '_')}").ANALYSIS
     assert isinstance(found, Analysis), name
     return found

@@ -84,7 +84,7 @@ def _periodic(lines: Array, study: Description) -> ScanSettings:
     spacing = float(lines[-1] - lines[0]) / max(len(lines) - 1, 1)
     first = round(lines[0] / spacing) if spacing else 0
     if first < 1 or abs(lines[0] - first * spacing) > SHIFTED * spacing:
-        raise ScanError(
+        raise ScanError.out_of_range(
             argument="plate.response",
             given=f"{len(lines)} lines from {lines[0]:g} to {lines[-1]:g} Hz",
             allowed="evenly spaced lines at multiples of their distance, as a periodic drive has them",

@@ -26,9 +26,8 @@ RESONANCES = 3  # of the pillar alone
 def check(study: Description, options: NoOptions) -> None:
     """Raise StudyError if the study has no sweep."""
     if not study.sweep_settings:
-        raise StudyError(
+        raise StudyError.missing(
             argument="sweep",
-            given="nothing",
             allowed="at least one [[sweep]] table",
             cause="the study describes a single design",
             next_step='add [[sweep]] with vary = "cell.pillar.diameter / cell.pitch", from, to and steps',

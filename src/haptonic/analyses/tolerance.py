@@ -50,9 +50,8 @@ def compute(study: Description, options: NoOptions, runner: Runner) -> Tolerance
     """
     section = study.tolerance_settings
     if not section.of:
-        raise StudyError(
+        raise StudyError.missing(
             argument="tolerance.of",
-            given="nothing",
             allowed="at least one [[tolerance.of]] table with parameter and spread",
             cause="the study does not say what differs",
             next_step='add [[tolerance.of]] with parameter = "cell.pillar.diameter", spread = "20 um"',
@@ -60,7 +59,7 @@ def compute(study: Description, options: NoOptions, runner: Runner) -> Tolerance
     cell, carrier, count, spreads = study.cell, need_carrier(study), section.samples, section.of
     needed = terms_needed(len(spreads))
     if count < 2 * needed:
-        raise StudyError(
+        raise StudyError.too_few(
             argument="tolerance.samples",
             given=count,
             allowed=f"at least {2 * needed} for {len(spreads)} spreads",
@@ -71,7 +70,7 @@ def compute(study: Description, options: NoOptions, runner: Runner) -> Tolerance
     try:
         designs = samples(cell, spreads, count)
     except HaptonicError as error:
-        raise StudyError(
+        raise StudyError.out_of_range(
             argument="tolerance.of",
             given="spreads that lead to bodies that cannot be",
             allowed=f"spreads of which {REACH:g} times as large ones still make a body",

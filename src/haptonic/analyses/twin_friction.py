@@ -9,12 +9,11 @@ from typing import Any, Literal
 
 from haptonic.analyses.analysis import Analysis, option
 from haptonic.analyses.experiments import protocol_of, truth_of
-from haptonic.errors import FrictionError, ResourceError
+from haptonic.errors import FrictionError, ResourceError, shown
 from haptonic.paths import source
 from haptonic.results.runner import Runner
 from haptonic.results.twin import FrictionTwin, friction_twin
 from haptonic.study.schema import Description
-from haptonic.units import shown
 
 
 def read_amplitudes(given: str | Path) -> dict[str, float]:
@@ -30,7 +29,7 @@ def read_amplitudes(given: str | Path) -> dict[str, float]:
         values: Any = json.loads(path.read_text(encoding="utf-8"))
     except (OSError, ValueError) as error:
         missing = isinstance(error, FileNotFoundError)
-        raise ResourceError(
+        raise ResourceError.unreadable(
             argument="--from",
             given=path,
             allowed='a JSON file such as {"WG1": 1e-6, "WG2": 3e-7}',
@@ -43,7 +42,7 @@ def read_amplitudes(given: str | Path) -> dict[str, float]:
         isinstance(one, int | float) and not isinstance(one, bool) for one in values.values()
     )
     if not numbers or not values:
-        raise FrictionError(
+        raise FrictionError.malformed(
             argument="--from",
             given=shown(values),
             allowed='amplitudes in m by waveguide, such as {"WG1": 1e-6, "WG2": 3e-7}',

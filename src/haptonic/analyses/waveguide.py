@@ -7,12 +7,11 @@ from dataclasses import dataclass
 from haptonic.analyses.analysis import Analysis, option
 from haptonic.analyses.needs import has_mirror, need_carrier
 from haptonic.bloch.settings import WaveguideSettings
-from haptonic.errors import StudyError
+from haptonic.errors import StudyError, shown
 from haptonic.fields import remade
 from haptonic.results.guides import Guides, compute_guides
 from haptonic.results.runner import Runner
 from haptonic.study.schema import Description
-from haptonic.units import shown
 
 
 @dataclass(frozen=True)
@@ -35,7 +34,7 @@ def asked(study: Description, options: WaveguideOptions) -> WaveguideSettings:
     try:
         return remade(own, mode=options.mode)
     except StudyError:
-        raise StudyError(
+        raise StudyError.malformed(
             argument="--mode",
             given=shown(options.mode),
             allowed="nodal lines across, an x, and intervals between nodal lines along, such as 0x17",

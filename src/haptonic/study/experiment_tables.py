@@ -55,11 +55,13 @@ class ProtocolSection:
             number = getattr(self, name)
             if number % 2:
                 raise problem(
+                    "out-of-range",
                     str(number), "an even number", "one condition would have more trials than the other",
                     f"write {number + 1}", at=name,
                 )  # fmt: skip
         if self.driven is not None and self.driven == self.idle:
             raise problem(
+                "conflict",
                 f'"{self.idle}"', "another waveguide than the driven one",
                 "one is compared with the other", "name another one", at="idle",
             )  # fmt: skip

@@ -53,6 +53,7 @@ class SweepSection:
     def __post_init__(self) -> None:
         if self.start == self.stop:
             raise problem(
+                "conflict",
                 format_quantity(self.stop, self.unit),
                 "a last value that differs from the first",
                 "all designs would be the same",

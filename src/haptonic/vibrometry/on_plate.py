@@ -47,7 +47,7 @@ def contrast_range(response: FrequencyResponse, plate: Plate) -> MeasuredGap:
     """
     driven = driven_region(plate)
     if driven is None:
-        raise ScanError(
+        raise ScanError.missing(
             argument="plate.actuator", given="no driven region", allowed="a drive on a region of plain plate",
             cause="the drive lies on the lattice", next_step="add a drive to a region",
         )  # fmt: skip

@@ -63,7 +63,7 @@ BEYOND = 2.0  # times the drive: where that curve ends
 def check_reduction(reduction: float) -> None:
     """Raise StudyError for what is no share of friction that can be taken away."""
     if not 0 < reduction < 1:
-        raise StudyError(
+        raise StudyError.out_of_range(
             argument="reduction",
             given=f"{reduction:g}",
             allowed="a share above 0 and below 1",

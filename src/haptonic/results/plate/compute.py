@@ -80,7 +80,7 @@ def compute_plate(
 
 def _need_loss(plate: Plate) -> None:
     if not plate.loss_factor:
-        raise StudyError(
+        raise StudyError.missing(
             argument="plate.loss_factor",
             given="0",
             allowed="more than 0",

@@ -89,7 +89,7 @@ class Twin(Result):
         plan = plan_for(settings, plate).points
         distance, order = cKDTree(response.points).query(plan)
         if distance.max() > NEAR * settings.grid:
-            raise ScanError(
+            raise ScanError.mismatch(
                 argument="response",
                 given=f"no point within {distance.max() * 1e3:.3g} mm of a planned one",
                 allowed="a response at the points of the scan plan",
@@ -192,7 +192,7 @@ def kind_of(form: str, kind: Kind | None) -> Kind:
         return have[0]
     if kind not in have:
         other = [one for one in FORMATS if one in (TIME if kind == "time" else RESPONSES)]
-        raise ScanError(
+        raise ScanError.conflict(
             argument="--format",
             given=f"{form} with --{kind}",
             allowed=f"with --{kind} one of {', '.join(other)}",
