@@ -116,7 +116,7 @@ def test_attributes_that_hold_json_are_told_as_what_they_hold():
 
 @pytest.mark.parametrize("name", analyses.NAMES)
 def test_no_result_has_a_json_of_its_own(name):
-    kinds = [kind for kind in analyses.analysis(name).result.__mro__ if "to_json" in vars(kind)]
+    kinds = [kind for kind in analyses.named(name).result.__mro__ if "to_json" in vars(kind)]
     assert kinds == [Result]
 
 

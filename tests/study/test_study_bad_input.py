@@ -66,7 +66,7 @@ NAMED_IN_THE_ISSUE = {
 }
 
 NOT_NAMED_THERE = {
-    "unknown key at the top": (("carrier", "carier"), "carier", ['write "carrier"']),
+    "unknown key at the top": (("carrier =", "carier ="), "carier", ['write "carrier"']),
     "unknown table": (("[bands]", "[bnads]"), "bnads", ['write "bands"']),
     "key of another table": (
         (PITCH, PITCH + '\ndiameter = "2 mm"'),

@@ -51,7 +51,7 @@ REFUSED = {
         "least",
     ),
     "no pitch": (lambda: UnitCell(thickness=1e-3, material="steel"), "cell.pitch", "add pitch"),
-    "no material": (lambda: Study(cell={"pitch": 7e-3, "thickness": 1e-3}), "material", "add the name"),
+    "no material": (lambda: Study(cell={"pitch": 7e-3, "thickness": 1e-3}), "material", 'add material = "'),
     "no cell": (lambda: Study(material="steel"), "cell", "add a table"),
     "a material twice": (lambda: Study(cell=CELL, material="steel"), "material", "leave it out"),
     "no such material": (lambda: UnitCell(CELL.lattice, 1e-3, "stel"), "material", 'write "steel"'),

@@ -62,7 +62,7 @@ def nothing(study: Any, options: Any) -> None:
 class Analysis:
     """What can be asked of a study.
 
-    name : of the command and of the method of a study; help : what it gives, a sentence
+    name : of the command and of the method of a study, as in `haptonic.analyses.NAMES`
     result : kind of what it gives
     compute : takes the study, the options and a `Runner`
     options : dataclass of what may be chosen, its fields made by `option`; they are declared nowhere else
@@ -76,7 +76,6 @@ class Analysis:
     """
 
     name: str
-    help: str
     result: type[Result]
     compute: Callable[[Any, Any, Runner], Result]
     options: type[Any] = NoOptions

@@ -32,7 +32,6 @@ def compute(study: Description, options: BandsOptions, runner: Runner) -> Bands:
 
 ANALYSIS = Analysis(
     name="bands",
-    help="Band diagram, gaps and mode shapes of the unit cell.",
     result=Bands,
     compute=compute,
     reported=lambda study: BandsOptions(surface=True),

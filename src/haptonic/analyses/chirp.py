@@ -132,7 +132,6 @@ def compute(study: Description, options: NoOptions, runner: Runner) -> Excitatio
 
 ANALYSIS = Analysis(
     name="chirp",
-    help="The drive of a scan as WAV, CSV and HDF5, and the points in the order of the stage.",
     result=Excitation,
     compute=compute,
 )

@@ -101,7 +101,6 @@ def front(study: Description, best: Design, runner: Runner) -> xr.Dataset:
 
 ANALYSIS = Analysis(
     name="design",
-    help="The cell whose gap holds the carrier with the widest margin, within the study's [design].",
     result=Design,
     compute=compute,
     options=DesignOptions,

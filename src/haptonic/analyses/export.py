@@ -154,8 +154,6 @@ def drawn_tolerances(study: Description, runner: Runner) -> tuple[dict[str, floa
 
 ANALYSIS = Analysis(
     name="export",
-    help="Files for the workshop; all of them if none is named. The drawing has the tolerances found, or "
-    "says why not.",
     result=Workshop,
     compute=compute,
     options=ExportOptions,

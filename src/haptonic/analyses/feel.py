@@ -126,7 +126,6 @@ def amplitude(plate: Plate, voltage: float | None) -> float:
 
 ANALYSIS = Analysis(
     name="feel",
-    help="What a finger feels of the plate: a map of friction, reductions, whether they are noticed.",
     result=Feel,
     compute=compute,
     reported=lambda study: FeelOptions() if has_plate(study) else None,

@@ -71,7 +71,6 @@ def _driven(study: Description | None) -> str | None:
 
 ANALYSIS = Analysis(
     name="friction",
-    help="Coefficients of friction from force records, and what they prove.",
     result=FrictionResult,
     compute=compute,
     options=FrictionOptions,

@@ -29,7 +29,6 @@ def compute(study: Description, options: NoOptions, runner: Runner) -> Layers:
 
 ANALYSIS = Analysis(
     name="layers",
-    help="What rows of cells let through between two plain plates, and how many of them the carrier needs.",
     result=Layers,
     compute=compute,
     reported=lambda study: NoOptions() if has_mirror(study) else None,

@@ -61,7 +61,6 @@ def compute(study: Description, options: PlateOptions, runner: Runner) -> PlateR
 
 ANALYSIS = Analysis(
     name="plate",
-    help="How the finite plate vibrates: response, localisation, energies, impedance, modes.",
     result=PlateResult,
     compute=compute,
     reported=lambda study: PlateOptions() if has_plate(study) else None,

@@ -59,7 +59,6 @@ def compute(study: Description, options: NoOptions, runner: Runner) -> Plan:
 
 ANALYSIS = Analysis(
     name="protocol",
-    help="Order of friction trials: list, printed sheet, metronome, and how many participants are needed.",
     result=Plan,
     compute=compute,
     doing="simulated experiments",

@@ -17,7 +17,7 @@ from typing import Any, TypeVar
 import xarray as xr
 
 from haptonic import analyses, report
-from haptonic.analyses import analysis
+from haptonic.analyses import named
 from haptonic.analyses.analysis import KEPT, Analysis, option
 from haptonic.analyses.experiments import protocol_of, truth_of
 from haptonic.analyses.scanning import rescanned
@@ -77,7 +77,7 @@ class Reproduction(Result):
 
     @classmethod
     def names(cls, options: Any = None) -> list[Any]:
-        return ["report.html", *(name for one in WRITTEN for name in analysis(one).result.names())]
+        return ["report.html", *(name for one in WRITTEN for name in named(one).result.names())]
 
     def put(self, draft: Path, *_: object) -> None:
         for name in WRITTEN:
@@ -108,7 +108,7 @@ def compute(study: Description, options: ReproduceOptions, runner: Runner) -> Re
     started, timings = datetime.now(UTC), dict[str, float]()
     parts: dict[str, Result] = {}
     for name in analyses.NAMES:
-        one = analysis(name)
+        one = named(name)
         if one.reported is not None and (chosen := one.reported(study)) is not None:
             with _timed(timings, name):
                 found = _tried(name, partial(one.compute, study, chosen, _of(runner, one)))
@@ -205,7 +205,7 @@ def _varied(study: Description, variant: Variant, runner: Runner) -> float | Non
             table = table.setdefault(inner, {})
         table[name] = value
     runner.progress(0, 0, variant.label)
-    one = analysis(variant.analysis)
+    one = named(variant.analysis)
     try:
         changed = read(type(study), data, variant.label)
         found = one.compute(changed, one.options(), Runner(runner.store))
@@ -218,7 +218,6 @@ def _varied(study: Description, variant: Variant, runner: Runner) -> float | Non
 
 ANALYSIS = Analysis(
     name="reproduce",
-    help="Everything the study describes, and one report that sets it beside reference values.",
     result=Reproduction,
     compute=compute,
     options=ReproduceOptions,

@@ -198,7 +198,6 @@ def _on(study: Description, options: ScanOptions, runner: Runner) -> OnPlate:
 
 ANALYSIS = Analysis(
     name="scan",
-    help="Analyse a scan: responses, maps, contrast, the gap in it, waves; and how well a model fits.",
     result=ScanResult,
     compute=compute,
     options=ScanOptions,

@@ -97,7 +97,6 @@ def _cantilever(cell: UnitCell) -> tuple[np.ndarray, np.ndarray]:
 
 ANALYSIS = Analysis(
     name="sweep",
-    help="Complete gaps along the study's sweeps.",
     result=Sweeps,
     compute=compute,
     reported=lambda study: NoOptions() if study.sweep_settings else None,

@@ -137,7 +137,6 @@ def _beside_task(cells: Sequence[UnitCell], gap: Gap) -> Task:
 
 ANALYSIS = Analysis(
     name="tolerance",
-    help="The chance that the gap holds the carrier, the size that matters most, and the loosest tolerances.",
     result=Tolerance,
     compute=compute,
     parallel=True,

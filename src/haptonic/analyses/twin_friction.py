@@ -88,7 +88,6 @@ def compute(study: Description, options: TwinFrictionOptions, runner: Runner) ->
 
 ANALYSIS = Analysis(
     name="twin friction",
-    help="Made-up strokes of made-up people, as a folder that `haptonic friction` reads; all simulated.",
     result=FrictionTwin,
     compute=compute,
     options=TwinFrictionOptions,

@@ -63,7 +63,6 @@ def compute(study: Description, options: TwinScanOptions, runner: Runner) -> Twi
 
 ANALYSIS = Analysis(
     name="twin scan",
-    help="What a laser vibrometer would record of the study's plate. Everything is marked as simulated.",
     result=Twin,
     compute=compute,
     options=TwinScanOptions,

@@ -213,7 +213,6 @@ def _range(plate: Plate, response: FrequencyResponse) -> MeasuredGap | None:
 
 ANALYSIS = Analysis(
     name="verdict",
-    help="A response that a scan has given, once more against its plate's model: new unknowns, no records.",
     result=Verdict,
     compute=compute,
     options=VerdictOptions,

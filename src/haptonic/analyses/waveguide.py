@@ -63,7 +63,6 @@ def compute(study: Description, options: WaveguideOptions, runner: Runner) -> Gu
 
 ANALYSIS = Analysis(
     name="waveguide",
-    help="Width, length and frequency of a waveguide between two such mirrors.",
     result=Guides,
     compute=compute,
     reported=lambda study: WaveguideOptions() if has_mirror(study) else None,

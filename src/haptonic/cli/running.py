@@ -10,8 +10,7 @@ from typing import Annotated, Any, get_type_hints
 
 import typer
 
-from haptonic.analyses import Analysis
-from haptonic.analyses.analysis import option_of, path_of
+from haptonic.analyses.analysis import Analysis, option_of, path_of
 from haptonic.cli.console import Voice, speaking
 from haptonic.paths import target
 from haptonic.results.common import refuse_taken
@@ -54,7 +53,7 @@ def command(analysis: Analysis) -> Callable[..., None]:
             inspect.Parameter("scheduler", last, default=None, annotation=SCHEDULER),
         ]
     every = [*own, *shared]
-    run.__name__, run.__doc__ = analysis.name.replace(" ", "_"), analysis.help
+    run.__name__ = analysis.name.replace(" ", "_")
     run.__annotations__ = {one.name: one.annotation for one in every}
     run.__signature__ = inspect.Signature(every)  # type: ignore[attr-defined]
     return run

@@ -81,13 +81,13 @@ def _in_parts(details: Any, keys: Mapping[str, Key]) -> StudyError:
         return _unknown(path, pattern, details["input"], keys)
     key = key_of(pattern, keys)
     of_an_entry = key is not None and key.kind == "entries" and pattern != key.path
-    form = "a text in quotes" if of_an_entry else _form(key)
+    form = "a text in quotes" if of_an_entry else allowed_at(key)
     listed = key is not None and key.kind == "quantities"
     title = key.title.lower() if key else "a value"
     code = "out-of-range" if kind in OUT_OF_RANGE else "malformed"
     if kind == "missing":
         code, given, cause = "missing", "nothing", f"the {title} was left out"
-        next_step = f"add {_written(key)}" if key else "add it"
+        next_step = f"add {example_at(key)}" if key else "add it"
     elif key and key.choices:
         code, given, cause = "unknown", shown(details["input"]), "it is not one of the words known here"
         guess = nearest(str(details["input"])[:40], key.choices)
@@ -173,7 +173,7 @@ def _unknown(path: str, pattern: str, value: object, keys: Mapping[str, Key]) ->
     )
 
 
-def _form(key: Key | None) -> str:
+def allowed_at(key: Key | None) -> str:
     """What may stand at a key, in words."""
     if key is None:
         return "a value of the form that the key list gives"
@@ -186,6 +186,8 @@ def _form(key: Key | None) -> str:
         return key.quantity.allowed
     if key.choices:
         return " or ".join(f'"{choice}"' for choice in key.choices)
+    if key.named and key.kind == "text":
+        return f"one of {', '.join(key.words)}"
     bounds = f" {key.bounds}" if key.bounds else ""
     forms = {
         "number": "a number, or a quantity with its unit in quotes",
@@ -199,18 +201,18 @@ def _form(key: Key | None) -> str:
     )
 
 
-def _written(key: Key) -> str:
+def example_at(key: Key) -> str:
     """A line for the study file that gives the key."""
     name = key.path.rpartition(".")[2]
-    if key.kind in {"table", "tables", "entries"} or key.path == "material":
-        return _form(key)
+    if key.words:
+        return f'{name} = "{key.words[0]}"'
+    if key.kind in {"table", "tables", "entries"}:
+        return allowed_at(key)
     if key.kind == "quantities":
         return f"{name} = {_list(key)}"
     if key.quantity:
         return f"{name} = {key.quantity.example}"
-    return (
-        f'{name} = "{key.choices[0] if key.choices else "..."}"' if key.kind != "integer" else f"{name} = 10"
-    )
+    return f"{name} = 10" if key.kind == "integer" else f'{name} = "..."'
 
 
 def _list(key: Key) -> str:

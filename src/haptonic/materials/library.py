@@ -61,11 +61,7 @@ def built_in(name: str, *, piezoelectric: bool = False) -> Material:
     ------
     StudyError : no such material, or one that is not piezoelectric where it has to be
     """
-    known = {
-        key: solid
-        for key, solid in library().items()
-        if not piezoelectric or isinstance(solid, PiezoelectricMaterial)
-    }
+    known = ceramics() if piezoelectric else library()
     key = re.sub(r"[\s_-]+", "-", name.strip().lower())
     if key in known:
         return known[key]
@@ -73,9 +69,20 @@ def built_in(name: str, *, piezoelectric: bool = False) -> Material:
     raise StudyError.unknown("material", name, known, cause)
 
 
-GIVEN = Named(material, built_in_name, IsotropicMaterial, (OrthotropicMaterial, PiezoelectricMaterial))
+def ceramics() -> Mapping[str, Material]:
+    """The piezoelectric ones of the library."""
+    return {key: solid for key, solid in library().items() if isinstance(solid, PiezoelectricMaterial)}
+
+
+GIVEN = Named(
+    material, built_in_name, library, IsotropicMaterial, (OrthotropicMaterial, PiezoelectricMaterial)
+)
 """How a study gives a material: by the name of a built-in one or by a table of constants."""
-SOLID = Named(built_in, built_in_name, None, (IsotropicMaterial, OrthotropicMaterial, PiezoelectricMaterial))
+SOLID = Named(
+    built_in, built_in_name, library, None, (IsotropicMaterial, OrthotropicMaterial, PiezoelectricMaterial)
+)
 """By the name of a built-in one only."""
-CERAMIC = Named(partial(built_in, piezoelectric=True), built_in_name, None, (PiezoelectricMaterial,))
+CERAMIC = Named(
+    partial(built_in, piezoelectric=True), built_in_name, ceramics, None, (PiezoelectricMaterial,)
+)
 """By the name of a built-in piezoelectric one."""
