@@ -353,7 +353,7 @@ async def _reach(address: str) -> None:
 def _no_scheduler(address: str, cause: str) -> ResourceError:
     return ResourceError.worker(
         argument="scheduler",
-        given=address,
+        given=shown(address),
         allowed="the address of a running Dask scheduler with workers, such as tcp://127.0.0.1:8786",
         cause=cause,
         next_step="start `dask scheduler` and `dask worker ADDRESS`, or give --workers N instead; what was "

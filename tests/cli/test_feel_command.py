@@ -48,7 +48,7 @@ def test_the_voltage_scales_amplitudes_and_nothing_is_computed_anew(inside, plat
     assert one["drive_to_be_felt_v"] == pytest.approx(three["drive_to_be_felt_v"], rel=1e-3)
     assert low["origin"] == "simulated"
     assert low["quality_factor"] < low["quality_factor_without_finger"]
-    assert {light["colour"] for light in low["lights"]} <= {"green", "amber", "red"}
+    assert {one["colour"] for one in low["requirements"]} <= {"green", "amber", "red"}
     # the same plate at the same frequency by the other command, per volt, without a finger
     line = inside("plate", plated(), "--at", f"{low['frequency_hz']} Hz", "--json").json["maps"][0]
     assert line["finger_m_per_v"]["WG"] * 10 == pytest.approx(

@@ -16,7 +16,7 @@ from haptonic.results.scan import Estimation, compute_scan
 from haptonic.store import Store
 from haptonic.study import load
 from haptonic.vibrometry import ReadReport, Scan, read_scan
-from haptonic.vibrometry.question import drive_for, response_for
+from haptonic.vibrometry.of_settings import drive_for, response_for
 from tiny_scan import TINY
 
 FIT = """
@@ -50,9 +50,9 @@ def folder(tmp_path_factory, store_folder):
     question = study.scan_settings
     with pytest.warns(HaptonicWarning, match="ring-down"):
         drive = drive_for(question, study.mounted_plate())
-    computed = study.plate(asked=response_for(question, 1e-3, drive), store=store).response
+    computed = study.plate(settings=response_for(question, 1e-3, drive), store=store).response
     with pytest.warns(HaptonicWarning, match="ring-down"):
-        made = study.twin_scan(seed=5, response=computed, store=store)
+        made = study.simulate_scan(seed=5, response=computed, store=store)
     write(computed, out / "model.nc")
     write_files(out, made.files, overwrite=False)
     return out

@@ -11,7 +11,7 @@ import xarray as xr
 from five_parts import assert_five_parts
 from haptonic.analyses.needs import fineness
 from haptonic.plate.answer import responded
-from haptonic.plate.question import grid_points
+from haptonic.plate.sampling import grid_points
 from haptonic.response import FrequencyResponse, read, write
 from haptonic.study import load
 from haptonic.updating.parameters import changed

@@ -250,7 +250,7 @@ def test_bad_labels_are_refused(label, word):
 
 class TestFiles:
     def rows(self):
-        """Two trials of the twin, one row for each sample."""
+        """Two simulated trials, one row for each sample."""
         parts = []
         for n, (label, record, _) in enumerate(strokes(Truth(), Protocol(2, 2), 1)):
             if n < 2:

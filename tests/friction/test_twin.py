@@ -81,11 +81,11 @@ class TestStrokes:
         refused(
             lambda: Truth(Participants(friction=0.0)), code="out-of-range", argument="participants.friction"
         )
-        refused(lambda: Truth(remaining={"WG1": 45.0}), code="out-of-range", argument="twin.remaining.WG1")
+        refused(lambda: Truth(remaining={"WG1": 45.0}), code="out-of-range", argument="truth.remaining.WG1")
         refused(
             lambda: list(strokes(Truth(remaining={"WG1": 0.45}), Protocol(), 1)),
             code="out-of-range",
-            argument="twin.remaining",
+            argument="truth.remaining",
         )
         refused(lambda: list(strokes(Truth(), Protocol(), 0)), code="out-of-range", argument="participants")
 

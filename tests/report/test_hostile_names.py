@@ -30,7 +30,7 @@ from haptonic.results import compute_friction
 from haptonic.results.quality import quality
 from haptonic.store import Store
 from haptonic.study import loads
-from haptonic.vibrometry.question import drive_for, response_for
+from haptonic.vibrometry.of_settings import drive_for, response_for
 from tiny_scan import TINY
 from trial_folders import made_up, written
 
@@ -139,7 +139,7 @@ def test_pages_of_a_plate_and_its_scan_hold_text_only(tmp_path, monkeypatch):
     with pytest.warns(HaptonicWarning, match="ring-down"):
         drive = drive_for(question, study.mounted_plate())
     asked = replace(response_for(question, 1e-3, drive), points=126)
-    plate = study.plate(asked=asked, store=store)
+    plate = study.plate(settings=asked, store=store)
     scan = scanning.rescanned(study, plate, seed=2, store=store)
     monkeypatch.setattr("haptonic.report.page.IN_ORDER", (plates.chapter, scans.chapter))
     seen = read(page(results(study=study, plate=plate, scan=scan)))

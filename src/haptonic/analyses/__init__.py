@@ -14,7 +14,7 @@ from haptonic.errors import StudyError
 if TYPE_CHECKING:  # to list the analyses, none of them and nothing that they need is loaded
     from haptonic.analyses.analysis import Analysis
 
-# name: what it gives, a sentence; in the order of the help. "twin scan" is the module twin_scan
+# name: what it gives, a sentence; in the order of the help. "simulate scan" is the module simulate_scan
 NAMES = {
     "bands": "Band diagram, gaps and mode shapes of the unit cell.",
     "sweep": "Complete gaps along the study's sweeps.",
@@ -36,9 +36,9 @@ NAMES = {
     "friction": "Coefficients of friction from force records, and what they prove.",
     "verdict": "A response that a scan has given, once more against its plate's model: new unknowns, no "
     "records.",
-    "twin friction": "Made-up strokes of made-up people, as a folder that `haptonic friction` reads; all "
+    "simulate friction": "Made-up strokes of made-up people, as a folder that `haptonic friction` reads; all "
     "simulated.",
-    "twin scan": "What a laser vibrometer would record of the study's plate. Everything is marked as "
+    "simulate scan": "What a laser vibrometer would record of the study's plate. Everything is marked as "
     "simulated.",
 }
 

@@ -1,4 +1,4 @@
-"""From [protocol] and [participants] of a study to an order of trials, and the truth of a twin."""
+"""From [protocol] and [participants] of a study to an order of trials, and the truth of a simulation."""
 
 from __future__ import annotations
 
@@ -86,7 +86,7 @@ def task_of(study: Description) -> StrokeTask:
 
 
 def truth_of(study: Description, amplitudes: Mapping[str, float] | None = None) -> Truth:
-    """What is true of the people of a twin.
+    """What is true of the people of a simulation.
 
     Parameters
     ----------

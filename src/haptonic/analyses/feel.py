@@ -15,7 +15,7 @@ from haptonic.friction.lubrication.settings import VOLTAGE
 from haptonic.plate import Plate
 from haptonic.plate.loaded import LOADS, highest, loaded
 from haptonic.plate.parts import Actuator
-from haptonic.plate.question import check_grid, drives_of, reference_of
+from haptonic.plate.sampling import check_grid, drives_of, reference_of
 from haptonic.plate.sweep import check_cost
 from haptonic.progress import Progress
 from haptonic.results.common import stamped

@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 
 from haptonic.analyses.analysis import Analysis, option
 from haptonic.analyses.scanning import on_plate
-from haptonic.analyses.verdict import judged
+from haptonic.analyses.verdict import compared
 from haptonic.errors import ScanError, StudyError, shown
 from haptonic.paths import source
 from haptonic.response import read
@@ -50,7 +50,7 @@ def names_of(variables: str) -> Mapping[str, str]:
     return {meaning.strip(): name.strip() for meaning, name in pairs}
 
 
-def places_of(text: str) -> Array:
+def corners_of(text: str) -> Array:
     """Four corners written as eight numbers and a unit.
 
     Raises
@@ -108,7 +108,7 @@ class ScanOptions:
     )
     corners: Any = option(
         None, "The plate's corners as the scan has them, from the lower left anticlockwise: "
-        '"0 0 127 0 127 140 0 140 mm".', read=places_of, metavar="PLACES",
+        '"0 0 127 0 127 140 0 140 mm".', read=corners_of, metavar="PLACES",
     )  # fmt: skip
     mirrored: bool = option(False, "The scan saw the plate's map from behind.")
     unit: str = option("m/s/V", "Of responses or records in files that give none.")
@@ -181,7 +181,7 @@ def compute(study: Description | None, options: ScanOptions, runner: Runner) -> 
     found = compute_scan(content, how, on, at=options.at, store=runner.store, progress=runner.progress)
     verdict = None
     if study is not None and options.against:
-        verdict = judged(study, found.response, computed, runner)
+        verdict = compared(study, found.response, computed, runner)
     return replace(found, verdict=verdict, state=state)
 
 

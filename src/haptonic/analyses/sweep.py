@@ -18,7 +18,7 @@ from haptonic.results.common import stamped
 from haptonic.results.runner import Runner, design_gaps
 from haptonic.results.sweeps import Sweep, Sweeps
 from haptonic.study.schema import Description
-from haptonic.study.sweeps import SweepSection
+from haptonic.study.sweeps import SweepSettings
 
 RESONANCES = 3  # of the pillar alone
 
@@ -49,7 +49,7 @@ def compute(study: Description, options: NoOptions, runner: Runner) -> Sweeps:
 
 
 def swept(
-    study: Description, sweep: SweepSection, cells: Sequence[UnitCell], outcomes: Sequence[Outcome]
+    study: Description, sweep: SweepSettings, cells: Sequence[UnitCell], outcomes: Sequence[Outcome]
 ) -> Sweep:
     """One row of designs; what could not be computed is NaN."""
     slots = max([o.dataset.sizes["gap"] for o in outcomes if o.dataset is not None], default=0)

@@ -14,7 +14,7 @@ from haptonic.analyses.needs import fineness, response_settings
 from haptonic.errors import ResponseError, ScanError
 from haptonic.plate import Plate
 from haptonic.plate.answer import responded
-from haptonic.plate.question import reference_of, tile_names, unit_drives
+from haptonic.plate.sampling import reference_of, tile_names, unit_drives
 from haptonic.response import FrequencyResponse, read
 from haptonic.results.runner import Runner
 from haptonic.results.verdict import AFTER, BEFORE, MEASURED, Verdict
@@ -65,10 +65,10 @@ def compute(study: Description, options: VerdictOptions, runner: Runner) -> Verd
     StudyError : no [plate], or nothing that drives it
     ScanError : a measurement that cannot be of this plate, or that no fit explains
     """
-    return judged(study, options.response, options.computed, runner)
+    return compared(study, options.response, options.computed, runner)
 
 
-def judged(
+def compared(
     study: Description, scan: FrequencyResponse, computed: FrequencyResponse | None, runner: Runner
 ) -> Verdict:
     """See `compute`.

@@ -21,7 +21,7 @@ class WaveguideOptions:
     mode: str | None = option(None, "Nodal lines across, intervals along; else the study's.", metavar="MxN")
 
 
-def asked(study: Description, options: WaveguideOptions) -> WaveguideSettings:
+def chosen_settings(study: Description, options: WaveguideOptions) -> WaveguideSettings:
     """What the study asks for, with the mode that was chosen.
 
     Raises
@@ -53,7 +53,7 @@ def compute(study: Description, options: WaveguideOptions, runner: Runner) -> Gu
     found: Guides = compute_guides(
         study.cell,
         study.bands_settings,
-        asked(study, options),
+        chosen_settings(study, options),
         carrier=need_carrier(study),
         inputs=study.inputs(),
         runner=runner,
@@ -67,5 +67,5 @@ ANALYSIS = Analysis(
     compute=compute,
     reported=lambda study: WaveguideOptions() if has_mirror(study) else None,
     options=WaveguideOptions,
-    check=asked,
+    check=chosen_settings,
 )

@@ -121,7 +121,7 @@ class Interface:
         superelement.cell.lattice.check_rectangular("a row of cells")
         period = float(np.linalg.norm(vectors[1 - direction]))
         slab = Slab.of(superelement, wavenumber * period, direction)
-        reach = (len(slab.places) - 1) // 2
+        reach = (len(slab.positions) - 1) // 2
         zone = round(wavenumber * period / (2 * np.pi))
         if abs(zone) > reach:
             raise _too_short(wavenumber, (2 * reach + 1) * np.pi / period)
@@ -129,7 +129,7 @@ class Interface:
         orders = orders[np.argsort(np.abs(orders), kind="stable")]
         tangential = np.asarray(wavenumber + 2 * np.pi / period * orders, dtype=float)
         levels = superelement.levels
-        turning = np.exp(1j * np.outer(slab.places, tangential))
+        turning = np.exp(1j * np.outer(slab.positions, tangential))
         trace = np.einsum("pm,lj,cd->lpcmjd", turning, np.eye(levels), np.eye(3))
         plate = PlainPlate.of(superelement.cell, levels, direction)
         return cls(slab, plate, tangential, period, trace.reshape(slab.size, -1))

@@ -66,7 +66,7 @@ class Resolution:
         return MeshPlan.suited(cell, self.order, self.foot_rings, self.bands)
 
     def _meshed(self, cell: UnitCell) -> MeshPlan:
-        """The plan without a prism's shaft, which takes next to nothing."""
+        """The plan without a prism's body, which takes next to nothing."""
         plan, pillar = self.plan(cell), cell.pillar
         return plan if pillar is None or pillar.draft or pillar.step else replace(plan, pillar_layers=1)
 

@@ -60,7 +60,7 @@ class Key:
         )
 
     @property
-    def words(self) -> tuple[str, ...]:
+    def known(self) -> tuple[str, ...]:
         """The words or names that are known here."""
         return self.choices or (tuple(self.named.known()) if self.named else ())
 

@@ -12,7 +12,7 @@ from .runner import Runner, design_gaps
 from .sweeps import Sweep, Sweeps
 from .table import Column, Table, Uncertain
 from .tolerance import Tolerance
-from .twin import FrictionTwin, friction_twin
+from .simulated_friction import SimulatedFriction, simulated_friction
 from .verdict import Verdict
 
 __all__ = [
@@ -21,7 +21,7 @@ __all__ = [
     "Design",
     "Feel",
     "FrictionResult",
-    "FrictionTwin",
+    "SimulatedFriction",
     "Guides",
     "Layers",
     "Plan",
@@ -42,7 +42,7 @@ __all__ = [
     "compute_layers",
     "compute_plate",
     "design_gaps",
-    "friction_twin",
+    "simulated_friction",
     "refuse_taken",
     "write_files",
     "write_netcdf",

@@ -10,7 +10,7 @@ from haptonic.fields import Name, Quantity, described, problem
 
 
 @described("protocol", kw_only=True)
-class ProtocolSection:
+class ProtocolSettings:
     """Trials with people: how many, in which order, and what they are asked to do."""
 
     blocks: Annotated[int, Field(ge=2, le=99, strict=True)] = Field(

@@ -24,7 +24,7 @@ TileSize = Annotated[float, size(100e-6, 100e-3)]
 
 
 @described("plate.cell", kw_only=True)
-class LatticeSection:
+class LatticeSettings:
     """A further lattice of the plate: the study's own cell with some numbers changed."""
 
     name: Name = Field(title="Name", description="By which tiles refer to it.")
@@ -67,7 +67,7 @@ def _changeable(path: str) -> None:
 
 
 @described("plate", kw_only=True)
-class PlateSection:
+class PlateSettings:
     """A finite plate: a map of tiles, what holds it and what drives it."""
 
     map: Annotated[str, Field(max_length=200_000, strict=True)] = Field(
@@ -94,7 +94,7 @@ class PlateSection:
         title="Heights",
         description="By region: of its rows without a lattice; else the pitch along y.",
     )
-    cell: tuple[LatticeSection, ...] = Field(
+    cell: tuple[LatticeSettings, ...] = Field(
         default=(), title="Further lattices", description="For tiles of other names.", max_length=20
     )
     edges: Edges = Field(default=Edges(), title="Edges", description="What holds them.")

@@ -14,13 +14,13 @@ from haptonic.fields import unchecked
 from haptonic.plate.holding import Clamp
 from haptonic.plate.layout import CLOSE, Layout, Rectangle
 from haptonic.plate.parts import Actuator, Finger, Force, Plate
-from haptonic.study.plate_tables import CHANGEABLE, LATTICE, PlateSection
+from haptonic.study.plate_tables import CHANGEABLE, LATTICE, PlateSettings
 from haptonic.units import format_quantity
 
 Attached = TypeVar("Attached", Actuator, Force, Finger)
 
 
-def plate_of(section: PlateSection | None, own: UnitCell) -> Plate:
+def plate_of(section: PlateSettings | None, own: UnitCell) -> Plate:
     """The plate of a study, in SI units.
 
     Parameters
@@ -63,7 +63,7 @@ def plate_of(section: PlateSection | None, own: UnitCell) -> Plate:
     )
 
 
-def _layout(section: PlateSection, own: UnitCell) -> Layout:
+def _layout(section: PlateSettings, own: UnitCell) -> Layout:
     tiles = section.grid
     cells = {name: cell for name, cell in _lattices(section, own) if name in section.tiles.values()}
     for letter, name in section.tiles.items():
@@ -89,7 +89,7 @@ def _summed(sizes: Iterable[float]) -> tuple[float, ...]:
     return tuple(float(line) for line in accumulate(map(Fraction, sizes), initial=Fraction(0)))
 
 
-def _lattices(section: PlateSection, own: UnitCell) -> Iterator[tuple[str, UnitCell]]:
+def _lattices(section: PlateSettings, own: UnitCell) -> Iterator[tuple[str, UnitCell]]:
     yield LATTICE, own
     known = own.numbers()
     for i, one in enumerate(section.cell, start=1):

@@ -33,10 +33,10 @@ from haptonic.friction.lubrication.settings import TouchSettings
 from haptonic.friction.participants import Participants
 from haptonic.materials import IsotropicMaterial, built_in_name
 from haptonic.plate.parts import Plate
-from haptonic.study.experiment_tables import ProtocolSection
-from haptonic.study.plate_tables import PlateSection
+from haptonic.study.experiment_tables import ProtocolSettings
+from haptonic.study.plate_tables import PlateSettings
 from haptonic.study.plating import plate_of
-from haptonic.study.sweeps import SweepSection, numeric_parameters
+from haptonic.study.sweeps import SweepSettings, numeric_parameters
 from haptonic.study.trial_tables import Trials
 from haptonic.study.vary import Expression, check_names, solve
 from haptonic.units import format_quantity
@@ -94,7 +94,7 @@ class Description:
         title="Tolerance",
         description="How much the parts differ.",
     )
-    finite_plate: PlateSection | None = Field(
+    finite_plate: PlateSettings | None = Field(
         default=None,
         alias="plate",
         title="Plate",
@@ -106,8 +106,8 @@ class Description:
     trials: Trials = Field(
         default=Trials(), title="Trials", description="How force records are processed, and which count."
     )
-    protocol_settings: ProtocolSection = Field(
-        default=ProtocolSection(),
+    protocol_settings: ProtocolSettings = Field(
+        default=ProtocolSettings(),
         alias="protocol",
         title="Protocol",
         description="Trials with people: how many, in which order.",
@@ -124,7 +124,7 @@ class Description:
     fit_settings: FitSettings = Field(
         default=FitSettings(), alias="fit", title="Fit", description="What a measurement of the plate tells."
     )
-    sweep_settings: tuple[SweepSection, ...] = Field(
+    sweep_settings: tuple[SweepSettings, ...] = Field(
         default=(),
         alias="sweep",
         title="Sweeps",
@@ -275,7 +275,7 @@ class Description:
         wanted = solve(expression, value, self.parameters(), self.absent_parameters())
         return self.without_plate().with_parameter(expression.varied, wanted)
 
-    def designs(self, sweep: SweepSection) -> tuple[Self, ...]:
+    def designs(self, sweep: SweepSettings) -> tuple[Self, ...]:
         """One study for each step of a sweep, in order."""
         return tuple(self.solved(sweep.expression, value) for value in sweep.values)
 

@@ -26,7 +26,7 @@ def numeric_parameters() -> Mapping[str, str]:
 
 
 @described("sweep", kw_only=True)
-class SweepSection:
+class SweepSettings:
     """A row of designs: an expression of parameters taken from one value to another."""
 
     vary: str = Field(title="Expression", description="The first parameter in it changes.", strict=True)

@@ -69,7 +69,7 @@ class Trial:
 
 def _untrue(name: str, value: object, allowed: str) -> FrictionError:
     return FrictionError.out_of_range(
-        argument=f"twin.{name}",
+        argument=f"truth.{name}",
         given=shown(value),
         allowed=allowed,
         cause="a percentage, or another unit",

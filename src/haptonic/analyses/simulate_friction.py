@@ -12,7 +12,7 @@ from haptonic.analyses.experiments import protocol_of, truth_of
 from haptonic.errors import FrictionError, ResourceError, shown
 from haptonic.paths import source
 from haptonic.results.runner import Runner
-from haptonic.results.twin import FrictionTwin, friction_twin
+from haptonic.results.simulated_friction import SimulatedFriction, simulated_friction
 from haptonic.study.schema import Description
 
 
@@ -53,7 +53,7 @@ def read_amplitudes(given: str | Path) -> dict[str, float]:
 
 
 @dataclass(frozen=True)
-class TwinFrictionOptions:
+class SimulateFrictionOptions:
     """What may be chosen."""
 
     participants: int | None = option(None, "How many; else the study's.", metavar="N")
@@ -67,7 +67,7 @@ class TwinFrictionOptions:
     )  # fmt: skip
 
 
-def compute(study: Description, options: TwinFrictionOptions, runner: Runner) -> FrictionTwin:
+def compute(study: Description, options: SimulateFrictionOptions, runner: Runner) -> SimulatedFriction:
     """The people and the order of their strokes, which are made when they are written.
 
     Raises
@@ -80,18 +80,18 @@ def compute(study: Description, options: TwinFrictionOptions, runner: Runner) ->
     protocol.order(count)
     runner.progress(0, 0, "friction by load sharing")
     truth = truth_of(study, options.amplitudes)
-    return friction_twin(
+    return simulated_friction(
         truth, protocol, count, seed=options.seed, study=study.to_toml(), suffix=f".{options.form}",
         per=options.per, raw=options.raw,
     )  # fmt: skip
 
 
 ANALYSIS = Analysis(
-    name="twin friction",
-    result=FrictionTwin,
+    name="simulate friction",
+    result=SimulatedFriction,
     compute=compute,
-    options=TwinFrictionOptions,
+    options=SimulateFrictionOptions,
     doing="strokes",
-    folder="twin-friction",
+    folder="simulate-friction",
     writes=True,
 )

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from haptonic.errors import ScanError
 from haptonic.plate import Plate
 from haptonic.plate.layout import Layout
-from haptonic.plate.question import grid_points, reference_of, tile_names
+from haptonic.plate.sampling import grid_points, reference_of, tile_names
 from haptonic.plate.settings import ResponseSettings
 from haptonic.response import Reference
 from haptonic.vibrometry.chirp import Drive, drive
