@@ -234,9 +234,14 @@ class Lattice:
         """Second translation, m."""
         return float(self.vectors[1, 0]), float(self.vectors[1, 1])
 
+    @property
+    def is_rectangular(self) -> bool:
+        """Whether the translations lie along x and y."""
+        return max(abs(self.a1[1]), abs(self.a2[0])) <= SAME * self.pitch
+
     def check_rectangular(self, what: str) -> None:
         """Raise GeometryError unless the translations lie along x and y; ``what`` needs it."""
-        if max(abs(self.a1[1]), abs(self.a2[0])) > SAME * self.pitch:
+        if not self.is_rectangular:
             raise GeometryError.unsupported(
                 argument="cell.lattice",
                 given=self.name,

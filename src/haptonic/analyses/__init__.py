@@ -16,6 +16,8 @@ if TYPE_CHECKING:  # to list the analyses, none of them and nothing that they ne
 
 # name: what it gives, a sentence; in the order of the help. "simulate scan" is the module simulate_scan
 NAMES = {
+    "plan": "What a study describes, its map and sizes, and what each command will cost, before anything is "
+    "computed.",
     "bands": "Band diagram, gaps and mode shapes of the unit cell.",
     "sweep": "Complete gaps along the study's sweeps.",
     "reproduce": "Everything the study describes, and one report that sets it beside reference values.",

@@ -25,7 +25,8 @@ class DesignOptions:
 
 
 def check(study: Description, options: DesignOptions) -> None:
-    """Raise StudyError if the front is asked for, unless the pitch and something else may change."""
+    """Raise StudyError if nothing may change; for a front the pitch and something else have to."""
+    brief(study)
     names = [one.parameter for one in study.design_settings.vary]
     if options.pareto and ("cell.pitch" not in names or len(names) < 2):
         raise StudyError.missing(

@@ -40,14 +40,9 @@ BATCH = 8  # designs of one task
 DRAWN = 2000  # plates in the result's dataset
 
 
-def compute(study: Description, options: NoOptions, runner: Runner) -> Tolerance:
-    """First-order answer from exact slopes, full answer from designs that are computed.
-
-    Raises
-    ------
-    StudyError : no carrier, no spreads, a gap that does not hold the carrier as drawn, or too few
-        samples
-    """
+def check(study: Description, options: NoOptions) -> None:
+    """Raise StudyError without a carrier or spreads, or with too few samples for them."""
+    need_carrier(study)
     section = study.tolerance_settings
     if not section.of:
         raise StudyError.missing(
@@ -56,16 +51,27 @@ def compute(study: Description, options: NoOptions, runner: Runner) -> Tolerance
             cause="the study does not say what differs",
             next_step='add [[tolerance.of]] with parameter = "cell.pillar.diameter", spread = "20 um"',
         )
-    cell, carrier, count, spreads = study.cell, need_carrier(study), section.samples, section.of
-    needed = terms_needed(len(spreads))
+    count, needed = section.samples, terms_needed(len(section.of))
     if count < 2 * needed:
         raise StudyError.too_few(
             argument="tolerance.samples",
             given=count,
-            allowed=f"at least {2 * needed} for {len(spreads)} spreads",
+            allowed=f"at least {2 * needed} for {len(section.of)} spreads",
             cause=f"a quadratic in so many parameters has {needed} coefficients",
             next_step="compute more samples, or leave spreads out that hardly matter",
         )
+
+
+def compute(study: Description, options: NoOptions, runner: Runner) -> Tolerance:
+    """First-order answer from exact slopes, full answer from designs that are computed.
+
+    Raises
+    ------
+    StudyError : as `check`, or a gap that does not hold the carrier as drawn
+    """
+    check(study, options)
+    section = study.tolerance_settings
+    cell, carrier, count, spreads = study.cell, need_carrier(study), section.samples, section.of
     gap = need_gap_at(runner.gaps(cell, study.bands_settings), carrier)
     try:
         designs = samples(cell, spreads, count)
@@ -139,6 +145,7 @@ ANALYSIS = Analysis(
     name="tolerance",
     result=Tolerance,
     compute=compute,
+    check=check,
     parallel=True,
     kept=KEPT,
 )

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from haptonic.analyses.analysis import Analysis, option
-from haptonic.analyses.needs import has_mirror, need_carrier
+from haptonic.analyses.needs import has_mirror, need_carrier, need_rows
 from haptonic.bloch.settings import WaveguideSettings
 from haptonic.errors import StudyError, shown
 from haptonic.fields import remade
@@ -26,8 +26,9 @@ def chosen_settings(study: Description, options: WaveguideOptions) -> WaveguideS
 
     Raises
     ------
-    StudyError : the mode is not written like ``0x17``
+    HaptonicError : no carrier, no rows, or a mode that is not written like ``0x17``
     """
+    need_rows(study, "a waveguide")
     own = study.waveguide_settings
     if options.mode is None:
         return own

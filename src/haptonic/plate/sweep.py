@@ -218,7 +218,7 @@ def check_cost(plate: Plate, high: float, *, single: bool = False) -> None:
     single : only this frequency is asked for, which needs no basis
     """
     names = [name for row in plate.layout.tiles for name in row if name]
-    modes = 0 if single else _pillars_modes(plate, high)
+    modes = 0 if single else pillars_modes(plate, high)
     basis = 8.0 * COPIES * UNKNOWNS * len(names) * BLOCK * LENGTH * modes / MODES
     needed, there = max(basis, FACTORS * len(names)), psutil.virtual_memory().total
     if needed <= there:
@@ -238,7 +238,7 @@ def check_cost(plate: Plate, high: float, *, single: bool = False) -> None:
     )
 
 
-def _pillars_modes(plate: Plate, high: float) -> int:
+def pillars_modes(plate: Plate, high: float) -> int:
     """Modes below a frequency, Hz, at least: those of each pillar as a cantilever that bends in two
     directions on a rigid foot."""
     layout = plate.layout

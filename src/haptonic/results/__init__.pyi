@@ -6,7 +6,7 @@ from .friction import FrictionResult, compute_friction
 from .guides import Guides, compute_guides
 from .layers import Layers, compute_layers
 from .plate import PlateResult, compute_plate
-from .protocol import Plan
+from .protocol import TrialPlan
 from .result import Result
 from .runner import Runner, design_gaps
 from .sweeps import Sweep, Sweeps
@@ -24,7 +24,7 @@ __all__ = [
     "SimulatedFriction",
     "Guides",
     "Layers",
-    "Plan",
+    "TrialPlan",
     "PlateResult",
     "Result",
     "Runner",
