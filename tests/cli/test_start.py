@@ -78,7 +78,7 @@ class TestTemplates:
         at = data.draw(st.integers(0, len(name) - 1))
         slip = name[:at] + name[at + 1 :]
         with pytest.raises(StudyError) as refused:
-            new.chosen(slip, "my.toml", TEMPLATES)
+            new.resolved(slip, "my.toml", TEMPLATES)
         assert_told(refused.value, slip)
         assert refused.value.next_step == f"haptonic new {name} my.toml"
 

@@ -58,10 +58,10 @@ ALLOWED: dict[str, set[str]] = {
     "workshop": BASE | {"cell", "plots", "store"},
     "pages": {"plots"},
     # from here on down to the command line: what is told, what is asked, what is computed, what shows it
-    "results": LOWER | {"jobs", "pages", "plots", "vtu"},
+    "results": LOWER | {"channels", "jobs", "pages", "plots", "vtu"},
     "description": LOWER - {"store"} | {"results"},
     "report": LOWER | {"description", "pages", "plots", "results"},
-    "analyses": LOWER | {"description", "jobs", "plots", "report", "results", "workshop"},
+    "analyses": LOWER | {"channels", "description", "jobs", "plots", "report", "results", "workshop"},
     "study": {"analyses", "description", "fields", "progress", "results", "store"},
     "cli": CORE | {"analyses", "results", "store", "study", "__init__"},
 }

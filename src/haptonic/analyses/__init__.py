@@ -19,6 +19,7 @@ NAMES = {
     "plan": "What a study describes, its map and sizes, and what each command will cost, before anything is "
     "computed.",
     "bands": "Band diagram, gaps and mode shapes of the unit cell.",
+    "compare": "Bands of two studies or results beside each other, or of another program's table over ours.",
     "sweep": "Complete gaps along the study's sweeps.",
     "reproduce": "Everything the study describes, and one report that sets it beside reference values.",
     "layers": "What rows of cells let through between two plain plates, and how many of them the carrier "

@@ -126,8 +126,9 @@ def option_of(one: Any) -> Option | None:
 
 
 def path_of(options: Any) -> Path | None:
-    """The file or folder that is analysed, if the options name one."""
-    for one in fields(options):
-        if (found := option_of(one)) and found.place == "before":
-            return Path(getattr(options, one.name))
-    return None
+    """The file or folder that is analysed, if the options name one; several are one name after the other."""
+    placed = [one.name for one in fields(options) if (found := option_of(one)) and found.place == "before"]
+    paths = [Path(getattr(options, name)) for name in placed]
+    if len(paths) < 2:
+        return next(iter(paths), None)
+    return Path("-".join(path.absolute().stem for path in paths) + paths[0].suffix)

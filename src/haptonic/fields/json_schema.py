@@ -84,7 +84,7 @@ def _slot(slot: Slot, path: str, keys: dict[str, Key]) -> Schema:
 def _tabled(slot: Slot, key: Key, keys: dict[str, Key]) -> Schema:
     (below,) = slot.kinds
     inner = _table(below, f"{key.path}.", keys)
-    return {"anyOf": [{"enum": list(key.known)}, inner]} if key.named else inner
+    return {"anyOf": [{"enum": list(key.known_names)}, inner]} if key.named else inner
 
 
 def _plain(slot: Slot, key: Key) -> Schema:
@@ -92,7 +92,7 @@ def _plain(slot: Slot, key: Key) -> Schema:
     if key.choices:
         return {"enum": list(key.choices)}
     if key.named:  # capitals and blanks do not matter in these names, which an editor cannot know
-        return {"anyOf": [{"enum": list(key.known)}, {"type": "string"}]}
+        return {"anyOf": [{"enum": list(key.known_names)}, {"type": "string"}]}
     if key.quantity:
         return _quantity(key.quantity)
     kinds: dict[str, Schema] = {

@@ -60,7 +60,7 @@ class Key:
         )
 
     @property
-    def known(self) -> tuple[str, ...]:
+    def known_names(self) -> tuple[str, ...]:
         """The words or names that are known here."""
         return self.choices or (tuple(self.named.known()) if self.named else ())
 

@@ -187,7 +187,7 @@ def allowed_at(key: Key | None) -> str:
     if key.choices:
         return " or ".join(f'"{choice}"' for choice in key.choices)
     if key.named and key.kind == "text":
-        return f"one of {', '.join(key.known)}"
+        return f"one of {', '.join(key.known_names)}"
     bounds = f" {key.bounds}" if key.bounds else ""
     forms = {
         "number": "a number, or a quantity with its unit in quotes",
@@ -204,8 +204,8 @@ def allowed_at(key: Key | None) -> str:
 def example_at(key: Key) -> str:
     """A line for the study file that gives the key."""
     name = key.path.rpartition(".")[2]
-    if key.known:
-        return f'{name} = "{key.known[0]}"'
+    if key.known_names:
+        return f'{name} = "{key.known_names[0]}"'
     if key.kind in {"table", "tables", "entries"}:
         return allowed_at(key)
     if key.kind == "quantities":

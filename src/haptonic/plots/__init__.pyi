@@ -1,4 +1,5 @@
 from .bands import dispersion
+from .compared import compared
 from .designs import front, search
 from .feel import friction_map, reduction_curve
 from .friction import conditions, reductions, trial_sheet
@@ -27,6 +28,7 @@ __all__ = [
     "animated",
     "average_response",
     "before_after",
+    "compared",
     "conditions",
     "contrast_spectrum",
     "decay",

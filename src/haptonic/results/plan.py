@@ -23,12 +23,12 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 
-def _has_plate(plan: Plan) -> bool:
+def _has_plate(plan: StudyPlan) -> bool:
     return plan.plate is not None
 
 
 @dataclass(frozen=True, eq=False, repr=False)
-class Plan(Result):
+class StudyPlan(Result):
     """What a study describes.
 
     study : its title; carrier : Hz, if there is one

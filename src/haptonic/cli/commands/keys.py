@@ -56,7 +56,7 @@ def matching(keys: dict[str, Key], pattern: str) -> dict[str, Key]:
     found = {
         path: key
         for path, key in keys.items()
-        if wanted in "\n".join((path, key.title, key.description, *key.known)).casefold()
+        if wanted in "\n".join((path, key.title, key.description, *key.known_names)).casefold()
     }
     if found:
         return found
@@ -77,7 +77,7 @@ def lines(key: Key) -> dict[str, str]:
     return {
         "meaning": f"{key.title}. {key.description}",
         "allowed": allowed_at(key),
-        "names": ", ".join(key.known) if key.named and key.kind != "text" else "",
+        "names": ", ".join(key.known_names) if key.named and key.kind != "text" else "",
         "usual": key.typical,
         "default": "none: it has to be given" if key.required else key.default_text,
         "example": example(key),
@@ -86,7 +86,7 @@ def lines(key: Key) -> dict[str, str]:
 
 def example(key: Key) -> str:
     """A line for the study file; a table's own keys have theirs."""
-    if key.kind in {"table", "tables", "entries"} and not key.known:
+    if key.kind in {"table", "tables", "entries"} and not key.known_names:
         return ""
     value = key.default_text
     if not value or key.kind in {"quantities", "text", "choice"}:
@@ -107,7 +107,7 @@ def facts(key: Key) -> dict[str, Any]:
         "allowed": allowed_at(key),
         "bounds": key.bounds,
         "usual": key.typical,
-        "words": list(key.known),
+        "known_names": list(key.known_names),
         "description": key.description,
         "example": example(key),
     }

@@ -54,7 +54,7 @@ def run(template: First = None, file: Second = None, overwrite: Over = False, js
             voice.tell("`haptonic new touchpad my.toml` writes one of them.")
             voice.answer({"templates": {name: about(text) for name, text in known.items()}})
             return
-        name, path = chosen(template, file, known)
+        name, path = resolved(template, file, known)
         refuse_taken(path, overwrite)
         text = adapted(known[name], path)
         write_atomically(path, lambda draft: draft.write_text(text, "utf-8"))
@@ -63,7 +63,7 @@ def run(template: First = None, file: Second = None, overwrite: Over = False, js
         voice.answer({"file": str(path), "template": name, "next": commands(text)})
 
 
-def chosen(template: str, file: str | None, known: dict[str, str]) -> tuple[str, Path]:
+def resolved(template: str, file: str | None, known: dict[str, str]) -> tuple[str, Path]:
     """The template and the file that two arguments name, or one.
 
     Raises
@@ -99,7 +99,7 @@ def chosen(template: str, file: str | None, known: dict[str, str]) -> tuple[str,
 
 
 def refuse_taken(path: Path, overwrite: bool) -> None:
-    """Raise StudyError if something is there that was not chosen to be replaced, or cannot be."""
+    """Raise StudyError if something is there that was not asked to be replaced, or cannot be."""
     if not os.path.lexists(path) or (overwrite and not path.is_dir()):
         return
     raise StudyError.repeated(
@@ -123,7 +123,7 @@ def about(text: str) -> str:
 
 
 def commands(text: str) -> list[str]:
-    """What can be chosen of a template, in the order of its heading."""
+    """What can be asked of a template, in the order of its heading."""
     return [found[1].strip() for line in heading(text) if (found := COMMAND.match(line))]
 
 
