@@ -43,7 +43,7 @@ def kind_of(path: Path) -> str:
 def check(study: None, options: CompareOptions) -> None:
     """Raise HaptonicError if the first is not ours, or the second a table that cannot be read."""
     if kind_of(options.first) == "table":
-        raise StudyError.missing(
+        raise StudyError.conflict(
             argument="FIRST",
             given=shown(str(options.first), 100),
             allowed="a study (.toml), or a folder of `haptonic bands`",
@@ -72,7 +72,7 @@ def compute(study: None, options: CompareOptions, runner: Runner) -> Comparison:
         return Comparison(first, theirs)
     second = of_dataset(names[1], bands_of(options.second, runner))
     if first.labels != second.labels:
-        raise StudyError.missing(
+        raise StudyError.mismatch(
             argument="SECOND",
             given=f"a path {' '.join(second.labels)}",
             allowed=f"{' '.join(first.labels)}, the path of {first.name}",
