@@ -17,6 +17,7 @@ from haptonic.bloch.model import BlochModel, bloch_model, candidate_models
 from haptonic.bloch.pencil import Periodic
 from haptonic.bloch.settings import BandSettings
 from haptonic.bloch.tracking import Diagram, diagram
+from haptonic.bloch.wavevectors import wavevector_at
 from haptonic.bloch.zone import zone_surface
 from haptonic.cell import UnitCell
 from haptonic.gate import declared
@@ -29,12 +30,16 @@ DENSITY_BINS = 200
 
 
 @threadpool_limits.wrap(limits=1)  # these matrices are too small for threads inside the linear algebra
-def bands_dataset(cell: UnitCell, settings: BandSettings, *, surface: bool = False) -> xr.Dataset:
+def bands_dataset(
+    cell: UnitCell, settings: BandSettings, *, surface: bool = False, modes_at: str | None = None
+) -> xr.Dataset:
     """Band diagram, gaps and mode shapes of a cell.
 
     Parameters
     ----------
     surface : also sample the whole zone evenly, for contours and the density of states
+    modes_at : wavevector of the mode shapes, see `haptonic.bloch.wavevectors`; else the middle of the path's
+        second segment
 
     Returns
     -------
@@ -51,8 +56,8 @@ def bands_dataset(cell: UnitCell, settings: BandSettings, *, surface: bool = Fal
     gaps = complete_gaps(model)
     dataset = _diagram_dataset(along)
     dataset = dataset.merge(_gaps_dataset((*gaps, *partial_gaps(along, gaps))))
-    middle = 0.5 * (path.kappa[path.corners[1]] + path.kappa[path.corners[2]])
-    dataset = dataset.merge(mode_shapes(model, middle))
+    kappa, name = wavevector_at(cell.zone, modes_at or f"{path.labels[1]}-{path.labels[2]}")
+    dataset = dataset.merge(mode_shapes(model, kappa))
     if surface:
         dataset = dataset.merge(_surface_dataset(model))
     levels = [gap.centre for gap in gaps] or [float(along.frequency[:, -1].min())]
@@ -72,7 +77,7 @@ def bands_dataset(cell: UnitCell, settings: BandSettings, *, surface: bool = Fal
         "zone": json.dumps(cell.zone.corners),
         "path_labels": json.dumps(path.labels),
         "path_corners": json.dumps(path.corners),
-        "modes_at": f"middle of {path.labels[1]}-{path.labels[2]}",
+        "modes_at": name,
         "character_names": json.dumps(NAMES),
         "accuracy": settings.accuracy,
     }

@@ -81,7 +81,7 @@ class Resolution:
         ])  # fmt: skip
 
     def _meshed(self, cell: UnitCell) -> list[tuple[TileShape, MeshPlan]]:
-        """Tiles that differ and their plans, without the shafts of prisms, which take next to nothing."""
+        """Tiles that differ and their plans, without the bodies of prisms, which take next to nothing."""
         made = {}
         for one, plan in zip(cell.tiles, self.plans(cell), strict=True):
             pillar = one.tile.pillar
@@ -308,7 +308,7 @@ def check_cost(
         + (f", after {spent:.0f} s for lower ones" if spent else "")
     )
     fewer = most_bands(cell, resolution.bands, accuracy)
-    raise ResourceError(
+    raise ResourceError.too_large(
         argument="bands.accuracy",
         given=f"{accuracy:g}",
         allowed=f"{_rounded_up(possible):g} or more for this cell and {resolution.bands} bands"
@@ -334,7 +334,7 @@ def check_memory(cell: UnitCell, chosen: Resolution) -> None:
         return
     lower = (replace(chosen, order=order) for order in range(chosen.order - 1, LEAST_ORDER - 1, -1))
     fits = next((one.order for one in lower if one.memory(cell) <= free), None)
-    raise ResourceError(
+    raise ResourceError.too_large(
         argument="mesh",
         given=f"order = {chosen.order}, foot_rings = {chosen.foot_rings}",
         allowed=f"a mesh of a cell that fits into the {free / 1e9:.1f} GB that are free",
@@ -360,7 +360,7 @@ def check_thickness(cell: UnitCell) -> None:
     """Refuse a plate that is too thin for its pitch to be computed at all."""
     longest = max(math.hypot(*cell.lattice.a1), math.hypot(*cell.lattice.a2))
     if cell.thickness < LEAST_THICKNESS * longest:
-        raise GeometryError(
+        raise GeometryError.out_of_range(
             argument="cell.thickness",
             given=f"{cell.thickness * 1e3:.4g} mm",
             allowed=f"at least {LEAST_THICKNESS * longest * 1e3:.4g} mm, {LEAST_THICKNESS:g} of the pitch",

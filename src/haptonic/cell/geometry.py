@@ -72,6 +72,7 @@ class UnitCell(TileShape):
         # lattices and outlines always have it; the rest of the group is left until it is asked for
         if not is_symmetry(self.material.stiffness, HALF_TURNED):
             raise problem(
+                "unsupported",
                 self.material.name,
                 "a material that half a turn about the plate's normal leaves as it is",
                 "its constants couple motion in the plane with motion out of it",
@@ -83,6 +84,7 @@ class UnitCell(TileShape):
             return
         if self.pillar is not None and self.pillar.section == "square" and len(self.corners) != 4:
             raise problem(
+                "unsupported",
                 "square",
                 f"round on a {self.lattice.name} lattice",
                 "a cell of six sides is meshed around a circle",
@@ -95,6 +97,7 @@ class UnitCell(TileShape):
     def _check_sites(self) -> None:
         if self.site and self.pillar is not None:
             raise problem(
+                "conflict",
                 "a pillar beside [[cell.site]]",
                 "pillars of the sites, or one for all of them",
                 "the pillar of a site was given twice",
@@ -105,6 +108,7 @@ class UnitCell(TileShape):
         least = 2 * LEAST_CLEARANCE * self.lattice.pitch
         if (pair := apart(shares, self.lattice.vectors, least)) is not None:
             raise problem(
+                "repeated",
                 f"the place of site[{pair[0] + 1}]",
                 f"a place more than {least * 1e3:.3g} mm from every other site",
                 "two sites are one place of the lattice, or nearly",
@@ -175,7 +179,7 @@ class UnitCell(TileShape):
     def check_one_site(self, what: str) -> None:
         """Raise GeometryError unless there is one site, in the middle; ``what`` needs it."""
         if not self.is_simple:
-            raise GeometryError(
+            raise GeometryError.unsupported(
                 argument="cell.site" if self.site else "cell.lattice",
                 given=f"{len(self.shares)} sites" if self.site else self.lattice.name,
                 allowed=f"a cell of one site in its middle for {what}",
@@ -259,6 +263,7 @@ def _too_wide(pillar: Pillar, room: float) -> Exception:
     if pillar.arc is not None and sharp.widest < room:
         most = pillar.fillet * (room - pillar.radius) / (pillar.arc.centre[0] - pillar.radius)
         return problem(
+            "out-of-range",
             f"{pillar.fillet * 1e3:.4g} mm",
             f"less than {most * 1e3:.4g} mm, {free}",
             "the fillet reaches beyond the cell",
@@ -267,6 +272,7 @@ def _too_wide(pillar: Pillar, room: float) -> Exception:
         )
     beyond = 2 * (sharp.widest - pillar.radius)
     return problem(
+        "out-of-range",
         f"{pillar.diameter * 1e3:g} mm"
         + (f", and {beyond * 1e3:.4g} mm more where the pillar is widest" if beyond else ""),
         f"less than {(2 * room - beyond) * 1e3:.4g} mm, {free}",

@@ -125,6 +125,7 @@ def check_shares(sites: Sequence[Site], vectors: Array, lattice: str) -> Array:
     if named is not None:
         if sites and len(sites) != len(named):
             raise problem(
+                "conflict",
                 f"{len(sites)} of them",
                 f"{len(named)}, one for each site of a {lattice} lattice, or none for pillars all alike",
                 "a table is missing, or there is one too many",
@@ -134,6 +135,7 @@ def check_shares(sites: Sequence[Site], vectors: Array, lattice: str) -> Array:
         for number, one in enumerate(sites, start=1):
             if one.at is not None or one.position is not None:
                 raise problem(
+                    "conflict",
                     "a place",
                     f"none: the sites of a {lattice} lattice have theirs",
                     "the place of a site was given twice",
@@ -145,6 +147,7 @@ def check_shares(sites: Sequence[Site], vectors: Array, lattice: str) -> Array:
     for number, one in enumerate(sites, start=1):
         if (one.at is None) == (one.position is None):
             raise problem(
+                "missing" if one.at is None else "conflict",
                 "neither" if one.at is None else "both",
                 "at (shares of the translations) or position (lengths), one of the two",
                 f"a {lattice} lattice does not say where its sites are"
@@ -157,6 +160,7 @@ def check_shares(sites: Sequence[Site], vectors: Array, lattice: str) -> Array:
         assert shares is not None
         if not ((shares >= 0) & (shares < 1)).all():
             raise problem(
+                "out-of-range",
                 f"{shares[0]:.6g} a1 + {shares[1]:.6g} a2",
                 "a place in the cell: shares of both translations from 0 to below 1",
                 "the site lies outside the cell",
@@ -297,6 +301,7 @@ def check_tiles(tiles: Sequence[PlacedTile], given: int, pitch: float, least: fl
         sides = np.linalg.norm(tile.corners - np.roll(tile.corners, 1, axis=0), axis=1)
         if sides.min() < LEAST_SIDE * tile.inradius:
             raise problem(
+                "out-of-range",
                 f"a side of the site's tile of {sides.min() / tile.inradius:.2g} of the circle within",
                 f"none shorter than {LEAST_SIDE:g} of the radius of the circle within",
                 "four tiles or more nearly meet in a point, but not quite",
@@ -308,6 +313,7 @@ def check_tiles(tiles: Sequence[PlacedTile], given: int, pitch: float, least: fl
             continue
         if pillar.section == "square" and (one.is_turned or not tile.is_upright):
             raise problem(
+                "unsupported",
                 "square",
                 "round on a tile that is no rectangle along x and y",
                 "other tiles are meshed around a circle",
@@ -318,6 +324,7 @@ def check_tiles(tiles: Sequence[PlacedTile], given: int, pitch: float, least: fl
             beyond = 2 * (pillar.widest - pillar.radius)
             room = 2 * (tile.inradius - least) - beyond
             raise problem(
+                "out-of-range",
                 f"{pillar.diameter * 1e3:g} mm wide"
                 + (f", and {beyond * 1e3:.4g} mm more where it is widest" if beyond else ""),
                 f"less than {room * 1e3:.4g} mm wide, so that a hundredth of the pitch stays free up to half-"

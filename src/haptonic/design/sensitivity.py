@@ -115,7 +115,7 @@ def _beside(cell: UnitCell, path: str) -> tuple[UnitCell, UnitCell, float]:
     try:
         ahead, behind = (cell.with_numbers({path: here + sign * step}) for sign in (1, -1))
     except GeometryError as error:
-        raise GeometryError(
+        raise GeometryError.conflict(
             argument=path,
             given=error.given,
             allowed=f"a number that can be a little larger and smaller; {error.allowed}",

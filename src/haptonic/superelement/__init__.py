@@ -5,7 +5,7 @@ from haptonic.superelement.condense import Superelement, condense, condensed, on
 from haptonic.superelement.dynamic import DynamicStiffness, dynamic_stiffness
 from haptonic.superelement.folded import FoldedMesh, through_levels
 from haptonic.superelement.joint import Joint, JointImage, repeated
-from haptonic.superelement.shafted import condense_by_parts
+from haptonic.superelement.substructured import condense_by_parts
 from haptonic.superelement.tiling import TiledMesh, Tiling
 from haptonic.superelement.trace import TraceOperation
 

@@ -74,7 +74,7 @@ class Joint:
         joint = cls(cell, tuple(placed), levels, np.concatenate(places), np.cumsum([len(p) for p in places]))
         alone = np.bincount(joint.master)[joint.master] == 1
         if alone.any():
-            raise GeometryError(
+            raise GeometryError.mismatch(
                 argument="tiles",
                 given=f"{alone.sum()} of {len(alone)} places that no other tile has",
                 allowed="tiles that cover the plane, edge to edge, with equal nodes on common edges",

@@ -24,7 +24,7 @@ from haptonic.superelement.folded import FoldedMesh
 from haptonic.superelement.joint import Joint
 from haptonic.superelement.measures import ENERGIES, Measures
 from haptonic.superelement.sections import PillarSections
-from haptonic.superelement.shafted import condense_by_parts
+from haptonic.superelement.substructured import condense_by_parts
 from haptonic.superelement.symmetry import folds_of
 
 Array = NDArray[np.float64]

@@ -176,7 +176,7 @@ def in_mm(cell: UnitCell, columns: int, rows: int) -> UnitCell:
     """
     for name, number in (("columns", columns), ("rows", rows)):
         if isinstance(number, bool) or not isinstance(number, int) or number < 1:
-            raise GeometryError(
+            raise GeometryError.out_of_range(
                 argument=name,
                 given=number,
                 allowed="a positive integer",
@@ -219,7 +219,7 @@ def standing(cell: UnitCell, columns: int, rows: int) -> list[tuple[Pillar, Arra
             continue
         room = np.minimum(share, 1 - share) / np.linalg.norm(across, axis=0)
         if room.min() < pillar.widest:
-            raise GeometryError(
+            raise GeometryError.conflict(
                 argument="cell.site",
                 given=f"a pillar {2 * pillar.widest:.4g} mm wide, {room.min():.4g} mm from the plate's edge",
                 allowed="pillars that stand on the plate with their whole foot",
