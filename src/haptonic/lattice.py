@@ -154,15 +154,18 @@ class Lattice:
             having = [name for name, others in FURTHER.items() if field in others]
             allowed = f"{field} for a lattice that is {' or '.join(having)}, and for no other"
             if needed and value is None:
-                raise problem("nothing", allowed, "it was left out", f"add {field}", at=field)
+                raise problem("missing", "nothing", allowed, "it was left out", f"add {field}", at=field)
             if value is not None and not needed:
                 given = format_quantity(value, "rad" if field == "angle" else "m")
                 cause = f"a {self.name} lattice is given without it"
                 names = " or ".join(f'"{name}"' for name in having)
-                raise problem(given, allowed, cause, f"remove {field}, or write lattice = {names}", at=field)
+                raise problem(
+                    "conflict", given, allowed, cause, f"remove {field}, or write lattice = {names}", at=field
+                )
         lengths = np.linalg.norm(self.vectors, axis=1)
         if lengths.max() > MOST_ELONGATED * lengths.min():
             raise problem(
+                "out-of-range",
                 " and ".join(format_quantity(float(length), "m") for length in lengths),
                 f"periods whose ratio is at most {MOST_ELONGATED:g}",
                 "one of them is far longer than the other",
@@ -171,6 +174,7 @@ class Lattice:
             )
         if self.shortest_side < LEAST_SIDE:
             raise problem(
+                "out-of-range",
                 f"{self.name}, a side of its cell {self.shortest_side:.2g} of the circle within",
                 f"six sides, none shorter than {LEAST_SIDE:g} of the radius of the circle within",
                 "its points nearly stand in rectangles, and so short a side cannot be meshed",
@@ -238,7 +242,7 @@ class Lattice:
     def check_rectangular(self, what: str) -> None:
         """Raise GeometryError unless the translations lie along x and y; ``what`` needs it."""
         if not self.is_rectangular:
-            raise GeometryError(
+            raise GeometryError.unsupported(
                 argument="cell.lattice",
                 given=self.name,
                 allowed=f"square or rectangular for {what}",

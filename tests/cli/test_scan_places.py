@@ -13,7 +13,7 @@ from haptonic.bloch.mirrors import condensed_cell
 from haptonic.bloch.model import bloch_model
 from haptonic.store import Store
 from haptonic.study import loads
-from haptonic.vibrometry.places import guides_of, mirror_beside, strips_of
+from haptonic.vibrometry.guides import guides_of, mirror_beside, strips_of
 from haptonic.vibrometry.theory import computed_waves, guided
 from tiny_scan import TINY
 

@@ -297,8 +297,8 @@ def test_a_help_loads_nothing_that_computes():
 @pytest.mark.parametrize(
     ("words", "at", "offered"),
     [
-        ("haptonic ", 1, {"bands", "new", "twin"}),
-        ("haptonic twin ", 2, {"friction", "scan"}),
+        ("haptonic ", 1, {"bands", "new", "simulate"}),
+        ("haptonic simulate ", 2, {"friction", "scan"}),
         ("haptonic new t", 2, {"touchpad", "two-carriers", "triangular-mirror"}),
         ("haptonic bands --sur", 2, {"--surface"}),
     ],

@@ -20,7 +20,7 @@ from haptonic.solvers import chosen
 from haptonic.superelement import condense_by_parts
 
 PITCH = 6e-3
-PARTS = {"argument", "given", "allowed", "cause", "next_step"}
+PARTS = {"code", "argument", "given", "allowed", "cause", "next_step"}
 
 
 def thin_cell(thickness, diameter=0.0, height=0.5):

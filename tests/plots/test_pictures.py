@@ -15,6 +15,7 @@ from matplotlib.figure import Figure
 from matplotlib.patches import Rectangle
 from seeing import artists, assert_readable, shown_texts
 
+from five_parts import refusing
 from haptonic import plots
 from haptonic.bloch import bands_dataset
 from haptonic.bloch.settings import BandSettings, MeshSettings
@@ -79,7 +80,7 @@ class TestEveryPicture:
 
 def test_a_picture_does_not_replace_a_file_unasked(drawn, tmp_path):
     (tmp_path / "a.png").write_text("mine")
-    with pytest.raises(ResourceError, match="overwriting"):
+    with refusing(ResourceError, "repeated", "output file"):
         plots.save(drawn["density"], tmp_path, "a")
     assert (tmp_path / "a.png").read_text() == "mine"
     assert not (tmp_path / "a.svg").exists()

@@ -9,13 +9,12 @@ from __future__ import annotations
 from importlib import import_module
 from typing import TYPE_CHECKING
 
-from haptonic.errors import StudyError, nearest
-from haptonic.units import shown
+from haptonic.errors import StudyError
 
 if TYPE_CHECKING:  # to list the analyses, none of them and nothing that they need is loaded
     from haptonic.analyses.analysis import Analysis
 
-# name: what it gives, a sentence; in the order of the help. "twin scan" is the module twin_scan
+# name: what it gives, a sentence; in the order of the help. "simulate scan" is the module simulate_scan
 NAMES = {
     "plan": "What a study describes, its map and sizes, and what each command will cost, before anything is "
     "computed.",
@@ -40,9 +39,9 @@ NAMES = {
     "friction": "Coefficients of friction from force records, and what they prove.",
     "verdict": "A response that a scan has given, once more against its plate's model: new unknowns, no "
     "records.",
-    "twin friction": "Made-up strokes of made-up people, as a folder that `haptonic friction` reads; all "
+    "simulate friction": "Made-up strokes of made-up people, as a folder that `haptonic friction` reads; all "
     "simulated.",
-    "twin scan": "What a laser vibrometer would record of the study's plate. Everything is marked as "
+    "simulate scan": "What a laser vibrometer would record of the study's plate. Everything is marked as "
     "simulated.",
 }
 
@@ -55,14 +54,7 @@ def named(name: str) -> Analysis:
     StudyError : there is none of this name
     """
     if name not in NAMES:
-        guess = nearest(name, NAMES)
-        raise StudyError(
-            argument="name of the analysis",
-            given=shown(name),
-            allowed=f"one of {', '.join(NAMES)}",
-            cause="there is no such analysis",
-            next_step=f'write "{guess}"' if guess else "choose one of these",
-        )
+        raise StudyError.unknown("name of the analysis", name, NAMES, "there is no such analysis")
     found: Analysis = import_module(f"haptonic.analyses.{name.replace(' ', '_')}").ANALYSIS
     return found
 

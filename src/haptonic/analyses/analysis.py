@@ -7,10 +7,10 @@ from dataclasses import MISSING, dataclass, field, fields
 from pathlib import Path
 from typing import Any, Literal
 
-from haptonic.errors import StudyError, nearest
+from haptonic.errors import StudyError
 from haptonic.results.result import Result
 from haptonic.results.runner import Runner
-from haptonic.units import shown, to_si
+from haptonic.units import to_si
 
 KEPT = "the designs that were finished are kept; the same command goes on from there"
 
@@ -98,14 +98,8 @@ class Analysis:
         known = {one.name: one for one in fields(self.options)}
         for name in given:
             if name not in known:
-                guess = nearest(name, known)
-                raise StudyError(
-                    argument=name,
-                    given=shown(given[name]),
-                    allowed=f"one of {', '.join(known)}" if known else "no options at all",
-                    cause=f"{self.name} has no such option",
-                    next_step=f"write {guess}" if guess else "leave it out",
-                )
+                cause = f"{self.name} has no such option"
+                raise StudyError.unknown(name, name, known, cause, next_step="leave it out")
         asked = {
             name: one.value(given[name]) if (one := option_of(known[name])) else given[name] for name in given
         }

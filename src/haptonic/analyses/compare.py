@@ -9,14 +9,13 @@ import xarray as xr
 
 from haptonic.analyses.analysis import Analysis, option
 from haptonic.channels.numbers import read_numbers
-from haptonic.errors import StudyError
+from haptonic.errors import StudyError, shown
 from haptonic.fields import remade, table
 from haptonic.results.bands import compute_bands
 from haptonic.results.compare import Comparison, of_dataset, of_file, of_table
 from haptonic.results.runner import Runner
 from haptonic.study.loading import load_as
 from haptonic.study.schema import Description
-from haptonic.units import shown
 
 RESULT = "bands.nc"  # in the folder of `haptonic bands`
 FINE = 201  # wavevectors of a study, so that straight lines between them are no worse than its accuracy
@@ -44,7 +43,7 @@ def kind_of(path: Path) -> str:
 def check(study: None, options: CompareOptions) -> None:
     """Raise HaptonicError if the first is not ours, or the second a table that cannot be read."""
     if kind_of(options.first) == "table":
-        raise StudyError(
+        raise StudyError.conflict(
             argument="FIRST",
             given=shown(str(options.first), 100),
             allowed="a study (.toml), or a folder of `haptonic bands`",
@@ -73,7 +72,7 @@ def compute(study: None, options: CompareOptions, runner: Runner) -> Comparison:
         return Comparison(first, theirs)
     second = of_dataset(names[1], bands_of(options.second, runner))
     if first.labels != second.labels:
-        raise StudyError(
+        raise StudyError.mismatch(
             argument="SECOND",
             given=f"a path {' '.join(second.labels)}",
             allowed=f"{' '.join(first.labels)}, the path of {first.name}",

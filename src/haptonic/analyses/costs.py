@@ -77,10 +77,11 @@ def tolerance(study: Description, options: Any) -> Cost:
 
 def plate(study: Description, options: Any) -> Cost:
     """Of a plate's response, and of its lattice's gap."""
+    mounted = study.mounted_plate()  # says what is missing where there is none
     assert study.finite_plate is not None
     single = getattr(options, "at", None) is not None
     settings = study.finite_plate.response
-    response = Cost(*foreseen(study.mounted_plate(), settings.lowest, settings.highest, single=single))
+    response = Cost(*foreseen(mounted, settings.lowest, settings.highest, single=single))
     return response if single else gaps(study) + response
 
 

@@ -21,9 +21,8 @@ def need_carrier(study: Description) -> float:
     StudyError : the study does not give it
     """
     if study.carrier is None:
-        raise StudyError(
+        raise StudyError.missing(
             argument="carrier",
-            given="nothing",
             allowed="the frequency of the drive",
             cause="the study does not say which frequency the gap has to hold",
             next_step='add carrier = "60 kHz" at the top of the study',

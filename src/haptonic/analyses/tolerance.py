@@ -45,16 +45,15 @@ def check(study: Description, options: NoOptions) -> None:
     need_carrier(study)
     section = study.tolerance_settings
     if not section.of:
-        raise StudyError(
+        raise StudyError.missing(
             argument="tolerance.of",
-            given="nothing",
             allowed="at least one [[tolerance.of]] table with parameter and spread",
             cause="the study does not say what differs",
             next_step='add [[tolerance.of]] with parameter = "cell.pillar.diameter", spread = "20 um"',
         )
     count, needed = section.samples, terms_needed(len(section.of))
     if count < 2 * needed:
-        raise StudyError(
+        raise StudyError.too_few(
             argument="tolerance.samples",
             given=count,
             allowed=f"at least {2 * needed} for {len(section.of)} spreads",
@@ -77,7 +76,7 @@ def compute(study: Description, options: NoOptions, runner: Runner) -> Tolerance
     try:
         designs = samples(cell, spreads, count)
     except HaptonicError as error:
-        raise StudyError(
+        raise StudyError.out_of_range(
             argument="tolerance.of",
             given="spreads that lead to bodies that cannot be",
             allowed=f"spreads of which {REACH:g} times as large ones still make a body",

@@ -7,12 +7,11 @@ from dataclasses import dataclass
 from haptonic.analyses.analysis import Analysis, option
 from haptonic.analyses.needs import has_mirror, need_carrier, need_rows
 from haptonic.bloch.settings import WaveguideSettings
-from haptonic.errors import StudyError
+from haptonic.errors import StudyError, shown
 from haptonic.fields import remade
 from haptonic.results.guides import Guides, compute_guides
 from haptonic.results.runner import Runner
 from haptonic.study.schema import Description
-from haptonic.units import shown
 
 
 @dataclass(frozen=True)
@@ -22,7 +21,7 @@ class WaveguideOptions:
     mode: str | None = option(None, "Nodal lines across, intervals along; else the study's.", metavar="MxN")
 
 
-def asked(study: Description, options: WaveguideOptions) -> WaveguideSettings:
+def chosen_settings(study: Description, options: WaveguideOptions) -> WaveguideSettings:
     """What the study asks for, with the mode that was chosen.
 
     Raises
@@ -36,7 +35,7 @@ def asked(study: Description, options: WaveguideOptions) -> WaveguideSettings:
     try:
         return remade(own, mode=options.mode)
     except StudyError:
-        raise StudyError(
+        raise StudyError.malformed(
             argument="--mode",
             given=shown(options.mode),
             allowed="nodal lines across, an x, and intervals between nodal lines along, such as 0x17",
@@ -55,7 +54,7 @@ def compute(study: Description, options: WaveguideOptions, runner: Runner) -> Gu
     found: Guides = compute_guides(
         study.cell,
         study.bands_settings,
-        asked(study, options),
+        chosen_settings(study, options),
         carrier=need_carrier(study),
         inputs=study.inputs(),
         runner=runner,
@@ -69,5 +68,5 @@ ANALYSIS = Analysis(
     compute=compute,
     reported=lambda study: WaveguideOptions() if has_mirror(study) else None,
     options=WaveguideOptions,
-    check=asked,
+    check=chosen_settings,
 )

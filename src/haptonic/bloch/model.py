@@ -348,7 +348,7 @@ def candidate_models(
             if grown == MOST_GROWTH or (trusted and enough) or too_coarse:
                 break
             grown, tried = grown + 1, tried.grown()
-    raise ResourceError(
+    raise ResourceError.inaccurate(
         argument="bands.accuracy",
         given=f"{accuracy:g}",
         allowed="what the finest mesh reaches for this cell",

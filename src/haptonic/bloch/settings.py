@@ -106,7 +106,7 @@ class LayersSettings:
         """
         low, high = self.lowest or LOWEST * carrier, self.highest or HIGHEST * carrier
         if low >= high:
-            raise StudyError(
+            raise StudyError.conflict(
                 argument="layers.lowest",
                 given=format_quantity(low, "Hz"),
                 allowed=f"less than the highest frequency, {format_quantity(high, 'Hz')}",

@@ -8,8 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from haptonic.brillouin import IrreducibleZone
-from haptonic.errors import StudyError
-from haptonic.units import shown
+from haptonic.errors import StudyError, shown
 
 Array = NDArray[np.float64]
 
@@ -50,7 +49,7 @@ def wavevector_at(zone: IrreducibleZone, text: str) -> tuple[Array, str]:
             kappa = (1 - share) * corners[start] + share * corners[stop]
             return kappa, f"{'middle' if share == 0.5 else f'{share:g}'} of {start}-{stop}"
     labels = list(corners)
-    raise StudyError(
+    raise StudyError.malformed(
         argument="--modes-at",
         given=shown(text),
         allowed=f'a corner ({", ".join(labels)}), a share between two ("0.3 {labels[0]}-{labels[1]}") or the '

@@ -19,7 +19,7 @@ SHEET_NECK = 0.7  # what `WIDE_NECK` is on a sheet
 THIN_NECK = 0.46  # and on a thin plate: one order fewer told 0.7 % where 0.3 % are told
 WIDE_NECK = 0.42  # length of the neck between two pillars, in half pitches, that a quarter turn's order suits
 # Orders more along a pillar that is meshed to its top. With none, a pillar of 6 deg draft, 1.4 diameters to
-# an element, lost 0.23 % at orders 3 and 4, four fifths of it there; a shaft's polynomials are finer than
+# an element, lost 0.23 % at orders 3 and 4, four fifths of it there; a body's polynomials are finer than
 # that anyway.
 ALONG_MORE = 2
 # Most of the same through the plate, whose strain below the foot dies out over the pillar's width. A plate of
@@ -94,7 +94,7 @@ class MeshPlan:
         neck between round pillars that nearly touch is a small part of it. Cubic elements are too
         stiff along a pillar that bends and across the plate beside it, by more than all the rest together:
         there order 3 has quartic ones. On a thin plate these would lock in the lower order that tells the
-        error: there none has less than quintic ones. Along a pillar that is no prism, and so has no shaft,
+        error: there none has less than quintic ones. Along a pillar that is no prism, and so has no body,
         all get two orders more: bending of a slender one would err most of all there.
         """
         waves = _waves(cell, bands) if bands else 0.0
@@ -125,7 +125,7 @@ class MeshPlan:
             plate_layers=math.ceil((1 - ROUNDING) * cell.thickness / (PLATE_LAYER * cell.pillar.diameter)),
             outward=(max(order, 5) if thin else 4 if order == 3 else order) + more // 2,
             upward=upward,
-            along=upward + ALONG_MORE if _has_no_shaft(cell.pillar) else upward,
+            along=upward + ALONG_MORE if _has_no_body(cell.pillar) else upward,
             thin=order,
         )
 
@@ -150,7 +150,7 @@ class MeshPlan:
             outward=order + 3,
             upward=max(order - 1, 3),
             thin=order,
-            along=max(order, 4) + (ALONG_MORE if _has_no_shaft(pillar) else 0),
+            along=max(order, 4) + (ALONG_MORE if _has_no_body(pillar) else 0),
         )
 
     def lowered(self, cell: UnitCell) -> MeshPlan:
@@ -164,7 +164,7 @@ class MeshPlan:
         """
         ungraded = cell.pillar is not None and cell.pillar.step is not None and not self.step_rings
         foot_leads = self.foot_rings == 1 and cell.pillar is not None and not ungraded
-        meshed_up = cell.pillar is not None and _has_no_shaft(cell.pillar)
+        meshed_up = cell.pillar is not None and _has_no_body(cell.pillar)
         return replace(
             self,
             order=max(self.order - 1, 1),
@@ -279,6 +279,6 @@ def _divided(order: int) -> tuple[int, int]:
     return (order, 1) if order <= MOST_AROUND else ((order + 1) // 2 + 1, 2)
 
 
-def _has_no_shaft(pillar: Pillar) -> bool:
+def _has_no_body(pillar: Pillar) -> bool:
     """Whether the pillar is no prism above its foot, and so is meshed up to its top."""
     return bool(pillar.draft or pillar.step)

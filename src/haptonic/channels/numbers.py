@@ -15,8 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from haptonic.channels.delimited import text_of
-from haptonic.errors import ChannelError
-from haptonic.units import shown
+from haptonic.errors import ChannelError, shown
 
 Array = NDArray[np.float64]
 
@@ -133,7 +132,7 @@ def _heads(before: list[str], separator: str) -> list[str]:
 
 
 def _refused(path: Path, given: str, next_step: str) -> ChannelError:
-    return ChannelError(
+    return ChannelError.unreadable(
         argument=path.name,
         given=given,
         allowed="rows of as many numbers each, parted by tabs, semicolons, bars, commas or blanks",

@@ -82,6 +82,7 @@ class Voice:
             "allowed": error.allowed,
             "likely cause": error.cause,
             "next step": error.next_step,
+            "code": error.code,
         }
         self.err.print(Text("error", "bold red"))
         for title, text in rows.items():

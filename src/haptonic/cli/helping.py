@@ -13,7 +13,7 @@ from typer.core import TyperArgument, TyperCommand, TyperGroup, TyperOption
 from haptonic import analyses
 from haptonic.cli import commands
 
-GROUPS = {"twin": "Simulate a measurement whose truth is known."}  # first words of names of two words
+GROUPS = {"simulate": "Simulate a measurement whose truth is known."}  # first words of names of two words
 
 
 class Worded(TyperGroup):

@@ -9,12 +9,11 @@ from functools import cache, partial
 from importlib.resources import files
 from types import MappingProxyType
 
-from haptonic.errors import StudyError, nearest
+from haptonic.errors import StudyError
 from haptonic.fields import Named
 from haptonic.materials.isotropic import IsotropicMaterial
 from haptonic.materials.orthotropic import OrthotropicMaterial
 from haptonic.materials.piezoelectric import PiezoelectricMaterial
-from haptonic.units import shown
 
 Material = IsotropicMaterial | OrthotropicMaterial | PiezoelectricMaterial
 
@@ -48,14 +47,11 @@ def material(name: str) -> Material:
     """
     if name in library():
         return library()[name]
-    guess = nearest(name.lower(), library())
-    raise StudyError(
-        argument="material",
-        given=shown(name),
+    raise StudyError.unknown(
+        "material", name, library(), "the library does not hold this material",
         allowed=f"one of {', '.join(library())}, or a [material] table",
-        cause="a slip in the name" if guess else "the library does not hold this material",
-        next_step=f'write "{guess}"' if guess else "give its constants in a [material] table",
-    )
+        next_step="give its constants in a [material] table",
+    )  # fmt: skip
 
 
 def built_in(name: str, *, piezoelectric: bool = False) -> Material:
@@ -69,14 +65,8 @@ def built_in(name: str, *, piezoelectric: bool = False) -> Material:
     key = re.sub(r"[\s_-]+", "-", name.strip().lower())
     if key in known:
         return known[key]
-    guess = nearest(key, known)
-    raise StudyError(
-        argument="material",
-        given=shown(name),
-        allowed=f"one of {', '.join(known)}",
-        cause="it is not piezoelectric" if key in library() else "the library does not hold this material",
-        next_step=f'write "{guess}"' if guess else "choose one of them",
-    )
+    cause = "it is not piezoelectric" if key in library() else "the library does not hold this material"
+    raise StudyError.unknown("material", name, known, cause)
 
 
 def ceramics() -> Mapping[str, Material]:

@@ -10,10 +10,10 @@ from .planning import power
 from .plates import plate_plan
 from .scans import (
     average_response,
+    decay_map,
     drive_signal,
-    fading,
-    fading_map,
     measured_contrast,
+    measured_decay,
     point_quality,
     wave_map,
 )
@@ -32,11 +32,10 @@ __all__ = [
     "conditions",
     "contrast_spectrum",
     "decay",
+    "decay_map",
     "density_of_states",
     "dispersion",
     "drive_signal",
-    "fading",
-    "fading_map",
     "frac_maps",
     "friction_map",
     "front",
@@ -48,6 +47,7 @@ __all__ = [
     "maps",
     "maps_compared",
     "measured_contrast",
+    "measured_decay",
     "mode_shapes",
     "plate_plan",
     "point_quality",

@@ -16,7 +16,7 @@ from haptonic import plots, vtu
 from haptonic.bloch import Gap, bands_dataset, gaps_of
 from haptonic.bloch.settings import BandSettings
 from haptonic.cell import UnitCell
-from haptonic.plots.words import khz
+from haptonic.plots.text import khz
 from haptonic.results.common import stamped
 from haptonic.results.plain import plain
 from haptonic.results.result import Result, figure, file

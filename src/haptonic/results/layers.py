@@ -207,9 +207,8 @@ def compute_layers(
         wave propagates towards the rows at the carrier
     """
     if cell.pillar is None:
-        raise StudyError(
+        raise StudyError.missing(
             argument="cell.pillar",
-            given="nothing",
             allowed="a cell with a pillar",
             cause="rows of plain plate between two plain plates reflect nothing",
             next_step="add a [cell.pillar] table",
@@ -253,7 +252,7 @@ def _at_carrier(superelement: Superelement, carrier: float, incidence: Incidence
         if one is not None:
             found[family] = one
     if not found:
-        raise StudyError(
+        raise StudyError.no_answer(
             argument="layers.angle",
             given=f"{np.degrees(incidence.angle):g} deg at {format_quantity(carrier, 'Hz')}",
             allowed="an angle at which some plate wave propagates towards the rows",

@@ -40,7 +40,7 @@ class Runner:
             ("progress", "a function that is called with (done, planned, what)", callable(self.progress)),
         ):
             if not fits:
-                raise HaptonicError(
+                raise HaptonicError.malformed(
                     argument=name,
                     given=repr(getattr(self, name)),
                     allowed=allowed,

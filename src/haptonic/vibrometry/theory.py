@@ -17,7 +17,7 @@ from haptonic.bloch.settings import BandSettings
 from haptonic.errors import StudyError
 from haptonic.gate import WORD
 from haptonic.plate.layout import Layout
-from haptonic.vibrometry.places import Guiding, Mirror
+from haptonic.vibrometry.guides import Guiding, Mirror
 
 Array = NDArray[np.float64]
 

@@ -9,11 +9,10 @@ import typer
 from haptonic.cli.commands import Json
 from haptonic.cli.console import Voice, speaking
 from haptonic.cli.listing import entry, pairs
-from haptonic.errors import StudyError, nearest
+from haptonic.errors import StudyError, nearest, shown
 from haptonic.fields import Key, table
 from haptonic.fields.problems import allowed_at, example_at
 from haptonic.study import Study
-from haptonic.units import shown
 
 Pattern = Annotated[
     str | None, typer.Argument(metavar="PATTERN", help="Part of a path, or a word of a key's help.")
@@ -64,6 +63,7 @@ def matching(keys: dict[str, Key], pattern: str) -> dict[str, Key]:
     words = {part for path in keys for part in (path, *path.replace("[]", "").split("."))}
     guess = nearest(wanted, sorted(words))
     raise StudyError(
+        "unknown",
         argument="pattern",
         given=shown(pattern),
         allowed="part of a path such as cell.pillar, or a word of a key's help",

@@ -10,10 +10,10 @@ import typer
 from haptonic.cli.commands import Json
 from haptonic.cli.console import speaking
 from haptonic.cli.listing import entry
-from haptonic.errors import StudyError, nearest
+from haptonic.errors import StudyError, nearest, shown
 from haptonic.materials import IsotropicMaterial, Material, PiezoelectricMaterial, library
 from haptonic.results.table import Column, Table
-from haptonic.units import format_quantity, shown
+from haptonic.units import format_quantity
 
 UNITS = {"youngs_modulus": "Pa", "density": "kg/m^3"}  # of uncertainties
 Pattern = Annotated[
@@ -28,6 +28,7 @@ def run(pattern: Pattern = None, json: Json = False) -> None:
         if not found:
             guess = nearest(str(pattern).lower(), library())
             raise StudyError(
+                "unknown",
                 argument="pattern",
                 given=shown(pattern),
                 allowed=f"part of one of {', '.join(library())}",

@@ -14,10 +14,9 @@ import typer
 from haptonic.cli.commands import Json
 from haptonic.cli.console import speaking
 from haptonic.cli.listing import pairs
-from haptonic.errors import StudyError, nearest
+from haptonic.errors import StudyError, nearest, shown
 from haptonic.paths import target
 from haptonic.store import write_atomically
-from haptonic.units import shown
 
 USUAL = "bare-cell"
 ENDING = ".toml"
@@ -78,6 +77,7 @@ def resolved(template: str, file: str | None, known: dict[str, str]) -> tuple[st
     if name not in known:
         swapped = file is not None and file in known
         raise StudyError(
+            "unknown",
             argument="TEMPLATE",
             given=shown(template),
             allowed=f"one of {', '.join(known)}",
@@ -89,9 +89,8 @@ def resolved(template: str, file: str | None, known: dict[str, str]) -> tuple[st
             else "`haptonic new` tells what they are",
         )
     if file is None:
-        raise StudyError(
+        raise StudyError.missing(
             argument="FILE",
-            given="nothing",
             allowed=f"the name of a study file, such as my{ENDING}",
             cause=f"{name} is the template",
             next_step=f"haptonic new {name} my{ENDING}",
@@ -100,10 +99,10 @@ def resolved(template: str, file: str | None, known: dict[str, str]) -> tuple[st
 
 
 def refuse_taken(path: Path, overwrite: bool) -> None:
-    """Raise StudyError if something is there that was not resolved to be replaced, or cannot be."""
+    """Raise StudyError if something is there that was not asked to be replaced, or cannot be."""
     if not os.path.lexists(path) or (overwrite and not path.is_dir()):
         return
-    raise StudyError(
+    raise StudyError.repeated(
         argument="FILE",
         given=shown(str(path), 200),
         allowed="a name that is not taken, unless --overwrite is given",
@@ -124,7 +123,7 @@ def about(text: str) -> str:
 
 
 def commands(text: str) -> list[str]:
-    """What can be resolved of a template, in the order of its heading."""
+    """What can be asked of a template, in the order of its heading."""
     return [found[1].strip() for line in heading(text) if (found := COMMAND.match(line))]
 
 

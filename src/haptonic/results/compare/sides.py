@@ -17,7 +17,8 @@ from haptonic.channels.hdf5 import arrays_of
 from haptonic.channels.numbers import Numbers, read_numbers
 from haptonic.errors import ChannelError, StudyError
 from haptonic.foreign.process import ask
-from haptonic.units import shown, to_si
+from haptonic.errors import shown
+from haptonic.units import to_si
 
 Array = NDArray[np.float64]
 
@@ -94,7 +95,7 @@ def of_file(path: Path) -> xr.Dataset:
         data = xr.Dataset({name: (dims, parts[name]) for name, dims in PARTS.items()}, attrs=content["attributes"])
         of_dataset("", data)
     except (ChannelError, OSError, MemoryError, KeyError, ValueError, TypeError, IndexError) as error:
-        raise StudyError(
+        raise StudyError.unreadable(
             argument="bands of an earlier run",
             given=shown(str(path), 200),
             allowed="bands.nc of `haptonic bands`, or its folder",
@@ -123,7 +124,7 @@ def of_table(path: Path, along: xr.Dataset, wavevector: str | None, frequency_un
     unit = wavevector or (said if said in WAVEVECTORS else "")
     axis, columns = _axis(path, numbers)
     if unit not in WAVEVECTORS:
-        raise ChannelError(
+        raise ChannelError.missing(
             argument="--wavevector",
             given=shown(unit or numbers.units[0]) if unit or numbers.units[0] else "nothing",
             allowed=f"one of {', '.join(WAVEVECTORS)}",
@@ -152,7 +153,7 @@ def _axis(path: Path, numbers: Numbers) -> tuple[Array, slice]:
     bad = np.flatnonzero(np.diff(axis) < 0)
     if len(bad) or not np.isfinite(axis).all() or axis[0] == axis[-1]:
         row = int(bad[0]) if len(bad) else 0
-        raise ChannelError(
+        raise ChannelError.malformed(
             argument=f"{path.name}, first column",
             given=f"{axis[row]:g}, then {axis[row + 1]:g}" if len(axis) > 1 else f"{axis[0]:g} alone",
             allowed="wavevectors along the path that never fall, or come back after some frequencies",
@@ -173,7 +174,7 @@ def _position(path: Path, axis: Array, unit: str, corners: Array) -> Array:
     ends = {"segments": float(last), "share": 1.0}
     end = ends.get(unit, float(corners[-1]) / LENGTHS.get(unit, 1.0))
     if axis[0] < -SAME_PATH * end or axis[-1] > (1 + SAME_PATH) * end:
-        raise ChannelError(
+        raise ChannelError.mismatch(
             argument=f"{path.name}, first column",
             given=f"{axis[0]:g} to {axis[-1]:g} as {unit}",
             allowed=f"0 to {end:.4g}, along the path of the study",
@@ -189,7 +190,7 @@ def _in_hertz(path: Path, numbers: Numbers, columns: slice, given: str | None) -
     units = {unit for unit in numbers.units[columns] if unit}
     unit = given or (units.pop() if len(units) == 1 else "")
     if not unit:
-        raise ChannelError(
+        raise ChannelError.missing(
             argument="--frequency-unit",
             given=", ".join(sorted(units)) or "nothing",
             allowed="Hz, kHz, MHz, ...",
