@@ -28,7 +28,7 @@ def reference_cell():
 def frequencies_and_errors() -> BlochModel:
     """From the study file to frequencies, errors and group velocities along the path."""
     cell, asked = reference_cell()
-    model = bloch_model(cell, asked.count, asked.accuracy)
+    model = bloch_model(cell, asked)
     for kappa in cell.zone.path(asked.points).kappa:
         solution = model.solve(kappa)
         model.gradient(kappa, solution.modes)
@@ -75,7 +75,7 @@ def whole_command() -> dict[str, float]:
     cell, asked = reference_cell()
 
     def whole() -> None:
-        bands_dataset(fresh(cell), count=asked.count, points=asked.points, accuracy=asked.accuracy)
+        bands_dataset(fresh(cell), asked)
 
     first, _ = timed(whole)
     later, _ = timed(whole, repeats=3)

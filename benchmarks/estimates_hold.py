@@ -29,6 +29,7 @@ from truth import KINDS, STOUT_FROM, Drawn, Truth, drawn, foreseen, truth, wavev
 
 from haptonic.bloch.model import REST, bloch_model
 from haptonic.bloch.resolution import check_start, started
+from haptonic.bloch.settings import BandSettings
 from haptonic.errors import HaptonicError
 
 Array = NDArray[np.float64]
@@ -82,7 +83,7 @@ def answered(question: Drawn) -> Answer:
     start = time.process_time()
     try:
         with threadpool_limits(1):
-            model = bloch_model(question.cell, question.count, question.accuracy)
+            model = bloch_model(question.cell, BandSettings(question.count, accuracy=question.accuracy))
             solutions = [model.solve(kappa) for kappa in wavevectors(question.cell)]
     except HaptonicError as refusal:
         return Answer(time.process_time() - start, refusal=f"{refusal.argument}: {refusal.cause}")

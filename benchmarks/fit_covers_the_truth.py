@@ -17,7 +17,7 @@ from scipy.stats import binom
 from haptonic.analyses.needs import fineness
 from haptonic.plate import Band, PlateModel
 from haptonic.plate.damping import real_times
-from haptonic.plate.question import grid_points, unit_drives
+from haptonic.plate.sampling import grid_points, unit_drives
 from haptonic.study import loads
 from haptonic.updating.fit import Fit, SmallModel, fitted
 from haptonic.updating.match import MeasuredResponse

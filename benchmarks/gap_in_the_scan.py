@@ -20,7 +20,7 @@ from haptonic.response import FrequencyResponse, read
 from haptonic.results.scan import Estimation, compute_scan
 from haptonic.store import Store
 from haptonic.vibrometry import ReadReport, Scan
-from haptonic.vibrometry.question import drive_for, response_for
+from haptonic.vibrometry.of_settings import drive_for, response_for
 
 # pitch, thickness, pillar's diameter and height, guide's width (mm), columns of a guide, cells along, rows of
 # a mirror, band of the scan and carrier (kHz), sample rate (kHz), loss factor
@@ -52,7 +52,7 @@ def main() -> None:
 
 
 def told(name: str, study: haptonic.Study, kept: Path | None) -> dict[str, Any]:
-    """Computed and told edges, Hz, and the error of the contrast of a twin with the default instrument."""
+    """Computed and reported edges, Hz, and the error of the contrast of a simulated scan."""
     store = Store.default()
     asked = response_for(
         study.scan_settings,
@@ -64,7 +64,7 @@ def told(name: str, study: haptonic.Study, kept: Path | None) -> dict[str, Any]:
         response = read(kept / f"{name}.nc")
     else:
         response = study.plate(asked=asked, store=store).response
-    made = study.twin_scan(seed=1, response=response)
+    made = study.simulate_scan(seed=1, response=response)
     on = scanning.on_plate(study)
     scan = Scan(made.records, ReadReport("twin", "memory", len(made.records.names)))
     result = compute_scan(scan, Estimation(), on, store=store)

@@ -12,7 +12,7 @@ import haptonic
 from haptonic.plate import Band, PlateModel
 from haptonic.plate.damping import real_times
 from haptonic.plate.direct import direct_answer
-from haptonic.plate.question import grid_points, unit_drives
+from haptonic.plate.sampling import grid_points, unit_drives
 
 STEPS = ("tiles", "basis", "lines and their check", "grid")
 CHECKED = (5e3, 20e3, 48e3, 57e3, 75e3, 98e3)  # Hz, lines that are compared with the direct answer

@@ -128,7 +128,7 @@ def drawn() -> dict[str, str]:
 
 OF_A_STUDY = (
     ("bands", "--surface"), ("sweep",), ("layers",), ("waveguide",), ("design",), ("tolerance",), ("plate",),
-    ("feel",), ("chirp",), ("protocol",), ("export", "--dxf", "--stl"), ("twin", "friction"),
+    ("feel",), ("chirp",), ("protocol",), ("export", "--dxf", "--stl"), ("simulate", "friction"),
 )  # fmt: skip
 
 
@@ -139,14 +139,16 @@ def questions(folder: Path) -> Iterator[tuple[str, list[str]]]:
         path = folder / f"{name}.toml"
         path.write_text(text, encoding="utf-8")
         for command, *options in OF_A_STUDY:
-            words = [command, options[0], str(path)] if command == "twin" else [command, str(path), *options]
+            words = (
+                [command, options[0], str(path)] if command == "simulate" else [command, str(path), *options]
+            )
             out = folder / f"{name}-{'-'.join([command, *options[:1]])}"
             yield f"{name}: {command} {' '.join(options)}".strip(), [*words, "--out", str(out)]
     touchpad, scan, response = folder / "touchpad.toml", folder / "scan", folder / "judged" / "response.nc"
-    trials = folder / "touchpad-twin-friction"
+    trials = folder / "touchpad-simulate-friction"
     for name, words in {
         "friction": ["friction", str(trials), "--out", str(folder / "felt")],
-        "twin scan": ["twin", "scan", str(touchpad), "--out", str(scan)],
+        "simulate scan": ["simulate", "scan", str(touchpad), "--out", str(scan)],
         "scan": ["scan", str(scan / "scan.h5"), "--out", str(folder / "maps")],
         "scan against": [
             "scan", str(scan / "scan.h5"), "--against", str(touchpad), "--out", str(folder / "judged")

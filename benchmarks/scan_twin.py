@@ -19,13 +19,13 @@ from record import STUDY, write
 import haptonic
 from haptonic.analyses import scanning
 from haptonic.plate.levels import contrasts
-from haptonic.plate.question import driven_region
+from haptonic.plate.sampling import driven_region
 from haptonic.response import FrequencyResponse
 from haptonic.results import write_files
-from haptonic.results.scan import Estimation, OnPlate, ScanResult, Twin, compute_scan
+from haptonic.results.scan import Estimation, OnPlate, ScanResult, SimulatedScan, compute_scan
 from haptonic.store import Store
 from haptonic.vibrometry import ReadReport, Scan, estimate, read_scan
-from haptonic.vibrometry.question import drive_for, response_for
+from haptonic.vibrometry.of_settings import drive_for, response_for
 
 SEEDS = range(5)
 LONG = '[scan]\nrate = "200 kHz"\nhighest = "80 kHz"\naverages = 56\n\n# Wider and narrower pillars'
@@ -59,7 +59,7 @@ def main() -> None:
     computing = time.perf_counter() - start
     on, found = scanning.on_plate(study), []
     for seed in SEEDS:
-        made = study.twin_scan(seed=seed, response=response)
+        made = study.simulate_scan(seed=seed, response=response)
         scan = Scan(made.records, ReadReport("twin", "memory", len(made.records.names)))
         found.append(errors(compute_scan(scan, Estimation(), on, store=store), made, on))
     figures = {
@@ -73,9 +73,9 @@ def main() -> None:
     write("scan_twin", figures | stream(response))
 
 
-def errors(result: ScanResult, twin: Twin, on: OnPlate) -> dict[str, Any]:
+def errors(result: ScanResult, simulated: SimulatedScan, on: OnPlate) -> dict[str, Any]:
     """How far a result is from the truth: contrast in dB; edges of the gap with their standard errors, Hz."""
-    truth = twin.truth()
+    truth = simulated.truth()
     name = "WG1 over WG2"
     off = np.abs(result.contrasts[name].values - np.array(truth["contrast_db"][name]))
     plain = contrasts(result.response, driven_region(on.plate))[name].values
@@ -102,7 +102,7 @@ def stream(response: FrequencyResponse) -> dict[str, Any]:
         study = haptonic.load(path)
         cut = response.between(study.scan_settings.lowest, study.scan_settings.highest)
         start = time.perf_counter()
-        write_files(place, study.twin_scan(response=cut).files, overwrite=False)
+        write_files(place, study.simulate_scan(response=cut).files, overwrite=False)
         writing = time.perf_counter() - start
         own = {"OMP_NUM_THREADS": "2", "HAPTONIC_STORE": str(place / "store")}
         runs = []

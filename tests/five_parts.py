@@ -1,37 +1,56 @@
 """What every refused command and every error has to say."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 
 import pytest
 
 from haptonic.errors import HaptonicError
 
-PARTS = ("argument", "given", "allowed", "likely cause", "next step")
+PARTS = ("argument", "given", "allowed", "likely cause", "next step", "code")
 
 
-def assert_five_parts(ran, *words: str) -> None:
-    """Exit code 2, five parts on standard error, and the words among them."""
+def assert_five_parts(ran, *words: str, code: str = "", argument: str = "") -> None:
+    """Exit code 2, five parts on standard error, code and argument of the error, and the words among them."""
     assert ran.code == 2, ran.err
     assert "Traceback" not in ran.err + ran.out
     for part in PARTS:
         assert part in ran.err, (part, ran.err)
+    rows = {line[2:15].strip(): line[15:] for line in ran.err.splitlines() if line.startswith("  ")}
+    assert code in ("", rows["code"]), ran.err
+    assert rows["argument"].endswith(argument), ran.err
     for word in words:
         assert word in ran.err, (word, ran.err)
 
 
-def assert_told(error: HaptonicError, *words: str) -> None:
-    """Five parts, none of them empty, and the words among them."""
+def assert_told(error: HaptonicError, *words: str, code: str = "", argument: str = "") -> None:
+    """Five parts, none of them empty, code and argument, and the words among them."""
     parts = error.parts()
     assert all(parts.values()), parts
+    assert code in ("", error.code), parts
+    assert error.argument.endswith(argument), parts
     for word in words:
         assert word in str(error), (word, str(error))
 
 
 def refused(
-    call: Callable[[], object], *words: str, kind: type[HaptonicError] = HaptonicError
+    call: Callable[[], object],
+    *words: str,
+    code: str = "",
+    argument: str = "",
+    kind: type[HaptonicError] = HaptonicError,
 ) -> HaptonicError:
-    """The error of a call, of this kind, with five parts and the words among them."""
-    with pytest.raises(kind) as caught:
+    """The error of a call, of this kind, with five parts, code and argument, and the words among them."""
+    with refusing(kind, code, argument, *words) as caught:
         call()
-    assert_told(caught.value, *words)
     return caught.value
+
+
+@contextmanager
+def refusing(
+    kind: type[HaptonicError], code: str, argument: str = "", *words: str
+) -> Iterator[pytest.ExceptionInfo[HaptonicError]]:
+    """A block that ends with an error of this kind, with code, argument and words as in `assert_told`."""
+    with pytest.raises(kind) as caught:
+        yield caught
+    assert_told(caught.value, *words, code=code, argument=argument)

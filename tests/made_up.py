@@ -12,7 +12,7 @@ import xarray as xr
 
 import haptonic
 from haptonic.analyses.needs import need_carrier
-from haptonic.bloch import Resolution, bands_dataset
+from haptonic.bloch import bands_dataset
 from haptonic.bloch.layers import OUTGOING
 from haptonic.bloch.mirrors import PHASES
 from haptonic.bloch.plate_waves import FAMILIES
@@ -36,10 +36,7 @@ def reference_study() -> Study:
 def _reference_bands() -> xr.Dataset:
     dataset = bands_dataset(
         reference_study().cell,
-        count=10,
-        points=24,
-        accuracy=2e-2,
-        resolution=Resolution(4, 1),
+        BandSettings(10, 24, 2e-2, MeshSettings(4, 1)),
         surface=True,
     )
     return stamped(dataset, {})

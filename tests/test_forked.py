@@ -15,13 +15,13 @@ from quick import QUICK_CELL
 SCRIPT = """
     import multiprocessing, sys
     import haptonic
-    from haptonic.bloch import Resolution, bands_dataset
+    from haptonic.bloch import bands_dataset
+    from haptonic.bloch.settings import BandSettings, MeshSettings
 
     study = haptonic.load(sys.argv[1])
 
     def highest(count):
-        data = bands_dataset(study.cell, count=count, points=7, accuracy=2e-2, surface=False,
-                             resolution=Resolution(2, 0))
+        data = bands_dataset(study.cell, BandSettings(count, 8, 2e-2, MeshSettings(2, 0)))
         return float(data["frequency"].max())
 
     here = highest(4)

@@ -20,6 +20,7 @@ from typing import TYPE_CHECKING
 import pytest
 import xarray as xr
 
+from five_parts import refusing
 from haptonic import jobs
 from haptonic.errors import HaptonicError, ResourceError, StudyError
 from haptonic.jobs import Outcome, Task, run_all
@@ -44,7 +45,7 @@ def moody(argument: tuple[str, int, str]) -> xr.Dataset:
     """As ``square``, unless the mood is another one."""
     mood, number, flag = argument
     if mood == "wrong":
-        raise StudyError(
+        raise StudyError.conflict(
             argument="cell.pitch", given=number, allowed="1", cause="a slip", next_step="mend it"
         )
     if mood == "deadly" or (mood == "deadly once" and not Path(flag).exists()):
@@ -222,7 +223,7 @@ class TestWorkers:
 
     @pytest.mark.parametrize(("workers", "scheduler"), [(-1, None), (2, "tcp://127.0.0.1:8786")])
     def test_settings_that_make_no_sense(self, store: Store, workers: int, scheduler: str | None) -> None:
-        with pytest.raises(HaptonicError, match="workers"):
+        with refusing(HaptonicError, "malformed", "workers"):
             run_all(never, tasks_for([1]), store=store, workers=workers, scheduler=scheduler)
 
 
@@ -275,13 +276,13 @@ class TestScheduler:
 
     def test_it_has_no_workers(self, store: Store, monkeypatch: pytest.MonkeyPatch) -> None:
         monkeypatch.setattr(jobs, "FIRST_WORKER_SECONDS", 0.3)
-        with self.cluster(workers=0) as cluster, pytest.raises(ResourceError, match="it has no workers"):
+        with self.cluster(workers=0) as cluster, refusing(ResourceError, "worker", "scheduler"):
             run_all(square, tasks_for([1]), store=store, scheduler=cluster.scheduler_address)
 
     def test_it_is_lost_on_the_way(
         self, store: Store, tmp_path: Path, capfd: pytest.CaptureFixture[str]
     ) -> None:
-        with self.cluster(workers=1) as cluster, pytest.raises(ResourceError, match="the connection broke"):
+        with self.cluster(workers=1) as cluster, refusing(ResourceError, "worker", "scheduler"):
             run_all(
                 moody,
                 moody_tasks(tmp_path, ["slow"] * 20),
@@ -309,7 +310,7 @@ class TestScheduler:
             port = taken.getsockname()[1]
         monkeypatch.setattr(jobs, "CONNECT_SECONDS", 0.5)
         before = set(threading.enumerate())
-        with pytest.raises(ResourceError, match="it is not running") as caught:
+        with refusing(ResourceError, "worker", "scheduler") as caught:
             run_all(square, tasks_for([1]), store=store, scheduler=address.format(port=port))
         assert caught.value.argument == "scheduler"
         # Whatever is left would be ended by the collector, at a moment when the next client may be starting.

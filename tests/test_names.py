@@ -15,6 +15,7 @@ from matplotlib.figure import Figure
 from rich.cells import cell_len
 from rich.table import Table
 
+from five_parts import refusing
 from haptonic import plots
 from haptonic.cli.console import PlainConsole, Voice
 from haptonic.errors import HaptonicError, ResourceError, StudyError
@@ -55,7 +56,7 @@ def test_a_name_that_leads_out_of_its_folder_is_refused_where_it_is_written(tmp_
         lambda: refuse_taken(folder, [name], overwrite=True),
         lambda: plots.save(Figure(), folder, f"{name}/x", overwrite=True),
     ):
-        with pytest.raises(ResourceError, match="output file"):
+        with refusing(ResourceError, "malformed", "output file"):
             write()
     assert list(above.rglob("*")) == [folder]
 
@@ -72,7 +73,7 @@ def test_what_is_shown_moves_no_terminal(text):
 
 @given(st.text(), st.text())
 def test_an_error_quotes_a_file_without_its_control_characters(one, other):
-    error = HaptonicError(argument=one, given=other, allowed=one, cause=other, next_step=one)
+    error = HaptonicError.conflict(argument=one, given=other, allowed=one, cause=other, next_step=one)
     assert not CONTROLS.search(str(error))
     assert not any(CONTROLS.search(part) for part in error.parts().values())
 
@@ -159,5 +160,5 @@ def test_a_name_with_a_control_character_is_refused_with_its_path(text, control,
 
 @pytest.mark.parametrize("name", ["rest", "the rest"])
 def test_words_for_what_lies_outside_of_regions_are_refused_before_the_computation(name):
-    with pytest.raises(StudyError, match="stands for all points outside of a region"):
+    with refusing(StudyError, "conflict", "study: plate.tiles"):
         loads(with_names(name, "WG2", "A1"))

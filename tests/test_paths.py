@@ -11,7 +11,7 @@ import pytest
 from matplotlib.figure import Figure
 
 from haptonic import load, plots, read_scan
-from haptonic.analyses.twin_friction import read_amplitudes
+from haptonic.analyses.simulate_friction import read_amplitudes
 from haptonic.cli.running import folder_for
 from haptonic.errors import HaptonicError
 from haptonic.friction.recordings import Sensor, read_calibration

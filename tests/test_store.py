@@ -23,6 +23,7 @@ import xarray as xr
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
+from five_parts import refusing
 from haptonic import store as module
 from haptonic.errors import HaptonicWarning, ResourceError
 from haptonic.results import refuse_taken
@@ -400,7 +401,7 @@ class TestUnusableFolders:
                 use()
 
     def test_output(self, blocked: Path) -> None:
-        with pytest.raises(ResourceError, match="output file") as caught:
+        with refusing(ResourceError, "unwritable", "output file") as caught:
             write_atomically(blocked / "gaps.csv", lambda temporary: temporary.write_text("x"))
         assert all(caught.value.parts().values())
 
@@ -446,7 +447,7 @@ class TestPlaces:
         refuse_overwrite(path, overwrite=False)
         path.symlink_to(tmp_path / "gone")  # a link counts, wherever it leads
         refuse_overwrite(path, overwrite=True)
-        with pytest.raises(ResourceError, match="not taken") as caught:
+        with refusing(ResourceError, "repeated", "output file") as caught:
             refuse_overwrite(path, overwrite=False)
         assert json.loads(json.dumps(caught.value.parts()))["given"] == str(path)
 
@@ -550,7 +551,7 @@ class TestWholeSets:
                 for name in ("a.nc", "b.csv"):
                     (draft / name).write_text("new")
 
-        with pytest.raises(ResourceError, match="--overwrite"):
+        with refusing(ResourceError, "repeated", "output file"):
             written()
         assert files_below(tmp_path) == ["b.csv"]
         assert (tmp_path / "b.csv").read_text() == "old"

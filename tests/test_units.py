@@ -8,8 +8,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from haptonic import units
-from haptonic.errors import HaptonicError
-from haptonic.units import PREFIXES_OF, format_quantity, registry, shown, to_si
+from haptonic.errors import HaptonicError, shown
+from haptonic.units import PREFIXES_OF, format_quantity, registry, to_si
 
 POWERS = {"nm": -9, "µm": -6, "um": -6, "mm": -3, "cm": -2, "m": 0, "km": 3}
 decimals = st.builds(

@@ -1,4 +1,4 @@
-"""A toy analysis, as somebody adds one: this file, and its name in the table."""
+"""A toy analysis, as somebody adds one: this file, and its line in the table."""
 
 from __future__ import annotations
 
@@ -58,6 +58,6 @@ def compute(study: Description, options: ToyOptions, runner: Runner) -> Toy:
 
 
 ANALYSIS = Analysis(
-    name="toy", help="Count, as a toy does.", result=Toy, compute=compute, options=ToyOptions,
+    name="toy", result=Toy, compute=compute, options=ToyOptions,
     reported=lambda study: ToyOptions(),
 )  # fmt: skip

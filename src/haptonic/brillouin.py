@@ -105,7 +105,7 @@ class IrreducibleZone:
         corners = [self.corner_phases[label] for label in [*labels, labels[0]]]
         lengths = [float(np.linalg.norm(self.lattice.wavevector(b - a))) for a, b in pairwise(corners)]
         if points < 2 * len(lengths) + 1:
-            raise GeometryError(
+            raise GeometryError.too_few(
                 argument="bands.points",
                 given=points,
                 allowed=f"at least {2 * len(lengths) + 1} for {len(lengths)} segments",

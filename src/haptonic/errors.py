@@ -3,13 +3,31 @@
 from __future__ import annotations
 
 import difflib
-from collections.abc import Iterable
+import reprlib
+from collections.abc import Iterable, Mapping
+from typing import Self, TypedDict, TypeVar, Unpack
 
 from haptonic.names import visible
+
+E = TypeVar("E", bound="HaptonicError")
+
+
+class Parts(TypedDict):
+    """What every error says; see `HaptonicError`."""
+
+    argument: str
+    given: object
+    allowed: str
+    cause: str
+    next_step: str
 
 
 class HaptonicError(Exception):
     """Something that the user can put right.
+
+    It is raised by the constructor of its kind, ``StudyError.missing(argument=..., given=..., ...)``. That
+    constructor's name is the error's ``code``, which stays the same while wording changes: programs and
+    tests hang on the code and the argument. ``docs/errors.md`` lists all codes.
 
     Parameters
     ----------
@@ -22,34 +40,147 @@ class HaptonicError(Exception):
     Any of them may quote what a file holds, so control characters are written out in all.
     """
 
-    def __init__(self, *, argument: str, given: object, allowed: str, cause: str, next_step: str) -> None:
-        self.argument = argument = visible(argument)
-        self.given = visible(str(given))
-        self.allowed = allowed = visible(allowed)
-        self.cause = cause = visible(cause)
-        self.next_step = next_step = visible(next_step)
+    def __init__(self, code: str, /, **parts: Unpack[Parts]) -> None:
+        self.code = code
+        self.argument = visible(parts["argument"])
+        self.given = visible(str(parts["given"]))
+        self.allowed = visible(parts["allowed"])
+        self.cause = visible(parts["cause"])
+        self.next_step = visible(parts["next_step"])
         super().__init__(
-            f"{argument}: got {self.given}\n"
-            f"  allowed: {allowed}\n  likely cause: {cause}\n  next step: {next_step}"
+            f"{self.argument}: got {self.given}\n"
+            f"  allowed: {self.allowed}\n  likely cause: {self.cause}\n  next step: {self.next_step}\n"
+            f"  code: {code}"
         )
 
     def parts(self) -> dict[str, str]:
-        """The five parts as a mapping, for ``--json`` and for tables."""
-        return {
-            "argument": self.argument,
-            "given": self.given,
-            "allowed": self.allowed,
-            "cause": self.cause,
-            "next_step": self.next_step,
-        }
+        """The code and the five parts as a mapping, for ``--json`` and for tables."""
+        names = ("code", "argument", "given", "allowed", "cause", "next_step")
+        return {name: getattr(self, name) for name in names}
+
+    def changed(self, kind: type[E], /, **parts: str) -> E:
+        """The same as an error of another kind, or with other parts."""
+        return _rebuilt(kind, self.parts() | parts)
 
     def __reduce__(self) -> tuple[object, ...]:
         # Exceptions with keyword-only arguments do not pickle by default; workers send them back.
         return (_rebuilt, (type(self), self.parts()))
 
+    @classmethod
+    def unknown(
+        cls,
+        argument: str,
+        given: object,
+        known: Iterable[str],
+        cause: str,
+        *,
+        slip: bool = True,
+        allowed: str = "",
+        next_step: str = "choose one of these",
+    ) -> Self:
+        """A name that is none of those known.
 
-def _rebuilt(kind: type[HaptonicError], parts: dict[str, str]) -> HaptonicError:
-    return kind(**parts)
+        Parameters
+        ----------
+        known : the names; slip : whether the nearest of them may be meant
+        allowed : in words, where that is more than one of the names
+        next_step : where no name is near
+        """
+        names = list(known)
+        guess = nearest(str(given), names) if slip else None
+        return cls(
+            "unknown",
+            argument=argument,
+            given=shown(given),
+            allowed=allowed
+            or (f"one of {', '.join(names)}" if names else "none: there is nothing to choose"),
+            cause=cause,
+            next_step=f'write "{guess}"' if guess else next_step,
+        )
+
+    @classmethod
+    def missing(
+        cls, *, argument: str, allowed: str, cause: str, next_step: str, given: object = "nothing"
+    ) -> Self:
+        """Something that is needed was not given."""
+        return cls(
+            "missing", argument=argument, given=given, allowed=allowed, cause=cause, next_step=next_step
+        )
+
+    @classmethod
+    def malformed(cls, **parts: Unpack[Parts]) -> Self:
+        """A value of another form or type than is read here."""
+        return cls("malformed", **parts)
+
+    @classmethod
+    def out_of_range(cls, **parts: Unpack[Parts]) -> Self:
+        """A value beyond its bounds."""
+        return cls("out-of-range", **parts)
+
+    @classmethod
+    def conflict(cls, **parts: Unpack[Parts]) -> Self:
+        """Values that are possible, but not together."""
+        return cls("conflict", **parts)
+
+    @classmethod
+    def repeated(cls, **parts: Unpack[Parts]) -> Self:
+        """The same given twice, or a name that is taken."""
+        return cls("repeated", **parts)
+
+    @classmethod
+    def mismatch(cls, **parts: Unpack[Parts]) -> Self:
+        """Data that belong to something else: another plate, scan or drive."""
+        return cls("mismatch", **parts)
+
+    @classmethod
+    def too_few(cls, **parts: Unpack[Parts]) -> Self:
+        """Too little data for an answer."""
+        return cls("too-few", **parts)
+
+    @classmethod
+    def unsupported(cls, **parts: Unpack[Parts]) -> Self:
+        """Something possible that is not computed here."""
+        return cls("unsupported", **parts)
+
+    @classmethod
+    def no_answer(cls, **parts: Unpack[Parts]) -> Self:
+        """All is in order, but what was asked for does not exist."""
+        return cls("no-answer", **parts)
+
+    @classmethod
+    def inaccurate(cls, **parts: Unpack[Parts]) -> Self:
+        """An accuracy that cannot be reached."""
+        return cls("inaccurate", **parts)
+
+    @classmethod
+    def too_large(cls, **parts: Unpack[Parts]) -> Self:
+        """More memory or time than there is."""
+        return cls("too-large", **parts)
+
+    @classmethod
+    def unreadable(cls, **parts: Unpack[Parts]) -> Self:
+        """A file that cannot be read."""
+        return cls("unreadable", **parts)
+
+    @classmethod
+    def unwritable(cls, **parts: Unpack[Parts]) -> Self:
+        """A file that cannot be written."""
+        return cls("unwritable", **parts)
+
+    @classmethod
+    def not_installed(cls, **parts: Unpack[Parts]) -> Self:
+        """An optional package that is not there."""
+        return cls("not-installed", **parts)
+
+    @classmethod
+    def worker(cls, **parts: Unpack[Parts]) -> Self:
+        """Processes that do the work cannot be started, or were lost."""
+        return cls("worker", **parts)
+
+
+def _rebuilt(kind: type[E], parts: Mapping[str, str]) -> E:
+    code, argument, given, allowed, cause, next_step = parts.values()
+    return kind(code, argument=argument, given=given, allowed=allowed, cause=cause, next_step=next_step)
 
 
 class StudyError(HaptonicError):
@@ -89,6 +220,18 @@ class HaptonicWarning(UserWarning):
 
 
 def nearest(name: str, known: Iterable[str]) -> str | None:
-    """The known name closest to a misspelt one, or None when nothing is near."""
-    matches = difflib.get_close_matches(name, list(known), n=1, cutoff=0.5)
-    return matches[0] if matches else None
+    """The known name closest to a misspelt one, in whatever case; None when nothing is near."""
+    names = {one.lower(): one for one in known}
+    matches = difflib.get_close_matches(name.lower(), names, n=1, cutoff=0.5)
+    return names[matches[0]] if matches else None
+
+
+def shown(value: object, longest: int = 60) -> str:
+    """``repr`` of anything, cut in depth and length to what suits a message."""
+    short = reprlib.Repr()
+    short.maxlevel, short.maxstring, short.maxother = 2, longest, longest
+    try:
+        text = short.repr(value)
+    except ValueError:  # an integer of thousands of digits: Python refuses to print it
+        text = f"a number of {value.bit_length()} bits" if isinstance(value, int) else "a value without text"
+    return text if len(text) <= longest else f"{text[: longest - 3]}..."

@@ -73,7 +73,7 @@ def _look(name: str, values: Any, *, declared: bool) -> None:
     bad = np.isinf(array) if declared else ~np.isfinite(array)
     if bad.any():
         place = ", ".join(map(str, np.argwhere(bad)[0]))
-        raise NumericalError(
+        raise NumericalError.inaccurate(
             argument=f"result {name}",
             given=f"{array[bad].flat[0]} in {int(bad.sum())} of {math.prod(array.shape)} values"
             + (f", the first at [{place}]" if place else ""),

@@ -23,7 +23,7 @@ from typing import TYPE_CHECKING, Any
 
 import xarray as xr
 
-from haptonic.errors import HaptonicError, ResourceError
+from haptonic.errors import HaptonicError, ResourceError, shown
 from haptonic.gate import passed
 from haptonic.progress import Progress, silent
 from haptonic.store import Store, content_key, fingerprint
@@ -93,7 +93,7 @@ def run_all(
     ResourceError : no scheduler at that address, it has no workers, it is lost on the way, local workers do
         not start, or the store cannot be used
     """
-    _check(workers, scheduler)
+    check_workers(workers, scheduler)
     keys = [content_key(task.key_inputs) for task in tasks]
     arguments = {key: task.argument for key, task in zip(keys, tasks, strict=True)}
     copies = Counter(keys)
@@ -127,11 +127,13 @@ def run_all(
     return [outcomes[key] for key in keys]
 
 
-def _check(workers: int, scheduler: str | None) -> None:
-    if workers < 0 or (workers > 0 and scheduler is not None):
-        raise HaptonicError(
+def check_workers(workers: object, scheduler: object) -> None:
+    """Refuse what is no number of workers, no address of a scheduler, or both at once."""
+    counted = isinstance(workers, int) and not isinstance(workers, bool) and workers >= 0
+    if not counted or (scheduler is not None and (workers or not isinstance(scheduler, str))):
+        raise HaptonicError.malformed(
             argument="workers",
-            given=workers if scheduler is None else f"{workers}, and the scheduler {scheduler}",
+            given=shown(workers) if scheduler is None else f"{workers!r}, and the scheduler {scheduler!r}",
             allowed="0 or more worker processes on this machine, or a scheduler with workers of its own",
             cause="a slip, or two ways of computing asked for at once",
             next_step="give --workers N or --scheduler ADDRESS, not both",
@@ -155,7 +157,7 @@ def _attempt(function: Function, argument: object) -> Result:
 def _attempt_there(argument: object, function: Function, expected: str) -> Result:
     """As ``_attempt``, on a worker; refused where the code is not the code that the result is filed under."""
     if fingerprint() != expected:
-        return ResourceError(
+        return ResourceError.worker(
             argument="worker",
             given="one with another version of haptonic, numpy or scipy",
             allowed="workers with the same versions as this process, so that results do not mix",
@@ -220,7 +222,7 @@ def _collected(client: Client, function: Function, missing: Mapping[str, object]
 
 
 def _died_twice(argument: object) -> ResourceError:
-    return ResourceError(
+    return ResourceError.worker(
         argument="worker process",
         given=f"died twice on the task {str(argument)[:200]}",
         allowed="a task that a worker can finish",
@@ -259,7 +261,7 @@ def _local_workers(count: int) -> Iterator[Client]:
                     silence_logs=logging.CRITICAL,
                 )
             except (RuntimeError, OSError) as error:
-                raise ResourceError(
+                raise ResourceError.worker(
                     argument="workers",
                     given=count,
                     allowed="as many worker processes as this machine can start",
@@ -349,9 +351,9 @@ async def _reach(address: str) -> None:
 
 
 def _no_scheduler(address: str, cause: str) -> ResourceError:
-    return ResourceError(
+    return ResourceError.worker(
         argument="scheduler",
-        given=address,
+        given=shown(address),
         allowed="the address of a running Dask scheduler with workers, such as tcp://127.0.0.1:8786",
         cause=cause,
         next_step="start `dask scheduler` and `dask worker ADDRESS`, or give --workers N instead; what was "

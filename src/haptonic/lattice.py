@@ -151,21 +151,21 @@ class Lattice:
     def __post_init__(self) -> None:
         for field in ("pitch_y", "pitch_2", "angle"):
             value, needed = getattr(self, field), field in FURTHER[self.name]
-            if needed != (value is not None):
+            having = [name for name, others in FURTHER.items() if field in others]
+            allowed = f"{field} for a lattice that is {' or '.join(having)}, and for no other"
+            if needed and value is None:
+                raise problem("missing", "nothing", allowed, "it was left out", f"add {field}", at=field)
+            if value is not None and not needed:
+                given = format_quantity(value, "rad" if field == "angle" else "m")
+                cause = f"a {self.name} lattice is given without it"
+                names = " or ".join(f'"{name}"' for name in having)
                 raise problem(
-                    "nothing"
-                    if value is None
-                    else format_quantity(value, "rad" if field == "angle" else "m"),
-                    f"{field} for a lattice that is {_said(field)}, and for no other",
-                    "it was left out" if needed else f"a {self.name} lattice is given without it",
-                    f"add {field}"
-                    if needed
-                    else f"remove {field}, or write lattice = {_said(field, quoted=True)}",
-                    at=field,
+                    "conflict", given, allowed, cause, f"remove {field}, or write lattice = {names}", at=field
                 )
         lengths = np.linalg.norm(self.vectors, axis=1)
         if lengths.max() > MOST_ELONGATED * lengths.min():
             raise problem(
+                "out-of-range",
                 " and ".join(format_quantity(float(length), "m") for length in lengths),
                 f"periods whose ratio is at most {MOST_ELONGATED:g}",
                 "one of them is far longer than the other",
@@ -174,6 +174,7 @@ class Lattice:
             )
         if self.shortest_side < LEAST_SIDE:
             raise problem(
+                "out-of-range",
                 f"{self.name}, a side of its cell {self.shortest_side:.2g} of the circle within",
                 f"six sides, none shorter than {LEAST_SIDE:g} of the radius of the circle within",
                 "its points nearly stand in rectangles, and so short a side cannot be meshed",
@@ -233,10 +234,15 @@ class Lattice:
         """Second translation, m."""
         return float(self.vectors[1, 0]), float(self.vectors[1, 1])
 
+    @property
+    def is_rectangular(self) -> bool:
+        """Whether the translations lie along x and y."""
+        return max(abs(self.a1[1]), abs(self.a2[0])) <= SAME * self.pitch
+
     def check_rectangular(self, what: str) -> None:
         """Raise GeometryError unless the translations lie along x and y; ``what`` needs it."""
-        if max(abs(self.a1[1]), abs(self.a2[0])) > SAME * self.pitch:
-            raise GeometryError(
+        if not self.is_rectangular:
+            raise GeometryError.unsupported(
                 argument="cell.lattice",
                 given=self.name,
                 allowed=f"square or rectangular for {what}",
@@ -323,11 +329,6 @@ def shortest(vectors: Array) -> Array:
             one, other = other, -one
         else:
             return np.array([one, other])
-
-
-def _said(field: str, *, quoted: bool = False) -> str:
-    mark = '"' if quoted else ""
-    return " or ".join(f"{mark}{name}{mark}" for name, fields in FURTHER.items() if field in fields)
 
 
 def voronoi_cell(vectors: NDArray[np.floating]) -> tuple[tuple[tuple[int, int], ...], Array]:

@@ -6,8 +6,7 @@ import os
 import stat
 from pathlib import Path, PurePosixPath, PureWindowsPath
 
-from haptonic.errors import HaptonicError, ResourceError
-from haptonic.units import shown
+from haptonic.errors import HaptonicError, ResourceError, shown
 
 LONGEST = 255  # bytes of one name, on every common file system
 # Without it, opening a pipe that nobody writes to would wait for ever; files take no notice of it.
@@ -65,7 +64,7 @@ def inside(folder: Path, name: str | PurePosixPath) -> Path:
     parts = name.parts if isinstance(name, PurePosixPath) else (name,)
     plain = all({PurePosixPath(part).name, PureWindowsPath(part).name} == {part} for part in parts)
     if not plain or not {"", ".", ".."}.isdisjoint(parts) or not parts:
-        raise ResourceError(
+        raise ResourceError.malformed(
             argument="output file",
             given=shown(str(name), 200),
             allowed="a name without folders",
@@ -77,7 +76,7 @@ def inside(folder: Path, name: str | PurePosixPath) -> Path:
 
 def _path(given: object, argument: str, kind: type[HaptonicError]) -> Path:
     def refused(cause: str, next_step: str) -> HaptonicError:
-        return kind(
+        return kind.malformed(
             argument=argument,
             given=shown(str(given) if isinstance(given, str | os.PathLike) else given, 200),
             allowed="the path of a file or folder, as text or pathlib.Path",
@@ -107,7 +106,7 @@ def _path(given: object, argument: str, kind: type[HaptonicError]) -> Path:
 
 
 def _unreadable(path: Path, argument: str, kind: type[HaptonicError], cause: str) -> HaptonicError:
-    return kind(
+    return kind.unreadable(
         argument=argument,
         given=shown(str(path), 200),
         allowed="a file or folder that can be read",

@@ -58,7 +58,7 @@ def definite() -> Iterator[None]:
     try:
         yield
     except np.linalg.LinAlgError as error:
-        raise NumericalError(
+        raise NumericalError.inaccurate(
             argument="cell",
             given="sizes whose stiffness is not positive in the computer's arithmetic",
             allowed="sizes that are not too many powers of ten apart",
@@ -273,11 +273,6 @@ def chosen() -> type[Solver]:
     """The best solver that is installed, or the one that ``HAPTONIC_SOLVER`` names."""
     wanted = os.environ.get("HAPTONIC_SOLVER") or available()[0]
     if wanted not in available():
-        raise HaptonicError(
-            argument="HAPTONIC_SOLVER",
-            given=wanted,
-            allowed="one of " + ", ".join(available()),
-            cause="the name is misspelt, or that solver's package is not installed",
-            next_step="unset the variable, or install the package",
-        )
+        cause = "the name is misspelt, or that solver's package is not installed"
+        raise HaptonicError.unknown("HAPTONIC_SOLVER", wanted, available(), cause)
     return SOLVERS[wanted][1]

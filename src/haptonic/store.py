@@ -286,8 +286,7 @@ def _asked_for(path: Path, made: Path) -> Iterator[None]:
     try:
         yield
     except ResourceError as error:
-        parts = error.parts() | {"given": error.given.replace(str(made), str(path))}
-        raise ResourceError(**parts) from error
+        raise error.changed(ResourceError, given=error.given.replace(str(made), str(path))) from error
 
 
 @contextmanager
@@ -316,7 +315,7 @@ def draft_for(folder: Path) -> Iterator[tuple[Path, Path]]:
 
 
 def _unwritable(path: Path, error: OSError) -> ResourceError:
-    return ResourceError(
+    return ResourceError.unwritable(
         argument="output file",
         given=path,
         allowed="a file in a folder that can be written, with room for it",
@@ -330,7 +329,7 @@ def refuse_overwrite(path: Path, overwrite: bool) -> None:
     if path.is_dir():
         raise _unwritable(path, IsADirectoryError(errno.EISDIR, ""))
     if os.path.lexists(path) and not overwrite:
-        raise ResourceError(
+        raise ResourceError.repeated(
             argument="output file",
             given=path,
             allowed="a name that is not taken, unless overwriting was asked for",

@@ -9,7 +9,6 @@ from __future__ import annotations
 
 import math
 import re
-import reprlib
 from collections.abc import Callable
 from dataclasses import dataclass
 from decimal import Decimal
@@ -17,7 +16,7 @@ from fractions import Fraction
 from functools import cache
 from typing import TYPE_CHECKING, Annotated
 
-from haptonic.errors import HaptonicError, nearest
+from haptonic.errors import HaptonicError, nearest, shown
 
 if TYPE_CHECKING:
     import pint
@@ -115,7 +114,7 @@ def to_si(text: object, unit: str, argument: str) -> float:
     allowed = f"a number with its unit, such as {example}" if unit else f"a plain number, such as {example}"
 
     def refused(cause: str, next_step: str = "") -> HaptonicError:
-        return HaptonicError(
+        return HaptonicError.malformed(
             argument=argument,
             given=shown(text),
             allowed=allowed,
@@ -181,17 +180,6 @@ def format_quantity(value: float, unit: str, *, prefer: str | None = None, digit
 def example_of(unit: str) -> str:
     """A quantity in the given SI unit, as an example for a message: ``"7 mm"`` for ``"m"``."""
     return EXAMPLES.get(unit, f"1 {unit}".rstrip())
-
-
-def shown(value: object, longest: int = 60) -> str:
-    """``repr`` of anything, cut in depth and length to what suits a message."""
-    short = reprlib.Repr()
-    short.maxlevel, short.maxstring, short.maxother = 2, longest, longest
-    try:
-        text = short.repr(value)
-    except ValueError:  # an integer of thousands of digits: Python refuses to print it
-        text = f"a number of {value.bit_length()} bits" if isinstance(value, int) else "a value without text"
-    return text if len(text) <= longest else f"{text[: longest - 3]}..."
 
 
 class _UnknownUnitError(Exception):

@@ -57,7 +57,7 @@ def test_what_is_written_comes_back(tmp_path, suffix):
     assert np.allclose(group["Fz"], FORCE, rtol=1e-5, atol=1e-7)
     assert group.signals["Fz"].unit == UNITS.get(suffix, "mN")
     assert group.rate == (None if suffix == ".csv" else pytest.approx(RATE, rel=1e-6))
-    refused(lambda: group["Fx"], "Fz", kind=ChannelError)
+    refused(lambda: group["Fx"], code="unknown", argument="channel Fx", kind=ChannelError)
     refused(lambda: opened(path).group("nowhere"), "nowhere", kind=ChannelError)
 
 
@@ -100,7 +100,14 @@ def test_numbers_without_a_name_are_refused(tmp_path, more, everywhere):
     """As a table with decimal commas that are also its separators."""
     rows = ["1,2" + ",3" * more, "1,2" + ",3" * more * everywhere]
     (tmp_path / "a.csv").write_text("\n".join(["a,b", *rows]))
-    refused(lambda: opened(tmp_path / "a.csv"), "line 2", "more cells", kind=ChannelError)
+    refused(
+        lambda: opened(tmp_path / "a.csv"),
+        "line 2",
+        "more cells",
+        code="unreadable",
+        argument="a.csv",
+        kind=ChannelError,
+    )
 
 
 def test_a_sound_file_comes_back(tmp_path):
@@ -123,4 +130,4 @@ def test_units_are_those_that_instruments_write_or_any_other(text, si, factor):
 
 
 def test_a_unit_of_another_kind_is_refused():
-    refused(lambda: factor_of("V", "N"), "V")
+    refused(lambda: factor_of("V", "N"), "V", code="malformed", argument="unit")

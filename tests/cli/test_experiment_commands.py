@@ -120,9 +120,9 @@ class TestProtocol:
         named = study(PLATE, (TABLE, '[protocol]\ndriven = "far"\nidle = "right"\n[[sweep]]'))
         assert inside("protocol", named, "--json").json["waveguides"] == ["far", "right"]
         wrong = study(PLATE, (TABLE, '[protocol]\nidle = "lift"\n[[sweep]]'))
-        assert_five_parts(inside("protocol", wrong), "protocol.idle", 'write "left"')
+        assert_five_parts(inside("protocol", wrong), code="unknown", argument="protocol.idle")
         single = study(PLATE, ("o11o2o3o", "o11o"), (', 2 = "right", 3 = "far"', ""), ('"right"', '"left"'))
-        assert_five_parts(inside("protocol", single), "single region")
+        assert_five_parts(inside("protocol", single), code="missing", argument="protocol.idle")
 
     @pytest.mark.parametrize(
         ("change", "words"),
@@ -144,11 +144,18 @@ class TestProtocol:
     def test_nothing_is_overwritten_unasked(self, inside, study, tmp_path):
         path = study(SMALL)
         assert inside("protocol", path, "--out", tmp_path / "plan").code == 0
-        assert_five_parts(inside("protocol", path, "--out", tmp_path / "plan"), "output file")
+        assert_five_parts(
+            inside("protocol", path, "--out", tmp_path / "plan"), code="repeated", argument="output file"
+        )
         assert inside("protocol", path, "--out", tmp_path / "plan", "--overwrite").code == 0
         (tmp_path / "other").mkdir()
         (tmp_path / "other" / "power.png").touch()
-        assert_five_parts(inside("protocol", path, "--out", tmp_path / "other"), "power.png")
+        assert_five_parts(
+            inside("protocol", path, "--out", tmp_path / "other"),
+            "power.png",
+            code="repeated",
+            argument="output file",
+        )
         assert len(list((tmp_path / "other").iterdir())) == 1
 
 
@@ -178,7 +185,7 @@ def strokes_of(folder, matrix=None):
 class TestTwin:
     def test_the_folder(self, inside, study, tmp_path):
         path = study(SMALL)
-        ran = inside("twin", "friction", path, "--out", tmp_path / "twin", "--seed", 3)
+        ran = inside("simulate", "friction", path, "--out", tmp_path / "twin", "--seed", 3)
         assert ran.code == 0, ran.err
         assert "Simulated" in ran.out
         rows = listed(tmp_path / "twin")
@@ -200,7 +207,7 @@ class TestTwin:
         path, found, forces = study(SMALL), [], []
         for name, options in (("trial", ()), ("block", ("--per", "block")), ("raw", ("--raw",))):
             folder = tmp_path / name
-            ran = inside("twin", "friction", path, "--out", folder, "--seed", 3, *options)
+            ran = inside("simulate", "friction", path, "--out", folder, "--seed", 3, *options)
             assert ran.code == 0, ran.err
             matrix = np.loadtxt(folder / "calibration.csv", delimiter=",") if name == "raw" else None
             table = measured(strokes_of(folder, matrix))
@@ -218,7 +225,7 @@ class TestTwin:
     @pytest.mark.parametrize("form", ["h5", "mat", "tdms"])
     def test_other_forms(self, inside, study, tmp_path, form):
         options = ("--out", tmp_path / "twin", "--format", form, "--per", "block", "--json")
-        ran = inside("twin", "friction", study(SMALL), *options)
+        ran = inside("simulate", "friction", study(SMALL), *options)
         assert ran.json["files"] == 8 + 3
         files = {row["file"] for row in listed(tmp_path / "twin")}
         assert len(files) == 8
@@ -230,7 +237,7 @@ class TestTwin:
         path = study(SMALL, ("[protocol]", f'{quiet}force_spread = "0 N"\n[protocol]'))
         amplitudes = tmp_path / "amplitudes.json"
         amplitudes.write_text('{"WG1": 1e-6, "WG2": 0, "elsewhere": 1}')
-        ran = inside("twin", "friction", path, "--out", tmp_path / "twin", "--from", amplitudes, "--json")
+        ran = inside("simulate", "friction", path, "--out", tmp_path / "twin", "--from", amplitudes, "--json")
         truth = ran.json
         assert truth["amplitude_m"] == {"WG1": 1e-6, "WG2": 0.0}
         table = measured(strokes_of(tmp_path / "twin"))
@@ -246,7 +253,7 @@ class TestTwin:
         assert truth["population"]["stopped"] == pytest.approx(1)
         amplitudes.write_text('{"WG1": 0, "WG2": 0}')
         still = inside(
-            "twin", "friction", path, "--out", tmp_path / "still", "--from", amplitudes, "--json"
+            "simulate", "friction", path, "--out", tmp_path / "still", "--from", amplitudes, "--json"
         ).json["population"]
         assert still["stopped"] is None
 
@@ -254,7 +261,7 @@ class TestTwin:
         texts = []
         for number, seed in enumerate((1, 1, 2)):
             folder = tmp_path / str(number)
-            ran = inside("twin", "friction", study(SMALL), "--out", folder, "--seed", seed,
+            ran = inside("simulate", "friction", study(SMALL), "--out", folder, "--seed", seed,
                          "--participants", 1, "--per", "block")  # fmt: skip
             assert ran.code == 0
             texts.append((folder / "P1-B01.csv").read_bytes())
@@ -272,13 +279,23 @@ class TestTwin:
             ('{"WG1": 1.0, "WG2": 0}', ("amplitude", "1 mm")),
         ):
             bad.write_text(text)
-            assert_five_parts(inside("twin", "friction", path, *folder, "--from", bad), *words)
+            assert_five_parts(inside("simulate", "friction", path, *folder, "--from", bad), *words)
         none = tmp_path / "none.json"
-        assert_five_parts(inside("twin", "friction", path, *folder, "--from", none), "no such file")
-        assert_five_parts(inside("twin", "friction", path, *folder, "--participants", 0), "participants")
+        assert_five_parts(
+            inside("simulate", "friction", path, *folder, "--from", none),
+            code="unreadable",
+            argument="--from",
+        )
+        assert_five_parts(
+            inside("simulate", "friction", path, *folder, "--participants", 0),
+            code="out-of-range",
+            argument="participants",
+        )
         still = study(SMALL, ('carrier = "60 kHz"\n', ""), name="still.toml")
-        assert_five_parts(inside("twin", "friction", still, *folder), "carrier")
+        assert_five_parts(inside("simulate", "friction", still, *folder), code="missing", argument="carrier")
         assert not (tmp_path / "twin").exists()
         (tmp_path / "twin").mkdir()
         (tmp_path / "twin" / "truth.json").touch()
-        assert_five_parts(inside("twin", "friction", path, *folder), "output file")
+        assert_five_parts(
+            inside("simulate", "friction", path, *folder), code="repeated", argument="output file"
+        )

@@ -36,7 +36,7 @@ def test_feel_writes_its_files_and_tables(inside, plated, tmp_path):
         assert json.loads(data.attrs["touch"]) == {"force_n": 0.8, "speed_m_s": 0.078}
         assert ((data["low"] <= data["value"]) & (data["value"] <= data["high"])).all()
     again = inside("feel", plated(TOUCH), "--out", out)
-    assert_five_parts(again, "overwrite")
+    assert_five_parts(again, code="repeated", argument="output file")
 
 
 def test_the_voltage_scales_amplitudes_and_nothing_is_computed_anew(inside, plated):
@@ -48,7 +48,7 @@ def test_the_voltage_scales_amplitudes_and_nothing_is_computed_anew(inside, plat
     assert one["drive_to_be_felt_v"] == pytest.approx(three["drive_to_be_felt_v"], rel=1e-3)
     assert low["origin"] == "simulated"
     assert low["quality_factor"] < low["quality_factor_without_finger"]
-    assert {light["colour"] for light in low["lights"]} <= {"green", "amber", "red"}
+    assert {one["colour"] for one in low["requirements"]} <= {"green", "amber", "red"}
     # the same plate at the same frequency by the other command, per volt, without a finger
     line = inside("plate", plated(), "--at", f"{low['frequency_hz']} Hz", "--json").json["maps"][0]
     assert line["finger_m_per_v"]["WG"] * 10 == pytest.approx(
@@ -92,7 +92,9 @@ def test_bad_options_are_refused(inside, plated, options, words):
 
 def test_a_wrong_reduction_is_refused_before_anything_is_computed(inside, plated, monkeypatch):
     monkeypatch.setattr("haptonic.analyses.feel.compute", lambda *_, **__: pytest.fail("computed"))
-    assert_five_parts(inside("feel", plated(), "--reduction", "55", "--json"), "percentage")
+    assert_five_parts(
+        inside("feel", plated(), "--reduction", "55", "--json"), code="out-of-range", argument="reduction"
+    )
 
 
 def test_a_voltage_for_a_plate_that_a_force_drives_is_refused(inside, plated):
@@ -103,7 +105,9 @@ def test_a_voltage_for_a_plate_that_a_force_drives_is_refused(inside, plated):
     study = plated(force)
     text = study.read_text("utf-8")
     study.write_text(text[: text.index('name = "A1"')] + text[text.index("[plate.response]") :], "utf-8")
-    assert_five_parts(inside("feel", study, "--voltage", "200 V", "--json"), "force drives the plate")
+    assert_five_parts(
+        inside("feel", study, "--voltage", "200 V", "--json"), code="conflict", argument="voltage"
+    )
 
 
 @pytest.mark.parametrize(
@@ -122,7 +126,7 @@ def test_bad_keys_of_the_touch_are_refused(inside, plated, change, words):
 
 
 def test_a_study_without_a_plate_is_refused(inside, study):
-    assert_five_parts(inside("feel", study(), "--json"), "plate")
+    assert_five_parts(inside("feel", study(), "--json"), code="missing", argument="plate")
 
 
 def test_the_report_tells_what_a_finger_feels(plated, monkeypatch, store_folder):

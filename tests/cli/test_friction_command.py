@@ -61,7 +61,9 @@ def test_friction_writes_its_files_and_tables(haptonic, inside, tmp_path):
     assert "Simulated: these trials were made up" in page
     assert page.count('<section id="sheet') == 6
     assert "http" not in page.split("<body>")[0]
-    assert_five_parts(inside("friction", folder, "--out", out), "trials.nc", "overwrite")
+    assert_five_parts(
+        inside("friction", folder, "--out", out), "trials.nc", code="repeated", argument="output file"
+    )
 
 
 def test_one_object_for_machines(inside, tmp_path, monkeypatch):
@@ -146,7 +148,7 @@ def test_reference_values_stand_beside_ours_where_they_are_given(inside, tmp_pat
         ('[trials.sensor]\ngauges = "a, b"\n', ("trials.sensor.gauges", "six different names")),
         ('[trials.sensor]\ncalibration = "none.csv"\n', ("trials.sensor.calibration", "cannot be read")),
         ('[trials.sensor]\nnormal = "G2"\ncalibration = "c.csv"\n', ("trials.sensor.normal", "Fx, Fy or Fz")),
-        ('[trials]\ndriven = "WG9"\n', ("WG9", "did you mean")),
+        ('[trials]\ndriven = "WG9"\n', ("WG9", 'write "WG2"')),
         ('[[trials.exclude]]\nparticipant = "P1"\ntrial = 2\nreason = "x"\n', ("trials.exclude[1].block",)),
         ('[[trials.exclude]]\nparticipant = "P7"\nreason = "x"\n', ("trials.exclude[1]", "P7")),
         ('[[trials.exclude]]\nparticipant = "P1"\n', ("trials.exclude[1].reason",)),
@@ -159,11 +161,17 @@ def test_bad_studies_are_refused(inside, tmp_path, text, words):
 
 
 def test_bad_places_are_refused(inside, tmp_path):
-    assert_five_parts(inside("friction", tmp_path / "none", "--json"), "folder of trials")
-    assert_five_parts(inside("friction", tmp_path, "--json"), "trials.csv")
-    assert_five_parts(inside("friction", tmp_path / "none.csv", "--json"), "table of trials")
+    assert_five_parts(
+        inside("friction", tmp_path / "none", "--json"), code="unreadable", argument="folder of trials"
+    )
+    assert_five_parts(inside("friction", tmp_path, "--json"), code="unreadable", argument="folder of trials")
+    assert_five_parts(
+        inside("friction", tmp_path / "none.csv", "--json"), code="unreadable", argument="table of trials"
+    )
     folder = written(tmp_path / "trials", MADE[:8], change=lambda f: {"a": f["time"], "b": f["Fz"]})
-    assert_five_parts(inside("friction", folder, "--json"), "[trials.sensor]")
+    assert_five_parts(
+        inside("friction", folder, "--json"), code="unknown", argument="P1-B1-T1.csv: channel Fz"
+    )
 
 
 def test_json_has_no_nan(inside, tmp_path):

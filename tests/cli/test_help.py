@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-import inspect
 import typing
 from collections.abc import Iterator
+from importlib import import_module
 
 import pytest
 import typer
@@ -13,23 +13,15 @@ from hypothesis import strategies as st
 from typer.models import ParameterInfo
 from typer.testing import CliRunner
 
+from haptonic import analyses
+from haptonic.cli import commands
 from haptonic.cli.app import app
-from haptonic.cli.helping import Worded
+from haptonic.cli.helping import GROUPS, Worded
+from haptonic.cli.running import command
 from hostile import any_text
 
 WIDE = {"COLUMNS": "1000", "TERMINAL_WIDTH": "1000"}
-Path = tuple[str, ...]
-
-
-def commands(of: typer.Typer, before: Path = ()) -> Iterator[tuple[Path, typing.Callable[..., object]]]:
-    """Every command, and the function that it runs."""
-    for one in of.registered_commands:
-        assert one.callback is not None
-        yield (*before, one.name or one.callback.__name__), one.callback
-    for group in of.registered_groups:
-        assert group.typer_instance is not None
-        assert group.name is not None
-        yield from commands(group.typer_instance, (*before, group.name))
+EVERY = analyses.NAMES | commands.NAMES
 
 
 def helped(of: typer.Typer, *words: str) -> str:
@@ -39,22 +31,23 @@ def helped(of: typer.Typer, *words: str) -> str:
     return " ".join(ran.output.replace("│", " ").split())
 
 
-def written(function: typing.Callable[..., object]) -> Iterator[str]:
-    """What was written for a command and for its options."""
-    yield inspect.getdoc(function) or ""
+def written(name: str) -> Iterator[str]:
+    """What was written for the options of a command."""
+    known = name in analyses.NAMES
+    function = command(analyses.named(name)) if known else import_module(f"{commands.__name__}.{name}").run
     for hint in typing.get_type_hints(function, include_extras=True).values():
         for one in getattr(hint, "__metadata__", ()):
             yield (isinstance(one, ParameterInfo) and one.help) or ""
 
 
-@pytest.mark.parametrize(
-    ("path", "function"), [pytest.param(*one, id="-".join(one[0])) for one in commands(app)]
-)
-def test_no_help_loses_a_word(path, function):
+@pytest.mark.parametrize("name", EVERY)
+def test_no_help_loses_a_word(name):
+    path = name.split()
     seen, listed = helped(app, *path), helped(app, *path[:-1])
-    for text in written(function):
+    for text in (EVERY[name], *written(name)):
         assert " ".join(text.split()) in seen
-    assert " ".join((inspect.getdoc(function) or "").split("\n\n")[0].split()) in listed
+    assert EVERY[name] in listed
+    assert GROUPS.get(path[0], "") in helped(app)
 
 
 BRACKETS = (

@@ -71,7 +71,7 @@ def test_a_scan_with_bad_names(inside, tmp_path, first, second, actuator):
     study, out = tmp_path / "tiny.toml", deep(tmp_path)
     text = TINY.replace('name = "A1"', f"name = {quoted(actuator)}")
     study.write_text(text.replace('"WG1"', quoted(first)).replace('"WG2"', quoted(second)), "utf-8")
-    ran = inside("twin", "scan", study, "--out", tmp_path / "twin", "--format", "h5")
+    ran = inside("simulate", "scan", study, "--out", tmp_path / "twin", "--format", "h5")
     assert ran.code == 0, ran.err
     file = tmp_path / "twin" / "scan.h5"
     records = read_scan(file).records

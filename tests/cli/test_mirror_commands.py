@@ -52,7 +52,9 @@ def test_layers_writes_its_files_and_tables(haptonic, inside, fine, tmp_path):
     low, high = data.attrs["gap"]
     assert low < 60e3 < high
     assert {"haptonic_version", "inputs", "code_fingerprint"} <= set(data.attrs)
-    assert_five_parts(inside("layers", fine(), "--out", out), "layers.nc")
+    assert_five_parts(
+        inside("layers", fine(), "--out", out), "layers.nc", code="repeated", argument="output file"
+    )
 
 
 PASSED = ("transmitted", "reflected")
@@ -142,7 +144,7 @@ def test_the_papers_waveguide_resonates_where_a_plate_model_says(haptonic, insid
     assert 0 < strip["fixed_line_m"] < 2e-3
     assert strip["decay_db_per_row"] > 5
     again = inside("waveguide", path, "--out", out)
-    assert_five_parts(again, "waveguide.nc")
+    assert_five_parts(again, "waveguide.nc", code="repeated", argument="output file")
 
 
 def test_without_width_and_length_several_are_compared_and_all_lie_at_the_carrier(inside, fine):
@@ -203,12 +205,16 @@ def test_bad_values_are_refused_in_five_parts(inside, study, command, changes, w
 @pytest.mark.parametrize("mode", ["17", "-1x17", "0X17", "0x17\n", "x", "axb"])
 def test_a_mode_that_is_not_written_like_one_is_refused(inside, study, mode):
     path = study()
-    assert_five_parts(inside("waveguide", path, f"--mode={mode}", "--out", path.parent / "out"), "0x17")
+    assert_five_parts(
+        inside("waveguide", path, f"--mode={mode}", "--out", path.parent / "out"),
+        code="malformed",
+        argument="--mode",
+    )
     assert not written(path)
 
 
 def test_a_strip_too_narrow_for_its_mode_is_refused(inside, fine):
     path = fine(PROTOTYPE, ('"32 mm"', '"3 mm"'))
     ran = inside("waveguide", path, "--out", path.parent / "out")
-    assert_five_parts(ran, "waveguide.mode", "too narrow")
+    assert_five_parts(ran, code="no-answer", argument="waveguide.mode")
     assert not written(path)

@@ -52,7 +52,7 @@ def test_plate_writes_its_files_and_tables(haptonic, inside, plated, tmp_path):
     # near zero frequency the patch is a capacitor: its impedance falls as 1 / omega
     impedance = lines["impedance_imag"].sel(actuator="A1").values * lines["frequency"].values
     assert (impedance[:3] < 0).all()
-    assert_five_parts(inside("plate", plated(), "--out", out), "not taken")
+    assert_five_parts(inside("plate", plated(), "--out", out), code="repeated", argument="output file")
 
 
 def test_plate_answers_one_frequency(inside, plated, monkeypatch):
@@ -88,7 +88,7 @@ def test_plate_refuses(inside, plated, change, at, argument):
 
 
 def test_a_study_without_a_plate_says_so(inside, study):
-    assert_five_parts(inside("plate", study(), "--json"), "plate")
+    assert_five_parts(inside("plate", study(), "--json"), code="missing", argument="plate")
 
 
 def test_a_single_line_has_maps_and_no_spectra_and_its_body_moves_like_its_face(plated, tmp_path):

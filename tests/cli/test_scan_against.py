@@ -16,7 +16,7 @@ from haptonic.results.scan import Estimation, compute_scan
 from haptonic.store import Store
 from haptonic.study import load
 from haptonic.vibrometry import ReadReport, Scan, read_scan
-from haptonic.vibrometry.question import drive_for, response_for
+from haptonic.vibrometry.of_settings import drive_for, response_for
 from tiny_scan import TINY
 
 FIT = """
@@ -50,9 +50,9 @@ def folder(tmp_path_factory, store_folder):
     question = study.scan_settings
     with pytest.warns(HaptonicWarning, match="ring-down"):
         drive = drive_for(question, study.mounted_plate())
-    computed = study.plate(asked=response_for(question, 1e-3, drive), store=store).response
+    computed = study.plate(settings=response_for(question, 1e-3, drive), store=store).response
     with pytest.warns(HaptonicWarning, match="ring-down"):
-        made = study.twin_scan(seed=5, response=computed, store=store)
+        made = study.simulate_scan(seed=5, response=computed, store=store)
     write(computed, out / "model.nc")
     write_files(out, made.files, overwrite=False)
     return out
@@ -92,7 +92,10 @@ def test_one_command_gives_maps_gap_and_verdict(inside, folder, tmp_path):
     )
     assert again.json["agreement"]["model as given"]["unexplained"] == pytest.approx(after, rel=1e-3)
     assert_five_parts(
-        inside("scan", folder / "scan.h5", "--against", folder / "wrong.toml", "--out", out), "response.nc"
+        inside("scan", folder / "scan.h5", "--against", folder / "wrong.toml", "--out", out),
+        "response.nc",
+        code="repeated",
+        argument="output file",
     )
 
 
@@ -124,7 +127,7 @@ def test_the_path_is_taken_out_only_once(folder, store_folder):
 def test_files_of_a_verdict_in_the_way_stop_it_before_the_work(inside, folder, tmp_path):
     (tmp_path / "fitted.toml").write_text("mine")
     ran = inside("scan", folder / "scan.h5", "--against", folder / "true.toml", "--out", tmp_path)
-    assert_five_parts(ran, "fitted.toml")
+    assert_five_parts(ran, "fitted.toml", code="repeated", argument="output file")
     assert [file.name for file in tmp_path.iterdir()] == ["fitted.toml"]
 
 

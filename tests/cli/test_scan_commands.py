@@ -1,4 +1,4 @@
-"""Scans from the outside: the drive, a twin in every form, and its analysis, which has to find the truth."""
+"""Scans from the outside: the drive, a simulated scan in every form, whose truth the analysis has to find."""
 
 from __future__ import annotations
 
@@ -18,11 +18,11 @@ from haptonic.errors import HaptonicWarning
 from haptonic.fields import remade, with_numbers
 from haptonic.response import FrequencyResponse, read, write
 from haptonic.results import write_files
-from haptonic.results.scan import Estimation, OnPlate, Twin, compute_scan
+from haptonic.results.scan import Estimation, OnPlate, SimulatedScan, compute_scan
 from haptonic.store import Store
 from haptonic.study import loads
 from haptonic.vibrometry import ReadReport, Scan, TimeScan, estimation, read_scan
-from haptonic.vibrometry.question import drive_for, plan_for, response_for
+from haptonic.vibrometry.of_settings import drive_for, plan_for, response_for
 from tiny_scan import TINY
 
 PLACES = {
@@ -64,7 +64,7 @@ def truth(study, store):
     """The plate's response at the points and lines of the scan."""
     with pytest.warns(HaptonicWarning, match="ring-down"):
         asked = response_for(study.scan_settings, 1e-3, drive_for(study.scan_settings, study.mounted_plate()))
-    return study.plate(asked=asked, store=store).response
+    return study.plate(settings=asked, store=store).response
 
 
 @pytest.fixture(scope="module")
@@ -81,10 +81,10 @@ def on(study, store) -> OnPlate:
 
 @pytest.fixture(scope="module")
 def recorded(study, truth, store, tmp_path_factory):
-    """A folder with a twin in HDF5."""
+    """A folder with a simulated scan in HDF5."""
     out = tmp_path_factory.mktemp("twin")
     with pytest.warns(HaptonicWarning, match="ring-down"):
-        made = study.twin_scan(seed=3, response=truth, store=store)
+        made = study.simulate_scan(seed=3, response=truth, store=store)
     write_files(out, made.files, overwrite=False)
     return out
 
@@ -194,7 +194,17 @@ class TestTwin:
         self, inside, tiny, answer, on, store, tmp_path, form, kind
     ):
         ran = inside(
-            "twin", "scan", tiny, "--from", answer, "--out", tmp_path, "--format", form, f"--{kind}", "--json"
+            "simulate",
+            "scan",
+            tiny,
+            "--from",
+            answer,
+            "--out",
+            tmp_path,
+            "--format",
+            form,
+            f"--{kind}",
+            "--json",
         )
         assert ran.code == 0, ran.err
         truth = json.loads((tmp_path / "truth.json").read_text())
@@ -211,7 +221,7 @@ class TestTwin:
     def test_the_truth_is_found_with_any_seed(self, study, truth, on, store):
         for seed in range(8):
             with pytest.warns(HaptonicWarning, match="ring-down"):
-                made = study.twin_scan(seed=seed, response=truth, store=store)
+                made = study.simulate_scan(seed=seed, response=truth, store=store)
             known = made.truth()
             result = compute_scan(_as_scan(made), Estimation(), on, store=store)
             assert 0 < deviation(result, known) < 0.5, seed
@@ -222,17 +232,17 @@ class TestTwin:
         for noise in (5e-5, 2e-3, 8e-3):
             loud = with_numbers(study, {"scan.noise": noise})
             with pytest.warns(HaptonicWarning, match="ring-down"):
-                made = loud.twin_scan(response=truth, store=store)
+                made = loud.simulate_scan(response=truth, store=store)
             result = compute_scan(_as_scan(made), Estimation(), on, store=store)
             assert deviation(result, made.truth()) < 0.5
             shares.append(hidden(result))
-            assert any("noise hides the contrast" in text for text in result.told) == (shares[-1] > 0)
+            assert any("noise hides the contrast" in text for text in result.undetermined) == (shares[-1] > 0)
         assert shares[0] < 0.05 < shares[1] < shares[2]
 
     def test_the_path_is_taken_out(self, study, truth, on, store):
         """Delay and low-pass of the study leave no trace in the response."""
         with pytest.warns(HaptonicWarning, match="ring-down"):
-            made = study.twin_scan(response=truth, store=store)
+            made = study.simulate_scan(response=truth, store=store)
         result = compute_scan(_as_scan(made), Estimation(), on, store=store)
         true = made.true.values
         error = np.abs(result.response.values - true).max() / np.abs(true).max()
@@ -269,7 +279,7 @@ class TestTwin:
         ],
     )
     def test_it_refuses(self, inside, tiny, tmp_path, options, words):
-        assert_five_parts(inside("twin", "scan", tiny, "--out", tmp_path, *options), *words)
+        assert_five_parts(inside("simulate", "scan", tiny, "--out", tmp_path, *options), *words)
 
     def test_it_refuses_a_response_of_another_scan(self, inside, tmp_path, answer):
         other = tmp_path / "other.toml"
@@ -279,11 +289,16 @@ class TestTwin:
         ):
             other.write_text(TINY.replace(old, new), "utf-8")
             assert_five_parts(
-                inside("twin", "scan", other, "--from", answer, "--out", tmp_path / "out"), word
+                inside("simulate", "scan", other, "--from", answer, "--out", tmp_path / "out"), word
             )
 
     def test_it_does_not_replace_a_scan(self, inside, tiny, answer, recorded):
-        assert_five_parts(inside("twin", "scan", tiny, "--from", answer, "--out", recorded), "scan.h5")
+        assert_five_parts(
+            inside("simulate", "scan", tiny, "--from", answer, "--out", recorded),
+            "scan.h5",
+            code="repeated",
+            argument="output file",
+        )
 
 
 class TestScan:
@@ -301,7 +316,12 @@ class TestScan:
         with (out / "points.csv").open() as text:
             rows = list(csv.DictReader(text))
         assert {row["origin"] for row in rows} == {"simulated"}
-        assert_five_parts(inside("scan", recorded / "scan.h5", tiny, "--out", out), "response.nc")
+        assert_five_parts(
+            inside("scan", recorded / "scan.h5", tiny, "--out", out),
+            "response.nc",
+            code="repeated",
+            argument="output file",
+        )
 
     def test_without_a_study_it_does_what_needs_no_plate(self, inside, recorded, tmp_path):
         ran = inside("scan", recorded / "scan.h5", "--segment", "3 ms", "--out", tmp_path / "out", "--json",
@@ -344,7 +364,7 @@ class TestScan:
         report = ReadReport("made up", "memory", len(seen.points))
         result = compute_scan(Scan(seen, report), Estimation(), of, store=store)
         assert result.registration.angle == pytest.approx(np.radians(-5.0))
-        assert any("no waves along WG1" in one and "is turned against" in one for one in result.told)
+        assert any("no waves along WG1" in one and "is turned against" in one for one in result.undetermined)
         assert result.mapped
         image = result.figures["maps"].axes[0].images[0]
         left, right, _, _ = image.get_extent()
@@ -384,7 +404,7 @@ class TestScan:
     def test_bad_points_are_replaced_and_marked(self, study, truth, on, store):
         lost = with_numbers(study, {"scan.dropouts": 0.1})
         with pytest.warns(HaptonicWarning, match="ring-down"):
-            made = lost.twin_scan(seed=1, response=truth, store=store)
+            made = lost.simulate_scan(seed=1, response=truth, store=store)
         plain = compute_scan(_as_scan(made), Estimation(), on, store=store)
         mended = compute_scan(_as_scan(made), Estimation(repair=("dropout",)), on, store=store)
         assert plain.flags["repaired"] == 0
@@ -422,8 +442,8 @@ class TestScan:
         assert any("registration" in text or "scaled" in text for text in told)
 
 
-def _as_scan(made: Twin):
-    """The records of a twin as a file would give them."""
+def _as_scan(made: SimulatedScan):
+    """The records of a simulated scan as a file would give them."""
     return Scan(made.records, ReadReport("twin", "memory", len(made.records.names)))
 
 

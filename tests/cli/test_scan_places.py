@@ -13,7 +13,7 @@ from haptonic.bloch.mirrors import condensed_cell
 from haptonic.bloch.model import bloch_model
 from haptonic.store import Store
 from haptonic.study import loads
-from haptonic.vibrometry.places import guides_of, mirror_beside, strips_of
+from haptonic.vibrometry.guides import guides_of, mirror_beside, strips_of
 from haptonic.vibrometry.theory import computed_waves, guided
 from tiny_scan import TINY
 
@@ -87,7 +87,7 @@ class TestWaves:
         assert len(at) >= 2
         assert (np.diff(at) > 0).all()
         cell = next(iter(layout.cells.values()))
-        resolution = bloch_model(cell, 8, 2e-2, study.bands_settings.resolution).resolution
+        resolution = bloch_model(cell, study.bands_settings).resolution
         superelement = condensed_cell(cell, resolution)
         mode = strip_mode(
             superelement, width=32e-3, length=17.5 * np.pi / wavenumber[0], intervals=17, nodal_lines=0,

@@ -11,7 +11,7 @@ import xarray as xr
 from five_parts import assert_five_parts
 from haptonic.analyses.needs import fineness
 from haptonic.plate.answer import responded
-from haptonic.plate.question import grid_points
+from haptonic.plate.sampling import grid_points
 from haptonic.response import FrequencyResponse, read, write
 from haptonic.study import load
 from haptonic.updating.parameters import changed
@@ -176,7 +176,12 @@ def test_files_in_the_way_stop_it_before_the_work(inside, plated, scan, tmp_path
     out = tmp_path / "out"
     out.mkdir()
     (out / "fitted.toml").write_text("mine")
-    assert_five_parts(inside("verdict", scan(), plated(), "--out", out), "fitted.toml")
+    assert_five_parts(
+        inside("verdict", scan(), plated(), "--out", out),
+        "fitted.toml",
+        code="repeated",
+        argument="output file",
+    )
     assert (out / "fitted.toml").read_text() == "mine"
 
 
@@ -193,11 +198,18 @@ def test_files_in_the_way_stop_it_before_the_work(inside, plated, scan, tmp_path
         ((MATERIAL[1], MATERIAL[0]), "give its constants in a [material] table"),
     ],
 )  # fmt: skip
-def test_unknowns_that_cannot_be_fitted_are_refused(inside, plated, tmp_path, change, words):
-    ran = inside("verdict", tmp_path / "none.nc", plated(change))
+def test_unknowns_that_cannot_be_fitted_are_refused(inside, plated, scan, change, words):
+    ran = inside("verdict", scan(), plated(change))
     assert_five_parts(ran, "fit")
     assert words in ran.err
 
 
 def test_a_study_without_a_plate_has_no_verdict(inside, study, scan):
-    assert_five_parts(inside("verdict", scan(), study()), "plate")
+    assert_five_parts(inside("verdict", scan(), study()), code="missing", argument="plate")
+
+
+def test_a_study_in_the_place_of_the_response_is_told_apart(inside, tmp_path):
+    study, scan = tmp_path / "study.toml", tmp_path / "response.nc"
+    study.write_text("material = 'steel'")
+    scan.write_bytes(b"\x89HDF\r\n\0")
+    assert_five_parts(inside("verdict", study, scan), code="conflict", argument="response")

@@ -11,7 +11,7 @@ import haptonic
 SOURCE = Path(haptonic.__file__).parent
 FILES = sorted(SOURCE.rglob("*.py"))
 
-BASE = {"errors", "fields", "foreign", "gate", "hdf5", "names", "paths", "progress", "units"}
+BASE = {"errors", "fields", "foreign", "gate", "hdf5", "names", "parallel", "paths", "progress", "units"}
 CORE = BASE | {"materials", "lattice", "brillouin", "cell", "elements", "solvers", "superelement", "bloch"}
 LOWER = CORE | {"design", "friction", "plate", "response", "store", "updating", "vibrometry"}
 ALLOWED: dict[str, set[str]] = {
@@ -28,11 +28,12 @@ ALLOWED: dict[str, set[str]] = {
     "solvers": {"errors"},
     "paths": {"errors", "units"},
     "progress": set(),
+    "parallel": set(),
     "store": {"errors", "gate", "paths"},
     "jobs": BASE | {"store"},
     "cell": BASE | {"materials", "lattice", "brillouin"},
     "elements": {"cell", "materials"},
-    "superelement": {"solvers", "elements", "cell", "lattice", "materials"},
+    "superelement": {"solvers", "elements", "cell", "lattice", "materials", "parallel"},
     "bloch": {
         "superelement",
         "cell",
@@ -42,6 +43,7 @@ ALLOWED: dict[str, set[str]] = {
         "errors",
         "fields",
         "gate",
+        "parallel",
         "units",
     },
     "channels": {"errors", "foreign", "hdf5", "names", "paths", "units"},
@@ -56,10 +58,10 @@ ALLOWED: dict[str, set[str]] = {
     "workshop": BASE | {"cell", "plots", "store"},
     "pages": {"plots"},
     # from here on down to the command line: what is told, what is asked, what is computed, what shows it
-    "results": LOWER | {"jobs", "pages", "plots", "vtu"},
+    "results": LOWER | {"channels", "jobs", "pages", "plots", "vtu"},
     "description": LOWER - {"store"} | {"results"},
     "report": LOWER | {"description", "pages", "plots", "results"},
-    "analyses": LOWER | {"description", "jobs", "plots", "report", "results", "workshop"},
+    "analyses": LOWER | {"channels", "description", "jobs", "plots", "report", "results", "workshop"},
     "study": {"analyses", "description", "fields", "progress", "results", "store"},
     "cli": CORE | {"analyses", "results", "store", "study", "__init__"},
 }

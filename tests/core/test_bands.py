@@ -20,6 +20,7 @@ from haptonic.bloch.bands import count_check
 from haptonic.bloch.character import NAMES, characters
 from haptonic.bloch.gaps import SEARCH_GOAL, complete_gaps
 from haptonic.bloch.pencil import eigenpairs
+from haptonic.bloch.settings import BandSettings, MeshSettings
 from haptonic.bloch.symmetry import clusters, mirrors_at, sorted_by_parity
 from haptonic.bloch.tracking import group_velocity
 from haptonic.bloch.zone import zone_surface
@@ -41,7 +42,7 @@ def model() -> BlochModel:
 
 @cache
 def dataset():
-    return bands_dataset(reference_cell(), count=10, points=66, accuracy=2e-3, resolution=Resolution(4, 1))
+    return bands_dataset(reference_cell(), BandSettings(mesh=MeshSettings(4, 1)))
 
 
 @cache

@@ -13,6 +13,7 @@ from haptonic.bloch.centred import CentredPencil
 from haptonic.bloch.model import REST, TRUSTED_TRUNCATION, _ranked, bloch_model
 from haptonic.bloch.pencil import eigenpairs
 from haptonic.bloch.resolution import LADDER, starting_rung
+from haptonic.bloch.settings import BandSettings
 from haptonic.cell import MeshPlan, Pillar, UnitCell
 from haptonic.lattice import Lattice
 from haptonic.materials import material
@@ -65,7 +66,7 @@ def test_what_more_of_the_interior_mends_is_not_laid_on_the_mesh():
     """A slender pillar has many modes of its own; finer meshes with as short an interior tell none."""
     pillar = Pillar(1.5e-3, 38e-3)
     cell = UnitCell(Lattice.rectangular(7e-3, 8.9e-3), 0.7e-3, material("aluminium-2017a"), pillar)
-    model = bloch_model(cell, 24, 5e-3)
+    model = bloch_model(cell, BandSettings(24, accuracy=5e-3))
     assert model.resolution.order == LADDER[starting_rung(5e-3)].order
     assert model.resolution.steps > LADDER[starting_rung(5e-3)].steps
 
@@ -117,7 +118,7 @@ def test_a_wave_that_is_hardly_resolved_is_told(order):
 def test_a_plain_plate_is_answered_within_its_estimate(number, count, accuracy):
     """Rayleigh and Lamb know the truth, whatever the mesh and the interior's space."""
     cell = drawn(SEED, number).cell
-    model = bloch_model(cell, count, accuracy)
+    model = bloch_model(cell, BandSettings(count, accuracy=accuracy))
     for kappa in wavevectors(cell):
         exact, solution = plain_plate(cell, kappa, count), model.solve(kappa)
         moving = exact > 2 * REST * exact[-1]
@@ -141,7 +142,7 @@ def assert_the_truth_is_within(question: Drawn, model: BlochModel | None = None)
     exact = truth(question)
     assert exact is not None, "no reference fits"
     if model is None:
-        model = bloch_model(question.cell, question.count, question.accuracy)
+        model = bloch_model(question.cell, BandSettings(question.count, accuracy=question.accuracy))
     solutions = [model.solve(kappa) for kappa in wavevectors(question.cell)]
     moving = exact.frequency > 2 * REST * exact.frequency.max()
     true = np.abs(np.array([s.frequency for s in solutions]) - exact.frequency)

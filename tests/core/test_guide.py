@@ -10,6 +10,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from strategies import reference_cell
 
+from five_parts import refusing
 from haptonic.bloch.evanescent import Slab, bloch_waves
 from haptonic.bloch.guide import Guide, GuidedMode, Wall, _root, strip_mode
 from haptonic.bloch.layers import Interface, stacked
@@ -134,9 +135,9 @@ def test_a_jump_is_no_root():
 
 
 def test_there_is_no_guide_where_other_waves_propagate():
-    with pytest.raises(StudyError, match="only A0 propagates"):
+    with refusing(StudyError, "no-answer", "waveguide.mode"):
         Guide.of(lattice(), 50.0).mode(WIDTH, 0, GAP)
-    with pytest.raises(StudyError, match="only A0 propagates"):
+    with refusing(StudyError, "no-answer", "waveguide.mode"):
         Guide.of(lattice(), 50.0).width(58.0 * KILOHERTZ, 0)
 
 
@@ -150,7 +151,7 @@ def test_there_is_no_mode_where_the_lattice_lets_waves_in_or_bending_waves_fade(
         lambda: guide().mode(WIDTH, 0, (60.0 * KILOHERTZ, 62.0 * KILOHERTZ)),
         lambda: guide().mode(WIDTH, 5, GAP),
     ):
-        with pytest.raises(StudyError, match="that let no wave in"):
+        with refusing(StudyError, "no-answer", "waveguide.mode"):
             refused()
     assert guide().wall(50.0 * KILOHERTZ) is None
     assert guide(ALONG + 2 * np.pi / PITCH).wall(58.0 * KILOHERTZ) is None

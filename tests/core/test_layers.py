@@ -11,6 +11,7 @@ from hypothesis import strategies as st
 from rods import LAMINATE, SPEED, half_space, laminate, medium, rod
 from strategies import ALUMINIUM, reference_cell
 
+from five_parts import refusing
 from haptonic.bloch.evanescent import Slab, bloch_waves, decibels
 from haptonic.bloch.layers import OUTGOING, Interface, reflected_by, scattered, stacked
 from haptonic.bloch.plate_waves import FAMILIES
@@ -97,7 +98,7 @@ def test_diffracted_waves_take_their_share():
     assert np.abs(found.dissipated).max() < 1e-9
     beyond = interface(OBLIQUE + 2 * np.pi / here.period)  # only its diffracted waves propagate
     assert (beyond.plate_waves(50.0 * KILOHERTZ)[0].labelled("A0")).any()
-    with pytest.raises(StudyError, match="only fades"):
+    with refusing(StudyError, "no-answer", "layers.incident"):
         beyond.scattering(50.0 * KILOHERTZ, 1, ("A0",))
 
 
@@ -218,7 +219,7 @@ def test_the_angle_sets_the_wavenumber_along_the_layers(angle):
 
 @pytest.mark.parametrize("angle", [0.5 * np.pi, 2.0, -1.6, np.nan])
 def test_a_wave_that_does_not_come_is_refused(angle):
-    with pytest.raises(StudyError, match="less than 90 deg"):
+    with refusing(StudyError, "out-of-range", "layers.angle"):
         Interface.met_by(superelement("reference"), 50.0 * KILOHERTZ, "A0", angle)
 
 
@@ -227,10 +228,10 @@ def test_what_cannot_be_scattered_is_refused():
     with pytest.raises(StudyError, match="S1 at 50 kHz"):
         Interface.met_by(reference, omega, "S1", 0.0)
     steep = Interface.met_by(reference, omega, "A0", 1.2)
-    with pytest.raises(StudyError, match="only fades"):
+    with refusing(StudyError, "no-answer", "layers.incident"):
         steep.scattering(omega, 2, ("A0", "S0"))
-    with pytest.raises(StudyError, match="at most 2244 rad/m"):
+    with refusing(StudyError, "out-of-range", "layers.wavenumber", "at most 2244 rad/m"):
         Interface.of(reference, 2300.0)
     assert Interface.of(reference, 2200.0).tangential[0] == pytest.approx(2200.0)
-    with pytest.raises(StudyError, match="at least 1"):
+    with refusing(StudyError, "out-of-range", "layers.count"):
         steep.scattering(omega, 0, ("A0",))

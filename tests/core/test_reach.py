@@ -12,6 +12,7 @@ from truth import KAPPA, plain_plate
 from haptonic.bloch import model, resolution
 from haptonic.bloch.model import BlochModel, ReducedCell, bloch_model
 from haptonic.bloch.resolution import LADDER, check_start, first_rung
+from haptonic.bloch.settings import BandSettings
 from haptonic.cell import Pillar, UnitCell
 from haptonic.errors import ResourceError
 from haptonic.lattice import Lattice
@@ -27,7 +28,7 @@ def cell_of(thickness, diameter=0.0, height=1.0):
 
 def refusal(cell, count, accuracy):
     with pytest.raises(ResourceError) as caught:
-        bloch_model(cell, count, accuracy)
+        bloch_model(cell, BandSettings(count, accuracy=accuracy))
     return caught.value
 
 
@@ -72,7 +73,7 @@ def test_the_accuracy_that_a_refusal_names_is_answered(thickness, diameter, heig
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(resolution, "LONGEST", 6.0)
         named = float(refusal(cell, 8, 2e-4).allowed.split()[0])
-        assert bloch_model(cell, 8, named).worst_error <= named
+        assert bloch_model(cell, BandSettings(8, accuracy=named)).worst_error <= named
 
 
 @given(st.floats(0.06, 0.2))

@@ -12,6 +12,7 @@ from strategies import ALUMINIUM, reference_cell
 from haptonic.bloch import resolution
 from haptonic.bloch.model import BlochModel, bloch_model
 from haptonic.bloch.resolution import LADDER, LONGEST, check_cost
+from haptonic.bloch.settings import BandSettings
 from haptonic.cell import Pillar, UnitCell
 from haptonic.errors import NumericalError, ResourceError
 from haptonic.lattice import Lattice
@@ -19,7 +20,7 @@ from haptonic.solvers import chosen
 from haptonic.superelement import condense_by_parts
 
 PITCH = 6e-3
-PARTS = {"argument", "given", "allowed", "cause", "next_step"}
+PARTS = {"code", "argument", "given", "allowed", "cause", "next_step"}
 
 
 def thin_cell(thickness, diameter=0.0, height=0.5):
@@ -95,4 +96,4 @@ def test_a_stiffness_that_is_not_definite_ends_in_five_parts(monkeypatch, diamet
 @pytest.mark.nightly
 @pytest.mark.parametrize("size", [(0.005, 0.5, 13 / 6), (0.01, 0.5, 0.5), (0.03, 0.2, 0.1)])
 def test_thin_plates_with_pillars_are_answered(size):
-    assert bloch_model(thin_cell(*size), 10, 2e-3).resolution.order <= 5
+    assert bloch_model(thin_cell(*size), BandSettings(10, accuracy=2e-3)).resolution.order <= 5

@@ -34,34 +34,6 @@ BANNED = {
     "wiring": "channel map",
     "words": "text",
 }
-# Modules that still have such names. This list may only become shorter.
-LEFT = {
-    "haptonic.analyses.export": {"asked"},
-    "haptonic.analyses.plate": {"asked"},
-    "haptonic.analyses.scan": {"places"},
-    "haptonic.analyses.twin_friction": {"twin"},
-    "haptonic.analyses.twin_scan": {"twin"},
-    "haptonic.analyses.verdict": {"judged"},
-    "haptonic.analyses.waveguide": {"asked"},
-    "haptonic.bloch.evanescent": {"places"},
-    "haptonic.plate.question": {"question"},
-    "haptonic.plots.scans": {"fading"},
-    "haptonic.plots.words": {"words"},
-    "haptonic.report.chapters.dispersion": {"words"},
-    "haptonic.results.feel.felt": {"felt"},
-    "haptonic.results.feel.lights": {"lights"},
-    "haptonic.results.feel.value": {"lights"},
-    "haptonic.results.friction_tables": {"told"},
-    "haptonic.results.plate.value": {"told"},
-    "haptonic.results.scan.twin": {"twin"},
-    "haptonic.results.scan.value": {"told"},
-    "haptonic.results.twin": {"twin"},
-    "haptonic.superelement.shaft": {"shaft"},
-    "haptonic.superelement.shafted": {"shaft", "shafted"},
-    "haptonic.superelement.trace": {"places"},
-    "haptonic.vibrometry.places": {"places"},
-    "haptonic.vibrometry.question": {"question"},
-}
 
 
 def public_names(tree: ast.Module) -> Iterator[str]:
@@ -104,7 +76,7 @@ def test_a_class_name_that_stands_twice_would_be_found():
 
 @pytest.mark.parametrize("module", TREES)
 def test_public_names_are_the_fields_words(module):
-    found = banned_in(module, TREES[module]) - LEFT.get(module, set())
+    found = banned_in(module, TREES[module])
     assert not found, {word: BANNED[word] for word in found}
 
 

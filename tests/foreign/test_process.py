@@ -21,6 +21,7 @@ from hypothesis.extra import numpy as arrays
 
 import haptonic
 import haptonic.foreign.process as process
+from five_parts import refusing
 from haptonic.errors import ChannelError, ResourceError
 from haptonic.foreign import wire
 from haptonic.foreign.process import ask
@@ -183,7 +184,7 @@ class TestFaults:
     def test_no_process_can_be_started(self, good, monkeypatch):
         process._end()
         monkeypatch.setattr(sys, "executable", "/no/such/python")
-        with pytest.raises(ResourceError, match="second process"):
+        with refusing(ResourceError, "worker", "process that reads files"):
             ask("hdf5.tree", good)
 
     def test_one_that_ends_at_once(self, good, answering, monkeypatch):

@@ -8,6 +8,7 @@ import xarray as xr
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from five_parts import refusing
 from haptonic.cell import Pillar, UnitCell
 from haptonic.errors import StudyError
 from haptonic.friction.lubrication import (
@@ -22,8 +23,8 @@ from haptonic.lattice import Lattice
 from haptonic.materials import material
 from haptonic.plate.layout import Layout
 from haptonic.plate.parts import Force, Plate
-from haptonic.results.feel.felt import Felt
-from haptonic.results.feel.lights import FAR, lights
+from haptonic.results.feel.reduction import Reduction
+from haptonic.results.feel.requirements import FAR, requirements
 from haptonic.results.feel.value import Feel
 
 ALUMINIUM = material("aluminium-paper")
@@ -107,7 +108,7 @@ def test_a_reduction_that_no_drive_gives():
 
 @pytest.mark.parametrize("reduction", [0.0, 1.0, 55.0, -0.1, math.nan])
 def test_a_reduction_that_is_no_share_is_refused(reduction):
-    with pytest.raises(StudyError, match="percentage"):
+    with refusing(StudyError, "out-of-range", "reduction"):
         made().drive_for(reduction, "A")
 
 
@@ -145,7 +146,7 @@ def test_what_is_written_says_what_was_assumed_and_that_it_is_simulated():
 # -- traffic lights -----------------------------------------------------------------------------------
 
 FAST, SLOW = 0.5 * CUE_THRESHOLD, 2 * CUE_THRESHOLD
-GOOD = {"A": Felt(0.5, 0.4, 0.6), "B": Felt(0.02, 0.0, 0.05)}
+GOOD = {"A": Reduction(0.5, 0.4, 0.6), "B": Reduction(0.02, 0.0, 0.05)}
 WANTED = FAR * WEBER_FRACTION
 
 
@@ -153,14 +154,14 @@ WANTED = FAR * WEBER_FRACTION
     ("changes", "colours"),
     [
         ({}, ["green", "green", "green", "green"]),
-        ({"A": Felt(0.5, WANTED - 0.01, 0.6)}, ["amber", "green", "green", "green"]),
-        ({"A": Felt(WANTED - 0.01, 0.0, 0.6)}, ["red", "green", "green", "green"]),
-        ({"B": Felt(0.02, 0.0, WEBER_FRACTION + 0.01)}, ["green", "amber", "green", "green"]),
-        ({"B": Felt(WEBER_FRACTION + 0.01, 0.0, 0.2)}, ["green", "red", "green", "green"]),
+        ({"A": Reduction(0.5, WANTED - 0.01, 0.6)}, ["amber", "green", "green", "green"]),
+        ({"A": Reduction(WANTED - 0.01, 0.0, 0.6)}, ["red", "green", "green", "green"]),
+        ({"B": Reduction(0.02, 0.0, WEBER_FRACTION + 0.01)}, ["green", "amber", "green", "green"]),
+        ({"B": Reduction(WEBER_FRACTION + 0.01, 0.0, 0.2)}, ["green", "red", "green", "green"]),
     ],
 )
 def test_regions_are_judged_by_their_whole_interval(changes, colours):
-    found = lights(GOOD | changes, "A", FAST, FAST, 56e3, (52e3, 60e3))
+    found = requirements(GOOD | changes, "A", FAST, FAST, 56e3, (52e3, 60e3))
     assert [light.colour for light in found] == colours
 
 
@@ -168,9 +169,9 @@ def test_regions_are_judged_by_their_whole_interval(changes, colours):
     (FAST, FAST, "green"), (SLOW, FAST, "amber"), (SLOW, SLOW, "red"),
 ])  # fmt: skip
 def test_the_time_is_judged_by_both_definitions(rise, constant, colour):
-    assert lights(GOOD, "A", rise, constant, 56e3, (52e3, 60e3))[2].colour == colour
+    assert requirements(GOOD, "A", rise, constant, 56e3, (52e3, 60e3))[2].colour == colour
 
 
 @pytest.mark.parametrize("gap", [None, (52e3, 55e3), (57e3, 60e3)])
 def test_a_drive_outside_of_the_gap_is_red(gap):
-    assert lights(GOOD, "A", FAST, FAST, 56e3, gap)[3].colour == "red"
+    assert requirements(GOOD, "A", FAST, FAST, 56e3, gap)[3].colour == "red"

@@ -295,25 +295,64 @@ def test_bad_touches_are_refused(numbers, word):
 
 
 def test_bad_fingers_are_refused():
-    refused(lambda: FINGER.having(contact_gaps=1e-6), "contact_gap", "finger.contact_gaps")
-    refused(lambda: FINGER.having(zebra=1.0), "leave it out")
-    refused(lambda: FINGER.having(contact_gap=4.0), "4 m", "10 nm and 1 mm")
-    refused(lambda: FINGER.having(contact_gap=float("nan")), "nan")
-    refused(lambda: FINGER.having(contact_gap="4 um"), "'4 um'")
-    refused(lambda: FINGER.having(area_exponent=0.0), "between 0 and 1")
-    refused(lambda: FINGER.contact_gap.having(4e-6, (5e-6, 6e-6)), "its own uncertainty")
-    refused(lambda: Parameter(1.0, "m", "t", (0.0, 2.0), (1.0, 3.0), "given", "user"), "plausible 1 to 3")
+    refused(lambda: FINGER.having(contact_gaps=1e-6), code="unknown", argument="finger.contact_gaps")
+    refused(lambda: FINGER.having(zebra=1.0), code="unknown", argument="finger.zebra")
+    refused(
+        lambda: FINGER.having(contact_gap=4.0),
+        "4 m",
+        code="out-of-range",
+        argument="finger: gap at which asperities carry that pressure",
+    )
+    refused(
+        lambda: FINGER.having(contact_gap=float("nan")),
+        "nan",
+        code="out-of-range",
+        argument="finger: gap at which asperities carry that pressure",
+    )
+    refused(
+        lambda: FINGER.having(contact_gap="4 um"),
+        "'4 um'",
+        code="out-of-range",
+        argument="finger: gap at which asperities carry that pressure",
+    )
+    refused(
+        lambda: FINGER.having(area_exponent=0.0),
+        code="out-of-range",
+        argument="finger: growth of the area with force",
+    )
+    refused(
+        lambda: FINGER.contact_gap.having(4e-6, (5e-6, 6e-6)),
+        code="out-of-range",
+        argument="finger: gap at which asperities carry that pressure",
+    )
+    refused(
+        lambda: Parameter(1.0, "m", "t", (0.0, 2.0), (1.0, 3.0), "given", "user"),
+        "plausible 1 to 3",
+        code="out-of-range",
+        argument="finger: t",
+    )
 
 
 def test_other_bad_input_is_refused():
     line = xr.DataArray([1e-6], dims="a")
-    refused(lambda: predict(line, TOUCH, FINGER, samples=3), "samples", "20")
-    refused(lambda: predict(line, Touch(58.8e3, 10.0), FINGER), "10 N", "touch.force")
-    refused(lambda: amplitude_for(0.0, TOUCH, FINGER.values), "55 %")
-    refused(lambda: amplitude_for(55.0, TOUCH, FINGER.values), "55")
-    refused(lambda: amplitude_for(np.nan, TOUCH, FINGER.values), "nan")
+    refused(lambda: predict(line, TOUCH, FINGER, samples=3), code="too-few", argument="samples")
+    refused(
+        lambda: predict(line, Touch(58.8e3, 10.0), FINGER),
+        "10 N",
+        code="out-of-range",
+        argument="touch.force",
+    )
+    refused(lambda: amplitude_for(0.0, TOUCH, FINGER.values), code="out-of-range", argument="friction")
+    refused(lambda: amplitude_for(55.0, TOUCH, FINGER.values), "55", code="out-of-range", argument="friction")
+    refused(
+        lambda: amplitude_for(np.nan, TOUCH, FINGER.values), "nan", code="out-of-range", argument="friction"
+    )
     for driven, idle in ((0.11, 0.55), (0.5, 0.5), (55, 11), (0.5, 0.0), (0.5, float("nan"))):
-        refused(lambda d=driven, i=idle: amplitude_ratio(d, i, TOUCH, FINGER.values), "reductions")
-    refused(lambda: quality_limits(0.0), "frequency")
-    refused(lambda: quality_limits(58.8e3, -1.0), "threshold")
-    refused(lambda: rise_time(float("inf"), 58.8e3), "quality_factor")
+        refused(
+            lambda d=driven, i=idle: amplitude_ratio(d, i, TOUCH, FINGER.values),
+            code="out-of-range",
+            argument="reductions of friction",
+        )
+    refused(lambda: quality_limits(0.0), code="out-of-range", argument="frequency")
+    refused(lambda: quality_limits(58.8e3, -1.0), code="out-of-range", argument="threshold")
+    refused(lambda: rise_time(float("inf"), 58.8e3), code="out-of-range", argument="quality_factor")

@@ -5,7 +5,7 @@ import numpy as np
 import pandas as pd
 import pytest
 
-from five_parts import refused
+from five_parts import refused, refusing
 from haptonic.errors import ResourceError
 from haptonic.friction.recordings import Exclusion, Sensor, analysed, read_calibration, traces
 from haptonic.friction.signals import Record, Rules, exclusions, measure, measured
@@ -128,7 +128,10 @@ class TestOrigin:
         one = edited(folder, lambda t: t.assign(origin=["simulated", *t["origin"][1:]]))
         assert friction_in(one).attrs["origin"] == "simulated"
         refused(
-            lambda: friction_in(edited(folder, lambda t: t.assign(origin="guessed"))), "guessed", "origin"
+            lambda: friction_in(edited(folder, lambda t: t.assign(origin="guessed"))),
+            "guessed",
+            code="malformed",
+            argument="trials.csv: column origin",
         )
 
 
@@ -162,7 +165,9 @@ class TestSensor:
         named = analysed(folder, Sensor(normal="-Fz", tangential="Fy"), Rules())
         assert named.trials["friction"].values == pytest.approx(TRUE, rel=1e-9)
         assert "sign" not in " ".join(named.remarks)
-        refused(lambda: friction_in(folder, Sensor(normal="Fz")), "no contact", "other direction")
+        refused(
+            lambda: friction_in(folder, Sensor(normal="Fz")), "no contact", code="too-few", argument="trials"
+        )
 
     def test_names_units_and_rate_as_the_study_says(self, tmp_path):
         def change(found):
@@ -175,7 +180,12 @@ class TestSensor:
         found = friction_in(folder, said)
         assert found["friction"].values == pytest.approx(TRUE, rel=1e-9)
         assert found["speed"].values == pytest.approx(measured(MADE)["speed"].values)
-        refused(lambda: friction_in(folder, Sensor(normal="A", tangential="B")), "neither times nor a rate")
+        refused(
+            lambda: friction_in(folder, Sensor(normal="A", tangential="B")),
+            "neither times nor a rate",
+            code="missing",
+            argument="P1-B1-T1.csv: sampling rate",
+        )
 
     def test_a_calibration_matrix_makes_forces_of_gauges(self, tmp_path):
         """Gauges are the matrix' inverse of made-up forces and torques: a second way to the same forces."""
@@ -199,10 +209,14 @@ class TestSensor:
         turned = analysed(folder, Sensor(calibration=opposite), Rules())
         assert turned.trials["friction"].values == pytest.approx(TRUE, rel=1e-6)
         assert "sign was turned" in " ".join(turned.remarks)
-        refused(lambda: Sensor(calibration=calibration, normal="G1"), "Fx, Fy or Fz")
-        refused(lambda: friction_in(folder), "G0")
+        refused(
+            lambda: Sensor(calibration=calibration, normal="G1"),
+            code="unknown",
+            argument="trials.sensor.normal",
+        )
+        refused(lambda: friction_in(folder), code="unknown", argument="P1-B1-T1.csv: channel Fz")
         clipped = Sensor(calibration=calibration, largest_gauge=0.5)
-        refused(lambda: friction_in(folder, clipped), "saturated channel")
+        refused(lambda: friction_in(folder, clipped), "saturated channel", code="too-few", argument="trials")
 
     @pytest.mark.parametrize(
         ("rows", "word"),
@@ -217,9 +231,19 @@ class TestSensor:
     def test_bad_calibrations_are_refused(self, tmp_path, rows, word):
         pd.DataFrame(rows).to_csv(tmp_path / "m.csv", header=False, index=False)
         refused(lambda: read_calibration(tmp_path / "m.csv"), word, "full rank")
-        refused(lambda: read_calibration(tmp_path / "none.csv"), "cannot be read")
+        refused(
+            lambda: read_calibration(tmp_path / "none.csv"),
+            "cannot be read",
+            code="unreadable",
+            argument="trials.sensor.calibration",
+        )
         (tmp_path / "t.csv").write_text("a,b\nc,d\n")
-        refused(lambda: read_calibration(tmp_path / "t.csv"), "no table of numbers")
+        refused(
+            lambda: read_calibration(tmp_path / "t.csv"),
+            "no table of numbers",
+            code="unreadable",
+            argument="trials.sensor.calibration",
+        )
 
     def test_the_names_of_the_axes_may_stand_around_the_matrix(self, tmp_path):
         axes = ["Fx", "Fy", "Fz", "Tx", "Ty", "Tz"]
@@ -299,7 +323,11 @@ class TestOmissions:
         assert counts(found) == {"declared beforehand": 1 + 4 + 8}
         assert str(found["detail"].values[1]) == "slipped"
         for wrong in (Exclusion("P9", "x"), Exclusion("P1", "x", 7), Exclusion("P1", "x", 1, 70)):
-            refused(lambda one=wrong: friction_in(folder, excluded=[one]), "trials.exclude[1]")
+            refused(
+                lambda one=wrong: friction_in(folder, excluded=[one]),
+                code="mismatch",
+                argument="trials.exclude[1]",
+            )
 
 
 class TestTables:
@@ -324,18 +352,23 @@ class TestTables:
 
     def test_folders_without_a_table(self, tmp_path):
         for folder in (tmp_path, tmp_path / "none"):
-            with pytest.raises(ResourceError, match="trials"):
+            with refusing(ResourceError, "unreadable", "folder of trials"):
                 friction_in(folder)
         with pytest.raises(ResourceError):
             friction_in(tmp_path / "none.csv")
 
     def test_force_in_another_unit_everywhere(self, tmp_path):
         folder = written(tmp_path / "a", MADE[:6], change=lambda found: found | {"Fz": 2500 * found["Fz"]})
-        refused(lambda: friction_in(folder), "6 of 6: unreadable record", "mN")
+        refused(lambda: friction_in(folder), "6 of 6: unreadable record", code="too-few", argument="trials")
 
     def test_volts_without_a_calibration(self, tmp_path):
         folder = written(tmp_path / "a", MADE[:6], change=renamed(Fz="Fz (V)", Fy="Fy (V)"))
-        refused(lambda: friction_in(folder), '"V"', "calibration")
+        refused(
+            lambda: friction_in(folder),
+            '"V"',
+            code="malformed",
+            argument="P1-B1-T1.csv: unit of the channel Fz",
+        )
 
 
 class TestTraces:

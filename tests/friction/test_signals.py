@@ -66,7 +66,12 @@ class TestFilters:
         assert through.sum() == pytest.approx(pulse.sum(), rel=1e-4)
 
     def test_bad_filters_are_refused(self):
-        refused(lambda: smoothed(np.ones(50), 1000.0, "litteral"), "literal", "did you mean")
+        refused(
+            lambda: smoothed(np.ones(50), 1000.0, "litteral"),
+            'write "literal"',
+            code="unknown",
+            argument="filter",
+        )
         refused(lambda: smoothed(np.ones(50), 1.0), "1 Hz", "kHz")
         refused(lambda: smoothed(np.ones(50), float("nan")), "nan")
         refused(lambda: smoothed(np.ones(9), 1000.0), "9 samples")
@@ -185,8 +190,13 @@ def test_excluded_trials_stay_in_the_table():
 
 def test_a_record_twice_is_refused():
     record = Record(**stroke())
-    refused(lambda: measured([(LABEL, record), (LABEL, record)]), "more than once")
-    refused(lambda: measured([]), "none")
+    refused(
+        lambda: measured([(LABEL, record), (LABEL, record)]),
+        "more than once",
+        code="repeated",
+        argument="records",
+    )
+    refused(lambda: measured([]), "none", code="missing", argument="records")
 
 
 @pytest.mark.parametrize(
@@ -240,7 +250,7 @@ def test_bad_labels_are_refused(label, word):
 
 class TestFiles:
     def rows(self):
-        """Two trials of the twin, one row for each sample."""
+        """Two simulated trials, one row for each sample."""
         parts = []
         for n, (label, record, _) in enumerate(strokes(Truth(), Protocol(2, 2), 1)):
             if n < 2:
@@ -311,7 +321,12 @@ class TestFiles:
         for name in ("a.csv", "a.nc", "a.h5", "b.nc", "b.h5", "b.csv"):
             with pytest.raises(ResourceError):
                 list(read_records(tmp_path / name))
-        refused(lambda: list(read_records(tmp_path / "a.tdms")), "a.tdms", ".csv")
+        refused(
+            lambda: list(read_records(tmp_path / "a.tdms")),
+            "a.tdms",
+            code="malformed",
+            argument="table of trials",
+        )
 
     @pytest.mark.parametrize("name", ["t.csv", "t.nc"])
     def test_trials_come_back(self, tmp_path, name):
@@ -349,4 +364,9 @@ class TestFiles:
             bad.to_csv(path, index=False)
             refused(lambda: read_trials(path), word)
         good.to_csv(path, index=False)
-        refused(lambda: write_trials(read_trials(path), tmp_path / "t.xlsx"), "t.xlsx")
+        refused(
+            lambda: write_trials(read_trials(path), tmp_path / "t.xlsx"),
+            "t.xlsx",
+            code="malformed",
+            argument="table of trials",
+        )

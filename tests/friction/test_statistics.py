@@ -88,7 +88,7 @@ class TestPairs:
 
     def test_bad_tables_are_refused(self):
         whole = table(self.ROWS)
-        refused(lambda: paired(whole, "WG3"), "WG3", "did you mean")
+        refused(lambda: paired(whole, "WG3"), "WG3", code="unknown", argument="waveguide")
         refused(lambda: paired(whole, "WG2"), "trials on WG2")
         refused(lambda: paired(whole.drop_vars("excluded"), "WG1"), "column excluded")
         refused(lambda: paired(xr.Dataset(), "WG1"), "no columns")
@@ -291,8 +291,8 @@ class TestEffects:
         vague = stopped(drawn(3), drawn(3, seed=1))
         assert math.isnan(vague.low)
         assert "may be zero" in vague.note
-        refused(lambda: stopped_here(drawn(3), drawn(4)), "P4")
-        refused(lambda: stopped(drawn(3), drawn(4)), "P4")
+        refused(lambda: stopped_here(drawn(3), drawn(4)), "P4", code="mismatch", argument="pairs")
+        refused(lambda: stopped(drawn(3), drawn(4)), "P4", code="mismatch", argument="pairs")
 
     def test_one_participant_has_no_interval(self):
         found = reduction(drawn(1))
@@ -339,7 +339,7 @@ class TestEffects:
         assert math.isnan(found.p)
         assert "one participant" in found.note
         for bound in (11, 0, -0.1, float("nan")):
-            refused(lambda b=bound: equivalence(drawn(), b), "0.11 for 11 %")
+            refused(lambda b=bound: equivalence(drawn(), b), code="out-of-range", argument="bound")
 
     def test_drift(self):
         """A line that was put in, a tenth of the mean, and a second plate that is twice as rough."""
@@ -355,7 +355,7 @@ class TestEffects:
         assert found.value == pytest.approx(0.1, abs=0.005)
         assert found.low < 0.08
         assert found.high > 0.12
-        refused(lambda: drift(table(rows[:4])), "at least 3")
+        refused(lambda: drift(table(rows[:4])), code="too-few", argument="trials of A")
         assert "one participant" in drift(table(rows[:40])).note
 
 
@@ -401,13 +401,20 @@ class TestPlanning:
 
     def test_bad_plans_are_refused(self):
         plan = Population(0.11, 0.08)
-        refused(lambda: Population(11, 0.08), "population.reduction")
-        refused(lambda: Population(0.11, float("nan")), "nan")
-        refused(lambda: Population(0.11, True), "True")
-        refused(lambda: power(plan, [1], [60]), "participants")
-        refused(lambda: power(plan, [], [60]), "participants")
-        refused(lambda: power(plan, [3], [0]), "trials")
-        refused(lambda: power(plan, [3], [2.5]), "2.5")
-        refused(lambda: power(plan, [3], [20], simulations=3), "simulations")
-        refused(lambda: participants_needed(plan, 60, wanted=80), "wanted")
-        refused(lambda: false_alarms(plan, 1, 20), "participants")
+        refused(lambda: Population(11, 0.08), code="out-of-range", argument="population.reduction")
+        refused(
+            lambda: Population(0.11, float("nan")),
+            "nan",
+            code="out-of-range",
+            argument="population.effect_between",
+        )
+        refused(
+            lambda: Population(0.11, True), "True", code="out-of-range", argument="population.effect_between"
+        )
+        refused(lambda: power(plan, [1], [60]), code="out-of-range", argument="participants")
+        refused(lambda: power(plan, [], [60]), code="out-of-range", argument="participants")
+        refused(lambda: power(plan, [3], [0]), code="out-of-range", argument="trials")
+        refused(lambda: power(plan, [3], [2.5]), "2.5", code="out-of-range", argument="trials")
+        refused(lambda: power(plan, [3], [20], simulations=3), code="out-of-range", argument="simulations")
+        refused(lambda: participants_needed(plan, 60, wanted=80), code="out-of-range", argument="wanted")
+        refused(lambda: false_alarms(plan, 1, 20), code="out-of-range", argument="participants")

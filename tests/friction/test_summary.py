@@ -124,7 +124,7 @@ class TestSummary:
     def test_the_study_may_say_which_one_is_driven(self):
         found = summary(experiment(), "WG2")
         assert (found.driven, found.chosen) == ("WG2", "as the study says")
-        refused(lambda: summary(experiment(), "WG3"), "WG3", "did you mean")
+        refused(lambda: summary(experiment(), "WG3"), "WG3", code="unknown")
 
     def test_unequal_and_missing_conditions_are_named(self):
         table = experiment()

@@ -71,12 +71,23 @@ class TestStrokes:
         assert (one != other).any()
 
     def test_bad_truths_are_refused(self):
-        refused(lambda: Truth(Participants(within=22)), "participants.within")
-        refused(lambda: Truth(Participants(noise=float("nan"))), "nan")
-        refused(lambda: Truth(Participants(friction=0.0)), "participants.friction")
-        refused(lambda: Truth(remaining={"WG1": 45.0}), "remaining.WG1")
-        refused(lambda: list(strokes(Truth(remaining={"WG1": 0.45}), Protocol(), 1)), "WG2")
-        refused(lambda: list(strokes(Truth(), Protocol(), 0)), "participants")
+        refused(lambda: Truth(Participants(within=22)), code="out-of-range", argument="participants.within")
+        refused(
+            lambda: Truth(Participants(noise=float("nan"))),
+            "nan",
+            code="out-of-range",
+            argument="participants.noise",
+        )
+        refused(
+            lambda: Truth(Participants(friction=0.0)), code="out-of-range", argument="participants.friction"
+        )
+        refused(lambda: Truth(remaining={"WG1": 45.0}), code="out-of-range", argument="truth.remaining.WG1")
+        refused(
+            lambda: list(strokes(Truth(remaining={"WG1": 0.45}), Protocol(), 1)),
+            code="out-of-range",
+            argument="truth.remaining",
+        )
+        refused(lambda: list(strokes(Truth(), Protocol(), 0)), code="out-of-range", argument="participants")
 
 
 class TestExperiment:
@@ -159,7 +170,9 @@ class TestProtocol:
         labels = Protocol(2, 4, waveguides=("left", "right")).order(1)
         assert [one.waveguide for one in labels] == ["right"] * 4 + ["left"] * 4
         assert Protocol(2, 4).pairs == 2
-        refused(lambda: Protocol(waveguides=("left", "left")), "two different names")
+        refused(
+            lambda: Protocol(waveguides=("left", "left")), code="conflict", argument="protocol.waveguides"
+        )
 
     @pytest.mark.parametrize("numbers", [{"blocks": 7}, {"trials": 0}, {"trials": 30.0}, {"blocks": True}])
     def test_bad_protocols_are_refused(self, numbers):
@@ -167,4 +180,4 @@ class TestProtocol:
 
     def test_no_participant_is_refused(self):
         for number in (0, -1, 2.5, True):
-            refused(lambda n=number: Protocol().order(n), "participants")
+            refused(lambda n=number: Protocol().order(n), code="out-of-range", argument="participants")

@@ -76,10 +76,21 @@ class TestFilm:
             assert trial.friction / truth.people.friction == pytest.approx(left, abs=1e-3)
 
     def test_what_cannot_be_explained_is_refused(self):
-        refused(lambda: explaining({"WG1": 1e-6}, CARRIER, FORCE), "reduction on WG1")
-        refused(lambda: film_of({"WG1": 3e-4}, 1e3, FORCE), "amplitude on WG1", "300 µm")
-        refused(lambda: film_of({"WG1": 1.0}, CARRIER, FORCE), "amplitude", "1 mm")
-        refused(lambda: film_of({"WG1": 1e-6}, CARRIER, (8.0, 0.1)), "touch.force")
+        refused(
+            lambda: explaining({"WG1": 1e-6}, CARRIER, FORCE),
+            code="out-of-range",
+            argument="reduction on WG1",
+        )
+        refused(
+            lambda: film_of({"WG1": 3e-4}, 1e3, FORCE),
+            "300 µm",
+            code="no-answer",
+            argument="amplitude on WG1",
+        )
+        refused(lambda: film_of({"WG1": 1.0}, CARRIER, FORCE), code="out-of-range", argument="amplitude")
+        refused(
+            lambda: film_of({"WG1": 1e-6}, CARRIER, (8.0, 0.1)), code="out-of-range", argument="touch.force"
+        )
 
 
 class TestAxes:

@@ -11,7 +11,7 @@ from small import COARSE, LOSS, drawn, glued
 from haptonic.plate import Band, PlateModel, modes_between
 from haptonic.plate.datasets import mode_names
 from haptonic.plate.parts import Force, Plate
-from haptonic.plate.question import grid_points
+from haptonic.plate.sampling import grid_points
 
 BENCHMARKS = Path(__file__).parents[2] / "benchmarks"
 TWO_GUIDES = Plate(

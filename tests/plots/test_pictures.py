@@ -15,8 +15,10 @@ from matplotlib.figure import Figure
 from matplotlib.patches import Rectangle
 from seeing import artists, assert_readable, shown_texts
 
+from five_parts import refusing
 from haptonic import plots
-from haptonic.bloch import Resolution, bands_dataset
+from haptonic.bloch import bands_dataset
+from haptonic.bloch.settings import BandSettings, MeshSettings
 from haptonic.errors import ResourceError
 from haptonic.plots import style
 from haptonic.plots.bands import CURVE_STYLES, RIGID
@@ -78,7 +80,7 @@ class TestEveryPicture:
 
 def test_a_picture_does_not_replace_a_file_unasked(drawn, tmp_path):
     (tmp_path / "a.png").write_text("mine")
-    with pytest.raises(ResourceError, match="overwriting"):
+    with refusing(ResourceError, "repeated", "output file"):
         plots.save(drawn["density"], tmp_path, "a")
     assert (tmp_path / "a.png").read_text() == "mine"
     assert not (tmp_path / "a.svg").exists()
@@ -316,7 +318,7 @@ class TestModes:
 
     def test_a_plate_without_a_pillar_is_drawn(self):
         plain = reference_study().cell.without_pillar()
-        plate = bands_dataset(plain, count=10, points=8, accuracy=2e-2, resolution=Resolution(2, 0))
+        plate = bands_dataset(plain, BandSettings(10, 8, 2e-2, MeshSettings(2, 0)))
         figure = plots.mode_shapes(plate)
         assert len(artists(figure, "deformed")) == 8
 

@@ -13,6 +13,7 @@ from PIL import Image
 from plates_made_up import ALUMINIUM, GAP, LINES, busy_plate, notched, plate, prototype, turned, vibration
 from seeing import artists, assert_readable, shown_texts
 
+from five_parts import refusing
 from haptonic import plots
 from haptonic.errors import ResourceError
 from haptonic.plate.holding import Support
@@ -404,6 +405,6 @@ class TestAnimation:
 
     def test_it_does_not_replace_a_file_unasked(self, moving):
         before = moving.read_bytes()
-        with pytest.raises(ResourceError, match="overwriting"):
+        with refusing(ResourceError, "repeated", "output file"):
             plots.animated(moving, vibration(), 58.8e3, prototype())
         assert moving.read_bytes() == before

@@ -47,7 +47,7 @@ def test_fading_and_the_edge_that_is_told():
         coords={"frequency": LINES, "phase": [0.0, np.pi / 2, np.pi]},
     )  # fmt: skip
     found = LatticeGap(Edge(53e3, 600.0), None, ("no upper edge: why",))
-    figure = plots.fading_map(fades, found, (52.5e3, 60e3), origin="simulated")
+    figure = plots.decay_map(fades, found, (52.5e3, 60e3), origin="simulated")
     axes = figure.axes[0]
     assert axes.collections[0].get_array().max() == fades.values.max()
     assert [line.get_ydata()[0] for line in axes.lines] == pytest.approx([52.5, 60, 53])
@@ -98,7 +98,7 @@ def test_decay_beside_the_computed_one():
         {"attenuation": (("frequency", "phase"), np.outer(LINES, [1, 2, 3]))},
         coords={"frequency": LINES, "phase": phases},
     )
-    figure = plots.fading(decay, fades, (52e3, 60e3), origin="simulated")
+    figure = plots.measured_decay(decay, fades, (52e3, 60e3), origin="simulated")
     for words in ("phase 0 per", "phase 0.5 π per", "phase π per", "95 % interval", "simulated"):
         assert words in texts(figure)
 

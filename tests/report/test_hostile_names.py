@@ -13,6 +13,7 @@ import pytest
 import xarray as xr
 from test_report import read, results
 
+from five_parts import refusing
 from haptonic import plots
 from haptonic.analyses import scanning
 from haptonic.cli.console import Voice
@@ -29,7 +30,7 @@ from haptonic.results import compute_friction
 from haptonic.results.quality import quality
 from haptonic.store import Store
 from haptonic.study import loads
-from haptonic.vibrometry.question import drive_for, response_for
+from haptonic.vibrometry.of_settings import drive_for, response_for
 from tiny_scan import TINY
 from trial_folders import made_up, written
 
@@ -122,7 +123,9 @@ def test_pages_hold_text_only(trials, monkeypatch):
 
 
 def test_the_word_for_all_people_is_nobody_s_name():
-    with pytest.raises(FrictionError, match="stands for all of them"):
+    with refusing(
+        FrictionError, "malformed", "participant of participant all participants, block 1, trial 1"
+    ):
         Label("all participants", 1, 1, "WG1", "on")
 
 
@@ -136,7 +139,7 @@ def test_pages_of_a_plate_and_its_scan_hold_text_only(tmp_path, monkeypatch):
     with pytest.warns(HaptonicWarning, match="ring-down"):
         drive = drive_for(question, study.mounted_plate())
     asked = replace(response_for(question, 1e-3, drive), points=126)
-    plate = study.plate(asked=asked, store=store)
+    plate = study.plate(settings=asked, store=store)
     scan = scanning.rescanned(study, plate, seed=2, store=store)
     monkeypatch.setattr("haptonic.report.page.IN_ORDER", (plates.chapter, scans.chapter))
     seen = read(page(results(study=study, plate=plate, scan=scan)))

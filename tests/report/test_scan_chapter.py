@@ -1,4 +1,4 @@
-"""The twin's scan of a plate that was computed, and the report's chapter on it."""
+"""The simulated scan of a plate that was computed, and the report's chapter on it."""
 
 from __future__ import annotations
 
@@ -7,6 +7,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from five_parts import refusing
 from haptonic.analyses import scanning
 from haptonic.errors import HaptonicWarning, ScanError
 from haptonic.report import Absent, Chapter, Results
@@ -15,8 +16,8 @@ from haptonic.response import FrequencyResponse
 from haptonic.results.references import References
 from haptonic.store import Store
 from haptonic.study import loads
+from haptonic.vibrometry.of_settings import drive_for, response_for
 from haptonic.vibrometry.on_plate import contrast_range
-from haptonic.vibrometry.question import drive_for, response_for
 from tiny_scan import TINY
 
 
@@ -37,7 +38,7 @@ def plate(study, store):
     with pytest.warns(HaptonicWarning, match="ring-down"):
         drive = drive_for(question, study.mounted_plate())
     asked = replace(response_for(question, 1e-3, drive), points=126)
-    return study.plate(asked=asked, store=store)
+    return study.plate(settings=asked, store=store)
 
 
 @pytest.fixture(scope="module")
@@ -71,7 +72,7 @@ def test_the_chapter_sets_scan_and_plate_side_by_side(study, plate, scan, known)
     seen = float(scan.contrasts["WG1 over WG2"].sel(frequency=frequency))
     assert levels.rows[0] == (f"WG1 over WG2, {frequency / 1e3:.2f} kHz", float(ours[0]), seen)
     named = {row[0]: row[1:] for row in gaps.rows}
-    assert named["high contrast, twin's scan"][0].startswith(f"{scan.measured.lower / 1e3:.1f} ± ")
+    assert named["high contrast, simulated scan"][0].startswith(f"{scan.measured.lower / 1e3:.1f} ± ")
     assert "at 126 of 126 lines" in made.findings[0]
     assert "at 126 of them" in made.findings[0]
 
@@ -84,5 +85,5 @@ def test_without_a_scan_there_is_no_chapter(study, plate):
 def test_lines_that_no_periodic_drive_has_are_refused(study, plate):
     for shift in (30.0, -30.0):
         moved = plate.response.dataset.assign_coords(frequency=plate.response.frequency + shift)
-        with pytest.raises(ScanError, match=r"multiples of their distance"):
+        with refusing(ScanError, "out-of-range", "plate.response"):
             scanning.rescanned(study, replace(plate, response=FrequencyResponse(moved)))

@@ -6,6 +6,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from waves import LINES, X, Y, made, numbers
 
+from five_parts import refusing
 from haptonic.errors import ResponseError
 from haptonic.response import average_spectrum, cmif, contrast, disc_average, frac, mac, rms
 
@@ -51,7 +52,7 @@ class TestMac:
     def test_other_points_are_refused(self):
         with pytest.raises(ResponseError, match=r"\(3, 7\) and \(2, 8\)"):
             mac(numbers((3, 7)), numbers((2, 8)))
-        with pytest.raises(ResponseError, match="on the same points"):
+        with refusing(ResponseError, "mismatch", "shapes"):
             mac(numbers((7,)), numbers((2, 7)))
 
     def test_a_shape_that_is_zero_is_refused(self):
@@ -76,9 +77,9 @@ class TestFrac:
         assert frac(flat, half) == pytest.approx([(1 / (8 * np.sin(np.pi / 16))) ** 2])
 
     def test_other_lines_are_refused(self):
-        with pytest.raises(ResponseError, match="same lines and points"):
+        with refusing(ResponseError, "mismatch", "shapes"):
             frac(numbers((6, 4)), numbers((5, 4)))
-        with pytest.raises(ResponseError, match="not zero"):
+        with refusing(ResponseError, "no-answer", "shape"):
             frac(np.zeros((6, 4)), numbers((6, 4)))
 
 
@@ -144,9 +145,9 @@ class TestRegions:
 
     @pytest.mark.parametrize("pair", [("WG1", "WG3"), ("WG3", "WG1"), ("rest", "rest"), ("WG3", "rest")])
     def test_unknown_regions_are_refused(self, pair):
-        with pytest.raises(ResponseError, match="region"):
+        with refusing(ResponseError, "unknown", "region"):
             contrast(made(), *pair)
-        with pytest.raises(ResponseError, match="region"):
+        with refusing(ResponseError, "unknown", "region"):
             rms(made(), "WG3")
 
 
@@ -192,7 +193,7 @@ class TestDisc:
 
     @pytest.mark.parametrize("diameter", [0.0, -1e-3, np.nan, np.inf])
     def test_a_disc_has_a_size(self, diameter):
-        with pytest.raises(ResponseError, match="diameter"):
+        with refusing(ResponseError, "out-of-range", "diameter"):
             disc_average(made(), diameter)
 
 
@@ -224,5 +225,5 @@ class TestCmif:
     def test_responses_that_do_not_fit_are_refused(self):
         with pytest.raises(ResponseError, match="none"):
             cmif([])
-        with pytest.raises(ResponseError, match="same lines"):
+        with refusing(ResponseError, "mismatch", "responses"):
             cmif([made(), made().between(0, 40e3)])

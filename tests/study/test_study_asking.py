@@ -7,6 +7,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from five_parts import refusing
 from haptonic.analyses import design
 from haptonic.design.parameters import UNITS
 from haptonic.errors import StudyError
@@ -68,7 +69,7 @@ class TestRefusals:
             ["cell.pillar.hight", 'write "cell.pillar.height"', "cell.thickness"],
         ),
         "parameter like no other": (
-            vary("zzzzzzzz", '"13 mm"', '"16 mm"'), "design.vary[1].parameter", ["choose one of the list"]
+            vary("zzzzzzzz", '"13 mm"', '"16 mm"'), "design.vary[1].parameter", ["choose one of these"]
         ),
         "number for a parameter": (vary("x", 1, 2).replace('"x"', "3"), "design.vary[1].parameter", ["text"]),
         "bound without a unit": (
@@ -165,7 +166,7 @@ class TestRefusals:
     def test_pitch_along_y_belongs_to_a_rectangle(self):
         error = refused(PLAIN + vary("cell.pitch_y", '"6 mm"', '"7 mm"'))
         assert error.argument == "study: design.vary[1].parameter"
-        assert error.given == "cell.pitch_y"
+        assert error.given == "'cell.pitch_y'"
 
     def test_plain_plate_has_no_pillar_to_vary(self):
         error = refused(PLAIN + of("cell.pillar.diameter", '"20 um"'))
@@ -250,7 +251,7 @@ class TestManyParametersAtOnce:
     def test_sizes_that_only_go_together(self):
         study = loads(BASE)
         for alone in ({"cell.pitch": 0.003}, {"cell.pillar.diameter": 0.009}):
-            with pytest.raises(StudyError, match="wider"):
+            with refusing(StudyError, "out-of-range", "cell.pillar.diameter"):
                 study.with_parameters(alone)
         small = study.with_parameters({"cell.pitch": 0.003, "cell.pillar.diameter": 0.002})
         assert (small.cell.lattice.pitch, small.cell.pillar.diameter) == (0.003, 0.002)
@@ -275,7 +276,7 @@ class TestManyParametersAtOnce:
             assert getattr(changed, name) == getattr(study, name)
 
     def test_an_impossible_design_is_refused(self, every_key_text):
-        with pytest.raises(StudyError, match=r"cell\.pillar\.step\.height"):
+        with refusing(StudyError, "out-of-range", "cell.pillar.step.height"):
             loads(every_key_text).with_parameters({"cell.pillar.height": 0.005})
 
 

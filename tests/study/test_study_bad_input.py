@@ -17,7 +17,7 @@ from haptonic.fields.keys import slots
 from haptonic.fields.problems import MOST_LISTED
 from haptonic.lattice import Lattice
 from haptonic.study import Study, loads
-from haptonic.study.plate_tables import PlateSection
+from haptonic.study.plate_tables import PlateSettings
 
 PITCH = 'pitch = "7 mm"'
 RATIO = "cell.pillar.height / cell.pitch"
@@ -66,7 +66,7 @@ NAMED_IN_THE_ISSUE = {
 }
 
 NOT_NAMED_THERE = {
-    "unknown key at the top": (("carrier", "carier"), "carier", ['write "carrier"']),
+    "unknown key at the top": (("carrier =", "carier ="), "carier", ['write "carrier"']),
     "unknown table": (("[bands]", "[bnads]"), "bnads", ['write "bands"']),
     "key of another table": (
         (PITCH, PITCH + '\ndiameter = "2 mm"'),
@@ -179,7 +179,7 @@ def test_all_problems_are_reported_at_once(edited):
 KEYS = table(Study)
 WORDS = sorted(
     {one.rpartition(".")[2].removesuffix("[]") for one in KEYS}
-    | {slot.name for kind in (Study, UnitCell, Lattice, Pillar, PlateSection) for slot in slots(kind)}
+    | {slot.name for kind in (Study, UnitCell, Lattice, Pillar, PlateSettings) for slot in slots(kind)}
 )
 
 

@@ -7,6 +7,7 @@ import pytest
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
+from five_parts import refusing
 from haptonic.errors import StudyError
 from haptonic.study import Study, loads
 from haptonic.study.sweeps import numeric_parameters
@@ -66,7 +67,7 @@ def test_some_parameters_are_zero():
 def test_value_is_that_of_ordinary_arithmetic(text):
     expression = parse(text)
     if any(name in ZEROS and power < 0 for name, power in expression.powers):
-        with pytest.raises(StudyError, match="is zero in this study"):
+        with refusing(StudyError, "out-of-range", "sweep.vary"):
             expression.value(PARAMETERS)
         return
     cancelled = re.compile(rf"/\s*(?:{'|'.join(map(re.escape, ZEROS))})")
@@ -79,7 +80,7 @@ def test_value_is_that_of_ordinary_arithmetic(text):
 def test_solved_study_has_the_value_and_nothing_else_changed(text, factor):
     expression = parse(text)
     if ZEROS & dict(expression.powers).keys():
-        with pytest.raises(StudyError, match="no finite"):
+        with refusing(StudyError, "out-of-range", "sweep.vary"):
             STUDY.solved(expression, factor)
         return
     assume(not any(name in text for name in ZEROS))
@@ -182,7 +183,7 @@ def test_any_text_is_read_or_refused(text):
 
 
 def test_dunder_names_are_only_names():
-    with pytest.raises(StudyError, match="no numeric parameter"):
+    with refusing(StudyError, "unknown", "sweep.vary"):
         STUDY.solved(parse("cell.__class__ / cell.pitch"), 1.0)
 
 
@@ -206,7 +207,7 @@ def test_impossible_designs_are_refused(text, value):
 
 def test_parameter_that_is_zero_cannot_be_divided_out():
     lossless: Study = STUDY.with_parameter("material.loss_factor", 0.0)
-    with pytest.raises(StudyError, match=r"no finite cell\.pitch"):
+    with refusing(StudyError, "out-of-range", "sweep.vary"):
         lossless.solved(parse("cell.pitch * material.loss_factor"), 1e-6)
 
 
@@ -238,7 +239,7 @@ def test_sweep_that_multiplies_by_zero_is_refused(edited):
     text = edited(
         ("cell.pillar.diameter / cell.pitch", "cell.thickness * cell.pillar.fillet / cell.pitch / cell.pitch")
     )
-    with pytest.raises(StudyError, match=r"no finite cell\.thickness") as caught:
+    with refusing(StudyError, "out-of-range", "study: sweep[1]") as caught:
         loads(text)
     assert caught.value.argument.startswith("study: sweep[1]")
 

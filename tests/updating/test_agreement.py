@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 from small_plate import LINES, response
 
+from five_parts import refusing
 from haptonic.errors import ScanError
 from haptonic.response import FrequencyResponse
 from haptonic.updating.agreement import agreement, normal_of, together
@@ -75,5 +76,5 @@ def test_what_has_nothing_in_common_is_refused(others, words):
 
 
 def test_motion_in_the_plane_alone_is_refused():
-    with pytest.raises(ScanError, match="along z"):
+    with refusing(ScanError, "missing", "direction"):
         normal_of(changed(response(), direction=("x",)))

@@ -16,6 +16,7 @@ from hypothesis import strategies as st
 from matplotlib.font_manager import FontProperties
 from matplotlib.textpath import TextPath
 
+from five_parts import refusing
 from haptonic.cell import Pillar, Step, UnitCell
 from haptonic.errors import GeometryError, ResourceError, StudyError
 from haptonic.lattice import Lattice
@@ -237,7 +238,7 @@ def test_tolerances_that_mean_nothing_are_refused(tolerances, message):
 
 def test_a_cell_that_is_no_rectangle_is_refused():
     oblique = Lattice.oblique(7 * MM, 7.5 * MM, 1.3)
-    with pytest.raises(GeometryError, match="square or rectangular for the drawing"):
+    with refusing(GeometryError, "unsupported", "cell.lattice"):
         cell_drawing(UnitCell(oblique, 1.5 * MM, METAL), "Plate")
 
 
@@ -298,7 +299,7 @@ def test_the_ending_of_the_path_chooses_the_kind(kind, start, tmp_path):
 def test_a_file_is_not_replaced_unasked(tmp_path):
     path = tmp_path / "a.pdf"
     path.write_text("mine")
-    with pytest.raises(ResourceError, match="not taken"):
+    with refusing(ResourceError, "repeated", "output file"):
         write_drawing(path, STEPPED, "Plate")
     assert path.read_text() == "mine"
     write_drawing(path, STEPPED, "Plate", overwrite=True)

@@ -7,10 +7,10 @@ from dataclasses import MISSING, dataclass, field, fields
 from pathlib import Path
 from typing import Any, Literal
 
-from haptonic.errors import StudyError, nearest
+from haptonic.errors import StudyError
 from haptonic.results.result import Result
 from haptonic.results.runner import Runner
-from haptonic.units import shown, to_si
+from haptonic.units import to_si
 
 KEPT = "the designs that were finished are kept; the same command goes on from there"
 
@@ -62,7 +62,7 @@ def nothing(study: Any, options: Any) -> None:
 class Analysis:
     """What can be asked of a study.
 
-    name : of the command and of the method of a study; help : what it gives, a sentence
+    name : of the command and of the method of a study, as in `haptonic.analyses.NAMES`
     result : kind of what it gives
     compute : takes the study, the options and a `Runner`
     options : dataclass of what may be chosen, its fields made by `option`; they are declared nowhere else
@@ -76,7 +76,6 @@ class Analysis:
     """
 
     name: str
-    help: str
     result: type[Result]
     compute: Callable[[Any, Any, Runner], Result]
     options: type[Any] = NoOptions
@@ -99,14 +98,8 @@ class Analysis:
         known = {one.name: one for one in fields(self.options)}
         for name in given:
             if name not in known:
-                guess = nearest(name, known)
-                raise StudyError(
-                    argument=name,
-                    given=shown(given[name]),
-                    allowed=f"one of {', '.join(known)}" if known else "no options at all",
-                    cause=f"{self.name} has no such option",
-                    next_step=f"write {guess}" if guess else "leave it out",
-                )
+                cause = f"{self.name} has no such option"
+                raise StudyError.unknown(name, name, known, cause, next_step="leave it out")
         asked = {
             name: one.value(given[name]) if (one := option_of(known[name])) else given[name] for name in given
         }
@@ -133,8 +126,9 @@ def option_of(one: Any) -> Option | None:
 
 
 def path_of(options: Any) -> Path | None:
-    """The file or folder that is analysed, if the options name one."""
-    for one in fields(options):
-        if (found := option_of(one)) and found.place == "before":
-            return Path(getattr(options, one.name))
-    return None
+    """The file or folder that is analysed, if the options name one; several are one name after the other."""
+    placed = [one.name for one in fields(options) if (found := option_of(one)) and found.place == "before"]
+    paths = [Path(getattr(options, name)) for name in placed]
+    if len(paths) < 2:
+        return next(iter(paths), None)
+    return Path("-".join(path.absolute().stem for path in paths) + paths[0].suffix)

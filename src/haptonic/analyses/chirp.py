@@ -18,8 +18,8 @@ from haptonic.results.runner import Runner
 from haptonic.results.table import Table
 from haptonic.study.schema import Description
 from haptonic.vibrometry.chirp import Drive, drive_notes, write_drive
+from haptonic.vibrometry.of_settings import drive_for, plan_for
 from haptonic.vibrometry.planning import ScanPlan
-from haptonic.vibrometry.question import drive_for, plan_for
 from haptonic.vibrometry.settings import ScanSettings
 
 if TYPE_CHECKING:
@@ -132,7 +132,6 @@ def compute(study: Description, options: NoOptions, runner: Runner) -> Excitatio
 
 ANALYSIS = Analysis(
     name="chirp",
-    help="The drive of a scan as WAV, CSV and HDF5, and the points in the order of the stage.",
     result=Excitation,
     compute=compute,
 )

@@ -25,10 +25,11 @@ class DesignOptions:
 
 
 def check(study: Description, options: DesignOptions) -> None:
-    """Raise StudyError if the front is asked for, unless the pitch and something else may change."""
+    """Raise StudyError if nothing may change; for a front the pitch and something else have to."""
+    brief(study)
     names = [one.parameter for one in study.design_settings.vary]
     if options.pareto and ("cell.pitch" not in names or len(names) < 2):
-        raise StudyError(
+        raise StudyError.missing(
             argument="design.vary",
             given=", ".join(names) or "nothing",
             allowed="cell.pitch and at least one other parameter",
@@ -46,15 +47,14 @@ def brief(study: Description) -> Brief:
     """
     section, carrier = study.design_settings, need_carrier(study)
     if not section.vary:
-        raise StudyError(
+        raise StudyError.missing(
             argument="design.vary",
-            given="nothing",
             allowed="at least one [[design.vary]] table with parameter, from and to",
             cause="the study does not say what may change",
             next_step='add [[design.vary]] with parameter = "cell.pillar.height", from and to',
         )
     if section.limits.finger_force is not None and not isinstance(study.cell.material, IsotropicMaterial):
-        raise StudyError(
+        raise StudyError.unsupported(
             argument="design.finger_force",
             given=f"with {study.cell.material.name}",
             allowed="an isotropic material",
@@ -102,7 +102,6 @@ def front(study: Description, best: Design, runner: Runner) -> xr.Dataset:
 
 ANALYSIS = Analysis(
     name="design",
-    help="The cell whose gap holds the carrier with the widest margin, within the study's [design].",
     result=Design,
     compute=compute,
     options=DesignOptions,

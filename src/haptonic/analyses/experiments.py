@@ -1,16 +1,16 @@
-"""From [protocol] and [participants] of a study to an order of trials, and the truth of a twin."""
+"""From [protocol] and [participants] of a study to an order of trials, and the truth of a simulation."""
 
 from __future__ import annotations
 
 from collections.abc import Mapping
 
 from haptonic.analyses.needs import need_carrier
-from haptonic.errors import StudyError, nearest
+from haptonic.errors import StudyError
 from haptonic.friction.protocol import Protocol
 from haptonic.friction.simulation import Truth, explaining, film_of
 from haptonic.results.protocol import StrokeTask
 from haptonic.study.schema import Description
-from haptonic.units import format_quantity, shown
+from haptonic.units import format_quantity
 
 SHORTEST, LONGEST = 0.4, 10.0  # s that a stroke may last: touching down and lifting take a third of one
 PUBLISHED = ("WG1", "WG2")  # names of the waveguides where the study has no plate [daunizeau-haptics]
@@ -46,22 +46,17 @@ def waveguides_of(study: Description) -> tuple[str, str]:
     for key in ("driven", "idle"):
         name = getattr(section, key)
         if plate and name is not None and name not in known:
-            guess = nearest(name, known)
-            raise StudyError(
-                argument=f"protocol.{key}",
-                given=shown(name),
-                allowed=f"one of {', '.join(known)}" if known else "nothing: the plate has no region",
-                cause="no region of the plate has this name",
-                next_step=f'write "{guess}"' if guess else "choose one of them, or leave [plate] out",
-            )
+            raise StudyError.unknown(
+                f"protocol.{key}", name, known, "no region of the plate has this name",
+                next_step="choose one of them, or leave [plate] out",
+            )  # fmt: skip
     actuated = [one.region for one in plate.actuator if one.region] if plate else []
     names = known or list(PUBLISHED)
     driven = section.driven or next((n for n in [*actuated, *names] if n != section.idle), None)
     idle = section.idle or next((name for name in names if name != driven), None)
     if driven is None or idle is None:
-        raise StudyError(
+        raise StudyError.missing(
             argument="protocol.idle",
-            given="nothing",
             allowed="two waveguides, the driven one and one that should stay at rest",
             cause="the plate of this study has a single region",
             next_step="name another region in [plate.tiles]",
@@ -79,7 +74,7 @@ def task_of(study: Description) -> StrokeTask:
     section, touch = study.protocol_settings, study.touch
     task = StrokeTask(touch.speed, touch.force, section.stroke, section.pause)
     if not SHORTEST <= task.lasting <= LONGEST:
-        raise StudyError(
+        raise StudyError.out_of_range(
             argument="protocol.stroke",
             given=f"{format_quantity(task.stroke, 'm')} at {format_quantity(task.speed, 'm/s')}, "
             f"{format_quantity(task.lasting, 's')}",
@@ -91,7 +86,7 @@ def task_of(study: Description) -> StrokeTask:
 
 
 def truth_of(study: Description, amplitudes: Mapping[str, float] | None = None) -> Truth:
-    """What is true of the people of a twin.
+    """What is true of the people of a simulation.
 
     Parameters
     ----------
@@ -110,7 +105,7 @@ def truth_of(study: Description, amplitudes: Mapping[str, float] | None = None) 
         amplitudes = explaining(reductions, carrier, force, skin)
     for name in names:
         if name not in amplitudes:
-            raise StudyError(
+            raise StudyError.mismatch(
                 argument="amplitudes",
                 given=", ".join(amplitudes) or "none",
                 allowed=f"one for each of {' and '.join(names)}",

@@ -51,7 +51,7 @@ class Workshop(Result):
 
     cell, study, stem : what is made, the title of its study, and the beginning of the files' names
     tolerances : half-widths (SI) of the sizes in the drawing; why_none : why there are none, if so
-    asked : whether the study asks for tolerances
+    wants_tolerances : whether the study asks for tolerances
     """
 
     title = "Files for the workshop"
@@ -62,7 +62,7 @@ class Workshop(Result):
     options: ExportOptions
     tolerances: dict[str, float]
     why_none: str
-    asked: bool
+    wants_tolerances: bool
 
     @property
     def dataset(self) -> xr.Dataset:
@@ -101,7 +101,11 @@ class Workshop(Result):
         return [f"written: {name}" for name in self.options.names(self.stem)]
 
     def remarks(self) -> list[str]:
-        return [f"the drawing has no tolerances: {self.why_none}"] if self.why_none and self.asked else []
+        return (
+            [f"the drawing has no tolerances: {self.why_none}"]
+            if self.why_none and self.wants_tolerances
+            else []
+        )
 
     def facts(self) -> dict[str, Any]:
         if "drawing" not in self.options.kinds:
@@ -154,8 +158,6 @@ def drawn_tolerances(study: Description, runner: Runner) -> tuple[dict[str, floa
 
 ANALYSIS = Analysis(
     name="export",
-    help="Files for the workshop; all of them if none is named. The drawing has the tolerances found, or "
-    "says why not.",
     result=Workshop,
     compute=compute,
     options=ExportOptions,

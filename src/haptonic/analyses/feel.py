@@ -15,7 +15,7 @@ from haptonic.friction.lubrication.settings import VOLTAGE
 from haptonic.plate import Plate
 from haptonic.plate.loaded import LOADS, highest, loaded
 from haptonic.plate.parts import Actuator
-from haptonic.plate.question import check_grid, drives_of, reference_of
+from haptonic.plate.sampling import check_grid, drives_of, reference_of
 from haptonic.plate.sweep import check_cost
 from haptonic.progress import Progress
 from haptonic.results.common import stamped
@@ -105,7 +105,7 @@ def amplitude(plate: Plate, voltage: float | None) -> float:
     if voltage is None:
         return own
     if not VOLTAGE.holds(voltage):
-        raise StudyError(
+        raise StudyError.out_of_range(
             argument="voltage",
             given=format_quantity(voltage, "V"),
             allowed=VOLTAGE.allowed,
@@ -114,7 +114,7 @@ def amplitude(plate: Plate, voltage: float | None) -> float:
         )
     first = next(drive for drive in drives_of(plate) if drive.amplitude)
     if not isinstance(first, Actuator):
-        raise StudyError(
+        raise StudyError.conflict(
             argument="voltage",
             given=format_quantity(voltage, "V"),
             allowed="nothing, because a force drives the plate",
@@ -126,7 +126,6 @@ def amplitude(plate: Plate, voltage: float | None) -> float:
 
 ANALYSIS = Analysis(
     name="feel",
-    help="What a finger feels of the plate: a map of friction, reductions, whether they are noticed.",
     result=Feel,
     compute=compute,
     reported=lambda study: FeelOptions() if has_plate(study) else None,

@@ -8,7 +8,7 @@ from typing import Any
 
 from haptonic.analyses.analysis import Analysis, option
 from haptonic.paths import source
-from haptonic.plate.question import driven_region
+from haptonic.plate.sampling import driven_region
 from haptonic.results.friction import FrictionResult, compute_friction
 from haptonic.results.references import References
 from haptonic.results.runner import Runner
@@ -71,7 +71,6 @@ def _driven(study: Description | None) -> str | None:
 
 ANALYSIS = Analysis(
     name="friction",
-    help="Coefficients of friction from force records, and what they prove.",
     result=FrictionResult,
     compute=compute,
     options=FrictionOptions,

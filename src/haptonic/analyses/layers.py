@@ -3,10 +3,15 @@
 from __future__ import annotations
 
 from haptonic.analyses.analysis import KEPT, Analysis, NoOptions
-from haptonic.analyses.needs import has_mirror, need_carrier
+from haptonic.analyses.needs import has_mirror, need_carrier, need_rows
 from haptonic.results.layers import Layers, compute_layers
 from haptonic.results.runner import Runner
 from haptonic.study.schema import Description
+
+
+def check(study: Description, options: NoOptions) -> None:
+    """Refuse a study without a carrier, or a lattice that has no rows."""
+    need_rows(study, "a mirror")
 
 
 def compute(study: Description, options: NoOptions, runner: Runner) -> Layers:
@@ -29,9 +34,9 @@ def compute(study: Description, options: NoOptions, runner: Runner) -> Layers:
 
 ANALYSIS = Analysis(
     name="layers",
-    help="What rows of cells let through between two plain plates, and how many of them the carrier needs.",
     result=Layers,
     compute=compute,
+    check=check,
     reported=lambda study: NoOptions() if has_mirror(study) else None,
     parallel=True,
     kept=KEPT,

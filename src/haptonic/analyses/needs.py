@@ -21,14 +21,19 @@ def need_carrier(study: Description) -> float:
     StudyError : the study does not give it
     """
     if study.carrier is None:
-        raise StudyError(
+        raise StudyError.missing(
             argument="carrier",
-            given="nothing",
             allowed="the frequency of the drive",
             cause="the study does not say which frequency the gap has to hold",
             next_step='add carrier = "60 kHz" at the top of the study',
         )
     return study.carrier
+
+
+def need_rows(study: Description, what: str) -> None:
+    """Raise HaptonicError unless the study can have a mirror at its carrier, made of rows of cells."""
+    need_carrier(study)
+    study.cell.lattice.check_rectangular(what)
 
 
 def response_settings(study: Description) -> ResponseSettings:
@@ -64,7 +69,7 @@ def gap_of_plate(study: Description, plate: Plate, carrier: float, runner: Runne
 
 def has_mirror(study: Description) -> bool:
     """Whether a mirror can be asked for: there is a carrier, and something that reflects."""
-    return study.carrier is not None and study.cell.pillar is not None
+    return study.carrier is not None and study.cell.pillar is not None and study.cell.lattice.is_rectangular
 
 
 def has_plate(study: Description) -> bool:

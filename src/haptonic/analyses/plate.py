@@ -6,7 +6,7 @@ from dataclasses import dataclass, field
 
 from haptonic.analyses.analysis import Analysis, option
 from haptonic.analyses.needs import fineness, gap_of_plate, has_plate, need_carrier, response_settings
-from haptonic.plate.question import check_grid
+from haptonic.plate.sampling import check_grid
 from haptonic.plate.settings import ResponseSettings
 from haptonic.plate.sweep import check_cost
 from haptonic.results.plate.compute import compute_plate
@@ -19,11 +19,11 @@ from haptonic.study.schema import Description
 class PlateOptions:
     """What may be chosen.
 
-    asked : other lines and points than those of [plate.response], in Python only
+    settings : other lines and points than those of [plate.response], in Python only
     """
 
     at: float | None = option(None, 'One frequency only, such as "58.8 kHz".', unit="Hz", metavar="FREQUENCY")
-    asked: ResponseSettings | None = field(default=None)
+    settings: ResponseSettings | None = field(default=None)
 
 
 def check(study: Description, options: PlateOptions) -> None:
@@ -41,11 +41,11 @@ def compute(study: Description, options: PlateOptions, runner: Runner) -> PlateR
     """
     plate, at = study.mounted_plate(), options.at
     carrier = need_carrier(study) if at is None else at
-    settings = options.asked or response_settings(study)
+    settings = options.settings or response_settings(study)
     if at is not None:
         settings = settings.single(at)
     check_cost(plate, settings.highest, single=at is not None)
-    place = "plate.response.grid" if options.asked is None else "scan.grid"
+    place = "plate.response.grid" if options.settings is None else "scan.grid"
     check_grid(plate, settings.grid, settings.points, place)
     return compute_plate(
         plate,
@@ -61,7 +61,6 @@ def compute(study: Description, options: PlateOptions, runner: Runner) -> PlateR
 
 ANALYSIS = Analysis(
     name="plate",
-    help="How the finite plate vibrates: response, localisation, energies, impedance, modes.",
     result=PlateResult,
     compute=compute,
     reported=lambda study: PlateOptions() if has_plate(study) else None,

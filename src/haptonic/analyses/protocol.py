@@ -10,14 +10,14 @@ from haptonic.analyses.experiments import protocol_of, task_of
 from haptonic.friction.statistics import Population, participants_needed, power, smallest_shown
 from haptonic.gate import declared
 from haptonic.results.common import stamped
-from haptonic.results.protocol import Plan
+from haptonic.results.protocol import TrialPlan
 from haptonic.results.runner import Runner
 from haptonic.study.schema import Description
 
 MOST_DRAWN = 20  # participants up to which the power is always computed
 
 
-def compute(study: Description, options: NoOptions, runner: Runner) -> Plan:
+def compute(study: Description, options: NoOptions, runner: Runner) -> TrialPlan:
     """The order of a study's trials, what people are asked to do, and how many of them are needed.
 
     Raises
@@ -52,15 +52,14 @@ def compute(study: Description, options: NoOptions, runner: Runner) -> Plan:
     joined["shown"] = np.nan if least is None else least
     declared(joined, needed="more than are ever tried", shown="no reduction at all")
     joined.attrs |= {"wanted": section.power}
-    return Plan(
+    return TrialPlan(
         study.title, protocol, participants, section.order, task_of(study), stamped(joined, study.inputs())
     )
 
 
 ANALYSIS = Analysis(
     name="protocol",
-    help="Order of friction trials: list, printed sheet, metronome, and how many participants are needed.",
-    result=Plan,
+    result=TrialPlan,
     compute=compute,
     doing="simulated experiments",
 )

@@ -17,7 +17,7 @@ from typing import Any, TypeVar
 import xarray as xr
 
 from haptonic import analyses, report
-from haptonic.analyses import analysis
+from haptonic.analyses import named
 from haptonic.analyses.analysis import KEPT, Analysis, option
 from haptonic.analyses.experiments import protocol_of, truth_of
 from haptonic.analyses.scanning import rescanned
@@ -34,8 +34,8 @@ from haptonic.results.references import References, Variant, found_at
 from haptonic.results.result import Result
 from haptonic.results.runner import Runner
 from haptonic.results.scan.value import ScanResult
+from haptonic.results.simulated_friction import simulated_friction
 from haptonic.results.table import Table
-from haptonic.results.twin import friction_twin
 from haptonic.study.schema import Description
 
 ALARMS = 400  # simulated experiments without an effect
@@ -77,7 +77,7 @@ class Reproduction(Result):
 
     @classmethod
     def names(cls, options: Any = None) -> list[Any]:
-        return ["report.html", *(name for one in WRITTEN for name in analysis(one).result.names())]
+        return ["report.html", *(name for one in WRITTEN for name in named(one).result.names())]
 
     def put(self, draft: Path, *_: object) -> None:
         for name in WRITTEN:
@@ -108,7 +108,7 @@ def compute(study: Description, options: ReproduceOptions, runner: Runner) -> Re
     started, timings = datetime.now(UTC), dict[str, float]()
     parts: dict[str, Result] = {}
     for name in analyses.NAMES:
-        one = analysis(name)
+        one = named(name)
         if one.reported is not None and (chosen := one.reported(study)) is not None:
             with _timed(timings, name):
                 found = _tried(name, partial(one.compute, study, chosen, _of(runner, one)))
@@ -116,8 +116,8 @@ def compute(study: Description, options: ReproduceOptions, runner: Runner) -> Re
                 parts[name] = found
     plate, feel, alarms = parts.get("plate"), parts.get("feel"), dict[str, Alarms]()
     if isinstance(plate, PlateResult):
-        with _timed(timings, "twin of a scan"):
-            scan = _tried("twin of a scan", partial(_scan, study, plate, runner))
+        with _timed(timings, "simulated scan"):
+            scan = _tried("simulated scan", partial(_scan, study, plate, runner))
         parts |= {"scan": scan} if scan else {}
     if isinstance(feel, Feel):
         with _timed(timings, "made-up trials"):
@@ -169,7 +169,7 @@ def _timed(timings: dict[str, float], part: str) -> Iterator[None]:
 
 
 def _scan(study: Description, plate: PlateResult, runner: Runner) -> ScanResult:
-    """What a scan of the computed plate by a twin of the instrument tells."""
+    """What a scan of the computed plate by a simulated instrument tells."""
     return rescanned(study, plate, store=runner.store, progress=runner.progress)
 
 
@@ -177,7 +177,9 @@ def _trials(study: Description, feel: Feel, runner: Runner) -> FrictionResult:
     """Trials of made-up people on the plate as it is computed, analysed like measured ones."""
     protocol, count = protocol_of(study), study.protocol_settings.participants
     truth = truth_of(study, {name: feel.amplitude(name) for name in feel.regions})
-    made = friction_twin(truth, protocol, count, seed=0, study=study.to_toml(), suffix=".h5", per="block")
+    made = simulated_friction(
+        truth, protocol, count, seed=0, study=study.to_toml(), suffix=".h5", per="block"
+    )
     with TemporaryDirectory() as name:
         made.put(Path(name), runner.progress)
         return compute_friction(
@@ -205,7 +207,7 @@ def _varied(study: Description, variant: Variant, runner: Runner) -> float | Non
             table = table.setdefault(inner, {})
         table[name] = value
     runner.progress(0, 0, variant.label)
-    one = analysis(variant.analysis)
+    one = named(variant.analysis)
     try:
         changed = read(type(study), data, variant.label)
         found = one.compute(changed, one.options(), Runner(runner.store))
@@ -218,7 +220,6 @@ def _varied(study: Description, variant: Variant, runner: Runner) -> float | Non
 
 ANALYSIS = Analysis(
     name="reproduce",
-    help="Everything the study describes, and one report that sets it beside reference values.",
     result=Reproduction,
     compute=compute,
     options=ReproduceOptions,

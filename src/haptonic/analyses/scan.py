@@ -13,8 +13,8 @@ from numpy.typing import NDArray
 
 from haptonic.analyses.analysis import Analysis, option
 from haptonic.analyses.scanning import on_plate
-from haptonic.analyses.verdict import judged
-from haptonic.errors import ScanError, StudyError
+from haptonic.analyses.verdict import compared
+from haptonic.errors import ScanError, StudyError, shown
 from haptonic.paths import source
 from haptonic.response import read
 from haptonic.results.runner import Runner
@@ -22,7 +22,7 @@ from haptonic.results.scan.analysis import Estimation, OnPlate, compute_scan
 from haptonic.results.scan.value import ScanResult
 from haptonic.study.loading import load_as
 from haptonic.study.schema import Description
-from haptonic.units import shown, to_si
+from haptonic.units import to_si
 from haptonic.vibrometry import read_scan
 from haptonic.vibrometry.estimation.quality import check_flags
 
@@ -40,7 +40,7 @@ def names_of(variables: str) -> Mapping[str, str]:
     """
     pairs = [one.split("=") for one in variables.split(",")] if variables else []
     if any(len(pair) != 2 or not all(part.strip() for part in pair) for pair in pairs):
-        raise ScanError(
+        raise ScanError.malformed(
             argument="--variables",
             given=shown(variables),
             allowed="MEANING=NAME, several of them parted by commas",
@@ -50,7 +50,7 @@ def names_of(variables: str) -> Mapping[str, str]:
     return {meaning.strip(): name.strip() for meaning, name in pairs}
 
 
-def places_of(text: str) -> Array:
+def corners_of(text: str) -> Array:
     """Four corners written as eight numbers and a unit.
 
     Raises
@@ -59,7 +59,7 @@ def places_of(text: str) -> Array:
     """
     *numbers, unit = re.split(r"[\s,;]+", text.strip()) or [""]
     if len(numbers) != 8:
-        raise ScanError(
+        raise ScanError.malformed(
             argument="--corners",
             given=f'"{text}"',
             allowed='eight numbers and a unit of length, such as "0 0 127 0 127 140 0 140 mm"',
@@ -108,7 +108,7 @@ class ScanOptions:
     )
     corners: Any = option(
         None, "The plate's corners as the scan has them, from the lower left anticlockwise: "
-        '"0 0 127 0 127 140 0 140 mm".', read=places_of, metavar="PLACES",
+        '"0 0 127 0 127 140 0 140 mm".', read=corners_of, metavar="PLACES",
     )  # fmt: skip
     mirrored: bool = option(False, "The scan saw the plate's map from behind.")
     unit: str = option("m/s/V", "Of responses or records in files that give none.")
@@ -132,21 +132,21 @@ def check(study: Description | None, options: ScanOptions) -> None:
     source(options.path, "scan")
     against = options.against
     if against and study is None and not options.model_is_a_study:
-        raise ScanError(
+        raise ScanError.missing(
             argument="--against", given=f"{against}, a response without its study",
             allowed="a study; or the study behind the scan, and here the response that it has given",
             cause="a response says neither where regions lie nor what may be fitted",
             next_step=f"haptonic scan PATH STUDY --against {against}",
         )  # fmt: skip
     if options.model_is_a_study and study is not None:
-        raise ScanError(
+        raise ScanError.conflict(
             argument="--against", given=f"{against}, beside a study",
             allowed="one study, or after a study the response (.nc) that it has given",
             cause="the study that is judged also says where on the plate the points lie",
             next_step="leave the study behind the scan out",
         )  # fmt: skip
     if study is None and against is None and (options.corners is not None or options.mirrored):
-        raise ScanError(
+        raise ScanError.missing(
             argument="--corners" if options.corners is not None else "--mirrored", given="no study",
             allowed="together with the study of a plate",
             cause="a scan is registered to the plate of a study",
@@ -181,14 +181,14 @@ def compute(study: Description | None, options: ScanOptions, runner: Runner) -> 
     found = compute_scan(content, how, on, at=options.at, store=runner.store, progress=runner.progress)
     verdict = None
     if study is not None and options.against:
-        verdict = judged(study, found.response, computed, runner)
+        verdict = compared(study, found.response, computed, runner)
     return replace(found, verdict=verdict, state=state)
 
 
 def _on(study: Description, options: ScanOptions, runner: Runner) -> OnPlate:
     """What the study says of the plate that was scanned."""
     if study.finite_plate is None:
-        raise StudyError(
+        raise StudyError.missing(
             argument="plate", given="nothing", allowed="a study with a [plate]",
             cause="the study describes a lattice, and no plate that was scanned",
             next_step="add [plate], or leave the study out",
@@ -198,7 +198,6 @@ def _on(study: Description, options: ScanOptions, runner: Runner) -> OnPlate:
 
 ANALYSIS = Analysis(
     name="scan",
-    help="Analyse a scan: responses, maps, contrast, the gap in it, waves; and how well a model fits.",
     result=ScanResult,
     compute=compute,
     options=ScanOptions,

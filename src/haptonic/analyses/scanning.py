@@ -1,4 +1,4 @@
-"""From a study to the scan of its plate: what an analysis has to know, and a twin to test it with."""
+"""From a study to the scan of its plate: what an analysis has to know, and a simulated scan as a test."""
 
 from __future__ import annotations
 
@@ -14,11 +14,11 @@ from haptonic.progress import Progress, silent
 from haptonic.response import FrequencyResponse
 from haptonic.results.plate.value import PlateResult
 from haptonic.results.runner import Runner
-from haptonic.results.scan import Estimation, OnPlate, ScanResult, Twin, compute_scan
+from haptonic.results.scan import Estimation, OnPlate, ScanResult, SimulatedScan, compute_scan
 from haptonic.store import Store
 from haptonic.study.schema import Description
 from haptonic.vibrometry import ReadReport, Scan
-from haptonic.vibrometry.question import drive_for
+from haptonic.vibrometry.of_settings import drive_for
 from haptonic.vibrometry.settings import ScanSettings
 
 Array = NDArray[np.float64]
@@ -52,7 +52,7 @@ def rescanned(
     store: Store | None = None,
     progress: Progress = silent,
 ) -> ScanResult:
-    """What a scan of a plate that was computed would tell: a twin's records, analysed like measured ones.
+    """What a scan of a plate that was computed would tell: simulated records, analysed like measured ones.
 
     The drive's period is that whose lines are the computed ones, so nothing of the plate is computed again; a
     line that is off by a hundredth of the lines' distance or less counts as the drive's.
@@ -70,10 +70,10 @@ def rescanned(
     settings = _periodic(lines, study)
     driven = (round(settings.lowest * settings.record) + np.arange(len(lines))) / settings.record
     response = FrequencyResponse(computed.response.dataset.assign_coords(frequency=driven))
-    with warnings.catch_warnings():  # a twin is in its steady state, however short the period
+    with warnings.catch_warnings():  # a simulated plate is in its steady state, however short the period
         warnings.filterwarnings("ignore", "the period of", HaptonicWarning)
         signal = drive_for(settings, computed.plate)
-    made = Twin.of(computed.plate, settings, signal, response, gap=computed.gap, seed=seed)
+    made = SimulatedScan.of(computed.plate, settings, signal, response, gap=computed.gap, seed=seed)
     scan = Scan(made.records, ReadReport("simulated records", "memory", len(made.records.names)))
     on = OnPlate(computed.plate, settings, computed.carrier, computed.gap, study.bands_settings)
     return compute_scan(scan, Estimation(), on, store=store or Store.default(), progress=progress)
@@ -84,7 +84,7 @@ def _periodic(lines: Array, study: Description) -> ScanSettings:
     spacing = float(lines[-1] - lines[0]) / max(len(lines) - 1, 1)
     first = round(lines[0] / spacing) if spacing else 0
     if first < 1 or abs(lines[0] - first * spacing) > SHIFTED * spacing:
-        raise ScanError(
+        raise ScanError.out_of_range(
             argument="plate.response",
             given=f"{len(lines)} lines from {lines[0]:g} to {lines[-1]:g} Hz",
             allowed="evenly spaced lines at multiples of their distance, as a periodic drive has them",

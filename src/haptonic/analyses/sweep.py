@@ -18,7 +18,7 @@ from haptonic.results.common import stamped
 from haptonic.results.runner import Runner, design_gaps
 from haptonic.results.sweeps import Sweep, Sweeps
 from haptonic.study.schema import Description
-from haptonic.study.sweeps import SweepSection
+from haptonic.study.sweeps import SweepSettings
 
 RESONANCES = 3  # of the pillar alone
 
@@ -26,9 +26,8 @@ RESONANCES = 3  # of the pillar alone
 def check(study: Description, options: NoOptions) -> None:
     """Raise StudyError if the study has no sweep."""
     if not study.sweep_settings:
-        raise StudyError(
+        raise StudyError.missing(
             argument="sweep",
-            given="nothing",
             allowed="at least one [[sweep]] table",
             cause="the study describes a single design",
             next_step='add [[sweep]] with vary = "cell.pillar.diameter / cell.pitch", from, to and steps',
@@ -50,7 +49,7 @@ def compute(study: Description, options: NoOptions, runner: Runner) -> Sweeps:
 
 
 def swept(
-    study: Description, sweep: SweepSection, cells: Sequence[UnitCell], outcomes: Sequence[Outcome]
+    study: Description, sweep: SweepSettings, cells: Sequence[UnitCell], outcomes: Sequence[Outcome]
 ) -> Sweep:
     """One row of designs; what could not be computed is NaN."""
     slots = max([o.dataset.sizes["gap"] for o in outcomes if o.dataset is not None], default=0)
@@ -98,7 +97,6 @@ def _cantilever(cell: UnitCell) -> tuple[np.ndarray, np.ndarray]:
 
 ANALYSIS = Analysis(
     name="sweep",
-    help="Complete gaps along the study's sweeps.",
     result=Sweeps,
     compute=compute,
     reported=lambda study: NoOptions() if study.sweep_settings else None,

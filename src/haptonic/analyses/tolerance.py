@@ -40,38 +40,43 @@ BATCH = 8  # designs of one task
 DRAWN = 2000  # plates in the result's dataset
 
 
+def check(study: Description, options: NoOptions) -> None:
+    """Raise StudyError without a carrier or spreads, or with too few samples for them."""
+    need_carrier(study)
+    section = study.tolerance_settings
+    if not section.of:
+        raise StudyError.missing(
+            argument="tolerance.of",
+            allowed="at least one [[tolerance.of]] table with parameter and spread",
+            cause="the study does not say what differs",
+            next_step='add [[tolerance.of]] with parameter = "cell.pillar.diameter", spread = "20 um"',
+        )
+    count, needed = section.samples, terms_needed(len(section.of))
+    if count < 2 * needed:
+        raise StudyError.too_few(
+            argument="tolerance.samples",
+            given=count,
+            allowed=f"at least {2 * needed} for {len(section.of)} spreads",
+            cause=f"a quadratic in so many parameters has {needed} coefficients",
+            next_step="compute more samples, or leave spreads out that hardly matter",
+        )
+
+
 def compute(study: Description, options: NoOptions, runner: Runner) -> Tolerance:
     """First-order answer from exact slopes, full answer from designs that are computed.
 
     Raises
     ------
-    StudyError : no carrier, no spreads, a gap that does not hold the carrier as drawn, or too few
-        samples
+    StudyError : as `check`, or a gap that does not hold the carrier as drawn
     """
+    check(study, options)
     section = study.tolerance_settings
-    if not section.of:
-        raise StudyError(
-            argument="tolerance.of",
-            given="nothing",
-            allowed="at least one [[tolerance.of]] table with parameter and spread",
-            cause="the study does not say what differs",
-            next_step='add [[tolerance.of]] with parameter = "cell.pillar.diameter", spread = "20 um"',
-        )
     cell, carrier, count, spreads = study.cell, need_carrier(study), section.samples, section.of
-    needed = terms_needed(len(spreads))
-    if count < 2 * needed:
-        raise StudyError(
-            argument="tolerance.samples",
-            given=count,
-            allowed=f"at least {2 * needed} for {len(spreads)} spreads",
-            cause=f"a quadratic in so many parameters has {needed} coefficients",
-            next_step="compute more samples, or leave spreads out that hardly matter",
-        )
     gap = need_gap_at(runner.gaps(cell, study.bands_settings), carrier)
     try:
         designs = samples(cell, spreads, count)
     except HaptonicError as error:
-        raise StudyError(
+        raise StudyError.out_of_range(
             argument="tolerance.of",
             given="spreads that lead to bodies that cannot be",
             allowed=f"spreads of which {REACH:g} times as large ones still make a body",
@@ -138,9 +143,9 @@ def _beside_task(cells: Sequence[UnitCell], gap: Gap) -> Task:
 
 ANALYSIS = Analysis(
     name="tolerance",
-    help="The chance that the gap holds the carrier, the size that matters most, and the loosest tolerances.",
     result=Tolerance,
     compute=compute,
+    check=check,
     parallel=True,
     kept=KEPT,
 )

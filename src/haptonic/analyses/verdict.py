@@ -14,7 +14,7 @@ from haptonic.analyses.needs import fineness, response_settings
 from haptonic.errors import ResponseError, ScanError
 from haptonic.plate import Plate
 from haptonic.plate.answer import responded
-from haptonic.plate.question import reference_of, tile_names, unit_drives
+from haptonic.plate.sampling import reference_of, tile_names, unit_drives
 from haptonic.response import FrequencyResponse, read
 from haptonic.results.runner import Runner
 from haptonic.results.verdict import AFTER, BEFORE, MEASURED, Verdict
@@ -33,7 +33,15 @@ MOST_BESIDE = 0.5  # share of the points that may lie beside the plate
 
 
 def response_in(given: str) -> FrequencyResponse:
-    """A response from its file."""
+    """A response from its file, which a command line takes before the study."""
+    if Path(given).suffix == ".toml":
+        raise ResponseError.conflict(
+            argument="response",
+            given=given,
+            allowed="response.nc that a scan has given, and after it the study",
+            cause="it is a study: the two files are exchanged",
+            next_step="haptonic verdict RESPONSE STUDY",
+        )
     return read(Path(given))
 
 
@@ -57,10 +65,10 @@ def compute(study: Description, options: VerdictOptions, runner: Runner) -> Verd
     StudyError : no [plate], or nothing that drives it
     ScanError : a measurement that cannot be of this plate, or that no fit explains
     """
-    return judged(study, options.response, options.computed, runner)
+    return compared(study, options.response, options.computed, runner)
 
 
-def judged(
+def compared(
     study: Description, scan: FrequencyResponse, computed: FrequencyResponse | None, runner: Runner
 ) -> Verdict:
     """See `compute`.
@@ -125,7 +133,7 @@ def _check(plate: Plate, scan: FrequencyResponse) -> None:
     reference, _ = reference_of(plate)
     unit, own = reference.unit, scan.reference.unit
     if unit != own:
-        raise ScanError(
+        raise ScanError.mismatch(
             argument="reference",
             given=f"a response per {own}" if own else "a response that is not divided by the drive",
             allowed=f"a response per {unit}, the unit of the first drive of the study, {reference}",
@@ -133,7 +141,7 @@ def _check(plate: Plate, scan: FrequencyResponse) -> None:
             next_step="estimate the response against the drive's voltage or force",
         )
     if plate.finger is not None:
-        raise ScanError(
+        raise ScanError.mismatch(
             argument="plate.finger",
             given="a finger on the plate",
             allowed="a plate without a finger",
@@ -144,7 +152,7 @@ def _check(plate: Plate, scan: FrequencyResponse) -> None:
 
 def _check_computed(response: FrequencyResponse) -> None:
     if response.dataset.attrs["origin"] != "simulated":
-        raise ScanError(
+        raise ScanError.mismatch(
             argument="computed",
             given="a measured response",
             allowed="one that a plate's model has given, and which says that it is simulated",
@@ -160,7 +168,7 @@ def _on_plate(plate: Plate, scan: FrequencyResponse) -> tuple[FrequencyResponse,
     kept = np.array([k for k, name in enumerate(names) if name], dtype=np.int64)
     if len(kept) < 3 or len(kept) < (1 - MOST_BESIDE) * len(points):
         low, high = points.min(axis=0) * 1e3, points.max(axis=0) * 1e3
-        raise ScanError(
+        raise ScanError.mismatch(
             argument="points",
             given=f"{len(points) - len(kept)} of {len(points)} beside the plate; x from {low[0]:.4g} to "
             f"{high[0]:.4g} mm, y from {low[1]:.4g} to {high[1]:.4g} mm",
@@ -205,7 +213,6 @@ def _range(plate: Plate, response: FrequencyResponse) -> MeasuredGap | None:
 
 ANALYSIS = Analysis(
     name="verdict",
-    help="A response that a scan has given, once more against its plate's model: new unknowns, no records.",
     result=Verdict,
     compute=compute,
     options=VerdictOptions,

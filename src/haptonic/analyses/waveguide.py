@@ -5,14 +5,13 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from haptonic.analyses.analysis import Analysis, option
-from haptonic.analyses.needs import has_mirror, need_carrier
+from haptonic.analyses.needs import has_mirror, need_carrier, need_rows
 from haptonic.bloch.settings import WaveguideSettings
-from haptonic.errors import StudyError
+from haptonic.errors import StudyError, shown
 from haptonic.fields import remade
 from haptonic.results.guides import Guides, compute_guides
 from haptonic.results.runner import Runner
 from haptonic.study.schema import Description
-from haptonic.units import shown
 
 
 @dataclass(frozen=True)
@@ -22,20 +21,21 @@ class WaveguideOptions:
     mode: str | None = option(None, "Nodal lines across, intervals along; else the study's.", metavar="MxN")
 
 
-def asked(study: Description, options: WaveguideOptions) -> WaveguideSettings:
+def chosen_settings(study: Description, options: WaveguideOptions) -> WaveguideSettings:
     """What the study asks for, with the mode that was chosen.
 
     Raises
     ------
-    StudyError : the mode is not written like ``0x17``
+    HaptonicError : no carrier, no rows, or a mode that is not written like ``0x17``
     """
+    need_rows(study, "a waveguide")
     own = study.waveguide_settings
     if options.mode is None:
         return own
     try:
         return remade(own, mode=options.mode)
     except StudyError:
-        raise StudyError(
+        raise StudyError.malformed(
             argument="--mode",
             given=shown(options.mode),
             allowed="nodal lines across, an x, and intervals between nodal lines along, such as 0x17",
@@ -54,7 +54,7 @@ def compute(study: Description, options: WaveguideOptions, runner: Runner) -> Gu
     found: Guides = compute_guides(
         study.cell,
         study.bands_settings,
-        asked(study, options),
+        chosen_settings(study, options),
         carrier=need_carrier(study),
         inputs=study.inputs(),
         runner=runner,
@@ -64,10 +64,9 @@ def compute(study: Description, options: WaveguideOptions, runner: Runner) -> Gu
 
 ANALYSIS = Analysis(
     name="waveguide",
-    help="Width, length and frequency of a waveguide between two such mirrors.",
     result=Guides,
     compute=compute,
     reported=lambda study: WaveguideOptions() if has_mirror(study) else None,
     options=WaveguideOptions,
-    check=asked,
+    check=chosen_settings,
 )

@@ -14,8 +14,9 @@ from threadpoolctl import threadpool_limits
 from haptonic.bloch.character import NAMES, characters
 from haptonic.bloch.gaps import Gap, complete_gaps, partial_gaps
 from haptonic.bloch.model import BlochModel, bloch_model, candidate_models
-from haptonic.bloch.resolution import Resolution
+from haptonic.bloch.settings import BandSettings
 from haptonic.bloch.tracking import Diagram, diagram
+from haptonic.bloch.wavevectors import wavevector_at
 from haptonic.bloch.zone import zone_surface
 from haptonic.cell import UnitCell
 from haptonic.gate import declared
@@ -29,24 +30,15 @@ DENSITY_BINS = 200
 
 @threadpool_limits.wrap(limits=1)  # these matrices are too small for threads inside the linear algebra
 def bands_dataset(
-    cell: UnitCell,
-    *,
-    count: int,
-    points: int,
-    accuracy: float,
-    resolution: Resolution | None = None,
-    surface: bool = False,
+    cell: UnitCell, settings: BandSettings, *, surface: bool = False, modes_at: str | None = None
 ) -> xr.Dataset:
     """Band diagram, gaps and mode shapes of a cell.
 
     Parameters
     ----------
-    cell : the unit cell
-    count : bands, from the lowest
-    points : wavevectors along the edge of the irreducible zone
-    accuracy : relative error allowed for every frequency
-    resolution : overrides what the accuracy would choose
     surface : also sample the whole zone evenly, for contours and the density of states
+    modes_at : wavevector of the mode shapes, see `haptonic.bloch.wavevectors`; else the middle of the path's
+        second segment
 
     Returns
     -------
@@ -57,14 +49,14 @@ def bands_dataset(
     ------
     ResourceError : the accuracy needs more memory than there is
     """
-    model = bloch_model(cell, count, accuracy, resolution)
-    path = cell.zone.path(points)
+    model = bloch_model(cell, settings)
+    path = cell.zone.path(settings.points)
     along = diagram(model, path)
     gaps = complete_gaps(model)
     dataset = _diagram_dataset(along)
     dataset = dataset.merge(_gaps_dataset((*gaps, *partial_gaps(along, gaps))))
-    middle = 0.5 * (path.kappa[path.corners[1]] + path.kappa[path.corners[2]])
-    dataset = dataset.merge(mode_shapes(model, middle))
+    kappa, name = wavevector_at(cell.zone, modes_at or f"{path.labels[1]}-{path.labels[2]}")
+    dataset = dataset.merge(mode_shapes(model, kappa))
     if surface:
         dataset = dataset.merge(_surface_dataset(model))
     levels = [gap.centre for gap in gaps] or [float(along.frequency[:, -1].min())]
@@ -84,31 +76,24 @@ def bands_dataset(
         "zone": json.dumps(cell.zone.corners),
         "path_labels": json.dumps(path.labels),
         "path_corners": json.dumps(path.corners),
-        "modes_at": f"middle of {path.labels[1]}-{path.labels[2]}",
+        "modes_at": name,
         "character_names": json.dumps(NAMES),
-        "accuracy": accuracy,
+        "accuracy": settings.accuracy,
     }
     return dataset
 
 
 @threadpool_limits.wrap(limits=1)
-def gaps_dataset(
-    cell: UnitCell,
-    *,
-    count: int,
-    accuracy: float,
-    resolution: Resolution | None = None,
-    above: int | None = None,
-) -> xr.Dataset:
+def gaps_dataset(cell: UnitCell, settings: BandSettings, *, above: int | None = None) -> xr.Dataset:
     """The complete gaps of a cell alone: one design of a sweep.
 
-    Parameters and errors as in `bands_dataset`; here the accuracy is asked of the gaps' edges only, and if
+    Errors as in `bands_dataset`; here the accuracy is asked of the gaps' edges only, and if
     ``above`` names a band, from 1, only of those of the gap above it.
     """
-    for model in candidate_models(cell, count, accuracy, resolution, gaps_only=True):
+    for model in candidate_models(cell, settings, gaps_only=True):
         gaps = complete_gaps(model)
         matter = [gap for gap in gaps if above is None or gap.between[0] == above]
-        if resolution is not None or all(gap.relative_error <= accuracy for gap in matter):
+        if settings.resolution or all(gap.relative_error <= settings.accuracy for gap in matter):
             break
     dataset = _gaps_dataset(gaps)
     wavevectors, _ = cell.zone.triangles(2)

@@ -52,7 +52,7 @@ class CentredPencil:
         laurent = bloch_pencil(superelement)
         count, traces = len(periodic.free), superelement.trace_size
         turn = superelement.mirror(HALF_TURN)
-        turned = np.arange(traces).reshape(superelement.levels, -1, 3)[:, turn.places].ravel()
+        turned = np.arange(traces).reshape(superelement.levels, -1, 3)[:, turn.sites].ravel()
         image = np.arange(count)
         sign = np.ones(count)
         on_trace = periodic.free < traces

@@ -78,7 +78,7 @@ class Slab:
     stiffness, mass : (b, b) on the boundary; coupling : (b, m) mass between it and the cell's modes
     poles : (m,) eigenvalues of these modes, (rad/s)^2
     size : n, unknowns of a face
-    places : (places,) positions along the face, from its first corner, m
+    positions : (positions,) positions along the face, from its first corner, m
     """
 
     stiffness: Complex
@@ -86,7 +86,7 @@ class Slab:
     coupling: Complex
     poles: Array
     size: int
-    places: Array
+    positions: Array
 
     @classmethod
     def of(cls, superelement: Superelement, phase: float, direction: int = 0) -> Slab:
@@ -124,7 +124,7 @@ class Slab:
             coupling=np.asarray(fold @ M[:traces, traces:], dtype=complex),
             poles=np.diag(K)[traces:],
             size=size,
-            places=position[face] - position[face[0]],
+            positions=position[face] - position[face[0]],
         )
 
     def at(self, omega: float, loss_factor: float = 0.0) -> FaceStiffness:

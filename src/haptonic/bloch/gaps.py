@@ -203,7 +203,7 @@ def need_gap_at(gaps: Sequence[Gap], carrier: float) -> Gap:
         nearest = (
             f"; the widest is {widest.lower / 1e3:.2f} to {widest.upper / 1e3:.2f} kHz" if widest else ""
         )
-        raise StudyError(
+        raise StudyError.no_answer(
             argument="carrier",
             given=format_quantity(carrier, "Hz"),
             allowed="a frequency in a complete gap of the cell, by more than the errors of its edges",

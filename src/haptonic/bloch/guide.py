@@ -193,7 +193,7 @@ class Guide:
         """
         wall = Wall.of(self.interface, omega)
         if wall is not None and wall.plate.waves.propagates.sum() > 1:
-            raise StudyError(
+            raise StudyError.no_answer(
                 argument="waveguide.mode",
                 given=f"{self.interface.tangential[0]:.4g} rad/m at {_kilohertz(omega)}",
                 allowed=f"one at which only {LEAD} propagates across the strip",
@@ -288,7 +288,7 @@ def _root(misfit: Callable[[float], float], low: float, high: float) -> float | 
 
 
 def _no_mode(nodal_lines: int, where: str) -> StudyError:
-    return StudyError(
+    return StudyError.no_answer(
         argument="waveguide.mode",
         given=f"{nodal_lines} at {where}",
         allowed=f"a mode that {LEAD} forms between mirrors that let no wave in",

@@ -121,7 +121,7 @@ class Interface:
         superelement.cell.lattice.check_rectangular("a row of cells")
         period = float(np.linalg.norm(vectors[1 - direction]))
         slab = Slab.of(superelement, wavenumber * period, direction)
-        reach = (len(slab.places) - 1) // 2
+        reach = (len(slab.positions) - 1) // 2
         zone = round(wavenumber * period / (2 * np.pi))
         if abs(zone) > reach:
             raise _too_short(wavenumber, (2 * reach + 1) * np.pi / period)
@@ -129,7 +129,7 @@ class Interface:
         orders = orders[np.argsort(np.abs(orders), kind="stable")]
         tangential = np.asarray(wavenumber + 2 * np.pi / period * orders, dtype=float)
         levels = superelement.levels
-        turning = np.exp(1j * np.outer(slab.places, tangential))
+        turning = np.exp(1j * np.outer(slab.positions, tangential))
         trace = np.einsum("pm,lj,cd->lpcmjd", turning, np.eye(levels), np.eye(3))
         plate = PlainPlate.of(superelement.cell, levels, direction)
         return cls(slab, plate, tangential, period, trace.reshape(slab.size, -1))
@@ -145,7 +145,7 @@ class Interface:
         StudyError : the angle is not below 90 degrees, or the wave does not propagate
         """
         if not abs(angle) < 0.5 * np.pi:
-            raise StudyError(
+            raise StudyError.out_of_range(
                 argument="layers.angle",
                 given=f"{np.degrees(angle):g} deg",
                 allowed="more than -90 and less than 90 deg from the normal",
@@ -177,7 +177,7 @@ class Interface:
         StudyError : no layers, or an incident wave that does not propagate with this tangential wavenumber
         """
         if layers < 1:
-            raise StudyError(
+            raise StudyError.out_of_range(
                 argument="layers.count",
                 given=layers,
                 allowed="at least 1",
@@ -240,7 +240,7 @@ def _shares(amplitudes: Complex, waves: PlateWaves) -> Array:
 
 
 def _too_short(wavenumber: float, highest: float) -> StudyError:
-    return StudyError(
+    return StudyError.out_of_range(
         argument="layers.wavenumber",
         given=f"{wavenumber:.4g} rad/m along the layers",
         allowed=f"at most {highest:.4g} rad/m with this mesh",
@@ -250,7 +250,7 @@ def _too_short(wavenumber: float, highest: float) -> StudyError:
 
 
 def _no_such_wave(family: str, omega: float) -> StudyError:
-    return StudyError(
+    return StudyError.no_answer(
         argument="layers.incident",
         given=f"{family} at {omega / (2 * np.pi) * 1e-3:.4g} kHz",
         allowed=f"one of {', '.join(FAMILIES)} that propagates towards the layers",

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from functools import lru_cache
 
@@ -19,8 +18,8 @@ from haptonic.bloch.resolution import Resolution
 from haptonic.cell import UnitCell
 from haptonic.errors import StudyError
 from haptonic.gate import WORD
+from haptonic.parallel import each
 from haptonic.superelement import Superelement, condense
-from haptonic.superelement.parallel import threads
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
@@ -75,9 +74,8 @@ def mirror_dataset(superelement: Superelement, frequency: Array, incidence: Inci
                 shares[:, :, number] = found.reflected[:, 0], found.transmitted[:, 0]
         return -1j * waves[0].exponent[:SHOWN_WAVES], np.array([decibels(right) for right in waves]), shares
 
-    with ThreadPoolExecutor(threads()) as pool:
-        columns = zip(*pool.map(one, frequency.tolist()), strict=True)
-        kappa, attenuation, energy = (np.array(column) for column in columns)
+    columns = zip(*each(one, frequency.tolist()), strict=True)
+    kappa, attenuation, energy = (np.array(column) for column in columns)
     shares = np.moveaxis(energy, 1, 0)
     by_rows = ("frequency", "rows", "incident", "outgoing")
     return xr.Dataset(

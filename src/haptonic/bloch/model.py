@@ -25,6 +25,7 @@ from haptonic.bloch.resolution import (
     check_thickness,
     first_rung,
 )
+from haptonic.bloch.settings import BandSettings
 from haptonic.brillouin import IrreducibleZone
 from haptonic.cell import UnitCell
 from haptonic.cell.plan import USUAL_BANDS
@@ -302,14 +303,13 @@ def _ranked(frequency: Array, error: Array) -> Array:
 
 
 def candidate_models(
-    cell: UnitCell, count: int, accuracy: float, resolution: Resolution | None, *, gaps_only: bool = False
+    cell: UnitCell, settings: BandSettings, *, gaps_only: bool = False
 ) -> Iterator[BlochModel]:
     """Models of rising cost, from the first that may be accurate enough; the user takes the first that is.
 
     Parameters
     ----------
-    count : bands; accuracy : relative error allowed for a frequency
-    resolution : the only one to try, whatever the accuracy
+    settings : the resolution that they may hold is the only one to try, whatever the accuracy
     gaps_only : whether nothing else will be asked for
 
     Raises
@@ -317,6 +317,7 @@ def candidate_models(
     ResourceError : the memory does not suffice, or all rungs of the ladder were refused
     GeometryError : a plate too thin to be computed
     """
+    count, accuracy, resolution = settings.count, settings.accuracy, settings.resolution
     what = {"measured": not gaps_only, "many": not gaps_only}
     check_thickness(cell)
     if resolution is None:
@@ -347,7 +348,7 @@ def candidate_models(
             if grown == MOST_GROWTH or (trusted and enough) or too_coarse:
                 break
             grown, tried = grown + 1, tried.grown()
-    raise ResourceError(
+    raise ResourceError.inaccurate(
         argument="bands.accuracy",
         given=f"{accuracy:g}",
         allowed="what the finest mesh reaches for this cell",
@@ -356,12 +357,10 @@ def candidate_models(
     )
 
 
-def bloch_model(
-    cell: UnitCell, count: int, accuracy: float, resolution: Resolution | None = None
-) -> BlochModel:
+def bloch_model(cell: UnitCell, settings: BandSettings) -> BlochModel:
     """The cheapest model whose error estimates stay within an accuracy all over the zone.
 
     Parameters and errors as in `candidate_models`.
     """
-    models = candidate_models(cell, count, accuracy, resolution)
-    return next(m for m in models if resolution is not None or m.worst_error <= accuracy)
+    models = candidate_models(cell, settings)
+    return next(m for m in models if settings.resolution or m.worst_error <= settings.accuracy)

@@ -60,9 +60,9 @@ class Resolution:
         return MeshPlan.suited(cell, self.order, self.foot_rings, self.bands)
 
     def _meshed(self, cell: UnitCell) -> MeshPlan:
-        """The plan without a prism's shaft, which takes next to nothing."""
+        """The plan without a prism's body, which takes next to nothing."""
         plan, pillar = self.plan(cell), cell.pillar
-        return plan if pillar is None or pillar.draft or pillar.step else replace(plan, pillar_layers=1)
+        return plan if pillar is None or not pillar.is_prism else replace(plan, pillar_layers=1)
 
     @property
     def projection_goal(self) -> float:
@@ -252,7 +252,7 @@ def check_cost(
         + (f", after {spent:.0f} s for lower ones" if spent else "")
     )
     fewer = most_bands(cell, resolution.bands, accuracy)
-    raise ResourceError(
+    raise ResourceError.too_large(
         argument="bands.accuracy",
         given=f"{accuracy:g}",
         allowed=f"{_rounded_up(possible):g} or more for this cell and {resolution.bands} bands"
@@ -278,7 +278,7 @@ def check_memory(cell: UnitCell, chosen: Resolution) -> None:
         return
     lower = (replace(chosen, order=order) for order in range(chosen.order - 1, LEAST_ORDER - 1, -1))
     fits = next((one.order for one in lower if one.memory(cell) <= free), None)
-    raise ResourceError(
+    raise ResourceError.too_large(
         argument="mesh",
         given=f"order = {chosen.order}, foot_rings = {chosen.foot_rings}",
         allowed=f"a mesh of a cell that fits into the {free / 1e9:.1f} GB that are free",
@@ -304,7 +304,7 @@ def check_thickness(cell: UnitCell) -> None:
     """Refuse a plate that is too thin for its pitch to be computed at all."""
     longest = max(math.hypot(*cell.lattice.a1), math.hypot(*cell.lattice.a2))
     if cell.thickness < LEAST_THICKNESS * longest:
-        raise GeometryError(
+        raise GeometryError.out_of_range(
             argument="cell.thickness",
             given=f"{cell.thickness * 1e3:.4g} mm",
             allowed=f"at least {LEAST_THICKNESS * longest * 1e3:.4g} mm, {LEAST_THICKNESS:g} of the pitch",

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from pydantic import Field
 
 from haptonic.bloch.guide import Ends
-from haptonic.bloch.resolution import LADDER, Resolution, starting_rung
+from haptonic.bloch.resolution import LADDER, LEAST_ORDER, Resolution, starting_rung
 from haptonic.errors import StudyError
 from haptonic.fields import TOP, Frequency, Length, Quantity, ascending, described
 from haptonic.units import format_quantity
@@ -24,7 +24,7 @@ COARSEST = 0.1  # accuracy: bands that are less exact tell nothing of gaps
 class MeshSettings:
     """For experts: what ``bands.accuracy`` would choose."""
 
-    order: Annotated[int, Field(ge=2, le=10, strict=True)] | None = Field(
+    order: Annotated[int, Field(ge=LEAST_ORDER, le=10, strict=True)] | None = Field(
         default=None, title="Element order", description="Polynomial order of the elements."
     )
     foot_rings: Annotated[int, Field(ge=0, le=6, strict=True)] | None = Field(
@@ -106,7 +106,7 @@ class LayersSettings:
         """
         low, high = self.lowest or LOWEST * carrier, self.highest or HIGHEST * carrier
         if low >= high:
-            raise StudyError(
+            raise StudyError.conflict(
                 argument="layers.lowest",
                 given=format_quantity(low, "Hz"),
                 allowed=f"less than the highest frequency, {format_quantity(high, 'Hz')}",

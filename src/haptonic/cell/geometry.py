@@ -48,6 +48,7 @@ class UnitCell:
         # lattices and outlines always have it; the rest of the group is left until it is asked for
         if not is_symmetry(self.material.stiffness, TURNED):
             raise problem(
+                "unsupported",
                 self.material.name,
                 "a material that half a turn about the plate's normal leaves as it is",
                 "its constants couple motion in the plane with motion out of it",
@@ -56,6 +57,7 @@ class UnitCell:
             )
         if self.pillar is not None and self.pillar.section == "square" and len(self.lattice.neighbours) != 4:
             raise problem(
+                "unsupported",
                 "square",
                 f"round on a {self.lattice.name} lattice",
                 "a cell of six sides is meshed around a circle",
@@ -136,6 +138,7 @@ def _too_wide(pillar: Pillar, room: float) -> Exception:
     if pillar.arc is not None and sharp.widest < room:
         most = pillar.fillet * (room - pillar.radius) / (pillar.arc.centre[0] - pillar.radius)
         return problem(
+            "out-of-range",
             f"{pillar.fillet * 1e3:.4g} mm",
             f"less than {most * 1e3:.4g} mm, {free}",
             "the fillet reaches beyond the cell",
@@ -144,6 +147,7 @@ def _too_wide(pillar: Pillar, room: float) -> Exception:
         )
     beyond = 2 * (sharp.widest - pillar.radius)
     return problem(
+        "out-of-range",
         f"{pillar.diameter * 1e3:g} mm"
         + (f", and {beyond * 1e3:.4g} mm more where the pillar is widest" if beyond else ""),
         f"less than {(2 * room - beyond) * 1e3:.4g} mm, {free}",

@@ -95,6 +95,7 @@ class Pillar:
             self._check_step(self.step)
         if self.narrowest < LEAST_SHARE * self.radius:
             raise problem(
+                "out-of-range",
                 f"{math.degrees(self.draft):g} deg",
                 f"at most {math.degrees(math.atan(self._steepest())):.3g} degrees for these sizes",
                 "the sides would meet below the pillar's top",
@@ -105,6 +106,7 @@ class Pillar:
             below = 2 * self.half_width(self.step.height, 0)
             if not self.step.diameter < (1 - LEAST_SHARE) * below:
                 raise problem(
+                    "out-of-range",
                     _mm(self.step.diameter),
                     f"less than {_mm((1 - LEAST_SHARE) * below)}: the part below it is {_mm(below)} wide",
                     "the pillar would be no narrower above the step, which a tool from above cannot cut",
@@ -115,6 +117,7 @@ class Pillar:
             ends, room = float(self.arc.at(1.0)[1]), 0.8 * (self.step.height if self.step else self.height)
             if ends > room:
                 raise problem(
+                    "out-of-range",
                     _mm(self.fillet),
                     f"at most {_mm(room * self.fillet / ends)}",
                     "the arc would reach the end of the pillar's lower part",
@@ -126,6 +129,7 @@ class Pillar:
         """Refuse a step above the top, or one that leaves next to nothing above it."""
         if not step.height < self.height:
             raise problem(
+                "out-of-range",
                 _mm(step.height),
                 f"less than the pillar's height, {_mm(self.height)}",
                 "the step lies above the pillar's top",
@@ -134,6 +138,7 @@ class Pillar:
             )
         if step.diameter < LEAST_SHARE * self.diameter:
             raise problem(
+                "out-of-range",
                 _mm(step.diameter),
                 f"at least {_mm(LEAST_SHARE * self.diameter)}",
                 "above the step next to nothing would be left of the pillar",
@@ -174,6 +179,11 @@ class Pillar:
         """Largest half-width, the fillet counted, m."""
         ends = [self.half_width(z, k) for k, (low, high, _) in enumerate(self.stages) for z in (low, high)]
         return max(*ends, self.arc.centre[0] if self.arc else 0.0)
+
+    @property
+    def is_prism(self) -> bool:
+        """Whether all sections above the foot, and its fillet, are one and the same."""
+        return not self.draft and self.step is None
 
     @property
     def is_cylinder(self) -> bool:

@@ -21,7 +21,7 @@ THIN_NECK = 0.46  # and on a thin plate: one order fewer told 0.7 % where 0.3 % 
 # orders left 0.2 %, of which no lower order told a third; eight left 0.07 %.
 WIDE_NECK = 0.5
 # Orders more along a pillar that is meshed to its top. With none, a pillar of 6 deg draft, 1.4 diameters to
-# an element, lost 0.23 % at orders 3 and 4, four fifths of it there; a shaft's polynomials are finer than
+# an element, lost 0.23 % at orders 3 and 4, four fifths of it there; the polynomials along a prism are finer than
 # that anyway.
 ALONG_MORE = 2
 # Most of the same through the plate, whose strain below the foot dies out over the pillar's width. A plate of
@@ -104,8 +104,8 @@ class MeshPlan:
         by more than all the rest together, and with five orders in place of six around it the tenth band of
         every third design lost 0.7 to 3 %, of which a lower order told a quarter to a half; with six 0.2 to
         0.5 %. On a thin plate quartic ones would lock in the lower order that tells the
-        error: there they are of one order more. Along a pillar that is no prism, and so has no shaft,
-        all get two orders more: bending of a slender one would err most of all there.
+        error: there they are of one order more. Along a pillar that is no prism, and so is meshed to its
+        top, all get two orders more: bending of a slender one would err most of all there.
         """
         waves = _waves(cell, bands) if bands else 0.0
         more = math.ceil(math.pi * max(waves - math.sqrt(USUAL_BANDS / math.pi), 0.0))
@@ -135,7 +135,7 @@ class MeshPlan:
             plate_layers=math.ceil((1 - ROUNDING) * cell.thickness / (PLATE_LAYER * cell.pillar.diameter)),
             outward=smooth + thin + more // 2,
             upward=smooth,
-            along=smooth + ALONG_MORE if _has_no_shaft(cell.pillar) else smooth,
+            along=smooth if cell.pillar.is_prism else smooth + ALONG_MORE,
             thin=order,
             near_rim=_near_rim(cell),
         )
@@ -161,7 +161,7 @@ class MeshPlan:
             outward=order + 3,
             upward=max(order - 1, 3),
             thin=order,
-            along=max(order, 4) + (ALONG_MORE if _has_no_shaft(pillar) else 0),
+            along=max(order, 4) + (0 if pillar.is_prism else ALONG_MORE),
         )
 
     def lowered(self, cell: UnitCell) -> MeshPlan:
@@ -175,7 +175,7 @@ class MeshPlan:
         """
         ungraded = cell.pillar is not None and cell.pillar.step is not None and not self.step_rings
         foot_leads = self.foot_rings == 1 and cell.pillar is not None and not ungraded
-        meshed_up = cell.pillar is not None and _has_no_shaft(cell.pillar)
+        meshed_up = cell.pillar is not None and not cell.pillar.is_prism
         return replace(
             self,
             order=max(self.order - 1, 1),
@@ -294,8 +294,3 @@ def _waves(cell: UnitCell, bands: int) -> float:
 def _divided(order: int) -> tuple[int, int]:
     """Order and number of the elements that resolve as much as a single one of ``order``."""
     return (order, 1) if order <= MOST_AROUND else ((order + 1) // 2 + 1, 2)
-
-
-def _has_no_shaft(pillar: Pillar) -> bool:
-    """Whether the pillar is no prism above its foot, and so is meshed up to its top."""
-    return bool(pillar.draft or pillar.step)

@@ -152,7 +152,7 @@ def _plain(column: Sequence[Any] | Samples) -> list[Any]:
 
 
 def _no_table(path: Path, found: str) -> ChannelError:
-    return ChannelError(
+    return ChannelError.unreadable(
         argument=path.name,
         given=found,
         allowed="a text table: a line of names, and rows of as many numbers below it",

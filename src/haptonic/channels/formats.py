@@ -75,7 +75,7 @@ def opened(path: Path) -> SignalFile:
 
 
 def _refused(path: Path, given: str, next_step: str) -> ChannelError:
-    return ChannelError(
+    return ChannelError.unreadable(
         argument=path.name,
         given=given,
         allowed=f"a readable file that ends in {', '.join(SUFFIXES)}",

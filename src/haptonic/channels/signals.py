@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from haptonic.channels.notes import Notebook
-from haptonic.errors import ChannelError, nearest
+from haptonic.errors import ChannelError
 
 Array = NDArray[np.float64]
 Samples = NDArray[Any]
@@ -108,7 +108,7 @@ class Group:
             try:
                 self._kept[name] = np.asarray(self.signals[name], dtype=float).ravel()
             except (TypeError, ValueError):
-                raise ChannelError(
+                raise ChannelError.malformed(
                     argument=f"channel {name}",
                     given="text among the numbers",
                     allowed="numbers",
@@ -133,14 +133,8 @@ class Group:
         return says.get(ORIGIN) == SIMULATED or (not isinstance(flag, str) and bool(flag))
 
     def _lacks(self, name: str) -> ChannelError:
-        guess = nearest(name, self.signals)
-        return ChannelError(
-            argument=f"channel {name}",
-            given=", ".join(self.signals) or "no channel of numbers",
-            allowed="a file with this channel",
-            cause="the column has another name, or the file is another one",
-            next_step=f'did you mean "{guess}"?' if guess else "choose one of these channels",
-        )
+        cause = "the column has another name, or the file is another one"
+        return ChannelError.unknown(f"channel {name}", name, self.signals, cause)
 
 
 @dataclass(frozen=True, eq=False)
@@ -167,13 +161,8 @@ class SignalFile:
         found = self.groups.get(name)
         if found is not None and (name or found.signals or not named):
             return found
-        raise ChannelError(
-            argument=f"group in {self.path.name}",
-            given=f'"{name}"' if name else "none",
-            allowed=f"one of {', '.join(named[:10])}" if named else "no group: the file has none",
-            cause="the column group of the table of trials is missing, or a name in it is misspelt",
-            next_step="put the column group right",
-        )
+        cause = "the column group of the table of trials is missing, or a name in it is misspelt"
+        raise ChannelError.unknown(f"group in {self.path.name}", name, named[:10], cause)
 
 
 def number_of(given: object) -> float:

@@ -100,7 +100,7 @@ def nptdms_for(path: Path) -> ModuleType:
     try:
         return importlib.import_module("nptdms")
     except ImportError as error:
-        raise ChannelError(
+        raise ChannelError.not_installed(
             argument="TDMS file",
             given=str(path),
             allowed="TDMS files where the package npTDMS is installed",

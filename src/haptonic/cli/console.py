@@ -62,6 +62,11 @@ class Voice:
         if not self.machine:
             self.out.print(content)
 
+    def say(self, text: str) -> None:
+        """Tell a person what is going on, beside the answer; silent for machines."""
+        if not self.machine:
+            self.err.print(Text(text, "dim"), soft_wrap=True)
+
     def answer(self, values: dict[str, Any]) -> None:
         """Give the machine its object; silent for people."""
         if self.machine:
@@ -77,6 +82,7 @@ class Voice:
             "allowed": error.allowed,
             "likely cause": error.cause,
             "next step": error.next_step,
+            "code": error.code,
         }
         self.err.print(Text("error", "bold red"))
         for title, text in rows.items():

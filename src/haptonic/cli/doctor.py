@@ -16,10 +16,10 @@ from haptonic.bloch.pencil import eigenpairs
 from haptonic.cell import MeshPlan, UnitCell
 from haptonic.lattice import Lattice
 from haptonic.materials import IsotropicMaterial
+from haptonic.parallel import threads
 from haptonic.solvers import available, chosen
 from haptonic.store import Store
 from haptonic.superelement import condense
-from haptonic.superelement.parallel import threads
 
 PACKAGES = ("numpy", "scipy", "xarray", "h5netcdf", "pydantic", "matplotlib", "distributed")
 TOLERANCE = 1e-4  # relative

@@ -1,7 +1,9 @@
-"""Commands made of the table of analyses when they are asked for; texts of ``--help`` as they are written."""
+"""Commands made of the tables of names when they are asked for; texts of ``--help`` as they are written."""
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+from importlib import import_module
 from typing import Any
 
 import typer
@@ -9,10 +11,9 @@ from rich.markup import escape
 from typer.core import TyperArgument, TyperCommand, TyperGroup, TyperOption
 
 from haptonic import analyses
-from haptonic.analyses import analysis
-from haptonic.cli.running import command
+from haptonic.cli import commands
 
-GROUPS = {"twin": "Simulate a measurement whose truth is known."}  # first words of names of two words
+GROUPS = {"simulate": "Simulate a measurement whose truth is known."}  # first words of names of two words
 
 
 class Worded(TyperGroup):
@@ -23,31 +24,46 @@ class Worded(TyperGroup):
         _escape(self)
 
 
-class Analyses(Worded):
-    """The commands of the program; that of an analysis is made when it is asked for, as its module is loaded
-    only then."""
+class Listed(Worded):
+    """Commands of which only name and help are known, until one of them is asked for.
+
+    So a list of them, a completion or a word about a slip needs none of the libraries that compute.
+
+    table : name -> help; before : words in front of these names
+    """
+
+    def __init__(self, table: Mapping[str, str] | None = None, before: str = "", **known: Any) -> None:
+        table = analyses.NAMES | commands.NAMES if table is None else table
+        first = {name.split()[0]: GROUPS.get(name.split()[0], text) for name, text in table.items()}
+        alone = {name: TyperCommand(name, help=text) for name, text in first.items()}
+        super().__init__(**known | {"commands": alone})
+        self._table, self._before = table, before
 
     def list_commands(self, ctx: Any) -> list[str]:
-        first = (name.split()[0] for name in analyses.NAMES)
-        return list(dict.fromkeys([*first, *super().list_commands(ctx)]))
+        return list(self.commands)
 
-    def get_command(self, ctx: Any, cmd_name: str) -> Any:
-        if cmd_name in analyses.NAMES:
-            return made(cmd_name)
-        inner = [name for name in analyses.NAMES if name.split()[0] == cmd_name]
-        if not inner:
-            return super().get_command(ctx, cmd_name)
-        commands = {name.split()[1]: made(name) for name in inner}
-        return Worded(
-            name=cmd_name, help=GROUPS[cmd_name], commands=commands, no_args_is_help=True,
-            rich_markup_mode="rich",
-        )  # fmt: skip
+    def resolve_command(self, ctx: Any, args: list[str]) -> Any:
+        name, found, rest = super().resolve_command(ctx, args)
+        return name, found and self._made(name or ""), rest
+
+    def _made(self, name: str) -> TyperCommand | TyperGroup:
+        if name in self._table:
+            return made(self._before + name)
+        inner = {one.split()[1]: text for one, text in self._table.items() if one.split()[0] == name}
+        return Listed(
+            inner, f"{name} ", name=name, help=GROUPS[name], no_args_is_help=True, rich_markup_mode="rich"
+        )
 
 
 def made(name: str) -> TyperCommand:
-    """The command of an analysis."""
+    """The command of an analysis, or of a module of `haptonic.cli.commands`."""
     alone = typer.Typer(add_completion=False, pretty_exceptions_enable=False)
-    alone.command(name.split()[-1])(command(analysis(name)))
+    if name in analyses.NAMES:
+        run = import_module("haptonic.cli.running").command(analyses.named(name))
+    else:
+        run = import_module(f"haptonic.cli.commands.{name}").run
+    text = (analyses.NAMES | commands.NAMES)[name]
+    alone.command(name.split()[-1], help=text)(run)
     found = typer.main.get_command(alone)
     assert isinstance(found, TyperCommand)
     _escape(found)

@@ -10,11 +10,12 @@ from typing import Annotated, Any, get_type_hints
 
 import typer
 
-from haptonic.analyses import Analysis
-from haptonic.analyses.analysis import option_of, path_of
+from haptonic.analyses.analysis import Analysis, option_of, path_of
+from haptonic.analyses.costs import FORECASTS
 from haptonic.cli.console import Voice, speaking
 from haptonic.paths import target
 from haptonic.results.common import refuse_taken
+from haptonic.results.cost import LONG
 from haptonic.results.result import Result, taken
 from haptonic.results.runner import Runner
 from haptonic.store import Store
@@ -34,6 +35,7 @@ SHARED: dict[str, Any] = {
 WORKERS = Annotated[
     int, typer.Option("--workers", metavar="N", help="Worker processes on this machine; 0 works in this one.")
 ]
+DRY_RUN = Annotated[bool, typer.Option("--dry-run", help="Only tell time and memory that it will need.")]
 SCHEDULER = Annotated[
     str | None, typer.Option("--scheduler", metavar="ADDRESS", help="A running Dask scheduler to work on.")
 ]
@@ -48,13 +50,15 @@ def command(analysis: Analysis) -> Callable[..., None]:
     own, last = parameters(analysis), inspect.Parameter.KEYWORD_ONLY
     shared = [inspect.Parameter(n, last, default=None if n == "out" else False, annotation=kind)
               for n, kind in SHARED.items()]  # fmt: skip
+    if analysis.name in FORECASTS:
+        shared.append(inspect.Parameter("dry_run", last, default=False, annotation=DRY_RUN))
     if analysis.parallel:
         shared += [
             inspect.Parameter("workers", last, default=0, annotation=WORKERS),
             inspect.Parameter("scheduler", last, default=None, annotation=SCHEDULER),
         ]
     every = [*own, *shared]
-    run.__name__, run.__doc__ = analysis.name.replace(" ", "_"), analysis.help
+    run.__name__ = analysis.name.replace(" ", "_")
     run.__annotations__ = {one.name: one.annotation for one in every}
     run.__signature__ = inspect.Signature(every)  # type: ignore[attr-defined]
     return run
@@ -102,15 +106,23 @@ def answered(analysis: Analysis, given: dict[str, Any]) -> None:
     """Load, look whether it can end well, compute, write, say what was found."""
     out, json, overwrite = (given.pop(name) for name in SHARED)
     workers, scheduler = given.pop("workers", 0), given.pop("scheduler", None)
-    file = given.pop("study_file", None)
+    file, dry = given.pop("study_file", None), given.pop("dry_run", False)
     with speaking(json, analysis.kept) as voice:
-        study = None if file is None else load(file)
         options = analysis.chosen({name: value for name, value in given.items() if value is not None})
+        study = None if file is None else load(file)
         analysis.check(study, options)
+        forecast = FORECASTS.get(analysis.name)
+        cost = forecast.cost(study, options) if forecast and study else None
+        if cost and dry:
+            voice.tell(cost.sentence)
+            voice.answer({"processor_s": cost.seconds, "memory_b": cost.memory})
+            return
         about = path_of(options) if analysis.study != "needed" else file
         assert about is not None, f"{analysis.name} is asked of nothing"
         folder = folder_for(about, out, json and not analysis.writes, analysis.folder or analysis.name)
         refuse_taken(folder, taken(folder, analysis.names(options, about.stem)), overwrite=overwrite)
+        if cost and cost.seconds >= LONG:
+            voice.say(cost.sentence)
         with voice.counted(analysis.doing or analysis.name) as progress:
             runner = Runner(Store.default(), workers, scheduler, progress, about, folder)
             result = analysis.compute(study, options, runner)
@@ -118,7 +130,7 @@ def answered(analysis: Analysis, given: dict[str, Any]) -> None:
                 result.write(folder, overwrite=overwrite, progress=progress)
         show(result, voice)
         located = result.located(folder) if folder else {}
-        if folder:
+        if folder and folder.is_dir():  # a plan of a lattice has no picture
             voice.tell(f"files: {located.get('report', folder)}")
         voice.answer(result.to_json() | located)
 

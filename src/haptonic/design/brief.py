@@ -148,7 +148,7 @@ class Brief:
         start = self.feasible(np.full(len(self.bounds), 0.5))
         if not self.allows(start):
             worst = min(self.limits(start).items(), key=lambda item: item[1])
-            raise StudyError(
+            raise StudyError.no_answer(
                 argument="design",
                 given=f"bounds of {', '.join(self.paths) or 'nothing'}",
                 allowed="bounds that some design meets together",

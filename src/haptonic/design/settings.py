@@ -50,6 +50,7 @@ class DesignLimits:
         given = (self.finger_force, self.finger_span, self.finger_deflection)
         if None in given and given != (None, None, None):
             raise problem(
+                "missing",
                 "only some of finger_force, finger_span and finger_deflection",
                 "all three of them, or none",
                 "one of them was left out",

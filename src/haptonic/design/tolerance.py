@@ -55,6 +55,7 @@ class Spread(OfCell):
     def __post_init__(self) -> None:
         if not self.spread > 0:
             raise problem(
+                "out-of-range",
                 format_quantity(self.spread, self.unit),
                 "a positive spread",
                 "it is zero or has the wrong sign",
@@ -63,6 +64,7 @@ class Spread(OfCell):
             )
         if self.per == "pillar" and not self.parameter.startswith("cell.pillar."):
             raise problem(
+                "conflict",
                 self.parameter,
                 'per = "batch" for whatever is not of the pillar',
                 "pillars of one plate have it in common",

@@ -15,6 +15,7 @@ from pydantic.fields import FieldInfo
 from haptonic.fields.entries import Entries
 from haptonic.fields.placing import Named, Placed
 from haptonic.fields.quantity import Quantity
+from haptonic.units import format_quantity
 
 
 @dataclass(frozen=True)
@@ -27,7 +28,7 @@ class Key:
     unit : SI unit, of each where there are several; empty without one
     default : as it would be written; None for a key that has to be given, "" for one that may be absent
     bounds, typical : in words; empty without any
-    choices : the allowed words of a choice
+    choices : the allowed words of a choice; named : of a value that a name can stand for, such as a material
     quantity : the declaration itself, for a quantity or number; the first one's of a list
     count : how many there are in a list
     """
@@ -41,12 +42,27 @@ class Key:
     typical: str
     description: str
     choices: tuple[str, ...] = ()
+    named: Named | None = None
     quantity: Quantity | None = None
     count: int = 1
 
     @property
     def required(self) -> bool:
         return self.default is None
+
+    @property
+    def default_text(self) -> str:
+        """The default as a file would give it, without quotes; empty for what is absent by default."""
+        return (
+            format_quantity(float(self.default), self.unit)
+            if self.default and self.unit
+            else self.default or ""
+        )
+
+    @property
+    def known_names(self) -> tuple[str, ...]:
+        """The words or names that are known here."""
+        return self.choices or (tuple(self.named.known()) if self.named else ())
 
     @property
     def label(self) -> str:
@@ -179,6 +195,7 @@ def unit_of(model: object, field: FieldInfo, entry: str) -> Quantity | None:
 
 def _key(path: str, field: FieldInfo) -> Key:
     quantity, kind = quantity_of(field), _kind(field)
+    named = next((item for item in field.metadata if isinstance(item, Named)), None)
     count = len(quantities_of(field)) if kind == "quantities" else 1
     bounds, typical = (quantity.limits, quantity.usual) if quantity else (_plain_bounds(field), "")
     if count > 1:
@@ -193,6 +210,7 @@ def _key(path: str, field: FieldInfo) -> Key:
         typical=typical,
         description=field.description or "",
         choices=_choices(field.annotation),
+        named=named,
         quantity=quantity,
         count=count,
     )
@@ -231,8 +249,12 @@ def quantity_of(field: FieldInfo) -> Quantity | None:
 
 def quantities_of(field: FieldInfo) -> tuple[Quantity, ...]:
     """The declarations of a field: several for a list, each of whose numbers has its own."""
-    found = [*field.metadata, *_metadata(field.annotation)]
-    return tuple(item for item in found if isinstance(item, Quantity))
+    return tuple(item for item in metadata_of(field) if isinstance(item, Quantity))
+
+
+def metadata_of(field: FieldInfo) -> tuple[Any, ...]:
+    """The marks of a field and of what its annotation wraps: quantities, bounds, lengths."""
+    return (*field.metadata, *_metadata(field.annotation))
 
 
 def _metadata(annotation: Any) -> Iterator[Any]:
@@ -266,7 +288,7 @@ def _choices(annotation: Any) -> tuple[str, ...]:
 
 
 def _plain_bounds(field: FieldInfo) -> str:
-    found = [*field.metadata, *_metadata(field.annotation)]
+    found = metadata_of(field)
     lowest = [f"at least {item.ge}" for item in found if isinstance(item, annotated_types.Ge)]
     highest = [f"at most {item.le}" for item in found if isinstance(item, annotated_types.Le)]
     counted = "of them" if _kind(field) == "tables" else "characters"

@@ -9,11 +9,10 @@ from collections.abc import Mapping
 from types import MappingProxyType
 from typing import Any, TypeVar
 
-from haptonic.errors import StudyError, nearest
+from haptonic.errors import StudyError
 from haptonic.fields.described import remade
 from haptonic.fields.entries import Entries
 from haptonic.fields.keys import Slot, is_described, leaves, slots
-from haptonic.units import shown
 
 T = TypeVar("T")
 
@@ -56,14 +55,9 @@ def unknown_number(
     absent : names that exist elsewhere, and why not here
     at : the key that gives the name; by default it is an argument itself
     """
-    guess = nearest(str(name), known)
-    return StudyError(
-        argument=at or "name of a number",
-        given=shown(name),
-        allowed=f"one of {', '.join(known)}",
-        cause=absent.get(str(name), "no numeric parameter has this name"),
-        next_step=f'write "{guess}"' if guess and name not in absent else "name one of the list",
-    )
+    cause = absent.get(str(name), "no numeric parameter has this name")
+    slip, next_step = str(name) not in absent, "name one of the list"
+    return StudyError.unknown(at or "name of a number", name, known, cause, slip=slip, next_step=next_step)
 
 
 def _changed(value: Any, changes: dict[str, float], prefix: str) -> Any:

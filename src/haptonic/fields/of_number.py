@@ -6,10 +6,10 @@ from collections.abc import Sequence
 
 from pydantic import Field, ValidationInfo, field_validator
 
-from haptonic.errors import nearest
+from haptonic.errors import StudyError
 from haptonic.fields.described import described
-from haptonic.fields.quantity import number_of, problem
-from haptonic.units import format_quantity, shown
+from haptonic.fields.quantity import handed_on, number_of, problem
+from haptonic.units import format_quantity
 
 
 @described("")
@@ -36,13 +36,8 @@ class OfNumber:
     @classmethod
     def _known(cls, path: str) -> str:
         if cls.unit_of(path) is None:
-            guess = nearest(path, cls.known())
-            raise problem(
-                shown(path),
-                f"one of {', '.join(cls.known())}",
-                "no number of this name can be changed here",
-                f'write "{guess}"' if guess else "choose one of the list",
-            )
+            cause = "no number of this name can be changed here"
+            raise handed_on(StudyError.unknown("", path, cls.known(), cause))
         return path
 
     @field_validator("low", "high", "spread", mode="plain", check_fields=False)
@@ -68,6 +63,7 @@ class NumberRange(OfNumber):
     def __post_init__(self) -> None:
         if not self.low < self.high:
             raise problem(
+                "conflict",
                 format_quantity(self.high, self.unit),
                 f"more than the lowest value, {format_quantity(self.low, self.unit)}",
                 "the bounds contradict each other",
@@ -82,7 +78,12 @@ def once(parameters: Sequence[OfNumber], at: str) -> None:
     twice = sorted({name for name in names if names.count(name) > 1})
     if twice:
         raise problem(
-            f"{twice[0]}, twice", "every parameter once", "a table was copied", "remove one of them", at=at
+            "repeated",
+            f"{twice[0]}, twice",
+            "every parameter once",
+            "a table was copied",
+            "remove one of them",
+            at=at,
         )
 
 
@@ -90,6 +91,7 @@ def ascending(lowest: float | None, highest: float | None, what: str) -> None:
     """Refuse two ends of a range of frequencies, Hz, in the wrong order."""
     if lowest is not None and highest is not None and lowest >= highest:
         raise problem(
+            "conflict",
             format_quantity(highest, "Hz"),
             f"more than the lowest frequency, {format_quantity(lowest, 'Hz')}",
             f"the two ends of the {what} are exchanged or equal",

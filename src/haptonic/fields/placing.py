@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Hashable, Mapping
+from collections.abc import Callable, Hashable, Iterable, Mapping
 from dataclasses import dataclass
 from typing import Any
 
@@ -33,12 +33,14 @@ class Named:
 
     find : the value of a name; raises an error with five parts
     name_of : the name of a value; None if it has none
+    known : all of these names, as they are told; `find` may take others, such as capitals
     table : the class that a table is read as; None where a file gives names only
     others : further classes, which only Python and names can give
     """
 
     find: Callable[[str], Any]
     name_of: Callable[[Any], str | None]
+    known: Callable[[], Iterable[str]]
     table: type | None
     others: tuple[type, ...] = ()
 

@@ -7,14 +7,14 @@ from typing import Any
 
 from pydantic import ValidationError
 
-from haptonic.errors import HaptonicError, StudyError, nearest
+from haptonic.errors import HaptonicError, StudyError, nearest, shown
 from haptonic.fields.keys import Key, key_of, slots, table
-from haptonic.units import shown
 
 TAG = "<"  # begins the tags of a union, which pydantic puts into the path
 MISPLACED = "\0"  # begins a key that stands in a table and belongs to the top; no file has a NUL
 PARTS = ("given", "allowed", "cause", "next_step")
 UNKNOWN = {"extra_forbidden", "unexpected_keyword_argument"}  # pydantic's names for an undeclared key
+OUT_OF_RANGE = {"greater_than_equal", "less_than_equal", "greater_than", "less_than"}
 EXTRA = "unexpected_positional_argument"
 MOST_LISTED = 20
 
@@ -61,13 +61,8 @@ def refusal(
         lines = lines[:MOST_LISTED] + ([f"    and {hidden} more"] if hidden > 0 else [])
         count = f"{len(others)} other problem{'s' if len(others) > 1 else ''}"
         next_step = "\n".join([f"{next_step}\n  {count} in the same study:", *lines])
-    return family(
-        argument=f"{origin}: {first.argument}" if origin else first.argument,
-        given=first.given,
-        allowed=first.allowed,
-        cause=first.cause,
-        next_step=next_step,
-    )
+    argument = f"{origin}: {first.argument}" if origin else first.argument
+    return first.changed(family, argument=argument, next_step=next_step)
 
 
 def _in_parts(details: Any, keys: Mapping[str, Key]) -> StudyError:
@@ -76,9 +71,9 @@ def _in_parts(details: Any, keys: Mapping[str, Key]) -> StudyError:
     path, pattern = details["path"], details["pattern"]
     if kind == "haptonic":
         where = ".".join(part for part in (path, context["at"]) if part) or "the study"
-        return StudyError(argument=where, **{name: context[name] for name in PARTS})
+        return StudyError(context["code"], argument=where, **{name: context[name] for name in PARTS})
     if kind == EXTRA:
-        return StudyError(
+        return StudyError.too_few(
             argument=path, given=shown(details["input"], 40), allowed="values for the fields that there are",
             cause="there are more arguments than fields", next_step="give fields by their names",
         )  # fmt: skip
@@ -86,14 +81,15 @@ def _in_parts(details: Any, keys: Mapping[str, Key]) -> StudyError:
         return _unknown(path, pattern, details["input"], keys)
     key = key_of(pattern, keys)
     of_an_entry = key is not None and key.kind == "entries" and pattern != key.path
-    form = "a text in quotes" if of_an_entry else _form(key)
+    form = "a text in quotes" if of_an_entry else allowed_at(key)
     listed = key is not None and key.kind == "quantities"
     title = key.title.lower() if key else "a value"
+    code = "out-of-range" if kind in OUT_OF_RANGE else "malformed"
     if kind == "missing":
-        given, cause = "nothing", f"the {title} was left out"
-        next_step = f"add {_written(key)}" if key else "add it"
+        code, given, cause = "missing", "nothing", f"the {title} was left out"
+        next_step = f"add {example_at(key)}" if key else "add it"
     elif key and key.choices:
-        given, cause = shown(details["input"]), "it is not one of the words known here"
+        code, given, cause = "unknown", shown(details["input"]), "it is not one of the words known here"
         guess = nearest(str(details["input"])[:40], key.choices)
         next_step = f'write "{guess}"' if guess else "choose one of them"
     else:
@@ -102,9 +98,8 @@ def _in_parts(details: Any, keys: Mapping[str, Key]) -> StudyError:
             _cause(kind, details["msg"], listed),
             f"write {form}",
         )
-    return StudyError(
-        argument=path or "the study", given=given, allowed=form, cause=cause, next_step=next_step
-    )
+    argument = path or "the study"
+    return StudyError(code, argument=argument, given=given, allowed=form, cause=cause, next_step=next_step)
 
 
 def _path(location: tuple[int | str, ...], kind: type, place: str = "") -> tuple[str, str]:
@@ -169,6 +164,7 @@ def _unknown(path: str, pattern: str, value: object, keys: Mapping[str, Key]) ->
         cause, next_step = "no key has this name", "remove it, or look its name up in the list of keys"
     where = f"the keys of [{section.replace('[]', '')}]" if section else "the keys at the top"
     return StudyError(
+        "unknown",
         argument=path,
         given=f"an unknown key, with the value {shown(value, 40)}",
         allowed=f"{where}: {', '.join(here)}",
@@ -177,7 +173,7 @@ def _unknown(path: str, pattern: str, value: object, keys: Mapping[str, Key]) ->
     )
 
 
-def _form(key: Key | None) -> str:
+def allowed_at(key: Key | None) -> str:
     """What may stand at a key, in words."""
     if key is None:
         return "a value of the form that the key list gives"
@@ -190,6 +186,8 @@ def _form(key: Key | None) -> str:
         return key.quantity.allowed
     if key.choices:
         return " or ".join(f'"{choice}"' for choice in key.choices)
+    if key.named and key.kind == "text":
+        return f"one of {', '.join(key.known_names)}"
     bounds = f" {key.bounds}" if key.bounds else ""
     forms = {
         "number": "a number, or a quantity with its unit in quotes",
@@ -203,18 +201,18 @@ def _form(key: Key | None) -> str:
     )
 
 
-def _written(key: Key) -> str:
+def example_at(key: Key) -> str:
     """A line for the study file that gives the key."""
     name = key.path.rpartition(".")[2]
-    if key.kind in {"table", "tables", "entries"} or key.path == "material":
-        return _form(key)
+    if key.known_names:
+        return f'{name} = "{key.known_names[0]}"'
+    if key.kind in {"table", "tables", "entries"}:
+        return allowed_at(key)
     if key.kind == "quantities":
         return f"{name} = {_list(key)}"
     if key.quantity:
         return f"{name} = {key.quantity.example}"
-    return (
-        f'{name} = "{key.choices[0] if key.choices else "..."}"' if key.kind != "integer" else f"{name} = 10"
-    )
+    return f"{name} = 10" if key.kind == "integer" else f'{name} = "..."'
 
 
 def _list(key: Key) -> str:
@@ -223,7 +221,7 @@ def _list(key: Key) -> str:
 
 
 def _cause(kind: str, message: str, listed: bool) -> str:
-    if kind in {"greater_than_equal", "less_than_equal", "greater_than", "less_than"}:
+    if kind in OUT_OF_RANGE:
         return "the number is out of bounds"
     if kind in {"int_type", "int_from_float", "int_parsing", "int_parsing_size"}:
         return "it is not a whole number"

@@ -16,9 +16,9 @@ from typing import Annotated, Any
 from pydantic import AfterValidator, Field, GetCoreSchemaHandler
 from pydantic_core import PydanticCustomError, core_schema
 
-from haptonic.errors import HaptonicError
+from haptonic.errors import HaptonicError, shown
 from haptonic.names import hidden_in
-from haptonic.units import example_of, format_quantity, shown, to_si
+from haptonic.units import example_of, format_quantity, to_si
 
 FROM_FILE = {"from a file": True}  # validation context: there, a number with a dimension needs its unit
 
@@ -66,7 +66,8 @@ class Quantity:
             cause = "the value is outside the range that this model describes"
         text = shown(given) if isinstance(given, str) else format_quantity(number, self.unit)
         hint = self.hint if number >= min(self.below, self.at_most) else ""
-        raise problem(text, self.allowed, cause, hint or f"choose a value that is {self.limits}")
+        next_step = hint or f"choose a value that is {self.limits}"
+        raise problem("out-of-range", text, self.allowed, cause, next_step)
 
     def holds(self, number: float) -> bool:
         """Whether a value (in ``unit``) lies within the hard bounds."""
@@ -127,13 +128,22 @@ def size(lowest: float, highest: float) -> Quantity:
     return Quantity("m", at_least=SMALLEST, at_most=LARGEST, typical=(lowest, highest))
 
 
-def problem(given: str, allowed: str, cause: str, next_step: str, at: str = "") -> PydanticCustomError:
+def problem(
+    code: str, given: str, allowed: str, cause: str, next_step: str, at: str = ""
+) -> PydanticCustomError:
     """An error for pydantic to collect; `haptonic.fields.problems` turns it into one with five parts.
 
-    ``at`` names the parameter below the one that pydantic blames: ``pillar.diameter`` for a check of a cell.
+    ``code`` is one of those of `haptonic.errors`; ``at`` names the parameter below the one that pydantic
+    blames: ``pillar.diameter`` for a check of a cell.
     """
-    parts = {"given": given, "allowed": allowed, "cause": cause, "next_step": next_step, "at": at}
-    return PydanticCustomError("haptonic", "{cause}", parts)
+    parts = {"code": code, "given": given, "allowed": allowed, "cause": cause, "next_step": next_step}
+    return PydanticCustomError("haptonic", "{cause}", {**parts, "at": at})
+
+
+def handed_on(error: HaptonicError, at: str | None = None) -> PydanticCustomError:
+    """The same error for pydantic to collect, at the parameter that it names or at another one."""
+    at = error.argument if at is None else at
+    return problem(error.code, error.given, error.allowed, error.cause, error.next_step, at)
 
 
 def number_of(value: object, unit: str, context: object, allowed: str = "") -> float:
@@ -154,13 +164,14 @@ def collected(allowed: str = "", within: str = "") -> Iterator[None]:
         yield
     except HaptonicError as error:
         at = error.argument.removeprefix(f"{within}.") if within else ""
-        raise problem(error.given, allowed or error.allowed, error.cause, error.next_step, at) from None
+        raise handed_on(error.changed(HaptonicError, allowed=allowed or error.allowed), at) from None
 
 
 def _printable(name: str) -> str:
     """A name that is not blank and that shows whole, whatever it is shown on."""
     if (found := hidden_in(name)) is not None:
         raise problem(
+            "malformed",
             shown(name),
             "letters, digits, signs and spaces of any script",
             f"it holds the control character {found!a}",
@@ -168,6 +179,7 @@ def _printable(name: str) -> str:
         )
     if not name.strip():
         raise problem(
+            "missing",
             shown(name),
             "a text in quotes that is not blank",
             "it was left blank",

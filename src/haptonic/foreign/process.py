@@ -93,7 +93,7 @@ def ask(parser: str, path: Path, **arguments: object) -> Any:
 
 def damaged(path: Path, found: str) -> ChannelError:
     """The error for a file that its parser cannot read."""
-    return ChannelError(
+    return ChannelError.unreadable(
         argument=path.name,
         given=found,
         allowed="a whole file of the format that its name says",
@@ -230,7 +230,7 @@ def _widened(*pipes: int) -> None:
 
 
 def _not_started(why: str) -> ResourceError:
-    return ResourceError(
+    return ResourceError.worker(
         argument="process that reads files",
         given=why,
         allowed="a second process of Python beside this one",

@@ -68,6 +68,7 @@ class Participants:
     def __post_init__(self) -> None:
         if self.idle >= self.driven:
             raise problem(
+                "conflict",
                 f"{self.idle:g}",
                 f"less than the driven one, {self.driven:g}",
                 "the two are exchanged",

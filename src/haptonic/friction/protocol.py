@@ -7,9 +7,8 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.random import Generator
 
-from haptonic.errors import FrictionError
+from haptonic.errors import FrictionError, shown
 from haptonic.friction.signals import Label
-from haptonic.units import shown
 
 
 @dataclass(frozen=True)
@@ -38,7 +37,7 @@ class Protocol:
         for name in ("blocks", "trials"):
             number = getattr(self, name)
             if not isinstance(number, int) or isinstance(number, bool) or number < 2 or number % 2:
-                raise FrictionError(
+                raise FrictionError.out_of_range(
                     argument=f"protocol.{name}",
                     given=shown(number),
                     allowed="an even number, 2 or more",
@@ -46,7 +45,7 @@ class Protocol:
                     next_step="add or drop one",
                 )
         if len(set(self.waveguides)) != 2:
-            raise FrictionError(
+            raise FrictionError.conflict(
                 argument="protocol.waveguides",
                 given=shown(self.waveguides),
                 allowed="two different names",
@@ -67,7 +66,7 @@ class Protocol:
         FrictionError : no participant
         """
         if not isinstance(participants, int) or isinstance(participants, bool) or participants < 1:
-            raise FrictionError(
+            raise FrictionError.out_of_range(
                 argument="participants",
                 given=shown(participants),
                 allowed="a number from 1",

@@ -1,4 +1,4 @@
-"""``trials.csv``, which trial is in which file: protocols and twins write it, the analysis reads it."""
+"""``trials.csv``, which trial is in which file: protocols and simulations write it, the analysis reads it."""
 
 from __future__ import annotations
 

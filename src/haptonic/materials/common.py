@@ -9,9 +9,9 @@ from functools import lru_cache
 import numpy as np
 from numpy.typing import NDArray
 
-from haptonic.errors import StudyError, nearest
+from haptonic.errors import StudyError, shown
 from haptonic.fields import Entries, Quantity
-from haptonic.units import format_quantity, shown
+from haptonic.units import format_quantity
 
 Array = NDArray[np.float64]
 Rows = tuple[tuple[float, ...], ...]
@@ -42,7 +42,7 @@ def _is_symmetry(stiffness: tuple[float, ...], operation: tuple[float, ...]) -> 
 
 def require_name(name: object) -> None:
     if not isinstance(name, str) or not name.strip():
-        raise StudyError(
+        raise StudyError.missing(
             argument="material.name",
             given=shown(name),
             allowed="a text that is not empty",
@@ -69,7 +69,7 @@ def require_between(
     words = [
         f"{word} {format_quantity(limit, unit)}" for word, limit in limits.items() if math.isfinite(limit)
     ]
-    raise StudyError(
+    raise StudyError.out_of_range(
         argument=f"material.{name}",
         given=format_quantity(float(value), unit) if number else shown(value),  # type: ignore[arg-type]
         allowed="a finite number" + (f" {' and '.join(words)}" if words else f" in {unit}" * bool(unit)),
@@ -85,14 +85,8 @@ def spread_of(uncertainty: Mapping[str, float], properties: Mapping[str, str]) -
     """
     for name, width in uncertainty.items():
         if name not in properties:
-            guess = nearest(name, properties)
-            raise StudyError(
-                argument=f"material.uncertainty.{name}",
-                given=shown(width),
-                allowed=f"one of {', '.join(properties)}",
-                cause="this material has no such property",
-                next_step=f'write "{guess}"' if guess else "leave it out",
-            )
+            at, cause = f"material.uncertainty.{name}", "this material has no such property"
+            raise StudyError.unknown(at, name, properties, cause, next_step="leave it out")
         require_between(f"uncertainty.{name}", width, properties[name], at_least=0.0)
     return Entries({name: float(width) for name, width in uncertainty.items()})
 
@@ -104,7 +98,7 @@ def rows_of(name: str, matrix: object, shape: tuple[int, int]) -> Rows:
     except (TypeError, ValueError):
         array = np.full((1, 1), np.nan)
     if array.shape != shape or not np.isfinite(array).all():
-        raise StudyError(
+        raise StudyError.malformed(
             argument=f"material.{name}",
             given=shown(matrix),
             allowed=f"{shape[0]} rows of {shape[1]} finite numbers",
@@ -130,7 +124,7 @@ def require_positive_definite(name: str, rows: Rows) -> None:
         next_step = "check the signs, the order of the entries and which of them are compliances"
     else:
         return
-    raise StudyError(
+    raise StudyError.malformed(
         argument=f"material.{name}",
         given=given,
         allowed="a symmetric positive definite matrix",

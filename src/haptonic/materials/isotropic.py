@@ -10,10 +10,10 @@ from typing import Annotated
 import numpy as np
 from pydantic import Field, ValidationInfo, field_validator
 
+from haptonic.errors import shown
 from haptonic.fields import Entries, Quantity, described, number_of, problem
 from haptonic.fields.quantity import collected
 from haptonic.materials.common import DENSITY, Array, spread_of
-from haptonic.units import shown
 
 INCOMPRESSIBLE = (
     "a solid with a Poisson ratio of 0.5 is incompressible and has no finite bulk modulus; write 0.49 for "
@@ -64,6 +64,7 @@ class IsotropicMaterial:
     def __post_init__(self) -> None:
         if not self.name.strip():
             raise problem(
+                "missing",
                 shown(self.name),
                 "a text that is not blank",
                 "the name was left out",

@@ -9,12 +9,11 @@ from functools import cache, partial
 from importlib.resources import files
 from types import MappingProxyType
 
-from haptonic.errors import StudyError, nearest
+from haptonic.errors import StudyError
 from haptonic.fields import Named
 from haptonic.materials.isotropic import IsotropicMaterial
 from haptonic.materials.orthotropic import OrthotropicMaterial
 from haptonic.materials.piezoelectric import PiezoelectricMaterial
-from haptonic.units import shown
 
 Material = IsotropicMaterial | OrthotropicMaterial | PiezoelectricMaterial
 
@@ -48,14 +47,11 @@ def material(name: str) -> Material:
     """
     if name in library():
         return library()[name]
-    guess = nearest(name.lower(), library())
-    raise StudyError(
-        argument="material",
-        given=shown(name),
+    raise StudyError.unknown(
+        "material", name, library(), "the library does not hold this material",
         allowed=f"one of {', '.join(library())}, or a [material] table",
-        cause="a slip in the name" if guess else "the library does not hold this material",
-        next_step=f'write "{guess}"' if guess else "give its constants in a [material] table",
-    )
+        next_step="give its constants in a [material] table",
+    )  # fmt: skip
 
 
 def built_in(name: str, *, piezoelectric: bool = False) -> Material:
@@ -65,27 +61,28 @@ def built_in(name: str, *, piezoelectric: bool = False) -> Material:
     ------
     StudyError : no such material, or one that is not piezoelectric where it has to be
     """
-    known = {
-        key: solid
-        for key, solid in library().items()
-        if not piezoelectric or isinstance(solid, PiezoelectricMaterial)
-    }
+    known = ceramics() if piezoelectric else library()
     key = re.sub(r"[\s_-]+", "-", name.strip().lower())
     if key in known:
         return known[key]
-    guess = nearest(key, known)
-    raise StudyError(
-        argument="material",
-        given=shown(name),
-        allowed=f"one of {', '.join(known)}",
-        cause="it is not piezoelectric" if key in library() else "the library does not hold this material",
-        next_step=f'write "{guess}"' if guess else "choose one of them",
-    )
+    cause = "it is not piezoelectric" if key in library() else "the library does not hold this material"
+    raise StudyError.unknown("material", name, known, cause)
 
 
-GIVEN = Named(material, built_in_name, IsotropicMaterial, (OrthotropicMaterial, PiezoelectricMaterial))
+def ceramics() -> Mapping[str, Material]:
+    """The piezoelectric ones of the library."""
+    return {key: solid for key, solid in library().items() if isinstance(solid, PiezoelectricMaterial)}
+
+
+GIVEN = Named(
+    material, built_in_name, library, IsotropicMaterial, (OrthotropicMaterial, PiezoelectricMaterial)
+)
 """How a study gives a material: by the name of a built-in one or by a table of constants."""
-SOLID = Named(built_in, built_in_name, None, (IsotropicMaterial, OrthotropicMaterial, PiezoelectricMaterial))
+SOLID = Named(
+    built_in, built_in_name, library, None, (IsotropicMaterial, OrthotropicMaterial, PiezoelectricMaterial)
+)
 """By the name of a built-in one only."""
-CERAMIC = Named(partial(built_in, piezoelectric=True), built_in_name, None, (PiezoelectricMaterial,))
+CERAMIC = Named(
+    partial(built_in, piezoelectric=True), built_in_name, ceramics, None, (PiezoelectricMaterial,)
+)
 """By the name of a built-in piezoelectric one."""

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from haptonic.plate import Band, Fineness, Plate, PlateModel
 from haptonic.plate.damping import real_times
-from haptonic.plate.question import reference_of, unit_drives
+from haptonic.plate.sampling import reference_of, unit_drives
 from haptonic.response import FrequencyResponse
 
 Array = NDArray[np.float64]

@@ -12,7 +12,6 @@ tiles with lambda < s (Wittrick and Williams 1971, doi 10.1093/qjmam/24.3.263).
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
-from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
@@ -20,13 +19,12 @@ from typing import Any
 import numpy as np
 import scipy.sparse as sp
 from numpy.typing import NDArray
-from threadpoolctl import threadpool_limits
 
+from haptonic.parallel import each
 from haptonic.plate.elimination import elimination_order
 from haptonic.plate.skeleton import Skeleton
 from haptonic.plate.tile import Eliminated, Tile, applied
 from haptonic.solvers import Pattern, Solver, chosen
-from haptonic.superelement.parallel import threads
 
 Array = NDArray[np.float64]
 Ints = NDArray[np.int64]
@@ -158,14 +156,8 @@ class Assembly:
             columns = slice(start, start + AT_ONCE)
             out[:, columns] = product(np.ascontiguousarray(vectors[:, columns]))
 
-        starts = range(0, vectors.shape[1], AT_ONCE)
-        if len(starts) < 2:
-            for start in starts:
-                some(start)
-            return out
         self.prepare()
-        with threadpool_limits(1), ThreadPoolExecutor(threads()) as pool:
-            list(pool.map(some, starts))
+        each(some, range(0, vectors.shape[1], AT_ONCE))
         return out
 
     # -- the matrix on the skeleton ---------------------------------------------------------------

@@ -36,7 +36,7 @@ def blocks_of(plate: Plate) -> dict[Block, tuple[Attached, ...]]:
     for block, members in special:
         pressed = len(block.tiles) == 1 and all(isinstance(member, Force) for member in members)
         if not (pressed or _is_plain(layout, block)):
-            raise GeometryError(
+            raise GeometryError.unsupported(
                 argument="plate",
                 given=" and ".join(f'"{member.name}"' for member in members) + " on one block of tiles",
                 allowed="a block of nothing but plain tiles below what shares a tile with something else",

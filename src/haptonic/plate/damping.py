@@ -8,17 +8,15 @@ frequency costs little (Woodbury 1950, Inverting modified matrices, Princeton me
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 import scipy.linalg as la
 from numpy.typing import NDArray
-from threadpoolctl import threadpool_limits
 
+from haptonic.parallel import each
 from haptonic.plate.krylov import Basis
-from haptonic.superelement.parallel import threads
 
 Array = NDArray[np.float64]
 Ints = NDArray[np.int64]
@@ -141,6 +139,5 @@ def amplitudes(
         correction = moved(left_out(found))
         return found - correction, left_out(correction)
 
-    with threadpool_limits(1), ThreadPoolExecutor(threads()) as pool:
-        found, left = zip(*pool.map(some, range(0, len(omega), AT_ONCE)), strict=True)
+    found, left = zip(*each(some, range(0, len(omega), AT_ONCE)), strict=True)
     return np.hstack(found), np.hstack(left)

@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from haptonic.plate import Band, Plate, PlateModel, PlateModes, Vibration
 from haptonic.plate.keys import PLATE, PartKey
 from haptonic.plate.nodal import nodal_name
-from haptonic.plate.question import reference_of
+from haptonic.plate.sampling import reference_of
 
 Array = NDArray[np.float64]
 

@@ -71,11 +71,13 @@ class Edges:
         on_springs = [side for side in SIDES if getattr(self, side) == "spring"]
         if on_springs and self.spring is None:
             raise problem(
+                "missing",
                 "nothing", f"a stiffness per area, because {on_springs[0]} is on a spring",
                 "the stiffness was left out", 'add spring = "1e12 N/m^3"', at="spring",
             )  # fmt: skip
         if self.spring is not None and not on_springs:
             raise problem(
+                "conflict",
                 format_quantity(self.spring, "N/m^3"), 'a stiffness only where some edge is on a "spring"',
                 "no edge is", 'write left = "spring", or leave spring out', at="spring",
             )  # fmt: skip
@@ -126,6 +128,7 @@ class Clamp:
 def _belongs_to_springs(held: Edges | Clamp) -> None:
     if held.loss_factor and held.spring is None:
         raise problem(
+            "conflict",
             format_quantity(held.loss_factor, ""), "a loss factor only where there are springs",
             "what is clamped does not move, so it loses nothing", "leave it out, or give a spring",
             at="loss_factor",

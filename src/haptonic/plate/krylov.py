@@ -8,7 +8,6 @@ any damping may couple them. Inertia counts at the shifts tell whether a mode of
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from functools import cached_property
 from itertools import pairwise
@@ -16,10 +15,9 @@ from itertools import pairwise
 import numpy as np
 import scipy.linalg as la
 from numpy.typing import NDArray
-from threadpoolctl import threadpool_limits
 
+from haptonic.parallel import each
 from haptonic.plate.assembly import AT_ONCE, Assembly, Shifted
-from haptonic.superelement.parallel import threads
 
 Array = NDArray[np.float64]
 
@@ -125,11 +123,7 @@ def chains(
         return found
 
     assembly.prepare()
-    with threadpool_limits(1):
-        if threads() == 1:
-            return [one(shift) for shift in shifts]
-        with ThreadPoolExecutor(threads()) as pool:
-            return list(pool.map(one, shifts))
+    return each(one, shifts)
 
 
 @dataclass(frozen=True, eq=False)
@@ -161,8 +155,7 @@ class Basis:
             reduced[:end, start:end] = raw[:, :end].T @ assembly.stiffness_times(raw[:, start:end])
 
         assembly.prepare()
-        with threadpool_limits(1), ThreadPoolExecutor(threads()) as pool:
-            list(pool.map(project, range(0, span.count, AT_ONCE)))
+        each(project, range(0, span.count, AT_ONCE))
         values, turn = la.eigh(reduced, lower=False, driver="evd", overwrite_a=True)
         return cls(raw, turn, values, below)
 

@@ -10,7 +10,7 @@ import xarray as xr
 from numpy.typing import NDArray
 
 from haptonic.plate.parts import Plate
-from haptonic.plate.question import driven_region, loudest_within, points_of
+from haptonic.plate.sampling import driven_region, loudest_within, points_of
 from haptonic.response import FrequencyResponse, contrast, disc_average
 from haptonic.response.checks import REST, THE_REST
 

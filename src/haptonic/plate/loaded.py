@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from haptonic.gate import WORD
 from haptonic.plate import Band, Fineness, Plate, PlateModel, PlateModes, modes_between
-from haptonic.plate.question import (
+from haptonic.plate.sampling import (
     NEAR,
     driven_region,
     grid_points,

@@ -68,6 +68,7 @@ class Actuator:
         *sides, thickness = self.size
         if thickness > min(sides):
             raise problem(
+                "out-of-range",
                 format_quantity(thickness, "m"),
                 f"at most its shorter side, {format_quantity(min(sides), 'm')}",
                 "the sizes are in another order, or this is a stack, which has more than two electrodes",
@@ -137,6 +138,7 @@ class Finger:
     def __post_init__(self) -> None:
         if self.stiffness == 0 and self.damping == 0:
             raise problem(
+                "missing",
                 "neither stiffness nor damping",
                 "at least one of them above zero",
                 "nothing ties the finger to the plate",

@@ -13,6 +13,7 @@ from threadpoolctl import threadpool_limits
 
 from haptonic.cell import MeshPlan, UnitCell
 from haptonic.lattice import Lattice
+from haptonic.parallel import threads
 from haptonic.plate.blocks import Attached
 from haptonic.plate.body import Body, BodyOrders, body, body_of_cell
 from haptonic.plate.bonds import Bonded
@@ -23,7 +24,6 @@ from haptonic.plate.reduction import block_tile, cell_tile
 from haptonic.plate.skeleton import Block, TraceOrders
 from haptonic.plate.surface import surface_weights
 from haptonic.plate.tile import Tile
-from haptonic.superelement.parallel import threads
 
 Array = NDArray[np.float64]
 

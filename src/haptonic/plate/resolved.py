@@ -29,7 +29,7 @@ def check_resolved(layout: Layout, orders: TraceOrders, highest: float) -> None:
     if highest > allowed:
         limit = format_quantity(0.9995 * allowed, "Hz")  # rounded, but not up
         edge = format_quantity(_edge(layout), "m")
-        raise HaptonicError(
+        raise HaptonicError.out_of_range(
             argument="frequency",
             given=format_quantity(highest, "Hz"),
             allowed=f"at most {limit} on this plate, of which a tile is {edge} long",

@@ -10,15 +10,17 @@ from pydantic import Field
 
 from haptonic.fields import Quantity, ascending, described, size, unchecked
 
-Frequency = Annotated[float, Quantity("Hz", at_least=1.0, at_most=1e9, typical=(1.0, 1e6))]
+ResponseFrequency = Annotated[float, Quantity("Hz", at_least=1.0, at_most=1e9, typical=(1.0, 1e6))]
 
 
 @described("plate.response", kw_only=True)
 class ResponseSettings:
     """What is asked of the plate's vibration."""
 
-    lowest: Frequency = Field(default=100.0, title="Lowest frequency", description="Of the response.")
-    highest: Frequency = Field(default=100e3, title="Highest frequency", description="Of the response.")
+    lowest: ResponseFrequency = Field(default=100.0, title="Lowest frequency", description="Of the response.")
+    highest: ResponseFrequency = Field(
+        default=100e3, title="Highest frequency", description="Of the response."
+    )
     points: Annotated[int, Field(ge=2, le=1_000_001, strict=True)] = Field(
         default=1001, title="Frequencies", description="Of the response, both ends included."
     )

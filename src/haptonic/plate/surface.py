@@ -168,7 +168,7 @@ def _refuse_missed(found: Ints, where: Array) -> None:
     missed = np.setdiff1d(np.arange(len(where)), found)
     if len(missed):
         x, y = where[missed[0]] * 1e3
-        raise GeometryError(
+        raise GeometryError.out_of_range(
             argument="points of the flat face",
             given=f"{len(missed)} of {len(where)} beside it, the first at x = {x:.6g} mm, y = {y:.6g} mm",
             allowed="points on the tile, its border included",

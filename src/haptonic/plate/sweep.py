@@ -146,7 +146,7 @@ class Band:
         poor = np.flatnonzero(vibration.error > tolerance)
         if len(poor):
             worst = float(frequencies[vibration.error.argmax()])
-            raise HaptonicError(
+            raise HaptonicError.inaccurate(
                 argument="plate.response.tolerance",
                 given=f"{tolerance:g}",
                 allowed=f"what can be reached: {len(poor)} of {len(omega)} lines stay above it, the worst at "
@@ -218,7 +218,7 @@ def check_cost(plate: Plate, high: float, *, single: bool = False) -> None:
     single : only this frequency is asked for, which needs no basis
     """
     names = [name for row in plate.layout.tiles for name in row if name]
-    modes = 0 if single else _pillars_modes(plate, high)
+    modes = 0 if single else pillars_modes(plate, high)
     basis = 8.0 * COPIES * UNKNOWNS * len(names) * BLOCK * LENGTH * modes / MODES
     needed, there = max(basis, FACTORS * len(names)), psutil.virtual_memory().total
     if needed <= there:
@@ -227,7 +227,7 @@ def check_cost(plate: Plate, high: float, *, single: bool = False) -> None:
     fits = int(share * len(names))
     gigabytes = f"{needed / 1e9:.0f} GB"
     asked = "at" if single else f"with {plate.layout.pillars} pillars, for a basis up to"
-    raise ResourceError(
+    raise ResourceError.too_large(
         argument="plate.map",
         given=f"{len(names)} tiles {asked} {high / 1e3:.4g} kHz",
         allowed=f"about {fits} such tiles in the {there / 1e9:.1f} GB of this machine",
@@ -238,7 +238,7 @@ def check_cost(plate: Plate, high: float, *, single: bool = False) -> None:
     )
 
 
-def _pillars_modes(plate: Plate, high: float) -> int:
+def pillars_modes(plate: Plate, high: float) -> int:
     """Modes below a frequency, Hz, at least: those of each pillar as a cantilever that bends in two
     directions on a rigid foot."""
     layout = plate.layout
@@ -283,7 +283,7 @@ def _check_fit(model: PlateModel, high: float, shifts: int, modes: int, how_sure
     needed = _needed(model, shifts, modes)
     free = psutil.virtual_memory().available
     if needed > free:
-        raise ResourceError(
+        raise ResourceError.too_large(
             argument="plate.response.highest",
             given=f"{np.sqrt(high) / (2e3 * np.pi * (1 + BEYOND)):.4g} kHz, for a plate of "
             f"{model.plate.layout.pillars} pillars and {model.assembly.size} unknowns",

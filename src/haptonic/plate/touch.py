@@ -10,19 +10,17 @@ every place of the face is answered without a factorisation.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 
 import numpy as np
 import scipy.linalg as la
 from numpy.typing import NDArray
-from threadpoolctl import threadpool_limits
 
+from haptonic.parallel import each
 from haptonic.plate.damping import real_times
 from haptonic.plate.keys import PLATE
 from haptonic.plate.vibration import ReducedPlate
 from haptonic.response.measures import discs
-from haptonic.superelement.parallel import threads
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
@@ -89,8 +87,7 @@ def below_finger(
             left = np.linalg.solve(unit + share * among, moved[index[picked]][..., None])[..., 0]
             found[row, picked] = np.sqrt((np.abs(left) ** 2).sum(axis=1) / count[picked])
 
-    with threadpool_limits(1), ThreadPoolExecutor(threads()) as pool:
-        list(pool.map(some, range(0, len(index), TOGETHER)))
+    each(some, range(0, len(index), TOGETHER))
     return found
 
 

@@ -3,21 +3,19 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, fields, replace
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
-from threadpoolctl import threadpool_limits
 
+from haptonic.parallel import each
 from haptonic.plate.assembly import Shifted
 from haptonic.plate.damping import ReducedExtra, amplitudes, real_times
 from haptonic.plate.keys import FINGER, PLATE, SUPPORTS, PartKey, dielectric
 from haptonic.plate.krylov import Basis
 from haptonic.plate.model import PlateModel
 from haptonic.plate.model import impedance as finger_impedance
-from haptonic.superelement.parallel import threads
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
@@ -134,11 +132,8 @@ class ReducedPlate:
         model = self.model
         checker = _Checker(self, model.load(drives), vectors, omega)
         model.assembly.prepare()
-        with threadpool_limits(1), ThreadPoolExecutor(threads()) as pool:
-            starts = range(0, len(omega), CHUNK)
-            pieces = list(
-                pool.map(lambda k: checker.lines(omega[k : k + CHUNK], found[:, k : k + CHUNK]), starts)
-            )
+        starts = range(0, len(omega), CHUNK)
+        pieces = each(lambda k: checker.lines(omega[k : k + CHUNK], found[:, k : k + CHUNK]), starts)
         checker.release()
         seen = _Checked.joined(pieces)
         error = ROUNDING + np.sqrt((seen.missed + missed) / np.maximum(seen.energy, TINY))

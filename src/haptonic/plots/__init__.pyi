@@ -1,4 +1,5 @@
 from .bands import dispersion
+from .compared import compared
 from .designs import front, search
 from .feel import friction_map, reduction_curve
 from .friction import conditions, reductions, trial_sheet
@@ -9,10 +10,10 @@ from .planning import power
 from .plates import plate_plan
 from .scans import (
     average_response,
+    decay_map,
     drive_signal,
-    fading,
-    fading_map,
     measured_contrast,
+    measured_decay,
     point_quality,
     wave_map,
 )
@@ -27,14 +28,14 @@ __all__ = [
     "animated",
     "average_response",
     "before_after",
+    "compared",
     "conditions",
     "contrast_spectrum",
     "decay",
+    "decay_map",
     "density_of_states",
     "dispersion",
     "drive_signal",
-    "fading",
-    "fading_map",
     "frac_maps",
     "friction_map",
     "front",
@@ -46,6 +47,7 @@ __all__ = [
     "maps",
     "maps_compared",
     "measured_contrast",
+    "measured_decay",
     "mode_shapes",
     "plate_plan",
     "point_quality",

@@ -12,7 +12,7 @@ from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
 from haptonic.plots import style
-from haptonic.plots.words import khz
+from haptonic.plots.text import khz
 
 Array = NDArray[np.float64]
 Ints = NDArray[np.int64]

@@ -18,7 +18,7 @@ from haptonic.plate.layout import Layout
 from haptonic.plots import style
 from haptonic.plots.mapped import ends, outlined
 from haptonic.plots.spectra import LOOKS
-from haptonic.plots.words import label
+from haptonic.plots.text import label
 
 PANELS = {"low": "least, within the band", "value": "prediction", "high": "most, within the band"}
 

@@ -19,7 +19,7 @@ from haptonic.friction.signals.record import EVERYBODY
 from haptonic.friction.statistics import IntervalEstimate
 from haptonic.friction.statistics.summary import Condition
 from haptonic.plots import style
-from haptonic.plots.words import label
+from haptonic.plots.text import label
 
 Array = NDArray[np.float64]
 

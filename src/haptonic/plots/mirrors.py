@@ -12,7 +12,7 @@ from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
 from haptonic.plots import style
-from haptonic.plots.words import in_pi
+from haptonic.plots.text import in_pi
 
 Array = NDArray[np.float64]
 

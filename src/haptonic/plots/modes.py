@@ -77,6 +77,7 @@ def mode_shapes(dataset: xr.Dataset) -> Figure:
         name = names[int(dataset["mode_name"][k])]
         frequency = float(dataset["mode_frequency"][k]) / 1e3
         axes.set_title(f"M{k + 1}  {frequency:.2f} kHz\n{name}", fontsize=8.5)
+    figure.suptitle(f"modes at {dataset.attrs['modes_at']}", fontsize=9, gid="wavevector")
     bar = figure.colorbar(
         ScalarMappable(Normalize(0, 1), style.perceptual()),
         ax=list(panels), location="bottom", shrink=0.5, aspect=35, pad=0.02,

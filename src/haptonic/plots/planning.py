@@ -7,7 +7,7 @@ from matplotlib.figure import Figure
 from matplotlib.ticker import MaxNLocator
 
 from haptonic.plots import style
-from haptonic.plots.words import label
+from haptonic.plots.text import label
 
 SIDES = ((style.BLUE, "o"), (style.ORANGE, "s"))
 

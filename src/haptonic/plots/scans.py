@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 
 from haptonic.plots import style
 from haptonic.plots.spectra import curves, finished, shaded
-from haptonic.plots.words import in_pi
+from haptonic.plots.text import in_pi
 
 if TYPE_CHECKING:
     from haptonic.vibrometry import Drive, LatticeGap, MeasuredGap, Quality
@@ -96,7 +96,7 @@ def measured_contrast(
 
 
 @style.drawn
-def fading_map(
+def decay_map(
     fades: xr.DataArray,
     found: LatticeGap | None,
     computed: tuple[float, float] | None,
@@ -180,7 +180,7 @@ def wave_map(
 
 
 @style.drawn
-def fading(
+def measured_decay(
     decay: xr.Dataset, computed: xr.Dataset | None, gap: tuple[float, float] | None, *, origin: str
 ) -> Figure:
     """Decay through a lattice in dB per cell against frequency, beside the computed evanescent waves."""

@@ -13,7 +13,7 @@ from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
 from haptonic.plots import style
-from haptonic.plots.words import label
+from haptonic.plots.text import label
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complexfloating[Any, Any]]

@@ -13,7 +13,7 @@ from matplotlib.patches import Patch
 from numpy.typing import NDArray
 
 from haptonic.plots import style
-from haptonic.plots.words import readable, scaled_unit
+from haptonic.plots.text import readable, scaled_unit
 
 Array = NDArray[np.float64]
 

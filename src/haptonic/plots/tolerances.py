@@ -8,7 +8,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from haptonic.plots import style
-from haptonic.plots.words import readable
+from haptonic.plots.text import readable
 
 SIDES = (("lower edge", style.BLUE), ("upper edge", style.ORANGE))
 

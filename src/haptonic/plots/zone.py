@@ -16,7 +16,7 @@ from haptonic.brillouin import IrreducibleZone
 from haptonic.lattice import Lattice, PointGroup
 from haptonic.plots import style
 from haptonic.plots.bands import complete_gaps
-from haptonic.plots.words import khz
+from haptonic.plots.text import khz
 
 LEVELS = 9
 

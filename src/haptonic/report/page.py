@@ -15,10 +15,10 @@ from haptonic.fields import table
 from haptonic.fields.keys import key_of, leaves
 from haptonic.materials import built_in_name
 from haptonic.pages import filled
-from haptonic.plots.words import khz
+from haptonic.plots.text import khz
 from haptonic.report.chapter import Absent, Chapter, Results, Table
 from haptonic.report.chapters import IN_ORDER, others
-from haptonic.report.chapters.dispersion import in_words
+from haptonic.report.chapters.dispersion import gap_text
 from haptonic.store import refuse_overwrite, write_atomically
 from haptonic.study.schema import Description
 from haptonic.units import format_quantity
@@ -73,7 +73,7 @@ def _key_numbers(results: Results) -> list[tuple[str, str]]:
         ("Unit cell", f"{cell.lattice.name} lattice; {'; '.join(sizes)}"),
         ("Material", study.cell.material.name),
         ("Carrier", "not given" if study.carrier is None else f"{study.carrier / 1e3:g} kHz"),
-        ("Complete gap", "; ".join(in_words(gap) for gap in complete) or "none found"),
+        ("Complete gap", "; ".join(gap_text(gap) for gap in complete) or "none found"),
     ]
     if complete:
         widest = max(complete, key=lambda gap: gap.width)

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from haptonic.errors import ResponseError, nearest
+from haptonic.errors import ResponseError
 from haptonic.response.reference import Reference
 
 DIRECTIONS = ("x", "y", "z")
@@ -22,21 +22,15 @@ Numbers = NDArray[Any]
 def one_of(given: str, allowed: tuple[str, ...], argument: str) -> None:
     """Refuse a word that is none of the allowed ones."""
     if given not in allowed:
-        guess = nearest(str(given), allowed)
-        raise ResponseError(
-            argument=f"response.{argument}",
-            given=f'"{given}"',
-            allowed=" or ".join(f'"{word}"' for word in allowed),
-            cause="the word is misspelt, or haptonic does not know such a response",
-            next_step=f'did you mean "{guess}"?' if guess else "choose one of these",
-        )
+        cause = "the word is misspelt, or haptonic does not know such a response"
+        raise ResponseError.unknown(f"response.{argument}", given, allowed, cause)
 
 
 def directions(given: Sequence[str]) -> None:
     """Refuse directions other than x, y and z, and repeated ones."""
     known = not isinstance(given, str) and all(name in DIRECTIONS for name in given)
     if not (known and given and len(set(given)) == len(given)):
-        raise ResponseError(
+        raise ResponseError.malformed(
             argument="response.direction",
             given=repr(given),
             allowed='a list of one to three of "x", "y" and "z", each once',
@@ -48,7 +42,7 @@ def directions(given: Sequence[str]) -> None:
 def reference(given: Reference) -> None:
     """Refuse a reference that is not a name and a unit."""
     if given and not (given.name.strip() and given.unit):
-        raise ResponseError(
+        raise ResponseError.malformed(
             argument="response.reference",
             given=f'"{given}"',
             allowed='a name and a unit, such as "A1, V", or nothing',
@@ -62,7 +56,7 @@ def frequencies(given: Numbers) -> None:
     array = np.asarray(given)
     fine = array.ndim == 1 and array.size > 0 and array.dtype.kind == "f" and bool(np.isfinite(array).all())
     if not (fine and array[0] >= 0 and (np.diff(array) > 0).all()):
-        raise ResponseError(
+        raise ResponseError.malformed(
             argument="response.frequency",
             given=_described(array),
             allowed="one or more frequencies in Hz, finite, not negative, strictly ascending",
@@ -75,7 +69,7 @@ def positions(x: Numbers, y: Numbers) -> None:
     """Refuse positions that are not finite or not in pairs."""
     for name, given in (("x", np.asarray(x)), ("y", np.asarray(y))):
         if not (given.ndim == 1 and given.size and given.dtype.kind == "f" and np.isfinite(given).all()):
-            raise ResponseError(
+            raise ResponseError.malformed(
                 argument=f"response.{name}",
                 given=_described(given),
                 allowed="finite positions in m, one for each point",
@@ -83,7 +77,7 @@ def positions(x: Numbers, y: Numbers) -> None:
                 next_step="give one number for each point, in m",
             )
     if len(x) != len(y):
-        raise ResponseError(
+        raise ResponseError.mismatch(
             argument="response.y",
             given=f"{len(y)} positions along y, {len(x)} along x",
             allowed="as many as along x",
@@ -96,7 +90,7 @@ def response(given: Numbers, shape: tuple[int, int, int]) -> None:
     """Refuse a response of another shape or type, or with numbers that are not finite."""
     array = np.asarray(given)
     if array.dtype not in (np.complex64, np.complex128) or array.shape != shape:
-        raise ResponseError(
+        raise ResponseError.malformed(
             argument="response.response",
             given=_described(array),
             allowed=f"complex, of shape {shape}: frequency, point, direction",
@@ -110,7 +104,7 @@ def coherence(given: Numbers, shape: tuple[int, int]) -> None:
     """Refuse coherences of another shape or outside of [0, 1]."""
     array = np.asarray(given)
     if array.dtype.kind != "f" or array.shape != shape:
-        raise ResponseError(
+        raise ResponseError.malformed(
             argument="response.coherence",
             given=_described(array),
             allowed=f"real, of shape {shape}: frequency, point",
@@ -119,7 +113,7 @@ def coherence(given: Numbers, shape: tuple[int, int]) -> None:
         )
     _refuse_not_finite("coherence", array)
     if array.min() < 0 or array.max() > 1 + SLACK:
-        raise ResponseError(
+        raise ResponseError.out_of_range(
             argument="response.coherence",
             given=f"{array.min():g} to {array.max():g}",
             allowed="between 0 and 1",
@@ -131,7 +125,7 @@ def coherence(given: Numbers, shape: tuple[int, int]) -> None:
 def regions(given: Sequence[str], points: int) -> None:
     """Refuse names of regions that are not one for each point."""
     if len(given) != points or isinstance(given, str):
-        raise ResponseError(
+        raise ResponseError.mismatch(
             argument="response.region",
             given=f"{len(given)} names for {points} points",
             allowed="one name for each point, empty outside of any region",
@@ -139,7 +133,7 @@ def regions(given: Sequence[str], points: int) -> None:
             next_step="name the region of every point",
         )
     if REST in given:
-        raise ResponseError(
+        raise ResponseError.conflict(
             argument="response.region",
             given=f'"{REST}"',
             allowed="any other name",
@@ -153,7 +147,7 @@ def one_point_each(place: NDArray[np.int64], points: NDArray[np.float64]) -> Non
     _, first, times = np.unique(place, return_index=True, return_counts=True)
     if times.max() > 1:
         x, y = points[first[times.argmax()]] * 1e3
-        raise ResponseError(
+        raise ResponseError.repeated(
             argument="points",
             given=f"{times.max()} points at x = {x:.4g} mm, y = {y:.4g} mm",
             allowed="one point on each place of the grid",
@@ -165,7 +159,7 @@ def one_point_each(place: NDArray[np.int64], points: NDArray[np.float64]) -> Non
 def _refuse_not_finite(name: str, array: Numbers) -> None:
     bad = np.argwhere(~np.isfinite(array))
     if len(bad):
-        raise ResponseError(
+        raise ResponseError.malformed(
             argument=f"response.{name}",
             given=f"{len(bad)} numbers that are not finite, the first at line {bad[0][0]}, point {bad[0][1]}",
             allowed="finite numbers",

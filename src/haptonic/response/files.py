@@ -107,7 +107,7 @@ def _made(parts: Mapping[str, NDArray[Any]], notes: Mapping[Any, Any]) -> Freque
 
 
 def _foreign(path: Path, found: str) -> ResponseError:
-    return ResponseError(
+    return ResponseError.unreadable(
         argument="file of a frequency response",
         given=f"{path}: {found}",
         allowed="a file that haptonic wrote, or made from a scan",
@@ -117,7 +117,7 @@ def _foreign(path: Path, found: str) -> ResponseError:
 
 
 def _unreadable(path: Path, cause: str, next_step: str) -> ResourceError:
-    return ResourceError(
+    return ResourceError.unreadable(
         argument="file of a frequency response",
         given=path,
         allowed="a file that can be read",

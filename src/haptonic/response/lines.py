@@ -45,7 +45,7 @@ def regular_line(coordinate: Array, extent: float, name: str) -> tuple[Ints, Arr
     step, first = np.polynomial.polynomial.polyfit(number, middle, 1)[::-1]
     off = np.abs(first + step * number - middle)
     if off.max() > OFF * step:
-        raise ResponseError(
+        raise ResponseError.unsupported(
             argument=f"{name} of the points",
             given=f"{middle[off.argmax()] * 1e3:.4g} mm, where steps are {step * 1e3:.4g} mm",
             allowed="points in evenly spaced rows and columns along x and y; some of them may be missing",

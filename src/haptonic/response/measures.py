@@ -122,7 +122,7 @@ def sides(response: FrequencyResponse, over: str, under: str) -> tuple[Bools, Bo
     )
     for name, mask in ((over, upper), (under, lower)):
         if not mask.any():
-            raise ResponseError(
+            raise ResponseError.missing(
                 argument="region",
                 given=f'"{name}"',
                 allowed="a region with points in it",
@@ -152,7 +152,7 @@ def disc_average(response: FrequencyResponse, diameter: float) -> xr.DataArray:
     ResponseError : the diameter is not positive
     """
     if not (np.isfinite(diameter) and diameter > 0):
-        raise ResponseError(
+        raise ResponseError.out_of_range(
             argument="diameter",
             given=f"{diameter} m",
             allowed="a positive length",
@@ -202,7 +202,7 @@ def cmif(responses: Sequence[FrequencyResponse]) -> xr.DataArray:
     ResponseError : no response, or responses of different shapes
     """
     if not responses or len({response.values.shape for response in responses}) != 1:
-        raise ResponseError(
+        raise ResponseError.mismatch(
             argument="responses",
             given=", ".join(str(response.values.shape) for response in responses) or "none",
             allowed="one response for each reference, on the same lines, points and directions",
@@ -226,7 +226,7 @@ def _unit(shapes: Complex, axis: int) -> Complex:
     """Shapes of length 1, in double precision, or an error if one is zero."""
     largest = np.abs(shapes).max(axis=axis, keepdims=True)
     if not (largest > 0).all():
-        raise ResponseError(
+        raise ResponseError.no_answer(
             argument="shape",
             given=f"zero everywhere, in {np.count_nonzero(largest == 0)} of {largest.size}",
             allowed="a shape that is not zero",
@@ -238,7 +238,7 @@ def _unit(shapes: Complex, axis: int) -> Complex:
 
 
 def _unlike(a: Complex, b: Complex, allowed: str) -> ResponseError:
-    return ResponseError(
+    return ResponseError.mismatch(
         argument="shapes",
         given=f"{a.shape} and {b.shape}",
         allowed=allowed,

@@ -15,7 +15,7 @@ import numpy as np
 import xarray as xr
 from numpy.typing import NDArray
 
-from haptonic.errors import ResponseError, nearest
+from haptonic.errors import ResponseError
 from haptonic.response import checks
 from haptonic.response.lines import regular_line
 from haptonic.response.reference import Reference
@@ -161,7 +161,7 @@ class FrequencyResponse:
         lines = self.frequency
         slack = ROUNDING * lines[-1]
         if not lines[0] - slack <= frequency <= lines[-1] + slack:
-            raise ResponseError(
+            raise ResponseError.out_of_range(
                 argument="frequency",
                 given=f"{frequency:g} Hz",
                 allowed=f"between {lines[0]:g} and {lines[-1]:g} Hz, the range of the response",
@@ -181,7 +181,7 @@ class FrequencyResponse:
         slack = ROUNDING * lines[-1]
         start, stop = np.searchsorted(lines, [low - slack, high + slack])
         if not start < stop:
-            raise ResponseError(
+            raise ResponseError.no_answer(
                 argument="between",
                 given=f"{low:g} to {high:g} Hz",
                 allowed=f"a range with at least one line; they lie between {lines[0]:g} and {lines[-1]:g} Hz",
@@ -208,15 +208,8 @@ class FrequencyResponse:
         ResponseError : no point lies in a region of that name
         """
         if name not in self.regions:
-            known = ", ".join(self.regions) or "none: the points have no regions"
-            guess = nearest(name, self.regions)
-            raise ResponseError(
-                argument="region",
-                given=f'"{name}"',
-                allowed=f"a region of the response ({known})",
-                cause="the name is misspelt, or no point lies there",
-                next_step=f'did you mean "{guess}"?' if guess else "choose one of these",
-            )
+            cause = "the name is misspelt, or no point lies there"
+            raise ResponseError.unknown("region", name, self.regions, cause)
         return np.asarray(self.dataset["region"].values == name)
 
     def displacement(self) -> FrequencyResponse:

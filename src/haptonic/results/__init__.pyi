@@ -6,13 +6,13 @@ from .friction import FrictionResult, compute_friction
 from .guides import Guides, compute_guides
 from .layers import Layers, compute_layers
 from .plate import PlateResult, compute_plate
-from .protocol import Plan
+from .protocol import TrialPlan
 from .result import Result
 from .runner import Runner, design_gaps
 from .sweeps import Sweep, Sweeps
 from .table import Column, Table, Uncertain
 from .tolerance import Tolerance
-from .twin import FrictionTwin, friction_twin
+from .simulated_friction import SimulatedFriction, simulated_friction
 from .verdict import Verdict
 
 __all__ = [
@@ -21,10 +21,10 @@ __all__ = [
     "Design",
     "Feel",
     "FrictionResult",
-    "FrictionTwin",
+    "SimulatedFriction",
     "Guides",
     "Layers",
-    "Plan",
+    "TrialPlan",
     "PlateResult",
     "Result",
     "Runner",
@@ -42,7 +42,7 @@ __all__ = [
     "compute_layers",
     "compute_plate",
     "design_gaps",
-    "friction_twin",
+    "simulated_friction",
     "refuse_taken",
     "write_files",
     "write_netcdf",

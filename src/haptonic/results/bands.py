@@ -16,7 +16,7 @@ from haptonic import plots, vtu
 from haptonic.bloch import Gap, bands_dataset, gaps_of
 from haptonic.bloch.settings import BandSettings
 from haptonic.cell import UnitCell
-from haptonic.plots.words import khz
+from haptonic.plots.text import khz
 from haptonic.results.common import stamped
 from haptonic.results.plain import plain
 from haptonic.results.result import Result, figure, file
@@ -60,7 +60,8 @@ class Bands(Result):
             for gap in complete
         ]
         said += [] if complete else ["There is no complete gap among the bands that were computed."]
-        return [*said, counted(**self._counts)]
+        drawn = f"Mode shapes are those at {self.dataset.attrs['modes_at']}."
+        return [*said, counted(**self._counts), drawn]
 
     def tables(self) -> list[Table]:
         gaps = self.gaps
@@ -165,22 +166,21 @@ def compute_bands(
     inputs: Mapping[str, Any],
     carrier: float | None,
     store: Store,
+    modes_at: str | None = None,
 ) -> Bands:
     """Bands of a cell, from the store if they were computed before.
 
     Parameters
     ----------
     surface : also sample the whole zone evenly
+    modes_at : wavevector of the mode shapes, see `haptonic.bloch.wavevectors`
     inputs : plain values of what was asked, for the result's attributes
     carrier : Hz, marked in the diagram
     """
     dataset = store.kept(
-        {"kind": "bands", "surface": surface, "cell": cell, "settings": settings},
-        lambda: bands_dataset(
-            cell, count=settings.count, points=settings.points, accuracy=settings.accuracy,
-            resolution=settings.resolution, surface=surface,
-        ),
-    )  # fmt: skip
+        {"kind": "bands", "surface": surface, "modes_at": modes_at, "cell": cell, "settings": settings},
+        lambda: bands_dataset(cell, settings, surface=surface, modes_at=modes_at),
+    )
     if carrier is not None:
         dataset.attrs["carrier_hz"] = carrier
     return Bands(stamped(dataset, inputs))

@@ -19,7 +19,7 @@ from haptonic.friction.statistics.summary import Summary, summary
 from haptonic.names import cell
 from haptonic.paths import source as checked
 from haptonic.progress import Progress, silent
-from haptonic.results.friction_tables import conditions_table, excluded_table, tests_tables, told
+from haptonic.results.friction_tables import conditions_table, excluded_table, tests_tables, reported
 from haptonic.results.plain import determined, plain, split
 from haptonic.results.quality import quality
 from haptonic.results.result import Result, figure, file
@@ -99,7 +99,7 @@ class FrictionResult(Result):
         return plots.reductions(self.found.reductions, self.found.own, origin=self.origin)
 
     def summary(self) -> list[str]:
-        return told(self)
+        return reported(self)
 
     def remarks(self) -> list[str]:
         return list(self.found.omissions)
@@ -130,7 +130,7 @@ class FrictionResult(Result):
         found, trials = self.found, self.trials
         named = ["participant", "block", "trial", "waveguide", "actuation", "excluded", "detail"]
         left_out = trials[named].isel(stroke=trials["excluded"].values != "")
-        told = {
+        reported = {
             "trials": trials.sizes["stroke"],
             "excluded": split(left_out.reset_coords(), "stroke"),
             "exclusions": self.excluded,
@@ -152,7 +152,7 @@ class FrictionResult(Result):
             "equivalence": found.equivalences,
             "drift": found.drift,
         }
-        return {name: determined(plain(one)) for name, one in told.items()}
+        return {name: determined(plain(one)) for name, one in reported.items()}
 
 
 def compute_friction(

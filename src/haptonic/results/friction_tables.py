@@ -21,7 +21,7 @@ MOST_SHOWN = 12  # participants whose rows are shown
 Row = TypeVar("Row", Condition, Test)
 
 
-def told(result: FrictionResult) -> list[str]:
+def reported(result: FrictionResult) -> list[str]:
     """What may be concluded, then reductions and what reaches the idle waveguide, then what to know of it."""
     found = result.found
     said = list(found.conclusions)

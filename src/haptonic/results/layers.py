@@ -207,9 +207,8 @@ def compute_layers(
         wave propagates towards the rows at the carrier
     """
     if cell.pillar is None:
-        raise StudyError(
+        raise StudyError.missing(
             argument="cell.pillar",
-            given="nothing",
             allowed="a cell with a pillar",
             cause="rows of plain plate between two plain plates reflect nothing",
             next_step="add a [cell.pillar] table",
@@ -218,7 +217,7 @@ def compute_layers(
     incidence = Incidence(layers.angle, layers.count, cell.material.loss_factor)
     gaps = runner.gaps(cell, settings)
     gap = gap_at(gaps, carrier) or widest_gap(gaps)
-    resolution = bloch_model(cell, settings.count, settings.accuracy, settings.resolution).resolution
+    resolution = bloch_model(cell, settings).resolution
     chunks = np.array_split(frequencies, -(-len(frequencies) // CHUNK))
     fixed = {"incidence": incidence, "cell": cell, "resolution": resolution}
     tasks = [
@@ -253,7 +252,7 @@ def _at_carrier(superelement: Superelement, carrier: float, incidence: Incidence
         if one is not None:
             found[family] = one
     if not found:
-        raise StudyError(
+        raise StudyError.no_answer(
             argument="layers.angle",
             given=f"{np.degrees(incidence.angle):g} deg at {format_quantity(carrier, 'Hz')}",
             allowed="an angle at which some plate wave propagates towards the rows",

@@ -42,7 +42,7 @@ class StrokeTask:
 
 
 @dataclass(frozen=True, eq=False, repr=False)
-class Plan(Result):
+class TrialPlan(Result):
     """An experiment before it is made.
 
     study : its title

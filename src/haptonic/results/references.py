@@ -26,7 +26,8 @@ from pydantic import BaseModel, ConfigDict, Field, ValidationError
 
 from haptonic.errors import StudyError
 from haptonic.paths import source
-from haptonic.units import shown, to_si
+from haptonic.units import to_si
+from haptonic.errors import shown
 
 FOLDER = "references"
 Text = Annotated[str, Field(min_length=1, max_length=2000, strict=True)]
@@ -100,7 +101,7 @@ class References(_FileTable):
         try:
             data = tomllib.loads(file.read_text("utf-8"))
         except (OSError, ValueError) as error:
-            raise StudyError(
+            raise StudyError.unreadable(
                 argument="references", given=str(path), allowed="a TOML file with reference values",
                 cause=str(error), next_step="check the name, or write the file anew",
             ) from None  # fmt: skip
@@ -108,7 +109,7 @@ class References(_FileTable):
             return cls.model_validate(data)
         except ValidationError as error:
             first = error.errors()[0]
-            raise StudyError(
+            raise StudyError.malformed(
                 argument=f"{path}: {'.'.join(map(str, first['loc']))}", given=shown(first["input"]),
                 allowed=first["msg"], cause="the file of references has another form there",
                 next_step="write each value, remark and variant as a table of its own, as the example does",

@@ -12,7 +12,8 @@ import xarray as xr
 from haptonic.bloch import Gap, gaps_dataset, gaps_of
 from haptonic.bloch.settings import BandSettings
 from haptonic.cell import UnitCell
-from haptonic.jobs import Outcome, Task, run_all
+from haptonic.errors import HaptonicError
+from haptonic.jobs import Outcome, Task, check_workers, run_all
 from haptonic.progress import Progress, silent
 from haptonic.store import Store
 
@@ -31,6 +32,21 @@ class Runner:
     progress: Progress = silent
     about: Path | None = None
     folder: Path | None = None
+
+    def __post_init__(self) -> None:
+        check_workers(self.workers, self.scheduler)
+        for name, allowed, fits in (
+            ("store", "a haptonic.store.Store", isinstance(self.store, Store)),
+            ("progress", "a function that is called with (done, planned, what)", callable(self.progress)),
+        ):
+            if not fits:
+                raise HaptonicError.malformed(
+                    argument=name,
+                    given=repr(getattr(self, name)),
+                    allowed=allowed,
+                    cause="it is something else, as the name of a folder would be",
+                    next_step="leave it out",
+                )
 
     def run(
         self, function: Callable[[Any], xr.Dataset], tasks: Sequence[Task], done: int
@@ -65,8 +81,5 @@ def _dataset(outcome: Outcome) -> xr.Dataset:
 
 def design_gaps(design: tuple[UnitCell, BandSettings]) -> xr.Dataset:
     """Complete gaps of one design; what a worker is given to do."""
-    cell, settings = design
-    found: xr.Dataset = gaps_dataset(
-        cell, count=settings.count, accuracy=settings.accuracy, resolution=settings.resolution
-    )
+    found: xr.Dataset = gaps_dataset(*design)
     return found

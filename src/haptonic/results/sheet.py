@@ -10,12 +10,12 @@ from haptonic.pages import filled
 from haptonic.units import format_quantity
 
 if TYPE_CHECKING:
-    from haptonic.results.protocol import Plan
+    from haptonic.results.protocol import TrialPlan
 
 TEMPLATE = "sheet.html"
 
 
-def sheet(plan: Plan) -> str:
+def sheet(plan: TrialPlan) -> str:
     """The protocol as one HTML page to print on A4."""
     task = plan.task
     people = [

@@ -172,9 +172,7 @@ class Table:
         ]
 
     def labelled(self, origin: str) -> Table:
-        """With a title that says whether its numbers are measured or simulated, if it does not say so yet."""
-        if origin in self.title:
-            return self
+        """With a title that says whether its numbers are measured or simulated."""
         return Table(f"{self.title} ({origin})", self.columns, self.rows, tuple(self.strong))
 
     def to_dataframe(self) -> pd.DataFrame:

@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 from haptonic import plots
 from haptonic.gate import declared
 from haptonic.plate import Plate
-from haptonic.plate.question import driven_region
+from haptonic.plate.sampling import driven_region
 from haptonic.response import FrequencyResponse, average_spectrum, contrast, write
 from haptonic.results.common import stamped
 from haptonic.results.plain import split

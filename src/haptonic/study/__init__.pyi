@@ -1,12 +1,12 @@
-from .plate_tables import PlateSection
+from .plate_tables import PlateSettings
 from .runs import Study, load, load_trials, loads
-from .sweeps import SweepSection
+from .sweeps import SweepSettings
 from .trial_tables import Trials
 
 __all__ = [
-    "PlateSection",
+    "PlateSettings",
     "Study",
-    "SweepSection",
+    "SweepSettings",
     "Trials",
     "load",
     "load_trials",

@@ -10,7 +10,7 @@ from haptonic.fields import Name, Quantity, described, problem
 
 
 @described("protocol", kw_only=True)
-class ProtocolSection:
+class ProtocolSettings:
     """Trials with people: how many, in which order, and what they are asked to do."""
 
     blocks: Annotated[int, Field(ge=2, le=99, strict=True)] = Field(
@@ -55,11 +55,13 @@ class ProtocolSection:
             number = getattr(self, name)
             if number % 2:
                 raise problem(
+                    "out-of-range",
                     str(number), "an even number", "one condition would have more trials than the other",
                     f"write {number + 1}", at=name,
                 )  # fmt: skip
         if self.driven is not None and self.driven == self.idle:
             raise problem(
+                "conflict",
                 f'"{self.idle}"', "another waveguide than the driven one",
                 "one is compared with the other", "name another one", at="idle",
             )  # fmt: skip

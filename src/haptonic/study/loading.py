@@ -8,12 +8,11 @@ import warnings
 from pathlib import Path
 from typing import Any, TypeVar
 
-from haptonic.errors import HaptonicWarning, StudyError, nearest
+from haptonic.errors import HaptonicWarning, StudyError, nearest, shown
 from haptonic.fields import read, table
 from haptonic.paths import source
 from haptonic.study.schema import Description
 from haptonic.study.trial_tables import Trials, TrialsFile
-from haptonic.units import shown
 
 S = TypeVar("S", bound=Description)
 
@@ -106,7 +105,7 @@ def _parsed(text: str, origin: str) -> dict[str, Any]:
     except ValueError as error:  # ValueError: also for a number of thousands of digits
         raise _malformed(text, origin, error) from None
     if not data:
-        raise StudyError(
+        raise StudyError.missing(
             argument=origin,
             given="a file without any key",
             allowed="a study: at least [material] and [cell]",
@@ -138,7 +137,7 @@ def _malformed(text: str, origin: str, error: Exception) -> StudyError:
         next_step = 'put quotes around the number and its unit: pitch = "7 mm"'
     elif line.startswith("[") and "twice" in message:
         next_step = "a heading may stand there once only; several sweeps are headed [[sweep]] each"
-    return StudyError(
+    return StudyError.malformed(
         argument=f"{origin}, line {number}" if line else origin,
         given=shown(line) if line else "text that is not TOML",
         allowed='TOML: lines such as pitch = "7 mm" below headings such as [cell]',
@@ -148,7 +147,7 @@ def _malformed(text: str, origin: str, error: Exception) -> StudyError:
 
 
 def _unreadable(path: Path, cause: str, next_step: str) -> StudyError:
-    return StudyError(
+    return StudyError.unreadable(
         argument="study",
         given=shown(str(path), 200),
         allowed="a readable text file in TOML",

@@ -4,10 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 
-from haptonic.errors import nearest
+from haptonic.errors import nearest, shown
 from haptonic.fields import problem
 from haptonic.plate.layout import pieces
-from haptonic.units import shown
 
 NOTHING = "."  # the letter of a tile that is not there
 MOST_TILES = 100_000
@@ -19,6 +18,7 @@ def drawn(text: str) -> str:
     lines = [line.strip() for line in text.strip().splitlines()]
     if not any(set(line) - {NOTHING} for line in lines):
         raise problem(
+            "malformed",
             "a map without tiles" if text.strip() else "nothing",
             "lines of letters, one letter for each tile",
             "the map is empty" if not text.strip() else "every letter of it stands for no plate",
@@ -27,6 +27,7 @@ def drawn(text: str) -> str:
     for number, line in enumerate(lines, start=1):
         if len(line) != len(lines[0]):
             raise problem(
+                "malformed",
                 f"{len(line)} tiles in line {number}, {shown(line)}",
                 f"{len(lines[0])} tiles in every line, as in the first",
                 "a tile was left out or written twice" if line else "a line is empty",
@@ -41,6 +42,7 @@ def check_map(lines: Sequence[str], rows: int | None, tiles: Mapping[str, str]) 
     """Refuse letters that do not fit the map, a number of rows that does not, and plates that fall apart."""
     if rows is not None and rows % len(lines):
         raise problem(
+            "conflict",
             str(rows), f"a multiple of {len(lines)}, the lines of the map",
             "the map is repeated as a whole", f"write rows = {max(1, round(rows / len(lines))) * len(lines)}",
             at="rows",
@@ -55,6 +57,7 @@ def check_map(lines: Sequence[str], rows: int | None, tiles: Mapping[str, str]) 
     if len(parts) > 1:
         row, column = min(parts[-1])
         raise problem(
+            "malformed",
             f"{len(parts)} pieces: {', '.join(f'{len(part)} tiles' for part in parts)}",
             "tiles that all hang together by their sides",
             f"the tile in line {len(whole) - row}, column {column + 1} belongs to a piece of its own",
@@ -69,6 +72,7 @@ def _check_letters(lines: Sequence[str], tiles: Mapping[str, str]) -> None:
         at = f"tiles.{letter if letter.isalnum() else shown(letter)}"
         if len(letter) != 1 or letter.isspace() or letter == NOTHING:
             raise problem(
+                "malformed",
                 shown(letter), f'one letter, and not "{NOTHING}"',
                 "that letter is always a tile that is not there" if letter == NOTHING
                 else "every letter of the map is one tile",
@@ -76,6 +80,7 @@ def _check_letters(lines: Sequence[str], tiles: Mapping[str, str]) -> None:
             )  # fmt: skip
         if names.count(name) > 1:
             raise problem(
+                "repeated",
                 f"{shown(name)}, twice", "one letter for each lattice and each region", "a line was copied",
                 "choose another name, or write the same letter in the map", at=at,
             )  # fmt: skip
@@ -84,6 +89,7 @@ def _check_letters(lines: Sequence[str], tiles: Mapping[str, str]) -> None:
             if letter not in tiles and letter != NOTHING:
                 guess = NOTHING if letter.isspace() else _nearest_letter(letter, tiles)
                 raise problem(
+                    "unknown",
                     f"{shown(letter)} in line {number}, column {column}",
                     f'one of {", ".join(tiles)}, or "{NOTHING}" where there is no plate',
                     "[plate.tiles] does not say what this letter is",
@@ -94,6 +100,7 @@ def _check_letters(lines: Sequence[str], tiles: Mapping[str, str]) -> None:
     for letter, name in tiles.items():
         if letter not in used:
             raise problem(
+                "conflict",
                 shown(name), "a name that some tile of the map has",
                 f"the map does not hold the letter {shown(letter)}, so it would have no tiles",
                 "write the letter in the map, or leave it out here", at=f"tiles.{letter}",
@@ -116,6 +123,7 @@ def _check_borders(lines: Sequence[str]) -> None:
     for name, letters in borders.items():
         if not set(letters) - {NOTHING}:
             raise problem(
+                "malformed",
                 f'{name}, all "{NOTHING}"', "a map whose border lines and columns each hold a tile",
                 "the plate is smaller than its map", f"leave {name} out", at="map",
             )  # fmt: skip
@@ -123,6 +131,7 @@ def _check_borders(lines: Sequence[str]) -> None:
 
 def _too_large(rows: int, columns: int, at: str = "") -> Exception:
     return problem(
+        "too-large",
         f"{rows} rows of {columns} tiles", f"at most {MOST_TILES} tiles", "the plate is far too large",
         "choose fewer rows or larger tiles", at=at,
     )  # fmt: skip

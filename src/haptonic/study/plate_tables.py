@@ -8,15 +8,14 @@ from typing import Annotated, Any
 from pydantic import Field, ValidationInfo, field_validator
 
 from haptonic.design.parameters import UNITS
-from haptonic.errors import nearest
-from haptonic.fields import Entries, Name, described, number_of, problem, size
+from haptonic.errors import StudyError, nearest, shown
+from haptonic.fields import Entries, Name, described, handed_on, number_of, problem, size
 from haptonic.materials import Material
 from haptonic.plate.holding import Clamp, Edges, Loss
 from haptonic.plate.parts import Actuator, Finger, Force
 from haptonic.plate.settings import ResponseSettings
 from haptonic.response.checks import REST, THE_REST
 from haptonic.study.plate_map import check_map, drawn
-from haptonic.units import shown
 
 CHANGEABLE = [path for path in UNITS if path.startswith("cell.") and path != "cell.thickness"]
 LATTICE = "lattice"  # the name of the study's own cell in [plate.tiles]
@@ -25,7 +24,7 @@ TileSize = Annotated[float, size(100e-6, 100e-3)]
 
 
 @described("plate.cell", kw_only=True)
-class LatticeSection:
+class LatticeSettings:
     """A further lattice of the plate: the study's own cell with some numbers changed."""
 
     name: Name = Field(title="Name", description="By which tiles refer to it.")
@@ -62,20 +61,13 @@ def _flat(tree: dict[str, Any], prefix: str = "") -> dict[str, object]:
 def _changeable(path: str) -> None:
     if path in CHANGEABLE:
         return
-    guess = nearest(path, CHANGEABLE)
-    whole = path in UNITS
-    raise problem(
-        shown(path),
-        f"one of {', '.join(CHANGEABLE)}",
-        "all lattices of a plate have its thickness and its material"
-        if whole
-        else "no number of the cell has this name",
-        "leave it out" if whole or not guess else f'write "{guess}"',
-    )
+    slip, whole = path not in UNITS, "all lattices of a plate have its thickness and its material"
+    cause = "no number of the cell has this name" if slip else whole
+    raise handed_on(StudyError.unknown("", path, CHANGEABLE, cause, slip=slip, next_step="leave it out"))
 
 
 @described("plate", kw_only=True)
-class PlateSection:
+class PlateSettings:
     """A finite plate: a map of tiles, what holds it and what drives it."""
 
     map: Annotated[str, Field(max_length=200_000, strict=True)] = Field(
@@ -102,7 +94,7 @@ class PlateSection:
         title="Heights",
         description="By region: of its rows without a lattice; else the pitch along y.",
     )
-    cell: tuple[LatticeSection, ...] = Field(
+    cell: tuple[LatticeSettings, ...] = Field(
         default=(), title="Further lattices", description="For tiles of other names.", max_length=20
     )
     edges: Edges = Field(default=Edges(), title="Edges", description="What holds them.")
@@ -135,6 +127,7 @@ class PlateSection:
         for name in tiles.values():
             if name in (REST, THE_REST):
                 raise problem(
+                    "conflict",
                     shown(name), "any other name", "this word stands for all points outside of a region",
                     "choose another name",
                 )  # fmt: skip
@@ -153,6 +146,7 @@ class PlateSection:
             for place, name in places:
                 if name in taken:
                     raise problem(
+                        "repeated",
                         shown(name), f"a name that no other {kind} of the plate has",
                         "it is the study's own cell" if name == LATTICE and place in dict(cells)
                         else "a table was copied",
@@ -186,7 +180,7 @@ class PlateSection:
         guess = nearest(name, known)
         allowed = f"one of {', '.join(known)}" if known else "the name of a region, of which there is none"
         hint = f'write "{guess}"' if guess else "choose one of them, or add it to [plate.tiles]"
-        raise problem(shown(name), allowed, cause, next_step or hint, at=at)
+        raise problem("unknown", shown(name), allowed, cause, next_step or hint, at=at)
 
     @property
     def materials(self) -> dict[str, Material]:

@@ -9,18 +9,18 @@ from itertools import accumulate, combinations
 from typing import TypeVar
 
 from haptonic.cell import UnitCell
-from haptonic.errors import HaptonicError, StudyError
+from haptonic.errors import HaptonicError, StudyError, shown
 from haptonic.fields import unchecked
 from haptonic.plate.holding import Clamp
 from haptonic.plate.layout import CLOSE, Layout, Rectangle
 from haptonic.plate.parts import Actuator, Finger, Force, Plate
-from haptonic.study.plate_tables import CHANGEABLE, LATTICE, PlateSection
-from haptonic.units import format_quantity, shown
+from haptonic.study.plate_tables import CHANGEABLE, LATTICE, PlateSettings
+from haptonic.units import format_quantity
 
 Attached = TypeVar("Attached", Actuator, Force, Finger)
 
 
-def plate_of(section: PlateSection | None, own: UnitCell) -> Plate:
+def plate_of(section: PlateSettings | None, own: UnitCell) -> Plate:
     """The plate of a study, in SI units.
 
     Parameters
@@ -33,7 +33,7 @@ def plate_of(section: PlateSection | None, own: UnitCell) -> Plate:
     """
     if section is None:
         raise _refused(
-            "plate", "nothing", "a [plate] table with map and tiles",
+            "missing", "plate", "nothing", "a [plate] table with map and tiles",
             "the study describes a lattice, and no plate that is made of it",
             'add map = ["AAA"] to [plate] and A = "lattice" to [plate.tiles]; `haptonic keys` lists the rest',
         )  # fmt: skip
@@ -63,13 +63,13 @@ def plate_of(section: PlateSection | None, own: UnitCell) -> Plate:
     )
 
 
-def _layout(section: PlateSection, own: UnitCell) -> Layout:
+def _layout(section: PlateSettings, own: UnitCell) -> Layout:
     tiles = section.grid
     cells = {name: cell for name, cell in _lattices(section, own) if name in section.tiles.values()}
     for letter, name in section.tiles.items():
         if name in cells and cells[name].pillar is None:
             raise _refused(
-                f"plate.tiles.{letter}", shown(name), "a lattice whose cell has a pillar",
+                "conflict", f"plate.tiles.{letter}", shown(name), "a lattice whose cell has a pillar",
                 "the cell of this study is plain plate", f'add [cell.pillar], or write {letter} = "plain"',
             )  # fmt: skip
     columns = [{row[j] or "" for row in tiles} for j in range(len(tiles[0]))]
@@ -89,7 +89,7 @@ def _summed(sizes: Iterable[float]) -> tuple[float, ...]:
     return tuple(float(line) for line in accumulate(map(Fraction, sizes), initial=Fraction(0)))
 
 
-def _lattices(section: PlateSection, own: UnitCell) -> Iterator[tuple[str, UnitCell]]:
+def _lattices(section: PlateSettings, own: UnitCell) -> Iterator[tuple[str, UnitCell]]:
     yield LATTICE, own
     known = own.numbers()
     for i, one in enumerate(section.cell, start=1):
@@ -97,7 +97,7 @@ def _lattices(section: PlateSection, own: UnitCell) -> Iterator[tuple[str, UnitC
         for path in one.change:
             if path not in known:
                 raise _refused(
-                    at, path, f"one of {', '.join(each for each in CHANGEABLE if each in known)}",
+                    "unknown", at, path, f"one of {', '.join(each for each in CHANGEABLE if each in known)}",
                     "this study does not give it", "give it in [cell] first, or leave it out here",
                 )  # fmt: skip
         try:
@@ -107,7 +107,7 @@ def _lattices(section: PlateSection, own: UnitCell) -> Iterator[tuple[str, UnitC
                 f"{path} = {format_quantity(value, one.units[path])}" for path, value in one.change.items()
             )
             raise _refused(
-                at, given, f"a cell that can be built; {error.argument}: {error.allowed}",
+                "out-of-range", at, given, f"a cell that can be built; {error.argument}: {error.allowed}",
                 f"{error.argument} would be {error.given}: {error.cause}", error.next_step,
             ) from None  # fmt: skip
 
@@ -130,7 +130,7 @@ def _sizes(
         if asked and max(asked.values()) - min(asked.values()) > CLOSE * max(asked.values()):
             sizes = (f'{format_quantity(size, "m")} of "{name}"' for name, size in sorted(asked.items()))
             raise _refused(
-                "plate.map" if lattices else at, f"in {place}: {' and '.join(sizes)}",
+                "conflict", "plate.map" if lattices else at, f"in {place}: {' and '.join(sizes)}",
                 f"one size for the whole {what}",
                 "two lattices of different pitch meet there" if lattices else "two regions meet there",
                 f"draw them in {what}s of their own" + ("" if lattices else ", or give them one size"),
@@ -139,7 +139,7 @@ def _sizes(
     for name in given:
         if name not in free:
             raise _refused(
-                f"{at}.{name}", format_quantity(given[name], "m"),
+                "conflict", f"{at}.{name}", format_quantity(given[name], "m"),
                 f"a region that has a {what} without a lattice",
                 f"all {what}s of it hold cells of a lattice, whose pitch they have", "leave it out",
             )  # fmt: skip
@@ -149,7 +149,8 @@ def _check_grid(layout: Layout, grid: float) -> None:
     shorter = min(layout.x[-1], layout.y[-1])
     if grid > shorter:
         raise _refused(
-            "plate.response.grid", format_quantity(grid, "m"), f"at most {format_quantity(shorter, 'm')}",
+            "out-of-range", "plate.response.grid", format_quantity(grid, "m"),
+            f"at most {format_quantity(shorter, 'm')}",
             "it is wider than the plate", f'write grid = "{format_quantity(0.05 * shorter, "m")}"',
         )  # fmt: skip
 
@@ -160,7 +161,7 @@ def _check_corners(clamp: Clamp, layout: Layout) -> None:
     room = min((min(right - left, top - bottom) for left, bottom, right, top in boxes), default=0.0)
     if clamp.corners > room * (1 + CLOSE):
         raise _refused(
-            "plate.clamp.corners", format_quantity(clamp.corners, "m"),
+            "out-of-range", "plate.clamp.corners", format_quantity(clamp.corners, "m"),
             f"at most {format_quantity(room, 'm')}, the shortest side of the tiles at the corners"
             if boxes else "a plate with a tile at one of the four corners of its map",
             "the held part would reach beyond the outermost tile" if boxes else "the corners are cut out",
@@ -197,6 +198,7 @@ def _check_placed(at: str, part: Actuator | Force, layout: Layout) -> None:
     where = f'"{part.region}"' if part.region else "the plate" if others else "one region of plain plate"
     around = f'the rectangle around "{part.region}"' if part.region else "the plate"
     raise _refused(
+        "out-of-range",
         f"{at}.centre",
         _written(part.centre),
         f"a place at which all of it lies on {where}",
@@ -212,6 +214,7 @@ def _check_finger(one: Finger, layout: Layout) -> None:
         i, j = tile
         if not layout.at(tile) and _distance(x, y, _bounds(layout, i, j)) < radius * (1 - CLOSE):
             raise _refused(
+                "out-of-range",
                 "plate.finger.centre", _written(one.centre),
                 "a place at which the whole disc lies on the plate",
                 f"the disc of {format_quantity(one.diameter, 'm')} reaches beyond the plate",
@@ -244,7 +247,7 @@ def _check_apart(at: str, first: Actuator, second: Actuator, layout: Layout) -> 
     )
     if not apart:
         raise _refused(
-            f"{at}.centre", f'a patch that overlaps "{second.name}"', "patches side by side",
+            "conflict", f"{at}.centre", f'a patch that overlaps "{second.name}"', "patches side by side",
             "two of them would take the same place", "move one of them",
         )  # fmt: skip
 
@@ -257,5 +260,5 @@ def _written(centre: tuple[float, float]) -> str:
     return " and ".join(format_quantity(value, "m") for value in centre)
 
 
-def _refused(at: str, given: str, allowed: str, cause: str, next_step: str) -> StudyError:
-    return StudyError(argument=at, given=given, allowed=allowed, cause=cause, next_step=next_step)
+def _refused(code: str, at: str, given: str, allowed: str, cause: str, next_step: str) -> StudyError:
+    return StudyError(code, argument=at, given=given, allowed=allowed, cause=cause, next_step=next_step)

@@ -7,7 +7,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from haptonic import analyses
-from haptonic.analyses import analysis
+from haptonic.analyses import named
 from haptonic.fields import extended
 from haptonic.progress import Progress, silent
 from haptonic.results.result import Result
@@ -50,8 +50,8 @@ class Study(Description):
         ------
         StudyError : there is no such analysis or option, or the study lacks what it needs
         """
-        runner = Runner(store or Store.default(), workers, scheduler, progress)
-        return analysis(name).run(self, runner, options)
+        runner = Runner(Store.default() if store is None else store, workers, scheduler, progress)
+        return named(name).run(self, runner, options)
 
     if not TYPE_CHECKING:  # a checker is to know no method that is not there
 

@@ -16,9 +16,10 @@ from haptonic.cell import UnitCell
 from haptonic.design.parameters import FILLET, values_of
 from haptonic.design.settings import DesignSettings
 from haptonic.design.tolerance import ToleranceSettings
-from haptonic.errors import HaptonicError, StudyError
+from haptonic.errors import HaptonicError, StudyError, shown
 from haptonic.fields import (
     described,
+    handed_on,
     leaves,
     numbers,
     problem,
@@ -32,13 +33,13 @@ from haptonic.friction.lubrication.settings import TouchSettings
 from haptonic.friction.participants import Participants
 from haptonic.materials import IsotropicMaterial, built_in_name
 from haptonic.plate.parts import Plate
-from haptonic.study.experiment_tables import ProtocolSection
-from haptonic.study.plate_tables import PlateSection
+from haptonic.study.experiment_tables import ProtocolSettings
+from haptonic.study.plate_tables import PlateSettings
 from haptonic.study.plating import plate_of
-from haptonic.study.sweeps import SweepSection, numeric_parameters
+from haptonic.study.sweeps import SweepSettings, numeric_parameters
 from haptonic.study.trial_tables import Trials
 from haptonic.study.vary import Expression, check_names, solve
-from haptonic.units import format_quantity, shown
+from haptonic.units import format_quantity
 from haptonic.updating.settings import FitSettings
 from haptonic.vibrometry.settings import ScanSettings
 
@@ -93,7 +94,7 @@ class Description:
         title="Tolerance",
         description="How much the parts differ.",
     )
-    finite_plate: PlateSection | None = Field(
+    finite_plate: PlateSettings | None = Field(
         default=None,
         alias="plate",
         title="Plate",
@@ -105,8 +106,8 @@ class Description:
     trials: Trials = Field(
         default=Trials(), title="Trials", description="How force records are processed, and which count."
     )
-    protocol_settings: ProtocolSection = Field(
-        default=ProtocolSection(),
+    protocol_settings: ProtocolSettings = Field(
+        default=ProtocolSettings(),
         alias="protocol",
         title="Protocol",
         description="Trials with people: how many, in which order.",
@@ -123,7 +124,7 @@ class Description:
     fit_settings: FitSettings = Field(
         default=FitSettings(), alias="fit", title="Fit", description="What a measurement of the plate tells."
     )
-    sweep_settings: tuple[SweepSection, ...] = Field(
+    sweep_settings: tuple[SweepSettings, ...] = Field(
         default=(),
         alias="sweep",
         title="Sweeps",
@@ -135,9 +136,7 @@ class Description:
         try:
             plate = None if self.finite_plate is None else self.mounted_plate()
         except HaptonicError as error:
-            raise problem(
-                error.given, error.allowed, error.cause, error.next_step, at=error.argument
-            ) from None
+            raise handed_on(error) from None
         self._names_what_the_cell_has()
         self.fit_settings.check(plate, self.absent_parameters())
         for row, sweep in enumerate(self.sweep_settings, start=1):
@@ -148,6 +147,7 @@ class Description:
                 except HaptonicError as error:
                     reached = format_quantity(value, sweep.unit)
                     raise problem(
+                        "out-of-range",
                         f"{sweep.vary} = {reached} at step {step} of {sweep.steps}",
                         f"a range in which every design is possible; {error.argument}: {error.allowed}",
                         f"{error.argument} would be {error.given}: {error.cause}",
@@ -161,7 +161,7 @@ class Description:
             check_names(expression, self.parameters(), self.absent_parameters())
             expression.value(self.parameters())
         except StudyError as error:
-            raise problem(error.given, error.allowed, error.cause, error.next_step, at=at) from None
+            raise handed_on(error, at) from None
 
     def _names_what_the_cell_has(self) -> None:
         """Refuse parameters of a design or a tolerance that this study's cell does not have, and designs that
@@ -175,18 +175,16 @@ class Description:
         }
         for at, path in named.items():
             if path not in there:
-                raise problem(
-                    path,
-                    f"one of {', '.join(there)}",
-                    "the cell of this study does not have it",
-                    "give it in [cell] first, or leave this table out",
-                    at=f"{at}.parameter",
-                )
+                cause = "the cell of this study does not have it"
+                next_step = "give it in [cell] first, or leave this table out"
+                at = f"{at}.parameter"
+                raise handed_on(StudyError.unknown(at, path, there, cause, slip=False, next_step=next_step))
         absent, keys = self.absent_parameters(), table(Description)
         for i, one in enumerate(self.design_settings.vary, start=1):
             at, path = f"design.vary[{i}]", one.parameter
             if path in absent:
                 raise problem(
+                    "missing",
                     path, "a parameter that this study gives", absent[path],
                     "give it in this study, or leave this table out", at=f"{at}.parameter",
                 )  # fmt: skip
@@ -195,11 +193,13 @@ class Description:
             for name, value in (("from", one.low), ("to", one.high)):
                 if not quantity.holds(value):
                     raise problem(
+                        "out-of-range",
                         format_quantity(value, one.unit), f"{path} has to be {quantity.limits}",
                         "designs there would not be possible", "choose a narrower range", at=f"{at}.{name}",
                     )  # fmt: skip
             if path == FILLET and one.low == 0:
                 raise problem(
+                    "out-of-range",
                     "0 m", "more than zero", "a sharp edge needs another mesh than any fillet",
                     'choose a small radius, such as "50 um", or look for a sharp one without this table',
                     at=f"{at}.from",
@@ -262,7 +262,7 @@ class Description:
         try:
             return with_numbers(self, values)
         except HaptonicError as error:  # of the family of the value that a number belongs to
-            raise StudyError(**error.parts()) from None
+            raise error.changed(StudyError) from None
 
     def solved(self, expression: Expression, value: float) -> Self:
         """The study in which an expression has a value (SI): its first parameter changed, without sweeps and
@@ -275,7 +275,7 @@ class Description:
         wanted = solve(expression, value, self.parameters(), self.absent_parameters())
         return self.without_plate().with_parameter(expression.varied, wanted)
 
-    def designs(self, sweep: SweepSection) -> tuple[Self, ...]:
+    def designs(self, sweep: SweepSettings) -> tuple[Self, ...]:
         """One study for each step of a sweep, in order."""
         return tuple(self.solved(sweep.expression, value) for value in sweep.values)
 
@@ -311,7 +311,7 @@ class Description:
         if built_in_name(solid) is None and not isinstance(solid, IsotropicMaterial):
             unwritten.insert(0, solid)
         if unwritten:
-            raise StudyError(
+            raise StudyError.unsupported(
                 argument="material",
                 given=shown(unwritten[0].name),
                 allowed="built-in materials; that of the cell may be isotropic",

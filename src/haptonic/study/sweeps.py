@@ -26,7 +26,7 @@ def numeric_parameters() -> Mapping[str, str]:
 
 
 @described("sweep", kw_only=True)
-class SweepSection:
+class SweepSettings:
     """A row of designs: an expression of parameters taken from one value to another."""
 
     vary: str = Field(title="Expression", description="The first parameter in it changes.", strict=True)
@@ -53,6 +53,7 @@ class SweepSection:
     def __post_init__(self) -> None:
         if self.start == self.stop:
             raise problem(
+                "conflict",
                 format_quantity(self.stop, self.unit),
                 "a last value that differs from the first",
                 "all designs would be the same",

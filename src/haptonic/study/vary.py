@@ -12,9 +12,9 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from functools import cache
 
-from haptonic.errors import StudyError
+from haptonic.errors import StudyError, shown
 from haptonic.fields import unknown_number
-from haptonic.units import registry, shown
+from haptonic.units import registry
 
 LONGEST_TEXT = 200
 GRAMMAR = "names of parameters and positive numbers with * and / between them"
@@ -59,7 +59,7 @@ class Expression:
         """
         zeros = [name for name, power in self.powers if power < 0 and parameters[name] == 0]
         if zeros:
-            raise StudyError(
+            raise StudyError.out_of_range(
                 argument="sweep.vary",
                 given=shown(self.text),
                 allowed="an expression that is not divided by zero",
@@ -154,7 +154,7 @@ def solve(
     except (ZeroDivisionError, OverflowError):
         wanted = math.nan
     if not math.isfinite(wanted):
-        raise StudyError(
+        raise StudyError.out_of_range(
             argument="sweep.vary",
             given=shown(expression.text),
             allowed="an expression whose value some parameter can bring about",
@@ -195,7 +195,7 @@ def _reduced(unit: str) -> str:
 
 
 def _refused(text: str, cause: str, instead: str = "") -> StudyError:
-    return StudyError(
+    return StudyError.malformed(
         argument="sweep.vary",
         given=shown(text),
         allowed=GRAMMAR,

@@ -4,7 +4,7 @@ from haptonic.solvers import definite
 from haptonic.superelement.condense import Superelement, condense, condensed, on_each
 from haptonic.superelement.dynamic import DynamicStiffness, dynamic_stiffness
 from haptonic.superelement.folded import FoldedMesh, through_levels
-from haptonic.superelement.shafted import condense_by_parts
+from haptonic.superelement.substructured import condense_by_parts
 from haptonic.superelement.trace import TraceOperation
 
 __all__ = [

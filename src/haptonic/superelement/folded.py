@@ -109,16 +109,16 @@ class FoldedMesh:
         folding, through = self.folding, self.through
         trace = FoldedTrace(self.mesh.topology, folding, q, self.levels)
         stiffness = self.assembler.assembled(self.paired, q)
-        shape = (len(through), trace.places, 3)
-        rim = len(through) * trace.places
+        shape = (len(through), trace.sites, 3)
+        rim = len(through) * trace.sites
         coupling, outer = stiffness.coupling(), stiffness.boundary()
         lateral = np.tensordot(through.T, coupling[:, : 3 * rim].reshape(-1, *shape), axes=(1, 1))
         held = outer[: 3 * rim, : 3 * rim].reshape(*shape, *shape)
         held = np.einsum("lk,lpcmqd,mj->kpcjqd", through, held, through, optimize=True)
         mass = self.representative_mass[folding.interior :]
         weights = np.einsum("lk,lp,lj->kpj", through, mass[:rim].reshape(shape[:2]), through)
-        inertia = np.einsum("kpj,pq,cd->kpcjqd", weights, np.eye(trace.places), np.eye(3))
-        size = self.levels * trace.places * 3
+        inertia = np.einsum("kpj,pq,cd->kpcjqd", weights, np.eye(trace.sites), np.eye(3))
+        size = self.levels * trace.sites * 3
         own = np.ix_(trace.kept, trace.kept)
         lateral = np.moveaxis(lateral, 0, 1).reshape(-1, size)[:, trace.kept]
         outer_stiffness, outer_mass = held.reshape(size, size)[own], inertia.reshape(size, size)[own]

@@ -47,7 +47,7 @@ class ClassMeasures:
         """Measures of a reduced class; ``on_top`` as for `FoldedMesh.symmetry_class`."""
         trace, body = folded.trace, folded.body
         fields = np.hstack([own.static, own.modes])
-        lateral, rim = len(trace.kept), len(shared.through) * trace.places
+        lateral, rim = len(trace.kept), len(shared.through) * trace.sites
         pillar = shared.pillar_stiffness(q)
         stiff = pillar.matrix().tocsr()
         rows = np.flatnonzero(np.diff(stiff.indptr))  # most of a cell is no pillar

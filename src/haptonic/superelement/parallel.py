@@ -5,15 +5,11 @@ Threads of our own on the classes beat threads inside the linear algebra, whose 
 
 from __future__ import annotations
 
-import os
 from collections import deque
 from collections.abc import Callable
-from concurrent.futures import ThreadPoolExecutor
-from functools import cache
 from typing import TypeVar
 
-from threadpoolctl import threadpool_limits
-
+from haptonic.parallel import each
 from haptonic.solvers import Solver, chosen
 from haptonic.superelement.assembly import Assembler
 from haptonic.superelement.folded import FoldedMesh
@@ -24,15 +20,6 @@ KEPT_SOLVERS = 6  # analysed solvers that wait for the next cell of the same top
 KEPT_ENTRIES = 5_000_000  # of a pattern; the factors of larger ones would hold too much memory
 
 _idle: deque[tuple[Assembler, Solver]] = deque(maxlen=KEPT_SOLVERS)
-
-
-def threads() -> int:
-    """Threads to use: ``OMP_NUM_THREADS`` if it is set, else the cores that this process may run on."""
-    wanted = os.environ.get("OMP_NUM_THREADS", "")
-    if wanted.isdigit():
-        return max(1, int(wanted))
-    # not every system can tell which cores a process may use
-    return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
 
 
 def for_each_class(
@@ -51,9 +38,7 @@ def for_each_class(
             _idle.append((shared.assembler, solver))
         return result
 
-    with threadpool_limits(1):
-        results = map(one, classes) if threads() == 1 else _pool(threads()).map(one, classes)
-        by_class = dict(zip(classes, results, strict=True))
+    by_class = dict(zip(classes, each(one, classes), strict=True))
     by_class |= {q: mirrored(by_class[original]) for q, original in images.items()}
     return [by_class[q] for q in sorted(by_class)]
 
@@ -69,13 +54,3 @@ def _taken(assembler: Assembler) -> Solver:
             return solver
         _idle.append((whose, solver))
     return chosen()(assembler.pattern)
-
-
-@cache
-def _pool(workers: int) -> ThreadPoolExecutor:
-    return ThreadPoolExecutor(workers, thread_name_prefix="haptonic-class")
-
-
-# A forked child has the pool but none of its threads: work given to it would wait for ever.
-if hasattr(os, "register_at_fork"):  # not on Windows, which does not fork
-    os.register_at_fork(after_in_child=_pool.cache_clear)

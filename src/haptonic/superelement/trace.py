@@ -46,18 +46,18 @@ class FoldedTrace:
 
     @cached_property
     def _place(self) -> Ints:
-        """(places,) representative of each place on the rim."""
+        """(sites,) representative of each place on the rim."""
         return np.asarray(self.folding.node[self.topology.rim[0]] - self.folding.interior)
 
     @property
-    def places(self) -> int:
+    def sites(self) -> int:
         """Number of representative places."""
         return int(self._place.max()) + 1
 
     @cached_property
     def kept(self) -> Ints:
         """(b,) own unknowns among (level, representative place, component)."""
-        on_rim = self.folding.origin[self.folding.interior :][: self.places]
+        on_rim = self.folding.origin[self.folding.interior :][: self.sites]
         alive = self.folding.sign[self.symmetry_class][on_rim] != 0
         return np.flatnonzero(np.broadcast_to(alive, (self.levels, *alive.shape)))
 
@@ -69,9 +69,9 @@ class FoldedTrace:
     @cached_property
     def number(self) -> Ints:
         """(t,) own unknown behind each unknown of the whole trace (0 where its sign is 0)."""
-        own = np.zeros(self.levels * self.places * 3, dtype=np.int64)
+        own = np.zeros(self.levels * self.sites * 3, dtype=np.int64)
         own[self.kept] = np.arange(len(self.kept))
-        return np.asarray(own.reshape(self.levels, self.places, 3)[:, self._place].ravel())
+        return np.asarray(own.reshape(self.levels, self.sites, 3)[:, self._place].ravel())
 
     @cached_property
     def sign(self) -> Array:
@@ -103,8 +103,8 @@ class FoldedTrace:
         return np.asarray((own / self.images[:, None])[self.number] * self.sign[:, None])
 
     def on_levels(self, through: Array, own: NDArray[Any]) -> NDArray[Any]:
-        """(plate levels * places, 3, k) values on the mesh's rim from own trace unknowns (b, k)."""
-        trace = np.zeros((self.levels * self.places * 3, own.shape[1]), dtype=own.dtype)
+        """(plate levels * sites, 3, k) values on the mesh's rim from own trace unknowns (b, k)."""
+        trace = np.zeros((self.levels * self.sites * 3, own.shape[1]), dtype=own.dtype)
         trace[self.kept] = own
         rim = np.tensordot(through, trace.reshape(self.levels, -1), axes=1)
         return rim.reshape(-1, 3, own.shape[1])
@@ -114,11 +114,11 @@ class FoldedTrace:
 class TraceOperation:
     """A mirror, or the half-turn, acting on whole traces: ``(R b)(x) = turn b(R^-1 x)``.
 
-    places : (places,) the place of the rim that each takes its motion from; turn : (3, 3)
+    sites : (sites,) the place of the rim that each takes its motion from; turn : (3, 3)
     levels : nodes through the thickness
     """
 
-    places: Ints
+    sites: Ints
     turn: Array
     levels: int
 
@@ -132,7 +132,7 @@ class TraceOperation:
 
     def applied(self, trace: NDArray[Any]) -> NDArray[Any]:
         """Image of (t, k) traces, or of the rows (t, k) of linear forms on them."""
-        moved = trace.reshape(self.levels, len(self.places), 3, -1)[:, self.places]
+        moved = trace.reshape(self.levels, len(self.sites), 3, -1)[:, self.sites]
         return np.asarray(self.turn @ moved).reshape(trace.shape)
 
     def form(self, own: Array) -> Array:

@@ -65,7 +65,7 @@ def normal_of(response: FrequencyResponse) -> Complex:
     """
     directions = [str(name) for name in response.dataset["direction"].values]
     if "z" not in directions:
-        raise ScanError(
+        raise ScanError.missing(
             argument="direction",
             given=", ".join(directions),
             allowed="a response with motion along z, normal to the plate",
@@ -108,7 +108,7 @@ def together(
 
 
 def _apart(argument: str, given: str, allowed: str) -> ScanError:
-    return ScanError(
+    return ScanError.mismatch(
         argument=argument,
         given=given,
         allowed=allowed,

@@ -222,7 +222,7 @@ def _numbers(space: Space, x: Array, tells: Uncertainty) -> tuple[Fitted, ...]:
 
 
 def _unlike(unexplained: float) -> ScanError:
-    return ScanError(
+    return ScanError.no_answer(
         argument="fit",
         given=f"a best fit that leaves {100 * unexplained:.0f} % of the measured energy unexplained",
         allowed=f"at most {100 * UNEXPLAINED:.0f} %",

@@ -32,6 +32,7 @@ class Unknown(NumberRange):
     def __post_init__(self) -> None:
         if not 0 < self.low < self.high:
             raise problem(
+                "conflict",
                 f"{format_quantity(self.low, self.unit)} to {format_quantity(self.high, self.unit)}",
                 "two positive values, the lower one first",
                 "the bounds contradict each other",
@@ -71,17 +72,14 @@ class FitSettings:
         for number, unknown in enumerate(self.vary, start=1):
             at, name = f"fit.vary[{number}]", unknown.parameter
             if name not in there:
-                raise problem(
-                    name,
-                    f"one of {', '.join(there) or 'none, without a [plate]'}",
-                    absent.get(name, "this study does not give it"),
-                    "give it in this study, as the value to begin with, or leave this table out",
-                    at=f"{at}.parameter",
-                )
+                cause = absent.get(name, "this study does not give it")
+                next_step = "give it in this study, as the value to begin with, or leave this table out"
+                raise problem("missing", name, "a number of this study", cause, next_step, f"{at}.parameter")
             value = there[name]
             low, high = (format_quantity(end, unknown.unit) for end in (unknown.low, unknown.high))
             if not unknown.low <= value <= unknown.high:
                 raise problem(
+                    "conflict",
                     format_quantity(value, unknown.unit),
                     f"between {low} and {high}",
                     f"the fit begins with {name} of this study, which its bounds leave out",

@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from haptonic.channels import Channel, delimited, hdf5, wav
-from haptonic.errors import HaptonicWarning, ScanError, nearest
+from haptonic.errors import HaptonicWarning, ScanError
 
 Array = NDArray[np.float64]
 Kind = Literal["chirp", "multisine"]
@@ -90,8 +90,7 @@ def drive(
     ScanError : a band that is empty or reaches beyond half the rate, sizes that are not positive
     """
     if kind not in KINDS:
-        guess = nearest(str(kind), KINDS) or KINDS[0]
-        raise _wrong("kind", f'"{kind}"', '"chirp" or "multisine"', f'did you mean "{guess}"?')
+        raise ScanError.unknown("drive.kind", kind, KINDS, "the name is misspelt")
     for name, given in (("sample_rate", sample_rate), ("duration", duration), ("amplitude", amplitude),
                         ("quality_factor", 1.0 if quality_factor is None else quality_factor)):  # fmt: skip
         if not (np.isfinite(given) and given > 0):
@@ -194,7 +193,7 @@ def _warnings(
 
 
 def _wrong(argument: str, given: str, allowed: str, next_step: str) -> ScanError:
-    return ScanError(
+    return ScanError.out_of_range(
         argument=f"drive.{argument}",
         given=given,
         allowed=allowed,

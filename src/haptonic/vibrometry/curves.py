@@ -120,7 +120,7 @@ def assemble(
 
 def nothing_left(notes: Notebook) -> ScanError:
     """The error of a file of which no point can be used."""
-    return ScanError(
+    return ScanError.missing(
         argument="scan",
         given=f"{notes.path}: {notes.first_reasons()}",
         allowed="at least one point with a measured frequency response and its coordinates",
@@ -135,15 +135,12 @@ def _of_one_reference(curves: list[Curve], asked: str | None) -> list[Curve]:
         return curves
     chosen = [one for one in known if asked in (str(one), one.name)]
     if len(chosen) != 1:
-        raise ScanError(
-            argument="reference",
-            given="none" if asked is None else f'"{asked}"',
+        several = "the file holds responses to several references"
+        raise ScanError.unknown(
+            "reference", asked, map(str, known), several if asked is None else "the name is misspelt",
             allowed="one of " + "; ".join(f'"{one}"' for one in known),
-            cause="the file holds responses to several references"
-            if asked is None
-            else "the name is misspelt",
             next_step=f'choose one: read_scan(path, reference="{known[0] if known else "A1"}")',
-        )
+        )  # fmt: skip
     return [curve for curve in curves if curve.reference == chosen[0]]
 
 

@@ -93,7 +93,7 @@ def recorded(
     same = len(lines) == len(response.frequency)
     if not same or np.abs(response.frequency - lines).max() > SAME * signal.line_spacing:
         found = response.frequency
-        raise ScanError(
+        raise ScanError.mismatch(
             argument="response",
             given=f"{len(found)} lines from {found[0]:g} to {found[-1]:g} Hz",
             allowed=f"{len(lines)} lines from {lines[0]:g} to {lines[-1]:g} Hz, those that the drive excites",

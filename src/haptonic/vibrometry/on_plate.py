@@ -10,8 +10,9 @@ import xarray as xr
 from haptonic.errors import ResponseError, ScanError
 from haptonic.plate import Plate
 from haptonic.plate.layout import Layout
-from haptonic.plate.question import driven_region, tile_names
+from haptonic.plate.sampling import driven_region, tile_names
 from haptonic.response import FrequencyResponse
+from haptonic.vibrometry.guides import MIRROR, Mirror, strips_of
 from haptonic.vibrometry.maps import (
     LatticeGap,
     MeasuredGap,
@@ -20,7 +21,6 @@ from haptonic.vibrometry.maps import (
     lattice_decay,
     measured_gap,
 )
-from haptonic.vibrometry.places import MIRROR, Mirror, strips_of
 
 # name of all points on lattices while the gap is looked for; longer than any name of a study
 LATTICE = "the points on the lattices of the plate, all together"
@@ -47,7 +47,7 @@ def contrast_range(response: FrequencyResponse, plate: Plate) -> MeasuredGap:
     """
     driven = driven_region(plate)
     if driven is None:
-        raise ScanError(
+        raise ScanError.missing(
             argument="plate.actuator", given="no driven region", allowed="a drive on a region of plain plate",
             cause="the drive lies on the lattice", next_step="add a drive to a region",
         )  # fmt: skip

@@ -127,7 +127,7 @@ def visited(points: Array, excluded: Sequence[Region] = ()) -> ScanPlan:
 
 
 def _wrong(argument: str, given: str, allowed: str, next_step: str) -> ScanError:
-    return ScanError(
+    return ScanError.out_of_range(
         argument=f"scan_plan.{argument}",
         given=given,
         allowed=allowed,

@@ -103,7 +103,7 @@ class TimeScan:
         for name, given in (("sample_rate", self.sample_rate), ("response_scale", self.response_scale),
                             ("reference_scale", self.reference_scale)):  # fmt: skip
             if not (np.isfinite(given) and given != 0 and (given > 0 or name != "sample_rate")):
-                raise ScanError(
+                raise ScanError.out_of_range(
                     argument=f"records.{name}",
                     given=f"{given:g}",
                     allowed="a finite number that is not zero; a rate is positive",
@@ -111,7 +111,7 @@ class TimeScan:
                     next_step=f"give the {name.replace('_', ' ')} in the mapping or in the file",
                 )
         if not np.isfinite(self.start):
-            raise ScanError(
+            raise ScanError.out_of_range(
                 argument="records.start",
                 given=f"{self.start:g}",
                 allowed="a finite time, s",
@@ -119,7 +119,7 @@ class TimeScan:
                 next_step="put the start of the records right in the file",
             )
         if not len(self.names) == len(self.x) == len(self.y) > 0:
-            raise ScanError(
+            raise ScanError.mismatch(
                 argument="records.names",
                 given=f"{len(self.names)} names, {len(self.x)} and {len(self.y)} coordinates",
                 allowed="one name and one pair of coordinates for each point, at least one point",
@@ -148,9 +148,9 @@ class TimeScan:
         try:
             return self.source.load(start, stop)
         except ChannelError as error:
-            raise ScanError(**error.parts()) from error
+            raise error.changed(ScanError) from error
         except MemoryError as error:
-            raise ResourceError(
+            raise ResourceError.too_large(
                 argument="records",
                 given=f"{stop - start} points of {self.repeats} x {self.samples} samples",
                 allowed="records of which a few points fit into memory",

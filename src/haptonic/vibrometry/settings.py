@@ -54,6 +54,7 @@ class ScanSettings:
         ascending(self.lowest, self.highest, "sweep")
         if self.highest > 0.5 * self.rate:
             raise problem(
+                "out-of-range",
                 format_quantity(self.highest, "Hz"),
                 f"at most {format_quantity(0.5 * self.rate, 'Hz')}, half the sample rate",
                 "higher frequencies cannot be sampled",
@@ -63,6 +64,7 @@ class ScanSettings:
         lines = (self.highest - self.lowest) * self.record
         if not 8 <= lines <= 1e6 or self.rate * self.record > 1e8:
             raise problem(
+                "out-of-range",
                 format_quantity(self.record, "s"),
                 f"a period with 8 to 1e6 lines between the frequencies; here {lines:.3g}",
                 "the period was given in another unit",

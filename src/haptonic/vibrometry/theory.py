@@ -17,7 +17,7 @@ from haptonic.bloch.settings import BandSettings
 from haptonic.errors import StudyError
 from haptonic.gate import WORD
 from haptonic.plate.layout import Layout
-from haptonic.vibrometry.places import Guiding, Mirror
+from haptonic.vibrometry.guides import Guiding, Mirror
 
 Array = NDArray[np.float64]
 
@@ -51,7 +51,7 @@ def computed_waves(
     """
     cell = layout.cells[mirror.name] if mirror else next(iter(layout.cells.values()))
     widths = sorted({(one.width, one.along) for one in guides if one.lattice == (mirror and mirror.name)})
-    resolution = bloch_model(cell, settings.count, settings.accuracy, settings.resolution).resolution
+    resolution = bloch_model(cell, settings).resolution
     superelement = condensed_cell(cell, resolution)
     plain = PlainPlate.of(cell, superelement.levels)
     low = max(span[0], 1e-3 * span[1])

@@ -82,7 +82,7 @@ def _write(path: Path, parts: Iterable[dict[str, object]]) -> None:
                 SETS[part["type"]](text, part)
                 out.write(text.getvalue())
     except OSError as error:
-        raise ScanError(
+        raise ScanError.unwritable(
             argument="output file",
             given=f"{path} ({error})",
             allowed="a file in a folder that can be written, with room for it",

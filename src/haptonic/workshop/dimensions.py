@@ -7,7 +7,7 @@ from collections.abc import Mapping
 from typing import Any
 
 from haptonic.cell import UnitCell
-from haptonic.errors import StudyError, nearest
+from haptonic.errors import StudyError
 from haptonic.workshop.shape import MM, Dimension, dimensions_of
 
 MINUS = "\N{MINUS SIGN}"
@@ -26,16 +26,10 @@ def checked_tolerances(cell: UnitCell, tolerances: Mapping[str, float]) -> Mappi
     values = dimensions_of(cell)
     for name, half_width in tolerances.items():
         if name not in values:
-            guess = nearest(name, values)
-            raise StudyError(
-                argument=f"tolerances.{name}",
-                given=half_width,
-                allowed=f"one of {', '.join(values)}",
-                cause="this cell has no such dimension",
-                next_step=f'write "{guess}"' if guess else "leave it out",
-            )
+            cause = "this cell has no such dimension"
+            raise StudyError.unknown(f"tolerances.{name}", name, values, cause, next_step="leave it out")
         if not (math.isfinite(half_width) and 0 < half_width < abs(values[name])):
-            raise StudyError(
+            raise StudyError.out_of_range(
                 argument=f"tolerances.{name}",
                 given=half_width,
                 allowed=f"a positive half-width below the dimension itself, {abs(values[name]):.4g} m or rad",

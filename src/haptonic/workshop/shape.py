@@ -175,7 +175,7 @@ def in_mm(cell: UnitCell, columns: int, rows: int) -> UnitCell:
     """
     for name, number in (("columns", columns), ("rows", rows)):
         if isinstance(number, bool) or not isinstance(number, int) or number < 1:
-            raise GeometryError(
+            raise GeometryError.out_of_range(
                 argument=name,
                 given=number,
                 allowed="a positive integer",

@@ -94,7 +94,7 @@ def volume_of_step(path: Path) -> float:
     except NgException:
         solids = []
     if not solids:
-        raise ResourceError(
+        raise ResourceError.unreadable(
             argument="STEP file",
             given=path,
             allowed="a STEP file with a solid in it",
@@ -108,7 +108,7 @@ def _occ() -> ModuleType:
     try:
         from netgen import occ
     except ImportError as error:
-        raise ResourceError(
+        raise ResourceError.not_installed(
             argument="STEP file",
             given="a Python without netgen.occ",
             allowed="a Python with the package netgen-mesher, which brings OpenCascade",

@@ -38,7 +38,7 @@ def surface(cell: UnitCell, columns: int = 1, rows: int = 1, *, chord: float = C
     scaled = in_mm(cell, columns, rows)
     smallest = min(scaled.lattice.pitch, 2 * scaled.pillar.narrowest if scaled.pillar else math.inf)
     if not 1e-6 * smallest < chord * MM < 0.1 * smallest:
-        raise GeometryError(
+        raise GeometryError.out_of_range(
             argument="chord",
             given=f"{chord} m",
             allowed=f"between {1e-9 * smallest:.3g} m and {1e-4 * smallest:.3g} m for this cell",

@@ -16,9 +16,9 @@ import scipy
 from numpy.typing import NDArray
 from pydantic import Field
 
-from haptonic.errors import FrictionError, nearest
+from haptonic.errors import FrictionError, shown
 from haptonic.fields import Quantity, described
-from haptonic.units import format_quantity, shown
+from haptonic.units import format_quantity
 
 Array = NDArray[np.float64]
 Values = Mapping[str, float | Array]
@@ -67,7 +67,7 @@ class Parameter:
 
     def _refused(self, given: str, cause: str) -> FrictionError:
         limits = " and ".join(format_quantity(bound, self.unit) for bound in self.bounds)
-        return FrictionError(
+        return FrictionError.out_of_range(
             argument=f"finger: {self.title}",
             given=given,
             allowed=f"a number between {limits}, inside of its plausible interval",
@@ -145,14 +145,8 @@ class Fingertip:
         known = dict(self)
         for name in values:
             if name not in known:
-                guess = nearest(name, known)
-                raise FrictionError(
-                    argument=f"finger.{name}",
-                    given=shown(values[name]),
-                    allowed=f"one of {', '.join(known)}",
-                    cause="the models have no such number",
-                    next_step=f'write "{guess}"' if guess else "leave it out",
-                )
+                cause = "the models have no such number"
+                raise FrictionError.unknown(f"finger.{name}", name, known, cause, next_step="leave it out")
         return replace(self, **{name: known[name].having(value) for name, value in values.items()})
 
     @property

@@ -83,7 +83,7 @@ def quality_limits(frequency: float, threshold: float = CUE_THRESHOLD) -> Qualit
 
 def _positive(name: str, value: float) -> None:
     if not (math.isfinite(value) and value > 0):
-        raise FrictionError(
+        raise FrictionError.out_of_range(
             argument=name,
             given=f"{value}",
             allowed="a positive number",

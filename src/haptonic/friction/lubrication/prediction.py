@@ -59,7 +59,7 @@ def predict(
     FrictionError : amplitudes that are no displacements in m, a force too large, or too few samples
     """
     if not isinstance(samples, int) or isinstance(samples, bool) or samples < 20:
-        raise FrictionError(
+        raise FrictionError.too_few(
             argument="samples",
             given=samples,
             allowed="an integer of at least 20",

@@ -41,6 +41,7 @@ class _Ordered:
         for name, three in vars(self).items():
             if isinstance(three, tuple) and list(three) != sorted(three):
                 raise problem(
+                    "conflict",
                     ", ".join(f"{number:g}" for number in three),
                     "the lowest plausible value, the value, the highest plausible value",
                     "they are not in ascending order",

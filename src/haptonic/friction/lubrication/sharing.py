@@ -92,7 +92,7 @@ def amplitude_for(friction: ArrayLike, touch: Touch, values: Values) -> Array:
     """
     left = np.asarray(friction, dtype=float)
     if left.size == 0 or not (np.isfinite(left).all() and (left > 0).all() and (left <= 1).all()):
-        raise FrictionError(
+        raise FrictionError.out_of_range(
             argument="friction",
             given=f"{np.min(left, initial=np.inf):g} to {np.max(left, initial=-np.inf):g}",
             allowed="mu / mu0, above 0 and at most 1",
@@ -126,7 +126,7 @@ def amplitude_ratio(driven: float, idle: float, touch: Touch, values: Values) ->
     FrictionError : reductions that are not 0 < idle < driven < 1
     """
     if not 0 < idle < driven < 1:
-        raise FrictionError(
+        raise FrictionError.out_of_range(
             argument="reductions of friction",
             given=f"driven {driven:g}, idle {idle:g}",
             allowed="0 < idle < driven < 1",
@@ -176,7 +176,7 @@ def checked_amplitude(amplitude: ArrayLike) -> Array:
         given = f"{array.min():g} to {array.max():g} m"
     else:
         return array.astype(float)
-    raise FrictionError(
+    raise FrictionError.out_of_range(
         argument="amplitude",
         given=given,
         allowed="real amplitudes of displacement in m, from 0 to 1 mm",
@@ -186,7 +186,7 @@ def checked_amplitude(amplitude: ArrayLike) -> Array:
 
 
 def _pressed_flat(touch: Touch, pressure: Array) -> FrictionError:
-    return FrictionError(
+    return FrictionError.out_of_range(
         argument="touch.force",
         given=f"{touch.force:g} N, {np.max(pressure):.3g} Pa on the contact",
         allowed="a force at which the asperities leave a gap when nothing vibrates",

@@ -2,10 +2,8 @@
 
 from __future__ import annotations
 
-import multiprocessing
 from collections import Counter
-from collections.abc import Callable, Iterator, Sequence
-from concurrent.futures import FIRST_COMPLETED, Future, ProcessPoolExecutor, wait
+from collections.abc import Iterator, Sequence
 from dataclasses import asdict, dataclass
 from functools import partial
 from itertools import islice
@@ -28,6 +26,7 @@ from haptonic.friction.signals.record import Record
 from haptonic.friction.signals.rules import DECLARED, UNREADABLE, Measured, Rules
 from haptonic.friction.signals.tables import LABEL, read_columns, read_records, read_trials
 from haptonic.friction.signals.trials import joined, measured, tabulated
+from haptonic.parallel import streamed
 from haptonic.progress import Progress, silent
 
 Portion = list[tuple[str, list[RecordSpan]]]
@@ -56,6 +55,7 @@ class Exclusion:
     def __post_init__(self) -> None:
         if self.trial is not None and self.block is None:
             raise problem(
+                "missing",
                 f"trial {self.trial} of no block",
                 "the block as well",
                 "trials count within a block",
@@ -168,9 +168,9 @@ def _from_folder(
     channel_map = _channel_map(table, sensor)
     total, done = len(table.files), 0
     order, found, simulated = [], [], table.simulated
-    for rows, columns, says_so in _portions(
-        partial(_measured, table.folder, channel_map, rules), table, workers
-    ):
+    work = partial(_measured, table.folder, channel_map, rules)
+    # in processes, for most of the work is Python that reads text
+    for rows, columns, says_so in streamed(work, table.portions(), workers, AHEAD * workers, processes=True):
         order.append(rows)
         found.append(columns)
         simulated |= says_so
@@ -181,31 +181,6 @@ def _from_folder(
     origin = "simulated" if simulated else "measured"
     trials = tabulated({**table.labels, **table.carried}, columns, rules, origin=origin)
     return trials, channel_map.remarks
-
-
-def _portions(
-    work: Callable[[Portion], tuple[NDArray[np.int_], Columns, bool]], table: TrialTable, workers: int
-) -> Iterator[tuple[NDArray[np.int_], Columns, bool]]:
-    """The work on every portion of a table, here or in processes, in any order."""
-    coming = table.portions()
-    if not workers:
-        yield from map(work, coming)
-        return
-    # spawned, because a fork of a process with threads may hang
-    context = multiprocessing.get_context("spawn")
-    with ProcessPoolExecutor(workers, mp_context=context) as pool:
-        waiting: set[Future[tuple[NDArray[np.int_], Columns, bool]]] = set()
-        try:
-            while True:
-                waiting |= {pool.submit(work, one) for one in islice(coming, AHEAD * workers - len(waiting))}
-                if not waiting:
-                    return
-                finished, waiting = wait(waiting, return_when=FIRST_COMPLETED)
-                for future in finished:
-                    yield future.result()
-        finally:
-            for future in waiting:
-                future.cancel()
 
 
 def _measured(
@@ -288,10 +263,10 @@ def _with_sign(table: TrialTable, channel_map: ChannelMap) -> ChannelMap:
 
 def _of_file(error: HaptonicError, name: str) -> HaptonicError:
     """The same error, with the file that it is about, and where channels get their meaning."""
-    parts = error.parts() | {"argument": f"{name}: {error.argument}"}
+    kind, next_step = FrictionError if isinstance(error, ChannelError) else type(error), error.next_step
     if isinstance(error, ChannelError) and error.argument.startswith("channel "):
-        parts["next_step"] += " Say so in [trials.sensor]"
-    return FrictionError(**parts) if isinstance(error, ChannelError) else type(error)(**parts)
+        next_step += " Say so in [trials.sensor]"
+    return error.changed(kind, argument=f"{name}: {error.argument}", next_step=next_step)
 
 
 def _why(name: str, error: HaptonicError) -> str:
@@ -308,7 +283,7 @@ def _declared(trials: xr.Dataset, excluded: Sequence[Exclusion]) -> xr.Dataset:
             if getattr(one, name) is not None:
                 rows &= trials[name].values == getattr(one, name)
         if not rows.any():
-            raise FrictionError(
+            raise FrictionError.mismatch(
                 argument=f"trials.exclude[{number}]",
                 given=", ".join(f"{key} {value}" for key, value in asdict(one).items() if value is not None),
                 allowed="trials that are in the table",
@@ -325,7 +300,7 @@ def _need_trials(trials: xr.Dataset) -> None:
         return
     counts = Counter(excluded.tolist()).most_common()
     detail = next((text for text in trials["detail"].values.tolist() if text), "")
-    raise FrictionError(
+    raise FrictionError.too_few(
         argument="trials",
         given=", ".join(f"{count} of {len(excluded)}: {reason}" for reason, count in counts),
         allowed="at least one trial that counts",

@@ -68,7 +68,7 @@ class ChannelMap:
         if self.largest_force is not None:
             flat |= bool((np.abs([normal, tangential]) >= self.largest_force).any())
         if not normal.size:
-            raise FrictionError(
+            raise FrictionError.out_of_range(
                 argument="start and stop",
                 given=f"{start} s to {stop} s",
                 allowed=f"times within the file, which lasts {len(self._any(channels)) / rate:.4g} s",
@@ -115,7 +115,7 @@ def pressing(records: Sequence[Record]) -> float:
 
 def no_rate() -> FrictionError:
     """The error of a file that says nothing of its times."""
-    return FrictionError(
+    return FrictionError.missing(
         argument="sampling rate",
         given="neither times nor a rate",
         allowed="a channel of times, or trials.sensor.rate",

@@ -13,11 +13,11 @@ from pydantic import AfterValidator, Field
 from haptonic.channels import Group
 from haptonic.channels.labels import factor_of
 from haptonic.channels.signals import Array
-from haptonic.errors import FrictionError, HaptonicError
-from haptonic.fields import Quantity, described, problem
+from haptonic.errors import FrictionError, HaptonicError, shown
+from haptonic.fields import Quantity, described, handed_on, problem
 from haptonic.friction.recordings.channel_map import ChannelMap, ScaledChannel, no_rate
 from haptonic.paths import source
-from haptonic.units import shown, to_si
+from haptonic.units import to_si
 
 AXES = ("Fx", "Fy", "Fz", "Tx", "Ty", "Tz")
 WORST_CONDITION = 1e6  # of a calibration matrix; beyond, two gauges say the same
@@ -45,7 +45,7 @@ def _unit_like(unit: str) -> AfterValidator:
             if text:
                 to_si(f"1 {text}", unit, "")
         except HaptonicError as error:
-            raise problem(shown(text), f'a unit, such as "m{unit}"', error.cause, error.next_step) from None
+            raise handed_on(error.changed(HaptonicError, allowed=f'a unit, such as "m{unit}"'), "") from None
         return text
 
     return AfterValidator(checked)
@@ -98,12 +98,14 @@ class Sensor:
         names = set(self.gauge_names)
         if self.gauges and len(names) != 6:
             raise problem(
+                "malformed",
                 shown(self.gauges), "six different names with commas between them",
                 f"there are {len(names)}", 'write gauges = "G0, G1, G2, G3, G4, G5"', at="gauges",
             )  # fmt: skip
         axes = [name.removeprefix("-").strip() for name in (self.normal, self.tangential) if name]
         if self.calibration and not set(axes) <= set(AXES[:3]):
             raise problem(
+                "unknown",
                 " and ".join(axes), "Fx, Fy or Fz where a calibration makes the forces",
                 "the name of a raw channel was given", 'write normal = "Fz"', at="normal",
             )  # fmt: skip
@@ -180,7 +182,7 @@ class Sensor:
             try:
                 factor = factor_of(unit, DIMENSION[meaning])
             except HaptonicError as error:
-                raise FrictionError(
+                raise FrictionError.malformed(
                     argument=f"unit of the channel {name}",
                     given=f'"{unit}"',
                     allowed=f'a unit of {kind}, such as "m{DIMENSION[meaning]}"',
@@ -195,13 +197,8 @@ class Sensor:
         for asked, usual in ((self.normal, "Fz"), (self.tangential, "Fy")):
             axis = asked.removeprefix("-").strip() or usual
             if axis not in AXES[:3]:
-                raise FrictionError(
-                    argument="trials.sensor",
-                    given=axis,
-                    allowed="Fx, Fy or Fz, where a calibration makes the forces",
-                    cause="the name of a raw channel was given",
-                    next_step="name the axis; the raw channels are named by gauges",
-                )
+                cause = "a calibration makes the forces, and the name of a raw channel was given"
+                raise FrictionError.unknown("trials.sensor", axis, AXES[:3], cause)
             rows.append(calibration[AXES.index(axis)] * (-1 if asked.startswith("-") else 1))
         return np.array(rows)
 
@@ -237,7 +234,7 @@ def read_calibration(path: Path) -> Array:
         rank = np.linalg.matrix_rank(whole)
         given = f"a matrix of rank {rank}, condition number {condition:.2g}"
         cause = "a row was copied twice or left at zero"
-    raise FrictionError(
+    raise FrictionError.unreadable(
         argument="trials.sensor.calibration",
         given=given,
         allowed="a CSV file of six rows (Fx Fy Fz Tx Ty Tz) by six gauges, of full rank",
@@ -259,7 +256,7 @@ def _guessed_gauges(names: dict[str, str], channels: Group) -> tuple[str, ...]:
     for six in GAUGES:
         if all(name in names for name in six):
             return tuple(names[name] for name in six)
-    raise FrictionError(
+    raise FrictionError.missing(
         argument="trials.sensor.gauges",
         given=", ".join(channels.signals) or "no channel of numbers",
         allowed="the names of six channels",

@@ -12,9 +12,8 @@ import numpy as np
 import pandas as pd
 from numpy.typing import NDArray
 
-from haptonic.errors import FrictionError, ResourceError
+from haptonic.errors import FrictionError, ResourceError, shown
 from haptonic.friction.signals.tables import LABEL, label_of, numbers_of, read_columns
-from haptonic.units import shown
 
 TABLE = "trials.csv"
 CARRIED = ("order", "direction")  # columns that go on into the table of results
@@ -60,7 +59,7 @@ class TrialTable:
         """
         path = folder / TABLE
         if not path.is_file():
-            raise ResourceError(
+            raise ResourceError.unreadable(
                 argument="folder of trials",
                 given=folder,
                 allowed=f"a folder with {TABLE}: participant, block, trial, waveguide, actuation, file",
@@ -124,7 +123,7 @@ def _times(path: Path, columns: dict[str, NDArray[Any]], name: str) -> list[floa
 
 
 def _bad_cell(path: Path, what: str, given: object, allowed: str) -> FrictionError:
-    return FrictionError(
+    return FrictionError.malformed(
         argument=f"{path.name}: {what}",
         given=shown(given),
         allowed=allowed,

@@ -10,8 +10,7 @@ import numpy as np
 import scipy
 from numpy.typing import NDArray
 
-from haptonic.errors import FrictionError, nearest
-from haptonic.units import shown
+from haptonic.errors import FrictionError
 
 Array = NDArray[np.float64]
 
@@ -39,16 +38,9 @@ def design_frequency(name: str, rate: float) -> float:
     FrictionError : no such filter, or a sampling rate too low for it
     """
     if name not in FILTERS:
-        guess = nearest(str(name), FILTERS)
-        raise FrictionError(
-            argument="filter",
-            given=shown(name),
-            allowed=" or ".join(f'"{known}"' for known in FILTERS),
-            cause="the word is misspelt",
-            next_step=f'did you mean "{guess}"?' if guess else "choose one of these",
-        )
+        raise FrictionError.unknown("filter", name, FILTERS, "the word is misspelt")
     if not (np.isfinite(rate) and rate > 4 * CORNER):
-        raise FrictionError(
+        raise FrictionError.out_of_range(
             argument="rate",
             given=f"{rate:g} Hz",
             allowed=f"above {4 * CORNER:g} Hz",
@@ -78,7 +70,7 @@ def smoothed(signals: Array, rate: float, name: str = "literal") -> Array:
     if name == "none":
         return np.asarray(signals)
     if signals.shape[-1] <= 3 * (ORDER + 1):
-        raise FrictionError(
+        raise FrictionError.too_few(
             argument="signals",
             given=f"{signals.shape[-1]} samples",
             allowed=f"more than {3 * (ORDER + 1)}",

@@ -7,8 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from haptonic.errors import FrictionError, nearest
-from haptonic.units import shown
+from haptonic.errors import FrictionError, nearest, shown
 
 Array = NDArray[np.float64]
 
@@ -58,7 +57,7 @@ class Label:
 
 def _bad(label: Label, name: str, given: object, allowed: str, next_step: str = "") -> FrictionError:
     where = f"participant {label.participant!s:.20}, block {label.block!s:.20}, trial {label.trial!s:.20}"
-    return FrictionError(
+    return FrictionError.malformed(
         argument=f"{name} of {where}",
         given=shown(given),
         allowed=allowed,
@@ -113,7 +112,7 @@ class Record:
 
 
 def _unusable(name: str, given: str, allowed: str, cause: str, next_step: str = "") -> FrictionError:
-    return FrictionError(
+    return FrictionError.malformed(
         argument=f"record.{name}",
         given=given,
         allowed=allowed,

@@ -78,6 +78,7 @@ class Rules:
             low, high = getattr(self, name)
             if not low < high:
                 raise problem(
+                    "conflict",
                     f"{format_quantity(low, unit)}, {format_quantity(high, unit)}",
                     "the lower limit first",
                     "the limits are exchanged or equal",

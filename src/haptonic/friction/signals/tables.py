@@ -119,7 +119,7 @@ def read_columns(path: Path, required: Sequence[str]) -> dict[str, Column]:
         columns = _READERS[path.suffix](path)
     except (OSError, MemoryError, ChannelError) as error:
         missing = isinstance(error, FileNotFoundError)
-        raise ResourceError(
+        raise ResourceError.unreadable(
             argument="table of trials",
             given=path,
             allowed=f"a readable {FORMATS[path.suffix]} file",
@@ -131,7 +131,7 @@ def read_columns(path: Path, required: Sequence[str]) -> dict[str, Column]:
     for name in required:
         if name not in columns:
             guess = nearest(name, columns)
-            raise FrictionError(
+            raise FrictionError.missing(
                 argument=f"{path.name}: column {name}",
                 given=", ".join(columns) or "no columns",
                 allowed=f"the columns {', '.join(required)}",
@@ -198,7 +198,7 @@ def rate_of(time: NDArray[np.float64], where: str) -> float:
     steps = np.diff(time)
     typical = float(np.median(steps)) if steps.size else 0.0
     if not (typical > 0 and (np.abs(steps - typical) < JITTER * typical).all()):
-        raise FrictionError(
+        raise FrictionError.malformed(
             argument=where,
             given="times that do not advance evenly",
             allowed="equidistant times in s, ascending",
@@ -209,7 +209,7 @@ def rate_of(time: NDArray[np.float64], where: str) -> float:
 
 
 def _bad_table(path: Path, given: str, allowed: str) -> FrictionError:
-    return FrictionError(
+    return FrictionError.malformed(
         argument=path.name,
         given=given,
         allowed=allowed,
@@ -219,7 +219,7 @@ def _bad_table(path: Path, given: str, allowed: str) -> FrictionError:
 
 
 def _other_format(path: Path, allowed: list[str]) -> FrictionError:
-    return FrictionError(
+    return FrictionError.malformed(
         argument="table of trials",
         given=path.name,
         allowed=f"a name that ends in {', '.join(allowed)}",

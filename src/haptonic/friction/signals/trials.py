@@ -61,7 +61,7 @@ def tabulated(
     FrictionError : no row, or two of one trial
     """
     if not len(labels["participant"]):
-        raise FrictionError(
+        raise FrictionError.missing(
             argument="records",
             given="none",
             allowed="at least one record",
@@ -71,7 +71,7 @@ def tabulated(
     once = set()
     for key in zip(*(labels[name].tolist() for name in IDENTITY), strict=True):
         if key in once:
-            raise FrictionError(
+            raise FrictionError.repeated(
                 argument="records",
                 given=f"participant {key[0]}, block {key[1]}, trial {key[2]} more than once",
                 allowed="one record for each trial",

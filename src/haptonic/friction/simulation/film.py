@@ -69,7 +69,7 @@ def film_of(
     for name, curve in zip(names, found.T, strict=True):
         if not np.isfinite(curve).all():
             heaviest = format_quantity(float(forces[np.isnan(curve)].min()), "N")
-            raise FrictionError(
+            raise FrictionError.no_answer(
                 argument=f"amplitude on {name}",
                 given=f"{format_quantity(amplitude[name], 'm')} at {heaviest}",
                 allowed="amplitudes at which a film of air carries the finger, at every force of a stroke",
@@ -106,7 +106,7 @@ def explaining(
     made = {}
     for name, share in reduction.items():
         if not left[known].min(initial=1) <= 1 - share <= left[known].max(initial=0):
-            raise FrictionError(
+            raise FrictionError.out_of_range(
                 argument=f"reduction on {name}",
                 given=f"{share:g}",
                 allowed=f"{1 - left[known].max(initial=0):.2g} to {1 - left[known].min(initial=1):.4g}",

@@ -10,12 +10,11 @@ from types import MappingProxyType
 import numpy as np
 from numpy.random import Generator
 
-from haptonic.errors import FrictionError
+from haptonic.errors import FrictionError, shown
 from haptonic.friction.participants import Participants
 from haptonic.friction.protocol import Protocol
 from haptonic.friction.signals import Label
 from haptonic.friction.simulation.film import LIGHTEST, Film
-from haptonic.units import shown
 
 SLOWEST = 0.03  # m/s: what a participant who follows instructions does not fall below
 
@@ -69,8 +68,8 @@ class Trial:
 
 
 def _untrue(name: str, value: object, allowed: str) -> FrictionError:
-    return FrictionError(
-        argument=f"twin.{name}",
+    return FrictionError.out_of_range(
+        argument=f"truth.{name}",
         given=shown(value),
         allowed=allowed,
         cause="a percentage, or another unit",

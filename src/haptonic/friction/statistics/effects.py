@@ -129,7 +129,7 @@ def equivalence(pairs: Pairs, bound: float) -> Equivalence:
     FrictionError : a bound that is no share
     """
     if not 0 < bound < 1:
-        raise FrictionError(
+        raise FrictionError.out_of_range(
             argument="bound",
             given=f"{bound}",
             allowed="a share above 0 and below 1",
@@ -178,7 +178,7 @@ def drift(trials: xr.Dataset) -> IntervalEstimate:
         place = order / max(len(rows) - 1, 1)
         kept = usable[rows]
         if kept.sum() < 3:
-            raise FrictionError(
+            raise FrictionError.too_few(
                 argument=f"trials of {name}",
                 given=f"{int(kept.sum())} usable with the vibration off",
                 allowed="at least 3",
@@ -204,7 +204,7 @@ def _without_guides(friction: Array, guide: NDArray[np.str_]) -> Array:
 
 def _check_the_same_people(driven: Pairs, idle: Pairs) -> None:
     if set(driven.people) != set(idle.people):
-        raise FrictionError(
+        raise FrictionError.mismatch(
             argument="pairs",
             given=" and ".join(f"{', '.join(one.people)} on {one.waveguide}" for one in (driven, idle)),
             allowed="the same participants on both",

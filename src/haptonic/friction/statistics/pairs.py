@@ -9,7 +9,7 @@ import numpy as np
 import xarray as xr
 from numpy.typing import NDArray
 
-from haptonic.errors import FrictionError, nearest
+from haptonic.errors import FrictionError
 
 Array = NDArray[np.float64]
 Names = NDArray[np.str_]
@@ -50,14 +50,8 @@ class Pairs:
         FrictionError : nobody of that name has a pair
         """
         if participant not in self.people:
-            guess = nearest(participant, self.people)
-            raise FrictionError(
-                argument="participant",
-                given=f'"{participant}"',
-                allowed=f"one of {', '.join(self.people)}",
-                cause="the name is misspelt, or all trials were excluded",
-                next_step=f'did you mean "{guess}"?' if guess else "choose one of these",
-            )
+            cause = "the name is misspelt, or all trials were excluded"
+            raise FrictionError.unknown("participant", participant, self.people, cause)
         rows = self.participant == participant
         return Pairs(self.waveguide, self.participant[rows], self.on[rows], self.off[rows], omitted=0)
 
@@ -79,7 +73,7 @@ def paired(trials: xr.Dataset, waveguide: str) -> Pairs:
     """
     for name in ("participant", "block", "trial", "waveguide", "actuation", "friction", "excluded"):
         if name not in trials:
-            raise FrictionError(
+            raise FrictionError.mismatch(
                 argument="trials",
                 given=", ".join(str(name) for name in trials.data_vars) or "no columns",
                 allowed=f"a table with the column {name}",
@@ -88,14 +82,8 @@ def paired(trials: xr.Dataset, waveguide: str) -> Pairs:
             )
     guides = list(dict.fromkeys(str(name) for name in trials["waveguide"].values))
     if waveguide not in guides:
-        guess = nearest(waveguide, guides)
-        raise FrictionError(
-            argument="waveguide",
-            given=f'"{waveguide}"',
-            allowed=f"one of {', '.join(guides)}",
-            cause="no trial was made there, or the name is misspelt",
-            next_step=f'did you mean "{guess}"?' if guess else "choose one of these",
-        )
+        cause = "no trial was made there, or the name is misspelt"
+        raise FrictionError.unknown("waveguide", waveguide, guides, cause)
     columns = {
         name: trials[name].values for name in ("participant", "block", "trial", "actuation", "friction")
     }
@@ -113,7 +101,7 @@ def paired(trials: xr.Dataset, waveguide: str) -> Pairs:
             pair[side] = float(columns["friction"][row])
     whole = {key: pair for key, pair in places.items() if len(pair) == 2}
     if not whole:
-        raise FrictionError(
+        raise FrictionError.too_few(
             argument=f"trials on {waveguide}",
             given=f"{len(rows)} trials, {int(usable[rows].sum())} of them usable",
             allowed="at least one trial with the vibration on and one with it off in the same block",

@@ -10,10 +10,9 @@ import scipy
 import xarray as xr
 from numpy.typing import NDArray
 
-from haptonic.errors import FrictionError
+from haptonic.errors import FrictionError, shown
 from haptonic.friction.statistics.comparison import by_mixed_model, by_participants, by_trials
 from haptonic.friction.statistics.pairs import Pairs
-from haptonic.units import shown
 
 Array = NDArray[np.float64]
 
@@ -205,7 +204,7 @@ def _counts(name: str, numbers: list[int], least: int) -> None:
 
 
 def _bad(name: str, given: object, allowed: str, cause: str) -> FrictionError:
-    return FrictionError(
+    return FrictionError.out_of_range(
         argument=name,
         given=shown(given),
         allowed=allowed,

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from haptonic.plots.words import minus
+from haptonic.plots.text import minus
 from haptonic.report.chapter import Absent, Chapter, Results, Table
 from haptonic.results.references import Value, found_at
 

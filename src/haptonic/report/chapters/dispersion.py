@@ -7,7 +7,7 @@ import json
 import xarray as xr
 
 from haptonic.bloch import Gap, gaps_of
-from haptonic.plots.words import khz
+from haptonic.plots.text import khz
 from haptonic.report.chapter import Absent, Chapter, Results
 
 
@@ -15,9 +15,9 @@ def chapter(results: Results) -> Chapter | Absent:
     """Dispersion along the edge of the irreducible zone, and what the whole zone adds."""
     bands, carrier = results.parts["bands"], results.study.carrier
     complete = [gap for gap in gaps_of(results.bands) if gap.complete]
-    told = "; ".join(f"complete gap {in_words(gap)}" for gap in complete) or "no complete gap"
+    told = "; ".join(f"complete gap {gap_text(gap)}" for gap in complete) or "no complete gap"
     second = "the band below the widest complete gap" if complete else "the second band"
-    empty = f"; it is zero in the complete gap from {in_words(complete[0])}" if complete else ""
+    empty = f"; it is zero in the complete gap from {gap_text(complete[0])}" if complete else ""
     words = {
         "dispersion": f"Band diagram: {results.bands.sizes['band']} bands along "
         f"{'-'.join(along(results.bands))}; {told}.",
@@ -45,7 +45,7 @@ def along(data: xr.Dataset) -> list[str]:
     return list(json.loads(data.attrs["path_labels"]))
 
 
-def in_words(gap: Gap) -> str:
+def gap_text(gap: Gap) -> str:
     """``52.51 ± 0.05 to 60.21 ± 0.06 kHz``."""
     return f"{khz(gap.lower, gap.lower_error)} to {khz(gap.upper, gap.upper_error)} kHz"
 

@@ -35,7 +35,7 @@ def chapter(results: Results) -> Chapter | Absent:
         findings=(*_findings(result), *_inversion(results, result)),
         pictures=results.pictures(result, words),
         tables=(
-            *(one.labelled("simulated") for one in result.tables()),
+            *result.tables(),
             *_published(results, result),
         ),
     )

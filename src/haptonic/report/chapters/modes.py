@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from haptonic.plots.modes import SHOWN
-from haptonic.plots.words import khz
+from haptonic.plots.text import khz
 from haptonic.report.chapter import Absent, Chapter, Results, Table
 from haptonic.results.bands import mode_names
 

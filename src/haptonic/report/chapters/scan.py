@@ -1,4 +1,4 @@
-"""The scan of the plate by a twin of the instrument: maps, contrast, and the gap in it."""
+"""The scan of the plate by a simulated instrument: maps, contrast, and the gap in it."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from haptonic.results.table import Column
 from haptonic.vibrometry import MeasuredGap
 from haptonic.vibrometry.on_plate import contrast_range
 
-TITLE = "The scan, from a twin"
+TITLE = "The scan, simulated"
 MEANING = (
     "An edge of the lattice's gap is told where waves in the rows of pillars begin to fade; one that so few "
     "rows do not show is not. High contrast, where the driven region vibrates much more than the lattices, "
@@ -24,17 +24,17 @@ CLOSE = 0.5  # dB, within which the contrast of a scan counts as that of the pla
 
 
 def chapter(results: Results) -> Chapter | Absent:
-    """Maps of the twin's scan below the computed ones, contrast, and the gaps beside one another."""
+    """Maps of the simulated scan below the computed ones, contrast, and the gaps beside one another."""
     plate, scan = results.of(PlateResult), results.of(ScanResult)
     if plate is None or scan is None:
         return Absent(TITLE, "no scan was made up in this run")
     edges = None if plate.gap is None else (plate.gap.lower, plate.gap.upper)
-    rows = {"computed": plate.response, "scan by the twin": scan.response}
+    rows = {"computed": plate.response, "simulated scan": scan.response}
     maps = Picture(
         plots.maps_compared(rows, scan.shapes, plate.plate.layout, edges),
-        f"Simulated normal velocity of the flat face{results.where('maps')}; below it the twin's "
+        f"Simulated normal velocity of the flat face{results.where('maps')}; below it the simulated scan's "
         f"scan{results.where('scan')}. Each map is scaled to its largest point; grey: not scanned.",
-        "Maps below, in and above the gap, computed ones above those of the twin's scan.",
+        "Maps below, in and above the gap, computed ones above those of the simulated scan.",
     )
     words = {
         "contrast": "Contrast against frequency; the range of high contrast and the computed gap are marked."
@@ -43,7 +43,7 @@ def chapter(results: Results) -> Chapter | Absent:
         title=TITLE,
         identifier="scan",
         paragraphs=(_what(results, scan), MEANING),
-        findings=(*_everywhere(plate, scan), *(f"{one[0].upper()}{one[1:]}." for one in scan.told)),
+        findings=(*_everywhere(plate, scan), *(f"{one[0].upper()}{one[1:]}." for one in scan.undetermined)),
         pictures=(maps, *results.pictures(scan, words)),
         tables=(_levels(plate, scan), _gaps(plate, scan)),
     )
@@ -53,7 +53,7 @@ def _what(results: Results, scan: ScanResult) -> str:
     asked, lines = results.study.scan_settings, scan.response.frequency
     instrument = asked.instrument
     return (
-        "Nobody measured this: the records are simulated. A twin of the instrument takes the velocity of the "
+        "Nobody measured this: the records are simulated. A simulated instrument takes the velocity of the "
         f"computed plate at {scan.response.dataset.sizes['point']} points and {len(lines)} lines "
         f"{lines[1] - lines[0]:.4g} Hz apart, as a periodic drive has them, records {asked.averages} periods "
         f"with noise of {1e6 * instrument.noise:.3g} um/s and {instrument.bits} bits, and loses the surface "
@@ -72,7 +72,7 @@ def _levels(plate: PlateResult, scan: ScanResult) -> Table:
             rows.append(
                 (f"{name}, {frequency / 1e3:.2f} kHz", float(level[0]), float(seen.get(name, np.nan)))
             )
-    columns = Column("computed", "dB", form=".1f"), Column("scan by the twin", "dB", form=".1f")
+    columns = Column("computed", "dB", form=".1f"), Column("simulated scan", "dB", form=".1f")
     return Table("Simulated contrast at the maps.", ("contrast", *columns), rows)
 
 
@@ -102,13 +102,13 @@ def _gaps(plate: PlateResult, scan: ScanResult) -> Table:
         )
     if scan.lattice:
         edges = (scan.lattice.lower, scan.lattice.upper)
-        rows.append(("lattice, twin's scan", *(str(edge or "not determined") for edge in edges)))
+        rows.append(("lattice, simulated scan", *(str(edge or "not determined") for edge in edges)))
     try:
         rows.append(("high contrast, computed plate", *_edges(contrast_range(plate.response, plate.plate))))
     except HaptonicError as error:
         rows.append(("high contrast, computed plate", "none", error.given))
     if scan.measured:
-        rows.append(("high contrast, twin's scan", *_edges(scan.measured)))
+        rows.append(("high contrast, simulated scan", *_edges(scan.measured)))
     return Table("Simulated gaps, with standard errors.", ("where", "from", "to"), tuple(rows))
 
 

@@ -7,7 +7,7 @@ import xarray as xr
 
 from haptonic import plots
 from haptonic.plots.sweeps import SUBSCRIPTED
-from haptonic.plots.words import minus, readable, scaled_unit
+from haptonic.plots.text import minus, readable, scaled_unit
 from haptonic.report.chapter import Absent, Chapter, Picture, Results, Table
 from haptonic.report.trend import trend_of
 

@@ -45,7 +45,7 @@ def out_of_reach(
     carrier = brief.carrier
     if best is not None and best.lower < carrier < best.upper:
         lower, upper, *errors = in_khz(best.lower, best.upper, best.lower_error, best.upper_error)
-        return StudyError(
+        return StudyError.inaccurate(
             argument="bands.accuracy",
             given=f"edges known to {' and '.join(errors)} kHz only",
             allowed="edges known well enough to say that the carrier lies between them",
@@ -58,7 +58,7 @@ def out_of_reach(
     bands = (
         f"; the {brief.count} bands end below it in {above} of {len(ends)} designs looked at" if above else ""
     )
-    return StudyError(
+    return StudyError.no_answer(
         argument="carrier",
         given=format_quantity(carrier, "Hz"),
         allowed="a frequency that the gap of some allowed design holds",
@@ -98,7 +98,7 @@ def uncomputed(
         accuracy, gap = computed
         coarse, (lower, upper) = "", in_khz(gap.lower, gap.upper)
         next_step = f"ask for accuracy = {accuracy:g} in [bands], at which this design can be computed"
-    return ResourceError(
+    return ResourceError.inaccurate(
         argument=failure.argument,
         given=failure.given,
         allowed=failure.allowed,

@@ -134,7 +134,7 @@ class _Search:
         return climbs
 
     def ranked(self, summits: Sequence[Visited]) -> list[Visited]:
-        """The summits without twins, the best first; bands that touch are behind all gaps."""
+        """The summits without doubles, the best first; bands that touch are behind all gaps."""
         return distinct(
             sorted(summits, key=lambda one: (not one.is_open(self.brief.carrier), -one.margin)), SAME
         )

@@ -55,9 +55,7 @@ def gap_task(cell: UnitCell, settings: BandSettings, band: int) -> Task:
 def gap_dataset(argument: tuple[UnitCell, BandSettings, int]) -> xr.Dataset:
     """The gaps; see `haptonic.bloch.gaps_of`."""
     cell, settings, band = argument
-    found: xr.Dataset = gaps_dataset(
-        cell, count=settings.count, accuracy=settings.accuracy, resolution=settings.resolution, above=band
-    )
+    found: xr.Dataset = gaps_dataset(cell, settings, above=band)
     return found
 
 

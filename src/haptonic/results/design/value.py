@@ -17,7 +17,7 @@ from haptonic.design.brief import Brief
 from haptonic.design.parameters import UNITS
 from haptonic.design.quick import QUICK
 from haptonic.design.search import Visited
-from haptonic.plots.words import khz
+from haptonic.plots.text import khz
 from haptonic.results.common import write_netcdf
 from haptonic.results.design.tasks import as_dataset
 from haptonic.results.plain import split

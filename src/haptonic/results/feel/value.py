@@ -29,10 +29,10 @@ from haptonic.friction.lubrication import (
 from haptonic.friction.phrases import change
 from haptonic.gate import declared
 from haptonic.plate import Plate
-from haptonic.plate.question import driven_region
+from haptonic.plate.sampling import driven_region
 from haptonic.response import Reference
-from haptonic.results.feel.felt import Felt
-from haptonic.results.feel.lights import Light, lights
+from haptonic.results.feel.reduction import Reduction
+from haptonic.results.feel.requirements import Requirement, requirements
 from haptonic.results.plain import determined, split
 from haptonic.results.result import Result, figure
 from haptonic.results.table import Column, Table
@@ -63,7 +63,7 @@ BEYOND = 2.0  # times the drive: where that curve ends
 def check_reduction(reduction: float) -> None:
     """Raise StudyError for what is no share of friction that can be taken away."""
     if not 0 < reduction < 1:
-        raise StudyError(
+        raise StudyError.out_of_range(
             argument="reduction",
             given=f"{reduction:g}",
             allowed="a share above 0 and below 1",
@@ -160,11 +160,11 @@ class Feel(Result):
             attrs={"origin": "simulated", "drive": f"{drive:g} {self.unit}"},
         )
 
-    def reductions(self, drive: float | None = None) -> dict[str, Felt]:
+    def reductions(self, drive: float | None = None) -> dict[str, Reduction]:
         """Mean reduction over the places of every region."""
         found = self.friction(drive)
         return {
-            name: Felt(
+            name: Reduction(
                 *(1 - float(found[end].values[self.below(name)].mean()) for end in ("value", "high", "low"))
             )
             for name in self.regions
@@ -244,9 +244,9 @@ class Feel(Result):
         }  # fmt: skip
 
     @property
-    def lights(self) -> list[Light]:
+    def requirements(self) -> list[Requirement]:
         """Whether the plate does what it is for, each as a traffic light with its reason."""
-        return lights(self.reductions(), self.driven, self.rise, self.constant, self.frequency, self.gap)
+        return requirements(self.reductions(), self.driven, self.rise, self.constant, self.frequency, self.gap)
 
     @property
     def curve(self) -> xr.Dataset:
@@ -336,8 +336,8 @@ class Feel(Result):
             COLUMNS,
             [number for number, name in enumerate(self.regions) if name == self.driven],
         )
-        demands = [(f"{MARKS[one.colour]} {one.colour}", one.what, one.reason) for one in self.lights]
-        return [felt, Table("does the plate do what it is for?", ("", "demand", "why"), demands)]
+        demands = [(f"{MARKS[one.colour]} {one.colour}", one.what, one.reason) for one in self.requirements]
+        return [felt, Table("does the simulated plate do what it is for?", ("", "demand", "why"), demands)]
 
     def facts(self) -> dict[str, Any]:
         return {
@@ -354,5 +354,5 @@ class Feel(Result):
             "rise_time_s": determined(self.rise),
             "cue_threshold_s": CUE_THRESHOLD,
             "weber_fraction": WEBER_FRACTION,
-            "lights": self.lights,
+            "requirements": self.requirements,
         }

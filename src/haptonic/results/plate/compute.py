@@ -15,7 +15,7 @@ from haptonic.plate import Band, Fineness, Plate, PlateModel, modes_between
 from haptonic.plate.damping import real_times
 from haptonic.plate.datasets import body_dataset, lines_dataset, modes_dataset
 from haptonic.plate.levels import ABOVE, BELOW, marked_lines
-from haptonic.plate.question import (
+from haptonic.plate.sampling import (
     NEAR,
     grid_points,
     reference_of,
@@ -80,7 +80,7 @@ def compute_plate(
 
 def _need_loss(plate: Plate) -> None:
     if not plate.loss_factor:
-        raise StudyError(
+        raise StudyError.missing(
             argument="plate.loss_factor",
             given="0",
             allowed="more than 0",

@@ -17,7 +17,7 @@ from haptonic.bloch import Gap
 from haptonic.names import file_parts
 from haptonic.plate import Plate
 from haptonic.plate.levels import below_finger, compared, contrasts
-from haptonic.plate.question import driven_region, resonance_of
+from haptonic.plate.sampling import driven_region, resonance_of
 from haptonic.response import FrequencyResponse, rms, write
 from haptonic.results.common import write_netcdf
 from haptonic.results.plain import along, split
@@ -180,10 +180,10 @@ class PlateResult(Result):
 
     @cached_property
     def maps(self) -> xr.Dataset:
-        """All that is known at the frequencies of the maps; see `told`."""
-        return self.told(self.marked)
+        """All that is known at the frequencies of the maps; see `reported`."""
+        return self.reported(self.marked)
 
-    def told(self, response: FrequencyResponse) -> xr.Dataset:
+    def reported(self, response: FrequencyResponse) -> xr.Dataset:
         """What is known at the lines of the response or of the maps: energies, powers, impedances, and
 
         ``rms`` (region) : velocity; ``contrast`` (pair) : dB of the driven region over others

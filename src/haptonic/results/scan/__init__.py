@@ -1,4 +1,4 @@
-"""Scans with a laser vibrometer: what to measure, what came out, and a twin to test with."""
+"""Scans with a laser vibrometer: what to measure, what came out, and a simulated scan to test with."""
 
 import lazy_loader as lazy
 

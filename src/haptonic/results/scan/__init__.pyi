@@ -1,5 +1,5 @@
 from .analysis import Estimation, OnPlate, compute_scan
-from .twin import FORMATS, Twin
+from .simulated import FORMATS, SimulatedScan
 from .value import ScanResult
 
 __all__ = [
@@ -7,6 +7,6 @@ __all__ = [
     "Estimation",
     "OnPlate",
     "ScanResult",
-    "Twin",
+    "SimulatedScan",
     "compute_scan",
 ]

@@ -19,7 +19,7 @@ from haptonic.errors import HaptonicError, ResponseError, ScanError
 from haptonic.gate import WORD
 from haptonic.plate import Plate
 from haptonic.plate.levels import compared, marked_lines
-from haptonic.plate.question import driven_region, tile_names
+from haptonic.plate.sampling import driven_region, tile_names
 from haptonic.progress import Progress, silent
 from haptonic.response import FrequencyResponse, average_spectrum
 from haptonic.response.measures import sides
@@ -44,8 +44,8 @@ from haptonic.vibrometry import (
 from haptonic.vibrometry.estimation.quality import assessed
 from haptonic.vibrometry.estimation.spectra import Estimator, WindowName
 from haptonic.vibrometry.on_plate import contrast_range, decay_in, lattice_gap
-from haptonic.vibrometry.places import guides_of, mirror_beside
-from haptonic.vibrometry.question import Tiles, plan_for
+from haptonic.vibrometry.guides import guides_of, mirror_beside
+from haptonic.vibrometry.of_settings import Tiles, plan_for
 from haptonic.vibrometry.settings import ScanSettings
 from haptonic.vibrometry.theory import computed_waves
 
@@ -123,7 +123,7 @@ def compute_scan(
     data = xr.Dataset({"average": average_spectrum(response)})
     axes = [str(name) for name in response.dataset["direction"].values]
     unseen = [] if "z" in axes else [f"no maps: motions along {', '.join(axes)}, none normal to the plate"]
-    plain = ScanResult(response, found.quality, report, found.averages, data, (), told=tuple(unseen))
+    plain = ScanResult(response, found.quality, report, found.averages, data, (), undetermined=tuple(unseen))
     if on is None:
         loudest = float(response.frequency[int(data["average"].values.argmax())])
         return replace(plain, shapes=(loudest if at is None else at,))
@@ -160,7 +160,7 @@ def compute_scan(
     return replace(
         plain, response=response, shapes=shapes, plate=on.plate, carrier=on.carrier, gap=on.gap,
         measured=stands_out, lattice=lattice, registration=registration, waves=waves, mirror=mirror,
-        told=tuple(told),
+        undetermined=tuple(told),
     )  # fmt: skip
 
 

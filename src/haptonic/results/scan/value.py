@@ -29,7 +29,7 @@ from haptonic.results.table import Column, Table
 from haptonic.results.verdict import Verdict
 from haptonic.vibrometry import LatticeGap, MeasuredGap, Quality, ReadReport, Registration
 from haptonic.vibrometry.estimation.quality import FLAGS
-from haptonic.vibrometry.places import Guiding, Mirror, guides_of
+from haptonic.vibrometry.guides import Guiding, Mirror, guides_of
 from haptonic.vibrometry.theory import guided
 
 if TYPE_CHECKING:
@@ -63,7 +63,7 @@ class ScanResult(Result):
     shapes : frequencies of the operating shapes, Hz
     measured : range in which the driven region stands out; lattice : edges of the gap by how waves fade
     gap : of the lattice, computed; waves : see `computed_waves`
-    told : what could not be told, and why
+    undetermined : what could not be determined, and why
     verdict : on a model of the plate, if one was judged as well
     state : folder in which an estimation that is stopped goes on
     """
@@ -84,7 +84,7 @@ class ScanResult(Result):
     registration: Registration | None = None
     waves: xr.Dataset | None = None
     mirror: Mirror | None = None
-    told: tuple[str, ...] = ()
+    undetermined: tuple[str, ...] = ()
     verdict: Verdict | None = None
     state: Path | None = None
 
@@ -178,12 +178,12 @@ class ScanResult(Result):
 
     @figure("fading", "{Origin} fading of waves from row to row of the lattice.", when=_has("fading"))
     def _fading_map(self) -> Figure:
-        return plots.fading_map(self.data["fading"], self.lattice, self._edges, origin=self.origin)
+        return plots.decay_map(self.data["fading"], self.lattice, self._edges, origin=self.origin)
 
     @figure("decay", "{Origin} decay into the lattice.", when=_has("decay"))
     def _decay(self) -> Figure:
         assert self.decay is not None
-        return plots.fading(self.decay, self._fading, self._edges, origin=self.origin)
+        return plots.measured_decay(self.decay, self._fading, self._edges, origin=self.origin)
 
     @file("response.nc")
     def _write_response(self, path: Path) -> None:
@@ -243,7 +243,7 @@ class ScanResult(Result):
         return said + (self.verdict.summary() if self.verdict else [])
 
     def remarks(self) -> list[str]:
-        return list(self.told)
+        return list(self.undetermined)
 
     def tables(self) -> list[Table]:
         """Velocities, contrasts and decay at the frequencies of the operating shapes; then the verdict."""
@@ -305,7 +305,7 @@ class ScanResult(Result):
             "points": self.response.dataset.sizes["point"],
             "dropped": [str(one) for one in report.dropped],
             "missing": report.missing,
-            "remarks": [*report.remarks, *self.told, *reasons],
+            "remarks": [*report.remarks, *self.undetermined, *reasons],
             "lines": len(lines),
             "band_hz": [float(lines[0]), float(lines[-1])],
             "averages": self.averages,

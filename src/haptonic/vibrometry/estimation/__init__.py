@@ -3,9 +3,7 @@
 from __future__ import annotations
 
 import hashlib
-from collections import deque
 from collections.abc import Iterator
-from concurrent.futures import Future, ThreadPoolExecutor
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
@@ -15,7 +13,8 @@ from numpy.typing import NDArray
 
 from haptonic.channels import Notebook
 from haptonic.channels.labels import steps
-from haptonic.errors import ScanError, nearest
+from haptonic.errors import ScanError
+from haptonic.parallel import streamed
 from haptonic.progress import Progress, silent
 from haptonic.response import FrequencyResponse
 from haptonic.vibrometry.estimation.progress import Growing, growing
@@ -158,8 +157,7 @@ def _planned(
     align: bool,
 ) -> _Plan:
     if estimator not in ESTIMATORS:
-        guess = nearest(str(estimator), ESTIMATORS) or "H1"
-        raise _wrong("estimator", f'"{estimator}"', 'one of "H1", "H2", "Hv"', f'did you mean "{guess}"?')
+        raise ScanError.unknown("estimator", estimator, ESTIMATORS, "the name is misspelt")
     length = scan.samples if segment is None else segment
     if not 2 <= length <= scan.samples:
         allowed = f"2 to {scan.samples} samples, the length of a record"
@@ -209,17 +207,11 @@ class _Portion:
 
 def _computed(scan: TimeScan, plan: _Plan, size: int, start: int, workers: int) -> Iterator[_Portion]:
     """Portions in their order; one after the other is read while threads work on those before it."""
-    waiting: deque[Future[_Portion]] = deque()
-    with ThreadPoolExecutor(workers) as pool:
-        try:
-            for first, reference, response in scan.chunks(size, start=start):
-                waiting.append(pool.submit(_estimated, first, reference, response, scan.full_scale, plan))
-                if len(waiting) > workers:
-                    yield waiting.popleft().result()
-            while waiting:
-                yield waiting.popleft().result()
-        finally:
-            pool.shutdown(cancel_futures=True)
+
+    def estimated(portion: tuple[int, Samples, Samples]) -> _Portion:
+        return _estimated(*portion, scan.full_scale, plan)
+
+    yield from streamed(estimated, scan.chunks(size, start=start), workers, workers + 1)
 
 
 def _estimated(
@@ -315,7 +307,7 @@ def _fingerprint(scan: TimeScan) -> str:
 
 
 def _wrong(argument: str, given: str, allowed: str, next_step: str) -> ScanError:
-    return ScanError(
+    return ScanError.out_of_range(
         argument=argument,
         given=given,
         allowed=allowed,

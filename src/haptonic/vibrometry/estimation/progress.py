@@ -94,7 +94,7 @@ def _done(folder: Path, key: str) -> int:
 
 
 def _unusable(folder: Path, cause: str) -> ScanError:
-    return ScanError(
+    return ScanError.conflict(
         argument="state",
         given=str(folder),
         allowed="an empty folder, or one in which the same estimation was stopped",

@@ -105,13 +105,7 @@ def check_flags(flags: Collection[str]) -> None:
     """Refuse names that are not those of flags."""
     for flag in flags:
         if flag not in FLAGS:
-            raise ScanError(
-                argument="flags",
-                given=f'"{flag}"',
-                allowed=" or ".join(f'"{name}"' for name in FLAGS[:-1]),
-                cause="the flag is misspelt",
-                next_step="choose among these",
-            )
+            raise ScanError.unknown("flags", flag, FLAGS[:-1], "the flag is misspelt")
 
 
 def repaired(
@@ -132,7 +126,7 @@ def repaired(
     if not bad.any():
         return response, quality
     if len(good) < NEIGHBOURS:
-        raise ScanError(
+        raise ScanError.too_few(
             argument="repair",
             given=f"{len(good)} points without flags",
             allowed=f"at least {NEIGHBOURS}",

@@ -63,15 +63,11 @@ def window_of(name: WindowName, samples: int, sample_rate: float, decay: float |
     ScanError : an unknown name, or an exponential window without its decay
     """
     if name not in WINDOWS:
-        raise ScanError(
-            argument="window",
-            given=f'"{name}"',
-            allowed=" or ".join(f'"{known}"' for known in WINDOWS),
-            cause="the name is misspelt, or haptonic does not have such a window",
-            next_step='use "none" for periodic chirps, "exponential" for bursts, "hann" for random drives',
-        )
+        next_step = 'use "none" for periodic chirps, "exponential" for bursts, "hann" for random drives'
+        cause = "the name is misspelt, or haptonic does not have such a window"
+        raise ScanError.unknown("window", name, WINDOWS, cause, next_step=next_step)
     if (name == "exponential") != (decay is not None and np.isfinite(decay) and decay > 0):
-        raise ScanError(
+        raise ScanError.conflict(
             argument="decay",
             given=str(decay),
             allowed='a positive time in s with the window "exponential", nothing with the others',

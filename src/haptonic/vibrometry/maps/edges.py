@@ -98,7 +98,7 @@ def decay_along(response: FrequencyResponse, strips: Sequence[LatticeRows]) -> x
     """
     usable = [strip for strip in strips if strip.rows >= LEAST_ROWS]
     if not usable:
-        raise ScanError(
+        raise ScanError.too_few(
             argument="strips", given="fewer than three rows of a lattice, one behind the other",
             allowed="three rows or more",
             cause="two rows cannot tell a wave that fades from one that is reflected",
@@ -263,7 +263,7 @@ def _complete(part: FrequencyResponse, depth: Axis, along: Axis) -> xr.DataArray
     there = np.isfinite(grid.values[0])
     whole = grid.isel({along: np.flatnonzero(there.all(axis=0))})
     if whole.sizes[depth] <= DEGREE or whole.sizes[along] < 0.7 * grid.sizes[along]:
-        raise ScanError(
+        raise ScanError.too_few(
             argument="strips", given=f"{whole.sizes[along]} of {grid.sizes[along]} places along the rows "
             f"without a missing point, {whole.sizes[depth]} across them",
             allowed=f"70 % of the places, and more than {DEGREE} across the rows",

@@ -70,7 +70,7 @@ def measured_gap(
     """
     lines = response.frequency
     if not (np.isfinite(smoothing) and smoothing >= 0 and len(lines) >= 8 and resamples >= 2):
-        raise ScanError(
+        raise ScanError.out_of_range(
             argument="measured_gap",
             given=f"smoothing {smoothing:g} Hz, {len(lines)} lines, {resamples} resamples",
             allowed="a smoothing of zero or more, at least eight lines and two resamples",
@@ -84,7 +84,7 @@ def measured_gap(
     level = _contrast(above.mean(axis=1), below.mean(axis=1))
     outside, inside = (float(np.percentile(level, share)) for share in (25, 90))
     if inside - outside < LEAST_STEP:
-        raise ScanError(
+        raise ScanError.no_answer(
             argument="measured_gap",
             given=f"a contrast of {over} over {lattice} between {outside:.3g} and {inside:.3g} dB",
             allowed=f"one that rises by {LEAST_STEP:g} dB or more",
@@ -120,7 +120,7 @@ def region_statistics(response: FrequencyResponse, low: float, high: float) -> x
     """
     part = response.between(low, high)
     if not part.regions:
-        raise ScanError(
+        raise ScanError.missing(
             argument="region",
             given="points without regions",
             allowed="points that lie in named regions",

@@ -60,7 +60,7 @@ class Registration:
         data, notes = response.dataset, response.dataset.attrs
         directions = [str(name) for name in data["direction"].values]
         if directions != ["z"] and (self.mirrored or abs(self.angle) > 1e-12):
-            raise ScanError(
+            raise ScanError.unsupported(
                 argument="registration",
                 given=f"a turn by {np.degrees(self.angle):.4g} deg of motions along {', '.join(directions)}",
                 allowed="motions along z, or a registration without a turn",
@@ -182,7 +182,7 @@ def _turn(angle: float) -> Array:
 
 
 def _wrong(argument: str, given: str, allowed: str) -> ScanError:
-    return ScanError(
+    return ScanError.malformed(
         argument=f"registration.{argument}",
         given=given,
         allowed=allowed,

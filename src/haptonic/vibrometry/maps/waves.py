@@ -74,7 +74,7 @@ def wavenumber_map(response: FrequencyResponse, region: str, along: Axis) -> xr.
     )  # (frequency, row and direction, place)
     whole = np.isfinite(rows).all(axis=(0, 2))
     if len(place) < 8 or not whole.any():
-        raise ScanError(
+        raise ScanError.too_few(
             argument=f'region "{region}"',
             given=f"{len(place)} points along {along}, {int(whole.sum())} rows without a missing point",
             allowed="eight points or more along the guide, and at least one whole row of them",
@@ -181,7 +181,7 @@ def lattice_decay(
 
 
 def _wrong(argument: str, given: str, allowed: str) -> ScanError:
-    return ScanError(
+    return ScanError.out_of_range(
         argument=f"lattice_decay.{argument}",
         given=given,
         allowed=allowed,

@@ -16,10 +16,10 @@ from haptonic.channels import Group, Notebook
 from haptonic.channels.formats import Format, format_of
 from haptonic.channels.signals import SIMULATED, Origin
 from haptonic.channels.uff import scaled, uff_contents
-from haptonic.errors import ChannelError, HaptonicWarning, ResourceError, ScanError
+from haptonic.errors import ChannelError, HaptonicWarning, ResourceError, ScanError, shown
 from haptonic.paths import source
 from haptonic.response import FrequencyResponse, Reference
-from haptonic.units import shown, to_si
+from haptonic.units import to_si
 from haptonic.vibrometry.curves import assemble
 from haptonic.vibrometry.findings import ReadReport
 from haptonic.vibrometry.readers import hdf5, uff, uff_time
@@ -56,7 +56,7 @@ class Scan:
         ScanError : the file holds time records
         """
         if isinstance(self.content, TimeScan):
-            raise ScanError(
+            raise ScanError.mismatch(
                 argument="scan.response",
                 given=f"{self.report.path}, which holds time records",
                 allowed="a scan of frequency responses",
@@ -74,7 +74,7 @@ class Scan:
         ScanError : the file holds frequency responses
         """
         if isinstance(self.content, FrequencyResponse):
-            raise ScanError(
+            raise ScanError.mismatch(
                 argument="scan.records",
                 given=f"{self.report.path}, which holds frequency responses",
                 allowed="a scan of time records",
@@ -149,7 +149,7 @@ def _read(
     form = None if path.is_dir() else _format(path)
     notes = Notebook(path, FOLDER if form is None else form.name)
     if frequency_unit is not None and notes.format not in WITHOUT_UNITS:
-        raise ScanError(
+        raise ScanError.conflict(
             argument="frequency_unit",
             given=f"{frequency_unit:g} Hz, for {notes.format}",
             allowed=f"a unit for {' or '.join(WITHOUT_UNITS)}",
@@ -165,7 +165,7 @@ def _read(
         else:
             content = _of_groups(form.read(path, notes), how, notes, origin, title)
     except ChannelError as error:
-        raise ScanError(**error.parts()) from error
+        raise error.changed(ScanError) from error
     if notes.format in WITHOUT_UNITS:
         _doubt(content, path, length_unit is None, frequency_unit is None)
     points = len(content.x) if isinstance(content, TimeScan) else content.dataset.sizes["point"]
@@ -193,7 +193,7 @@ def _one(unit: float | str | None, si: str, argument: str) -> float | None:
         return None
     one = to_si(f"1 {unit}", si, argument) if isinstance(unit, str) else float(unit)
     if not 0 < one < math.inf:
-        raise ScanError(
+        raise ScanError.malformed(
             argument=argument,
             given=shown(unit),
             allowed=f'a unit such as "{EXAMPLES[si]}", or a positive number of {si}',
@@ -259,12 +259,12 @@ def _format(path: Path) -> Format:
 
 
 def _unreadable(path: Path, cause: str, next_step: str) -> ResourceError:
-    return ResourceError(
+    return ResourceError.unreadable(
         argument="path", given=path, allowed="a file that can be read", cause=cause, next_step=next_step
     )
 
 
 def _refused(path: Path, found: str, cause: str, next_step: str) -> ScanError:
-    return ScanError(
+    return ScanError.unreadable(
         argument="path", given=f"{path}: {found}", allowed=FORMATS, cause=cause, next_step=next_step
     )

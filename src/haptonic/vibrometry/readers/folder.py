@@ -72,7 +72,7 @@ def _geometry(
     """Places and files of the points by name, and whether they are simulated."""
     table = path / GEOMETRY
     if not table.is_file():
-        raise ScanError(
+        raise ScanError.missing(
             argument="folder of a scan",
             given=f"{path}: no {GEOMETRY}",
             allowed=f"a folder with one CSV file for each point and {GEOMETRY} with the columns file, x, y",
@@ -86,7 +86,7 @@ def _geometry(
         text = io.StringIO(delimited.text_of(table), newline="")
         rows = list(csv.DictReader(text, skipinitialspace=True))
     except (ChannelError, csv.Error) as error:
-        raise ScanError(
+        raise ScanError.unreadable(
             argument=f"{GEOMETRY} of a scan",
             given=f"{table}: {error.given if isinstance(error, ChannelError) else error}",
             allowed="a table in UTF-8 with the columns file, x, y",

@@ -130,7 +130,7 @@ def _motion(word: str, path: Path) -> Motion:
 
 
 def _foreign(path: Path, found: str) -> ScanError:
-    return ScanError(
+    return ScanError.unreadable(
         argument="file of time records",
         given=f"{path}: {found}",
         allowed='an HDF5 file in haptonic\'s layout of time records, kind "haptonic time records"',

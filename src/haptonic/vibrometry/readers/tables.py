@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from haptonic.channels import Channel, Notebook
 from haptonic.channels.labels import Ratio, ratio_of
 from haptonic.channels.signals import ORIGIN, Origin
-from haptonic.errors import ScanError, nearest
+from haptonic.errors import ScanError
 from haptonic.response import FrequencyResponse, Reference
 from haptonic.vibrometry.curves import Curve, Point, assemble
 from haptonic.vibrometry.records import InMemory, OfChannels, Source, TimeScan
@@ -65,14 +65,8 @@ def table_of(arrays: Mapping[str, Channel], how: Mapped, notes: Notebook) -> dic
     for meaning, name in how.variables.items():
         for word, known, what in ((meaning, GUESSES, "meanings"), (name, arrays, "variables")):
             if word not in known:
-                guess = nearest(word, known)
-                raise ScanError(
-                    argument=f"variables.{meaning}",
-                    given=f'"{word}"',
-                    allowed=f"one of the {what}: {', '.join(sorted(known)) or 'none'}",
-                    cause="the name is misspelt, or the file is another one",
-                    next_step=f'did you mean "{guess}"?' if guess else "choose one of these",
-                )
+                cause = f"none of the {what} has this name, or the file is another one"
+                raise ScanError.unknown(f"variables.{meaning}", word, sorted(known), cause)
     found = {meaning: arrays[name] for meaning, name in how.variables.items()}
     lower = {name.lower(): name for name in arrays}
     taken = set(how.variables.values())
@@ -102,7 +96,7 @@ def scan_of(
         raise _unfit("response", "no such variable", notes)
     unit = ratio_of(how.unit)
     if unit.over.motion is None:
-        raise ScanError(
+        raise ScanError.malformed(
             argument="unit",
             given=f'"{how.unit}"',
             allowed='a unit of displacement, velocity or acceleration, such as "mm/s/V"',
@@ -219,7 +213,7 @@ def _records_first(values: Channel, points: int) -> Channel:
 
 
 def _unfit(argument: str, given: str, notes: Notebook) -> ScanError:
-    return ScanError(
+    return ScanError.mismatch(
         argument=f"{notes.path.name}: {argument}",
         given=given,
         allowed=NEEDED,

@@ -107,7 +107,7 @@ def _paired(
         contents.notes.remark("reference records were paired with the points by their order in the file")
         rows = [references[i : i + repeats] for i in range(0, len(references), repeats)]
     else:
-        raise ScanError(
+        raise ScanError.mismatch(
             argument="reference channel",
             given=f"{len(references)} records of it for {len(points)} points with {repeats} each",
             allowed="one record for each of the points' records, or one set that all points share",

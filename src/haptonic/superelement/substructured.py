@@ -1,6 +1,6 @@
-"""A cell condensed in two steps: its plate with the foot of the pillar, then the pillar's shaft upon it.
+"""A cell condensed in two steps: its plate with the foot of the pillar, then the pillar's body upon it.
 
-The shaft needs no mesh, and what stands below it is condensed once for all lengths of the shaft. Only the
+The body needs no mesh, and what stands below it is condensed once for all lengths of the body. Only the
 foot sees the singular edge, and it alone needs the fine mesh.
 """
 
@@ -25,14 +25,14 @@ from haptonic.superelement.interior import Bounded, CraigBampton, reduced
 from haptonic.superelement.lifting import DiagonalImage, Fields, unfolded
 from haptonic.superelement.measures import ENERGIES, ClassMeasures
 from haptonic.superelement.parallel import KEPT_ENTRIES, for_each_class
+from haptonic.superelement.pillar_body import Parity, PillarBody
 from haptonic.superelement.sections import section_sizes
-from haptonic.superelement.shaft import Parity, Shaft
 from haptonic.superelement.symmetry import Folding, folds_of
 from haptonic.superelement.trace import FoldedTrace
 
 Array = NDArray[np.float64]
 
-LEAST_ORDER, PER_LAYER = 8, 2  # of the polynomials along the shaft, and what each layer of a mesh adds
+LEAST_ORDER, PER_LAYER = 8, 2  # of the polynomials along the body, and what each layer of a mesh adds
 FOR_SECTION = 4  # directions in each block of a foot's Krylov space beyond those that a whole cell has
 KEPT_FEET = 4  # that wait for the next design with the same
 
@@ -41,36 +41,36 @@ KEPT_FEET = 4  # that wait for the next design with the same
 def condense_by_parts(
     cell: UnitCell, plan: MeshPlan, steps: int = 2, *, block: int = 10, measured: bool = True
 ) -> Superelement:
-    """Condense a cell onto its lateral faces, its pillar's shaft apart where it is a prism.
+    """Condense a cell onto its lateral faces, its pillar's body apart where it is a prism.
 
-    Parameters as for `condense`. On the same plan the two differ by the error that the mesh of the shaft has
-    there. A pillar with draft or a step, or one too short, has no shaft, and then they are the same.
+    Parameters as for `condense`. On the same plan the two differ by the error that the mesh of the body has
+    there. A pillar with draft or a step, or one too short, has no body, and then they are the same.
     """
     mesh = mesh_cell(cell, plan)
-    shaft = shaft_of(cell, mesh)
-    if shaft is None:
+    body = pillar_body_of(cell, mesh)
+    if body is None:
         return condensed(FoldedMesh.of_mesh(cell, mesh), steps, block=block, measured=measured)
-    foot = _foot_below(cell, mesh, shaft, steps, block, measured)
-    joined = {q: _joined(one, shaft, mesh, foot.through, steps, block) for q, one in foot.classes.items()}
+    foot = _foot_below(cell, mesh, body, steps, block, measured)
+    joined = {q: _joined(one, body, mesh, foot.through, steps, block) for q, one in foot.classes.items()}
     if foot.images:
         mirror = DiagonalImage.of(cell, mesh.topology, foot.levels)
         joined |= {q: joined[original].mirrored(mirror) for q, original in foot.images.items()}
-    sizes = np.hstack([foot.sizes, shaft.sizes]) if measured else None
+    sizes = np.hstack([foot.sizes, body.sizes]) if measured else None
     return assembled(cell, mesh, foot.levels, [joined[q] for q in sorted(joined)], sizes)
 
 
-def shaft_of(cell: UnitCell, mesh: HexMesh) -> Shaft | None:
-    """The shaft of a cell's pillar, which starts where the mesh's second layer above the thin ones does."""
+def pillar_body_of(cell: UnitCell, mesh: HexMesh) -> PillarBody | None:
+    """The body of a cell's pillar, which starts where the mesh's second layer above the thin ones does."""
     pillar, plan = cell.pillar, mesh.topology.plan
     folds = folds_of(cell)
-    if pillar is None or pillar.draft or pillar.step or plan.pillar_layers < 2 or len(folds) < 2:
+    if pillar is None or not pillar.is_prism or plan.pillar_layers < 2 or len(folds) < 2:
         return None
-    low = float(mesh.points[_below_shaft(plan).top[0], 2])
+    low = float(mesh.points[_below_body(plan).top[0], 2])
     if low - cell.thickness < FOOT_LAYER * pillar.diameter * (1 - 1e-9):
         return None
     # polynomials that the nodes of the foot can follow; a square that is twisted warps more than a disc
     degree = plan.order // 2 if pillar.section == "square" else (plan.order + 2) // 3
-    return Shaft(
+    return PillarBody(
         low=low,
         length=cell.thickness + pillar.height - low,
         half_width=pillar.radius,
@@ -83,7 +83,7 @@ def shaft_of(cell: UnitCell, mesh: HexMesh) -> Shaft | None:
 
 @dataclass(frozen=True)
 class _FootClass:
-    """One symmetry class of what stands below a shaft: its boundary is the trace, then the shaft's section.
+    """One symmetry class of what stands below a body: its boundary is the trace, then the body's section.
 
     parities : of the displacement's components in this class
     on_top : (3 representatives, s) the highest level's nodes from the section's unknowns
@@ -99,10 +99,10 @@ class _FootClass:
 
 @dataclass(frozen=True)
 class _Foot:
-    """All that stands below a shaft, condensed.
+    """All that stands below a body, condensed.
 
     levels, through : as of a `FoldedMesh`; classes : by number
-    images : those that are diagonal images of another; sizes : of the pillar's sections below the shaft
+    images : those that are diagonal images of another; sizes : of the pillar's sections below the body
     """
 
     levels: int
@@ -116,15 +116,17 @@ _feet: OrderedDict[str, _Foot] = OrderedDict()
 _lock = Lock()
 
 
-def _below_shaft(plan: MeshPlan) -> Topology:
+def _below_body(plan: MeshPlan) -> Topology:
     return topology_of(replace(plan, pillar_layers=1))
 
 
-def _foot_below(cell: UnitCell, mesh: HexMesh, shaft: Shaft, steps: int, block: int, measured: bool) -> _Foot:
-    """The foot of a shaft, made or found again; nodes are numbered from the flat face up, its own first."""
-    topology = _below_shaft(mesh.topology.plan)
+def _foot_below(
+    cell: UnitCell, mesh: HexMesh, body: PillarBody, steps: int, block: int, measured: bool
+) -> _Foot:
+    """The foot of a body, made or found again; nodes are numbered from the flat face up, its own first."""
+    topology = _below_body(mesh.topology.plan)
     points = mesh.points[: topology.nodes]
-    about = (topology.plan, cell.point_group.operations, shaft.section, shaft.degree, steps, block, measured)
+    about = (topology.plan, cell.point_group.operations, body.section, body.degree, steps, block, measured)
     content = [repr(about).encode(), points.tobytes(), cell.material.stiffness.tobytes()]
     key = hashlib.sha256(b"".join(content) + repr(cell.material.density).encode()).hexdigest()
     with _lock:
@@ -134,7 +136,7 @@ def _foot_below(cell: UnitCell, mesh: HexMesh, shaft: Shaft, steps: int, block: 
     shared = FoldedMesh.of_mesh(cell, HexMesh(topology, points), open_top=True)
 
     def work(q: int, solver: Solver) -> tuple[int, _FootClass]:
-        return q, _condense_foot(shared, q, solver, shaft, steps, block, measured)
+        return q, _condense_foot(shared, q, solver, body, steps, block, measured)
 
     foot = _Foot(
         levels=shared.levels,
@@ -152,16 +154,16 @@ def _foot_below(cell: UnitCell, mesh: HexMesh, shaft: Shaft, steps: int, block: 
 
 
 def _condense_foot(
-    shared: FoldedMesh, q: int, solver: Solver, shaft: Shaft, steps: int, block: int, measured: bool
+    shared: FoldedMesh, q: int, solver: Solver, body: PillarBody, steps: int, block: int, measured: bool
 ) -> _FootClass:
     folding = shared.folding
     parities = _parities(folding, q)
     top = folding.origin[folding.node[shared.mesh.topology.top].min() :]
     x, y, _ = shared.mesh.points[top].T
-    values = np.zeros((len(top), 3, shaft.shapes, 3))
+    values = np.zeros((len(top), 3, body.shapes, 3))
     for c, parity in enumerate(parities):
-        values[:, c, :, c] = shaft.over_section(parity, x, y)
-    on_top = values.reshape(3 * len(top), shaft.on_section)
+        values[:, c, :, c] = body.over_section(parity, x, y)
+    on_top = values.reshape(3 * len(top), body.on_section)
     folded = shared.symmetry_class(q, on_top)
     solver.factorise(folded.interior)
     own = reduced(solver, folded.body, steps, block + FOR_SECTION)
@@ -176,12 +178,12 @@ def _parities(folding: Folding, q: int) -> tuple[Parity, ...]:
 
 
 def _joined(
-    foot: _FootClass, shaft: Shaft, mesh: HexMesh, through: Array, steps: int, block: int
+    foot: _FootClass, body: PillarBody, mesh: HexMesh, through: Array, steps: int, block: int
 ) -> CondensedClass:
-    """A class of the whole cell: inside are the shaft's section, the foot's modes, the rest of the shaft."""
-    own, section, modes = foot.own, shaft.on_section, len(foot.own.values)
+    """A class of the whole cell: inside are the body's section, the foot's modes, the rest of the body."""
+    own, section, modes = foot.own, body.on_section, len(foot.own.values)
     trace, below = len(own.mass) - section, section + modes
-    stiff, heavy = shaft.stiffness(foot.parities), shaft.mass
+    stiff, heavy = body.stiffness(foot.parities), body.mass
     on_trace, on_section = slice(0, trace), slice(trace, None)
     # unknowns in which the mass is 1: the section's and the modes' are coupled by theirs, the others are not
     to_modes = own.to_modes[on_section]
@@ -200,45 +202,45 @@ def _joined(
     coupling[:below] = turn[:section].T @ own.stiffness[on_section, on_trace]
     between = np.vstack([own.mass[on_section, on_trace], own.to_modes[on_trace].T])
     mass_coupling[:below] = turn.T @ between
-    body = Bounded(
+    bounded = Bounded(
         coupling=coupling,
         outer_stiffness=own.stiffness[on_trace, on_trace],
         outer_mass=own.mass[on_trace, on_trace],
         mass=np.ones(len(inside)),
         mass_coupling=mass_coupling,
     )
-    found = reduced(_Dense(inside), body, steps, block)
+    found = reduced(_Dense(inside), bounded, steps, block)
 
     def turned_back(fields: Array) -> Array:
         return np.vstack([turn @ fields[:below], light[:, None] * fields[below:]])
 
     static, dynamic = turned_back(found.static), turned_back(found.modes)
-    # boundary and modes of the foot, and unknowns of the shaft, from the trace and the modes of the whole
+    # boundary and modes of the foot, and unknowns of the body, from the trace and the modes of the whole
     inner = np.hstack([static, dynamic])
     of_foot = np.vstack([np.eye(trace, inner.shape[1]), inner[:below]])
-    of_shaft = np.delete(inner, np.s_[section:below], axis=0)
-    part = ShaftedPart(foot, shaft, mesh, through, static, dynamic)
-    piece = CondensedClass.of(part, found, _measured(foot, shaft, stiff, of_foot, of_shaft))
+    of_body = np.delete(inner, np.s_[section:below], axis=0)
+    part = SubstructuredPart(foot, body, mesh, through, static, dynamic)
+    piece = CondensedClass.of(part, found, _measured(foot, body, stiff, of_foot, of_body))
     truncation = of_foot.T @ own.truncation @ of_foot + found.truncation
     return replace(piece, forms=piece.forms | {"truncation": ClassForm.split(foot.trace, truncation)})
 
 
 def _measured(
-    foot: _FootClass, shaft: Shaft, stiff: Array, of_foot: Array, of_shaft: Array
+    foot: _FootClass, body: PillarBody, stiff: Array, of_foot: Array, of_body: Array
 ) -> ClassMeasures | None:
-    """Measures of foot and shaft together."""
+    """Measures of foot and body together."""
     if foot.measures is None:
         return None
-    heavy = shaft.mass[:, None] * of_shaft
+    heavy = body.mass[:, None] * of_body
     vertical = np.tile([0.0, 0.0, 1.0], len(heavy) // 3)[:, None]
-    of_whole_shaft = (stiff @ of_shaft, heavy, vertical * heavy)
+    of_whole_body = (stiff @ of_body, heavy, vertical * heavy)
     energies = {
-        name: of_foot.T @ foot.measures.energies[name] @ of_foot + of_shaft.T @ moved
-        for name, moved in zip(ENERGIES, of_whole_shaft, strict=True)
+        name: of_foot.T @ foot.measures.energies[name] @ of_foot + of_body.T @ moved
+        for name, moved in zip(ENERGIES, of_whole_body, strict=True)
     }
     count = of_foot.shape[1]
     momenta = (foot.measures.momenta @ of_foot).reshape(4, -1, count)
-    momenta = np.concatenate([momenta, shaft.momenta(foot.parities) @ of_shaft], axis=1)
+    momenta = np.concatenate([momenta, body.momenta(foot.parities) @ of_body], axis=1)
     return ClassMeasures(energies, momenta.reshape(-1, count))
 
 
@@ -253,14 +255,14 @@ class _Dense:
 
 
 @dataclass(frozen=True)
-class ShaftedPart:
+class SubstructuredPart:
     """How one symmetry class is lifted back, see `haptonic.superelement.lifting.ClassLifting`.
 
-    static : (u, b), modes : (u, m) of section, foot's modes and the rest of the shaft
+    static : (u, b), modes : (u, m) of section, foot's modes and the rest of the body
     """
 
     foot: _FootClass
-    shaft: Shaft
+    body: PillarBody
     mesh: HexMesh
     through: Array
     static: Array
@@ -275,18 +277,18 @@ class ShaftedPart:
     def count(self) -> int:
         return int(self.modes.shape[1])
 
-    def mirrored(self, mirror: DiagonalImage) -> ShaftedPart:
+    def mirrored(self, mirror: DiagonalImage) -> SubstructuredPart:
         return replace(self, image=mirror)
 
     def lifted(self, trace: Fields, amplitudes: Fields) -> Fields:
         own = self.trace.fold(self.image.trace.applied(trace) if self.image else trace)
         inner = self.static @ own + self.modes @ amplitudes
         foot, count = self.foot, inner.shape[1]
-        section, of_modes, beyond = np.split(inner, np.cumsum([self.shaft.on_section, len(foot.own.values)]))
+        section, of_modes, beyond = np.split(inner, np.cumsum([self.body.on_section, len(foot.own.values)]))
         inside = foot.own.static @ np.concatenate([own, section]) + foot.own.modes @ of_modes
         rim, top = self.trace.on_levels(self.through, own), (foot.on_top @ section).reshape(-1, 3, count)
         below = unfolded(self.trace, inside, rim, top)
-        above = self.shaft.displaced(
+        above = self.body.displaced(
             foot.parities, self.mesh.points[len(below) :], np.concatenate([section, beyond])
         )
         field = np.concatenate([below, above])

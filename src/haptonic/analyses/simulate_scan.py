@@ -11,13 +11,13 @@ from haptonic.analyses.needs import response_settings
 from haptonic.analyses.scanning import on_plate
 from haptonic.analyses.verdict import response_in
 from haptonic.results.runner import Runner
-from haptonic.results.scan.twin import Kind, Twin, kind_of
+from haptonic.results.scan.simulated import Kind, SimulatedScan, kind_of
 from haptonic.study.schema import Description
-from haptonic.vibrometry.question import drive_for, response_for
+from haptonic.vibrometry.of_settings import drive_for, response_for
 
 
 @dataclass(frozen=True)
-class TwinScanOptions:
+class SimulateScanOptions:
     """What may be chosen."""
 
     form: Literal["h5", "nc", "uff", "mat", "csv", "tdms"] = option(
@@ -36,12 +36,12 @@ class TwinScanOptions:
         return kind_of(self.form, None if self.time is None else "time" if self.time else "frf")
 
 
-def check(study: Description, options: TwinScanOptions) -> None:
+def check(study: Description, options: SimulateScanOptions) -> None:
     """Refuse a form of file that does not hold what is asked for."""
     _ = options.kind
 
 
-def compute(study: Description, options: TwinScanOptions, runner: Runner) -> Twin:
+def compute(study: Description, options: SimulateScanOptions, runner: Runner) -> SimulatedScan:
     """The scan; the plate's response is computed at the lines of the drive, or given at them.
 
     Raises
@@ -55,18 +55,17 @@ def compute(study: Description, options: TwinScanOptions, runner: Runner) -> Twi
         gap, response = on_plate(study, store=runner.store).gap, options.response
     else:
         asked = response_for(settings, response_settings(study).tolerance, signal)
-        result = plate.compute(study, plate.PlateOptions(asked=asked), runner)
+        result = plate.compute(study, plate.PlateOptions(settings=asked), runner)
         gap, response = result.gap, result.response
-    made = Twin.of(body, settings, signal, response, gap=gap, seed=options.seed)
+    made = SimulatedScan.of(body, settings, signal, response, gap=gap, seed=options.seed)
     return replace(made, form=options.form, kind=options.kind)
 
 
 ANALYSIS = Analysis(
-    name="twin scan",
-    help="What a laser vibrometer would record of the study's plate. Everything is marked as simulated.",
-    result=Twin,
+    name="simulate scan",
+    result=SimulatedScan,
     compute=compute,
-    options=TwinScanOptions,
+    options=SimulateScanOptions,
     check=check,
     doing="shifts",
     writes=True,

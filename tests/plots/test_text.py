@@ -6,7 +6,7 @@ from hypothesis import strategies as st
 from matplotlib.figure import Figure
 
 from haptonic.plots import style
-from haptonic.plots.words import khz, readable, scaled_unit
+from haptonic.plots.text import khz, readable, scaled_unit
 
 
 @pytest.mark.parametrize(

@@ -18,7 +18,7 @@ from haptonic.bloch import Gap
 from haptonic.errors import HaptonicError, ScanError
 from haptonic.plate import Plate
 from haptonic.plate.levels import contrasts
-from haptonic.plate.question import driven_region
+from haptonic.plate.sampling import driven_region
 from haptonic.response import FrequencyResponse, write
 from haptonic.results.common import Writer
 from haptonic.results.result import Result
@@ -27,7 +27,7 @@ from haptonic.vibrometry.chirp import Drive
 from haptonic.vibrometry.exports import csv_files, write_mat, write_mat_records, write_tdms
 from haptonic.vibrometry.instrument import recorded
 from haptonic.vibrometry.on_plate import contrast_range
-from haptonic.vibrometry.question import plan_for
+from haptonic.vibrometry.of_settings import plan_for
 from haptonic.vibrometry.readers.folder import GEOMETRY
 from haptonic.vibrometry.settings import ScanSettings
 
@@ -49,7 +49,7 @@ FOLDER = PurePosixPath("scan")  # of a scan that has a file for each point
 
 
 @dataclass(frozen=True, eq=False, repr=False)
-class Twin(Result):
+class SimulatedScan(Result):
     """A simulated scan.
 
     true : the plate's response at the points of the plan, in the order of the stage, on the plate
@@ -79,7 +79,7 @@ class Twin(Result):
         *,
         gap: Gap | None = None,
         seed: int,
-    ) -> Twin:
+    ) -> SimulatedScan:
         """The scan of a plate whose response is known at the points of the plan and the lines of the drive.
 
         Raises
@@ -89,7 +89,7 @@ class Twin(Result):
         plan = plan_for(settings, plate).points
         distance, order = cKDTree(response.points).query(plan)
         if distance.max() > NEAR * settings.grid:
-            raise ScanError(
+            raise ScanError.mismatch(
                 argument="response",
                 given=f"no point within {distance.max() * 1e3:.3g} mm of a planned one",
                 allowed="a response at the points of the scan plan",
@@ -192,7 +192,7 @@ def kind_of(form: str, kind: Kind | None) -> Kind:
         return have[0]
     if kind not in have:
         other = [one for one in FORMATS if one in (TIME if kind == "time" else RESPONSES)]
-        raise ScanError(
+        raise ScanError.conflict(
             argument="--format",
             given=f"{form} with --{kind}",
             allowed=f"with --{kind} one of {', '.join(other)}",
@@ -203,5 +203,5 @@ def kind_of(form: str, kind: Kind | None) -> Kind:
 
 
 def scan_name(form: str) -> str | PurePosixPath:
-    """Of the file of a twin, or of one that a folder of it has."""
+    """Of the file of a simulated scan, or of one in its folder."""
     return FOLDER / GEOMETRY if form == "csv" else f"scan.{form}"

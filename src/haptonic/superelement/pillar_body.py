@@ -1,7 +1,7 @@
-"""The shaft of a pillar, from a little above its foot to its top: a prism, which needs no mesh.
+"""The body of a pillar, from a little above its foot to its top: a prism, which needs no mesh.
 
 Over its section displacement is a polynomial in x and y, along it one in z: far from the foot, where stress
-is singular, it is smooth. A motion is given by its values on Gauss-Lobatto-Legendre levels along the shaft,
+is singular, it is smooth. A motion is given by its values on Gauss-Lobatto-Legendre levels along the body,
 each a sum of polynomials that are orthonormal over the section. In a symmetry class the polynomials of a
 component are even or odd in x and y, and there are as many of them whichever it is.
 """
@@ -28,7 +28,7 @@ PARITIES: tuple[Parity, ...] = ((0, 0), (0, 1), (1, 0), (1, 1))
 
 
 @dataclass(frozen=True)
-class Shaft:
+class PillarBody:
     """A prism along z.
 
     low, length : height of its lower end, and how far it reaches from there, m
@@ -127,7 +127,7 @@ class Shaft:
         return np.asarray(powers @ coefficients)
 
     def displaced(self, parities: tuple[Parity, ...], points: Array, unknowns: NDArray[Any]) -> NDArray[Any]:
-        """(n, 3, k) displacement at points (n, 3), m, of the shaft from unknowns (u, k)."""
+        """(n, 3, k) displacement at points (n, 3), m, of the body from unknowns (u, k)."""
         heights, level = np.unique(points[:, 2], return_inverse=True)
         values = unknowns.reshape(self.order + 1, -1)
         values = (interpolation(self._levels, heights) @ values).reshape(len(heights), self.shapes, 3, -1)

@@ -44,7 +44,7 @@ def reference_of(plate: Plate) -> tuple[Reference, float]:
     """What the response is divided by: the first drive's name and unit, and its amplitude."""
     moving = [drive for drive in drives_of(plate) if drive.amplitude]
     if not moving:
-        raise StudyError(
+        raise StudyError.missing(
             argument="plate.actuator",
             given="nothing that drives the plate",
             allowed="at least one [[plate.actuator]] or [[plate.force]] with an amplitude above zero",
@@ -74,7 +74,7 @@ def check_grid(plate: Plate, spacing: float, lines: int, at: str = "plate.respon
     count = area / spacing**2
     if count > most:
         fits = float(np.sqrt(area / most))
-        raise ResourceError(
+        raise ResourceError.too_large(
             argument=at,
             given=f"{format_quantity(spacing, 'm')}, which makes {count:.2g} points of {lines} lines",
             allowed=f"at least {format_quantity(fits, 'm')} on this plate and machine",

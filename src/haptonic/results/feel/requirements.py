@@ -7,14 +7,14 @@ from dataclasses import dataclass
 from typing import Literal
 
 from haptonic.friction.lubrication import CUE_THRESHOLD, WEBER_FRACTION
-from haptonic.results.feel.felt import Felt
+from haptonic.results.feel.reduction import Reduction
 
 FAR = 2.0  # times the smallest drop that people feel: what a driven region should reach
 Colour = Literal["green", "amber", "red"]
 
 
 @dataclass(frozen=True)
-class Light:
+class Requirement:
     """One demand on a plate. what : the demand; reason : the numbers behind the colour"""
 
     colour: Colour
@@ -22,14 +22,14 @@ class Light:
     reason: str
 
 
-def lights(
-    reductions: Mapping[str, Felt],
+def requirements(
+    reductions: Mapping[str, Reduction],
     driven: str | None,
     rise: float,
     constant: float,
     frequency: float,
     gap: tuple[float, float] | None,
-) -> list[Light]:
+) -> list[Requirement]:
     """A light for every region, one for the time that the vibration takes, one for the gap.
 
     Parameters
@@ -43,34 +43,34 @@ def lights(
     return [*found, _time(rise, constant), _in_gap(frequency, gap)]
 
 
-def _driven(name: str, felt: Felt) -> Light:
+def _driven(name: str, felt: Reduction) -> Requirement:
     wanted = FAR * WEBER_FRACTION
     colour: Colour = "green" if felt.low >= wanted else "amber" if felt.value >= wanted else "red"
-    return Light(colour, f"{name} is felt clearly", f"reduction {felt}, wanted {_percent(wanted)} or more")
+    return Requirement(colour, f"{name} is felt clearly", f"reduction {felt}, wanted {_percent(wanted)} or more")
 
 
-def _idle(name: str, felt: Felt) -> Light:
+def _idle(name: str, felt: Reduction) -> Requirement:
     colour: Colour = (
         "green" if felt.high <= WEBER_FRACTION else "amber" if felt.value <= WEBER_FRACTION else "red"
     )
-    return Light(
+    return Requirement(
         colour, f"{name} is not felt", f"reduction {felt}, wanted {_percent(WEBER_FRACTION)} or less"
     )
 
 
-def _time(rise: float, constant: float) -> Light:
+def _time(rise: float, constant: float) -> Requirement:
     colour: Colour = "green" if rise <= CUE_THRESHOLD else "amber" if constant <= CUE_THRESHOLD else "red"
     reason = f"10 to 90 % in {_milliseconds(rise)}, time constant {_milliseconds(constant)}"
-    return Light(
+    return Requirement(
         colour, "the vibration builds up in time", f"{reason}, wanted {_milliseconds(CUE_THRESHOLD)}"
     )
 
 
-def _in_gap(frequency: float, gap: tuple[float, float] | None) -> Light:
+def _in_gap(frequency: float, gap: tuple[float, float] | None) -> Requirement:
     if gap is None:
-        return Light("red", "the drive lies in a band gap", "no gap around the carrier")
+        return Requirement("red", "the drive lies in a band gap", "no gap around the carrier")
     reason = f"{frequency / 1e3:.2f} kHz, gap {gap[0] / 1e3:.2f} to {gap[1] / 1e3:.2f} kHz"
-    return Light("green" if gap[0] < frequency < gap[1] else "red", "the drive lies in a band gap", reason)
+    return Requirement("green" if gap[0] < frequency < gap[1] else "red", "the drive lies in a band gap", reason)
 
 
 def _percent(share: float) -> str:

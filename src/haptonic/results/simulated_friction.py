@@ -31,7 +31,7 @@ TRUTH, STUDY, CALIBRATION = "truth.json", "study.toml", "calibration.csv"
 
 
 @dataclass(frozen=True, eq=False, repr=False)
-class FrictionTwin(Result):
+class SimulatedFriction(Result):
     """Trials of people who do not exist.
 
     truth, protocol : what is true of them, and the order of their trials
@@ -169,7 +169,7 @@ class FrictionTwin(Result):
         return {"folder": str(folder), "files": len(self.file_names)}
 
 
-def friction_twin(
+def simulated_friction(
     truth: Truth,
     protocol: Protocol,
     participants: int,
@@ -179,10 +179,10 @@ def friction_twin(
     suffix: str = ".csv",
     per: Per = "trial",
     raw: bool = False,
-) -> FrictionTwin:
-    """Make people up; see `FrictionTwin`."""
+) -> SimulatedFriction:
+    """Make people up; see `SimulatedFriction`."""
     group = people(truth, participants, np.random.default_rng(seed))
-    return FrictionTwin(truth, protocol, tuple(group), seed, study, suffix, per, raw)
+    return SimulatedFriction(truth, protocol, tuple(group), seed, study, suffix, per, raw)
 
 
 def _channels(strokes: list[Stroke], matrix: NDArray[np.float64] | None) -> dict[str, NDArray[np.float64]]:

@@ -9,12 +9,11 @@ from typing import Any, Literal
 
 from haptonic.analyses.analysis import Analysis, option
 from haptonic.analyses.experiments import protocol_of, truth_of
-from haptonic.errors import FrictionError, ResourceError
+from haptonic.errors import FrictionError, ResourceError, shown
 from haptonic.paths import source
 from haptonic.results.runner import Runner
-from haptonic.results.twin import FrictionTwin, friction_twin
+from haptonic.results.simulated_friction import SimulatedFriction, simulated_friction
 from haptonic.study.schema import Description
-from haptonic.units import shown
 
 
 def read_amplitudes(given: str | Path) -> dict[str, float]:
@@ -30,7 +29,7 @@ def read_amplitudes(given: str | Path) -> dict[str, float]:
         values: Any = json.loads(path.read_text(encoding="utf-8"))
     except (OSError, ValueError) as error:
         missing = isinstance(error, FileNotFoundError)
-        raise ResourceError(
+        raise ResourceError.unreadable(
             argument="--from",
             given=path,
             allowed='a JSON file such as {"WG1": 1e-6, "WG2": 3e-7}',
@@ -43,7 +42,7 @@ def read_amplitudes(given: str | Path) -> dict[str, float]:
         isinstance(one, int | float) and not isinstance(one, bool) for one in values.values()
     )
     if not numbers or not values:
-        raise FrictionError(
+        raise FrictionError.malformed(
             argument="--from",
             given=shown(values),
             allowed='amplitudes in m by waveguide, such as {"WG1": 1e-6, "WG2": 3e-7}',
@@ -54,7 +53,7 @@ def read_amplitudes(given: str | Path) -> dict[str, float]:
 
 
 @dataclass(frozen=True)
-class TwinFrictionOptions:
+class SimulateFrictionOptions:
     """What may be chosen."""
 
     participants: int | None = option(None, "How many; else the study's.", metavar="N")
@@ -68,7 +67,7 @@ class TwinFrictionOptions:
     )  # fmt: skip
 
 
-def compute(study: Description, options: TwinFrictionOptions, runner: Runner) -> FrictionTwin:
+def compute(study: Description, options: SimulateFrictionOptions, runner: Runner) -> SimulatedFriction:
     """The people and the order of their strokes, which are made when they are written.
 
     Raises
@@ -81,19 +80,18 @@ def compute(study: Description, options: TwinFrictionOptions, runner: Runner) ->
     protocol.order(count)
     runner.progress(0, 0, "friction by load sharing")
     truth = truth_of(study, options.amplitudes)
-    return friction_twin(
+    return simulated_friction(
         truth, protocol, count, seed=options.seed, study=study.to_toml(), suffix=f".{options.form}",
         per=options.per, raw=options.raw,
     )  # fmt: skip
 
 
 ANALYSIS = Analysis(
-    name="twin friction",
-    help="Made-up strokes of made-up people, as a folder that `haptonic friction` reads; all simulated.",
-    result=FrictionTwin,
+    name="simulate friction",
+    result=SimulatedFriction,
     compute=compute,
-    options=TwinFrictionOptions,
+    options=SimulateFrictionOptions,
     doing="strokes",
-    folder="twin-friction",
+    folder="simulate-friction",
     writes=True,
 )

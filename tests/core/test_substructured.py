@@ -1,4 +1,4 @@
-"""A shaft alone against closed forms, and a cell condensed in two steps against one condensed at once."""
+"""A body alone against closed forms, and a cell condensed in two steps against one condensed at once."""
 
 from dataclasses import replace
 from functools import cache
@@ -18,8 +18,8 @@ from haptonic.bloch.resolution import Resolution
 from haptonic.cell import Pillar, Step, UnitCell, mesh_cell
 from haptonic.lattice import Lattice
 from haptonic.materials import IsotropicMaterial, OrthotropicMaterial
-from haptonic.superelement import condense, condense_by_parts, on_each, shafted
-from haptonic.superelement.shaft import PARITIES, Shaft
+from haptonic.superelement import condense, condense_by_parts, on_each, substructured
+from haptonic.superelement.pillar_body import PARITIES, PillarBody
 
 PLY = OrthotropicMaterial("ply", 20e9, 11e9, 9e9, 3e9, 2.5e9, 4e9, 3.1e9, 4.3e9, 5.7e9, density=1500.0)
 CORK = IsotropicMaterial(70e9, 0.0, 2700.0, name="no lateral contraction")
@@ -39,12 +39,12 @@ CELLS = {
 }
 
 
-def shaft(material=ALUMINIUM, section="round", degree=3, order=16):
-    return Shaft(2e-3, LENGTH, RADIUS, section, material, degree, order)
+def pillar_body(material=ALUMINIUM, section="round", degree=3, order=16):
+    return PillarBody(2e-3, LENGTH, RADIUS, section, material, degree, order)
 
 
 def free_frequencies(body, count):
-    """The lowest of a free shaft, all symmetry classes together, Hz."""
+    """The lowest of a free body, all symmetry classes together, Hz."""
     mass = body.mass
     values = [
         la.eigh(body.stiffness(parities) / np.sqrt(np.outer(mass, mass)), eigvals_only=True)
@@ -53,19 +53,19 @@ def free_frequencies(body, count):
     return np.sqrt(np.maximum(np.sort(np.concatenate(values)), 0.0))[:count] / (2 * np.pi)
 
 
-# --- the shaft alone --------------------------------------------------------------------------------------
+# --- the body alone --------------------------------------------------------------------------------------
 
 
 @pytest.mark.parametrize("material", [ALUMINIUM, PLY], ids=["isotropic", "orthotropic"])
 @pytest.mark.parametrize("section", ["round", "square"])
 def test_a_free_shaft_has_six_motions_at_rest(section, material):
-    found = free_frequencies(shaft(material, section), 8)
+    found = free_frequencies(pillar_body(material, section), 8)
     assert (found[:6] < 1e-4 * found[6]).all()
     assert found[6] > 1e3
 
 
 def test_a_round_shaft_twists_at_the_speed_of_shear():
-    found = free_frequencies(shaft(), 30)
+    found = free_frequencies(pillar_body(), 30)
     for halves in (1, 2, 3):
         expected = halves * ALUMINIUM.shear_speed / (2 * LENGTH)
         assert np.abs(found / expected - 1).min() < 1e-8
@@ -73,7 +73,7 @@ def test_a_round_shaft_twists_at_the_speed_of_shear():
 
 @pytest.mark.parametrize("section", ["round", "square"])
 def test_without_lateral_contraction_a_shaft_stretches_like_a_string(section):
-    found = free_frequencies(shaft(CORK, section), 40)
+    found = free_frequencies(pillar_body(CORK, section), 40)
     for halves in (1, 2, 3):
         expected = halves * np.sqrt(70e9 / 2700.0) / (2 * LENGTH)
         assert np.abs(found / expected - 1).min() < 1e-8
@@ -81,14 +81,14 @@ def test_without_lateral_contraction_a_shaft_stretches_like_a_string(section):
 
 def test_a_square_shaft_twists_more_slowly_by_what_saint_venant_says():
     """Torsion constant 0.140577 (2 b)^4 over polar moment (2 b)^4 / 6; the section must warp for it."""
-    slender = replace(shaft(section="square", degree=4, order=20), length=40 * RADIUS)
+    slender = replace(pillar_body(section="square", degree=4, order=20), length=40 * RADIUS)
     expected = np.sqrt(0.1405770 * 6) * ALUMINIUM.shear_speed / (2 * 40 * RADIUS)
     assert np.abs(free_frequencies(slender, 40) / expected - 1).min() < 1e-3
 
 
 @given(st.sampled_from(["round", "square"]), st.integers(0, 4))
 def test_the_polynomials_are_orthonormal_over_the_section(section, degree):
-    body = shaft(section=section, degree=degree)
+    body = pillar_body(section=section, degree=degree)
     # polar Gauss points of the disc, or a grid of them on the square
     points, weights = np.polynomial.legendre.leggauss(14)
     if section == "square":
@@ -108,7 +108,7 @@ def test_the_polynomials_are_orthonormal_over_the_section(section, degree):
 
 def test_momenta_are_those_of_the_displacement():
     """Of random motions, by Gauss points over the section of one level."""
-    body, rng = shaft(order=4), np.random.default_rng(3)
+    body, rng = pillar_body(order=4), np.random.default_rng(3)
     unknowns = rng.standard_normal((len(body.mass), 2))
     level = 2
     height, mass, inertia = body.sizes[:, level]
@@ -165,7 +165,7 @@ def test_two_steps_lead_to_the_shapes_of_one(name):
 
 
 def test_a_lifted_field_has_the_energy_of_its_unknowns():
-    """The mesh's own quadrature sees the shaft's polynomials; nothing of the reduction is left in it."""
+    """The mesh's own quadrature sees the body's polynomials; nothing of the reduction is left in it."""
     from brute import assembled
 
     _, (parts, values, fields) = both("reference", 5)
@@ -219,7 +219,7 @@ def test_designs_that_were_not_tried(diameter, height):
     assert np.sqrt(other / one) == pytest.approx(np.ones(8), abs=5e-4)
 
 
-# --- which cells have a shaft, and which feet are the same -------------------------------------------------
+# --- which cells have a body, and which feet are the same -------------------------------------------------
 
 
 @pytest.mark.parametrize(
@@ -235,7 +235,7 @@ def test_designs_that_were_not_tried(diameter, height):
 def test_what_has_no_shaft_is_condensed_at_once(pillar):
     cell = replace(reference_cell(), pillar=pillar)
     plan = Resolution(2, 1).plan(cell)
-    assert shafted.shaft_of(cell, mesh_cell(cell, plan)) is None
+    assert substructured.pillar_body_of(cell, mesh_cell(cell, plan)) is None
     one, other = condense(cell, plan, measured=False), condense_by_parts(cell, plan, measured=False)
     assert (one.stiffness == other.stiffness).all()
 
@@ -244,14 +244,14 @@ def test_what_has_no_shaft_is_condensed_at_once(pillar):
 def empty(monkeypatch):
     """No foot condensed yet, and a count of those that are."""
     made = []
-    of_mesh = shafted.FoldedMesh.of_mesh
+    of_mesh = substructured.FoldedMesh.of_mesh
 
     def counted(*given, **named):
         made.append(given)
         return of_mesh(*given, **named)
 
-    monkeypatch.setattr(shafted, "_feet", type(shafted._feet)())
-    monkeypatch.setattr(shafted.FoldedMesh, "of_mesh", counted)
+    monkeypatch.setattr(substructured, "_feet", type(substructured._feet)())
+    monkeypatch.setattr(substructured.FoldedMesh, "of_mesh", counted)
     return made
 
 
@@ -262,9 +262,9 @@ def test_a_foot_is_condensed_once_for_all_heights(empty):
         taller = replace(cell, pillar=replace(cell.pillar, height=height))
         plans.append(Resolution(2, 1).plan(taller))
         last = condense_by_parts(taller, plans[-1], measured=False)
-    assert plans[0] != plans[1], "the meshes of the two shafts differ, the feet do not"
+    assert plans[0] != plans[1], "the meshes of the two bodies differ, the feet do not"
     assert len(empty) == 1
-    shafted._feet.clear()
+    substructured._feet.clear()
     anew = condense_by_parts(taller, plans[-1], measured=False)
     assert len(empty) == 2
     assert (anew.stiffness == last.stiffness).all()
@@ -290,7 +290,7 @@ def test_another_foot_is_another(empty, change):
 
 def test_few_feet_are_kept(empty):
     cell = reference_cell()
-    for k in range(shafted.KEPT_FEET + 2):
+    for k in range(substructured.KEPT_FEET + 2):
         wider = replace(cell, pillar=replace(cell.pillar, diameter=cell.pillar.diameter * (1 + 0.01 * k)))
         condense_by_parts(wider, Resolution(2, 1).plan(wider), measured=False)
-    assert len(shafted._feet) == shafted.KEPT_FEET
+    assert len(substructured._feet) == substructured.KEPT_FEET

@@ -7,10 +7,10 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from haptonic.errors import ScanError, nearest
+from haptonic.errors import ScanError
 from haptonic.plate import Plate
 from haptonic.plate.layout import Layout
-from haptonic.plate.question import grid_points, reference_of, tile_names
+from haptonic.plate.sampling import grid_points, reference_of, tile_names
 from haptonic.plate.settings import ResponseSettings
 from haptonic.response import Reference
 from haptonic.vibrometry.chirp import Drive, drive
@@ -53,14 +53,7 @@ def plan_for(settings: ScanSettings, plate: Plate) -> ScanPlan:
     excluded: list[Region] = []
     for name in settings.skipped:
         if name not in known:
-            guess = nearest(name, known)
-            raise ScanError(
-                argument="scan.skip",
-                given=f'"{name}"',
-                allowed=f"names of {', '.join(known)}",
-                cause="the plate has no such region or lattice",
-                next_step=f'write "{guess}"' if guess else "choose one of these",
-            )
+            raise ScanError.unknown("scan.skip", name, known, "the plate has no such region or lattice")
         excluded += held_corners(plate) if name == CLAMPS else [Tiles(layout, name)]
     return visited(points, excluded)
 

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 
 @dataclass(frozen=True)
-class Felt:
+class Reduction:
     """A reduction of friction, 0.55 for 55 %, with the ends of its interval."""
 
     value: float

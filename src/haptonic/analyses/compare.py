@@ -1,0 +1,116 @@
+"""Two sets of bands beside each other: studies, results, or what another program exported."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from pathlib import Path
+
+import xarray as xr
+
+from haptonic.analyses.analysis import Analysis, option
+from haptonic.channels.numbers import read_numbers
+from haptonic.errors import StudyError, shown
+from haptonic.fields import remade, table
+from haptonic.results.bands import compute_bands
+from haptonic.results.compare import Comparison, of_dataset, of_file, of_table
+from haptonic.results.runner import Runner
+from haptonic.study.loading import load_as
+from haptonic.study.schema import Description
+
+RESULT = "bands.nc"  # in the folder of `haptonic bands`
+FINE = 201  # wavevectors of a study, so that straight lines between them are no worse than its accuracy
+
+
+@dataclass(frozen=True)
+class CompareOptions:
+    """What may be chosen."""
+
+    first: Path = option(help="A study, or the folder of its bands.", place="before")
+    second: Path = option(help="Another one, or a table of bands from another program.", place="before")
+    wavevector: str | None = option(
+        None, "Of the table: rad/m, rad/mm, share (of the path) or segments.", metavar="UNIT"
+    )
+    frequency_unit: str | None = option(None, "Of the table, if it does not say it.", metavar="UNIT")
+
+
+def kind_of(path: Path) -> str:
+    """ "study", "result" or "table"."""
+    if path.suffix == ".toml":
+        return "study"
+    return "result" if path.suffix == ".nc" or path.is_dir() else "table"
+
+
+def check(study: None, options: CompareOptions) -> None:
+    """Raise HaptonicError if the first is not ours, or the second a table that cannot be read."""
+    if kind_of(options.first) == "table":
+        raise StudyError.conflict(
+            argument="FIRST",
+            given=shown(str(options.first), 100),
+            allowed="a study (.toml), or a folder of `haptonic bands`",
+            cause="a table of another program has no lattice, and so no path of its own",
+            next_step=f"haptonic compare {options.second} {options.first}"
+            if kind_of(options.second) != "table"
+            else "describe the cell in a study: `haptonic new`",
+        )
+    if kind_of(options.second) == "table":
+        read_numbers(options.second)
+
+
+def compute(study: None, options: CompareOptions, runner: Runner) -> Comparison:
+    """Bands of both, a study's from the store if they were computed before.
+
+    Raises
+    ------
+    StudyError : no study, no result, or lattices whose paths differ
+    ChannelError : a table that cannot be read, or of which nobody says the units
+    """
+    names = _names(options.first, options.second)
+    own = bands_of(options.first, runner)
+    first = of_dataset(names[0], own)
+    if kind_of(options.second) == "table":
+        theirs = of_table(options.second, own, options.wavevector, options.frequency_unit)
+        return Comparison(first, theirs)
+    second = of_dataset(names[1], bands_of(options.second, runner))
+    if first.labels != second.labels:
+        raise StudyError.mismatch(
+            argument="SECOND",
+            given=f"a path {' '.join(second.labels)}",
+            allowed=f"{' '.join(first.labels)}, the path of {first.name}",
+            cause="lattices of another kind have another zone, and nothing says which places belong together",
+            next_step="compare lattices of one kind",
+        )
+    return Comparison(first, second, {path: key.unit for path, key in table(Description).items()})
+
+
+def bands_of(path: Path, runner: Runner) -> xr.Dataset:
+    """Of a study, computed now at more wavevectors than a diagram needs; of a result, as they are."""
+    if kind_of(path) == "result":
+        return of_file(path / RESULT if path.is_dir() else path)
+    study = load_as(path, Description)
+    settings = study.bands_settings
+    found = compute_bands(
+        study.cell,
+        remade(settings, points=max(settings.points, FINE)),
+        surface=False,
+        inputs=study.inputs(),
+        carrier=study.carrier,
+        store=runner.store,
+    )
+    return found.dataset
+
+
+def _names(*paths: Path) -> list[str]:
+    """Short ones that differ."""
+    short = [path.absolute().stem for path in paths]
+    return short if len(set(short)) == len(short) else [str(path) for path in paths]
+
+
+ANALYSIS = Analysis(
+    name="compare",
+    result=Comparison,
+    compute=compute,
+    options=CompareOptions,
+    check=check,
+    study="none",
+    doing="bands of both",
+)

@@ -1,0 +1,115 @@
+"""Forecasts of what analyses need, from those of meshes and plates; one line for each that may take long.
+
+The numbers are processor seconds that the templates took, on the machine of the benchmarks.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any
+
+from haptonic.analyses.needs import has_mirror, has_plate
+from haptonic.bloch.resolution import started
+from haptonic.plate.forecast import foreseen
+from haptonic.results.cost import Cost
+from haptonic.study.schema import Description
+
+FIRST, SECOND = 0.5, 0.25  # of what meshes are foreseen to take at most: the second is not always needed
+ZONE = 0.2  # s, of the search for gaps
+DIAGRAM, PER_WAVEVECTOR = 2.5, 0.02  # s, of names, shapes and counts; of ten bands
+SURFACE = 6.0  # s, of the whole zone
+QUICK_DESIGN = 0.25  # s of a design that a search sees; twenty drawn searches took 0.15 to 0.4
+REFINED = 6  # designs that a search computes as exactly as asked for
+MIRROR = 0.035  # s of a row at a frequency
+GUIDES, SAMPLE = 2.0, 0.6  # s, of a design beside the study's own
+REPORT = 30.0  # s, of pictures and of the twins of a scan and of trials
+
+
+def meshes(study: Description, second: float = SECOND) -> Cost:
+    """Of the models of a cell: the first that is tried, and a share of the next."""
+    cell, settings = study.cell, study.bands_settings
+    chosen = settings.resolution
+    tried = [chosen] if chosen else started(cell, settings.count, settings.accuracy)
+    seconds = FIRST * tried[0].seconds(cell) + second * sum(one.seconds(cell) for one in tried[1:])
+    return Cost(seconds, max(one.memory(cell) for one in tried))
+
+
+def gaps(study: Description) -> Cost:
+    """Of the complete gaps of the study's cell, for which the first mesh is mostly enough."""
+    return meshes(study, second=0.0) + Cost(ZONE)
+
+
+def bands(study: Description, options: Any) -> Cost:
+    """Of `haptonic bands`."""
+    surface = SURFACE if getattr(options, "surface", False) else 0.0
+    return meshes(study) + Cost(DIAGRAM + PER_WAVEVECTOR * study.bands_settings.points + surface)
+
+
+def sweep(study: Description, options: Any) -> Cost:
+    """Of all designs of all rows."""
+    return gaps(study).times(sum(one.steps for one in study.sweep_settings))
+
+
+def layers(study: Description, options: Any) -> Cost:
+    """Of a mirror's spectra."""
+    settings = study.layers_settings
+    return gaps(study) + Cost(MIRROR * settings.count * settings.points)
+
+
+def waveguide(study: Description, options: Any) -> Cost:
+    """Of the guides that are compared."""
+    return gaps(study) + Cost(GUIDES)
+
+
+def design(study: Description, options: Any) -> Cost:
+    """Of a search; more where the carrier is hard to reach."""
+    section = study.design_settings
+    seen = section.starts + section.climbs * section.steps
+    once = Cost(QUICK_DESIGN * seen) + gaps(study).times(REFINED)
+    return once.times(1 + section.pitches / 2) if getattr(options, "pareto", False) else once
+
+
+def tolerance(study: Description, options: Any) -> Cost:
+    """Of the designs that spreads lead to."""
+    return gaps(study) + Cost(SAMPLE * study.tolerance_settings.samples)
+
+
+def plate(study: Description, options: Any) -> Cost:
+    """Of a plate's response, and of its lattice's gap."""
+    mounted = study.mounted_plate()  # says what is missing where there is none
+    assert study.finite_plate is not None
+    single = getattr(options, "at", None) is not None
+    settings = study.finite_plate.response
+    response = Cost(*foreseen(mounted, settings.lowest, settings.highest, single=single))
+    return response if single else gaps(study) + response
+
+
+def reproduce(study: Description, options: Any) -> Cost:
+    """Of every analysis in the report."""
+    total = bands(study, options) + Cost(SURFACE + (REPORT if has_plate(study) else 0.0))
+    for name in ("sweep", "layers", "waveguide", "plate"):
+        if FORECASTS[name].when(study):
+            total += FORECASTS[name].cost(study, options)
+    return total
+
+
+@dataclass(frozen=True)
+class Forecast:
+    """cost : takes study and options; when : whether a study gives all that the analysis needs."""
+
+    cost: Callable[[Description, Any], Cost]
+    when: Callable[[Description], Any] = lambda study: True
+
+
+FORECASTS = {
+    "bands": Forecast(bands),
+    "sweep": Forecast(sweep, lambda study: study.sweep_settings),
+    "reproduce": Forecast(reproduce),
+    "layers": Forecast(layers, has_mirror),
+    "waveguide": Forecast(waveguide, has_mirror),
+    "design": Forecast(design, lambda study: study.carrier and study.design_settings.vary),
+    "tolerance": Forecast(tolerance, lambda study: study.carrier and study.tolerance_settings.of),
+    "plate": Forecast(plate, has_plate),
+    "feel": Forecast(plate, has_plate),
+}

@@ -1,0 +1,24 @@
+"""What a study describes and what it will cost, without computing anything."""
+
+from __future__ import annotations
+
+from haptonic.analyses.analysis import Analysis, NoOptions
+from haptonic.analyses.costs import FORECASTS
+from haptonic.results.plan import StudyPlan
+from haptonic.results.runner import Runner
+from haptonic.study.schema import Description
+
+
+def compute(study: Description, options: NoOptions, runner: Runner) -> StudyPlan:
+    """Sizes, the plate if there is one, and the forecast of every command that the study can be asked for."""
+    plate = study.mounted_plate() if study.finite_plate else None
+    costs = {name: one.cost(study, options) for name, one in FORECASTS.items() if one.when(study)}
+    return StudyPlan(study.title, study.carrier, study.cell, plate, costs, study.inputs())
+
+
+ANALYSIS = Analysis(
+    name="plan",
+    result=StudyPlan,
+    compute=compute,
+    doing="drawing",
+)

@@ -1,0 +1,113 @@
+"""``haptonic keys``: the keys of the study file, as their declarations say them."""
+
+from __future__ import annotations
+
+from typing import Annotated, Any
+
+import typer
+
+from haptonic.cli.commands import Json
+from haptonic.cli.console import Voice, speaking
+from haptonic.cli.listing import entry, pairs
+from haptonic.errors import StudyError, nearest, shown
+from haptonic.fields import Key, table
+from haptonic.fields.problems import allowed_at, example_at
+from haptonic.study import Study
+
+Pattern = Annotated[
+    str | None, typer.Argument(metavar="PATTERN", help="Part of a path, or a word of a key's help.")
+]
+
+
+def run(pattern: Pattern = None, json: Json = False) -> None:
+    """Tell the keys that a pattern finds; without one list them all."""
+    with speaking(json) as voice:
+        every = table(Study)
+        found = every if pattern is None else matching(every, pattern)
+        voice.answer({"keys": [facts(key) for key in found.values()]})
+        if pattern is None:
+            pairs(voice, {path: key.label for path, key in found.items()})
+            voice.tell(
+                f"{len(found)} keys. `haptonic keys PATTERN` tells all of some: `haptonic keys pillar`."
+            )
+        else:
+            tell(voice, found, pattern)
+
+
+def tell(voice: Voice, found: dict[str, Key], pattern: str) -> None:
+    """Keys whose path the pattern stands in, with all that is known; others that only mention it, by name."""
+    named = {path: key for path, key in found.items() if pattern.casefold() in path.casefold()} or found
+    for path, key in named.items():
+        entry(voice, path, lines(key))
+    others = {path: key.label for path, key in found.items() if path not in named}
+    if others:
+        voice.tell(f"{len(others)} more mention it:")
+        pairs(voice, others)
+
+
+def matching(keys: dict[str, Key], pattern: str) -> dict[str, Key]:
+    """The keys in whose path, help or words a pattern stands, whatever its capitals.
+
+    Raises
+    ------
+    StudyError : there is none
+    """
+    wanted = pattern.casefold()
+    found = {
+        path: key
+        for path, key in keys.items()
+        if wanted in "\n".join((path, key.title, key.description, *key.known_names)).casefold()
+    }
+    if found:
+        return found
+    words = {part for path in keys for part in (path, *path.replace("[]", "").split("."))}
+    guess = nearest(wanted, sorted(words))
+    raise StudyError(
+        "unknown",
+        argument="pattern",
+        given=shown(pattern),
+        allowed="part of a path such as cell.pillar, or a word of a key's help",
+        cause="no key of the study file has it",
+        next_step=f"haptonic keys {guess}" if guess else "list them all with `haptonic keys`",
+    )
+
+
+def lines(key: Key) -> dict[str, str]:
+    """All that is known of a key, in words."""
+    return {
+        "meaning": f"{key.title}. {key.description}",
+        "allowed": allowed_at(key),
+        "names": ", ".join(key.known_names) if key.named and key.kind != "text" else "",
+        "usual": key.typical,
+        "default": "none: it has to be given" if key.required else key.default_text,
+        "example": example(key),
+    }
+
+
+def example(key: Key) -> str:
+    """A line for the study file; a table's own keys have theirs."""
+    if key.kind in {"table", "tables", "entries"} and not key.known_names:
+        return ""
+    value = key.default_text
+    if not value or key.kind in {"quantities", "text", "choice"}:
+        return example_at(key)
+    name = key.path.rpartition(".")[2]
+    return f'{name} = "{value}"' if key.unit else f"{name} = {value}"
+
+
+def facts(key: Key) -> dict[str, Any]:
+    """What machines are told."""
+    return {
+        "path": key.path,
+        "title": key.title,
+        "kind": key.kind,
+        "unit": key.unit,
+        "default": key.default,
+        "required": key.required,
+        "allowed": allowed_at(key),
+        "bounds": key.bounds,
+        "usual": key.typical,
+        "known_names": list(key.known_names),
+        "description": key.description,
+        "example": example(key),
+    }

@@ -1,0 +1,103 @@
+"""``haptonic materials``: the built-in ones."""
+
+from __future__ import annotations
+
+from typing import Annotated
+
+import numpy as np
+import typer
+
+from haptonic.cli.commands import Json
+from haptonic.cli.console import speaking
+from haptonic.cli.listing import entry
+from haptonic.errors import StudyError, nearest, shown
+from haptonic.materials import IsotropicMaterial, Material, PiezoelectricMaterial, library
+from haptonic.results.table import Column, Table
+from haptonic.units import format_quantity
+
+UNITS = {"youngs_modulus": "Pa", "density": "kg/m^3"}  # of uncertainties
+Pattern = Annotated[
+    str | None, typer.Argument(metavar="PATTERN", help="Part of a name; all is told of those that have it.")
+]
+
+
+def run(pattern: Pattern = None, json: Json = False) -> None:
+    """List the materials; of those that a pattern finds tell sources and notes."""
+    with speaking(json) as voice:
+        found = {name: solid for name, solid in library().items() if (pattern or "").lower() in name}
+        if not found:
+            guess = nearest(str(pattern).lower(), library())
+            raise StudyError(
+                "unknown",
+                argument="pattern",
+                given=shown(pattern),
+                allowed=f"part of one of {', '.join(library())}",
+                cause="no built-in material has it in its name",
+                next_step=f"haptonic materials {guess}"
+                if guess
+                else "give its constants in a [material] table",
+            )
+        voice.answer({"materials": {name: solid.to_dict() for name, solid in found.items()}})
+        if pattern is None:
+            voice.show(overview(found))
+            voice.tell(
+                'In a study: material = "steel". `haptonic materials steel` tells its source and notes.'
+            )
+        else:
+            for name, solid in found.items():
+                entry(voice, name, lines(solid))
+
+
+def overview(solids: dict[str, Material]) -> Table:
+    """Name, stiffness, density and losses of each."""
+    columns = (
+        "name",
+        "kind",
+        Column("stiffness", "Pa", "GPa", ".4g"),
+        Column("Poisson ratio", form=".3g"),
+        Column("density", "kg/m^3", form=".4g"),
+        Column("loss factor", form=".2g"),
+    )
+    rows = [
+        (
+            name,
+            kind_of(solid),
+            stiffness(solid),
+            getattr(solid, "poisson_ratio", None),
+            solid.density,
+            solid.loss_factor,
+        )
+        for name, solid in solids.items()
+    ]
+    return Table("built-in materials", columns, rows)
+
+
+def kind_of(solid: Material) -> str:
+    """Isotropic, anisotropic or piezoelectric."""
+    if isinstance(solid, PiezoelectricMaterial):
+        return "piezoelectric"
+    return "isotropic" if isinstance(solid, IsotropicMaterial) else "anisotropic"
+
+
+def stiffness(solid: Material) -> float:
+    """Young's modulus along x, Pa: 1 / s_11 of the compliance s = c^-1, at constant field."""
+    return float(1.0 / np.linalg.inv(solid.stiffness)[0, 0])
+
+
+def lines(solid: Material) -> dict[str, str]:
+    """Constants in words, where they come from, and how far they can be trusted."""
+    poisson = getattr(solid, "poisson_ratio", None)
+    spread = [
+        f"{name} {format_quantity(width, UNITS.get(name, ''))}" for name, width in solid.uncertainty.items()
+    ]
+    return {
+        "kind": kind_of(solid),
+        "stiffness": f"{format_quantity(stiffness(solid), 'Pa')}, Young's modulus along x",
+        "Poisson ratio": "" if poisson is None else f"{poisson:g}",
+        "density": f"{solid.density:g} kg/m^3",
+        "loss factor": f"{solid.loss_factor:g}",
+        "half-widths": ", ".join(spread),
+        "source": solid.source,
+        "note": solid.note,
+        "in a study": f'material = "{solid.name}"',
+    }

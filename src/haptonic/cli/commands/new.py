@@ -1,0 +1,136 @@
+"""``haptonic new``: a study file to begin with."""
+
+from __future__ import annotations
+
+import os
+import re
+from importlib.resources import files
+from itertools import takewhile
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from haptonic.cli.commands import Json
+from haptonic.cli.console import speaking
+from haptonic.cli.listing import pairs
+from haptonic.errors import StudyError, nearest, shown
+from haptonic.paths import target
+from haptonic.store import write_atomically
+
+USUAL = "bare-cell"
+ENDING = ".toml"
+COMMAND = re.compile(r"^#   (haptonic .*?)(  |$)")  # in the comments that head a template
+
+
+def templates() -> dict[str, str]:
+    """Text of every template by its name, the simplest first."""
+    folder = files("haptonic").joinpath("templates")
+    found = {
+        one.name.removesuffix(ENDING).replace("_", "-"): one.read_text("utf-8") for one in folder.iterdir()
+    }
+    return dict(sorted(found.items(), key=lambda pair: pair[1].count("\n")))
+
+
+def complete(incomplete: str) -> list[str]:
+    """For a shell: the templates whose names begin so."""
+    return [name for name in templates() if name.startswith(incomplete)]
+
+
+First = Annotated[
+    str | None,
+    typer.Argument(metavar="TEMPLATE", help=f"Else {USUAL}.", autocompletion=complete, show_default=False),
+]
+Second = Annotated[str | None, typer.Argument(metavar="FILE", help="The study file that is written.")]
+Over = Annotated[bool, typer.Option("--overwrite", help="Replace a file that is there.")]
+
+
+def run(template: First = None, file: Second = None, overwrite: Over = False, json: Json = False) -> None:
+    """Write a template; tell the templates if nothing is named."""
+    with speaking(json) as voice:
+        known = templates()
+        if template is None:
+            pairs(voice, {name: about(text) for name, text in known.items()})
+            voice.tell("`haptonic new touchpad my.toml` writes one of them.")
+            voice.answer({"templates": {name: about(text) for name, text in known.items()}})
+            return
+        name, path = resolved(template, file, known)
+        refuse_taken(path, overwrite)
+        text = adapted(known[name], path)
+        write_atomically(path, lambda draft: draft.write_text(text, "utf-8"))
+        first = commands(text)[0]
+        voice.tell(f"written: {path}, from the template {name}. Next: {first}")
+        voice.answer({"file": str(path), "template": name, "next": commands(text)})
+
+
+def resolved(template: str, file: str | None, known: dict[str, str]) -> tuple[str, Path]:
+    """The template and the file that two arguments name, or one.
+
+    Raises
+    ------
+    StudyError : no such template, or no file
+    """
+    if file is None and template.endswith(ENDING):
+        return USUAL, target(template, "FILE")
+    name = re.sub(r"[\s_]+", "-", template.strip().lower())
+    guess = nearest(name, known)
+    if name not in known:
+        swapped = file is not None and file in known
+        raise StudyError(
+            "unknown",
+            argument="TEMPLATE",
+            given=shown(template),
+            allowed=f"one of {', '.join(known)}",
+            cause="template and file stand in the wrong order" if swapped else "there is no such template",
+            next_step=f"haptonic new {file} {template}"
+            if swapped
+            else f"haptonic new {guess} {file or 'my.toml'}"
+            if guess
+            else "`haptonic new` tells what they are",
+        )
+    if file is None:
+        raise StudyError.missing(
+            argument="FILE",
+            allowed=f"the name of a study file, such as my{ENDING}",
+            cause=f"{name} is the template",
+            next_step=f"haptonic new {name} my{ENDING}",
+        )
+    return name, target(file, "FILE")
+
+
+def refuse_taken(path: Path, overwrite: bool) -> None:
+    """Raise StudyError if something is there that was not asked to be replaced, or cannot be."""
+    if not os.path.lexists(path) or (overwrite and not path.is_dir()):
+        return
+    raise StudyError.repeated(
+        argument="FILE",
+        given=shown(str(path), 200),
+        allowed="a name that is not taken, unless --overwrite is given",
+        cause="it is a folder" if path.is_dir() else "a file of this name is there",
+        next_step="choose another name" + ("" if path.is_dir() else ", or give --overwrite to replace it"),
+    )
+
+
+def heading(text: str) -> list[str]:
+    """The comments before the first key."""
+    return list(takewhile(lambda line: line.startswith("#"), text.splitlines()))
+
+
+def about(text: str) -> str:
+    """What a template is for: the heading down to its first command."""
+    lines = takewhile(lambda line: not COMMAND.match(line), heading(text))
+    return " ".join(line.removeprefix("#").strip() for line in lines)
+
+
+def commands(text: str) -> list[str]:
+    """What can be asked of a template, in the order of its heading."""
+    return [found[1].strip() for line in heading(text) if (found := COMMAND.match(line))]
+
+
+def adapted(text: str, path: Path) -> str:
+    """With the file's own name in the commands of the heading."""
+    name = f'"{path}"' if " " in str(path) else str(path)
+    for line in heading(text):
+        if COMMAND.match(line):
+            text = text.replace(line, re.sub(r"\bFILE\b", lambda _: name, line), 1)
+    return text

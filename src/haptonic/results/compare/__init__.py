@@ -1,0 +1,6 @@
+"""Two sets of bands beside each other."""
+
+from haptonic.results.compare.sides import BandSet, of_dataset, of_file, of_table
+from haptonic.results.compare.value import Comparison
+
+__all__ = ["Comparison", "BandSet", "of_dataset", "of_file", "of_table"]

@@ -1,0 +1,200 @@
+"""What is compared: bands of ours, from a study or a result, and those that another program exported."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import xarray as xr
+from numpy.typing import NDArray
+
+from haptonic.bloch import Gap, gaps_of
+from haptonic.channels.hdf5 import arrays_of
+from haptonic.channels.numbers import Numbers, read_numbers
+from haptonic.errors import ChannelError, StudyError
+from haptonic.foreign.process import ask
+from haptonic.errors import shown
+from haptonic.units import to_si
+
+Array = NDArray[np.float64]
+
+WAVEVECTORS = ("rad/m", "rad/mm", "1/m", "share", "segments")
+SAME_PATH = 0.02  # share by which two lengths of one path may differ
+PARTS = {
+    "distance": ("wavevector",),
+    "frequency": ("wavevector", "band"),
+    **dict.fromkeys(("gap_below", "gap_lower", "gap_upper", "gap_lower_error", "gap_upper_error"), ("gap",)),
+    **dict.fromkeys(("gap_lower_kappa", "gap_upper_kappa"), ("gap", "axis")),
+    **dict.fromkeys(("gap_complete", "gap_direction", "gap_samples"), ("gap",)),
+}  # of bands.nc
+LENGTHS = {"rad/m": 1.0, "1/m": 1.0, "rad/mm": 1e3}
+
+
+@dataclass(frozen=True, eq=False)
+class BandSet:
+    """Bands along a path.
+
+    name : how it is called
+    position : (wavevector,) corners of the path count 0, 1, 2, ...; between them the share of the way
+    frequency : (wavevector, band) ascending, Hz; NaN where there is none
+    labels : of the corners; length : of the path, rad/m
+    gaps : complete ones, known of ours
+    inputs : plain values of the study, of ours; ours : whether haptonic computed it
+    """
+
+    name: str
+    position: Array
+    frequency: Array
+    labels: tuple[str, ...]
+    gaps: tuple[Gap, ...]
+    inputs: Mapping[str, Any]
+    ours: bool = True
+
+    def at(self, position: Array) -> Array:
+        """(position, band) Hz, linear between the wavevectors; NaN beyond them."""
+        columns = [np.interp(position, self.position, f, np.nan, np.nan) for f in self.frequency.T]
+        return np.stack(columns, axis=1)
+
+    def on_path(self) -> dict[tuple[int, int], tuple[float, float]]:
+        """(lower, upper) edges of the gaps along the path, Hz, by their bands."""
+        lower, upper = np.nanmax(self.frequency, axis=0), np.nanmin(self.frequency, axis=0)
+        return {
+            (k + 1, k + 2): (float(lower[k]), float(upper[k + 1]))
+            for k in range(len(lower) - 1)
+            if upper[k + 1] > lower[k]
+        }
+
+
+def of_dataset(name: str, data: xr.Dataset) -> BandSet:
+    """Bands that haptonic computed."""
+    corners = data["distance"].values[json.loads(data.attrs["path_corners"])]
+    return BandSet(
+        name,
+        np.interp(data["distance"].values, corners, np.arange(len(corners))),
+        np.sort(data["frequency"].values, axis=1),
+        tuple(json.loads(data.attrs["path_labels"])),
+        tuple(gap for gap in gaps_of(data) if gap.complete),
+        json.loads(data.attrs["inputs"]),
+    )
+
+
+def of_file(path: Path) -> xr.Dataset:
+    """Bands of a file that `haptonic bands` wrote, as far as they are compared.
+
+    Raises
+    ------
+    StudyError : another file, or a damaged one
+    """
+    try:
+        content = ask("hdf5.tree", path, deep=False)
+        parts = arrays_of(path, content, [*PARTS])
+        data = xr.Dataset({name: (dims, parts[name]) for name, dims in PARTS.items()}, attrs=content["attributes"])
+        of_dataset("", data)
+    except (ChannelError, OSError, MemoryError, KeyError, ValueError, TypeError, IndexError) as error:
+        raise StudyError.unreadable(
+            argument="bands of an earlier run",
+            given=shown(str(path), 200),
+            allowed="bands.nc of `haptonic bands`, or its folder",
+            cause="there is no such file" if isinstance(error, FileNotFoundError) else "another file, or damaged",
+            next_step="give the study, or run `haptonic bands` again",
+        ) from error
+    return data
+
+
+def of_table(path: Path, along: xr.Dataset, wavevector: str | None, frequency_unit: str | None) -> BandSet:
+    """Bands of a text file, on the path of ours.
+
+    Parameters
+    ----------
+    along : bands of ours, whose path it is
+    wavevector, frequency_unit : what the file does not say
+
+    Raises
+    ------
+    ChannelError : no table, units that nobody says, an axis that is none, or another path
+    """
+    numbers = read_numbers(path)
+    distance = along["distance"].values
+    corners = distance[json.loads(along.attrs["path_corners"])]
+    said = numbers.units[0].replace(" ", "")
+    unit = wavevector or (said if said in WAVEVECTORS else "")
+    axis, columns = _axis(path, numbers)
+    if unit not in WAVEVECTORS:
+        raise ChannelError.missing(
+            argument="--wavevector",
+            given=shown(unit or numbers.units[0]) if unit or numbers.units[0] else "nothing",
+            allowed=f"one of {', '.join(WAVEVECTORS)}",
+            cause=f"the first column of {path.name} goes from {axis[0]:g} to {axis[-1]:g}, and nobody says of what",
+            next_step=f"say it: --wavevector {_likely(axis, corners)}; share is of the whole path, segments count "
+            "its corners from 0",
+        )
+    position = _position(path, axis, unit, corners)
+    values = numbers.values[:, columns] * _in_hertz(path, numbers, columns, frequency_unit)
+    rows = [np.sort(values[axis == one].ravel()) for one in np.unique(axis)]
+    frequency = np.full((len(rows), max(map(len, rows))), np.nan)
+    for row, found in zip(frequency, rows, strict=True):
+        row[: len(found)] = found
+    return BandSet(
+        path.stem, np.unique(position), frequency, tuple(json.loads(along.attrs["path_labels"])), (), {}, ours=False
+    )
+
+
+def _axis(path: Path, numbers: Numbers) -> tuple[Array, slice]:
+    """The wavevector of every row, and which columns hold frequencies; of k_x and k_y, the way along them."""
+    two = len(numbers.names) > 2 and numbers.names[1].lower().replace("_", "") == "ky"
+    axis = numbers.values[:, 0]
+    if two:
+        steps = np.hypot(*np.diff(numbers.values[:, :2], axis=0).T)
+        axis = np.concatenate([[0.0], np.cumsum(steps)])
+    bad = np.flatnonzero(np.diff(axis) < 0)
+    if len(bad) or not np.isfinite(axis).all() or axis[0] == axis[-1]:
+        row = int(bad[0]) if len(bad) else 0
+        raise ChannelError.malformed(
+            argument=f"{path.name}, first column",
+            given=f"{axis[row]:g}, then {axis[row + 1]:g}" if len(axis) > 1 else f"{axis[0]:g} alone",
+            allowed="wavevectors along the path that never fall, or come back after some frequencies",
+            cause="it is not the wavevector, or the rows are sorted by something else",
+            next_step="export the wavevector first, and sort the rows by it",
+        )
+    return axis, slice(2 if two else 1, None)
+
+
+def _likely(axis: Array, corners: Array) -> str:
+    """What a column without a unit may be, by its end; to be said, not to be taken."""
+    ends = {"segments": len(corners) - 1.0, "share": 1.0, "rad/m": corners[-1], "rad/mm": corners[-1] / 1e3}
+    return min(ends, key=lambda name: abs(np.log(max(axis[-1], 1e-12) / ends[name])))
+
+
+def _position(path: Path, axis: Array, unit: str, corners: Array) -> Array:
+    last = len(corners) - 1
+    ends = {"segments": float(last), "share": 1.0}
+    end = ends.get(unit, float(corners[-1]) / LENGTHS.get(unit, 1.0))
+    if axis[0] < -SAME_PATH * end or axis[-1] > (1 + SAME_PATH) * end:
+        raise ChannelError.mismatch(
+            argument=f"{path.name}, first column",
+            given=f"{axis[0]:g} to {axis[-1]:g} as {unit}",
+            allowed=f"0 to {end:.4g}, along the path of the study",
+            cause="another unit, another pitch, or a path with other corners",
+            next_step="check --wavevector; the path of the study is in its diagram",
+        )
+    if unit == "segments":
+        return np.asarray(np.clip(axis, 0, last))
+    return np.asarray(np.interp(axis / end * corners[-1], corners, np.arange(last + 1.0)))
+
+
+def _in_hertz(path: Path, numbers: Numbers, columns: slice, given: str | None) -> float:
+    units = {unit for unit in numbers.units[columns] if unit}
+    unit = given or (units.pop() if len(units) == 1 else "")
+    if not unit:
+        raise ChannelError.missing(
+            argument="--frequency-unit",
+            given=", ".join(sorted(units)) or "nothing",
+            allowed="Hz, kHz, MHz, ...",
+            cause=f"the columns of {path.name} have no unit, or several",
+            next_step="say it: --frequency-unit kHz",
+        )
+    return to_si(f"1 {unit}", "Hz", "--frequency-unit")

@@ -1,0 +1,186 @@
+"""How two sets of bands differ: band by band, in their gaps, and in what made them."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+import xarray as xr
+from numpy.typing import NDArray
+
+from haptonic import plots
+from haptonic.results.common import stamped
+from haptonic.results.compare.sides import BandSet
+from haptonic.results.result import Result, figure
+from haptonic.results.table import Cell, Column, Table
+from haptonic.units import format_quantity
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+Array = NDArray[np.float64]
+
+LOW = 0.05  # of the highest frequency, below which a share of the frequency tells nothing
+OTHER_BAND = 0.1  # relative difference from which on two bands of one number are hardly the same one
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class Comparison(Result):
+    """Bands of two, the second at its own wavevectors and the first between its own.
+
+    units : SI units of what makes them, by key of the study
+    """
+
+    title = "Comparison"
+    data_file = "compare"
+
+    first: BandSet
+    second: BandSet
+    units: Mapping[str, str] = field(default_factory=dict)
+
+    @property
+    def difference(self) -> Array:
+        """(wavevector, band) of the second minus the first, Hz, for the bands that both have."""
+        count = min(self.first.frequency.shape[1], self.second.frequency.shape[1])
+        return np.asarray(self.second.frequency[:, :count] - self.first.at(self.second.position)[:, :count])
+
+    @property
+    def relative(self) -> Array:
+        """(wavevector, band) the difference over the first's frequency; NaN where that is nearly zero."""
+        difference = self.difference
+        own = self.first.at(self.second.position)[:, : difference.shape[1]]
+        floor = LOW * np.nanmax(own)
+        return np.asarray(np.where(own > floor, difference / np.maximum(own, floor), np.nan))
+
+    @property
+    def dataset(self) -> xr.Dataset:
+        """Differences at the wavevectors of the second."""
+        both = ("wavevector", "band")
+        absent = {"units": "Hz", "nan_means": "one of the two has no such band there"}
+        data = xr.Dataset(
+            {
+                "position": ("wavevector", self.second.position, {"units": "1"}),
+                "frequency": (both, self.second.frequency[:, : self.difference.shape[1]], absent),
+                "difference": (both, self.difference, absent),
+            },
+            coords={"band": np.arange(1, self.difference.shape[1] + 1)},
+            attrs={"first": self.first.name, "second": self.second.name},
+        )
+        return stamped(data, self.first.inputs)
+
+    def summary(self) -> list[str]:
+        a, b = self.first, self.second
+        relative = np.abs(self.relative)
+        place = np.unravel_index(np.nanargmax(relative), relative.shape)
+        said = [
+            f"{b.name} against {a.name}: {relative.shape[1]} bands at {len(b.position)} wavevectors, "
+            f"{100 * float(np.sqrt(np.nanmean(relative**2))):.3g} % apart on average (root mean square), at most "
+            f"{100 * float(relative[place]):.3g} % (band {place[1] + 1}, {self._place(float(b.position[place[0]]))})."
+        ]
+        moved = [row for row in self._gap_rows() if None not in row[1:5]]
+        if moved:
+            bands, low, _, new, _ = max(moved, key=lambda row: float(row[2]) - float(row[1]))  # type: ignore[arg-type]
+            shift = float(new) - float(low)  # type: ignore[arg-type]
+            word = "higher" if shift > 0 else "lower"
+            said.append(f"The lower edge of the gap between bands {bands} lies {abs(shift) / 1e3:.3g} kHz {word}.")
+        changed = list(self._changed())
+        if changed:
+            said.append(f"{len(changed)} number{'s' * (len(changed) > 1)} of the studies differ.")
+        return said
+
+    def tables(self) -> list[Table]:
+        a, b = self.first, self.second
+        gaps = Table(
+            "gaps" if b.ours else f"gaps; of {b.name} along its path only",
+            ("bands", *(Column(f"{side.name} {end}", "Hz", "kHz", ".3f") for side in (a, b) for end in ("from", "to"))),
+            [tuple(row) for row in self._gap_rows()],
+        )
+        bands = Table(
+            f"{b.name} minus {a.name}",
+            ("band", Column("root mean square", "Hz", "kHz", ".4f"), Column("largest", "Hz", "kHz", "+.4f"),
+             Column("of it", "", "%", "+.3f"), "where"),
+            list(self._band_rows()),
+        )  # fmt: skip
+        changed = Table("what differs in the studies", ("key", a.name, b.name), list(self._changed()))
+        return [gaps, bands, *([changed] if changed.rows else [])]
+
+    def _band_rows(self) -> Iterator[tuple[Cell, ...]]:
+        for band, (apart, share) in enumerate(zip(self.difference.T, self.relative.T, strict=True), start=1):
+            if not np.isfinite(apart).any():
+                continue
+            k = int(np.nanargmax(np.abs(apart)))
+            part = None if np.isnan(share[k]) else float(share[k])
+            where = self._place(float(self.second.position[k]))
+            yield str(band), float(np.sqrt(np.nanmean(apart**2))), float(apart[k]), part, where
+
+    def _gap_rows(self) -> list[tuple[Cell, Cell, Cell, Cell, Cell]]:
+        """Bands, and the edges of each, Hz; None where one has no such gap."""
+        first, second = (_edges(side) for side in (self.first, self.second))
+        none: tuple[None, None] = (None, None)
+        return [
+            (f"{pair[0]}-{pair[1]}", *first.get(pair, none), *second.get(pair, none))
+            for pair in sorted(first.keys() | (second.keys() if self.second.ours else set()))
+        ]
+
+    def _changed(self) -> Iterator[tuple[Cell, ...]]:
+        if self.second.ours:
+            first, second = (dict(_flat(side.inputs)) for side in (self.first, self.second))
+            for key in dict.fromkeys([*first, *second]):
+                one, other = (known.get(key, "-") for known in (first, second))
+                if one != other:
+                    yield key, self._told(key, one), self._told(key, other)
+
+    def _told(self, key: str, value: object) -> str:
+        return format_quantity(value, self.units.get(key, "")) if isinstance(value, float) else str(value)
+
+    def _place(self, position: float) -> str:
+        """A place on the path in words."""
+        k = min(int(position), len(self.first.labels) - 2)
+        labels, share = self.first.labels, position - k
+        if share < 1e-9:
+            return labels[k]
+        return labels[k + 1] if share > 1 - 1e-9 else f"{share:.2f} of {labels[k]}-{labels[k + 1]}"
+
+    def remarks(self) -> list[str]:
+        said = []
+        apart = [float(np.nanmedian(np.abs(one))) if np.isfinite(one).any() else 0.0 for one in self.relative.T]
+        far = [band for band, one in enumerate(apart, start=1) if one > OTHER_BAND]
+        if far and self.second.inputs == {}:
+            said.append(
+                f"band {far[0]} and others are more than {OTHER_BAND:.0%} apart: a band may be missing in one of the "
+                "two, or a unit or a size may differ"
+            )
+        if len(self.first.position) < len(self.second.position):
+            said.append(f"{self.first.name} is taken as straight between its {len(self.first.position)} wavevectors")
+        return said
+
+    def facts(self) -> dict[str, Any]:
+        names = ("bands", "first_lower_hz", "first_upper_hz", "second_lower_hz", "second_upper_hz")
+        return {
+            "data": self.dataset,
+            "gaps": [dict(zip(names, row, strict=True)) for row in self._gap_rows()],
+            "changed": [dict(zip(("key", "first", "second"), row, strict=True)) for row in self._changed()],
+        }
+
+    @figure("compare", "Two sets of bands along the edge of the irreducible zone, and their complete gaps.")
+    def _drawn(self) -> Figure:
+        sides = (self.first, self.second)
+        return plots.compared(
+            [(one.name, one.position, one.frequency, [(g.lower, g.upper) for g in one.gaps]) for one in sides],
+            self.first.labels,
+            crosses=not self.second.ours,
+        )
+
+
+def _edges(side: BandSet) -> dict[tuple[int, int], tuple[float, float]]:
+    return {gap.between: (gap.lower, gap.upper) for gap in side.gaps} if side.ours else side.on_path()
+
+
+def _flat(tree: Mapping[str, Any], prefix: str = "") -> Iterator[tuple[str, object]]:
+    for name, value in tree.items():
+        if isinstance(value, Mapping):
+            yield from _flat(value, f"{prefix}{name}.")
+        elif value is not None:
+            yield f"{prefix}{name}", value

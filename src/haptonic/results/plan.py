@@ -1,0 +1,140 @@
+"""A study before it is computed: its sizes, its map, and what each command will cost."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+import psutil
+import xarray as xr
+
+from haptonic import plots
+from haptonic.cell import UnitCell
+from haptonic.design.parameters import values_of
+from haptonic.plate import Plate
+from haptonic.results.common import stamped
+from haptonic.results.cost import Cost
+from haptonic.results.result import Result, figure
+from haptonic.results.table import Cell, Column, Table
+from haptonic.units import format_quantity
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+
+def _has_plate(plan: StudyPlan) -> bool:
+    return plan.plate is not None
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class StudyPlan(Result):
+    """What a study describes.
+
+    study : its title; carrier : Hz, if there is one
+    costs : forecasts of the commands that it can be asked for, by name
+    inputs : plain values of the study
+    """
+
+    title = "Plan"
+
+    study: str
+    carrier: float | None
+    cell: UnitCell
+    plate: Plate | None
+    costs: Mapping[str, Cost]
+    inputs: Mapping[str, Any]
+
+    @property
+    def dataset(self) -> xr.Dataset:
+        """The forecasts, and tiles and area of every region of the plate."""
+        data = xr.Dataset(
+            {
+                "processor_time": ("command", [one.seconds for one in self.costs.values()], {"units": "s"}),
+                "memory": ("command", [one.memory for one in self.costs.values()], {"units": "byte"}),
+            },
+            coords={"command": list(self.costs)},
+        )
+        if self.plate:
+            layout = self.plate.layout
+            data["tiles"] = "region", [len(layout.of(name)) for name in layout.regions], {"units": "1"}
+            data["area"] = "region", [layout.area(name) for name in layout.regions], {"units": "m^2"}
+            data = data.assign_coords(region=list(layout.regions))
+        return stamped(data, self.inputs)
+
+    def summary(self) -> list[str]:
+        at = f", for {format_quantity(self.carrier, 'Hz')}" if self.carrier else ""
+        said = [f"{self.study}: {self._cell_in_words}{at}."]
+        if self.plate:
+            layout = self.plate.layout
+            width, height = (1e3 * lines[-1] for lines in (layout.x, layout.y))
+            drives = len(self.plate.actuators) + len(self.plate.forces)
+            said.append(
+                f"A plate of {width:.4g} x {height:.4g} mm with {layout.pillars} pillars, "
+                f"{_counted(len(layout.regions), 'region')} of plain plate and {_counted(drives, 'drive')}."
+            )
+        return said
+
+    @property
+    def _cell_in_words(self) -> str:
+        cell = self.cell
+        parts = [f"a {cell.lattice.name} lattice", f"in {cell.material.name}"]
+        return " ".join(parts if cell.pillar else [*parts, "without pillars"])
+
+    def tables(self) -> list[Table]:
+        sizes: list[tuple[Cell, ...]] = [
+            (path.removeprefix("cell."), value)
+            for path, value in values_of(self.cell).items()
+            if path.startswith("cell.") and value
+        ]
+        found = [Table("sizes of the cell", ("size", Column("value", "m", "mm", ".4g")), sizes)]
+        if self.plate:
+            found += self._of_the_plate(self.plate)
+        columns = ("command", Column("processor time"), Column("memory"))
+        found.append(
+            Table(
+                "forecasts, right within about a factor of two",
+                columns,
+                [(f"haptonic {name}", f"about {one.time}", one.gigabytes) for name, one in self.costs.items()],
+            )
+        )
+        return found
+
+    @staticmethod
+    def _of_the_plate(plate: Plate) -> list[Table]:
+        layout = plate.layout
+        boxes = {name: [layout.bounds(tile) for tile in layout.of(name)] for name in layout.regions}
+        regions: list[tuple[Cell, ...]] = [
+            (
+                name,
+                len(tiles),
+                max(box[2] for box in tiles) - min(box[0] for box in tiles),
+                max(box[3] for box in tiles) - min(box[1] for box in tiles),
+            )
+            for name, tiles in boxes.items()
+        ]
+        wide = [Column(name, "m", "mm", ".4g") for name in ("x", "y")]
+        found = [Table("regions of plain plate", ("region", "tiles", *wide), regions)] if regions else []
+        rows: list[tuple[Cell, ...]] = [
+            (one.name, f"{one.size[0] * 1e3:.4g} x {one.size[1] * 1e3:.4g}", *one.centre, one.voltage)
+            for one in plate.actuators
+        ]
+        columns: list[Column | str] = ["patch", "size / mm", *wide, Column("voltage", "V", form=".4g")]
+        return [*found, Table("patches, by their centres on the plate", columns, rows)] if rows else found
+
+    def remarks(self) -> list[str]:
+        free = psutil.virtual_memory().available
+        return [
+            f"haptonic {name} may need {one.gigabytes}, and {free / 1e9:.1f} GB are free"
+            for name, one in self.costs.items()
+            if one.memory > free
+        ]
+
+    @figure("plan", "The plate seen from the face with the pillars, as the study describes it.", when=_has_plate)
+    def _plan(self) -> Figure:
+        assert self.plate is not None
+        return plots.plate_plan(self.plate)
+
+
+def _counted(number: int, what: str) -> str:
+    return f"{number or 'no'} {what}{'s' * (number != 1)}"

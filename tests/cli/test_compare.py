@@ -1,0 +1,237 @@
+"""Two sets of bands beside each other, and the tables that other programs write."""
+
+from __future__ import annotations
+
+import json
+
+import numpy as np
+import pytest
+import xarray as xr
+from hypothesis import given
+from hypothesis import strategies as st
+
+from five_parts import assert_five_parts, refused
+from haptonic.channels.numbers import read_numbers
+from haptonic.errors import ChannelError
+from haptonic.results.compare import Comparison, of_dataset, of_table
+from quick import QUICK_CELL
+
+CORNERS = (0.0, 450.0, 900.0, 1536.0)  # rad/m
+BANDS = 4
+
+
+def dispersion(position: np.ndarray) -> np.ndarray:
+    """(wavevector, band) Hz, of no lattice in particular; linear between corners, with a gap above band 2."""
+    base = np.interp(position, [0, 1, 2, 3], [0.2, 1.0, 1.4, 0.2])
+    return 1e4 * np.stack([base, base + 1.0, base + 4.0, base + 4.1], axis=1)
+
+
+def ours(count: int = 31) -> xr.Dataset:
+    """As `haptonic bands` has it."""
+    position = np.union1d(np.linspace(0, 3, count), [1, 2])
+    distance = np.interp(position, range(4), CORNERS)
+    attrs = {
+        "path_corners": json.dumps([int(np.flatnonzero(position == k)[0]) for k in range(4)]),
+        "path_labels": json.dumps(["Γ", "X", "M", "Γ"]),
+        "inputs": json.dumps({"cell": {"pitch": 0.007}}),
+    }
+    nothing = {
+        name: ("gap", np.zeros(0))
+        for name in (
+            "gap_lower",
+            "gap_upper",
+            "gap_lower_error",
+            "gap_upper_error",
+            "gap_complete",
+            "gap_below",
+        )
+    }
+    data = {"distance": ("wavevector", distance), "frequency": (("wavevector", "band"), dispersion(position))}
+    return xr.Dataset(data | nothing, attrs=attrs)
+
+
+@st.composite
+def exports(draw: st.DrawFn):
+    """A table of bands as some program writes it: its text, and the units of its columns."""
+    separator, decimal = draw(
+        st.sampled_from(
+            [
+                (",", "."),
+                (";", "."),
+                (";", ","),
+                ("\t", "."),
+                ("\t", ","),
+                ("   ", "."),
+                (" ", ","),
+                (" | ", "."),
+                (", ", "."),
+            ]
+        )
+    )
+    wavevector = draw(st.sampled_from(["segments", "share", "rad/m", "rad/mm"]))
+    unit, scale = draw(st.sampled_from([("Hz", 1.0), ("kHz", 1e3), ("MHz", 1e6)]))
+    long, heads, comment = draw(st.booleans()), draw(st.booleans()), draw(st.sampled_from(["%", "#", ""]))
+    complex_, behind = draw(st.booleans()), draw(st.booleans()) and separator.strip() != ""
+    end = draw(st.sampled_from(["\n", "\r\n"]))
+    position = np.linspace(0, 3, draw(st.integers(4, 9)))
+    distance = np.interp(position, range(4), CORNERS)
+    axis = {
+        "segments": position,
+        "share": distance / CORNERS[-1],
+        "rad/m": distance,
+        "rad/mm": distance / 1e3,
+    }
+    order = draw(st.permutations(range(BANDS)))
+
+    def number(value: float, imaginary: bool = False) -> str:
+        text = f"{value:.9g}".replace(".", decimal)
+        return (
+            f"{text}+{'0.25'.replace('.', decimal)}i" if imaginary and complex_ and decimal == "." else text
+        )
+
+    rows = []
+    for k, frequencies in zip(axis[wavevector], dispersion(position) / scale, strict=True):
+        cells = [number(frequencies[n], imaginary=True) for n in order]
+        rows += [[number(k), cell] for cell in cells] if long else [[number(k), *cells]]
+    columns = ["frequency"] if long else [f"band {n + 1}" for n in order]
+    glue = separator if separator.strip() or separator == "\t" else "  "
+    head = glue.join(
+        [f"k ({wavevector})", *(f"{name} ({unit})".replace(" ", "_", name.count(" ")) for name in columns)]
+    )
+    lines = ["Model: cell.mph", f"{comment} {head}".strip() if comment else head] if heads else []
+    lines = [f"{comment or '%'} exported", *lines[1:]] if heads else []
+    text = end.join([*lines, *(separator.join(row) + (separator if behind else "") for row in rows)]) + end
+    return text, wavevector, unit, heads, position
+
+
+@given(exports(), st.data())
+def test_whatever_parts_the_columns_the_bands_come_out(tmp_path_factory, export, data):
+    text, wavevector, unit, heads, position = export
+    path = tmp_path_factory.mktemp("export") / "theirs.txt"
+    path.write_text(text, encoding=data.draw(st.sampled_from(["utf-8", "utf-8-sig"])), newline="")
+    said = (None, None) if heads else (wavevector, unit)
+    side = of_table(path, ours(), *said)
+    assert side.position == pytest.approx(position, abs=1e-6)
+    assert side.frequency == pytest.approx(dispersion(position), rel=1e-7)
+    if not heads:
+        refused(lambda: of_table(path, ours(), None, unit), "--wavevector", wavevector, kind=ChannelError)
+        refused(lambda: of_table(path, ours(), wavevector, None), "--frequency-unit", kind=ChannelError)
+    result = Comparison(of_dataset("ours", ours()), side)
+    assert np.nanmax(np.abs(result.relative)) < 1e-6
+
+
+@pytest.mark.parametrize(
+    ("text", "words"),
+    [
+        ("", ["two numbers"]),
+        ("hello\nworld\n", ["two numbers"]),
+        ("1\n2\n3\n", ["two numbers"]),
+        ("0,1\n1,2\nend of table\n", ["line 3"]),
+        ("0;1;2\n1;2\n2;3;4\n", ["line 2", "2 numbers"]),
+        ("k,f\n0,5,1,5\n1,0,2,5\n", ["2 names above 4 numbers", "decimal point"]),
+        ("2,1\n1,2\n0,3\n", ["first column", "2, then 1"]),
+        ("1,1\n1,2\n", ["first column"]),
+        ("0,1\n4,2\n", ["0 to 4"]),
+    ],
+)
+def test_what_is_no_table_of_bands(tmp_path, text, words):
+    path = tmp_path / "theirs.csv"
+    path.write_text(text)
+    refused(lambda: of_table(path, ours(), "segments", "Hz"), *words, kind=ChannelError)
+
+
+@pytest.mark.parametrize(("unit", "words"), [("mm", ["mm"]), ("kilohurz", ["kilohurz"])])
+def test_a_unit_that_is_none(tmp_path, unit, words):
+    path = tmp_path / "theirs.csv"
+    path.write_text("0,1\n1,2\n")
+    refused(lambda: of_table(path, ours(), "segments", unit), *words)
+    refused(lambda: of_table(path, ours(), unit, "Hz"), "--wavevector", "segments")
+
+
+def test_two_columns_of_the_wavevector_make_a_way(tmp_path):
+    """Γ-X-M-Γ of a square lattice, k_x and k_y in rad/m."""
+    path = tmp_path / "theirs.csv"
+    corners = np.array([[0, 0], [450, 0], [450, 450], [0, 0]])
+    rows = [f"{x},{y},{f[0]},{f[1]}" for (x, y), f in zip(corners, dispersion(np.arange(4.0)), strict=True)]
+    path.write_text("\n".join(["kx [rad/m],ky [rad/m],f1 [Hz],f2 [Hz]", *rows]))
+    side = of_table(path, ours(), None, None)
+    assert side.position == pytest.approx([0, 1, 2, 3], abs=1e-3)
+    assert side.frequency[:, 1] == pytest.approx(dispersion(np.arange(4.0))[:, 1])
+
+
+def test_a_missing_band_is_said(tmp_path):
+    path = tmp_path / "theirs.csv"
+    rows = [
+        f"{k},{','.join(map(str, f[[0, 2, 3]]))}"
+        for k, f in zip(range(4), dispersion(np.arange(4.0)), strict=True)
+    ]
+    path.write_text("\n".join(rows))
+    result = Comparison(of_dataset("ours", ours()), of_table(path, ours(), "segments", "Hz"))
+    assert any("band 2" in text and "missing" in text for text in result.remarks())
+
+
+def test_numbers_keep_their_names_and_units(tmp_path):
+    path = tmp_path / "table.txt"
+    path.write_text("% a comment\n% k          freq (kHz)\n0   1.5+2.1E-4i\n1   NaN\n")
+    read = read_numbers(path)
+    assert (read.names, read.units) == (("k", "freq"), ("", "kHz"))
+    assert read.values.tolist()[0] == [0.0, 1.5]
+    assert np.isnan(read.values[1, 1])
+
+
+class TestCommand:
+    @pytest.fixture(scope="class", autouse=True)
+    @classmethod
+    def written(cls, tmp_path_factory):
+        folder = tmp_path_factory.mktemp("studies")
+        (folder / "one.toml").write_text(QUICK_CELL)
+        (folder / "two.toml").write_text(QUICK_CELL.replace("14.7 mm", "14 mm"))
+        (folder / "other.toml").write_text(QUICK_CELL.replace("[cell]", '[cell]\nlattice = "triangular"'))
+        cls.folder = folder
+
+    def test_a_study_does_not_differ_from_itself(self, inside, tmp_path):
+        one = self.folder / "one.toml"
+        told = inside("compare", one, one, "--json").json
+        assert np.abs(told["data"]["difference_hz"]).max() == 0
+        assert told["changed"] == []
+
+    def test_two_studies(self, inside, tmp_path):
+        out = tmp_path / "out"
+        ran = inside("compare", self.folder / "one.toml", self.folder / "two.toml", "--out", out)
+        assert ran.code == 0, ran.err
+        assert {path.name for path in out.iterdir()} == {"compare.nc", "compare.svg", "compare.png"}
+        assert "cell.pillar.height" in ran.out
+        assert "14.7 mm" in ran.out
+        assert "higher" in ran.out  # shorter pillars put the gap higher
+
+    def test_a_result_is_its_study(self, inside, tmp_path):
+        one, out = self.folder / "one.toml", tmp_path / "bands"
+        assert inside("bands", one, "--out", out).code == 0
+        for result in (out, out / "bands.nc"):
+            told = inside("compare", one, result, "--json").json
+            assert np.abs(told["data"]["difference_hz"]).max() < 2e-3 * 60e3  # straight between wavevectors
+            assert told["changed"] == []
+
+    def test_what_cannot_be_compared(self, inside, tmp_path):
+        one, table = self.folder / "one.toml", tmp_path / "theirs.csv"
+        table.write_text("0,1\n3,2\n")
+        assert_five_parts(inside("compare", table, one), f"compare {one} {table}")
+        assert_five_parts(inside("compare", one, self.folder / "other.toml"), "path")
+        assert_five_parts(inside("compare", one, table), "--wavevector segments")
+        assert_five_parts(inside("compare", one, table, "--wavevector", "segments"), "--frequency-unit")
+        assert_five_parts(inside("compare", one, tmp_path), "bands")
+        (tmp_path / "bands.nc").write_bytes(b"\x89HDF\r\n\x1a\n" + bytes(200))
+        assert_five_parts(inside("compare", one, tmp_path), "bands")
+        assert_five_parts(inside("compare", one, tmp_path / "none.csv"))
+        assert_five_parts(inside("compare", one, tmp_path / "none.toml"))
+
+    def test_each_pair_has_its_folder(self, inside, tmp_path, monkeypatch):
+        monkeypatch.chdir(tmp_path)
+        for second in ("one", "two"):
+            assert inside("compare", self.folder / "one.toml", self.folder / f"{second}.toml").code == 0
+        again = inside("compare", self.folder / "one.toml", self.folder / "two.toml")
+        assert_five_parts(again, "--overwrite")
+        assert {path.name for path in (tmp_path / "results").iterdir()} == {
+            "one-one-compare",
+            "one-two-compare",
+        }

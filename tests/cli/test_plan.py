@@ -1,0 +1,160 @@
+"""What is told before anything is computed: sizes, a map, and what each command will cost."""
+
+from __future__ import annotations
+
+import pytest
+
+import haptonic
+from five_parts import assert_five_parts
+from haptonic.analyses import named
+from haptonic.analyses.costs import FORECASTS
+from haptonic.cli.commands.new import templates
+from haptonic.results.cost import Cost
+from haptonic.study import loads
+
+TEMPLATES = templates()
+WITH_ALL = {
+    name: next(n for n in reversed(TEMPLATES) if one.when(loads(TEMPLATES[n])))
+    for name, one in FORECASTS.items()
+}  # the largest template that can be asked for it
+
+
+@pytest.fixture
+def nothing_computes(monkeypatch):
+    for place in ("bloch.model.condense", "plate.tile.condense", "superelement.condense.condense"):
+        monkeypatch.setattr(f"haptonic.{place}", lambda *_, **__: pytest.fail("computed"), raising=False)
+
+
+@pytest.fixture
+def file(tmp_path):
+    def write(name):
+        path = tmp_path / "mine.toml"
+        path.write_text(TEMPLATES[name], "utf-8")
+        return path
+
+    return write
+
+
+@pytest.mark.usefixtures("nothing_computes")
+class TestPlan:
+    @pytest.mark.parametrize("name", TEMPLATES)
+    def test_it_shows_sizes_and_costs(self, inside, file, tmp_path, name):
+        study = loads(TEMPLATES[name])
+        ran = inside("plan", file(name), "--out", tmp_path / "out")
+        assert ran.code == 0, ran.err
+        assert f"{1e3 * study.cell.lattice.pitch:.4g}" in ran.out
+        for command, one in FORECASTS.items():
+            assert (f"haptonic {command} " in ran.out) == bool(one.when(study)), command
+        drawn = {path.name for path in (tmp_path / "out").glob("*")}
+        assert ("files:" in ran.out) == bool(drawn)
+        assert drawn == ({"plan.svg", "plan.png"} if study.finite_plate else set())
+
+    @pytest.mark.parametrize("name", TEMPLATES)
+    def test_what_it_forecasts_can_be_asked_for(self, name):
+        study = loads(TEMPLATES[name])
+        for command, one in FORECASTS.items():
+            if one.when(study):
+                analysis = named(command)
+                analysis.check(study, analysis.chosen({}))
+
+    def test_a_plate_is_told_by_its_regions_and_patches(self, inside, file, tmp_path):
+        told = inside("plan", file("glass-keypad"), "--json").json
+        assert told["data"]["area_m_2"] == pytest.approx(
+            dict.fromkeys(("key 1", "key 2", "key 3", "key 4"), 4e-4)
+        )
+        said = inside("plan", file("glass-keypad"), "--out", tmp_path / "out").out
+        assert "132 pillars, 4 regions of plain plate and 1 drive" in " ".join(said.split())
+
+    @pytest.mark.parametrize("command", FORECASTS)
+    def test_a_dry_run_says_the_cost_and_no_more(self, inside, file, tmp_path, monkeypatch, command):
+        monkeypatch.chdir(tmp_path)
+        path = file(WITH_ALL[command])
+        ran = inside(command, path, "--dry-run")
+        assert ran.code == 0, ran.err
+        cost = FORECASTS[command].cost(haptonic.load(path), None)
+        assert cost.sentence in ran.out.replace("\n", " ")
+        told = inside(command, path, "--dry-run", "--json").json
+        assert (told["processor_s"], told["memory_b"]) == (cost.seconds, cost.memory)
+        assert [one.name for one in tmp_path.iterdir()] == ["mine.toml"]
+
+    @pytest.mark.parametrize(
+        ("command", "name"),
+        [
+            ("layers", "triangular-mirror"),
+            ("waveguide", "triangular-mirror"),
+            ("design", "touchpad"),
+            ("tolerance", "touchpad"),
+            ("layers", "no-carrier"),
+            ("tolerance", "no-carrier"),
+        ],
+    )
+    def test_what_cannot_end_well_is_refused_before_anything_is_computed(
+        self, inside, tmp_path, command, name
+    ):
+        text = TEMPLATES.get(name) or TEMPLATES["mirror"].replace('carrier = "60 kHz"', "")
+        path = tmp_path / "mine.toml"
+        path.write_text(text, "utf-8")
+        assert_five_parts(inside(command, path, "--out", tmp_path / "out"))
+        assert not (tmp_path / "out").exists()
+
+    def test_a_dry_run_refuses_what_the_command_would(self, inside, file):
+        assert inside("plate", file("mirror"), "--dry-run").code == 2
+
+
+def test_a_long_command_says_so_before_it_starts(inside, study, monkeypatch, tmp_path):
+    seen = []
+    monkeypatch.setattr("haptonic.cli.running.LONG", 0.0)
+    monkeypatch.setattr("haptonic.cli.console.Voice.say", lambda self, text: seen.append(text))
+    monkeypatch.setattr(
+        "haptonic.analyses.bands.compute_bands", lambda *_, **__: seen.append("computed") or 1 / 0
+    )
+    with pytest.raises(ZeroDivisionError):
+        inside("bands", study(), "--out", tmp_path / "out")
+    assert seen[0].startswith("About ")
+    assert seen[1] == "computed"
+
+
+@pytest.mark.parametrize(
+    ("seconds", "said"),
+    [
+        (0.4, "a second"),
+        (7.7, "7.5 s"),
+        (43.0, "45 s"),
+        (95, "95 s"),
+        (150, "2.5 min"),
+        (3000, "50 min"),
+        (9000, "2.5 h"),
+    ],
+)
+def test_times_in_words(seconds, said):
+    assert Cost(seconds).time == said
+
+
+def test_costs_add_up():
+    both = Cost(2.0, 5e9) + Cost(3.0, 1e9).times(2)
+    assert (both.seconds, both.memory) == (8.0, 5e9)
+
+
+@pytest.mark.parametrize(
+    ("command", "old", "new"),
+    [
+        ("bands", "accuracy = 5e-3", "accuracy = 1e-3"),
+        ("bands", "count = 10", "count = 20"),
+        ("sweep", "steps = 5", "steps = 50"),
+        ("tolerance", "pillars = 100", "samples = 500"),
+    ],
+)
+def test_what_asks_for_more_costs_more(command, old, new):
+    text = TEMPLATES["triangular-mirror"]
+    assert old in text
+    small, large = (FORECASTS[command].cost(loads(one), None) for one in (text, text.replace(old, new)))
+    assert large.seconds > small.seconds
+
+
+def test_a_larger_plate_costs_more():
+    text = TEMPLATES["my-scan"]
+    costs = [
+        FORECASTS["plate"].cost(loads(text.replace("rows = 6", f"rows = {n}")), None) for n in (6, 24, 96)
+    ]
+    assert costs[0].seconds < costs[1].seconds < costs[2].seconds
+    assert costs[0].memory < costs[1].memory < costs[2].memory

@@ -1,0 +1,331 @@
+"""The first hour: a template and its first answer, keys and materials at 80 columns, a schema for editors."""
+
+from __future__ import annotations
+
+import copy
+import io
+import json
+import os
+import re
+import subprocess
+import sys
+import tomllib
+from pathlib import Path
+from typing import Any
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from five_parts import assert_five_parts, assert_told
+from haptonic import analyses
+from haptonic.cli import commands
+from haptonic.cli.commands import keys, materials, new
+from haptonic.cli.console import Voice
+from haptonic.cli.listing import entry
+from haptonic.errors import StudyError
+from haptonic.fields import remade, table
+from haptonic.fields.json_schema import json_schema
+from haptonic.materials import library
+from haptonic.study import Study, load, loads
+
+TEMPLATES = new.templates()
+STUDIES = sorted((Path(__file__).parents[2] / "studies").glob("*.toml"))
+KEYS = table(Study)
+EVERY_KEY = (Path(__file__).parents[1] / "data" / "every_key.toml").read_text("utf-8")
+SCHEMA = json_schema(Study, "haptonic study")
+
+
+def squeezed(text: str) -> str:
+    return "".join(text.split())
+
+
+class TestTemplates:
+    @pytest.mark.parametrize("name", TEMPLATES)
+    def test_its_first_command_answers(self, inside, tmp_path, name):
+        """As written by `haptonic new`, then on a coarse mesh."""
+        path = tmp_path / "mine.toml"
+        assert inside("new", name, path).code == 0
+        first = new.commands(path.read_text("utf-8"))[0]
+        assert first.split()[2] == str(path)
+        study = load(path)
+        coarse = remade(study.bands_settings, points=9, accuracy=2e-2)
+        coarse = remade(coarse, mesh=remade(coarse.mesh, order=2, foot_rings=0))
+        path.write_text(remade(study, bands_settings=coarse).to_toml(), "utf-8")
+        ran = inside(*first.split()[1:], "--out", tmp_path / "out")
+        assert ran.code == 0, ran.err
+        assert any((tmp_path / "out").iterdir())
+
+    @pytest.mark.parametrize("name", TEMPLATES)
+    def test_it_teaches(self, name):
+        text = TEMPLATES[name]
+        assert new.about(text).endswith((".", "?"))
+        assert all(line.isascii() and len(line) <= 120 for line in text.splitlines())
+        for command in new.commands(text):
+            words = command.split()[1:]
+            assert words[0] in commands.NAMES or any(
+                " ".join(words).startswith(one) for one in analyses.NAMES
+            )
+            assert words[0] in commands.NAMES or "FILE" in words
+        assert text.count("#") >= 5
+
+    def test_the_studies_of_the_repository_are_templates(self):
+        for path in STUDIES:
+            assert path.read_text("utf-8") == TEMPLATES[path.stem.replace("_", "-")]
+
+    @given(st.sampled_from(sorted(TEMPLATES)), st.data())
+    def test_a_slip_names_the_nearest(self, name, data):
+        at = data.draw(st.integers(0, len(name) - 1))
+        slip = name[:at] + name[at + 1 :]
+        with pytest.raises(StudyError) as refused:
+            new.resolved(slip, "my.toml", TEMPLATES)
+        assert_told(refused.value, slip)
+        assert refused.value.next_step == f"haptonic new {name} my.toml"
+
+    @pytest.mark.parametrize(
+        "given",
+        [
+            ("touchpad",),
+            ("my.toml", "touchpad"),
+            ("touchpad", ""),
+            ("touchpad", "."),
+            ("my",),
+            ("nothing like it", "my.toml"),
+        ],
+    )
+    def test_what_cannot_be_written(self, inside, tmp_path, monkeypatch, given):
+        monkeypatch.chdir(tmp_path)
+        assert_five_parts(inside("new", *given))
+        assert not any(tmp_path.iterdir())
+
+    def test_a_file_in_the_way_stays(self, inside, tmp_path):
+        mine = tmp_path / "my.toml"
+        mine.write_text("mine")
+        assert_five_parts(inside("new", mine), "my.toml", "--overwrite")
+        assert mine.read_text() == "mine"
+        assert inside("new", mine, "--overwrite").code == 0
+        assert load(mine).title == "My cell"
+
+    def test_names_with_blanks_stand_in_quotes(self, inside, tmp_path):
+        path = tmp_path / "sub folder" / "Größe 7.toml"
+        told = inside("new", "Two Carriers", path, "--json").json
+        assert told["file"] == str(path)
+        assert told["next"][0] == f'haptonic bands "{path}"'
+        assert load(path).carrier == 58e3
+
+    def test_without_arguments_it_tells_them_all(self, inside):
+        said = inside("new").out
+        for name, text in TEMPLATES.items():
+            assert name in said
+            assert squeezed(new.about(text)) in squeezed(said)
+
+
+def printed(width: int, head: str, lines: dict[str, str]) -> list[str]:
+    voice = Voice(machine=False)
+    voice.out.file, voice.out.width = io.StringIO(), width
+    entry(voice, head, lines)
+    return voice.out.file.getvalue().splitlines()
+
+
+class TestKeys:
+    @pytest.mark.parametrize("path", KEYS)
+    def test_all_that_is_known_is_shown_at_80_columns(self, path):
+        told = keys.lines(KEYS[path])
+        lines = printed(80, path, told)
+        assert max(map(len, lines)) <= 80
+        assert all(
+            line.startswith("  ") for line in lines[1:]
+        )  # what goes on stands below what it belongs to
+        for text in told.values():
+            assert squeezed(text) in squeezed("".join(lines))
+
+    def test_allowed_words_are_told(self, inside):
+        said = squeezed(inside("keys", "cell.lattice").out)
+        assert all(word in said for word in KEYS["cell.lattice"].choices)
+        for path in ("material", "plate.actuator[].bond.material"):
+            assert all(name in " ".join(keys.lines(KEYS[path]).values()) for name in library())
+
+    @pytest.mark.parametrize("path", [path for path, key in KEYS.items() if keys.example(key)])
+    def test_an_example_is_a_line_of_a_study(self, path):
+        line = keys.example(KEYS[path])
+        assert list(tomllib.loads(line)) == [path.rpartition(".")[2]]
+
+    def test_a_pattern_finds_paths_and_help(self, inside):
+        found = {key["path"] for key in inside("keys", "FILLET", "--json").json["keys"]}
+        assert "cell.pillar.fillet" in found
+        assert "cell.pillar.diameter" in found  # whose help speaks of it
+        assert "carrier" not in found
+        every = inside("keys", "--json").json["keys"]
+        assert [key["path"] for key in every] == list(KEYS)
+        assert all(key["allowed"] for key in every)
+
+    def test_one_that_finds_nothing_names_the_nearest(self, inside):
+        assert_five_parts(inside("keys", "thicknes s"), "haptonic keys thickness")
+
+
+class TestMaterials:
+    def test_the_list_has_every_name_and_number(self, inside):
+        said = inside("materials").out
+        for name, solid in library().items():
+            row = next(line for line in said.splitlines() if f" {name} " in line)
+            assert f"{solid.density:.4g}" in row
+
+    @pytest.mark.parametrize("name", library())
+    def test_all_of_one_at_80_columns(self, name):
+        lines = printed(80, name, materials.lines(library()[name]))
+        assert max(map(len, lines)) <= 80
+        assert squeezed(library()[name].source) in squeezed("".join(lines))
+        assert (
+            loads(f'material = "{name}"\n[cell]\npitch = "7 mm"\nthickness = "1 mm"\n').cell.material.name
+            == name
+        )
+
+    def test_machines_get_the_constants(self, inside):
+        told = inside("materials", "steel", "--json").json["materials"]
+        assert told["steel"]["youngs_modulus"] == 210e9
+
+    def test_an_unknown_one(self, inside):
+        assert_five_parts(inside("materials", "steal"), "haptonic materials steel")
+
+
+@pytest.fixture(scope="session")
+def validator():
+    found = pytest.importorskip("jsonschema").Draft7Validator
+    found.check_schema(SCHEMA)
+    return found(SCHEMA)
+
+
+class TestSchema:
+    def test_it_is_what_the_command_prints(self, inside):
+        assert json.loads(inside("schema").out) == SCHEMA
+
+    @pytest.mark.parametrize("name", TEMPLATES)
+    def test_every_template_keeps_it(self, validator, name):
+        assert list(validator.iter_errors(tomllib.loads(TEMPLATES[name]))) == []
+
+    def test_so_does_a_study_with_every_key(self, validator):
+        assert list(validator.iter_errors(tomllib.loads(EVERY_KEY))) == []
+
+    def test_a_zero_needs_no_unit(self, validator):
+        data = tomllib.loads(TEMPLATES["bare-cell"])
+        for zero in (0, 0.0, "0", "0.0", "0 mm"):
+            data["cell"]["pillar"]["fillet"] = zero
+            assert validator.is_valid(data), zero
+        data["cell"]["pillar"]["fillet"] = 1
+        assert not validator.is_valid(data)
+
+    @given(st.data())
+    def test_a_misspelt_key_is_refused_wherever_it_stands(self, validator, data):
+        study = tomllib.loads(EVERY_KEY)
+        tables = [(path, where) for path, where in tables_of(study)]
+        path, where = data.draw(st.sampled_from(tables))
+        name = data.draw(st.sampled_from(sorted(where)))
+        where[f"{name}x"] = where.pop(name)
+        assert not validator.is_valid(study), (path, name)
+
+    @pytest.mark.parametrize(
+        ("path", "wrong"),
+        [
+            ("cell.lattice", "squar"),
+            ("cell.pitch", 7),
+            ("cell.pitch", "mm"),
+            ("bands.count", 0),
+            ("bands.count", "ten"),
+            ("bands.accuracy", 2),
+            ("title", ""),
+            ("plate.map", 3),
+            ("carrier", True),
+            ("material", "unobtainium"),
+        ],
+    )
+    def test_a_wrong_value_is_refused_by_both(self, validator, path, wrong):
+        data = copy.deepcopy(tomllib.loads(TEMPLATES["glass-keypad"]))
+        *tables, name = path.split(".")
+        inner = data
+        for one in tables:
+            inner = inner[one]
+        inner[name] = wrong
+        assert not validator.is_valid(data)
+        with pytest.raises(StudyError):
+            loads(toml(data))
+
+
+def toml(data: dict[str, Any]) -> str:
+    """As TOML with every table in one line."""
+
+    def value(one: Any) -> str:
+        if isinstance(one, dict):
+            return (
+                "{" + ", ".join(f"{json.dumps(name)} = {value(inner)}" for name, inner in one.items()) + "}"
+            )
+        return f"[{', '.join(map(value, one))}]" if isinstance(one, list) else json.dumps(one)
+
+    return "\n".join(f"{name} = {value(one)}" for name, one in data.items())
+
+
+def tables_of(data: dict[str, Any], path: str = "") -> list[tuple[str, dict[str, Any]]]:
+    """Tables whose keys are declared, and their paths."""
+    found = [(path, data)]
+    for name, one in data.items():
+        at = re.sub(r"^\.", "", f"{path}.{name}")
+        if KEYS[re.sub(r"\[\d+\]", "[]", at)].kind == "entries":
+            continue
+        if isinstance(one, dict):
+            found += tables_of(one, at)
+        elif isinstance(one, list) and isinstance(one[0], dict):
+            found += [each for k, inner in enumerate(one, start=1) for each in tables_of(inner, f"{at}[{k}]")]
+    return found
+
+
+def python(code: str, **more: str) -> str:
+    done = subprocess.run(
+        [sys.executable, "-c", code], capture_output=True, text=True, env={**os.environ, **more}, check=False
+    )
+    return done.stdout
+
+
+def test_a_help_loads_nothing_that_computes():
+    told = python(
+        "import sys\nfrom haptonic.cli.app import app\n"
+        "try: app(['--help'])\nexcept SystemExit: pass\nprint('loaded', sorted(sys.modules))"
+    )
+    listed, loaded = told.split("loaded")
+    assert "bands" in listed
+    assert not {"numpy", "scipy", "xarray", "matplotlib", "pandas"} & set(re.findall(r"'(\w+)'", loaded))
+
+
+@pytest.mark.parametrize(
+    ("words", "at", "offered"),
+    [
+        ("haptonic ", 1, {"bands", "new", "simulate"}),
+        ("haptonic simulate ", 2, {"friction", "scan"}),
+        ("haptonic new t", 2, {"touchpad", "two-carriers", "triangular-mirror"}),
+        ("haptonic bands --sur", 2, {"--surface"}),
+    ],
+)
+def test_a_shell_completes(words, at, offered):
+    said = python(
+        "import sys; sys.argv = ['haptonic']; from haptonic.cli import main; main()",
+        _HAPTONIC_COMPLETE="complete_bash",
+        COMP_WORDS=words,
+        COMP_CWORD=str(at),
+    )
+    assert offered <= set(said.split())
+    assert "Usage" not in said
+    assert not {"keys", "mirror", "--json"} & set(said.split()) or words == "haptonic "
+
+
+def test_the_page_on_the_first_hour_is_true(inside, tmp_path, monkeypatch):
+    """Every line that it prints, in its order; what a shell does with the output is left to it."""
+    page = (Path(__file__).parents[2] / "docs" / "start.md").read_text("utf-8")
+    monkeypatch.chdir(tmp_path)
+    lines = [
+        line.split("#")[0].split(">")[0]
+        for text in re.findall(r"```sh\n(.*?)```", page, re.DOTALL)
+        for line in text.splitlines()
+        if "--install-completion" not in line
+    ]
+    assert len(lines) >= 7
+    for line in lines:
+        assert inside(*line.split()[1:]).code == 0, line
+    assert all(f"`{name}`" in page for name in TEMPLATES)

@@ -1,0 +1,83 @@
+"""Every error has a code, every code a constructor and a row in the docs."""
+
+import ast
+import inspect
+import pickle
+import re
+from pathlib import Path
+
+import pytest
+
+import haptonic
+from haptonic.errors import HaptonicError, ScanError, StudyError
+
+ROOT = Path(haptonic.__file__).parent
+PAGE = Path(__file__).parents[1] / "docs" / "errors.md"
+PARTS = {"argument": "a", "given": "b", "allowed": "c", "cause": "d", "next_step": "e"}
+CODES = {
+    name.replace("_", "-"): method
+    for name, method in inspect.getmembers(HaptonicError, inspect.ismethod)
+    if name != "add_note"
+}
+FAMILY = {kind.__name__ for kind in [HaptonicError, *HaptonicError.__subclasses__()]}
+
+
+def codes_given(tree: ast.AST) -> list[str]:
+    """Codes that a module raises by a text, and errors that it makes without a code, as "none"."""
+    found = []
+    for node in ast.walk(tree):
+        if isinstance(node, ast.Call) and isinstance(node.func, ast.Name):
+            coded = node.func.id in {"problem", "_refused"} or node.func.id in FAMILY
+            first = node.args[0] if coded and node.args else None
+            if isinstance(first, ast.Constant):
+                found.append(first.value)
+            elif coded and first is None:
+                found.append("none")
+    return found
+
+
+def test_the_docs_list_every_code_and_no_other():
+    rows = re.findall(
+        r"^\| `([a-z-]+)` \| (.+?) \|$", PAGE.read_text("utf-8").split("## Codes")[1], re.MULTILINE
+    )
+    assert dict(rows) == {code: inspect.getdoc(made).split("\n")[0] for code, made in CODES.items()}
+    assert len(rows) == len(CODES)
+
+
+@pytest.mark.parametrize("code", sorted(CODES.keys() - {"unknown"}))
+def test_a_constructor_gives_its_code(code):
+    error = getattr(ScanError, code.replace("-", "_"))(**PARTS)
+    assert isinstance(error, ScanError)
+    assert error.parts() == {"code": code, **PARTS}
+    assert f"code: {code}" in str(error)
+    assert pickle.loads(pickle.dumps(error)).parts() == error.parts()
+    changed = error.changed(StudyError, given="other")
+    assert isinstance(changed, StudyError)
+    assert changed.parts() == error.parts() | {"given": "other"}
+
+
+def test_every_error_of_the_sources_has_a_known_code():
+    seen = {}
+    for file in sorted(ROOT.rglob("*.py")):
+        wrong = set(codes_given(ast.parse(file.read_text("utf-8")))) - CODES.keys()
+        if wrong:
+            seen[str(file.relative_to(ROOT))] = wrong
+    assert seen == {}
+
+
+def test_an_error_without_a_known_code_would_be_found():
+    tree = ast.parse(
+        "raise problem('oops', 'a')\nraise StudyError(argument='a')\nraise ScanError.missing(a=1)"
+    )
+    assert codes_given(tree) == ["oops", "none"]
+
+
+def test_an_unknown_name_proposes_the_nearest_unless_it_cannot_be_a_slip():
+    known = ["pitch", "Thickness"]
+    error = HaptonicError.unknown("key", "thicknes", known, "no such key")
+    assert (error.code, error.given, error.next_step) == ("unknown", "'thicknes'", 'write "Thickness"')
+    assert error.allowed == "one of pitch, Thickness"
+    assert (
+        HaptonicError.unknown("key", "thicknes", known, "why", slip=False).next_step == "choose one of these"
+    )
+    assert "none" in HaptonicError.unknown("key", "thicknes", [], "why").allowed
