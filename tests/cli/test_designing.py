@@ -137,7 +137,7 @@ class TestDesign:
         )
 
         # once more, for a person: from the store, and not over the same files
-        again = here("design", question, "--pareto", "--out", tmp_path / "again")
+        again = here("design", question, "--pareto", "--tables", "--out", tmp_path / "again")
         assert again.code == 0, again.err
         for words in ("design found", "with a margin of", "cell.pillar.height", "14.7 mm",
                       "widest gap around the carrier", "none", f"files: {tmp_path / 'again'}"):  # fmt: skip
@@ -245,7 +245,7 @@ class TestTolerance:
         assert data.attrs["origin"] == "simulated"
 
         # from here on the store has everything
-        spoken = here("tolerance", path, "--out", tmp_path / "again")
+        spoken = here("tolerance", path, "--tables", "--out", tmp_path / "again")
         assert spoken.code == 0, spoken.err
         for words in ("what moves the edges", "Hz per 10 µm", "100.0",
                       f"all 180 of a plate with {answer['chance_of_a_plate']:.2%}",

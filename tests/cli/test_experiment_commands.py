@@ -57,7 +57,7 @@ def listed(folder):
 
 class TestProtocol:
     def test_everything_that_is_written(self, inside, study, tmp_path):
-        ran = inside("protocol", study(SMALL), "--out", tmp_path / "plan")
+        ran = inside("protocol", study(SMALL), "--tables", "--out", tmp_path / "plan")
         assert ran.code == 0, ran.err
         assert {path.name for path in (tmp_path / "plan").iterdir()} == {
             "trials.csv", "sheet.html", "metronome.wav", "power.nc", "power.svg", "power.png",

@@ -19,7 +19,7 @@ TOUCH = ("[[sweep]]", '[touch]\nforce = "0.8 N"\nvoltage = "200 V"\n\n[[sweep]]'
 
 def test_feel_writes_its_files_and_tables(inside, plated, tmp_path):
     out = tmp_path / "out"
-    ran = inside("feel", plated(TOUCH), "--out", out)
+    ran = inside("feel", plated(TOUCH), "--tables", "--out", out)
     assert ran.code == 0, ran.err
     assert {path.name for path in out.iterdir()} == FILES
     for words in (

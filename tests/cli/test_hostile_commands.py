@@ -50,7 +50,7 @@ def assert_all_inside(tmp_path: Path, out: Path, before: set[Path]) -> set[str]:
 def test_a_plate_with_bad_names(inside, plated, tmp_path, region, _, actuator):
     path, out = plated(('"WG"', quoted(region)), ('"A1"', quoted(actuator))), deep(tmp_path)
     before = {path for path in tmp_path.rglob("*") if path.is_file()}
-    ran = inside("plate", path, "--out", out)
+    ran = inside("plate", path, "--tables", "--out", out)
     assert ran.code == 0, ran.err
     names = assert_all_inside(tmp_path, out, before)
     assert f"impedance-{file_parts([actuator])[actuator]}.svg" in names
@@ -77,7 +77,7 @@ def test_a_scan_with_bad_names(inside, tmp_path, first, second, actuator):
     records = read_scan(file).records
     assert (records.reference.name, records.reference.unit) == (actuator, "V")
     before = {path for path in tmp_path.rglob("*") if path.is_file()}
-    ran = inside("scan", file, study, "--out", out)
+    ran = inside("scan", file, study, "--tables", "--out", out)
     assert ran.code == 0, ran.err
     names = assert_all_inside(tmp_path, out, before)
     parts = file_parts([first, second])

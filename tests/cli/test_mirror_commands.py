@@ -40,7 +40,7 @@ def fine(study):
 
 def test_layers_writes_its_files_and_tables(haptonic, inside, fine, tmp_path):
     out = tmp_path / "out"
-    ran = haptonic("layers", fine(), "--out", out)
+    ran = haptonic("layers", fine(), "--tables", "--out", out)
     assert ran.code == 0, ran.err
     assert {path.name for path in out.iterdir()} == LAYER_FILES
     for words in ("transmitted energy at 60 kHz", "incident A0", "rows needed", "dB per row at the carrier"):

@@ -73,7 +73,7 @@ def empty_pictures(monkeypatch):
 @pytest.mark.usefixtures("empty_pictures")
 def test_one_command_gives_maps_gap_and_verdict(inside, folder, tmp_path):
     out = tmp_path / "out"
-    ran = inside("scan", folder / "scan.h5", "--against", folder / "wrong.toml", "--out", out)
+    ran = inside("scan", folder / "scan.h5", "--against", folder / "wrong.toml", "--tables", "--out", out)
     assert ran.code == 0, ran.err
     assert {file.name for file in out.iterdir()} >= MAPS | VERDICT
     for words in ("Registered", "Gap in the scan", "numbers fitted", "pairs of",

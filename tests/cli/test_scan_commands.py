@@ -138,7 +138,7 @@ class TestChirp:
         force = '[[plate.force]]\nname = "F1"\nregion = "WG1"\ncentre = ["7 mm", "9 mm"]\nforce = "2 N"\n\n'
         path, out = tmp_path / "forced.toml", tmp_path / "out"
         path.write_text(TINY[:start] + force + TINY[end:], "utf-8")
-        ran = inside("chirp", path, "--out", out)
+        ran = inside("chirp", path, "--tables", "--out", out)
         assert ran.code == 0, ran.err
         assert "2 N" in ran.out
         assert (out / "drive.csv").read_text().startswith("time (s),force (N)\n")
@@ -304,7 +304,7 @@ class TestTwin:
 class TestScan:
     def test_it_writes_its_files_and_says_what_it_found(self, inside, tiny, recorded, tmp_path):
         out = tmp_path / "out"
-        ran = inside("scan", recorded / "scan.h5", tiny, "--out", out)
+        ran = inside("scan", recorded / "scan.h5", tiny, "--tables", "--out", out)
         assert ran.code == 0, ran.err
         assert {path.name for path in out.iterdir()} == SCAN
         for words in ("256 points", "simulated", "Registered", "Gap in the scan", "WG1 over WG2", "decay"):
@@ -468,7 +468,7 @@ class TestOwnNames:
     def test_names_and_units_are_taken_as_they_are_given(self, inside, own, tmp_path):
         path, values, x, y = own
         out = tmp_path / "out"
-        ran = inside("scan", path, *self.ASKED, *self.UNITS, "--out", out)
+        ran = inside("scan", path, *self.ASKED, *self.UNITS, "--tables", "--out", out)
         assert ran.code == 0, ran.err
         assert "24 points (none flagged), 71 lines from 40 to 75 kHz, measured." in ran.out
         assert "52.000" in ran.out

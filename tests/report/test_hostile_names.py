@@ -99,7 +99,7 @@ def test_pictures_and_terminal_show_them(trials, tmp_path):
                 ET.fromstring(path.read_bytes())
     voice = Voice(machine=False)
     voice.out.file, voice.out.width = io.StringIO(), 4000
-    show(result, voice)
+    show(result, voice, every=True)
     said = "".join(voice.out.file.getvalue().split())
     assert all("".join(name.split()) in said for name in guides)
     assert len(people) == 4

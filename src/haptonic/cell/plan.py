@@ -21,8 +21,8 @@ THIN_NECK = 0.46  # and on a thin plate: one order fewer told 0.7 % where 0.3 % 
 # orders left 0.2 %, of which no lower order told a third; eight left 0.07 %.
 WIDE_NECK = 0.5
 # Orders more along a pillar that is meshed to its top. With none, a pillar of 6 deg draft, 1.4 diameters to
-# an element, lost 0.23 % at orders 3 and 4, four fifths of it there; the polynomials along a prism are finer than
-# that anyway.
+# an element, lost 0.23 % at orders 3 and 4, four fifths of it there; a prism's own polynomials are finer
+# than that anyway.
 ALONG_MORE = 2
 # Most of the same through the plate, whose strain below the foot dies out over the pillar's width. A plate of
 # 1.8 diameters in one layer lost 0.1 % at orders 3 and 4, which no lower order told; two layers leave 0.03 %.

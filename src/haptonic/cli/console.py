@@ -98,13 +98,20 @@ class Voice:
         self.err.print(row, soft_wrap=True, highlight=False)
 
     def show(self, content: Table) -> None:
-        """Show a table to a person.
+        """Show a table to a person, silent for machines."""
+        if not self.machine:
+            self.out.print(self._drawn(content))
+
+    def height(self, content: Table) -> int:
+        """Lines that a table takes."""
+        return len(self.out.render_lines(self._drawn(content)))
+
+    def _drawn(self, content: Table) -> RichTable:
+        """A table for this terminal.
 
         In a narrow terminal heads and words are folded first, then numbers are parted from their errors, then
         words and numbers are broken; nothing is cut off.
         """
-        if self.machine:
-            return
         padding = 0 if len(content.columns) > ROOMY else 1
         room = self.out.width - len(content.columns) * (2 * padding + 1) - 1
         texts = content.texts or (("none", *[""] * (len(content.columns) - 1)),)
@@ -120,7 +127,7 @@ class Voice:
             shown.add_column(head, overflow="fold", width=width)
         for number, row in enumerate(texts):
             shown.add_row(*row, style="bold" if number in content.strong else "")
-        self.out.print(shown)
+        return shown
 
     @contextmanager
     def counted(self, what: str) -> Iterator[Progress]:
@@ -133,7 +140,8 @@ class Voice:
             MofNCompleteColumn(),
             TextColumn("elapsed"), TimeElapsedColumn(), TextColumn("left"), TimeRemainingColumn(),
         )  # fmt: skip
-        with Bar(*columns, console=self.err, transient=True) as bar:
+        # a bar that nobody sees would leave an empty line in a file
+        with Bar(*columns, console=self.err, transient=True, disable=not self.err.is_terminal) as bar:
             task = bar.add_task(what, total=None)
 
             def progress(done: int, planned: int, now: str = "", /) -> None:

@@ -18,9 +18,11 @@ from haptonic.results.common import refuse_taken
 from haptonic.results.cost import LONG
 from haptonic.results.result import Result, taken
 from haptonic.results.runner import Runner
+from haptonic.results.table import Table
 from haptonic.store import Store
 from haptonic.study import load
 
+SCREEN = 24  # lines of a terminal
 Json = Annotated[
     bool, typer.Option("--json", help="Print one JSON object; files are then written only with --out.")
 ]
@@ -30,6 +32,7 @@ SHARED: dict[str, Any] = {
         typer.Option("--out", metavar="DIR", help="Folder for the files; results/STUDY-COMMAND by default."),
     ],
     "json": Json,
+    "tables": Annotated[bool, typer.Option("--tables", help="Print all tables, however long they are.")],
     "overwrite": Annotated[bool, typer.Option("--overwrite", help="Replace files of an earlier run.")],
 }
 WORKERS = Annotated[
@@ -104,7 +107,7 @@ def parameters(analysis: Analysis) -> list[inspect.Parameter]:
 
 def answered(analysis: Analysis, given: dict[str, Any]) -> None:
     """Load, look whether it can end well, compute, write, say what was found."""
-    out, json, overwrite = (given.pop(name) for name in SHARED)
+    out, json, tables, overwrite = (given.pop(name) for name in SHARED)
     workers, scheduler = given.pop("workers", 0), given.pop("scheduler", None)
     file, dry = given.pop("study_file", None), given.pop("dry_run", False)
     with speaking(json, analysis.kept) as voice:
@@ -128,19 +131,30 @@ def answered(analysis: Analysis, given: dict[str, Any]) -> None:
             result = analysis.compute(study, options, runner)
             if folder:
                 result.write(folder, overwrite=overwrite, progress=progress)
-        show(result, voice)
+        show(result, voice, every=tables)
         located = result.located(folder) if folder else {}
         if folder and folder.is_dir():  # a plan of a lattice has no picture
             voice.tell(f"files: {located.get('report', folder)}")
         voice.answer(result.to_json() | located)
 
 
-def show(result: Result, voice: Voice) -> None:
-    """The answer in sentences, then its tables, then what may be wrong."""
+def show(result: Result, voice: Voice, *, every: bool) -> None:
+    """The answer in sentences, then its tables while they fit a screen, then what may be wrong.
+
+    ``every`` : all tables; else those beyond are named, so that the sentences stay in sight
+    """
     for sentence in result.summary():
         voice.tell(sentence)
-    for table in result.tables():
-        voice.show(table)
+    room, left = SCREEN, list[Table]()
+    for table in () if voice.machine else result.tables():
+        room -= voice.height(table)
+        if every or room >= 0:
+            voice.show(table)
+        else:
+            left.append(table)
+    if left:
+        named = ", ".join(f"{table.title} ({len(table.rows)})" for table in left)
+        voice.tell(f"{len(left)} more with --tables: {named}")
     for text in result.remarks():
         voice.warn(text)
 

@@ -82,23 +82,19 @@ class StudyPlan(Result):
         return " ".join(parts if cell.pillar else [*parts, "without pillars"])
 
     def tables(self) -> list[Table]:
+        costs = [
+            (f"haptonic {name}", f"about {one.time}", one.gigabytes) for name, one in self.costs.items()
+        ]
         sizes: list[tuple[Cell, ...]] = [
             (path.removeprefix("cell."), value)
             for path, value in values_of(self.cell).items()
             if path.startswith("cell.") and value
         ]
-        found = [Table("sizes of the cell", ("size", Column("value", "m", "mm", ".4g")), sizes)]
-        if self.plate:
-            found += self._of_the_plate(self.plate)
-        columns = ("command", Column("processor time"), Column("memory"))
-        found.append(
-            Table(
-                "forecasts, right within about a factor of two",
-                columns,
-                [(f"haptonic {name}", f"about {one.time}", one.gigabytes) for name, one in self.costs.items()],
-            )
-        )
-        return found
+        return [
+            Table("forecasts, right within about a factor of two", ("command", "processor time", "memory"), costs),
+            Table("sizes of the cell", ("size", Column("value", "m", "mm", ".4g")), sizes),
+            *(self._of_the_plate(self.plate) if self.plate else []),
+        ]
 
     @staticmethod
     def _of_the_plate(plate: Plate) -> list[Table]:

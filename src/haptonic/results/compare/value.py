@@ -23,6 +23,7 @@ if TYPE_CHECKING:
 Array = NDArray[np.float64]
 
 LOW = 0.05  # of the highest frequency, below which a share of the frequency tells nothing
+FEW = 3  # differences that are told in a sentence
 OTHER_BAND = 0.1  # relative difference from which on two bands of one number are hardly the same one
 
 
@@ -86,8 +87,10 @@ class Comparison(Result):
             word = "higher" if shift > 0 else "lower"
             said.append(f"The lower edge of the gap between bands {bands} lies {abs(shift) / 1e3:.3g} kHz {word}.")
         changed = list(self._changed())
-        if changed:
-            said.append(f"{len(changed)} number{'s' * (len(changed) > 1)} of the studies differ.")
+        if 0 < len(changed) <= FEW:
+            said.append(f"What differs: {'; '.join(f'{key}, {one} and {other}' for key, one, other in changed)}.")
+        elif changed:
+            said.append(f"{len(changed)} keys of the studies differ.")
         return said
 
     def tables(self) -> list[Table]:
@@ -104,7 +107,7 @@ class Comparison(Result):
             list(self._band_rows()),
         )  # fmt: skip
         changed = Table("what differs in the studies", ("key", a.name, b.name), list(self._changed()))
-        return [gaps, bands, *([changed] if changed.rows else [])]
+        return [gaps, *([changed] if changed.rows else []), bands]
 
     def _band_rows(self) -> Iterator[tuple[Cell, ...]]:
         for band, (apart, share) in enumerate(zip(self.difference.T, self.relative.T, strict=True), start=1):

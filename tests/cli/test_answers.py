@@ -1,0 +1,69 @@
+"""What a command prints: sentences first, as many tables as a screen holds, the others by name."""
+
+from __future__ import annotations
+
+import io
+from types import SimpleNamespace
+
+from hypothesis import given
+from hypothesis import strategies as st
+
+from haptonic.cli.console import Voice
+from haptonic.cli.running import SCREEN, show
+from haptonic.results.table import Table
+
+tables = st.lists(st.integers(0, 40), max_size=6).map(
+    lambda counts: [
+        Table(f"table {k}", ("name", "value"), [(f"row-{k}-{n}", "1.5") for n in range(count)])
+        for k, count in enumerate(counts)
+    ]
+)
+
+
+def printed(found: list[Table], width: int, *, every: bool, machine: bool = False) -> list[str]:
+    voice = Voice(machine)
+    voice.out.file, voice.out.width = io.StringIO(), width
+    result = SimpleNamespace(
+        summary=lambda: ["The answer.", "A second sentence."], tables=lambda: found, remarks=list
+    )
+    show(result, voice, every=every)
+    return voice.out.file.getvalue().splitlines()
+
+
+@given(tables, st.sampled_from([40, 80, 200]))
+def test_sentences_stay_in_sight_and_nothing_is_lost(found, width):
+    lines = printed(found, width, every=False)
+    assert lines[:2] == ["The answer.", "A second sentence."]
+    drawn = [line for line in lines[2:] if line.startswith(("\u2502", "\u2503"))]
+    assert len(drawn) <= SCREEN
+    text = "\n".join(lines)
+    joined = " ".join(text.split())
+    for number, table in enumerate(found):
+        rows = [f"row-{number}-{n} " in text for n in range(len(table.rows))]
+        assert all(rows) or not any(rows)  # a table is whole or left for later
+        assert f"table {number}" in joined
+
+
+@given(tables, st.sampled_from([40, 80]))
+def test_all_tables_on_request(found, width):
+    text = "\n".join(printed(found, width, every=True))
+    assert all(f"row-{k}-{n} " in text for k, table in enumerate(found) for n in range(len(table.rows)))
+    assert "--tables" not in text
+
+
+@given(tables)
+def test_machines_get_none_of_it(found):
+    assert printed(found, 80, every=True, machine=True) == []
+
+
+def test_a_pipe_gets_no_line_of_a_bar(inside, study, tmp_path):
+    """Nobody sees a bar there; what is on standard error is told."""
+    ran = inside("bands", study(), "--out", tmp_path / "out")
+    assert ran.code == 0
+    assert [line for line in ran.err.splitlines() if not line.strip()] == []
+    assert ran.out.startswith(("Complete gap", "There is no"))
+
+
+def test_the_option_is_every_command_s(inside, study, tmp_path):
+    few = inside("sweep", study(("steps = 3", "steps = 30")), "--help").out
+    assert "--tables" in few
