@@ -301,7 +301,11 @@ def test_velocities_are_slopes(name):
 # --- how far to trust them ----------------------------------------------------------------------------------
 
 
-@by_name
+@pytest.mark.slow
+@pytest.mark.parametrize(
+    "name",
+    ["honeycomb", *(pytest.param(name, marks=pytest.mark.nightly) for name in CELLS if name != "honeycomb")],
+)
 def test_the_estimates_hold_against_a_finer_mesh(name):
     """Order 5 with two rings errs by a small part of what order 3 does."""
     coarse, fine = model(name), model(name, 5, 2)

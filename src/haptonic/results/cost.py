@@ -33,7 +33,11 @@ class Cost:
             return "a second"
         if self.seconds < 100:
             return f"{_round(self.seconds):g} s"
-        return f"{_round(self.seconds / 60):g} min" if self.seconds < 6000 else f"{_round(self.seconds / 3600):g} h"
+        return (
+            f"{_round(self.seconds / 60):g} min"
+            if self.seconds < 6000
+            else f"{_round(self.seconds / 3600):g} h"
+        )
 
     @property
     def gigabytes(self) -> str:

@@ -82,16 +82,18 @@ class StudyPlan(Result):
         return " ".join(parts if cell.has_pillars else [*parts, "without pillars"])
 
     def tables(self) -> list[Table]:
-        costs = [
-            (f"haptonic {name}", f"about {one.time}", one.gigabytes) for name, one in self.costs.items()
-        ]
+        costs = [(f"haptonic {name}", f"about {one.time}", one.gigabytes) for name, one in self.costs.items()]
         sizes: list[tuple[Cell, ...]] = [
             (path.removeprefix("cell."), value)
             for path, value in values_of(self.cell).items()
             if path.startswith("cell.") and value
         ]
         return [
-            Table("forecasts, right within about a factor of two", ("command", "processor time", "memory"), costs),
+            Table(
+                "forecasts, right within about a factor of two",
+                ("command", "processor time", "memory"),
+                costs,
+            ),
             Table("sizes of the cell", ("size", Column("value", "m", "mm", ".4g")), sizes),
             *(self._of_the_plate(self.plate) if self.plate else []),
         ]
@@ -126,7 +128,9 @@ class StudyPlan(Result):
             if one.memory > free
         ]
 
-    @figure("plan", "The plate seen from the face with the pillars, as the study describes it.", when=_has_plate)
+    @figure(
+        "plan", "The plate seen from the face with the pillars, as the study describes it.", when=_has_plate
+    )
     def _plan(self) -> Figure:
         assert self.plate is not None
         return plots.plate_plan(self.plate)

@@ -92,14 +92,18 @@ def of_file(path: Path) -> xr.Dataset:
     try:
         content = ask("hdf5.tree", path, deep=False)
         parts = arrays_of(path, content, [*PARTS])
-        data = xr.Dataset({name: (dims, parts[name]) for name, dims in PARTS.items()}, attrs=content["attributes"])
+        data = xr.Dataset(
+            {name: (dims, parts[name]) for name, dims in PARTS.items()}, attrs=content["attributes"]
+        )
         of_dataset("", data)
     except (ChannelError, OSError, MemoryError, KeyError, ValueError, TypeError, IndexError) as error:
         raise StudyError.unreadable(
             argument="bands of an earlier run",
             given=shown(str(path), 200),
             allowed="bands.nc of `haptonic bands`, or its folder",
-            cause="there is no such file" if isinstance(error, FileNotFoundError) else "another file, or damaged",
+            cause="there is no such file"
+            if isinstance(error, FileNotFoundError)
+            else "another file, or damaged",
             next_step="give the study, or run `haptonic bands` again",
         ) from error
     return data
@@ -139,7 +143,13 @@ def of_table(path: Path, along: xr.Dataset, wavevector: str | None, frequency_un
     for row, found in zip(frequency, rows, strict=True):
         row[: len(found)] = found
     return BandSet(
-        path.stem, np.unique(position), frequency, tuple(json.loads(along.attrs["path_labels"])), (), {}, ours=False
+        path.stem,
+        np.unique(position),
+        frequency,
+        tuple(json.loads(along.attrs["path_labels"])),
+        (),
+        {},
+        ours=False,
     )
 
 

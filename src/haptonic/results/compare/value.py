@@ -85,10 +85,14 @@ class Comparison(Result):
             bands, low, _, new, _ = max(moved, key=lambda row: float(row[2]) - float(row[1]))  # type: ignore[arg-type]
             shift = float(new) - float(low)  # type: ignore[arg-type]
             word = "higher" if shift > 0 else "lower"
-            said.append(f"The lower edge of the gap between bands {bands} lies {abs(shift) / 1e3:.3g} kHz {word}.")
+            said.append(
+                f"The lower edge of the gap between bands {bands} lies {abs(shift) / 1e3:.3g} kHz {word}."
+            )
         changed = list(self._changed())
         if 0 < len(changed) <= FEW:
-            said.append(f"What differs: {'; '.join(f'{key}, {one} and {other}' for key, one, other in changed)}.")
+            said.append(
+                f"What differs: {'; '.join(f'{key}, {one} and {other}' for key, one, other in changed)}."
+            )
         elif changed:
             said.append(f"{len(changed)} keys of the studies differ.")
         return said
@@ -97,7 +101,14 @@ class Comparison(Result):
         a, b = self.first, self.second
         gaps = Table(
             "gaps" if b.ours else f"gaps; of {b.name} along its path only",
-            ("bands", *(Column(f"{side.name} {end}", "Hz", "kHz", ".3f") for side in (a, b) for end in ("from", "to"))),
+            (
+                "bands",
+                *(
+                    Column(f"{side.name} {end}", "Hz", "kHz", ".3f")
+                    for side in (a, b)
+                    for end in ("from", "to")
+                ),
+            ),
             [tuple(row) for row in self._gap_rows()],
         )
         bands = Table(
@@ -148,7 +159,9 @@ class Comparison(Result):
 
     def remarks(self) -> list[str]:
         said = []
-        apart = [float(np.nanmedian(np.abs(one))) if np.isfinite(one).any() else 0.0 for one in self.relative.T]
+        apart = [
+            float(np.nanmedian(np.abs(one))) if np.isfinite(one).any() else 0.0 for one in self.relative.T
+        ]
         far = [band for band, one in enumerate(apart, start=1) if one > OTHER_BAND]
         if far and self.second.inputs == {}:
             said.append(
@@ -156,7 +169,9 @@ class Comparison(Result):
                 "two, or a unit or a size may differ"
             )
         if len(self.first.position) < len(self.second.position):
-            said.append(f"{self.first.name} is taken as straight between its {len(self.first.position)} wavevectors")
+            said.append(
+                f"{self.first.name} is taken as straight between its {len(self.first.position)} wavevectors"
+            )
         return said
 
     def facts(self) -> dict[str, Any]:
@@ -171,7 +186,10 @@ class Comparison(Result):
     def _drawn(self) -> Figure:
         sides = (self.first, self.second)
         return plots.compared(
-            [(one.name, one.position, one.frequency, [(g.lower, g.upper) for g in one.gaps]) for one in sides],
+            [
+                (one.name, one.position, one.frequency, [(g.lower, g.upper) for g in one.gaps])
+                for one in sides
+            ],
             self.first.labels,
             crosses=not self.second.ours,
         )

@@ -46,7 +46,9 @@ def requirements(
 def _driven(name: str, felt: Reduction) -> Requirement:
     wanted = FAR * WEBER_FRACTION
     colour: Colour = "green" if felt.low >= wanted else "amber" if felt.value >= wanted else "red"
-    return Requirement(colour, f"{name} is felt clearly", f"reduction {felt}, wanted {_percent(wanted)} or more")
+    return Requirement(
+        colour, f"{name} is felt clearly", f"reduction {felt}, wanted {_percent(wanted)} or more"
+    )
 
 
 def _idle(name: str, felt: Reduction) -> Requirement:
@@ -70,7 +72,9 @@ def _in_gap(frequency: float, gap: tuple[float, float] | None) -> Requirement:
     if gap is None:
         return Requirement("red", "the drive lies in a band gap", "no gap around the carrier")
     reason = f"{frequency / 1e3:.2f} kHz, gap {gap[0] / 1e3:.2f} to {gap[1] / 1e3:.2f} kHz"
-    return Requirement("green" if gap[0] < frequency < gap[1] else "red", "the drive lies in a band gap", reason)
+    return Requirement(
+        "green" if gap[0] < frequency < gap[1] else "red", "the drive lies in a band gap", reason
+    )
 
 
 def _percent(share: float) -> str:

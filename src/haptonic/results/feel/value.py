@@ -246,7 +246,9 @@ class Feel(Result):
     @property
     def requirements(self) -> list[Requirement]:
         """Whether the plate does what it is for, each as a traffic light with its reason."""
-        return requirements(self.reductions(), self.driven, self.rise, self.constant, self.frequency, self.gap)
+        return requirements(
+            self.reductions(), self.driven, self.rise, self.constant, self.frequency, self.gap
+        )
 
     @property
     def curve(self) -> xr.Dataset:
