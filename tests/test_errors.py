@@ -15,9 +15,9 @@ ROOT = Path(haptonic.__file__).parent
 PAGE = Path(__file__).parents[1] / "docs" / "errors.md"
 PARTS = {"argument": "a", "given": "b", "allowed": "c", "cause": "d", "next_step": "e"}
 CODES = {
-    name.replace("_", "-"): method
-    for name, method in inspect.getmembers(HaptonicError, inspect.ismethod)
-    if name != "add_note"
+    name.replace("_", "-"): made
+    for name, made in vars(HaptonicError).items()
+    if isinstance(made, classmethod) or hasattr(made, "code")
 }
 FAMILY = {kind.__name__ for kind in [HaptonicError, *HaptonicError.__subclasses__()]}
 

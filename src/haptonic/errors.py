@@ -5,11 +5,13 @@ from __future__ import annotations
 import difflib
 import reprlib
 from collections.abc import Iterable, Mapping
-from typing import Self, TypedDict, TypeVar, Unpack
+from functools import partial
+from typing import Protocol, Self, TypedDict, TypeVar, Unpack
 
 from haptonic.names import visible
 
 E = TypeVar("E", bound="HaptonicError")
+C = TypeVar("C", bound="HaptonicError", covariant=True)
 
 
 class Parts(TypedDict):
@@ -20,6 +22,23 @@ class Parts(TypedDict):
     allowed: str
     cause: str
     next_step: str
+
+
+class _Made(Protocol[C]):
+    def __call__(self, **parts: Unpack[Parts]) -> C: ...
+
+
+class _Code:
+    """A constructor of every kind of error, named after the code that it gives; ``says`` is for the docs."""
+
+    def __init__(self, says: str) -> None:
+        self.__doc__ = says
+
+    def __set_name__(self, owner: type, name: str) -> None:
+        self.code = name.replace("_", "-")
+
+    def __get__(self, error: E | None, kind: type[E]) -> _Made[E]:
+        return partial(kind, self.code)
 
 
 class HaptonicError(Exception):
@@ -107,75 +126,20 @@ class HaptonicError(Exception):
             "missing", argument=argument, given=given, allowed=allowed, cause=cause, next_step=next_step
         )
 
-    @classmethod
-    def malformed(cls, **parts: Unpack[Parts]) -> Self:
-        """A value of another form or type than is read here."""
-        return cls("malformed", **parts)
-
-    @classmethod
-    def out_of_range(cls, **parts: Unpack[Parts]) -> Self:
-        """A value beyond its bounds."""
-        return cls("out-of-range", **parts)
-
-    @classmethod
-    def conflict(cls, **parts: Unpack[Parts]) -> Self:
-        """Values that are possible, but not together."""
-        return cls("conflict", **parts)
-
-    @classmethod
-    def repeated(cls, **parts: Unpack[Parts]) -> Self:
-        """The same given twice, or a name that is taken."""
-        return cls("repeated", **parts)
-
-    @classmethod
-    def mismatch(cls, **parts: Unpack[Parts]) -> Self:
-        """Data that belong to something else: another plate, scan or drive."""
-        return cls("mismatch", **parts)
-
-    @classmethod
-    def too_few(cls, **parts: Unpack[Parts]) -> Self:
-        """Too little data for an answer."""
-        return cls("too-few", **parts)
-
-    @classmethod
-    def unsupported(cls, **parts: Unpack[Parts]) -> Self:
-        """Something possible that is not computed here."""
-        return cls("unsupported", **parts)
-
-    @classmethod
-    def no_answer(cls, **parts: Unpack[Parts]) -> Self:
-        """All is in order, but what was asked for does not exist."""
-        return cls("no-answer", **parts)
-
-    @classmethod
-    def inaccurate(cls, **parts: Unpack[Parts]) -> Self:
-        """An accuracy that cannot be reached."""
-        return cls("inaccurate", **parts)
-
-    @classmethod
-    def too_large(cls, **parts: Unpack[Parts]) -> Self:
-        """More memory or time than there is."""
-        return cls("too-large", **parts)
-
-    @classmethod
-    def unreadable(cls, **parts: Unpack[Parts]) -> Self:
-        """A file that cannot be read."""
-        return cls("unreadable", **parts)
-
-    @classmethod
-    def unwritable(cls, **parts: Unpack[Parts]) -> Self:
-        """A file that cannot be written."""
-        return cls("unwritable", **parts)
-
-    @classmethod
-    def not_installed(cls, **parts: Unpack[Parts]) -> Self:
-        """An optional package that is not there."""
-        return cls("not-installed", **parts)
-
-    @classmethod
-    def worker(cls, **parts: Unpack[Parts]) -> Self:
-        """Processes that do the work cannot be started, or were lost."""
-        return cls("worker", **parts)
+    malformed = _Code("A value of another form or type than is read here.")
+    out_of_range = _Code("A value beyond its bounds.")
+    conflict = _Code("Values that are possible, but not together.")
+    repeated = _Code("The same given twice, or a name that is taken.")
+    mismatch = _Code("Data that belong to something else: another plate, scan or drive.")
+    too_few = _Code("Too little data for an answer.")
+    unsupported = _Code("Something possible that is not computed here.")
+    no_answer = _Code("All is in order, but what was asked for does not exist.")
+    inaccurate = _Code("An accuracy that cannot be reached.")
+    too_large = _Code("More memory or time than there is.")
+    unreadable = _Code("A file that cannot be read.")
+    unwritable = _Code("A file that cannot be written.")
+    not_installed = _Code("An optional package that is not there.")
+    worker = _Code("Processes that do the work cannot be started, or were lost.")
 
 
 def _rebuilt(kind: type[E], parts: Mapping[str, str]) -> E:

@@ -11,7 +11,7 @@ from five_parts import refusing
 from haptonic.errors import FrictionError, StudyError
 from haptonic.friction.recordings import Exclusion, Sensor
 from haptonic.friction.signals import Rules
-from haptonic.study import Trials, load_trials, loads
+from haptonic.study import TrialSettings, load_trials, loads
 
 ALONE = """
 [trials]
@@ -35,7 +35,7 @@ def rules_in(section):
 
 
 def test_the_defaults_are_those_of_the_analysis():
-    section = Trials()
+    section = TrialSettings()
     assert rules_in(section) == Rules()
     assert section.exclude == ()
     assert section.sensor == Sensor()

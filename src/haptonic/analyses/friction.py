@@ -14,7 +14,7 @@ from haptonic.results.references import References
 from haptonic.results.runner import Runner
 from haptonic.study.loading import load_trials_as
 from haptonic.study.schema import Description
-from haptonic.study.trial_tables import Trials
+from haptonic.study.trial_tables import TrialSettings
 
 STUDY = "study.toml"  # beside the trials
 
@@ -57,10 +57,10 @@ def compute(study: None, options: FrictionOptions, runner: Runner) -> FrictionRe
     return replace(found, published=options.references.friction if options.references else {})
 
 
-def _asked(path: Path, study: Path | None) -> tuple[Trials, Description | None]:
+def _asked(path: Path, study: Path | None) -> tuple[TrialSettings, Description | None]:
     beside = path / STUDY
     if study is None and not beside.is_file():
-        return Trials(), None
+        return TrialSettings(), None
     return load_trials_as(study or beside, Description)
 
 

@@ -12,7 +12,7 @@ from haptonic.errors import HaptonicWarning, StudyError, nearest, shown
 from haptonic.fields import read, table
 from haptonic.paths import source
 from haptonic.study.schema import Description
-from haptonic.study.trial_tables import Trials, TrialsFile
+from haptonic.study.trial_tables import TrialSettings, TrialsFile
 
 S = TypeVar("S", bound=Description)
 
@@ -52,7 +52,7 @@ def loads_as(text: str, kind: type[S], origin: str = "study") -> S:
     return study
 
 
-def load_trials_as(path: str | Path, kind: type[S]) -> tuple[Trials, S | None]:
+def load_trials_as(path: str | Path, kind: type[S]) -> tuple[TrialSettings, S | None]:
     """The table [trials] of a study file, and the study; of a file with nothing else there is no study.
 
     Raises

@@ -15,7 +15,7 @@ from haptonic.results.runner import Runner
 from haptonic.store import Store
 from haptonic.study.loading import load_as, load_trials_as, loads_as
 from haptonic.study.schema import Description
-from haptonic.study.trial_tables import Trials
+from haptonic.study.trial_tables import TrialSettings
 
 
 @extended
@@ -74,6 +74,6 @@ def loads(text: str, origin: str = "study") -> Study:
     return loads_as(text, Study, origin)
 
 
-def load_trials(path: str | Path) -> tuple[Trials, Study | None]:
+def load_trials(path: str | Path) -> tuple[TrialSettings, Study | None]:
     """The table [trials] of a study file, and the study; of a file with nothing else there is no study."""
     return load_trials_as(path, Study)

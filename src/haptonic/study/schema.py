@@ -37,7 +37,7 @@ from haptonic.study.experiment_tables import ProtocolSettings
 from haptonic.study.plate_tables import PlateSettings
 from haptonic.study.plating import plate_of
 from haptonic.study.sweeps import SweepSettings, numeric_parameters
-from haptonic.study.trial_tables import Trials
+from haptonic.study.trial_tables import TrialSettings
 from haptonic.study.vary import Expression, check_names, solve
 from haptonic.units import format_quantity
 from haptonic.updating.settings import FitSettings
@@ -103,8 +103,10 @@ class Description:
     touch: TouchSettings = Field(
         default=TouchSettings(), title="Touch", description="The finger that feels the plate."
     )
-    trials: Trials = Field(
-        default=Trials(), title="Trials", description="How force records are processed, and which count."
+    trials: TrialSettings = Field(
+        default=TrialSettings(),
+        title="Trials",
+        description="How force records are processed, and which count.",
     )
     protocol_settings: ProtocolSettings = Field(
         default=ProtocolSettings(),

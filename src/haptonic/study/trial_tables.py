@@ -11,7 +11,7 @@ from haptonic.friction.signals import Rules
 
 
 @described("trials", FrictionError)
-class Trials(Rules):
+class TrialSettings(Rules):
     """How force records become coefficients of friction, and which trials count."""
 
     driven: Name | None = Field(
@@ -36,4 +36,4 @@ class TrialsFile:
         max_length=200,
         strict=True,
     )
-    trials: Trials = Field(default=Trials(), title="Trials", description="As in a study.")
+    trials: TrialSettings = Field(default=TrialSettings(), title="Trials", description="As in a study.")

@@ -1,4 +1,4 @@
-"""Whether a plate does what it is for, as traffic lights that each give their reason."""
+"""Whether a plate does what it is for, as requirements that are met or not, each with its reason."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ def requirements(
     frequency: float,
     gap: tuple[float, float] | None,
 ) -> list[Requirement]:
-    """A light for every region, one for the time that the vibration takes, one for the gap.
+    """One for every region, one for the time that the vibration takes, one for the gap.
 
     Parameters
     ----------

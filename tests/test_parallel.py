@@ -1,0 +1,78 @@
+"""Work side by side: in order, bounded in what waits, and stopped by an error or by whoever turns away."""
+
+import math
+import threading
+import time
+
+import numpy as np
+import pytest
+from threadpoolctl import threadpool_info, threadpool_limits
+
+from haptonic.parallel import each, streamed, threads
+
+
+@pytest.mark.parametrize("count", ["1", "3"])
+def test_results_come_in_the_order_of_the_items(count, monkeypatch):
+    monkeypatch.setenv("OMP_NUM_THREADS", count)
+    assert threads() == int(count)
+
+    def slow(item: int) -> tuple[int, set[int]]:
+        time.sleep(0.01 * (item % 3 == 0))
+        np.eye(3) @ np.eye(3)
+        return item**2, {one["num_threads"] for one in threadpool_info() if one["user_api"] == "blas"}
+
+    with threadpool_limits(2):
+        found = each(slow, range(12))
+    assert [square for square, _ in found] == [item**2 for item in range(12)]
+    assert all(limits == {1} for _, limits in found), "linear algebra inside has one thread"
+    assert each(slow, []) == []
+
+
+def test_an_error_stops_what_has_not_begun(monkeypatch):
+    monkeypatch.setenv("OMP_NUM_THREADS", "2")
+    begun = []
+
+    def work(item: int) -> None:
+        begun.append(item)
+        if item == 0:
+            raise ValueError("no")
+        time.sleep(0.05)
+
+    with pytest.raises(ValueError, match="no"):
+        each(work, range(40))
+    assert len(begun) < 10
+
+
+@pytest.mark.parametrize(("workers", "ahead"), [(0, 1), (1, 2), (2, 5)])
+def test_no_more_items_are_taken_than_may_wait(workers, ahead):
+    taken, done = [], []
+
+    def items():
+        for item in range(30):
+            taken.append(item)
+            yield item
+
+    for result in streamed(lambda item: item, items(), workers, ahead):
+        done.append(result)
+        assert len(taken) - len(done) < ahead
+    assert done == list(range(30))
+
+
+def test_whoever_turns_away_leaves_nothing_to_be_begun():
+    begun, release = [], threading.Event()
+
+    def work(item: int) -> int:
+        begun.append(item)
+        if item:
+            release.wait(5)
+        return item
+
+    results = streamed(work, range(30), 2, 20)
+    threading.Timer(0.2, release.set).start()
+    assert next(results) == 0
+    results.close()
+    assert len(begun) < 10
+
+
+def test_processes_do_as_threads_do():
+    assert list(streamed(math.factorial, range(9), 2, 4, processes=True)) == [*map(math.factorial, range(9))]
