@@ -32,7 +32,7 @@ def reference() -> str:
     lines = [
         "# Public names",
         "",
-        "Every name that a package opens to others, and the first sentence of its docstring; `help()` tells the rest.",
+        "Every name that a package opens to others, and the first sentence of its docstring.",
         "",
         "## Analyses",
         "",
