@@ -88,6 +88,7 @@ def test_twenty_bands_of_a_plain_plate_are_told_as_they_are(thickness):
         assert (np.abs(solution.frequency - exact) <= solution.error).all()
 
 
+@pytest.mark.nightly
 @given(st.floats(0.07, 0.15), st.floats(0.3, 0.6), st.floats(0.5, 2.0))
 @settings(max_examples=1)
 def test_many_bands_get_depth_rather_than_width(thickness, diameter, height):

@@ -91,21 +91,23 @@ def test_a_centred_lattice_is_a_rectangle_with_two_pillars(sides):
     assert (np.abs(np.sort(frequency)[:12] - np.sqrt(values) / (2 * np.pi)) <= error).all()
 
 
-def test_a_triangular_lattice_is_an_oblique_one_of_equal_pitches():
-    """Another translation that is longer changes nothing, either; with fewer symmetries the basis differs.
+def test_a_longer_translation_spans_the_same_lattice():
+    longer = Lattice.oblique(PITCH, PITCH * np.sqrt(7), np.arctan2(np.sqrt(3), 5))
+    assert longer.vectors == pytest.approx(Lattice.oblique(PITCH, PITCH, np.pi / 3).vectors)
 
-    So the two agree within the error of one.
-    """
+
+@pytest.mark.parametrize(
+    "lattice",
+    [Lattice.oblique(PITCH, PITCH, np.pi / 3), Lattice.centred(PITCH, PITCH * np.sqrt(3))],
+    ids=["oblique", "centred"],
+)
+def test_a_triangular_lattice_is_an_oblique_one_of_equal_pitches(lattice):
+    """With fewer symmetries the basis differs, so the two agree within the error of one."""
     k = np.array([130.0, 210.0])
-    expected = model(CELL).solve(LATTICE.vectors @ k)
-    for lattice in (
-        Lattice.oblique(PITCH, PITCH, np.pi / 3),
-        Lattice.oblique(PITCH, PITCH * np.sqrt(7), np.arctan2(np.sqrt(3), 5)),
-        Lattice.centred(PITCH, PITCH * np.sqrt(3)),
-    ):
-        cell = replace(CELL, lattice=lattice)
-        found = model(cell).solve(lattice.vectors @ k)
-        assert (np.abs(found.frequency - expected.frequency) < expected.error).all()
+    expected, found = (
+        model(replace(CELL, lattice=each)).solve(each.vectors @ k) for each in (LATTICE, lattice)
+    )
+    assert (np.abs(found.frequency - expected.frequency) < expected.error).all()
 
 
 @pytest.mark.parametrize("order", [3, 4])

@@ -170,7 +170,7 @@ def _meshes(accuracy: float) -> tuple[tuple[int, int], ...]:
 def _unknowns(cell: UnitCell, plan: MeshPlan) -> int:
     """Of a mesh, a straight pillar's body left out, which can be condensed apart."""
     assert cell.pillar is not None
-    meshed = plan if cell.pillar.draft or cell.pillar.step else replace(plan, pillar_layers=1)
+    meshed = replace(plan, pillar_layers=1) if cell.pillar.is_prism else plan
     return 3 * sum(meshed.level_sizes)
 
 

@@ -17,14 +17,20 @@ SHORT_WAVES = 4 / 3  # of the order around the pillar there: waves between pilla
 SHEET_WAVES = 5 / 3  # the same on a sheet
 SHEET_NECK = 0.7  # what `WIDE_NECK` is on a sheet
 THIN_NECK = 0.46  # and on a thin plate: one order fewer told 0.7 % where 0.3 % are told
-WIDE_NECK = 0.42  # length of the neck between two pillars, in half pitches, that a quarter turn's order suits
+# Length of the neck between two pillars, in half pitches, that a quarter turn's order suits. At 0.36 seven
+# orders left 0.2 %, of which no lower order told a third; eight left 0.07 %.
+WIDE_NECK = 0.5
 # Orders more along a pillar that is meshed to its top. With none, a pillar of 6 deg draft, 1.4 diameters to
-# an element, lost 0.23 % at orders 3 and 4, four fifths of it there; a body's polynomials are finer than
-# that anyway.
+# an element, lost 0.23 % at orders 3 and 4, four fifths of it there; a prism's own polynomials are finer
+# than that anyway.
 ALONG_MORE = 2
 # Most of the same through the plate, whose strain below the foot dies out over the pillar's width. A plate of
 # 1.8 diameters in one layer lost 0.1 % at orders 3 and 4, which no lower order told; two layers leave 0.03 %.
 PLATE_LAYER = 1.0
+# Levels more through the rim, by the width of plate between it and the foot, in thicknesses. At 0.1 the cubic
+# of order 4 lost 0.18 % that no other direction mended and no lower order told, two more mended it;
+# at 0.4 one more took 0.05 % to 0.03 %, and from 0.48 on they brought nothing.
+NEAR_RIM = {0.2: 2, 0.45: 1}
 ROUNDING = 1e-9  # of a ratio of lengths, which must not change the plan of a scaled cell
 # Bands whose waves the orders of an accuracy were chosen for, and the most that a single element should have
 # around a quarter turn: two of half as much, and one more, cost a third of it.
@@ -44,6 +50,7 @@ class MeshPlan:
     bridges : rings inside and outside, layers above and below that lead from the foot's thin ones to the rest
     blocks : elements along each side of the cell, and along each quarter of every ring
     plate_layers : layers through the plate below the thin ones
+    near_rim : levels more than elsewhere that the trace on the rim has through the plate, see `trace_levels`
     neighbours : translations to the cells across each side, anticlockwise, as many as the cell has sides
     outward : polynomial order across the rings; upward : along z through the plate; along : along z in the
         pillar; thin : across thin rings and thin layers; 0 means as ``order``, along as ``upward``
@@ -61,6 +68,7 @@ class MeshPlan:
     upward: int = 0
     thin: int = 0
     along: int = 0
+    near_rim: int = 0
     neighbours: tuple[tuple[int, int], ...] = ((0, -1), (1, 0), (0, 1), (-1, 0))
 
     def __post_init__(self) -> None:
@@ -91,11 +99,13 @@ class MeshPlan:
         it resolves anything, and gets as many more.
 
         Around the pillar an element spans a quarter turn and gets two orders more, and still more where a
-        neck between round pillars that nearly touch is a small part of it. Cubic elements are too
-        stiff along a pillar that bends and across the plate beside it, by more than all the rest together:
-        there order 3 has quartic ones. On a thin plate these would lock in the lower order that tells the
-        error: there none has less than quintic ones. Along a pillar that is no prism, and so has no body,
-        all get two orders more: bending of a slender one would err most of all there.
+        neck between round pillars that nearly touch is a small part of it. Away from the edge, order 3 has
+        quartic elements: cubic ones are too stiff along a pillar that bends and across the plate beside it,
+        by more than all the rest together, and with five orders in place of six around it the tenth band of
+        every third design lost 0.7 to 3 %, of which a lower order told a quarter to a half; with six 0.2 to
+        0.5 %. On a thin plate quartic ones would lock in the lower order that tells the
+        error: there they are of one order more. Along a pillar that is no prism, and so is meshed to its
+        top, all get two orders more: bending of a slender one would err most of all there.
         """
         waves = _waves(cell, bands) if bands else 0.0
         more = math.ceil(math.pi * max(waves - math.sqrt(USUAL_BANDS / math.pi), 0.0))
@@ -109,11 +119,11 @@ class MeshPlan:
             return cls._of_sheet(cell, cell.pillar, order, foot_rings)
         thin = cell.thickness < THIN_PLATE * cell.inradius
         neck = (THIN_NECK if thin else WIDE_NECK) / _neck(cell, cell.pillar)
-        turn = (order + 2) * max(1.0, neck) * (SHORT_WAVES if thin else 1.0)
+        smooth = 4 if order == 3 else order
+        turn = (smooth + 2) * max(1.0, neck) * (SHORT_WAVES if thin else 1.0)
         around, blocks = _divided(round(turn) + more) if more else (round(turn), 1)
         layers = _layers_along(cell.pillar)
         rings = max(foot_rings, 1) if cell.pillar.fillet else foot_rings  # the arc is an edge of elements
-        upward = 4 if order == 3 else order
         return cls(
             around,
             rings,
@@ -123,10 +133,11 @@ class MeshPlan:
             bridges=bridges(cell, rings),
             blocks=blocks,
             plate_layers=math.ceil((1 - ROUNDING) * cell.thickness / (PLATE_LAYER * cell.pillar.diameter)),
-            outward=(max(order, 5) if thin else 4 if order == 3 else order) + more // 2,
-            upward=upward,
-            along=upward + ALONG_MORE if _has_no_body(cell.pillar) else upward,
+            outward=smooth + thin + more // 2,
+            upward=smooth,
+            along=smooth if cell.pillar.is_prism else smooth + ALONG_MORE,
             thin=order,
+            near_rim=_near_rim(cell),
         )
 
     @classmethod
@@ -150,7 +161,7 @@ class MeshPlan:
             outward=order + 3,
             upward=max(order - 1, 3),
             thin=order,
-            along=max(order, 4) + (ALONG_MORE if _has_no_body(pillar) else 0),
+            along=max(order, 4) + (0 if pillar.is_prism else ALONG_MORE),
         )
 
     def lowered(self, cell: UnitCell) -> MeshPlan:
@@ -164,7 +175,7 @@ class MeshPlan:
         """
         ungraded = cell.pillar is not None and cell.pillar.step is not None and not self.step_rings
         foot_leads = self.foot_rings == 1 and cell.pillar is not None and not ungraded
-        meshed_up = cell.pillar is not None and _has_no_body(cell.pillar)
+        meshed_up = cell.pillar is not None and not cell.pillar.is_prism
         return replace(
             self,
             order=max(self.order - 1, 1),
@@ -265,6 +276,12 @@ def _neck(cell: UnitCell, pillar: Pillar, least: float = 0.0) -> float:
     return math.sqrt(2 * cell.clearance * max(pillar.widest, least)) / half_side
 
 
+def _near_rim(cell: UnitCell) -> int:
+    """Levels more on the rim for what the foot does there."""
+    share = cell.clearance / cell.thickness
+    return next((more for near, more in NEAR_RIM.items() if share < near), 0)
+
+
 def _waves(cell: UnitCell, bands: int) -> float:
     """Wavelengths along the longer side of the cell that the last of so many bands of a plain plate has.
 
@@ -277,8 +294,3 @@ def _waves(cell: UnitCell, bands: int) -> float:
 def _divided(order: int) -> tuple[int, int]:
     """Order and number of the elements that resolve as much as a single one of ``order``."""
     return (order, 1) if order <= MOST_AROUND else ((order + 1) // 2 + 1, 2)
-
-
-def _has_no_body(pillar: Pillar) -> bool:
-    """Whether the pillar is no prism above its foot, and so is meshed up to its top."""
-    return bool(pillar.draft or pillar.step)

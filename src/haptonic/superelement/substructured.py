@@ -63,7 +63,7 @@ def pillar_body_of(cell: UnitCell, mesh: HexMesh) -> PillarBody | None:
     """The body of a cell's pillar, which starts where the mesh's second layer above the thin ones does."""
     pillar, plan = cell.pillar, mesh.topology.plan
     folds = folds_of(cell)
-    if pillar is None or pillar.draft or pillar.step or plan.pillar_layers < 2 or len(folds) < 2:
+    if pillar is None or not pillar.is_prism or plan.pillar_layers < 2 or len(folds) < 2:
         return None
     low = float(mesh.points[_below_body(plan).top[0], 2])
     if low - cell.thickness < FOOT_LAYER * pillar.diameter * (1 - 1e-9):

@@ -28,7 +28,7 @@ def trace_levels(plan: MeshPlan) -> int:
     enough far from it, but a parabola at least.
     """
     layers = len(plan.plate_layer_orders)
-    return plan.plate_levels if layers == 1 else max(plan.upward, 3)
+    return plan.plate_levels if layers == 1 else max(plan.upward, 3) + plan.near_rim
 
 
 @dataclass(frozen=True, eq=False)
