@@ -25,7 +25,7 @@ from haptonic.cell.pillar import Step
 from haptonic.errors import GeometryError
 from haptonic.lattice import Lattice
 from haptonic.materials import IsotropicMaterial, material
-from haptonic.superelement import condense, condense_by_parts
+from haptonic.superelement import Tiling, condense, condense_by_parts
 
 Array = NDArray[np.float64]
 
@@ -176,7 +176,7 @@ def _unknowns(cell: UnitCell, plan: MeshPlan) -> int:
 
 def _computed(cell: UnitCell, plan: MeshPlan, count: int, block: int) -> Array:
     by = condense if 3 * sum(plan.level_sizes) < WHOLE else condense_by_parts
-    pencil = CentredPencil.of(by(cell, plan, STEPS, block=block, measured=False))
+    pencil = CentredPencil.of(Tiling.single(by(cell, plan, STEPS, block=block, measured=False)))
     values = np.array([eigenpairs(pencil, kappa, count)[0] for kappa in wavevectors(cell)])
     return np.sqrt(np.maximum(values, 0.0)) / (2 * np.pi)
 

@@ -5,11 +5,9 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass, replace
 
-import numpy as np
-
 from haptonic.cell.edges import bridges
-from haptonic.cell.geometry import UnitCell
 from haptonic.cell.pillar import Pillar
+from haptonic.cell.tile import TileShape
 
 LAYER_LENGTH = 1.4  # of an element along the pillar, in diameters
 THIN_PLATE = 0.16  # thickness, in half pitches, below which elements beside a pillar bend like a plate's
@@ -51,7 +49,8 @@ class MeshPlan:
     blocks : elements along each side of the cell, and along each quarter of every ring
     plate_layers : layers through the plate below the thin ones
     near_rim : levels more than elsewhere that the trace on the rim has through the plate, see `trace_levels`
-    neighbours : translations to the cells across each side, anticlockwise, as many as the cell has sides
+    sides : of the polygon
+    levels : nodes of the trace through the thickness where tiles of other plans have to meet; 0 means its own
     outward : polynomial order across the rings; upward : along z through the plate; along : along z in the
         pillar; thin : across thin rings and thin layers; 0 means as ``order``, along as ``upward``
     """
@@ -69,7 +68,8 @@ class MeshPlan:
     thin: int = 0
     along: int = 0
     near_rim: int = 0
-    neighbours: tuple[tuple[int, int], ...] = ((0, -1), (1, 0), (0, 1), (-1, 0))
+    sides: int = 4
+    levels: int = 0
 
     def __post_init__(self) -> None:
         for name in ("outward", "upward", "thin"):
@@ -77,7 +77,7 @@ class MeshPlan:
         object.__setattr__(self, "along", self.along or self.upward)
 
     @classmethod
-    def suited(cls, cell: UnitCell, order: int, foot_rings: int, bands: int | None = None) -> MeshPlan:
+    def suited(cls, cell: TileShape, order: int, foot_rings: int, bands: float | None = None) -> MeshPlan:
         """Plan for a cell of any number of sides.
 
         Where these are not four there are two blocks to each, because patches of the core end in the middle
@@ -85,14 +85,14 @@ class MeshPlan:
         a quarter's is as good along them.
         """
         plan = cls._of_quarters(cell, order, foot_rings, bands)
-        neighbours = cell.lattice.neighbours
-        if len(neighbours) == 4:
+        sides = len(cell.corners)
+        if sides == 4:
             return plan
-        share = plan.side * 4 / len(neighbours) / 2
-        return replace(plan, neighbours=neighbours, blocks=2, order=math.ceil(share) + 1)
+        share = plan.side * 4 / sides / 2
+        return replace(plan, sides=sides, blocks=2, order=math.ceil(share) + 1)
 
     @classmethod
-    def _of_quarters(cls, cell: UnitCell, order: int, foot_rings: int, bands: int | None) -> MeshPlan:
+    def _of_quarters(cls, cell: TileShape, order: int, foot_rings: int, bands: float | None) -> MeshPlan:
         """Plan of similar errors in all directions, its elements not much longer than the pillar is wide.
 
         More bands than usual are shorter waves: a polynomial needs pi orders for each wave along it before
@@ -108,7 +108,7 @@ class MeshPlan:
         top, all get two orders more: bending of a slender one would err most of all there.
         """
         waves = _waves(cell, bands) if bands else 0.0
-        more = math.ceil(math.pi * max(waves - math.sqrt(USUAL_BANDS / math.pi), 0.0))
+        more = math.ceil(math.pi * max(waves - math.sqrt(USUAL_BANDS / math.pi), 0.0) - ROUNDING)
         if cell.pillar is None:
             sheet = cell.is_sheet  # in order 4 it lost 1.5 % where one more left 0.6 %
             around = round((order + 2) * SHEET_WAVES) if sheet else order + 2
@@ -141,7 +141,7 @@ class MeshPlan:
         )
 
     @classmethod
-    def _of_sheet(cls, cell: UnitCell, pillar: Pillar, order: int, foot_rings: int) -> MeshPlan:
+    def _of_sheet(cls, cell: TileShape, pillar: Pillar, order: int, foot_rings: int) -> MeshPlan:
         """Plan for a plate that is thin beside everything else: fine in its plane, coarse through it.
 
         What errs on the plans of thicker plates is the smooth part. On one of 1/200 of the pitch the plan of
@@ -164,7 +164,7 @@ class MeshPlan:
             along=max(order, 4) + (0 if pillar.is_prism else ALONG_MORE),
         )
 
-    def lowered(self, cell: UnitCell) -> MeshPlan:
+    def lowered(self, cell: TileShape) -> MeshPlan:
         """The same blocks with orders one lower, to tell the error by.
 
         With a single thin ring the order along z stays through the plate and, where the pillar is a prism,
@@ -193,12 +193,12 @@ class MeshPlan:
     @property
     def around(self) -> int:
         """Nodes on every ring, and on the rim."""
-        return self.side * len(self.neighbours)
+        return self.side * self.sides
 
     @property
     def core_size(self) -> int:
         """Nodes within the core's outline: of a square grid, or of a patch for each corner of the cell."""
-        return 1 + len(self.neighbours) * self.side * (self.side - 2) // 4
+        return 1 + self.sides * self.side * (self.side - 2) // 4
 
     @property
     def tip_rings(self) -> tuple[int, ...]:
@@ -263,7 +263,7 @@ def _layers_along(pillar: Pillar) -> list[int]:
     ]
 
 
-def _neck(cell: UnitCell, pillar: Pillar, least: float = 0.0) -> float:
+def _neck(cell: TileShape, pillar: Pillar, least: float = 0.0) -> float:
     """Half the length on which two round pillars are near each other, as a share of half the side it lies on.
 
     That is the longer side. On a cell of 1 to 1.7 whose pillar leaves 0.15 of the shorter one nine orders
@@ -272,23 +272,22 @@ def _neck(cell: UnitCell, pillar: Pillar, least: float = 0.0) -> float:
     """
     if pillar.section == "square":
         return math.inf
-    half_side = 0.5 * float(np.linalg.norm(cell.lattice.vectors, axis=1).max())
+    half_side = 0.5 * cell.extent
     return math.sqrt(2 * cell.clearance * max(pillar.widest, least)) / half_side
 
 
-def _near_rim(cell: UnitCell) -> int:
+def _near_rim(cell: TileShape) -> int:
     """Levels more on the rim for what the foot does there."""
     share = cell.clearance / cell.thickness
     return next((more for near, more in NEAR_RIM.items() if share < near), 0)
 
 
-def _waves(cell: UnitCell, bands: int) -> float:
+def _waves(cell: TileShape, bands: float) -> float:
     """Wavelengths along the longer side of the cell that the last of so many bands of a plain plate has.
 
     As many flexural waves fit into a circle about Gamma whose area is that of as many zones.
     """
-    sides = np.linalg.norm(cell.lattice.vectors, axis=1)
-    return math.sqrt(bands / math.pi * sides.max() / sides.min())
+    return math.sqrt(bands / math.pi * cell.elongation)
 
 
 def _divided(order: int) -> tuple[int, int]:
