@@ -60,7 +60,7 @@ def measure() -> dict[str, float]:
         ),
         "order": model.resolution.order,
         "foot_rings": model.resolution.foot_rings,
-        "unknowns": model.fine.superelement.mesh.unknowns,
+        "unknowns": model.fine.tiling.meshes[0].unknowns,
         "gap_hz": [gap.lower, gap.upper],
         "gap_error_hz": [gap.lower_error, gap.upper_error],
         "gap_samples": gap.samples,

@@ -28,6 +28,9 @@ NAMES = {
     "triangular": ("M", "K"),
     "centred": ("XS", "HY"),
     "oblique": ("XYC", "H"),
+    "honeycomb": ("M", "K"),
+    "kagome": ("M", "K"),
+    "lieb": ("XY", "M"),
 }
 
 

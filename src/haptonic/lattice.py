@@ -37,7 +37,7 @@ USUAL_ANGLE = (math.radians(20), math.radians(160))
 # what lattices are given by, besides the pitch
 FURTHER: dict[str, tuple[str, ...]] = {
     "square": (), "rectangular": ("pitch_y",), "triangular": (), "centred": ("pitch_y",),
-    "oblique": ("pitch_2", "angle"),
+    "oblique": ("pitch_2", "angle"), "honeycomb": (), "kagome": (), "lieb": (),
 }  # fmt: skip
 LETTERS = {0: "x", 90: "y", 135: "d"}  # names of mirrors, by the angle of their normals in degrees
 
@@ -128,8 +128,13 @@ class Lattice:
         cell of six sides one of which is next to nothing
     """
 
-    name: Literal["square", "rectangular", "triangular", "centred", "oblique"] = Field(
-        alias="lattice", default="square", title="Lattice", description="How the cells repeat in the plane."
+    name: Literal[
+        "square", "rectangular", "triangular", "centred", "oblique", "honeycomb", "kagome", "lieb"
+    ] = Field(
+        alias="lattice",
+        default="square",
+        title="Lattice",
+        description="How the cells repeat in the plane; the last three have two sites or three each.",
     )
     pitch: Annotated[float, size(100e-6, 100e-3)] = Field(
         title="Pitch", description="Period of the lattice; along x for a rectangular or a centred one."
@@ -212,7 +217,7 @@ class Lattice:
         """(2, 2): the rows are a1 and a2, m."""
         first = (self.pitch, 0.0)
         match self.name:
-            case "triangular":
+            case "triangular" | "honeycomb" | "kagome":
                 return np.array([first, (0.5 * self.pitch, 0.5 * math.sqrt(3) * self.pitch)])
             case "centred":
                 assert self.pitch_y is not None

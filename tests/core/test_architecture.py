@@ -33,7 +33,7 @@ ALLOWED: dict[str, set[str]] = {
     "jobs": BASE | {"store"},
     "cell": BASE | {"materials", "lattice", "brillouin"},
     "elements": {"cell", "materials"},
-    "superelement": {"solvers", "elements", "cell", "lattice", "materials", "parallel"},
+    "superelement": {"cell", "elements", "errors", "lattice", "materials", "parallel", "solvers"},
     "bloch": {
         "superelement",
         "cell",

@@ -27,7 +27,7 @@ from haptonic.bloch.zone import zone_surface
 from haptonic.cell import MeshPlan, Pillar, UnitCell, mesh_cell
 from haptonic.lattice import Lattice
 from haptonic.materials import IsotropicMaterial, OrthotropicMaterial
-from haptonic.superelement import condense
+from haptonic.superelement import Tiling, condense
 from haptonic.superelement.sections import PillarSections
 
 DATA = Path(__file__).parents[1] / "data"
@@ -78,7 +78,7 @@ def test_no_wavevector_lies_beyond_the_edges_found():
     (gap,) = (gap for gap in gaps_of(dataset()) if gap.complete)
     walk = np.stack([np.full(300, np.pi), np.linspace(0, np.pi, 300)], axis=-1)
     drawn = np.random.default_rng(7).uniform(-np.pi, np.pi, (300, 2))
-    pencil = model().fine.centred  # the small basis serves the irreducible zone alone
+    pencil = model().fine.whole  # the small basis serves the irreducible zone alone
     values = np.array(
         [eigenpairs(pencil, kappa, 7)[0] for kappa in np.concatenate([walk, drawn, np.zeros((1, 2))])]
     )
@@ -138,7 +138,7 @@ def test_the_dataset_says_what_it_is():
 def test_the_small_basis_costs_no_more_than_it_says():
     """Against the pencil that it was projected from, at points of the path and inside the zone."""
     fine = model().fine
-    full = bloch_pencil(fine.superelement)
+    full = bloch_pencil(fine.tiling)
     path = reference_cell().zone.path(66).kappa
     inside = np.sort(np.random.default_rng(3).uniform(0, np.pi, (6, 2)), axis=1)[:, ::-1]
     near_rest = np.array([(0.05, 0.02), (0.1, 0.0)])
@@ -155,7 +155,7 @@ def test_the_small_basis_costs_no_more_than_it_says():
 
 def coarse_values(cell, plan=None, kappas=((0.9, 0.3), (np.pi, 1.2)), count=8):
     plan = plan or MeshPlan(2, 1, 2)
-    pencil = bloch_pencil(condense(cell, plan, measured=False))
+    pencil = bloch_pencil(Tiling.single(condense(cell, plan, measured=False)))
     return np.sqrt([eigenpairs(pencil, np.array(k), count)[0] for k in kappas]) / (2 * np.pi)
 
 
@@ -226,7 +226,7 @@ def test_a_supercell_of_two_has_the_same_bands_folded():
     P = periodic_projection(both, np.array([2 * a1, a2]), (0.8, -0.5))
     folded = frequencies(sp.block_diag([K, K], format="csr"), np.concatenate([mass, mass]), P, 12)
 
-    pencil = bloch_pencil(condense(cell, plan, 6, measured=False))
+    pencil = bloch_pencil(Tiling.single(condense(cell, plan, 6, measured=False)))
     single = [eigenpairs(pencil, np.array([0.4 + turn, -0.5]), 12)[0] for turn in (0.0, np.pi)]
     expected = np.sort(np.sqrt(np.concatenate(single)) / (2 * np.pi))[:12]
     assert folded == pytest.approx(expected, rel=1e-5)
@@ -250,7 +250,9 @@ def folded_waves(point):
 
 def test_the_empty_lattice_folds_rayleigh_lamb_and_shear_waves():
     plain, resolution = reference_cell().without_pillar(), Resolution(6, 0, 14)
-    pencil = bloch_pencil(condense(plain, resolution.plan(plain), resolution.steps, measured=False))
+    pencil = bloch_pencil(
+        Tiling.single(condense(plain, resolution.plan(plain), resolution.steps, measured=False))
+    )
     for point in EMPTY_POINTS:
         exact, kappa = folded_waves(point)
         found = np.sqrt(np.maximum(eigenpairs(pencil, kappa, 11)[0], 0)) / (2 * np.pi)
@@ -371,14 +373,14 @@ def path_points():
     for start, stop in pairwise(path.corners):
         middle = 0.5 * (path.kappa[start] + path.kappa[stop])
         (operation,) = mirrors_at(reference_cell().point_group, middle).values()
-        mirror = model().fine.superelement.mirror(operation)
+        mirror = model().fine.tiling.joint.image(operation)
         for kappa in path.kappa[start : stop + 1]:
             yield mirror, model().solve(kappa, spare=3)  # no pair is cut by the last band then
 
 
 def parities(mirror, solution):
-    trace = solution.fields[: model().fine.superelement.trace_size]
-    return sorted_by_parity(trace, mirror, clusters(solution.frequency))
+    trace = solution.fields[: model().fine.tiling.trace_size]
+    return sorted_by_parity(trace, mirror.applied(trace, solution.kappa), clusters(solution.frequency))
 
 
 def test_every_mode_on_the_path_is_even_or_odd():
@@ -392,8 +394,8 @@ def test_every_mode_on_the_path_is_even_or_odd():
 def test_a_turn_to_parity_leaves_fields_that_are_their_own_images():
     for mirror, solution in list(path_points())[::9]:
         turn, values = parities(mirror, solution)
-        trace = solution.turned(turn).fields[: model().fine.superelement.trace_size]
-        away = mirror.applied(trace) - trace * np.sign(values)
+        trace = solution.turned(turn).fields[: model().fine.tiling.trace_size]
+        away = mirror.applied(trace, solution.kappa) - trace * np.sign(values)
         assert (np.abs(away).max(axis=0) < 4e-2 * np.abs(trace).max(axis=0))[:10].all()
 
 
@@ -456,7 +458,7 @@ def test_parity_is_carried_along_a_branch():
 
 def test_characters_at_the_middle_of_xm_are_those_of_the_paper():
     solution = model().solve(np.array([np.pi, 0.5 * np.pi]))
-    names = [NAMES[k] for k in characters(model().fine.superelement, solution.fields).name[:8]]
+    names = [NAMES[k] for k in characters(model().fine.tiling, solution.fields).name[:8]]
     bending = "pillar bending"
     assert names == [
         f"{bending} 1", f"{bending} 1", "traction", f"{bending} 2", "torsion", f"{bending} 2",
@@ -486,11 +488,11 @@ def test_bending_is_numbered_by_the_nodes_of_the_axis_seen_from_the_foot(offset)
 
 def test_an_empty_plate_has_plate_waves_only():
     plate = BlochModel.of(reference_cell().without_pillar(), Resolution(3, 0), 5)
-    names = characters(plate.fine.superelement, plate.solve(np.array([1.2, 0.0])).fields)
+    names = characters(plate.fine.tiling, plate.solve(np.array([1.2, 0.0])).fields)
     assert [NAMES[k] for k in names.name[:3]] == ["plate flexural", "plate in-plane", "plate in-plane"]
     assert names.vertical[:3] == pytest.approx([1, 0, 0], abs=0.1)
     assert names.pillar_kinetic == pytest.approx(np.zeros(5), abs=1e-12)
-    rest = characters(plate.fine.superelement, plate.solve(np.zeros(2)).fields)
+    rest = characters(plate.fine.tiling, plate.solve(np.zeros(2)).fields)
     assert [NAMES[k] == "rigid body" for k in rest.name] == [True, True, True, False, False]
 
 
@@ -572,7 +574,7 @@ def test_the_unfolded_zone_is_whole_and_has_the_symmetry_of_the_lattice():
     assert area == pytest.approx((2 * np.pi / 7e-3) ** 2)
     for number in range(0, len(k), 17):
         # the small basis serves the irreducible zone alone
-        direct = np.sqrt(eigenpairs(small_model().fine.centred, k[number] * 7e-3, 4)[0][3]) / (2 * np.pi)
+        direct = np.sqrt(eigenpairs(small_model().fine.whole, k[number] * 7e-3, 4)[0][3]) / (2 * np.pi)
         assert frequency[number] == pytest.approx(direct, rel=2e-4)
 
 
@@ -592,7 +594,7 @@ def designs():
 
 def assert_estimates_hold(cell, fine):
     estimated = BlochModel.of(cell, Resolution(4, 1), 10, measured=False)
-    pencil = bloch_pencil(condense(cell, fine.plan(cell), fine.steps, measured=False))
+    pencil = bloch_pencil(Tiling.single(condense(cell, fine.plan(cell), fine.steps, measured=False)))
     for kappa in ((0.0, 0.0), (1.1, 0.4), (np.pi, np.pi)):
         kappa = np.array(kappa)
         solution = estimated.solve(kappa)

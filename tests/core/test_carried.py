@@ -30,7 +30,7 @@ def test_long_waves_belong_to_the_plate(diameter, height, thickness, angle):
     direction = np.array([np.cos(angle), np.sin(angle)])
     for length, kinds in ((0.15, {0: FLEXURAL}), (0.03, {1: IN_PLANE, 2: IN_PLANE})):
         solution = model.solve(length * direction)
-        named = characters(model.fine.superelement, solution.fields).name
+        named = characters(model.fine.tiling, solution.fields).name
         for number, kind in kinds.items():
             if solution.frequency[number] < 0.3 * at_rest:  # others meet the pillar's own motion
                 assert named[number] == kind

@@ -12,7 +12,7 @@ from haptonic.bloch.centred import CentredPencil
 from haptonic.bloch.pencil import bloch_pencil, eigenpairs
 from haptonic.cell import MeshPlan, Pillar, UnitCell
 from haptonic.lattice import Lattice
-from haptonic.superelement import condense
+from haptonic.superelement import Tiling, condense
 
 phases = st.tuples(st.floats(-4, 4), st.floats(-4, 4)).map(np.array)
 RECTANGULAR = UnitCell(Lattice.rectangular(8e-3, 6e-3), 2e-3, ALUMINIUM, Pillar(2.4e-3, 9e-3))
@@ -23,7 +23,7 @@ both = pytest.mark.parametrize("name", CELLS)
 @cache
 def pencils(name):
     superelement = condense(*CELLS[name], measured=False)
-    return bloch_pencil(superelement), CentredPencil.of(superelement)
+    return bloch_pencil(Tiling.single(superelement)), CentredPencil.of(Tiling.single(superelement))
 
 
 @both

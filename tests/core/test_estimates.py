@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
-from truth import KAPPA, drawn, plain_plate, truth, wavevectors
+from truth import KAPPA, Drawn, drawn, plain_plate, truth, wavevectors
 
 from haptonic.bloch import BlochModel, Resolution
 from haptonic.bloch.centred import CentredPencil
@@ -17,7 +17,7 @@ from haptonic.bloch.settings import BandSettings
 from haptonic.cell import MeshPlan, Pillar, UnitCell
 from haptonic.lattice import Lattice
 from haptonic.materials import material
-from haptonic.superelement import condense_by_parts
+from haptonic.superelement import Tiling, condense_by_parts
 
 SEED = 5
 SEEN = KAPPA[[0, 2, 5]]
@@ -25,7 +25,7 @@ SEEN = KAPPA[[0, 2, 5]]
 
 def hertz(cell, plan: MeshPlan, count: int) -> np.ndarray:
     """Frequencies on a mesh whose interior keeps several hundred fields."""
-    pencil = CentredPencil.of(condense_by_parts(cell, plan, 5, block=40, measured=False))
+    pencil = CentredPencil.of(Tiling.single(condense_by_parts(cell, plan, 5, block=40, measured=False)))
     return np.sqrt([eigenpairs(pencil, kappa, count)[0] for kappa in SEEN]) / (2 * np.pi)
 
 
@@ -40,7 +40,7 @@ def test_what_the_interior_leaves_out_is_told_for_many_bands(number):
     model = BlochModel.of(cell, resolution, count, measured=False, many=False)
     while model.truncation > TRUSTED_TRUNCATION:
         model = BlochModel.of(cell, model.resolution.grown(), count, measured=False, many=False)
-    pencil = model.fine.centred
+    pencil = model.fine.whole
     for kappa, expected in zip(SEEN, exact, strict=True):
         values, modes = eigenpairs(pencil, kappa, count + 2)
         fields = pencil.periodic.expanded(pencil.free(modes, kappa), kappa)
@@ -127,16 +127,36 @@ def test_a_plain_plate_is_answered_within_its_estimate(number, count, accuracy):
         assert (true <= accuracy * exact[moving]).all()
 
 
-def assert_the_truth_is_within(seed: int, number: int) -> None:
-    question = drawn(seed, number)
+def test_the_rim_resolves_what_a_foot_near_it_does():
+    """Of a thick plate whose pillars nearly touch: no other direction, and no lower order, saw this."""
+    cell = UnitCell(Lattice.square(7e-3), 3.5e-3, material("aluminium-2017a"), Pillar(6.35e-3, 2.8e-3))
+    plan = Resolution(3, 1).plan(cell)
+    levels = (plan.near_rim, plan.near_rim + 2, 0)
+    here, finer, coarser = (hertz(cell, replace(plan, near_rim=each), 10) for each in levels)
+    moving = finer > REST * finer.max()
+    assert (here / finer - 1)[moving].max() < 2e-4 < 7e-4 < (coarser / finer - 1)[moving].max()
+
+
+def assert_the_truth_is_within(question: Drawn, model: BlochModel | None = None) -> None:
+    """Of the model that is chosen, or of one that need not reach the accuracy asked for."""
     exact = truth(question)
     assert exact is not None, "no reference fits"
-    model = bloch_model(question.cell, BandSettings(question.count, accuracy=question.accuracy))
+    if model is None:
+        model = bloch_model(question.cell, BandSettings(question.count, accuracy=question.accuracy))
     solutions = [model.solve(kappa) for kappa in wavevectors(question.cell)]
     moving = exact.frequency > 2 * REST * exact.frequency.max()
     true = np.abs(np.array([s.frequency for s in solutions]) - exact.frequency)
     estimate = np.array([s.error for s in solutions])
     assert (true <= estimate + exact.uncertainty)[moving].all()
+
+
+@pytest.mark.nightly
+@pytest.mark.parametrize(("number", "order"), [(5, 3), (22, 4), (77, 3), (88, 3)])
+def test_estimates_hold_of_a_first_mesh(number, order):
+    """A coarser accuracy would have been answered by it; of these designs it told 0.3 to 0.7 of the error."""
+    question = drawn(57, number)
+    first = BlochModel.of(question.cell, Resolution(order, 1), question.count, measured=False)
+    assert_the_truth_is_within(question, first)
 
 
 @pytest.mark.slow
@@ -145,10 +165,10 @@ def assert_the_truth_is_within(seed: int, number: int) -> None:
 )
 def test_estimates_hold_for_cheap_designs(number):
     """The benchmark ``estimates_hold`` in small; number 6 was below the truth once."""
-    assert_the_truth_is_within(2, number)
+    assert_the_truth_is_within(drawn(2, number))
 
 
 @pytest.mark.nightly
 @pytest.mark.parametrize("number", range(16))
 def test_estimates_hold_for_drawn_designs(number):
-    assert_the_truth_is_within(11, number)
+    assert_the_truth_is_within(drawn(11, number))

@@ -21,7 +21,7 @@ from haptonic.bloch.evanescent import (
 from haptonic.bloch.pencil import eigenpairs
 from haptonic.cell import MeshPlan, Pillar, UnitCell
 from haptonic.lattice import Lattice
-from haptonic.superelement import condense
+from haptonic.superelement import Tiling, condense
 
 RECTANGULAR = UnitCell(Lattice.rectangular(8e-3, 6e-3), 2e-3, ALUMINIUM, Pillar(2.4e-3, 9e-3))
 CELLS = {"square": (reference_cell(), 0), "rectangular": (RECTANGULAR, 1)}
@@ -81,7 +81,7 @@ def test_a_rod_carries_one_wave_each_way(phase, impedance):
 @pytest.mark.parametrize("name", CELLS)
 def test_a_wave_that_propagates_belongs_to_a_band(name, kilohertz, phase):
     omega = kilohertz * KILOHERTZ
-    full, direction = CentredPencil.of(superelement(name)), CELLS[name][1]
+    full, direction = CentredPencil.of(Tiling.single(superelement(name))), CELLS[name][1]
     for side in waves(name, phase, omega):
         for exponent in side.exponent[side.propagates]:
             kappa = np.insert([phase], direction, exponent.imag)
@@ -92,7 +92,7 @@ def test_a_wave_that_propagates_belongs_to_a_band(name, kilohertz, phase):
 @pytest.mark.parametrize(("along", "phase"), [(0.7, 0.0), (1.3, 0.8), (-2.0, 2.5), (3.0, np.pi)])
 @pytest.mark.parametrize("name", CELLS)
 def test_every_band_has_its_wave_which_goes_where_the_band_rises(name, along, phase):
-    full, direction = CentredPencil.of(superelement(name)), CELLS[name][1]
+    full, direction = CentredPencil.of(Tiling.single(superelement(name))), CELLS[name][1]
     behind, bands, ahead = (
         np.sqrt(eigenpairs(full, np.insert([phase], direction, along + step), 8)[0])
         for step in (-1e-4, 0.0, 1e-4)
@@ -179,7 +179,7 @@ def test_a_slab_has_the_pencil_in_it():
     assert np.abs(folded - folded.conj().T).max() < 1e-10 * np.abs(folded).max()
     # one face at rest and no forces: eliminating unknowns keeps the number of frequencies passed, but for
     # those of the eliminated ones alone (Wittrick and Williams 1971)
-    K, M = CentredPencil.of(superelement("square")).at(np.array([kappa, phase]))
+    K, M = CentredPencil.of(Tiling.single(superelement("square"))).at(np.array([kappa, phase]))
     passed = int((np.linalg.eigvalsh(K - omega**2 * M) < 0).sum())
     own = slab("square", phase)
     inner = np.arange(2 * own.size, len(own.mass))

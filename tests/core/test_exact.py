@@ -12,7 +12,7 @@ from haptonic.bloch.exact import exact_modes
 from haptonic.bloch.pencil import bloch_pencil, eigenpairs
 from haptonic.cell import MeshPlan, Pillar, Step, UnitCell
 from haptonic.lattice import Lattice
-from haptonic.superelement import FoldedMesh, condensed
+from haptonic.superelement import TiledMesh
 
 MM = 1e-3
 ALL = Pillar(4 * MM, 9 * MM, "round", math.radians(2), 0.6 * MM, Step(2.6 * MM, 4 * MM))
@@ -30,20 +30,20 @@ def small(name):
     """A folded mesh of second order, and its condensation."""
     cell = CELLS[name]
     plan = MeshPlan.suited(cell, 2, 1)
-    shared = FoldedMesh.of(cell, MeshPlan(2, 1, *(plan.pillar_layers, plan.step_layers)))
-    return shared, condensed(shared, 2, block=10, measured=False)
+    shared = TiledMesh.of(cell, [MeshPlan(2, 1, *(plan.pillar_layers, plan.step_layers))])
+    return shared, shared.condensed(2, 10, measured=False)
 
 
 @cache
 def whole(name):
     """(K, mass) of the whole mesh."""
-    shared, _ = small(name)
+    (shared,) = small(name)[0].meshes
     return assembled(shared.mesh, shared.cell.material)
 
 
 def projection(name, kappa):
     """Bloch fields of the mesh whose trace is the polynomial through the thickness that a cell has."""
-    shared, _ = small(name)
+    (shared,) = small(name)[0].meshes
     mesh = shared.mesh
     return periodic_projection(
         mesh.points, shared.cell.lattice.vectors, kappa, shared.through, mesh.topology.rim
@@ -67,14 +67,14 @@ def test_exact_frequencies_are_those_of_the_whole_mesh(name, kappa):
     guess = guesses(name, kappa)
     assert np.abs(guess / (2 * np.pi) / expected - 1).max() > 1e-6, "there is something to put right"
     for band in range(COUNT):
-        modes = exact_modes(*small(name), kappa, guess[band])
+        modes = exact_modes(small(name)[0], kappa, guess[band])
         nearest = expected[np.abs(expected - modes.omega / (2 * np.pi)).argmin()]
         assert modes.omega / (2 * np.pi) == pytest.approx(nearest, rel=1e-9)
         alike = np.abs(expected[: COUNT - 1] / nearest - 1) < 1e-7
         if alike.any():  # the last band may be one of a pair that goes on
             assert modes.fields.shape[2] == alike.sum()
     # none of the lower ones is passed over
-    lowest = [exact_modes(*small(name), kappa, w).omega / (2 * np.pi) for w in guess[:5]]
+    lowest = [exact_modes(small(name)[0], kappa, w).omega / (2 * np.pi) for w in guess[:5]]
     assert lowest == pytest.approx(list(expected[:5]), rel=1e-9)
 
 
@@ -83,18 +83,18 @@ def test_a_pair_at_the_origin_is_found_as_a_pair():
     expected, guess = brute(name, tuple(kappa)), guesses(name, kappa)
     assert expected[3] == pytest.approx(expected[4], rel=1e-10), "bending along x and along y"
     for band in (3, 4, 6, 7, 8):
-        modes = exact_modes(*small(name), kappa, guess[band])
+        modes = exact_modes(small(name)[0], kappa, guess[band])
         assert modes.omega / (2 * np.pi) == pytest.approx(expected[band], rel=1e-9)
         assert modes.fields.shape == (len(modes.fields), 3, 1 if band == 8 else 2)
 
 
 def test_a_mode_that_hardly_moves_its_trace_is_found():
     shared, _ = small("reference")
-    poor = condensed(shared, 1, block=4, measured=False)
+    poor = shared.condensed(1, 4, measured=False)
     expected = brute("reference", tuple(ORIGIN))[5]
     guess = np.sqrt(eigenpairs(bloch_pencil(poor), ORIGIN, 6)[0][5])
     assert guess / (2 * np.pi) == pytest.approx(expected, rel=1e-5), "not a bad guess"
-    modes = exact_modes(shared, poor, ORIGIN, float(guess))
+    modes = exact_modes(shared, ORIGIN, float(guess))
     assert modes.omega / (2 * np.pi) == pytest.approx(expected, rel=1e-9)
 
 
@@ -108,8 +108,9 @@ CASES = [
 
 @pytest.mark.parametrize(("name", "kappa", "band"), CASES)
 def test_fields_are_orthonormal_bloch_waves_without_a_residual(name, kappa, band):
-    shared, _ = small(name)
-    modes = exact_modes(*small(name), kappa, guesses(name, kappa)[band])
+    tiled = small(name)[0]
+    (shared,), joint = tiled.meshes, tiled.joint
+    modes = exact_modes(tiled, kappa, guesses(name, kappa)[band])
     fields = modes.fields
     K, mass = whole(name)
     flat = fields.reshape(-1, fields.shape[2])
@@ -119,9 +120,9 @@ def test_fields_are_orthonormal_bloch_waves_without_a_residual(name, kappa, band
     assert np.abs(rayleigh / modes.omega**2 - np.eye(fields.shape[2])).max() < 1e-8
 
     topology = shared.mesh.topology
-    phase = np.exp(1j * (topology.rim_shift @ kappa))
+    phase = np.exp(1j * (joint.shift @ kappa))
     rim = fields[topology.rim]
-    repeated = phase[None, :, None, None] * rim[:, topology.rim_master]
+    repeated = phase[None, :, None, None] * rim[:, joint.master]
     assert np.abs(rim - repeated).max() < 1e-12 * np.abs(rim).max()
     trace = modes.trace.reshape(shared.levels, topology.rim.shape[1], 3, -1)
     assert np.abs(rim - np.tensordot(shared.through, trace, axes=1)).max() < 1e-12 * np.abs(rim).max()
@@ -135,5 +136,5 @@ def test_fields_are_orthonormal_bloch_waves_without_a_residual(name, kappa, band
 def test_a_guess_two_percent_off_finds_the_same_mode():
     name = "all at once"
     guess = guesses(name, GENERIC)[4]
-    here, there = (exact_modes(*small(name), GENERIC, guess * share) for share in (1.0, 1.02))
+    here, there = (exact_modes(small(name)[0], GENERIC, guess * share) for share in (1.0, 1.02))
     assert there.omega == pytest.approx(here.omega, rel=1e-10)

@@ -23,6 +23,7 @@ from haptonic.bloch.mirrors import (
 from haptonic.bloch.pencil import eigenpairs
 from haptonic.bloch.plate_waves import FAMILIES, PlainPlate
 from haptonic.errors import StudyError
+from haptonic.superelement import Tiling
 
 FREQUENCY = np.array([30e3, 45e3, 57e3, 90e3])  # Hz; only the third lies in the complete gap
 OBLIQUE = 0.5  # rad
@@ -37,7 +38,7 @@ def spectrum(angle: float = 0.0, loss_factor: float = 0.0) -> xr.Dataset:
 @cache
 def bands(phase: float) -> np.ndarray:
     """(steps, 12) frequencies of the pencil, Hz, for phases from 0 to pi across the rows."""
-    pencil, across = bloch_pencil(lattice()), np.linspace(0.0, np.pi, 31)
+    pencil, across = bloch_pencil(Tiling.single(lattice())), np.linspace(0.0, np.pi, 31)
     values = [eigenpairs(pencil, np.array([kappa, phase]), 12)[0] for kappa in across]
     return np.sqrt(np.maximum(values, 0.0)) / (2 * np.pi)
 
@@ -50,7 +51,7 @@ def crossings(phase: float, frequency: float) -> int:
 
 
 def test_waves_that_propagate_belong_to_bands_and_every_band_has_its_wave():
-    data, pencil = spectrum(), bloch_pencil(lattice())
+    data, pencil = spectrum(), bloch_pencil(Tiling.single(lattice()))
     counts = []
     for row, frequency in enumerate(FREQUENCY):
         moving = np.flatnonzero(data["kappa_imag"].values[row] < 1e-7)

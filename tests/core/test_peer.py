@@ -6,13 +6,13 @@ import numpy as np
 import pytest
 
 from haptonic.bloch import BlochModel, Resolution
-from haptonic.cell import Pillar, UnitCell
+from haptonic.cell import Pillar, Site, UnitCell
 from haptonic.lattice import Lattice
 from haptonic.materials import IsotropicMaterial
 
 pytest.importorskip("ngsolve")
 
-from peers.ngsolve_cell import PeerCell, meshed
+from peers.ngsolve_cell import PeerCell, meshed, meshed_sites
 
 INSIDE, CORNER = (1.1, 0.4), (np.pi, np.pi)
 COUNT = 8
@@ -76,3 +76,22 @@ def test_members_of_the_pillar_family_agree_with_the_peer(pillar):
         allowed = np.abs(coarse - fine) + own.error[moving]
         assert (np.abs(own.frequency[moving] - fine) < allowed).all()
         assert (allowed < 0.02 * fine).all()
+
+
+@pytest.mark.nightly
+@pytest.mark.parametrize("name", ["honeycomb", "kagome"])
+def test_cells_with_several_pillars_agree_with_the_peer(name):
+    """Each of another height; within half a percent."""
+    metal = IsotropicMaterial(70e9, 0.33, 2700.0, name="metal")
+    heights = [4 * MM, 5 * MM, 6 * MM][: 2 if name == "honeycomb" else 3]
+    lattice = Lattice(lattice=name, pitch=7 * MM)
+    site = tuple(Site(pillar=Pillar(1.6 * MM, height)) for height in heights)
+    cell = UnitCell(lattice, 1.5 * MM, metal, site=site)
+    model = BlochModel.of(cell, Resolution(4, 1), COUNT, measured=False, many=False)
+    same = PeerCell(7 * MM, 7 * MM, 1.5 * MM, 1.6 * MM, 5 * MM, 70e9, 0.33, 2700.0)
+    # the sites moved together, so that no foot crosses the parallelogram
+    places = ((cell.shares + (0.0 if name == "honeycomb" else 0.25)) % 1.0) @ lattice.vectors
+    peer = meshed_sites(same, lattice.vectors, places, heights)
+    for kappa in (INSIDE, (2 * np.pi / 3, 4 * np.pi / 3)):
+        expected = peer.solve(kappa, COUNT).frequencies
+        assert model.solve(np.array(kappa)).frequency == pytest.approx(expected, rel=5e-3)

@@ -11,7 +11,7 @@ from strategies import ALUMINIUM, reference_cell
 from haptonic.bloch.pencil import Pencil, Periodic, bloch_pencil, eigenpairs
 from haptonic.cell import MeshPlan, Pillar, UnitCell
 from haptonic.lattice import Lattice
-from haptonic.superelement import condense
+from haptonic.superelement import Tiling, condense
 
 phases = st.tuples(st.floats(-4, 4), st.floats(-4, 4)).map(np.array)
 seeds = st.integers(0, 2**32 - 1)
@@ -81,7 +81,7 @@ def test_slope_against_differences(seed, kappa, direction):
 @given(kappa=phases)
 def test_the_pencil_of_a_cell_is_its_matrices_between_bloch_fields(name, kappa):
     superelement = condensed(name)
-    pencil, periodic = bloch_pencil(superelement), Periodic.of(superelement)
+    pencil, periodic = bloch_pencil(Tiling.single(superelement)), Periodic.of(Tiling.single(superelement))
     P = periodic.expanded(np.eye(pencil.size), kappa)
     K, M = pencil.at(kappa)
     for small, large in ((K, superelement.stiffness), (M, superelement.mass)):
@@ -92,7 +92,7 @@ def test_the_pencil_of_a_cell_is_its_matrices_between_bloch_fields(name, kappa):
 
 @physical
 def test_blocks_reach_the_eight_neighbours_at_most_and_one_of_each_pair_is_kept(name):
-    pencil = bloch_pencil(condensed(name))
+    pencil = bloch_pencil(Tiling.single(condensed(name)))
     shifts = [tuple(s) for s in pencil.shifts.tolist()]
     assert shifts[0] == (0, 0)
     assert set(shifts) == {(0, 0), (0, 1), (1, -1), (1, 0), (1, 1)}
@@ -102,7 +102,7 @@ def test_blocks_reach_the_eight_neighbours_at_most_and_one_of_each_pair_is_kept(
 @physical
 @pytest.mark.parametrize("point", [(0, 0), (1, 0), (0, 1), (1, 1)])
 def test_the_pencil_is_real_where_minus_k_is_k(name, point):
-    for matrix in bloch_pencil(condensed(name)).at(np.pi * np.array(point)):
+    for matrix in bloch_pencil(Tiling.single(condensed(name))).at(np.pi * np.array(point)):
         assert np.abs(matrix.imag).max() < 1e-12 * np.abs(matrix).max()
 
 
@@ -110,7 +110,7 @@ def test_the_pencil_is_real_where_minus_k_is_k(name, point):
 @settings(max_examples=10)
 @given(kappa=phases)
 def test_waves_run_both_ways_and_repeat_with_the_reciprocal_lattice(name, kappa):
-    pencil = bloch_pencil(condensed(name))
+    pencil = bloch_pencil(Tiling.single(condensed(name)))
     values = eigenpairs(pencil, kappa, 8)[0]
     for same in (-kappa, kappa + 2 * np.pi * np.array([1, -1]), kappa * [1, -1], kappa * [-1, 1]):
         assert eigenpairs(pencil, same, 8)[0] == pytest.approx(values, rel=1e-8, abs=1e-8 * values[-1])
@@ -119,7 +119,7 @@ def test_waves_run_both_ways_and_repeat_with_the_reciprocal_lattice(name, kappa)
 @settings(max_examples=10)
 @given(kappa=phases)
 def test_the_square_cell_looks_the_same_along_both_axes(kappa):
-    pencil = bloch_pencil(condensed("square"))
+    pencil = bloch_pencil(Tiling.single(condensed("square")))
     values = eigenpairs(pencil, kappa, 6)[0]
     # the interior's Krylov space is not built to have the diagonal's symmetry
     assert eigenpairs(pencil, kappa[::-1], 6)[0] == pytest.approx(values, rel=1e-4, abs=1e-8 * values[-1])
@@ -127,7 +127,7 @@ def test_the_square_cell_looks_the_same_along_both_axes(kappa):
 
 @physical
 def test_eigenpairs_have_unit_mass_and_no_residual(name):
-    pencil = bloch_pencil(condensed(name))
+    pencil = bloch_pencil(Tiling.single(condensed(name)))
     kappa = np.array([0.7, 1.9])
     K, M = pencil.at(kappa)
     values, modes = eigenpairs(pencil, kappa, 5)

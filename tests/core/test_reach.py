@@ -16,7 +16,7 @@ from haptonic.bloch.settings import BandSettings
 from haptonic.cell import Pillar, UnitCell
 from haptonic.errors import ResourceError
 from haptonic.lattice import Lattice
-from haptonic.superelement import condense_by_parts
+from haptonic.superelement import Tiling, condense_by_parts
 
 PITCH = 6e-3
 
@@ -88,6 +88,7 @@ def test_twenty_bands_of_a_plain_plate_are_told_as_they_are(thickness):
         assert (np.abs(solution.frequency - exact) <= solution.error).all()
 
 
+@pytest.mark.nightly
 @given(st.floats(0.07, 0.15), st.floats(0.3, 0.6), st.floats(0.5, 2.0))
 @settings(max_examples=1)
 def test_many_bands_get_depth_rather_than_width(thickness, diameter, height):
@@ -96,5 +97,5 @@ def test_many_bands_get_depth_rather_than_width(thickness, diameter, height):
     whole = condense_by_parts(
         cell, resolution.plan(cell), resolution.steps, block=resolution.block, measured=False
     )
-    reduced = ReducedCell.of(whole, 40, np.inf)
+    reduced = ReducedCell.of(Tiling.single(whole), 40, np.inf)
     assert BlochModel(cell, resolution, 40, reduced, reduced.pencil).truncation < 4 * model.TRUSTED_TRUNCATION

@@ -11,20 +11,20 @@ from strategies import ALUMINIUM, lattices
 from truth import plain_plate
 
 from five_parts import refusing
+from haptonic.bloch.centred import lattice_pencil
 from haptonic.bloch.evanescent import Slab
 from haptonic.bloch.model import BlochModel
 from haptonic.bloch.pencil import eigenpairs
 from haptonic.bloch.resolution import Resolution
-from haptonic.bloch.supercell import Supercell
 from haptonic.bloch.symmetry import clusters
 from haptonic.bloch.tracking import diagram, group_velocity
-from haptonic.cell import MeshPlan, Pillar, UnitCell, mesh_cell
+from haptonic.cell import MeshPlan, Pillar, Site, UnitCell, mesh_cell
 from haptonic.elements import element_matrices
 from haptonic.errors import GeometryError, HaptonicError
 from haptonic.lattice import Lattice
 from haptonic.materials import OrthotropicMaterial
 from haptonic.study import loads
-from haptonic.superelement import condense
+from haptonic.superelement import Tiling, condense, repeated
 
 PITCH = 7e-3
 PLY = OrthotropicMaterial("ply", 40e9, 10e9, 9e9, 3e9, 2.5e9, 4e9, 3.1e9, 4.3e9, 5.7e9, density=1500.0)
@@ -54,10 +54,11 @@ def test_any_cell_is_filled_once_and_moved_by_its_operations(lattice, width, hei
     assert volume == pytest.approx(exact, rel=3e-4)
     for operation in cell.point_group.operations:
         moved = mesh.points @ cell.point_group.turn(operation).T
-        assert np.abs(mesh.points[mesh.topology.permutation(operation)] - moved).max() < 1e-9 * wide
+        nodes = mesh.topology.permutation(cell.moved_sides(cell.point_group.turn(operation)))
+        assert np.abs(mesh.points[nodes] - moved).max() < 1e-9 * wide
     rim = mesh.points[mesh.topology.rim]
-    offset = mesh.topology.rim_shift @ lattice.vectors
-    assert np.abs(rim[..., :2] - offset - rim[:, mesh.topology.rim_master, :2]).max() < 1e-12 * lattice.pitch
+    master, shift = repeated(rim[0, :, :2], lattice.vectors)
+    assert np.abs(rim[..., :2] - shift @ lattice.vectors - rim[:, master, :2]).max() < 1e-12 * lattice.pitch
 
 
 @pytest.mark.parametrize(
@@ -74,15 +75,15 @@ def test_plain_plates_of_any_lattice_have_their_waves_folded(lattice):
 
 @pytest.mark.parametrize("sides", [(8e-3, 13e-3), (8e-3, 8.1e-3)])
 def test_a_centred_lattice_is_a_rectangle_with_two_pillars(sides):
-    """Quarters of the rectangle with and without a pillar, joined by other code, have both wavevectors."""
+    """Quarters of the rectangle with and without a pillar, of other meshes, have both wavevectors."""
     cell = UnitCell(Lattice.centred(*sides), 1.5e-3, ALUMINIUM, Pillar(2e-3, 10e-3))
-    quarter = replace(cell, lattice=Lattice.rectangular(*(0.5 * side for side in sides)))
-    plan = MeshPlan.suited(quarter, 4, 2)
-    bare = MeshPlan(plan.order, 0, 0, outward=plan.outward, upward=plan.upward - 1)
-    full = condense(quarter, plan, 3, block=20, measured=False)
-    empty = condense(quarter.without_pillar(), bare, 3, block=20, measured=False)
+    pillars = {(0, 0): cell.pillar, (0.5, 0): None, (0, 0.5): None, (0.5, 0.5): cell.pillar}
+    sites = tuple(Site(at=at, pillar=pillar) for at, pillar in pillars.items())
+    quarters = replace(cell, lattice=Lattice.rectangular(*sides), pillar=None, site=sites)
+    assert all(one.tile.is_upright for one in quarters.tiles)
+    tiling = Tiling.condensed(quarters, Resolution(4, 2).plans(quarters), 3, 20, measured=False)
     k = np.array([60.0, 95.0])
-    values, _ = Supercell.of([[full, empty], [empty, full]]).eigenpairs(k * sides, 12)
+    values, _ = eigenpairs(lattice_pencil(tiling), k * sides, 12)
     found = [
         model(cell).solve(cell.lattice.vectors @ (k + turn)) for turn in ([0, 0], [2 * np.pi / sides[0], 0])
     ]
@@ -91,21 +92,23 @@ def test_a_centred_lattice_is_a_rectangle_with_two_pillars(sides):
     assert (np.abs(np.sort(frequency)[:12] - np.sqrt(values) / (2 * np.pi)) <= error).all()
 
 
-def test_a_triangular_lattice_is_an_oblique_one_of_equal_pitches():
-    """Another translation that is longer changes nothing, either; with fewer symmetries the basis differs.
+def test_a_longer_translation_spans_the_same_lattice():
+    longer = Lattice.oblique(PITCH, PITCH * np.sqrt(7), np.arctan2(np.sqrt(3), 5))
+    assert longer.vectors == pytest.approx(Lattice.oblique(PITCH, PITCH, np.pi / 3).vectors)
 
-    So the two agree within the error of one.
-    """
+
+@pytest.mark.parametrize(
+    "lattice",
+    [Lattice.oblique(PITCH, PITCH, np.pi / 3), Lattice.centred(PITCH, PITCH * np.sqrt(3))],
+    ids=["oblique", "centred"],
+)
+def test_a_triangular_lattice_is_an_oblique_one_of_equal_pitches(lattice):
+    """With fewer symmetries the basis differs, so the two agree within the error of one."""
     k = np.array([130.0, 210.0])
-    expected = model(CELL).solve(LATTICE.vectors @ k)
-    for lattice in (
-        Lattice.oblique(PITCH, PITCH, np.pi / 3),
-        Lattice.oblique(PITCH, PITCH * np.sqrt(7), np.arctan2(np.sqrt(3), 5)),
-        Lattice.centred(PITCH, PITCH * np.sqrt(3)),
-    ):
-        cell = replace(CELL, lattice=lattice)
-        found = model(cell).solve(lattice.vectors @ k)
-        assert (np.abs(found.frequency - expected.frequency) < expected.error).all()
+    expected, found = (
+        model(replace(CELL, lattice=each)).solve(each.vectors @ k) for each in (LATTICE, lattice)
+    )
+    assert (np.abs(found.frequency - expected.frequency) < expected.error).all()
 
 
 @pytest.mark.parametrize("order", [3, 4])
@@ -134,7 +137,7 @@ def test_pairs_of_the_six_fold_axis_and_of_the_corner_are_pairs():
 
 def test_the_bands_have_the_symmetry_of_the_lattice():
     kappa = np.array([0.9, 0.4])
-    pencil = model(CELL).fine.centred
+    pencil = model(CELL).fine.whole
     values = [
         np.sqrt(eigenpairs(pencil, np.linalg.inv(np.array(op)).T @ kappa, 8)[0])
         for op in CELL.point_group.operations

@@ -18,14 +18,14 @@ from haptonic.bloch.resolution import Resolution
 from haptonic.cell import Pillar, Step, UnitCell, mesh_cell
 from haptonic.lattice import Lattice
 from haptonic.materials import IsotropicMaterial, OrthotropicMaterial
-from haptonic.superelement import condense, condense_by_parts, on_each, substructured
+from haptonic.superelement import Tiling, condense, condense_by_parts, on_each, substructured
 from haptonic.superelement.pillar_body import PARITIES, PillarBody
 
 PLY = OrthotropicMaterial("ply", 20e9, 11e9, 9e9, 3e9, 2.5e9, 4e9, 3.1e9, 4.3e9, 5.7e9, density=1500.0)
 CORK = IsotropicMaterial(70e9, 0.0, 2700.0, name="no lateral contraction")
 LENGTH, RADIUS = 9e-3, 1.2e-3
 # parities of u, v, w in the four symmetry classes: a factor x or y changes sides with its component
-CLASSES = [tuple(((c == 0) ^ x, (c == 1) ^ y) for c in range(3)) for x, y in product((0, 1), repeat=2)]
+CLASSES = [tuple((((c == 0) ^ x, (c == 1) ^ y),) for c in range(3)) for x, y in product((0, 1), repeat=2)]
 CELLS = {
     "reference": (reference_cell(), (1.1, 2.3)),
     "square section": (
@@ -40,7 +40,7 @@ CELLS = {
 
 
 def pillar_body(material=ALUMINIUM, section="round", degree=3, order=16):
-    return PillarBody(2e-3, LENGTH, RADIUS, section, material, degree, order)
+    return PillarBody(2e-3, LENGTH, RADIUS, section, material, degree, order, kinds=1)
 
 
 def free_frequencies(body, count):
@@ -100,9 +100,9 @@ def test_the_polynomials_are_orthonormal_over_the_section(section, degree):
         y = np.outer(radius, np.sin(turn)).ravel()
         weight = np.repeat(0.5 * weights * radius, 40) * 2 * np.pi / 40
     for parity in PARITIES:
-        values = body.over_section(parity, RADIUS * x, RADIUS * y)
+        values = body.over_section((parity,), RADIUS * x, RADIUS * y)
         assert (values.T * weight) @ values == pytest.approx(np.eye(body.shapes), abs=1e-9)
-        turned = body.over_section(parity, -RADIUS * x, RADIUS * y)
+        turned = body.over_section((parity,), -RADIUS * x, RADIUS * y)
         assert turned == pytest.approx((-1) ** parity[0] * values)
 
 
@@ -140,7 +140,7 @@ def both(name, order=4):
     found = []
     for way in (condense, condense_by_parts):
         superelement = way(cell, plan, 3, block=20)
-        pencil = CentredPencil.of(superelement)
+        pencil = CentredPencil.of(Tiling.single(superelement))
         values, modes = eigenpairs(pencil, np.array(kappa), 10)
         fields = pencil.periodic.expanded(pencil.free(modes, np.array(kappa)), np.array(kappa))
         found.append((superelement, values, fields))
@@ -183,7 +183,7 @@ def test_two_steps_lead_to_the_characters_of_one(name):
     assert (one.name == other.name).all()
     for share in ("vertical", "pillar_strain", "pillar_kinetic"):
         assert getattr(other, share) == pytest.approx(getattr(one, share), abs=2e-3)
-    sizes = [superelement.measures.sections for superelement in (whole, parts)]
+    sizes = [superelement.measures.sections[0] for superelement in (whole, parts)]
     assert sizes[1].mass.sum() == pytest.approx(sizes[0].mass.sum(), rel=1e-6)
     assert sizes[1].inertia.sum() == pytest.approx(sizes[0].inertia.sum(), rel=1e-4)
     for ours, theirs in zip(sizes[1].energies(there), sizes[0].energies(here), strict=True):
@@ -193,10 +193,10 @@ def test_two_steps_lead_to_the_characters_of_one(name):
 def test_the_omission_tells_what_two_steps_lose():
     cell, kappa = CELLS["reference"]
     plan, kappa = Resolution(3, 1).plan(cell), np.array(kappa)
-    rich = CentredPencil.of(condense_by_parts(cell, plan, 4, block=30, measured=False))
+    rich = CentredPencil.of(Tiling.single(condense_by_parts(cell, plan, 4, block=30, measured=False)))
     exact = eigenpairs(rich, kappa, 10)[0]
     poor = condense_by_parts(cell, plan, 2, block=4, measured=False)
-    pencil = CentredPencil.of(poor)
+    pencil = CentredPencil.of(Tiling.single(poor))
     values, modes = eigenpairs(pencil, kappa, 10)
     fields = pencil.periodic.expanded(pencil.free(modes, kappa), kappa)
     lost = np.sqrt(values / exact) - 1
@@ -213,7 +213,7 @@ def test_designs_that_were_not_tried(diameter, height):
     cell = UnitCell(Lattice.square(pitch), 1.4e-3, ALUMINIUM, Pillar(diameter * pitch, height * pitch))
     plan, kappa = Resolution(3, 1).plan(cell), np.array([1.0, 2.2])
     one, other = (
-        eigenpairs(CentredPencil.of(way(cell, plan, 3, block=20, measured=False)), kappa, 8)[0]
+        eigenpairs(CentredPencil.of(Tiling.single(way(cell, plan, 3, block=20, measured=False))), kappa, 8)[0]
         for way in (condense, condense_by_parts)
     )
     assert np.sqrt(other / one) == pytest.approx(np.ones(8), abs=5e-4)

@@ -25,7 +25,7 @@ from haptonic.cell.pillar import Step
 from haptonic.errors import GeometryError
 from haptonic.lattice import Lattice
 from haptonic.materials import IsotropicMaterial, material
-from haptonic.superelement import condense, condense_by_parts
+from haptonic.superelement import Tiling, condense, condense_by_parts
 
 Array = NDArray[np.float64]
 
@@ -170,13 +170,13 @@ def _meshes(accuracy: float) -> tuple[tuple[int, int], ...]:
 def _unknowns(cell: UnitCell, plan: MeshPlan) -> int:
     """Of a mesh, a straight pillar's body left out, which can be condensed apart."""
     assert cell.pillar is not None
-    meshed = plan if cell.pillar.draft or cell.pillar.step else replace(plan, pillar_layers=1)
+    meshed = replace(plan, pillar_layers=1) if cell.pillar.is_prism else plan
     return 3 * sum(meshed.level_sizes)
 
 
 def _computed(cell: UnitCell, plan: MeshPlan, count: int, block: int) -> Array:
     by = condense if 3 * sum(plan.level_sizes) < WHOLE else condense_by_parts
-    pencil = CentredPencil.of(by(cell, plan, STEPS, block=block, measured=False))
+    pencil = CentredPencil.of(Tiling.single(by(cell, plan, STEPS, block=block, measured=False)))
     values = np.array([eigenpairs(pencil, kappa, count)[0] for kappa in wavevectors(cell)])
     return np.sqrt(np.maximum(values, 0.0)) / (2 * np.pi)
 

@@ -17,6 +17,7 @@ Lengths are scaled by the first pitch, stiffness by Young's modulus and mass by 
 is meshed or factorised: OpenCascade's tolerances are absolute, and the matrices are then of order one.
 """
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from itertools import pairwise
 from time import perf_counter
@@ -39,6 +40,7 @@ from netgen.occ import (
     Z,
     gp_Pnt,
     gp_Trsf,
+    gp_Vec,
 )
 from numpy.typing import NDArray
 from scipy.sparse.linalg import LinearOperator, eigsh
@@ -199,6 +201,57 @@ def meshed(
         mesh.RefineHP(foot_layers, factor=FOOT_RATIO)
     mesh.Curve(order)
     return CellModel(cell, mesh, order, perf_counter() - start)
+
+
+def meshed_sites(
+    cell: PeerCell,
+    vectors: NDArray[np.float64],
+    places: NDArray[np.float64],
+    heights: Sequence[float],
+    *,
+    order: int = 3,
+) -> CellModel:
+    """The same of a cell of any translations (2, 2), rows in m, with round pillars of the cell's diameter.
+
+    They stand on places (n, 2), m, inside the parallelogram of the translations; ``heights`` in m.
+    """
+    start = perf_counter()
+    unit = cell.pitch_x
+    one, other = (gp_Vec(*(float(v) for v in row / unit), 0.0) for row in vectors)
+    thickness, radius = cell.thickness / unit, cell.diameter / 2 / unit
+    origin = gp_Pnt(0.0, 0.0, 0.0)
+    corners = [origin, origin + one, origin + one + other, origin + other]
+    sides = [Segment(a, b) for a, b in pairwise([*corners, origin])]
+    body = Face(Wire(sides)).Extrude(thickness * Z)
+    for (x, y), height in zip(places / unit, heights, strict=True):
+        body += Cylinder((float(x), float(y), thickness), Z, r=radius, h=height / unit)
+    for foot in body.edges:
+        if abs(foot.center.z - thickness) < 1e-6 and any(
+            np.hypot(foot.center.x - x, foot.center.y - y) < 0.1 * radius for x, y in places / unit
+        ):
+            foot.maxh = 0.2 * cell.diameter / unit
+            foot.hpref = 1
+    middle = 0.5 * vectors.sum(axis=0) / unit
+    for name, row, shift in (("a1", 0, one), ("a2", 1, other)):
+        near = middle - 0.5 * vectors[row] / unit
+        low, high = (
+            min(body.faces, key=lambda face, at=at: np.linalg.norm(_centre(face) - [*at, 0.5 * thickness]))
+            for at in (near, near + vectors[row] / unit)
+        )
+        low.Identify(high, name, IdentificationType.PERIODIC, gp_Trsf.Translation(shift))
+    maxh = min(1.5 * cell.thickness, 0.7 * cell.diameter)
+    mesh = ng.Mesh(
+        OCCGeometry(body).GenerateMesh(
+            maxh=maxh / unit, grading=0.5, curvaturesafety=1.0, parallel_meshing=False
+        )
+    )
+    mesh.RefineHP(1, factor=FOOT_RATIO)
+    mesh.Curve(order)
+    return CellModel(cell, mesh, order, perf_counter() - start)
+
+
+def _centre(face: Any) -> NDArray[np.float64]:
+    return np.array([face.center.x, face.center.y, face.center.z])
 
 
 def _pillar(cell: PeerCell) -> Any:

@@ -17,7 +17,7 @@ from haptonic.results.result import Result
 from haptonic.results.runner import Runner
 from haptonic.results.tolerance import percent
 from haptonic.study.schema import Description
-from haptonic.workshop.shape import dimensions_of, in_mm
+from haptonic.workshop.shape import TRIANGLES, dimensions_of, in_mm
 
 KINDS = ("step", "dxf", "stl", "drawing")
 
@@ -119,6 +119,9 @@ class Workshop(Result):
 def check(study: Description, options: ExportOptions) -> None:
     """Refuse impossible numbers of cells before anything is computed."""
     in_mm(study.cell, options.columns, options.rows)
+    for kind, what in (("stl", TRIANGLES), ("drawing", "the drawing")):
+        if kind in options.kinds:
+            study.cell.check_one_site(what)
 
 
 def compute(study: Description, options: ExportOptions, runner: Runner) -> Workshop:

@@ -33,7 +33,7 @@ def need_carrier(study: Description) -> float:
 def need_rows(study: Description, what: str) -> None:
     """Raise HaptonicError unless the study can have a mirror at its carrier, made of rows of cells."""
     need_carrier(study)
-    study.cell.lattice.check_rectangular(what)
+    study.cell.check_simple(what)
 
 
 def response_settings(study: Description) -> ResponseSettings:
@@ -69,7 +69,9 @@ def gap_of_plate(study: Description, plate: Plate, carrier: float, runner: Runne
 
 def has_mirror(study: Description) -> bool:
     """Whether a mirror can be asked for: there is a carrier, and something that reflects."""
-    return study.carrier is not None and study.cell.pillar is not None and study.cell.lattice.is_rectangular
+    cell = study.cell
+    fits = cell.is_simple and cell.lattice.is_rectangular
+    return study.carrier is not None and cell.pillar is not None and fits
 
 
 def has_plate(study: Description) -> bool:

@@ -14,13 +14,14 @@ from threadpoolctl import threadpool_limits
 from haptonic.bloch.character import NAMES, characters
 from haptonic.bloch.gaps import Gap, complete_gaps, partial_gaps
 from haptonic.bloch.model import BlochModel, bloch_model, candidate_models
+from haptonic.bloch.pencil import Periodic
 from haptonic.bloch.settings import BandSettings
 from haptonic.bloch.tracking import Diagram, diagram
 from haptonic.bloch.wavevectors import wavevector_at
 from haptonic.bloch.zone import zone_surface
 from haptonic.cell import UnitCell
 from haptonic.gate import declared
-from haptonic.superelement import FoldedMesh, dynamic_stiffness
+from haptonic.superelement import TiledMesh
 
 Array = NDArray[np.float64]
 
@@ -61,12 +62,12 @@ def bands_dataset(
         dataset = dataset.merge(_surface_dataset(model))
     levels = [gap.centre for gap in gaps] or [float(along.frequency[:, -1].min())]
     checked, missed = count_check(model, levels)
-    plan = model.fine.superelement.mesh.topology.plan
+    tiling = model.fine.tiling
     dataset.attrs = {
-        "mesh": json.dumps(asdict(plan)),
-        "element_grids": json.dumps(model.fine.superelement.mesh.grids()),
-        "unknowns": model.fine.superelement.mesh.unknowns,
-        "condensed_unknowns": model.fine.superelement.size,
+        "mesh": _mesh_attribute(model),
+        "element_grids": json.dumps([grid for mesh in tiling.meshes for grid in mesh.grids()]),
+        "unknowns": sum(mesh.unknowns for mesh in tiling.meshes),
+        "condensed_unknowns": tiling.size,
         "basis_size": model.fine.pencil.size,
         "projection_error": model.fine.projection_error,
         "counts_checked": checked,
@@ -102,7 +103,7 @@ def gaps_dataset(cell: UnitCell, settings: BandSettings, *, above: int | None = 
     _describe(
         dataset, {"searched_up_to": ("Hz", "lowest value seen of the last band; above it more bands exist")}
     )
-    dataset.attrs["mesh"] = json.dumps(asdict(model.fine.superelement.mesh.topology.plan))
+    dataset.attrs["mesh"] = _mesh_attribute(model)
     return dataset
 
 
@@ -139,18 +140,19 @@ def count_check(model: BlochModel, frequencies: list[float]) -> tuple[int, int]:
     checked, missed : comparisons made, and bands that they found missing or too many
     """
     cell = model.cell
-    mesh = FoldedMesh.of(cell, model.fine.superelement.mesh.topology.plan)
-    periodic = model.fine.centred.periodic.without_modes(model.fine.superelement)
+    mesh = TiledMesh.of(cell, model.resolution.plans(cell))
+    periodic = Periodic.of_joint(mesh.joint)
     wavevectors, _ = cell.zone.triangles(2)
     checked = missed = 0
     for level in frequencies:
-        dynamic = dynamic_stiffness(mesh, 2 * np.pi * level)
+        dynamic = mesh.dynamic(2 * np.pi * level)
+        matrix, held = dynamic.matrix, dynamic.below
         for kappa in wavevectors:
             solution = model.solve(kappa)
             if (np.abs(solution.frequency - level) < 2 * solution.error).any():
                 continue
-            folded = periodic.hermitian(dynamic.matrix, kappa)
-            exact = dynamic.below + int((np.linalg.eigvalsh(folded) < 0).sum())
+            folded = periodic.hermitian(matrix, kappa)
+            exact = held + int((np.linalg.eigvalsh(folded) < 0).sum())
             found = int((solution.frequency < level).sum())
             if found < model.count or exact <= model.count:
                 checked += 1
@@ -159,21 +161,20 @@ def count_check(model: BlochModel, frequencies: list[float]) -> tuple[int, int]:
 
 
 def mode_shapes(model: BlochModel, kappa: Array) -> xr.Dataset:
-    """Fields of all modes at one wavevector on the mesh, with linear sub-cells for drawing."""
-    superelement = model.fine.superelement
+    """Fields of all modes at one wavevector on the meshes of all tiles, with linear sub-cells for drawing."""
+    tiling = model.fine.tiling
     solution = model.solve(kappa)
-    shapes = superelement.lifted(solution.fields)
+    shapes = tiling.lifted(solution.fields)
     largest = np.abs(shapes).max(axis=(0, 1))
     turned = shapes / largest
     for k in range(turned.shape[2]):  # turn the phase so that the real part is largest
         square = (turned[..., k] ** 2).sum()
         turned[..., k] *= np.exp(-0.5j * np.angle(square))
-    named = characters(superelement, solution.fields)
-    mesh = superelement.mesh
+    named = characters(tiling, solution.fields)
     dataset = xr.Dataset(
         {
-            "node_position": (("node", "xyz"), mesh.points),
-            "subcell": (("cell", "corner"), mesh.linear_subcells()),
+            "node_position": (("node", "xyz"), tiling.points),
+            "subcell": (("cell", "corner"), tiling.linear_subcells()),
             "mode_frequency": ("mode", solution.frequency),
             "mode_error": ("mode", solution.error),
             "mode_name": ("mode", named.name),
@@ -193,6 +194,12 @@ def mode_shapes(model: BlochModel, kappa: Array) -> xr.Dataset:
         "mode_imag": ("1", "displacement a quarter period earlier"),
     })  # fmt: skip
     return dataset
+
+
+def _mesh_attribute(model: BlochModel) -> str:
+    """The plans of the tiles, as text: of a single one itself."""
+    plans = [asdict(mesh.topology.plan) for mesh in model.fine.tiling.meshes]
+    return json.dumps(plans[0] if len(plans) == 1 else plans)
 
 
 def _describe(dataset: xr.Dataset, words: dict[str, tuple[str, str]]) -> None:

@@ -18,7 +18,7 @@ from numpy.typing import NDArray
 
 from haptonic.bloch.pencil import Fields, Pencil, Periodic, bloch_pencil
 from haptonic.lattice import HALF_TURN
-from haptonic.superelement import Superelement
+from haptonic.superelement import Tiling
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
@@ -28,7 +28,7 @@ STEP = 1e-3  # rad, of the differences that stand for derivatives at Gamma
 
 @dataclass(frozen=True)
 class CentredPencil:
-    """Pencil of a superelement as real symmetric matrices.
+    """Pencil of a tiling as real symmetric matrices.
 
     periodic : the free unknowns of the lattice
     pencil : Laurent pencil on combinations of free unknowns that are even or odd under the half-turn
@@ -46,19 +46,14 @@ class CentredPencil:
     translations: Array
 
     @classmethod
-    def of(cls, superelement: Superelement) -> CentredPencil:
+    def of(cls, tiling: Tiling) -> CentredPencil:
         """Centre the pencil of a cell that the half-turn leaves unchanged."""
-        periodic = Periodic.of(superelement)
-        laurent = bloch_pencil(superelement)
-        count, traces = len(periodic.free), superelement.trace_size
-        turn = superelement.mirror(HALF_TURN)
-        turned = np.arange(traces).reshape(superelement.levels, -1, 3)[:, turn.sites].ravel()
-        image = np.arange(count)
-        sign = np.ones(count)
-        on_trace = periodic.free < traces
-        image[on_trace] = periodic.number[turned[periodic.free[on_trace]]]
-        sign[on_trace] = np.diag(turn.turn)[periodic.free[on_trace] % 3]
-        sign[~on_trace] = superelement.half_turn_parity
+        periodic = Periodic.of(tiling)
+        laurent = bloch_pencil(tiling)
+        count, turned = len(periodic.free), tiling.half_turn()
+        assert turned is not None, "a cell that the half-turn changes"
+        source, signs, away = (one[periodic.free] for one in turned)
+        image, sign = periodic.number[source], signs
         # each orbit {j, image of j} gives an even and an odd combination; a single unknown is one of them
         j = np.arange(count)
         first, alone = j[j < image], j[j == image]
@@ -76,16 +71,14 @@ class CentredPencil:
             turned = (combinations.T @ half.reshape(-1, count).T).T.reshape(forms.shape)
             return np.asarray(turned.swapaxes(1, 2))
 
-        moved = np.where(on_trace, periodic.free % 3, 3)[:, None] == np.arange(3)
-        between = np.zeros((count, 2))  # an unknown and its image, to the next translation
-        between[on_trace] = periodic.shift[turned[periodic.free[on_trace]]]
+        between = periodic.shift[source] + away  # an unknown and its image, to the next translation
         return cls(
             periodic=periodic,
             pencil=Pencil(laurent.shifts, combined(laurent.stiffness), combined(laurent.mass)),
             combinations=combinations,
             offset=0.5 * between[np.concatenate([first, first, alone])],
             odd=np.concatenate([np.zeros(pairs, bool), np.ones(pairs, bool), sign[alone] < 0]),
-            translations=combinations.T @ moved.astype(float),
+            translations=combinations.T @ periodic.translations(tiling.trace_size),
         )
 
     @property
@@ -152,23 +145,91 @@ class CentredPencil:
         crossing = self.odd[:, None] != self.odd  # there K is odd in kappa, elsewhere it is even
         first = [np.where(crossing, A, 0.0) / STEP for A in (K1, K2)]
         bent = [np.where(crossing, 0.0, A - K) / STEP**2 for A in (K1, K2, K12)]
-        held = M @ self.translations
-        held /= np.sqrt(np.einsum("nk,nk->k", self.translations, held))
-        stiff = la.cho_factor(K + (np.trace(K) / np.trace(M)) * held @ held.T)
-        rest = la.cho_solve(stiff, held)  # along the translations, whatever the stiffness lent to them
-        rest /= np.sqrt(np.einsum("nk,nk->k", rest, M @ rest))
+        return _long_waves(K, M, self.translations, first, bent, -1.0)
 
-        def answer(load: Array) -> Array:
-            return np.asarray(la.cho_solve(stiff, load - held @ (rest.T @ load)))
+    def snapshots(self, modes: Array) -> Array:
+        """Real fields that span some modes."""
+        return modes
 
-        slopes = [answer(-A @ rest) for A in first]
-        (along_1, along_2), up = (slope[:, 2:] for slope in slopes), rest[:, 2:]
-        curvatures = [
-            answer(-2 * (first[0] @ along_1 + bent[0] @ up)),
-            answer(-2 * (first[1] @ along_2 + bent[1] @ up)),
-            answer(-first[0] @ along_2 - first[1] @ along_1 - (bent[2] - bent[0] - bent[1]) @ up),
-        ]
-        return np.hstack([rest, *slopes, *curvatures])
+
+@dataclass(frozen=True)
+class PhasedPencil:
+    """Pencil of a cell that half a turn does change, as Hermitian matrices; see `CentredPencil`.
+
+    A constant basis has to be real, so that time reversal, which takes kappa to -kappa, is kept.
+    """
+
+    periodic: Periodic
+    pencil: Pencil
+    translations: Array
+
+    @classmethod
+    def of(cls, tiling: Tiling) -> PhasedPencil:
+        periodic = Periodic.of(tiling)
+        return cls(periodic, bloch_pencil(tiling), periodic.translations(tiling.trace_size))
+
+    @property
+    def size(self) -> int:
+        return self.pencil.size
+
+    def at(self, kappa: Array) -> tuple[Complex, Complex]:
+        """(n, n) Hermitian stiffness and mass at the phases (2,)."""
+        return self.pencil.at(kappa)
+
+    def free(self, modes: Fields, kappa: Array) -> Complex:
+        """(n, k) free unknowns of the lattice: the modes."""
+        return np.asarray(modes, dtype=complex)
+
+    def projected(self, basis: Array) -> Pencil:
+        """The pencil on a constant real basis (n, r)."""
+        return self.pencil.projected(basis)
+
+    def near_rest(self) -> Array:
+        """(n, 12) as of a `CentredPencil`; the first derivatives are the imaginary part of the modes'."""
+        (K, M), (K1, _), (K2, _), (K12, _) = (
+            self.at(STEP * np.array(kappa)) for kappa in ((0, 0), (1, 0), (0, 1), (1, 1))
+        )
+        first = [A.imag / STEP for A in (K1, K2)]
+        bent = [(A - K).real / STEP**2 for A in (K1, K2, K12)]
+        return _long_waves(K.real, M.real, self.translations, first, bent, 1.0)
+
+    def snapshots(self, modes: Complex) -> Array:
+        """Real fields that span some modes, of unit mass at most."""
+        return np.hstack([modes.real, modes.imag])
+
+
+def _long_waves(
+    K: Array, M: Array, translations: Array, first: list[Array], bent: list[Array], twice: float
+) -> Array:
+    """(n, 12) translations and their derivatives, from those of the stiffness at Gamma.
+
+    first : with respect to each phase; bent : half the second ones, then what both together give
+    twice : -1, or +1 where first derivatives are imaginary and stand here without their i
+    """
+    held = M @ translations
+    held /= np.sqrt(np.einsum("nk,nk->k", translations, held))
+    stiff = la.cho_factor(K + (np.trace(K) / np.trace(M)) * held @ held.T)
+    rest = la.cho_solve(stiff, held)  # along the translations, whatever the stiffness lent to them
+    rest /= np.sqrt(np.einsum("nk,nk->k", rest, M @ rest))
+
+    def answer(load: Array) -> Array:
+        return np.asarray(la.cho_solve(stiff, load - held @ (rest.T @ load)))
+
+    slopes = [answer(-A @ rest) for A in first]
+    (along_1, along_2), up = (slope[:, 2:] for slope in slopes), rest[:, 2:]
+    curvatures = [
+        answer(2 * (twice * first[0] @ along_1 - bent[0] @ up)),
+        answer(2 * (twice * first[1] @ along_2 - bent[1] @ up)),
+        answer(twice * (first[0] @ along_2 + first[1] @ along_1) - (bent[2] - bent[0] - bent[1]) @ up),
+    ]
+    return np.hstack([rest, *slopes, *curvatures])
+
+
+def lattice_pencil(tiling: Tiling) -> CentredPencil | PhasedPencil:
+    """The pencil of a tiling, real if half a turn leaves the cell as it is."""
+    if HALF_TURN in tiling.cell.point_group:
+        return CentredPencil.of(tiling)
+    return PhasedPencil.of(tiling)
 
 
 @dataclass(frozen=True)

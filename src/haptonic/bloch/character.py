@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from haptonic.superelement import Superelement, on_each
+from haptonic.superelement import Tiling, on_each
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
@@ -45,43 +45,43 @@ class Character:
     name: NDArray[np.int64]
 
 
-def characters(superelement: Superelement, fields: Complex) -> Character:
-    """Character of modes given as (t + m, k) unknowns of a superelement.
+def characters(tiling: Tiling, fields: Complex) -> Character:
+    """Character of modes given as (t + m, k) unknowns of a tiling.
 
-    A mode whose kinetic energy is mostly in the pillar is named after the rigid motion of its sections
-    that carries most of it: bending (numbered by the nodes of its axis), traction, torsion. The others
-    are named after the plate's motion, out of its plane or in it: so are those that carry the pillar along.
-    A heavy pillar has most of the energy of a long wave without having a part in it.
+    A mode whose kinetic energy is mostly in the pillars is named after the rigid motion of their sections
+    that carries most of it: bending (numbered by the nodes of the axis of the pillar that has most of it),
+    traction, torsion. The others are named after the plate's motion, out of its plane or in it: so are those
+    that carry the pillars along. Heavy pillars have most of the energy of a long wave without having a part
+    in it.
     """
-    measures = superelement.measures
+    measures = tiling.measures
     assert measures is not None, "condense with measured=True"
-    kinetic = on_each(superelement.mass, fields)
+    kinetic = on_each(tiling.mass, fields)
     in_pillar = on_each(measures.pillar_mass, fields) / kinetic
     vertical = on_each(measures.vertical_mass, fields) / kinetic
-    strain = on_each(superelement.stiffness, fields)
+    strain = on_each(tiling.stiffness, fields)
     moving = strain > 1e-7 * strain.max()  # a rigid-body motion has no strain to share
     pillar_strain = np.divide(
         on_each(measures.pillar_stiffness, fields), strain, out=np.zeros_like(strain), where=moving
     )
     name = np.where(vertical > 0.5, FLEXURAL, IN_PLANE)
-    if superelement.cell.pillar is not None:
-        sections = measures.sections
-        motions = np.stack(sections.energies(fields))
-        kind = np.argmax(motions, axis=0)
-        bending = BENDING + np.minimum(sections.bending_nodes(fields), 3)
+    if measures.sections:
+        motions = np.array([one.energies(fields) for one in measures.sections])
+        kind = np.argmax(motions.sum(axis=0), axis=0)
+        nodes = np.array([one.bending_nodes(fields) for one in measures.sections])
+        most = motions.sum(axis=1).argmax(axis=0)
+        bending = BENDING + np.minimum(nodes[most, np.arange(len(most))], 3)
         of_pillar = np.choose(kind, [bending, np.full_like(kind, TRACTION), np.full_like(kind, TORSION)])
-        leads = (in_pillar > PILLAR_LEADS) & ~_carried(superelement, fields, kinetic, in_pillar)
+        leads = (in_pillar > PILLAR_LEADS) & ~_carried(tiling, fields, kinetic, in_pillar)
         name = np.where(leads, of_pillar, name)
     return Character(vertical, pillar_strain, in_pillar, np.where(moving, name, RIGID))
 
 
-def _carried(
-    superelement: Superelement, fields: Complex, kinetic: Array, in_pillar: Array
-) -> NDArray[np.bool_]:
-    """(k,) whether the pillar moves as the plate does below it, and little against its foot."""
-    assert superelement.measures is not None
-    sections, cell = superelement.measures.sections, superelement.cell
+def _carried(tiling: Tiling, fields: Complex, kinetic: Array, in_pillar: Array) -> NDArray[np.bool_]:
+    """(k,) whether the pillars move as the plate does below them, and little against their feet."""
+    assert tiling.measures is not None
+    sections, cell = tiling.measures.sections, tiling.cell
     plate = cell.material.density * cell.lattice.area * cell.thickness
     of_plate = (1.0 - in_pillar) * kinetic
-    as_fast = in_pillar * kinetic / sections.mass.sum() < CARRIED * of_plate / plate
-    return np.asarray(as_fast & (sections.against_foot(fields) < of_plate))
+    as_fast = in_pillar * kinetic / sum(one.mass.sum() for one in sections) < CARRIED * of_plate / plate
+    return np.asarray(as_fast & (sum(one.against_foot(fields) for one in sections) < of_plate))

@@ -15,7 +15,8 @@ import scipy.linalg as la
 from numpy.typing import NDArray
 from scipy.sparse.csgraph import connected_components
 
-from haptonic.superelement import Superelement
+from haptonic.cell import UnitCell
+from haptonic.superelement import Superelement, repeated
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
@@ -67,6 +68,19 @@ class FaceStiffness:
         return FaceStiffness(*(adjoint @ block @ basis for block in (self.LL, self.LR, self.RL, self.RR)))
 
 
+def row_cell(superelement: Superelement) -> UnitCell:
+    """The cell that rows consist of.
+
+    Raises
+    ------
+    GeometryError : several sites, or a lattice without right angles
+    """
+    cell = superelement.cell
+    assert isinstance(cell, UnitCell), "a tile by itself has no rows"
+    cell.check_simple("a row of cells")
+    return cell
+
+
 @dataclass(frozen=True)
 class Slab:
     """A cell between two of its lateral faces, at a fixed phase along them.
@@ -96,9 +110,9 @@ class Slab:
         ------
         GeometryError : a lattice without right angles
         """
-        superelement.cell.lattice.check_rectangular("a row of cells")
+        lattice = row_cell(superelement).lattice
         topology, levels = superelement.mesh.topology, superelement.levels
-        master, shift = topology.rim_master, topology.rim_shift
+        master, shift = repeated(superelement.mesh.points[topology.rim[0], :2], lattice.vectors)
         position = superelement.mesh.points[topology.rim[0], 1 - direction]
         face = np.unique(master[shift[:, direction] == 1])
         face = face[np.argsort(position[face])]

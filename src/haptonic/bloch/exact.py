@@ -9,7 +9,7 @@ import scipy.linalg as la
 from numpy.typing import NDArray
 
 from haptonic.bloch.pencil import Periodic
-from haptonic.superelement import FoldedMesh, Superelement, dynamic_stiffness
+from haptonic.superelement import TiledMesh
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
@@ -36,7 +36,7 @@ class ExactModes:
     trace: Complex
 
 
-def exact_modes(shared: FoldedMesh, superelement: Superelement, kappa: Array, omega: float) -> ExactModes:
+def exact_modes(shared: TiledMesh, kappa: Array, omega: float) -> ExactModes:
     """The mode of the mesh whose frequency is nearest to ``omega``, with all that are degenerate with it.
 
     Inverse iteration on whole fields: ``(K - s M) y = M x`` with a shift s a little below the eigenvalue,
@@ -45,18 +45,18 @@ def exact_modes(shared: FoldedMesh, superelement: Superelement, kappa: Array, om
 
     Parameters
     ----------
-    shared : the folded mesh; superelement : any condensation of it, for the order of its unknowns
+    shared : the folded meshes of the tiles
     omega : rad/s, of the reduced model
 
     Raises
     ------
     ArithmeticError : the iteration does not settle
     """
-    periodic = Periodic.of(superelement).without_modes(superelement)
+    periodic = Periodic.of_joint(shared.joint)
     turn = np.exp(1j * (periodic.shift @ kappa))[:, None]
     mass = shared.nodal_mass[:, None, None]
     shift = (1 - ASIDE) * omega**2
-    at_shift = dynamic_stiffness(shared, float(np.sqrt(shift)))
+    at_shift = shared.dynamic(float(np.sqrt(shift)))
     stiffness = periodic.hermitian(at_shift.matrix, kappa)
     factor = la.lu_factor(stiffness)  # nearly singular, as inverse iteration wants it
     offsets, vectors = la.eigh(stiffness, periodic.hermitian(at_shift.mass, kappa))
@@ -64,7 +64,7 @@ def exact_modes(shared: FoldedMesh, superelement: Superelement, kappa: Array, om
     trace = vectors[:, start][periodic.number] * turn
     fields, value = at_shift.lifted(trace), 0.0
     for _ in range(MOST_STEPS):
-        answer = dynamic_stiffness(shared, float(np.sqrt(shift)), mass * fields)
+        answer = shared.dynamic(float(np.sqrt(shift)), mass * fields)
         load = np.zeros((len(periodic.free), fields.shape[2]), dtype=complex)
         np.add.at(load, periodic.number, answer.force * turn.conj())
         trace = la.lu_solve(factor, load)[periodic.number] * turn

@@ -14,7 +14,7 @@ import numpy as np
 import scipy.linalg as la
 from numpy.typing import NDArray
 
-from haptonic.bloch.evanescent import FaceStiffness, Slab, Waves, bloch_waves
+from haptonic.bloch.evanescent import FaceStiffness, Slab, Waves, bloch_waves, row_cell
 from haptonic.bloch.plate_waves import FAMILIES, HIGHER, PlainPlate, PlateWaves
 from haptonic.errors import StudyError
 from haptonic.superelement import Superelement
@@ -117,8 +117,8 @@ class Interface:
         StudyError : waves too short for the places of a face
         GeometryError : a lattice without right angles
         """
-        vectors = superelement.cell.lattice.vectors
-        superelement.cell.lattice.check_rectangular("a row of cells")
+        cell = row_cell(superelement)
+        vectors = cell.lattice.vectors
         period = float(np.linalg.norm(vectors[1 - direction]))
         slab = Slab.of(superelement, wavenumber * period, direction)
         reach = (len(slab.positions) - 1) // 2
@@ -131,7 +131,7 @@ class Interface:
         levels = superelement.levels
         turning = np.exp(1j * np.outer(slab.positions, tangential))
         trace = np.einsum("pm,lj,cd->lpcmjd", turning, np.eye(levels), np.eye(3))
-        plate = PlainPlate.of(superelement.cell, levels, direction)
+        plate = PlainPlate.of(cell, levels, direction)
         return cls(slab, plate, tangential, period, trace.reshape(slab.size, -1))
 
     @classmethod
@@ -152,7 +152,7 @@ class Interface:
                 cause="such a wave does not come towards the layers",
                 next_step="give a smaller angle",
             )
-        plate = PlainPlate.of(superelement.cell, superelement.levels, direction)
+        plate = PlainPlate.of(row_cell(superelement), superelement.levels, direction)
         k = plate.wavenumber(omega, angle, family)
         if k is None:
             raise _no_such_wave(family, omega)

@@ -13,8 +13,8 @@ import scipy.linalg as la
 from numpy.typing import NDArray
 from threadpoolctl import threadpool_limits
 
-from haptonic.bloch.centred import CentredPencil, RealPencil
-from haptonic.bloch.pencil import Evaluated, Fields, eigenpairs
+from haptonic.bloch.centred import CentredPencil, PhasedPencil, RealPencil, lattice_pencil
+from haptonic.bloch.pencil import Evaluated, Fields, Pencil, eigenpairs
 from haptonic.bloch.resolution import (
     LADDER,
     SHARED,
@@ -30,7 +30,7 @@ from haptonic.brillouin import IrreducibleZone
 from haptonic.cell import UnitCell
 from haptonic.cell.plan import USUAL_BANDS
 from haptonic.errors import ResourceError
-from haptonic.superelement import Superelement, condense_by_parts, definite, on_each
+from haptonic.superelement import Tiling, definite, on_each
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
@@ -56,33 +56,33 @@ REST = 1e-4  # share of the highest frequency below which a mode counts as a rig
 class ReducedCell:
     """A condensed cell in a small basis that serves the whole irreducible zone, long waves included.
 
-    superelement : the condensed cell; centred : its real pencil
+    tiling : the condensed cell; whole : its pencil
     pencil : on the small basis; basis : (free unknowns, r)
     projection_error : relative error of a frequency that the basis may add, seen at wavevectors that had
         not gone into it then
     rounding : (rad/s)^2, by how much rounding moves the eigenvalues of rest modes
     """
 
-    superelement: Superelement
-    centred: CentredPencil
-    pencil: RealPencil
+    tiling: Tiling
+    whole: CentredPencil | PhasedPencil
+    pencil: RealPencil | Pencil
     basis: Array
     projection_error: float
     rounding: float
 
     @classmethod
     @definite()
-    def of(cls, superelement: Superelement, count: int, goal: float) -> ReducedCell:
+    def of(cls, tiling: Tiling, count: int, goal: float) -> ReducedCell:
         """Enrich a basis until it adds no more than ``goal`` (relative) to ``count`` frequencies.
 
         An infinite goal asks for a first basis without any check.
         """
-        full = CentredPencil.of(superelement)
-        _, mass = full.at(np.zeros(2))
+        full = lattice_pencil(tiling)
+        mass = full.at(np.zeros(2))[1].real
         rest = _orthonormal(full.near_rest(), mass)
         snapshots: list[Array] = []
         error, small, basis, lost = np.inf, None, rest, LOST_DIRECTION
-        for wavevectors in _training(superelement.cell.zone):
+        for wavevectors in _training(tiling.cell.zone):
             values, modes = zip(
                 *(eigenpairs(full, kappa, count + SPARE_MODES) for kappa in wavevectors), strict=True
             )
@@ -93,7 +93,7 @@ class ReducedCell:
                     for above, exact in zip(found, values, strict=True)
                 )
                 lost *= TIGHTER if error > goal else 1.0
-            snapshots += modes
+            snapshots += [full.snapshots(found) for found in modes]
             new = np.hstack(snapshots)
             for _ in range(2):  # one pass of Gram and Schmidt is not enough
                 new = new - rest @ (rest.T @ (mass @ new))
@@ -103,11 +103,11 @@ class ReducedCell:
                 break
         assert small is not None
         rounding = float(np.abs(eigenpairs(small, np.zeros(2), 3)[0]).max())
-        return cls(superelement, full, small, basis, error, rounding)
+        return cls(tiling, full, small, basis, error, rounding)
 
     def expanded(self, modes: Fields, kappa: Array) -> Complex:
-        """(t + m, k) unknowns of the superelement from (r, k) modes of the small pencil."""
-        return self.centred.periodic.expanded(self.centred.free(self.basis @ modes, kappa), kappa)
+        """(t + m, k) unknowns of the tiling from (r, k) modes of the small pencil."""
+        return self.whole.periodic.expanded(self.whole.free(self.basis @ modes, kappa), kappa)
 
 
 def _training(zone: IrreducibleZone) -> Iterator[Array]:
@@ -135,7 +135,7 @@ class Solution:
 
     kappa : (2,) phases, rad
     frequency, error : (k,) Hz; the error bounds the distance to the exact frequency of the model
-    fields : (t + m, k) unknowns of the superelement, unit mass
+    fields : (t + m, k) unknowns of the tiling, unit mass
     modes : (r, k) the same in the small basis; real, unless degenerate ones were turned
     """
 
@@ -186,20 +186,20 @@ class BlochModel:
         many : whether errors will be asked for at many wavevectors: the coarse pencil is reduced then
         """
         resolution = resolution.for_bands(count)
-        plan, goal = resolution.plan(cell), resolution.projection_goal
+        goal = resolution.projection_goal
         steps, block = resolution.steps, resolution.block
 
         def lowered() -> Evaluated:
-            lower = condense_by_parts(cell, plan.lowered(cell), steps, block=block, measured=False)
+            lower = Tiling.condensed(cell, resolution.lowered(cell), steps, block, measured=False)
             # of a thin plate, or of many bands, a first basis told 3 % where 0.06 % were to be told
             checked = goal if cell.is_thin or count > USUAL_BANDS else np.inf
-            return ReducedCell.of(lower, count, checked).pencil if many else CentredPencil.of(lower)
+            return ReducedCell.of(lower, count, checked).pencil if many else lattice_pencil(lower)
 
         # these matrices are too small for threads inside the linear algebra; both models share the threads
         # that symmetry classes are given to, the larger one first
         with threadpool_limits(1), ThreadPoolExecutor(1) as aside:
             coarse = aside.submit(lowered)
-            whole = condense_by_parts(cell, plan, steps, block=block, measured=measured)
+            whole = Tiling.condensed(cell, resolution.plans(cell), steps, block, measured=measured)
             return cls(cell, resolution, count, ReducedCell.of(whole, count, goal), coarse.result())
 
     def frequencies(self, kappa: Array) -> Array:
@@ -227,7 +227,7 @@ class BlochModel:
 
     def _lost(self, values: Array, fields: Complex) -> Array:
         """(k,) Hz by which the interior fields that were left out would lower each of k modes."""
-        left_out = np.abs(on_each(self.fine.superelement.truncation, fields))
+        left_out = np.abs(on_each(self.fine.tiling.truncation, fields))
         return np.asarray(0.5 * FIRST_ORDER * values * left_out * _hertz(values))
 
     @cached_property
@@ -325,10 +325,10 @@ def candidate_models(
     spent, reached, refused, grown = 0.0, math.inf, None, 0
     for rung in LADDER[first_rung(cell, accuracy) :] if resolution is None else (resolution,):
         tried = rung.for_bands(count)
-        plan = tried.plan(cell)
-        if plan == refused:  # without a pillar rings make no difference
+        plans = tried.plans(cell)
+        if plans == refused:  # without a pillar rings make no difference
             continue
-        refused = plan
+        refused = plans
         for _ in range(grown):  # what the mesh before lacked inside this one would lack as well
             tried = tried.grown()
         while True:

@@ -14,7 +14,7 @@ import numpy as np
 import scipy.linalg as la
 from numpy.typing import NDArray
 
-from haptonic.superelement import Superelement, definite
+from haptonic.superelement import Joint, Tiling, definite
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
@@ -70,7 +70,7 @@ class Pencil:
 
 @dataclass(frozen=True)
 class Periodic:
-    """How the unknowns of a superelement follow from the free ones of a lattice: a phase and a number.
+    """How the unknowns of a tiling follow from the free ones of its lattice: a phase and a number.
 
     free : (n,) the free unknowns among all; number : (t + m,) free unknown behind each
     shift : (t + m, 2) integer translation from the free unknown to this one
@@ -81,28 +81,29 @@ class Periodic:
     shift: Ints
 
     @classmethod
-    def of(cls, superelement: Superelement) -> Periodic:
-        topology = superelement.mesh.topology
-        places = topology.rim.shape[1]
-        trace = np.arange(superelement.trace_size).reshape(superelement.levels, places, 3)
-        master = trace[:, topology.rim_master].ravel()
-        modes = np.arange(superelement.trace_size, superelement.size)
-        source = np.concatenate([master, modes])
-        free, number = np.unique(source, return_inverse=True)
+    def of(cls, tiling: Tiling) -> Periodic:
+        return cls.of_joint(tiling.joint, tiling.size - tiling.trace_size)
+
+    @classmethod
+    def of_joint(cls, joint: Joint, modes: int = 0) -> Periodic:
+        """Of traces, and of so many modes behind them, which are free."""
+        master = joint.unknowns[:, joint.master]
+        source = np.arange(joint.size + modes)
         shift = np.zeros((len(source), 2), dtype=np.int64)
-        along = np.broadcast_to(topology.rim_shift[None, :, None, :], (superelement.levels, places, 3, 2))
-        shift[: superelement.trace_size] = along.reshape(-1, 2)
+        source[joint.unknowns] = master
+        shift[joint.unknowns] = joint.shift[:, None]
+        free, number = np.unique(source, return_inverse=True)
         return cls(free, number, shift)
+
+    def translations(self, traces: int) -> Array:
+        """(n, 3) unit motions along x, y and z as free unknowns; the first ``traces`` are a trace."""
+        return np.asarray(
+            (self.free[:, None] < traces) & (self.free[:, None] % 3 == np.arange(3)), dtype=float
+        )
 
     def expanded(self, fields: Complex, kappa: Array) -> Complex:
         """(t + m, k) unknowns of one cell from the free ones (n, k)."""
         return np.asarray(fields[self.number] * np.exp(1j * (self.shift @ kappa))[:, None])
-
-    def without_modes(self, superelement: Superelement) -> Periodic:
-        """The same for the trace alone."""
-        trace = slice(0, superelement.trace_size)
-        free, number = np.unique(self.free[self.number[trace]], return_inverse=True)
-        return Periodic(free, number, self.shift[trace])
 
     def hermitian(self, form: Array, kappa: Array) -> Complex:
         """``P(kappa)* form P(kappa)`` on the free unknowns."""
@@ -116,20 +117,26 @@ class Periodic:
         groups = {
             tuple(s): np.flatnonzero((self.shift == s).all(axis=1)) for s in np.unique(self.shift, axis=0)
         }
+        # sides within a cell make several unknowns one
+        several = any(len(np.unique(self.number[rows])) < len(rows) for rows in groups.values())
         for s, rows in groups.items():
             for t, columns in groups.items():
                 step = (int(t[0] - s[0]), int(t[1] - s[1]))
                 if step < (0, 0):
                     continue  # the transpose of its opposite
                 block = blocks.setdefault(step, np.zeros((len(self.free),) * 2))
-                block[np.ix_(self.number[rows], self.number[columns])] += form[np.ix_(rows, columns)]
+                there = np.ix_(self.number[rows], self.number[columns])
+                if several:  # np.add.at takes longer
+                    np.add.at(block, there, form[np.ix_(rows, columns)])
+                else:
+                    block[there] += form[np.ix_(rows, columns)]
         return blocks
 
 
-def bloch_pencil(superelement: Superelement) -> Pencil:
-    """Pencil of the infinite lattice of a superelement."""
-    periodic = Periodic.of(superelement)
-    stiffness, mass = (periodic.pencil_blocks(f) for f in (superelement.stiffness, superelement.mass))
+def bloch_pencil(tiling: Tiling) -> Pencil:
+    """Pencil of a tiling that is repeated without end."""
+    periodic = Periodic.of(tiling)
+    stiffness, mass = (periodic.pencil_blocks(f) for f in (tiling.stiffness, tiling.mass))
     return Pencil(
         shifts=np.array(list(stiffness)),
         stiffness=np.stack(list(stiffness.values())),

@@ -3,27 +3,23 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 import psutil
 
-from haptonic.cell import MeshPlan, UnitCell
+from haptonic.cell import MeshPlan, Pillar, TileShape, UnitCell
 from haptonic.cell.plan import THIN_PLATE, USUAL_BANDS
 from haptonic.errors import GeometryError, ResourceError
+from haptonic.superelement.symmetry import folds_of
 from haptonic.superelement.trace import trace_levels
 
-MEASURED = {
-    (3, 1): 0.57,
-    (4, 1): 0.9,
-    (5, 1): 1.3,
-    (5, 2): 0.6,
-    (6, 2): 1.2,
-}  # by order and rings, see `remaining`
+MEASURED = {(3, 1): 0.45, (4, 1): 0.75, (5, 1): 1.0, (5, 2): 0.6, (6, 2): 1.0}  # see `remaining`
 PER_ANSWER, PER_CUBE = 4e-7, 1e-8  # s, see `seconds`
 LEAST_ORDER = 2  # that a study can ask for
 LEAST_STEPS, WIDEST = 2, 40  # of an interior's blocks: fewest, and the size from which depth counts
 UNRESOLVED = 25.0  # see `Resolution.unresolved`
-SHARED = 1.5  # of the bands' mean relative distance to the next lower orders that every band's error gets
+SHARED = 1.0  # of the bands' mean relative distance to the next lower orders that every band's error gets
 
 # Rounding of a plate's stiffness grows as the fourth power of pitch over thickness: at 1/400 it spoilt the
 # estimates of a plain plate, and at 1/1000 it moved the lowest band by 0.7 %.
@@ -62,13 +58,30 @@ class Resolution:
         """The same with more of the interior: what is left out falls by about ten."""
         return replace(self, steps=self.steps + 1, block=self.block * 3 // 2)
 
-    def plan(self, cell: UnitCell) -> MeshPlan:
-        return MeshPlan.suited(cell, self.order, self.foot_rings, self.bands)
+    def plan(self, tile: TileShape, share: float = 1.0) -> MeshPlan:
+        """Plan of a tile whose area is a share of the cell's."""
+        return MeshPlan.suited(tile, self.order, self.foot_rings, self.bands * share)
 
-    def _meshed(self, cell: UnitCell) -> MeshPlan:
-        """The plan without a prism's body, which takes next to nothing."""
-        plan, pillar = self.plan(cell), cell.pillar
-        return plan if pillar is None or pillar.draft or pillar.step else replace(plan, pillar_layers=1)
+    def plans(self, cell: UnitCell) -> tuple[MeshPlan, ...]:
+        """Plan of each tile of a cell; their sides meet."""
+        tiles = [one.tile for one in cell.tiles]
+        return meeting([self.plan(tile, tile.area / cell.lattice.area) for tile in tiles])
+
+    def lowered(self, cell: UnitCell) -> tuple[MeshPlan, ...]:
+        """The same blocks with orders one lower, to tell the error by."""
+        tiles = [one.tile for one in cell.tiles]
+        return meeting([
+            plan.lowered(tile) for plan, tile in zip(self.plans(cell), tiles, strict=True)
+        ])  # fmt: skip
+
+    def _meshed(self, cell: UnitCell) -> list[tuple[TileShape, MeshPlan]]:
+        """Tiles that differ and their plans, without the bodies of prisms, which take next to nothing."""
+        made = {}
+        for one, plan in zip(cell.tiles, self.plans(cell), strict=True):
+            pillar = one.tile.pillar
+            whole = pillar is None or not pillar.is_prism
+            made[id(one.tile)] = one.tile, plan if whole else replace(plan, pillar_layers=1)
+        return list(made.values())
 
     @property
     def projection_goal(self) -> float:
@@ -81,20 +94,20 @@ class Resolution:
         That distance is a band's own plus ``SHARED`` times the mean of all. At the re-entrant edge (270
         degrees) stress grows as r^-0.4555, so on a given mesh the error of a frequency falls as
         order^(-4 * 0.5445) once the edge is all that is left of it. Before that the smooth part still counts,
-        the error falls faster, and the factors are measured ones: on forty designs, with a tenth to a
-        third of room, while the worst band's distance was shared and counted twice. They give as much now,
-        and more, where all bands are equally far. Eleven other designs needed no more than 0.55 with order 3
-        and 0.43 with order 4 of half the mean's share; a twelfth, two of whose bands nearly met, needed 1.35
-        of the mean. With two rings or more the edge never leads up to order 6,
-        which is taken to hold beyond. A step is another re-entrant edge, towards which the mesh is graded as
-        towards the foot; above a fillet it is not, and the edge is taken to lead from the start: with order 3
-        one needed 1.1. A plain plate has no edge: eight needed 0.14 where bands were resolved; `unresolved`
-        stands for the others.
+        the error falls faster, and the factors are measured ones. Of 32 designs with a pillar none needed
+        more than 0.32 with order 3 and 0.53 with order 4; with order 5 the edge led in one that needed 0.61,
+        in six others 0.13 was enough. With two rings or more the edge never leads up to order 6, which is
+        taken to hold beyond. A step is another re-entrant edge, towards which the mesh is graded as towards
+        the foot; above a fillet it is not, and the edge is taken to lead from the start. A plain plate has no
+        edge: eight needed 0.14 where bands were resolved; `unresolved` stands for others.
         """
-        if cell.pillar is None:
+        return max(self._remaining(one.tile.pillar) for one in cell.tiles)
+
+    def _remaining(self, pillar: Pillar | None) -> float:
+        if pillar is None:
             return 0.2
         of_the_edge = max(1.0 / float((self.order / (self.order - 1)) ** (4 * 0.5445) - 1.0), 1.3)
-        if cell.pillar.step is not None and cell.pillar.fillet:  # its edge is not graded
+        if pillar.step is not None and pillar.fillet:  # its edge is not graded
             return of_the_edge
         if self.foot_rings >= 2:
             return MEASURED.get((self.order, 2), MEASURED[6, 2])
@@ -106,22 +119,24 @@ class Resolution:
         Without an edge each order divides the error, by the more the better a wave is resolved. A band that
         was 0.013 from order 4 needed 0.27 of it at order 5, one that was 0.029 from order 3 0.58 at order 4.
         """
-        return UNRESOLVED if cell.pillar is None else 0.0
+        return 0.0 if cell.has_pillars else UNRESOLVED
 
     def memory(self, cell: UnitCell) -> float:
         """Estimate of the peak memory, bytes, set to be a little above what orders 3 to 6 were seen to take.
 
         It counts dense answers to the trace, the sparse factor, element matrices and the condensed ones.
         """
-        plan = self._meshed(cell)
-        nodes = sum(plan.level_sizes)
-        trace = 3 * 4 * plan.side * (plan.upward + 1)
-        quarter = 3 * nodes / 4
+        return 2.5e8 + sum(self._memory(tile, plan) for tile, plan in self._meshed(cell))
+
+    def _memory(self, tile: TileShape, plan: MeshPlan) -> float:
+        nodes, classes = sum(plan.level_sizes), 2 ** len(folds_of(tile))
+        trace = 3 * plan.sides * plan.side * (plan.upward + 1)
+        quarter = 3 * nodes / classes  # of the nodes, where there are two mirrors
         across, along, upward = plan.outward + 1, plan.order + 1, plan.upward + 1
-        pairs = nodes / 4 * 3 * (across * along + along * upward + across * upward)
-        return 2.5e8 + 17.6 * float(
-            4 * quarter * trace / 4  # static answers of one class, and work space
-            + 3 * quarter * (trace / 4 + 13 + self.steps * self.block)  # what the classes keep for lifting
+        pairs = nodes / classes * 3 * (across * along + along * upward + across * upward)
+        return 17.6 * float(
+            4 * quarter * trace / classes  # static answers of one class, and work space
+            + 3 * quarter * (trace / classes + 13 + self.steps * self.block)  # what is kept for lifting
             + 60 * quarter ** (4 / 3)  # factors of two threads
             + 9 * 2 * pairs  # stiffness between pairs of nodes, and work space
             + 60 * (trace / 2 + 150) ** 2  # pencils
@@ -135,11 +150,38 @@ class Resolution:
         to 0.42 us for each. With many bands it is the condensed pencil, whose modes at two dozen wavevectors
         make the small basis: 6 to 18 ns for the cube of its size, of 600 to 1,600.
         """
-        plan = self._meshed(cell)
-        directions = 4 * self.steps * self.block
-        answers = 4 * 3 * plan.side * plan.plate_levels + directions
-        pencil = 6 * plan.side * trace_levels(plan) + directions
-        return PER_ANSWER * sum(plan.level_sizes) * answers + PER_CUBE * pencil**3
+        needed, pencil = 0.0, 0
+        for tile, plan in self._meshed(cell):
+            classes = 2 ** len(folds_of(tile))
+            directions = 4 * self.steps * self.block
+            answers = plan.sides * 3 * plan.side * plan.plate_levels + directions
+            # what is folded less has as many answers in all, each of more unknowns
+            needed += PER_ANSWER * sum(plan.level_sizes) * answers * 4 / classes
+        for plan in self.plans(cell):
+            pencil += plan.sides * 3 * plan.side * trace_levels(plan) // 2 + directions
+        return needed + PER_CUBE * pencil**3
+
+
+def meeting(plans: Sequence[MeshPlan]) -> tuple[MeshPlan, ...]:
+    """Plans of tiles with the same nodes on common sides: as many as any of them needs.
+
+    The same of the levels of their traces; a plain plate gets as many orders through it.
+    """
+    if len(plans) == 1:
+        return tuple(plans)
+    blocks = max(plan.blocks for plan in plans)
+    order = max(plan.order if plan.blocks == blocks else (plan.order + 1) // 2 + 1 for plan in plans)
+    levels = max(trace_levels(replace(plan, levels=0)) for plan in plans)
+    return tuple(
+        replace(
+            plan,
+            blocks=blocks,
+            order=order,
+            levels=levels,
+            upward=plan.upward if plan.plate_levels >= levels else levels - 1,
+        )
+        for plan in plans
+    )
 
 
 # Each rung costs about twice the one before; orders grow, the foot is graded further.
@@ -171,9 +213,14 @@ def first_rung(cell: UnitCell, accuracy: float) -> int:
     Between pillars that nearly touch on a thin plate the rungs told 1.3 to 1.8 times what they do elsewhere.
     Of a plain plate order 3 told 3 to 8 %, whatever was asked: its lower order has parabolas for plate waves.
     """
-    if cell.pillar is None:
+    if not cell.has_pillars:
         return max(starting_rung(accuracy), 1)
-    narrow = cell.thickness < THIN_PLATE * cell.inradius and cell.clearance < cell.thickness
+    narrow = any(
+        one.tile.pillar is not None
+        and cell.thickness < THIN_PLATE * one.tile.inradius
+        and one.tile.clearance < cell.thickness
+        for one in cell.tiles
+    )
     return min(starting_rung(accuracy) + narrow, len(LADDER) - 1)
 
 
@@ -194,7 +241,7 @@ def started(cell: UnitCell, count: int, accuracy: float) -> list[Resolution]:
     well. A plain plate has no edge, and the first was enough for it.
     """
     first = first_rung(cell, accuracy)
-    return [rung.for_bands(count) for rung in LADDER[first : first + (1 if cell.pillar is None else 2)]]
+    return [rung.for_bands(count) for rung in LADDER[first : first + (2 if cell.has_pillars else 1)]]
 
 
 def most_bands(cell: UnitCell, fewer_than: int, accuracy: float) -> int:

@@ -9,7 +9,6 @@ import scipy.linalg as la
 from numpy.typing import NDArray
 
 from haptonic.lattice import Operation, PointGroup
-from haptonic.superelement import TraceOperation
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
@@ -30,13 +29,13 @@ def clusters(frequency: Array, tolerance: float = SAME) -> list[slice]:
     return [slice(a, b) for a, b in pairwise(ends)]
 
 
-def sorted_by_parity(trace: Complex, mirror: TraceOperation, groups: list[slice]) -> tuple[Complex, Array]:
+def sorted_by_parity(trace: Complex, image: Complex, groups: list[slice]) -> tuple[Complex, Array]:
     """Turn degenerate modes so that each is even or odd.
 
     Parameters
     ----------
     trace : (t, k) traces of the modes on one cell, phases included
-    mirror : a reflection of the wavevector's little group
+    image : the same in a reflection of the wavevector's little group
     groups : degenerate groups of the modes
 
     Returns
@@ -47,7 +46,6 @@ def sorted_by_parity(trace: Complex, mirror: TraceOperation, groups: list[slice]
     count = trace.shape[1]
     turn = np.zeros((count, count), dtype=complex)
     parity = np.empty(count)
-    image = mirror.applied(trace)
     for group in groups:
         own = trace[:, group]
         overlap, norm = own.conj().T @ image[:, group], own.conj().T @ own
@@ -63,7 +61,7 @@ def sorted_by_parity(trace: Complex, mirror: TraceOperation, groups: list[slice]
 MULLIKEN = {"x+ y+ d+": "A1", "x- y- d-": "A2", "x+ y+ d-": "B1", "x- y- d+": "B2"}
 
 
-def corner_labels(trace: Complex, mirrors: dict[str, TraceOperation], groups: list[slice]) -> list[str]:
+def corner_labels(trace: Complex, images: dict[str, Complex], groups: list[slice]) -> list[str]:
     """How modes at a corner of the zone behave under all mirrors of its little group.
 
     A single mode is even (+) or odd (-) under each of them, such as ``x+ y-``; where all mirrors of the
@@ -72,7 +70,7 @@ def corner_labels(trace: Complex, mirrors: dict[str, TraceOperation], groups: li
     Parameters
     ----------
     trace : (t, k) traces of the modes; groups : degenerate groups of them
-    mirrors : by name, see `haptonic.lattice.PointGroup.mirrors`
+    images : the same in the mirrors, by name, see `haptonic.lattice.PointGroup.mirrors`
     """
     labels: list[str] = []
     for group in groups:
@@ -80,14 +78,14 @@ def corner_labels(trace: Complex, mirrors: dict[str, TraceOperation], groups: li
         norm = own.conj().T @ own
         # the character of a reflection: its trace on the group, whatever basis the solver chose
         characters = {
-            name: float(np.trace(la.solve(norm, own.conj().T @ mirror.applied(own))).real)
-            for name, mirror in mirrors.items()
+            name: float(np.trace(la.solve(norm, own.conj().T @ image[:, group])).real)
+            for name, image in images.items()
         }
         if own.shape[1] == 1:
             text = " ".join(f"{name}{'+' if value > 0 else '-'}" for name, value in characters.items())
             symbol = MULLIKEN.get(text)
             labels.append(f"{symbol} ({text})" if symbol else text)
-        elif own.shape[1] == 2 and all(abs(value) < 0.5 for value in characters.values()):
+        elif own.shape[1] == 2 and characters and all(abs(value) < 0.5 for value in characters.values()):
             labels += ["E", "E"]
         else:
             labels += ["several"] * own.shape[1]

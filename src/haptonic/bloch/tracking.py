@@ -14,7 +14,7 @@ from haptonic.bloch.character import characters
 from haptonic.bloch.model import REST, SPARE_MODES, BlochModel, Solution
 from haptonic.bloch.symmetry import clusters, corner_labels, mirrors_at, sorted_by_parity
 from haptonic.brillouin import Path
-from haptonic.superelement import TraceOperation
+from haptonic.superelement import JointImage
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
@@ -56,7 +56,7 @@ def diagram(model: BlochModel, path: Path) -> Diagram:
     """
     # a degenerate pair must not be cut in two by the last band asked for
     solutions = [model.solve(kappa, spare=SPARE_MODES) for kappa in path.kappa]
-    superelement = model.fine.superelement
+    tiling = model.fine.tiling
     count, bands = len(solutions), model.count
     parity = np.zeros((count, bands), dtype=np.int64)
     branch = np.zeros((count, bands), dtype=np.int64)
@@ -67,7 +67,7 @@ def diagram(model: BlochModel, path: Path) -> Diagram:
     for start, stop in pairwise(path.corners):
         middle = 0.5 * (path.kappa[start] + path.kappa[stop])
         operations = list(mirrors_at(model.cell.point_group, middle).values())
-        mirror = superelement.mirror(operations[0]) if operations else None
+        mirror = tiling.joint.image(operations[0]) if operations else None
         if before is not None:  # at a corner the same modes are sorted anew, by the next mirror
             before = (before[0], np.zeros(bands, dtype=np.int64), before[2])
         for i in range(start, stop + 1):
@@ -76,13 +76,13 @@ def diagram(model: BlochModel, path: Path) -> Diagram:
                 own = np.arange(used, used + bands)
                 used += bands
             else:
-                own, used = _joined(before, (solution.fields, signs), superelement.mass, used)
+                own, used = _joined(before, (solution.fields, signs), tiling.mass, used)
             before = (solution.fields, signs, own)
             parity[i], branch[i] = signs, own
             velocity[i] = group_velocity(model, solution)
             if i < stop or stop == path.corners[-1]:
                 followed.append(solution.fields)
-    motion = characters(superelement, np.hstack(followed))
+    motion = characters(tiling, np.hstack(followed))
 
     def per_mode(values: NDArray[Any]) -> NDArray[Any]:
         return values.reshape(count, bands)
@@ -112,22 +112,24 @@ def group_velocity(model: BlochModel, solution: Solution) -> Array:
     return np.asarray(2 * np.pi * slopes @ model.cell.lattice.vectors)
 
 
-def _turned(solution: Solution, model: BlochModel, mirror: TraceOperation | None) -> tuple[Solution, Ints]:
+def _turned(solution: Solution, model: BlochModel, mirror: JointImage | None) -> tuple[Solution, Ints]:
     """The bands asked for, degenerate modes turned to definite parity, and the parities."""
     if mirror is None:
         return solution.lowest(model.count), np.zeros(model.count, dtype=np.int64)
-    trace = solution.fields[: model.fine.superelement.trace_size]
-    turn, values = sorted_by_parity(trace, mirror, clusters(solution.frequency))
+    trace = solution.fields[: model.fine.tiling.trace_size]
+    turn, values = sorted_by_parity(
+        trace, mirror.applied(trace, solution.kappa), clusters(solution.frequency)
+    )
     parity = np.sign(values[: model.count]).astype(np.int64)
     return solution.turned(turn).lowest(model.count), parity
 
 
 def _labels(model: BlochModel, solution: Solution) -> list[str]:
-    superelement = model.fine.superelement
-    operations = mirrors_at(model.cell.point_group, solution.kappa)
-    mirrors = {name: superelement.mirror(op) for name, op in operations.items()}
-    trace = solution.fields[: superelement.trace_size]
-    labels = corner_labels(trace, mirrors, clusters(solution.frequency))
+    tiling, kappa = model.fine.tiling, solution.kappa
+    trace = solution.fields[: tiling.trace_size]
+    operations = mirrors_at(model.cell.point_group, kappa)
+    images = {name: tiling.joint.image(op).applied(trace, kappa) for name, op in operations.items()}
+    labels = corner_labels(trace, images, clusters(solution.frequency))
     resting = solution.frequency < REST * model.highest
     return ["translation" if rest else label for label, rest in zip(labels, resting, strict=True)][
         : model.count

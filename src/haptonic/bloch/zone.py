@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from haptonic.bloch.model import BlochModel
 from haptonic.bloch.pencil import eigenpairs
 from haptonic.brillouin import IrreducibleZone
-from haptonic.lattice import PointGroup
+from haptonic.lattice import HALF_TURN, PointGroup
 
 Array = NDArray[np.float64]
 Ints = NDArray[np.int64]
@@ -53,10 +53,12 @@ class ZoneSurface:
 
     def unfolded(self, band: int) -> tuple[Array, Ints, Array]:
         """The band over the whole first zone, by the point group: wavevectors (rad/m), triangles, Hz."""
-        operations = self.group.operations
-        images = [self.kappa @ np.linalg.inv(np.array(operation)) for operation in operations]
-        triangles = [self.triangles + copy * len(self.kappa) for copy in range(len(operations))]
-        values = np.tile(self.frequency[:, band], len(operations))
+        matrices = [np.array(operation) for operation in self.group.operations]
+        if HALF_TURN not in self.group:  # time reversal does what it would do
+            matrices += [-matrix for matrix in matrices]
+        images = [self.kappa @ np.linalg.inv(matrix) for matrix in matrices]
+        triangles = [self.triangles + copy * len(self.kappa) for copy in range(len(matrices))]
+        values = np.tile(self.frequency[:, band], len(matrices))
         return self.zone.lattice.wavevector(np.concatenate(images)), np.concatenate(triangles), values
 
 

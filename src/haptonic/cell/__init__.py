@@ -4,6 +4,19 @@ from haptonic.cell.geometry import UnitCell
 from haptonic.cell.mesh import HexMesh, mesh_cell
 from haptonic.cell.pillar import Pillar, Step
 from haptonic.cell.plan import MeshPlan
+from haptonic.cell.sites import Site
+from haptonic.cell.tile import PlacedTile, TileShape
 from haptonic.cell.topology import Topology
 
-__all__ = ["HexMesh", "MeshPlan", "Pillar", "Step", "Topology", "UnitCell", "mesh_cell"]
+__all__ = [
+    "HexMesh",
+    "MeshPlan",
+    "Pillar",
+    "PlacedTile",
+    "Site",
+    "Step",
+    "TileShape",
+    "Topology",
+    "UnitCell",
+    "mesh_cell",
+]

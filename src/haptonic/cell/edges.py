@@ -7,8 +7,8 @@ import math
 import numpy as np
 from numpy.typing import NDArray
 
-from haptonic.cell.geometry import UnitCell
 from haptonic.cell.pillar import Pillar
+from haptonic.cell.tile import TileShape
 
 Array = NDArray[np.float64]
 
@@ -20,7 +20,7 @@ MOST_APART = 16.0  # largest ratio of the far border of an element beside the th
 BRIDGED = 6.0  # and about what it becomes once there are further elements
 
 
-def foot_reach(cell: UnitCell, rings: int) -> Array:
+def foot_reach(cell: TileShape, rings: int) -> Array:
     """How far from the foot the borders of the thin rings lie, outermost first, m."""
     pillar = cell.pillar
     if pillar is None:
@@ -53,7 +53,7 @@ def within_foot(pillar: Pillar) -> float:
     return step_share(pillar) if pillar.step else CORE_RADIUS
 
 
-def beside_foot(cell: UnitCell) -> float:
+def beside_foot(cell: TileShape) -> float:
     """How far rings beside the foot have to lead, m: to where a plate bends, in a sheet to the neck's middle.
 
     A sheet bends as powers of the distance from a pillar that is as thick as it. A single ring of order 7
@@ -62,7 +62,7 @@ def beside_foot(cell: UnitCell) -> float:
     return cell.clearance if cell.is_sheet else min(cell.clearance, cell.thickness)
 
 
-def bridges(cell: UnitCell, rings: int) -> tuple[int, int, int, int]:
+def bridges(cell: TileShape, rings: int) -> tuple[int, int, int, int]:
     """Elements to put between the foot's thin ones and the rest: rings inside, outside, layers above, below.
 
     A pillar on a thin plate, or next to its neighbour, has thin rings much smaller than itself. From them to

@@ -1,4 +1,4 @@
-"""The unit cell in the words of the field: a plate of some thickness, one pillar on it."""
+"""The unit cell in the words of the field: a plate of some thickness, pillars on it."""
 
 from __future__ import annotations
 
@@ -8,29 +8,45 @@ from functools import cached_property
 from typing import Annotated
 
 import numpy as np
+from numpy.typing import NDArray
 from pydantic import Field
 
 from haptonic.brillouin import IrreducibleZone
 from haptonic.cell.pillar import Pillar
+from haptonic.cell.sites import (
+    MOST_SITES,
+    SITES,
+    Site,
+    SiteMap,
+    apart,
+    check_shares,
+    check_tiles,
+    placed_tiles,
+    polygons,
+    site_map,
+    site_tile,
+)
+from haptonic.cell.tile import HALF_TURNED, PlacedTile, TileShape
 from haptonic.errors import GeometryError
 from haptonic.fields import INLINE, TOP, described, numbers, problem, size, with_numbers
-from haptonic.lattice import Lattice, PointGroup
+from haptonic.lattice import HALF_TURN, Lattice, Operation, PointGroup
 from haptonic.materials import GIVEN, Material, is_symmetry
 
-TURNED = np.diag([-1.0, -1.0, 1.0])  # half a turn about the normal
-SHEET = 0.08  # thickness, in half pitches, below which a plate is thin
-SHEET_CLEARANCE = 3.0  # and so narrow a neck, in thicknesses, that it is none
+Array = NDArray[np.float64]
+
 LEAST_CLEARANCE = 0.01  # of the pitch, between a pillar and the nearest side of its cell
 
 
 @described("cell", GeometryError)
-class UnitCell:
-    """One period of the plate; its flat face lies at z = 0, the pillar stands on z = ``thickness``.
+class UnitCell(TileShape):
+    """One period of the plate; its flat face lies at z = 0, pillars stand on z = ``thickness``.
+
+    A cell of one site, in its middle, is a tile itself; one of several consists of their `tiles`.
 
     Raises
     ------
-    GeometryError : sizes that are not positive, a pillar that does not fit into the period, or a material
-        that half a turn about the normal does not leave as it is
+    GeometryError : sizes that are not positive, a pillar that does not fit into the period or its tile, sites
+        that do not fit together, or a material that half a turn about the normal does not leave as it is
     """
 
     lattice: Annotated[Lattice, INLINE] = Field(title="Lattice", description="How the cells repeat.")
@@ -41,12 +57,20 @@ class UnitCell:
         title="Material", description="Of the plate and its pillars: a built-in name or its constants."
     )
     pillar: Pillar | None = Field(
-        default=None, title="Pillar", description="Without this table the cell is a piece of plain plate."
+        default=None,
+        title="Pillar",
+        description="On every site, if the sites have no tables; without any the cell is plain plate.",
+    )
+    site: tuple[Site, ...] = Field(
+        default=(),
+        title="Sites",
+        description="Where pillars of their own stand; in order, where the lattice is named after them.",
+        max_length=MOST_SITES,
     )
 
     def __post_init__(self) -> None:
         # lattices and outlines always have it; the rest of the group is left until it is asked for
-        if not is_symmetry(self.material.stiffness, TURNED):
+        if not is_symmetry(self.material.stiffness, HALF_TURNED):
             raise problem(
                 "unsupported",
                 self.material.name,
@@ -55,7 +79,10 @@ class UnitCell:
                 "turn the material so that one of its axes is normal to the plate",
                 at="material",
             )
-        if self.pillar is not None and self.pillar.section == "square" and len(self.lattice.neighbours) != 4:
+        if not self.is_simple:
+            self._check_sites()
+            return
+        if self.pillar is not None and self.pillar.section == "square" and len(self.corners) != 4:
             raise problem(
                 "unsupported",
                 "square",
@@ -67,51 +94,149 @@ class UnitCell:
         if self.pillar is not None and self.clearance < LEAST_CLEARANCE * self.lattice.pitch:
             raise _too_wide(self.pillar, self.inradius - LEAST_CLEARANCE * self.lattice.pitch)
 
+    def _check_sites(self) -> None:
+        if self.site and self.pillar is not None:
+            raise problem(
+                "conflict",
+                "a pillar beside [[cell.site]]",
+                "pillars of the sites, or one for all of them",
+                "the pillar of a site was given twice",
+                "put it into the tables of the sites, as [cell.site.pillar], or leave these out",
+                at="pillar",
+            )
+        shares = check_shares(self.site, self.lattice.vectors, self.lattice.name)
+        least = 2 * LEAST_CLEARANCE * self.lattice.pitch
+        if (pair := apart(shares, self.lattice.vectors, least)) is not None:
+            raise problem(
+                "repeated",
+                f"the place of site[{pair[0] + 1}]",
+                f"a place more than {least * 1e3:.3g} mm from every other site",
+                "two sites are one place of the lattice, or nearly",
+                "move one of them, or leave it out",
+                at=f"site[{pair[1] + 1}].at",
+            )
+        tiles = self.tiles
+        check_tiles(tiles, len(self.site), self.lattice.pitch, LEAST_CLEARANCE * self.lattice.pitch)
+
+    @property
+    def is_simple(self) -> bool:
+        """Whether the cell has one site, in its middle, and so is a tile itself."""
+        return not self.site and self.lattice.name not in SITES
+
+    @cached_property
+    def shares(self) -> Array:
+        """(n, 2) places of the sites in shares of the translations, empty ones included."""
+        if self.is_simple:
+            return np.zeros((1, 2))
+        return check_shares(self.site, self.lattice.vectors, self.lattice.name)
+
+    @cached_property
+    def pillars(self) -> tuple[Pillar | None, ...]:
+        """The pillar of each site, None for an empty one."""
+        if self.is_simple:
+            return (self.pillar,)
+        named = len(SITES.get(self.lattice.name, ()))
+        own = [one.pillar for one in self.site] or [self.pillar] * named
+        return (*own, *[None] * (len(self.shares) - len(own)))
+
+    @property
+    def has_pillars(self) -> bool:
+        """Whether anything stands on the plate."""
+        return any(self.pillars)
+
+    @cached_property
+    def tiles(self) -> tuple[PlacedTile, ...]:
+        """What the cell consists of, a tile for each site; equal ones are one object."""
+        if self.is_simple:
+            return (PlacedTile(self, np.eye(3), np.zeros(2)),)
+        return placed_tiles(
+            self.shares @ self.lattice.vectors,
+            self.outlines,
+            self.pillars,
+            (self.thickness, self.material),
+            self.site_map(HALF_TURN),
+        )
+
+    def tile_like(self, number: int, placed: PlacedTile) -> TileShape:
+        """The tile of a site in the axes of another, of whose corners its own are numbered alike."""
+        if self.is_simple:
+            return self
+        outline, turn = self.outlines[number], placed.turn
+        away = np.linalg.norm(outline @ turn[:2, :2] - placed.tile.corners[0], axis=1)
+        outline = np.roll(outline, -int(away.argmin()), axis=0)
+        return site_tile(outline, turn, self.thickness, self.material, self.pillars[number])
+
+    @cached_property
+    def outlines(self) -> list[Array]:
+        """(sides, 2) what lies nearer to each site than to any other, about the site, m."""
+        return polygons(self.shares, self.lattice.vectors)
+
+    def check_simple(self, what: str) -> None:
+        """Raise GeometryError unless there is one site, and translations along x and y; ``what`` needs it."""
+        self.check_one_site(what)
+        self.lattice.check_rectangular(what)
+
+    def check_one_site(self, what: str) -> None:
+        """Raise GeometryError unless there is one site, in the middle; ``what`` needs it."""
+        if not self.is_simple:
+            raise GeometryError.unsupported(
+                argument="cell.site" if self.site else "cell.lattice",
+                given=f"{len(self.shares)} sites" if self.site else self.lattice.name,
+                allowed=f"a cell of one site in its middle for {what}",
+                cause=f"{what} knows cells with a single pillar only; those with several have bands, gaps, "
+                "sweeps, slopes, tolerances and outlines",
+                next_step='write lattice = "square" or "rectangular", and leave [[cell.site]] out',
+            )
+
+    @property
+    def corners(self) -> Array:
+        assert self.is_simple, "a cell of several sites has a polygon for each"
+        return self.lattice.corners
+
+    @property
+    def extent(self) -> float:
+        return float(np.linalg.norm(self.lattice.vectors, axis=1).max())
+
+    @property
+    def elongation(self) -> float:
+        sides = np.linalg.norm(self.lattice.vectors, axis=1)
+        return float(sides.max() / sides.min())
+
+    @cached_property
+    def inradius(self) -> float:
+        """Distance from the centre of the cell, or from a site, to the nearest side of its tile, m."""
+        return self.lattice.inradius if self.is_simple else min(one.tile.inradius for one in self.tiles)
+
     @cached_property
     def point_group(self) -> PointGroup:
-        """The turns and mirrors that leave lattice, pillar and material as they are."""
-        return self.lattice.point_group.kept(
-            lambda turn: (
-                is_symmetry(self.material.stiffness, turn)
-                and (self.pillar is None or self.pillar.has_symmetry(turn))
-            )
+        """The turns and mirrors that leave lattice, pillars and material as they are.
+
+        Where there are several sites a move may belong to them, see `site_map`.
+        """
+        group = self.lattice.point_group
+        kept = [op for op in group.operations if self.site_map(op) is not None]
+        return PointGroup(group.vectors, tuple(kept)).kept(
+            lambda turn: is_symmetry(self.material.stiffness, turn)
         )
+
+    def site_map(self, operation: Operation) -> SiteMap | None:
+        """Where an operation of the lattice takes the sites; None if not to others that are alike."""
+        return site_map(self.shares, self.pillars, operation, self.lattice.point_group.turn(operation))
 
     @cached_property
     def zone(self) -> IrreducibleZone:
         """The part of the Brillouin zone that these operations and time reversal do not repeat."""
         return IrreducibleZone.of(self.lattice, self.point_group)
 
-    @property
-    def inradius(self) -> float:
-        """Distance from the centre of the cell to its nearest side, m."""
-        return self.lattice.inradius
-
-    @property
-    def clearance(self) -> float:
-        """Free width of plate between the pillar and the nearest side of the cell, m."""
-        return self.inradius - (self.pillar.widest if self.pillar else 0.0)
-
-    @property
-    def is_thin(self) -> bool:
-        """Whether the plate is so thin for its pitch that many of its waves lie below those of its pillar."""
-        return self.thickness < SHEET * self.inradius
-
-    @property
-    def is_sheet(self) -> bool:
-        """Whether the plate is so thin that it bends like a sheet everywhere but at the foot.
-
-        Its waves are as long as those of a thicker one, so that it needs many orders in its plane and few
-        through it. With a fillet the foot's rings follow the arc, and there it is none.
-        """
-        wide = SHEET_CLEARANCE * self.thickness < self.clearance
-        return self.is_thin and wide and not (self.pillar and self.pillar.fillet)
-
     def scaled(self, factor: float) -> UnitCell:
         """The same cell with every length multiplied by ``factor``."""
-        pillar = self.pillar and self.pillar.scaled(factor)
-        thickness = self.thickness * factor
-        return replace(self, lattice=self.lattice.scaled(factor), thickness=thickness, pillar=pillar)
+        return replace(
+            self,
+            lattice=self.lattice.scaled(factor),
+            thickness=self.thickness * factor,
+            pillar=self.pillar and self.pillar.scaled(factor),
+            site=tuple(one.scaled(factor) for one in self.site),
+        )
 
     def numbers(self) -> dict[str, float]:
         """Every number of the cell, in SI units, by its path in a study: ``cell.pillar.diameter``."""
@@ -127,8 +252,8 @@ class UnitCell:
         return with_numbers(self, changes, "cell.")
 
     def without_pillar(self) -> UnitCell:
-        """The plain plate of the same period."""
-        return replace(self, pillar=None)
+        """The plain plate of the same period and sites."""
+        return replace(self, pillar=None, site=tuple(replace(one, pillar=None) for one in self.site))
 
 
 def _too_wide(pillar: Pillar, room: float) -> Exception:

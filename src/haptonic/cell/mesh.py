@@ -10,10 +10,10 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from haptonic.cell.geometry import UnitCell
 from haptonic.cell.plan import MeshPlan
 from haptonic.cell.profile import Profile
 from haptonic.cell.quadrature import lobatto
+from haptonic.cell.tile import TileShape
 from haptonic.cell.topology import Topology, topology_of
 
 Array = NDArray[np.float64]
@@ -55,7 +55,7 @@ class HexMesh:
         ])  # fmt: skip
 
 
-def mesh_cell(cell: UnitCell, plan: MeshPlan) -> HexMesh:
+def mesh_cell(cell: TileShape, plan: MeshPlan) -> HexMesh:
     """Mesh of a unit cell: its topology from the plan, its points from the sizes."""
     profile, outlines = Profile.of(cell, plan), _Outlines.of(cell, plan)
     levels = []
@@ -82,11 +82,11 @@ class _Outlines:
     shares: Array
 
     @classmethod
-    def of(cls, cell: UnitCell, plan: MeshPlan) -> _Outlines:
+    def of(cls, cell: TileShape, plan: MeshPlan) -> _Outlines:
         along = 0.5 * (1 + lobatto(plan.order)[0])
         share = (np.arange(plan.blocks)[:, None] + along[:-1]).ravel() / plan.blocks
-        corners = cell.lattice.corners
-        diagonals = np.sign(corners) if len(corners) == 4 else corners  # a rectangle has even quarters
+        corners = cell.corners
+        diagonals = np.sign(corners) if cell.is_upright else corners  # a rectangle has even quarters
         angles = np.unwrap(np.arctan2(diagonals[:, 1], diagonals[:, 0]))
         turn = np.append(angles, angles[0] + 2 * np.pi)
         ends = np.stack([np.cos(turn), np.sin(turn)], axis=-1)
@@ -116,7 +116,7 @@ def _level(profile: Profile, outlines: _Outlines, layer: int, share: float) -> A
     edge = widths[0][0] * outlines.core
     core = np.concatenate([np.zeros((plan.core_size, 2)), edge])
     for patch in topology_of(plan).core:
-        if len(plan.neighbours) != 4:  # it begins at the centre, with straight sides to the core's outline
+        if plan.sides != 4:  # it begins at the centre, with straight sides to the core's outline
             core[patch[:, 0]] = outlines.shares[:, None] * core[patch[-1, 0]]
             core[patch[0]] = outlines.shares[:, None] * core[patch[0, -1]]
         core[patch[1:-1, 1:-1]] = _transfinite(core[patch], outlines.shares)[1:-1, 1:-1]

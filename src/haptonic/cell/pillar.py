@@ -181,6 +181,11 @@ class Pillar:
         return max(*ends, self.arc.centre[0] if self.arc else 0.0)
 
     @property
+    def is_prism(self) -> bool:
+        """Whether all sections above the foot, and its fillet, are one and the same."""
+        return not self.draft and self.step is None
+
+    @property
     def is_cylinder(self) -> bool:
         """Whether the pillar is a plain round one."""
         return self == Pillar(self.diameter, self.height)

@@ -5,11 +5,9 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass, replace
 
-import numpy as np
-
 from haptonic.cell.edges import bridges
-from haptonic.cell.geometry import UnitCell
 from haptonic.cell.pillar import Pillar
+from haptonic.cell.tile import TileShape
 
 LAYER_LENGTH = 1.4  # of an element along the pillar, in diameters
 THIN_PLATE = 0.16  # thickness, in half pitches, below which elements beside a pillar bend like a plate's
@@ -17,14 +15,20 @@ SHORT_WAVES = 4 / 3  # of the order around the pillar there: waves between pilla
 SHEET_WAVES = 5 / 3  # the same on a sheet
 SHEET_NECK = 0.7  # what `WIDE_NECK` is on a sheet
 THIN_NECK = 0.46  # and on a thin plate: one order fewer told 0.7 % where 0.3 % are told
-WIDE_NECK = 0.42  # length of the neck between two pillars, in half pitches, that a quarter turn's order suits
+# Length of the neck between two pillars, in half pitches, that a quarter turn's order suits. At 0.36 seven
+# orders left 0.2 %, of which no lower order told a third; eight left 0.07 %.
+WIDE_NECK = 0.5
 # Orders more along a pillar that is meshed to its top. With none, a pillar of 6 deg draft, 1.4 diameters to
-# an element, lost 0.23 % at orders 3 and 4, four fifths of it there; a body's polynomials are finer than
-# that anyway.
+# an element, lost 0.23 % at orders 3 and 4, four fifths of it there; a prism's own polynomials are finer
+# than that anyway.
 ALONG_MORE = 2
 # Most of the same through the plate, whose strain below the foot dies out over the pillar's width. A plate of
 # 1.8 diameters in one layer lost 0.1 % at orders 3 and 4, which no lower order told; two layers leave 0.03 %.
 PLATE_LAYER = 1.0
+# Levels more through the rim, by the width of plate between it and the foot, in thicknesses. At 0.1 the cubic
+# of order 4 lost 0.18 % that no other direction mended and no lower order told, two more mended it;
+# at 0.4 one more took 0.05 % to 0.03 %, and from 0.48 on they brought nothing.
+NEAR_RIM = {0.2: 2, 0.45: 1}
 ROUNDING = 1e-9  # of a ratio of lengths, which must not change the plan of a scaled cell
 # Bands whose waves the orders of an accuracy were chosen for, and the most that a single element should have
 # around a quarter turn: two of half as much, and one more, cost a third of it.
@@ -44,7 +48,9 @@ class MeshPlan:
     bridges : rings inside and outside, layers above and below that lead from the foot's thin ones to the rest
     blocks : elements along each side of the cell, and along each quarter of every ring
     plate_layers : layers through the plate below the thin ones
-    neighbours : translations to the cells across each side, anticlockwise, as many as the cell has sides
+    near_rim : levels more than elsewhere that the trace on the rim has through the plate, see `trace_levels`
+    sides : of the polygon
+    levels : nodes of the trace through the thickness where tiles of other plans have to meet; 0 means its own
     outward : polynomial order across the rings; upward : along z through the plate; along : along z in the
         pillar; thin : across thin rings and thin layers; 0 means as ``order``, along as ``upward``
     """
@@ -61,7 +67,9 @@ class MeshPlan:
     upward: int = 0
     thin: int = 0
     along: int = 0
-    neighbours: tuple[tuple[int, int], ...] = ((0, -1), (1, 0), (0, 1), (-1, 0))
+    near_rim: int = 0
+    sides: int = 4
+    levels: int = 0
 
     def __post_init__(self) -> None:
         for name in ("outward", "upward", "thin"):
@@ -69,7 +77,7 @@ class MeshPlan:
         object.__setattr__(self, "along", self.along or self.upward)
 
     @classmethod
-    def suited(cls, cell: UnitCell, order: int, foot_rings: int, bands: int | None = None) -> MeshPlan:
+    def suited(cls, cell: TileShape, order: int, foot_rings: int, bands: float | None = None) -> MeshPlan:
         """Plan for a cell of any number of sides.
 
         Where these are not four there are two blocks to each, because patches of the core end in the middle
@@ -77,28 +85,30 @@ class MeshPlan:
         a quarter's is as good along them.
         """
         plan = cls._of_quarters(cell, order, foot_rings, bands)
-        neighbours = cell.lattice.neighbours
-        if len(neighbours) == 4:
+        sides = len(cell.corners)
+        if sides == 4:
             return plan
-        share = plan.side * 4 / len(neighbours) / 2
-        return replace(plan, neighbours=neighbours, blocks=2, order=math.ceil(share) + 1)
+        share = plan.side * 4 / sides / 2
+        return replace(plan, sides=sides, blocks=2, order=math.ceil(share) + 1)
 
     @classmethod
-    def _of_quarters(cls, cell: UnitCell, order: int, foot_rings: int, bands: int | None) -> MeshPlan:
+    def _of_quarters(cls, cell: TileShape, order: int, foot_rings: int, bands: float | None) -> MeshPlan:
         """Plan of similar errors in all directions, its elements not much longer than the pillar is wide.
 
         More bands than usual are shorter waves: a polynomial needs pi orders for each wave along it before
         it resolves anything, and gets as many more.
 
         Around the pillar an element spans a quarter turn and gets two orders more, and still more where a
-        neck between round pillars that nearly touch is a small part of it. Cubic elements are too
-        stiff along a pillar that bends and across the plate beside it, by more than all the rest together:
-        there order 3 has quartic ones. On a thin plate these would lock in the lower order that tells the
-        error: there none has less than quintic ones. Along a pillar that is no prism, and so has no body,
-        all get two orders more: bending of a slender one would err most of all there.
+        neck between round pillars that nearly touch is a small part of it. Away from the edge, order 3 has
+        quartic elements: cubic ones are too stiff along a pillar that bends and across the plate beside it,
+        by more than all the rest together, and with five orders in place of six around it the tenth band of
+        every third design lost 0.7 to 3 %, of which a lower order told a quarter to a half; with six 0.2 to
+        0.5 %. On a thin plate quartic ones would lock in the lower order that tells the
+        error: there they are of one order more. Along a pillar that is no prism, and so is meshed to its
+        top, all get two orders more: bending of a slender one would err most of all there.
         """
         waves = _waves(cell, bands) if bands else 0.0
-        more = math.ceil(math.pi * max(waves - math.sqrt(USUAL_BANDS / math.pi), 0.0))
+        more = math.ceil(math.pi * max(waves - math.sqrt(USUAL_BANDS / math.pi), 0.0) - ROUNDING)
         if cell.pillar is None:
             sheet = cell.is_sheet  # in order 4 it lost 1.5 % where one more left 0.6 %
             around = round((order + 2) * SHEET_WAVES) if sheet else order + 2
@@ -109,11 +119,11 @@ class MeshPlan:
             return cls._of_sheet(cell, cell.pillar, order, foot_rings)
         thin = cell.thickness < THIN_PLATE * cell.inradius
         neck = (THIN_NECK if thin else WIDE_NECK) / _neck(cell, cell.pillar)
-        turn = (order + 2) * max(1.0, neck) * (SHORT_WAVES if thin else 1.0)
+        smooth = 4 if order == 3 else order
+        turn = (smooth + 2) * max(1.0, neck) * (SHORT_WAVES if thin else 1.0)
         around, blocks = _divided(round(turn) + more) if more else (round(turn), 1)
         layers = _layers_along(cell.pillar)
         rings = max(foot_rings, 1) if cell.pillar.fillet else foot_rings  # the arc is an edge of elements
-        upward = 4 if order == 3 else order
         return cls(
             around,
             rings,
@@ -123,14 +133,15 @@ class MeshPlan:
             bridges=bridges(cell, rings),
             blocks=blocks,
             plate_layers=math.ceil((1 - ROUNDING) * cell.thickness / (PLATE_LAYER * cell.pillar.diameter)),
-            outward=(max(order, 5) if thin else 4 if order == 3 else order) + more // 2,
-            upward=upward,
-            along=upward + ALONG_MORE if _has_no_body(cell.pillar) else upward,
+            outward=smooth + thin + more // 2,
+            upward=smooth,
+            along=smooth if cell.pillar.is_prism else smooth + ALONG_MORE,
             thin=order,
+            near_rim=_near_rim(cell),
         )
 
     @classmethod
-    def _of_sheet(cls, cell: UnitCell, pillar: Pillar, order: int, foot_rings: int) -> MeshPlan:
+    def _of_sheet(cls, cell: TileShape, pillar: Pillar, order: int, foot_rings: int) -> MeshPlan:
         """Plan for a plate that is thin beside everything else: fine in its plane, coarse through it.
 
         What errs on the plans of thicker plates is the smooth part. On one of 1/200 of the pitch the plan of
@@ -150,10 +161,10 @@ class MeshPlan:
             outward=order + 3,
             upward=max(order - 1, 3),
             thin=order,
-            along=max(order, 4) + (ALONG_MORE if _has_no_body(pillar) else 0),
+            along=max(order, 4) + (0 if pillar.is_prism else ALONG_MORE),
         )
 
-    def lowered(self, cell: UnitCell) -> MeshPlan:
+    def lowered(self, cell: TileShape) -> MeshPlan:
         """The same blocks with orders one lower, to tell the error by.
 
         With a single thin ring the order along z stays through the plate and, where the pillar is a prism,
@@ -164,7 +175,7 @@ class MeshPlan:
         """
         ungraded = cell.pillar is not None and cell.pillar.step is not None and not self.step_rings
         foot_leads = self.foot_rings == 1 and cell.pillar is not None and not ungraded
-        meshed_up = cell.pillar is not None and _has_no_body(cell.pillar)
+        meshed_up = cell.pillar is not None and not cell.pillar.is_prism
         return replace(
             self,
             order=max(self.order - 1, 1),
@@ -182,12 +193,12 @@ class MeshPlan:
     @property
     def around(self) -> int:
         """Nodes on every ring, and on the rim."""
-        return self.side * len(self.neighbours)
+        return self.side * self.sides
 
     @property
     def core_size(self) -> int:
         """Nodes within the core's outline: of a square grid, or of a patch for each corner of the cell."""
-        return 1 + len(self.neighbours) * self.side * (self.side - 2) // 4
+        return 1 + self.sides * self.side * (self.side - 2) // 4
 
     @property
     def tip_rings(self) -> tuple[int, ...]:
@@ -252,7 +263,7 @@ def _layers_along(pillar: Pillar) -> list[int]:
     ]
 
 
-def _neck(cell: UnitCell, pillar: Pillar, least: float = 0.0) -> float:
+def _neck(cell: TileShape, pillar: Pillar, least: float = 0.0) -> float:
     """Half the length on which two round pillars are near each other, as a share of half the side it lies on.
 
     That is the longer side. On a cell of 1 to 1.7 whose pillar leaves 0.15 of the shorter one nine orders
@@ -261,24 +272,24 @@ def _neck(cell: UnitCell, pillar: Pillar, least: float = 0.0) -> float:
     """
     if pillar.section == "square":
         return math.inf
-    half_side = 0.5 * float(np.linalg.norm(cell.lattice.vectors, axis=1).max())
+    half_side = 0.5 * cell.extent
     return math.sqrt(2 * cell.clearance * max(pillar.widest, least)) / half_side
 
 
-def _waves(cell: UnitCell, bands: int) -> float:
+def _near_rim(cell: TileShape) -> int:
+    """Levels more on the rim for what the foot does there."""
+    share = cell.clearance / cell.thickness
+    return next((more for near, more in NEAR_RIM.items() if share < near), 0)
+
+
+def _waves(cell: TileShape, bands: float) -> float:
     """Wavelengths along the longer side of the cell that the last of so many bands of a plain plate has.
 
     As many flexural waves fit into a circle about Gamma whose area is that of as many zones.
     """
-    sides = np.linalg.norm(cell.lattice.vectors, axis=1)
-    return math.sqrt(bands / math.pi * sides.max() / sides.min())
+    return math.sqrt(bands / math.pi * cell.elongation)
 
 
 def _divided(order: int) -> tuple[int, int]:
     """Order and number of the elements that resolve as much as a single one of ``order``."""
     return (order, 1) if order <= MOST_AROUND else ((order + 1) // 2 + 1, 2)
-
-
-def _has_no_body(pillar: Pillar) -> bool:
-    """Whether the pillar is no prism above its foot, and so is meshed up to its top."""
-    return bool(pillar.draft or pillar.step)

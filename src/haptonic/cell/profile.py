@@ -24,10 +24,10 @@ from haptonic.cell.edges import (
     step_share,
     within_foot,
 )
-from haptonic.cell.geometry import UnitCell
 from haptonic.cell.pillar import Pillar
 from haptonic.cell.plan import MeshPlan
 from haptonic.cell.quadrature import lobatto
+from haptonic.cell.tile import TileShape
 
 Array = NDArray[np.float64]
 
@@ -54,7 +54,7 @@ class Profile:
     layer_shares: tuple[Array, ...]
 
     @classmethod
-    def of(cls, cell: UnitCell, plan: MeshPlan) -> Profile:
+    def of(cls, cell: TileShape, plan: MeshPlan) -> Profile:
         """Profile of a cell."""
         pillar = cell.pillar
         assert plan.foot_rings or pillar is None or not pillar.fillet, "a fillet needs a ring at the foot"
@@ -123,7 +123,7 @@ def _from_chord(curve: Array, along: Array) -> Array:
     return np.asarray(curve - (curve[0] + along[:, None] * (curve[-1] - curve[0])))
 
 
-def _widths(cell: UnitCell, pillar: Pillar, plan: MeshPlan, levels: Array) -> Array:
+def _widths(cell: TileShape, pillar: Pillar, plan: MeshPlan, levels: Array) -> Array:
     """(b, l) half-widths of the borders between rings, m; not yet on a fillet's arc."""
     reach = foot_reach(cell, plan.foot_rings)
     room = (1 - within_foot(pillar)) * pillar.radius
@@ -152,7 +152,7 @@ def _widths(cell: UnitCell, pillar: Pillar, plan: MeshPlan, levels: Array) -> Ar
     return np.stack(rows)
 
 
-def _levels(cell: UnitCell, plan: MeshPlan) -> Array:
+def _levels(cell: TileShape, plan: MeshPlan) -> Array:
     """(l,) heights of the borders between layers away from a fillet, m."""
     reach, top, pillar = foot_reach(cell, plan.foot_rings), cell.thickness, cell.pillar
     if pillar is None:

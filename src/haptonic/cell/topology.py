@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 from scipy.spatial import cKDTree
 
 from haptonic.cell.plan import MeshPlan
-from haptonic.lattice import Operation
+from haptonic.cell.tile import Sides
 
 Array = NDArray[np.float64]
 Ints = NDArray[np.int64]
@@ -50,8 +50,6 @@ class Topology:
     level_start : (levels + 1,) number of the first node of each level, and of all nodes
     families : all elements, grouped by their orders
     rim : (plate levels, around) nodes on the lateral faces, anticlockwise from the first corner
-    rim_master : (around,) for each place on the rim the place that it repeats, itself included
-    rim_shift : (around, 2) integer lattice translation from that place to this one
     """
 
     plan: MeshPlan
@@ -59,8 +57,6 @@ class Topology:
     level_start: Ints
     families: tuple[Elements, ...]
     rim: Ints
-    rim_master: Ints
-    rim_shift: Ints
 
     @property
     def nodes(self) -> int:
@@ -76,14 +72,12 @@ class Topology:
         """Numbers of the nodes of the highest level."""
         return np.arange(self.level_start[-2], self.nodes)
 
-    def permutation(self, operation: Operation) -> Ints:
-        """(nodes,) where a symmetry operation of the cell takes each node."""
+    def permutation(self, moved: Sides) -> Ints:
+        """(nodes,) where a turn or mirror of the polygon, known by the first two sides, takes each node."""
         inner, around = self.plan.core_size, self.plan.around
         points = np.concatenate([_core_points(self.plan)[:inner], _rim_points(self.plan)])
-        sides = _middles(len(self.plan.neighbours))
-        numbers = {neighbour: number for number, neighbour in enumerate(self.plan.neighbours)}
-        images = [sides[numbers[_moved(operation, self.plan.neighbours[number])]] for number in (0, 1)]
-        turn = np.array(images).T @ np.linalg.inv(sides[:2].T)  # of the polygon that stands for the cell
+        sides = _middles(self.plan.sides)
+        turn = sides[list(moved)].T @ np.linalg.inv(sides[:2].T)  # of the polygon that stands for the cell
         distance, level = cKDTree(points).query(points @ turn.T)
         assert distance.max() < SAME, "the operation does not leave the mesh as it is"
         sizes = np.diff(self.level_start)
@@ -126,7 +120,6 @@ def topology_of(plan: MeshPlan) -> Topology:
 
     per_level = level_start[: plan.plate_levels, None]
     on_side = plan.level_sizes[0] - around + np.arange(around)
-    master, shift = _repeated(plan)
     return Topology(
         plan=plan,
         core=core,
@@ -136,8 +129,6 @@ def topology_of(plan: MeshPlan) -> Topology:
             for members in families.values()
         ),
         rim=per_level + on_side,
-        rim_master=master,
-        rim_shift=shift,
     )
 
 
@@ -155,7 +146,7 @@ def _middles(sides: int) -> Array:
 
 def _rim_points(plan: MeshPlan) -> Array:
     """(around, 2) places of the rim of a regular polygon that stands for the cell, evenly spaced."""
-    corners = _corners(len(plan.neighbours))
+    corners = _corners(plan.sides)
     along = np.arange(plan.side)[:, None] / plan.side
     following = np.roll(corners, -1, axis=0)
     return np.concatenate([
@@ -165,7 +156,7 @@ def _rim_points(plan: MeshPlan) -> Array:
 
 def _patches(plan: MeshPlan) -> list[Array]:
     """(m + 1, m + 1, 2) places of the nodes of each patch of the core, in the same polygon."""
-    corners, middles = _corners(len(plan.neighbours)), _middles(len(plan.neighbours))
+    corners, middles = _corners(plan.sides), _middles(plan.sides)
     if len(corners) == 4:
         outlines, steps = [corners], plan.side
     else:
@@ -189,35 +180,3 @@ def _core_points(plan: MeshPlan) -> Array:
 
 def _numbers(tree: cKDTree, places: Array) -> Ints:
     return np.asarray(tree.query(places)[1], dtype=np.int64)
-
-
-def _moved(operation: Operation, neighbour: tuple[int, int]) -> tuple[int, int]:
-    x, y = np.array(operation) @ neighbour
-    return int(x), int(y)
-
-
-def _repeated(plan: MeshPlan) -> tuple[Ints, Ints]:
-    """(around,) place of the rim that each place repeats, and (around, 2) the translation from there.
-
-    Opposite sides repeat each other. Of all places that are one place of the lattice that with the least sum
-    of lattice coordinates, and then with the least second one, counts.
-    """
-    sides, side, around = len(plan.neighbours), plan.side, plan.around
-    master, shift = np.arange(around), np.zeros((around, 2), dtype=np.int64)
-    for place in range(around):
-        images = {place: (0, 0)}
-        todo = [place]
-        while todo:
-            here = todo.pop()
-            number, step = divmod(here, side)
-            across = [(number, step)] + [((number - 1) % sides, side)] * (step == 0)
-            for on, at in across:
-                opposite = ((on + sides // 2) % sides * side + side - at) % around
-                if opposite not in images:
-                    back = plan.neighbours[(on + sides // 2) % sides]
-                    images[opposite] = (images[here][0] + back[0], images[here][1] + back[1])
-                    todo.append(opposite)
-        least = min(images, key=lambda image: (sum(images[image]), images[image][1], image))
-        master[place] = least
-        shift[place] = -np.array(images[least])
-    return master, shift

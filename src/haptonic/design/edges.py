@@ -33,7 +33,7 @@ def edge_slopes(cell: UnitCell, gap: Gap, paths: Sequence[str]) -> Array:
     for number, kappa, pick in ((band, gap.lower_kappa, -1), (band + 1, gap.upper_kappa, 0)):
         # from the same mesh: another one's frequency may lie nearer to a neighbouring band
         value = eigenpairs(fine.pencil, np.array(kappa), number)[0][-1]
-        modes = exact_modes(quick.shared, fine.superelement, np.array(kappa), float(np.sqrt(value)))
+        modes = exact_modes(quick.shared, np.array(kappa), float(np.sqrt(value)))
         found = sensitivity(quick.shared, modes, paths)
         columns.append([found.slopes[path][pick] for path in paths])
     return np.array(columns).T

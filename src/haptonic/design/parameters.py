@@ -5,13 +5,15 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from haptonic.cell import UnitCell
-from haptonic.fields import OfNumber, described, table
+from haptonic.fields import ByPattern, OfNumber, described, table
+from haptonic.fields.keys import pattern_of
 
-UNITS = {
+UNITS = ByPattern({
     path: key.unit
     for path, key in sorted(table(UnitCell, "cell.").items(), key=lambda one: one[0].startswith("material."))
-    if key.quantity and path != "material.loss_factor"  # the bands are those without loss
-}
+    # the bands are those without loss; sites stay where they are
+    if key.quantity and key.kind != "quantities" and path != "material.loss_factor"
+})  # fmt: skip
 """Every number of a cell that its bands depend on, and its SI unit; the material's come last."""
 
 FILLET = "cell.pillar.fillet"
@@ -39,6 +41,10 @@ def values_of(cell: UnitCell) -> dict[str, float]:
     A sharp edge cannot be varied into a fillet; nor can an absent step.
     """
     found = cell.numbers()
-    if cell.pillar is not None and not cell.pillar.fillet:
-        del found[FILLET]
-    return {path: found[path] for path in UNITS if path in found}
+    sharp = {"cell.": cell.pillar} | {f"cell.site[{n}].": one.pillar for n, one in enumerate(cell.site, 1)}
+    for place, pillar in sharp.items():
+        if pillar is not None and not pillar.fillet:
+            del found[f"{place}pillar.fillet"]
+    order = list(UNITS)
+    known = [path for path in found if path in UNITS]
+    return {path: found[path] for path in sorted(known, key=lambda path: order.index(pattern_of(path)))}

@@ -15,7 +15,7 @@ from haptonic.bloch.pencil import eigenpairs
 from haptonic.bloch.resolution import Resolution
 from haptonic.cell import UnitCell
 from haptonic.design.sensitivity import eigenvalue_derivatives
-from haptonic.superelement import FoldedMesh, condense_by_parts, condensed
+from haptonic.superelement import TiledMesh, Tiling
 
 Array = NDArray[np.float64]
 
@@ -43,10 +43,8 @@ def edges_of(cell: UnitCell, count: int) -> Array:
     height only has to make it once.
     """
     with threadpool_limits(1):
-        superelement = condense_by_parts(
-            cell, QUICK.plan(cell), QUICK.steps, block=QUICK.block, measured=False
-        )
-        pencil = ReducedCell.of(superelement, count, np.inf).pencil
+        tiling = Tiling.condensed(cell, QUICK.plans(cell), QUICK.steps, QUICK.block, measured=False)
+        pencil = ReducedCell.of(tiling, count, np.inf).pencil
         wavevectors, _ = cell.zone.triangles(GLANCE_DIVISIONS)
         values = np.array([eigenpairs(pencil, kappa, count)[0] for kappa in wavevectors])
     frequency = np.sqrt(np.maximum(values, 0.0)) / (2 * np.pi)
@@ -57,10 +55,10 @@ def edges_of(cell: UnitCell, count: int) -> Array:
 class QuickDesign:
     """Bands of a design in a coarse model.
 
-    shared : its mesh; model : its bands; zone : where they were sampled
+    shared : its meshes; model : its bands; zone : where they were sampled
     """
 
-    shared: FoldedMesh
+    shared: TiledMesh
     model: BlochModel
     zone: ZoneSampling
 
@@ -68,9 +66,9 @@ class QuickDesign:
     def of(cls, cell: UnitCell, count: int) -> QuickDesign:
         """Compute ``count`` bands of a cell."""
         with threadpool_limits(1):
-            shared = FoldedMesh.of(cell, QUICK.plan(cell))
-            superelement = condensed(shared, QUICK.steps, block=QUICK.block, measured=False)
-            reduced = ReducedCell.of(superelement, count, np.inf)
+            shared = TiledMesh.of(cell, QUICK.plans(cell))
+            tiling = shared.condensed(QUICK.steps, QUICK.block, measured=False)
+            reduced = ReducedCell.of(tiling, count, np.inf)
             model = BlochModel(cell, QUICK, count, reduced, reduced.pencil)
             return cls(shared, model, ZoneSampling(model))
 
@@ -86,9 +84,9 @@ class QuickDesign:
         chosen = self._critical(band - 1, +1) + self._critical(band, -1)
         found = [self._mode(kappa, number) for kappa, number in chosen]
         values, unknowns = np.array([value for value, _ in found]), np.hstack([mode for _, mode in found])
-        superelement = self.model.fine.superelement
-        trace = unknowns[: superelement.trace_size]
-        forms = eigenvalue_derivatives(self.shared, superelement.lifted(unknowns), trace, values, paths)
+        tiling = self.model.fine.tiling
+        trace = unknowns[: tiling.trace_size]
+        forms = eigenvalue_derivatives(self.shared, tiling.lifted(unknowns), trace, values, paths)
         frequency = np.sqrt(values) / (2 * np.pi)
         slopes = np.stack([np.diagonal(forms[path]).real for path in paths], axis=1)
         slopes /= 8 * np.pi**2 * frequency[:, None]

@@ -21,15 +21,19 @@ import numpy as np
 from numpy.typing import NDArray
 
 from haptonic.bloch.exact import ExactModes
-from haptonic.cell import HexMesh, mesh_cell
+from haptonic.cell import HexMesh, PlacedTile, UnitCell, mesh_cell
 from haptonic.cell.quadrature import lobatto
 from haptonic.design.parameters import UNITS, values_of
+from haptonic.errors import GeometryError
 from haptonic.materials import IsotropicMaterial, Material, elasticity_tensor
-from haptonic.superelement import FoldedMesh, through_levels
+from haptonic.superelement import FoldedMesh, TiledMesh, through_levels
 
 Array = NDArray[np.float64]
 Fields = NDArray[Any]  # real or complex
 
+# constants of the material that eigenvalues are in proportion to, or their inverses
+SCALES = {"material.youngs_modulus": 1.0, "material.density": -1.0}
+POISSON = "material.poisson_ratio"
 STEP = 1e-5  # of differences of the nodes' positions, relative to the parameter's scale
 
 
@@ -46,7 +50,7 @@ class Sensitivity:
     slopes: dict[str, Array]
 
 
-def sensitivity(shared: FoldedMesh, modes: ExactModes, paths: Sequence[str] | None = None) -> Sensitivity:
+def sensitivity(shared: TiledMesh, modes: ExactModes, paths: Sequence[str] | None = None) -> Sensitivity:
     """Derivatives of the frequency of exact modes with respect to parameters, by default all of them."""
     chosen = list(values_of(shared.cell)) if paths is None else paths
     derivatives = eigenvalue_derivatives(
@@ -58,7 +62,7 @@ def sensitivity(shared: FoldedMesh, modes: ExactModes, paths: Sequence[str] | No
 
 
 def eigenvalue_derivatives(
-    shared: FoldedMesh, fields: Fields, trace: Fields, values: Array, paths: Sequence[str]
+    shared: TiledMesh, fields: Fields, trace: Fields, values: Array, paths: Sequence[str]
 ) -> dict[str, Fields]:
     """``u_i* (K' - L_j M') u_j`` by path, (k, k) each in (rad/s)^2 per SI unit.
 
@@ -66,38 +70,77 @@ def eigenvalue_derivatives(
 
     Parameters
     ----------
-    shared : the mesh
+    shared : the meshes of the tiles
     fields : (nodes, 3, k) modes of unit mass; trace : (t, k) the unknowns behind their sides
     values : (k,) their eigenvalues L, (rad/s)^2, or (1,) for all alike
     """
-    energies = _Energies.of(shared.mesh, shared.cell.material, fields, values)
-    found = {}
-    for path in paths:
-        if path.startswith("material."):
-            found[path] = energies.by_material(path.removeprefix("material."), shared.cell.material)
-        else:
-            velocity, of_trace = _velocities(shared, path)
-            found[path] = energies.by_motion(velocity)
-            if np.abs(of_trace).max() > 0:
-                found[path] = found[path] + energies.by_displacement(_on_rim(shared, of_trace, trace))
-    return found
+    joint, start, material = shared.joint, 0, shared.cell.material
+    found = {path: _by_scale(path, material, values, fields.shape[2]) for path in paths if path in SCALES}
+    there = {path: _beside(shared.cell, path) for path in paths if not path.startswith("material.")}
+    for number, mesh in enumerate(shared.meshes):
+        end = start + mesh.mesh.topology.nodes
+        own = joint.placed[number].turn.T @ fields[start:end]
+        own_trace = joint.turned(number, trace[joint.of_tile(number)], back=True)
+        energies = _Energies.of(mesh.mesh, material, own, values)
+        for path in paths:
+            if path in SCALES:
+                continue
+            if path == POISSON:
+                form = energies.by_poisson_ratio(material)
+            else:
+                velocity, of_trace = _velocities(mesh, joint.placed[number], number, *there[path])
+                form = energies.by_motion(velocity)
+                if np.abs(of_trace).max() > 0:
+                    form = form + energies.by_displacement(_on_rim(mesh, of_trace, own_trace))
+            found[path] = found[path] + form if path in found else form
+        start = end
+    return {path: found[path] for path in paths}
 
 
-def _velocities(shared: FoldedMesh, path: str) -> tuple[Array, Array]:
-    """Of the nodes (nodes, 3) and of the map from the trace to the mesh's levels, per unit of a parameter.
+def _by_scale(path: str, material: Material, values: Array, count: int) -> Fields:
+    """Derivative with respect to a constant that all eigenvalues are in proportion to, or their inverses."""
+    here = getattr(material, path.removeprefix("material."))
+    return np.asarray(SCALES[path] * values / here * np.eye(count, dtype=complex))
 
-    Differences of smooth closed formulas, good to ten digits.
+
+def _beside(cell: UnitCell, path: str) -> tuple[UnitCell, UnitCell, float]:
+    """Cells in which a parameter is a little larger and smaller, and how far the two are apart.
+
+    Raises
+    ------
+    GeometryError : one of them is not possible, such as where four tiles meet in a point no more
     """
-    cell, plan = shared.cell, shared.mesh.topology.plan
     here = values_of(cell)[path]
     step = STEP * (1.0 if UNITS[path] == "rad" else here)
+    try:
+        ahead, behind = (cell.with_numbers({path: here + sign * step}) for sign in (1, -1))
+    except GeometryError as error:
+        raise GeometryError.conflict(
+            argument=path,
+            given=error.given,
+            allowed=f"a number that can be a little larger and smaller; {error.allowed}",
+            cause=f"there is no slope with it: {error.cause}",
+            next_step="leave it out, or move the design away from this limit by a hundredth",
+        ) from None
+    return ahead, behind, 2 * step
+
+
+def _velocities(
+    shared: FoldedMesh, placed: PlacedTile, number: int, ahead: UnitCell, behind: UnitCell, apart: float
+) -> tuple[Array, Array]:
+    """Of the nodes (nodes, 3) of a tile and of the map from its trace to its levels, per unit of a parameter.
+
+    Differences of smooth closed formulas, good to ten digits; the tile keeps its axes.
+    """
+    plan = shared.mesh.topology.plan
     meshes = []
-    for sign in (1, -1):
-        cell_there = cell.with_numbers({path: here + sign * step})
-        mesh = mesh_cell(cell_there, plan)
-        meshes.append((mesh.points, through_levels(cell_there, mesh, shared.levels)))
-    (ahead, map_ahead), (behind, map_behind) = meshes
-    return (ahead - behind) / (2 * step), (map_ahead - map_behind) / (2 * step)
+    for cell in (ahead, behind):
+        tile = cell.tile_like(number, placed)
+        assert len(tile.corners) == plan.sides, "a tile keeps its sides"
+        mesh = mesh_cell(tile, plan)
+        meshes.append((mesh.points, through_levels(tile, mesh, shared.levels)))
+    (here, map_ahead), (there, map_behind) = meshes
+    return (here - there) / apart, (map_ahead - map_behind) / apart
 
 
 def _on_rim(shared: FoldedMesh, of_trace: Array, trace: Fields) -> Fields:
@@ -157,14 +200,9 @@ class _Energies:
             total += _product(frame.gradient(change), s) - self.values * _product(moved, p)
         return total + total.conj().T
 
-    def by_material(self, name: str, material: Material) -> Fields:
-        """Derivative with respect to a constant of the material."""
-        unit = np.eye(self.fields.shape[2], dtype=complex)
-        if name == "density":
-            return np.asarray(-self.values / material.density * unit)
+    def by_poisson_ratio(self, material: Material) -> Fields:
+        """Derivative with respect to Poisson's ratio."""
         assert isinstance(material, IsotropicMaterial)
-        if name == "youngs_modulus":
-            return np.asarray(self.values / material.youngs_modulus * unit)
         tensor = elasticity_tensor(_poisson_slope(material))
         pairs = zip(self.frames, self.gradient, strict=True)
         return np.asarray(sum(_product(g, _stress(tensor, g, frame)) for frame, g in pairs))

@@ -24,6 +24,7 @@ from pydantic import Field
 from haptonic.cell import UnitCell
 from haptonic.design.parameters import OfCell, values_of
 from haptonic.fields import Quantity, described, once, problem
+from haptonic.fields.keys import pattern_of
 from haptonic.units import format_quantity
 
 Array = NDArray[np.float64]
@@ -62,7 +63,9 @@ class Spread(OfCell):
                 "give a positive one, or leave it out",
                 at="spread",
             )
-        if self.per == "pillar" and not self.parameter.startswith("cell.pillar."):
+        if self.per == "pillar" and not pattern_of(self.parameter).startswith(
+            ("cell.pillar.", "cell.site[].pillar.")
+        ):
             raise problem(
                 "conflict",
                 self.parameter,

@@ -2,7 +2,7 @@
 
 from haptonic.fields.described import described, extended, remade, unchecked
 from haptonic.fields.entries import Entries
-from haptonic.fields.keys import Key, leaves, table
+from haptonic.fields.keys import ByPattern, Key, leaves, table
 from haptonic.fields.numbers import numbers, unknown_number, with_numbers
 from haptonic.fields.of_number import NumberRange, OfNumber, ascending, once
 from haptonic.fields.placing import INLINE, TOP, Named, Placed
@@ -27,6 +27,7 @@ __all__ = [
     "LARGEST",
     "SMALLEST",
     "TOP",
+    "ByPattern",
     "Entries",
     "Frequency",
     "Key",

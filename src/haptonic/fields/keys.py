@@ -7,7 +7,7 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from functools import cache
 from types import NoneType, UnionType
-from typing import Annotated, Any, Literal, Union, get_args, get_origin
+from typing import Annotated, Any, Literal, TypeVar, Union, get_args, get_origin
 
 import annotated_types
 from pydantic.fields import FieldInfo
@@ -16,6 +16,8 @@ from haptonic.fields.entries import Entries
 from haptonic.fields.placing import Named, Placed
 from haptonic.fields.quantity import Quantity
 from haptonic.units import format_quantity
+
+T = TypeVar("T")
 
 
 @dataclass(frozen=True)
@@ -178,9 +180,30 @@ def leaves(model: Any, prefix: str = "", *, names: bool = True) -> Iterator[tupl
             yield path, value, slot.declared(model, value)
 
 
+def pattern_of(path: str) -> str:
+    """The path of the key that stands for a path: tables of one name count in it no more."""
+    return re.sub(r"\[\d+\]", "[]", path)
+
+
+class ByPattern(Mapping[str, T]):
+    """Values by the path of a key, ``sweep[].from``, found by those of its numbers, ``sweep[2].from``."""
+
+    def __init__(self, by_key: Mapping[str, T]) -> None:
+        self._by_key = dict(by_key)
+
+    def __getitem__(self, path: str) -> T:
+        return self._by_key[pattern_of(path)]
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self._by_key)
+
+    def __len__(self) -> int:
+        return len(self._by_key)
+
+
 def key_of(path: str, keys: Mapping[str, Key]) -> Key | None:
     """The key that a path of `leaves`, or one that an error names, belongs to."""
-    pattern = whole = re.sub(r"\[\d+\]", "[]", path)
+    pattern = whole = pattern_of(path)
     while pattern and pattern not in keys:
         pattern = pattern.removesuffix("[]") if pattern.endswith("[]") else pattern.rpartition(".")[0]
     key = keys.get(pattern)

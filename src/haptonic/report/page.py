@@ -65,9 +65,8 @@ def _key_numbers(results: Results) -> list[tuple[str, str]]:
     study, data = results.study, results.bands
     cell = study.cell
     sizes = [f"pitch {_length(cell.lattice.pitch)}", f"plate {_length(cell.thickness)}"]
-    if cell.pillar:
-        pillar = f"{_length(cell.pillar.diameter)} wide, {_length(cell.pillar.height)} high"
-        sizes.append(f"pillar {pillar}")
+    for pillar in dict.fromkeys(one for one in cell.pillars if one is not None):
+        sizes.append(f"pillar {_length(pillar.diameter)} wide, {_length(pillar.height)} high")
     complete = [gap for gap in gaps_of(data) if gap.complete and gap.certain]
     facts = [
         ("Unit cell", f"{cell.lattice.name} lattice; {'; '.join(sizes)}"),

@@ -140,7 +140,7 @@ def compute_guides(
     StudyError : no complete gap around the carrier, or no such waveguide
     """
     gap = need_gap_at(runner.gaps(cell, settings), carrier)
-    superelement = bloch_model(cell, settings).fine.superelement
+    (superelement,) = bloch_model(cell, settings).fine.tiling.tiles
     across, along = waveguide.nodal_lines
     period = float(np.linalg.norm(cell.lattice.vectors[1]))
     plate = PlainPlate.of(cell, superelement.levels)

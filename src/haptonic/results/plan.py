@@ -79,7 +79,7 @@ class StudyPlan(Result):
     def _cell_in_words(self) -> str:
         cell = self.cell
         parts = [f"a {cell.lattice.name} lattice", f"in {cell.material.name}"]
-        return " ".join(parts if cell.pillar else [*parts, "without pillars"])
+        return " ".join(parts if cell.has_pillars else [*parts, "without pillars"])
 
     def tables(self) -> list[Table]:
         costs = [

@@ -17,7 +17,9 @@ from haptonic.plate.settings import ResponseSettings
 from haptonic.response.checks import REST, THE_REST
 from haptonic.study.plate_map import check_map, drawn
 
-CHANGEABLE = [path for path in UNITS if path.startswith("cell.") and path != "cell.thickness"]
+CHANGEABLE = [
+    path for path in UNITS if path.startswith("cell.") and "[]" not in path and path != "cell.thickness"
+]
 LATTICE = "lattice"  # the name of the study's own cell in [plate.tiles]
 
 TileSize = Annotated[float, size(100e-6, 100e-3)]
@@ -48,7 +50,7 @@ class LatticeSettings:
     @property
     def units(self) -> dict[str, str]:
         """SI unit of every number that may change."""
-        return UNITS
+        return dict(UNITS)
 
 
 def _flat(tree: dict[str, Any], prefix: str = "") -> dict[str, object]:

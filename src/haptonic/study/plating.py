@@ -66,6 +66,8 @@ def plate_of(section: PlateSettings | None, own: UnitCell) -> Plate:
 def _layout(section: PlateSettings, own: UnitCell) -> Layout:
     tiles = section.grid
     cells = {name: cell for name, cell in _lattices(section, own) if name in section.tiles.values()}
+    for cell in cells.values():
+        cell.check_simple("a plate")
     for letter, name in section.tiles.items():
         if name in cells and cells[name].pillar is None:
             raise _refused(
@@ -74,8 +76,6 @@ def _layout(section: PlateSettings, own: UnitCell) -> Layout:
             )  # fmt: skip
     columns = [{row[j] or "" for row in tiles} for j in range(len(tiles[0]))]
     rows = [{name or "" for name in row} for row in tiles]
-    for cell in cells.values():
-        cell.lattice.check_rectangular("a plate")
     pitches = {name: (cell.lattice.a1[0], cell.lattice.a2[1]) for name, cell in cells.items()}
     x = _sizes("column", columns, {name: pitch[0] for name, pitch in pitches.items()}, section.widths,
                own.lattice.a1[0], "plate.widths")  # fmt: skip

@@ -28,6 +28,7 @@ from haptonic.fields import (
     unknown_number,
     with_numbers,
 )
+from haptonic.fields.keys import key_of
 from haptonic.fields.writing import document, toml_of
 from haptonic.friction.lubrication.settings import TouchSettings
 from haptonic.friction.participants import Participants
@@ -190,7 +191,9 @@ class Description:
                     path, "a parameter that this study gives", absent[path],
                     "give it in this study, or leave this table out", at=f"{at}.parameter",
                 )  # fmt: skip
-            quantity = keys[path].quantity
+            key = key_of(path, keys)
+            assert key is not None, path
+            quantity = key.quantity
             assert quantity is not None, path
             for name, value in (("from", one.low), ("to", one.high)):
                 if not quantity.holds(value):

@@ -4,14 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from functools import cache
-from types import MappingProxyType
 from typing import Annotated
 
 from pydantic import Field, ValidationInfo, field_validator
 
 from haptonic.bloch.settings import CARRIER, BandSettings
 from haptonic.cell import UnitCell
-from haptonic.fields import described, number_of, problem, table
+from haptonic.fields import ByPattern, described, number_of, problem, table
 from haptonic.fields.quantity import collected
 from haptonic.study.vary import Expression, check_names, parse
 from haptonic.units import format_quantity
@@ -21,8 +20,12 @@ from haptonic.units import format_quantity
 def numeric_parameters() -> Mapping[str, str]:
     """SI unit of every parameter that an expression can name, by path: what decides the bands."""
     keys = table(UnitCell, "cell.") | table(BandSettings, "bands.")
-    units = {path: key.quantity.unit for path, key in keys.items() if key.quantity}
-    return MappingProxyType({"carrier": CARRIER.unit, **units})
+    units = {
+        path: key.quantity.unit
+        for path, key in keys.items()
+        if key.quantity and key.kind != "quantities"  # sites stay where they are
+    }
+    return ByPattern({"carrier": CARRIER.unit, **units})
 
 
 @described("sweep", kw_only=True)

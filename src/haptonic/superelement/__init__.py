@@ -4,13 +4,19 @@ from haptonic.solvers import definite
 from haptonic.superelement.condense import Superelement, condense, condensed, on_each
 from haptonic.superelement.dynamic import DynamicStiffness, dynamic_stiffness
 from haptonic.superelement.folded import FoldedMesh, through_levels
+from haptonic.superelement.joint import Joint, JointImage, repeated
 from haptonic.superelement.substructured import condense_by_parts
+from haptonic.superelement.tiling import TiledMesh, Tiling
 from haptonic.superelement.trace import TraceOperation
 
 __all__ = [
     "DynamicStiffness",
     "FoldedMesh",
+    "Joint",
+    "JointImage",
     "Superelement",
+    "TiledMesh",
+    "Tiling",
     "TraceOperation",
     "condense",
     "condense_by_parts",
@@ -18,5 +24,6 @@ __all__ = [
     "definite",
     "dynamic_stiffness",
     "on_each",
+    "repeated",
     "through_levels",
 ]

@@ -21,8 +21,7 @@ import numpy as np
 import scipy.linalg as la
 from numpy.typing import NDArray
 
-from haptonic.cell import HexMesh, MeshPlan, UnitCell
-from haptonic.lattice import Operation
+from haptonic.cell import HexMesh, MeshPlan, TileShape
 from haptonic.solvers import Solver, definite
 from haptonic.superelement.folded import FoldedMesh
 from haptonic.superelement.interior import CraigBampton, reduced
@@ -49,7 +48,7 @@ class Superelement:
     measures : what characterises motion, if it was asked for
     """
 
-    cell: UnitCell
+    cell: TileShape
     mesh: HexMesh
     levels: int
     stiffness: Array
@@ -74,24 +73,26 @@ class Superelement:
         counts = [part.count for part in self.parts]
         return np.repeat(parity.prod(axis=1), counts).astype(float)
 
-    def mirror(self, operation: Operation) -> TraceOperation:
-        """How a mirror, or the half-turn, acts on traces."""
-        return TraceOperation.of(self.cell, self.mesh.topology, self.levels, operation)
+    def mirror(self, turn: Array) -> TraceOperation:
+        """How a mirror, or the half-turn, a map of space (3, 3), acts on traces."""
+        return TraceOperation.of(self.cell, self.mesh.topology, self.levels, turn)
 
     def lifted(self, fields: Fields) -> Fields:
         """(nodes, 3, k) displacement on the mesh from (t + m, k) unknowns, real or complex."""
         return lifted(self.parts, *np.split(fields, [self.trace_size]))
 
 
-def on_each(form: Array, fields: Fields) -> Array:
-    """(k,) values of a real quadratic form (n, n) on fields (n, k), real or complex."""
+def on_each(form: Fields, fields: Fields) -> Array:
+    """(k,) values of a form (n, n), real symmetric or Hermitian, on fields (n, k), real or complex."""
+    if np.iscomplexobj(form):
+        return np.asarray(np.einsum("ik,ik->k", fields.conj(), form @ fields).real)
     parts = np.hstack([fields.real, fields.imag]) if np.iscomplexobj(fields) else fields
     values = np.einsum("ik,ik->k", parts, form @ parts)
     return np.asarray(values.reshape(-1, fields.shape[1]).sum(axis=0))
 
 
 def condense(
-    cell: UnitCell, plan: MeshPlan, steps: int = 2, *, block: int = 10, measured: bool = True
+    cell: TileShape, plan: MeshPlan, steps: int = 2, *, block: int = 10, measured: bool = True
 ) -> Superelement:
     """Condense a cell onto its lateral faces.
 
@@ -121,7 +122,7 @@ def condensed(shared: FoldedMesh, steps: int, *, block: int, measured: bool) -> 
 
 
 def assembled(
-    cell: UnitCell, mesh: HexMesh, levels: int, pieces: Sequence[CondensedClass], sizes: Array | None
+    cell: TileShape, mesh: HexMesh, levels: int, pieces: Sequence[CondensedClass], sizes: Array | None
 ) -> Superelement:
     """The superelement that consists of given classes; measured ones come with the sizes of the sections."""
     measures = None
@@ -131,7 +132,8 @@ def assembled(
         momenta = np.hstack([of_trace, *(piece.momenta_of_modes for piece in pieces)])
         motion = momenta.reshape(4, sizes.shape[1], momenta.shape[1])
         height, mass, inertia = sizes
-        measures = Measures(**forms, sections=PillarSections(height, mass, inertia, motion))
+        sections = (PillarSections(height, mass, inertia, motion),) if len(height) else ()
+        measures = Measures(**forms, sections=sections)
     return Superelement(
         cell=cell,
         mesh=mesh,

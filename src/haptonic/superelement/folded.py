@@ -9,12 +9,12 @@ import numpy as np
 import scipy.linalg as la
 from numpy.typing import NDArray
 
-from haptonic.cell import HexMesh, MeshPlan, UnitCell, mesh_cell
+from haptonic.cell import HexMesh, MeshPlan, TileShape, mesh_cell
 from haptonic.cell.quadrature import interpolation, lobatto
 from haptonic.elements import element_matrices
 from haptonic.superelement.assembly import Assembler, FoldedStiffness, assembler_of
 from haptonic.superelement.interior import Bounded
-from haptonic.superelement.symmetry import Folding, fold, folds_of
+from haptonic.superelement.symmetry import DIAGONAL, Folding, fold, folds_of
 from haptonic.superelement.trace import FoldedTrace, trace_levels
 
 Array = NDArray[np.float64]
@@ -35,7 +35,7 @@ class FoldedCell:
     body: Bounded
 
 
-def through_levels(cell: UnitCell, mesh: HexMesh, levels: int) -> Array:
+def through_levels(cell: TileShape, mesh: HexMesh, levels: int) -> Array:
     """(plate levels, levels) values on the mesh's levels at the cell's sides from those on the trace's."""
     levels_at = 0.5 * cell.thickness * (1 + lobatto(levels - 1)[0])
     return interpolation(levels_at, mesh.points[mesh.topology.rim[:, 0], 2])
@@ -50,7 +50,7 @@ class FoldedMesh:
     representative_mass, nodal_mass : lumped mass of the folded and of the whole mesh, kg
     """
 
-    cell: UnitCell
+    cell: TileShape
     mesh: HexMesh
     levels: int
     assembler: Assembler
@@ -60,12 +60,12 @@ class FoldedMesh:
     nodal_mass: Array
 
     @classmethod
-    def of(cls, cell: UnitCell, plan: MeshPlan) -> FoldedMesh:
+    def of(cls, cell: TileShape, plan: MeshPlan) -> FoldedMesh:
         """Mesh a cell and fold it along its mirrors."""
         return cls.of_mesh(cell, mesh_cell(cell, plan))
 
     @classmethod
-    def of_mesh(cls, cell: UnitCell, mesh: HexMesh, *, open_top: bool = False) -> FoldedMesh:
+    def of_mesh(cls, cell: TileShape, mesh: HexMesh, *, open_top: bool = False) -> FoldedMesh:
         """Fold a mesh; with an open top, the lower part of one, to which something will be joined."""
         levels = trace_levels(mesh.topology.plan)
         topology = mesh.topology
@@ -97,7 +97,7 @@ class FoldedMesh:
         """Symmetry classes to compute, and those that are images of another in the diagonal of a square."""
         parity = [tuple(int(sign) for sign in signs) for signs in self.folding.parity]
         images = {}
-        if "d" in self.cell.point_group.mirrors:  # it exchanges the mirrors x and y
+        if len(parity) == 4 and self.cell.has_symmetry(DIAGONAL):  # it exchanges the mirrors x and y
             images[parity.index((-1, 1))] = parity.index((1, -1))
         return [q for q in range(len(parity)) if q not in images], images
 

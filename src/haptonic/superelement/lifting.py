@@ -9,8 +9,8 @@ from typing import Any, Protocol
 import numpy as np
 from numpy.typing import NDArray
 
-from haptonic.cell import Topology, UnitCell
-from haptonic.lattice import DIAGONAL
+from haptonic.cell import TileShape, Topology
+from haptonic.superelement.symmetry import DIAGONAL
 from haptonic.superelement.trace import FoldedTrace, TraceOperation
 
 Array = NDArray[np.float64]
@@ -25,8 +25,10 @@ class DiagonalImage:
     moved: NDArray[np.int64]
 
     @classmethod
-    def of(cls, cell: UnitCell, topology: Topology, levels: int) -> DiagonalImage:
-        return cls(TraceOperation.of(cell, topology, levels, DIAGONAL), topology.permutation(DIAGONAL))
+    def of(cls, tile: TileShape, topology: Topology, levels: int) -> DiagonalImage:
+        sides = tile.moved_sides(DIAGONAL)
+        assert sides is not None, "no square"
+        return cls(TraceOperation.of(tile, topology, levels, DIAGONAL), topology.permutation(sides))
 
     def applied(self, field: Fields) -> Fields:
         """Mirror image of a field (nodes, 3, k)."""

@@ -20,14 +20,14 @@ ENERGIES = ("pillar_stiffness", "pillar_mass", "vertical_mass")
 class Measures:
     """Quadratic forms (t + m, t + m) and linear ones that say what kind of motion a field is.
 
-    pillar_stiffness, pillar_mass : the pillar's shares; vertical_mass : the share of motion along z
-    sections : how the pillar moves
+    pillar_stiffness, pillar_mass : the pillars' shares; vertical_mass : the share of motion along z
+    sections : how each pillar moves
     """
 
     pillar_stiffness: Array
     pillar_mass: Array
     vertical_mass: Array
-    sections: PillarSections
+    sections: tuple[PillarSections, ...]
 
 
 @dataclass(frozen=True)

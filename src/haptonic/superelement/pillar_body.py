@@ -2,8 +2,9 @@
 
 Over its section displacement is a polynomial in x and y, along it one in z: far from the foot, where stress
 is singular, it is smooth. A motion is given by its values on Gauss-Lobatto-Legendre levels along the body,
-each a sum of polynomials that are orthonormal over the section. In a symmetry class the polynomials of a
-component are even or odd in x and y, and there are as many of them whichever it is.
+each a sum of polynomials that are orthonormal over the section. In a symmetry class of two mirrors the
+polynomials of a component are even or odd in x and y, and there are as many of them whichever it is; with
+fewer operations several of these kinds make a class.
 """
 
 from __future__ import annotations
@@ -23,6 +24,7 @@ from haptonic.materials import Material, elasticity_tensor
 
 Array = NDArray[np.float64]
 Parity = tuple[int, int]  # in x and y: 0 even, 1 odd
+Kinds = tuple[Parity, ...]  # of the polynomials of a component
 
 PARITIES: tuple[Parity, ...] = ((0, 0), (0, 1), (1, 0), (1, 1))
 
@@ -34,7 +36,7 @@ class PillarBody:
     low, length : height of its lower end, and how far it reaches from there, m
     half_width : radius, or half the side of a square section, m
     degree : of the polynomials in x^2 and y^2, beside the factors x and y of odd ones
-    order : of the polynomials along z
+    order : of the polynomials along z; kinds : of polynomials over the section that each component has
     """
 
     low: float
@@ -44,18 +46,19 @@ class PillarBody:
     material: Material
     degree: int
     order: int
+    kinds: int
 
     @property
     def shapes(self) -> int:
         """Number of polynomials of each component over the section."""
-        return len(_exponents((0, 0), self.degree))
+        return self.kinds * len(_exponents((0, 0), self.degree))
 
     @property
     def on_section(self) -> int:
         """Unknowns of one level."""
         return 3 * self.shapes
 
-    def stiffness(self, parities: tuple[Parity, ...]) -> Array:
+    def stiffness(self, parities: tuple[Kinds, ...]) -> Array:
         """(u, u) on unknowns (level, polynomial, component), N/m; parities of the three components."""
         tensor = elasticity_tensor(self.material.stiffness)
         _, weights, slopes = lobatto(self.order)
@@ -67,10 +70,10 @@ class PillarBody:
             (True, True): (slopes.T * weights) @ slopes / half,
         }
         over = _section_forms(self.section, self.degree)
-        of_component = [PARITIES.index(parity) for parity in parities]
-        over = over[np.ix_(of_component, of_component)]
+        of_component = [PARITIES.index(parity) for kinds in parities for parity in kinds]
+        over = over[np.ix_(of_component, of_component)].reshape(2 * (3, self.kinds) + over.shape[2:])
         scale = self.half_width ** (1.0 - (np.arange(3) < 2))  # a slope over the section is per half-width
-        forms = np.einsum("iajb,ijabmn,a,b->abminj", tensor, over, scale, scale, optimize=True)
+        forms = np.einsum("iajb,ikjlabmn,a,b->abkmilnj", tensor, over, scale, scale, optimize=True)
         total = np.zeros((self.order + 1, self.on_section, self.order + 1, self.on_section))
         for (first, second), integral in along.items():
             rows, columns = ([2] if slope else [0, 1] for slope in (first, second))
@@ -102,36 +105,41 @@ class PillarBody:
         turning = 2 * self._weights * arm * self.half_width**2
         return np.stack([self._levels, self._weights * area, turning])
 
-    def momenta(self, parities: tuple[Parity, ...]) -> Array:
+    def momenta(self, parities: tuple[Kinds, ...]) -> Array:
         """(4, levels, u) momentum along x, y and z and angular momentum of each level, per unknown."""
         levels = self.order + 1
         section = np.zeros((4, self.shapes, 3))
-        for c, parity in enumerate(parities):
-            section[c, :, c] = self._moments(parity, (0, 0))
+        for c, kinds in enumerate(parities):
+            section[c, :, c] = self._moments(kinds, (0, 0))
         section[3, :, 0] = -self.half_width * self._moments(parities[0], (0, 1))
         section[3, :, 1] = self.half_width * self._moments(parities[1], (1, 0))
         forms = np.einsum("cu,k,kl->cklu", section.reshape(4, -1), self._weights, np.eye(levels))
         return np.asarray(forms.reshape(4, levels, -1))
 
-    def _moments(self, parity: Parity, powers: tuple[int, int]) -> Array:
+    def _moments(self, kinds: Kinds, powers: tuple[int, int]) -> Array:
         """(shapes,) integrals over the section of half-width 1 of x^p y^q times the polynomials."""
-        monomials = _exponents(parity, self.degree)
-        values = [_moment(self.section, p + powers[0], q + powers[1]) for p, q in monomials]
-        return np.asarray(np.array(values) @ _orthonormal(self.section, self.degree, parity))
+        found = []
+        for parity in kinds:
+            monomials = _exponents(parity, self.degree)
+            values = [_moment(self.section, p + powers[0], q + powers[1]) for p, q in monomials]
+            found.append(np.array(values) @ _orthonormal(self.section, self.degree, parity))
+        return np.concatenate(found)
 
-    def over_section(self, parity: Parity, x: Array, y: Array) -> Array:
+    def over_section(self, kinds: Kinds, x: Array, y: Array) -> Array:
         """(n, shapes) values of the polynomials at points (m) of the section."""
-        coefficients = _orthonormal(self.section, self.degree, parity)
-        p, q = np.array(_exponents(parity, self.degree)).T
-        powers = (x[:, None] / self.half_width) ** p * (y[:, None] / self.half_width) ** q
-        return np.asarray(powers @ coefficients)
+        found = []
+        for parity in kinds:
+            p, q = np.array(_exponents(parity, self.degree)).T
+            powers = (x[:, None] / self.half_width) ** p * (y[:, None] / self.half_width) ** q
+            found.append(powers @ _orthonormal(self.section, self.degree, parity))
+        return np.hstack(found)
 
-    def displaced(self, parities: tuple[Parity, ...], points: Array, unknowns: NDArray[Any]) -> NDArray[Any]:
+    def displaced(self, parities: tuple[Kinds, ...], points: Array, unknowns: NDArray[Any]) -> NDArray[Any]:
         """(n, 3, k) displacement at points (n, 3), m, of the body from unknowns (u, k)."""
         heights, level = np.unique(points[:, 2], return_inverse=True)
         values = unknowns.reshape(self.order + 1, -1)
         values = (interpolation(self._levels, heights) @ values).reshape(len(heights), self.shapes, 3, -1)
-        over = [self.over_section(parity, points[:, 0], points[:, 1]) for parity in parities]
+        over = [self.over_section(kinds, points[:, 0], points[:, 1]) for kinds in parities]
         moved = [np.einsum("nm,nmk->nk", over[c], values[level, :, c]) for c in range(3)]
         return np.stack(moved, axis=1)
 

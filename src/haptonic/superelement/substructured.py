@@ -15,7 +15,7 @@ import numpy as np
 import scipy.linalg as la
 from numpy.typing import NDArray
 
-from haptonic.cell import HexMesh, MeshPlan, UnitCell, mesh_cell
+from haptonic.cell import HexMesh, MeshPlan, TileShape, mesh_cell
 from haptonic.cell.edges import FOOT_LAYER
 from haptonic.cell.topology import Topology, topology_of
 from haptonic.solvers import Solver, definite
@@ -25,9 +25,9 @@ from haptonic.superelement.interior import Bounded, CraigBampton, reduced
 from haptonic.superelement.lifting import DiagonalImage, Fields, unfolded
 from haptonic.superelement.measures import ENERGIES, ClassMeasures
 from haptonic.superelement.parallel import KEPT_ENTRIES, for_each_class
-from haptonic.superelement.pillar_body import Parity, PillarBody
+from haptonic.superelement.pillar_body import PARITIES, Kinds, PillarBody
 from haptonic.superelement.sections import section_sizes
-from haptonic.superelement.symmetry import Folding, folds_of
+from haptonic.superelement.symmetry import DIAGONAL, Folding, folds_of
 from haptonic.superelement.trace import FoldedTrace
 
 Array = NDArray[np.float64]
@@ -39,7 +39,7 @@ KEPT_FEET = 4  # that wait for the next design with the same
 
 @definite()
 def condense_by_parts(
-    cell: UnitCell, plan: MeshPlan, steps: int = 2, *, block: int = 10, measured: bool = True
+    cell: TileShape, plan: MeshPlan, steps: int = 2, *, block: int = 10, measured: bool = True
 ) -> Superelement:
     """Condense a cell onto its lateral faces, its pillar's body apart where it is a prism.
 
@@ -59,11 +59,10 @@ def condense_by_parts(
     return assembled(cell, mesh, foot.levels, [joined[q] for q in sorted(joined)], sizes)
 
 
-def pillar_body_of(cell: UnitCell, mesh: HexMesh) -> PillarBody | None:
+def pillar_body_of(cell: TileShape, mesh: HexMesh) -> PillarBody | None:
     """The body of a cell's pillar, which starts where the mesh's second layer above the thin ones does."""
     pillar, plan = cell.pillar, mesh.topology.plan
-    folds = folds_of(cell)
-    if pillar is None or pillar.draft or pillar.step or plan.pillar_layers < 2 or len(folds) < 2:
+    if pillar is None or not pillar.is_prism or plan.pillar_layers < 2:
         return None
     low = float(mesh.points[_below_body(plan).top[0], 2])
     if low - cell.thickness < FOOT_LAYER * pillar.diameter * (1 - 1e-9):
@@ -78,6 +77,7 @@ def pillar_body_of(cell: UnitCell, mesh: HexMesh) -> PillarBody | None:
         material=cell.material,
         degree=degree,
         order=LEAST_ORDER + PER_LAYER * plan.pillar_layers,
+        kinds=len(PARITIES) // 2 ** len(folds_of(cell)),
     )
 
 
@@ -85,13 +85,13 @@ def pillar_body_of(cell: UnitCell, mesh: HexMesh) -> PillarBody | None:
 class _FootClass:
     """One symmetry class of what stands below a body: its boundary is the trace, then the body's section.
 
-    parities : of the displacement's components in this class
+    parities : of the polynomials of the displacement's components in this class
     on_top : (3 representatives, s) the highest level's nodes from the section's unknowns
     own : on boundary and modes; measures : the same
     """
 
     trace: FoldedTrace
-    parities: tuple[Parity, ...]
+    parities: tuple[Kinds, ...]
     on_top: Array
     own: CraigBampton
     measures: ClassMeasures | None
@@ -121,12 +121,21 @@ def _below_body(plan: MeshPlan) -> Topology:
 
 
 def _foot_below(
-    cell: UnitCell, mesh: HexMesh, body: PillarBody, steps: int, block: int, measured: bool
+    cell: TileShape, mesh: HexMesh, body: PillarBody, steps: int, block: int, measured: bool
 ) -> _Foot:
     """The foot of a body, made or found again; nodes are numbered from the flat face up, its own first."""
     topology = _below_body(mesh.topology.plan)
     points = mesh.points[: topology.nodes]
-    about = (topology.plan, cell.point_group.operations, body.section, body.degree, steps, block, measured)
+    about = (
+        topology.plan,
+        folds_of(cell),
+        cell.has_symmetry(DIAGONAL),
+        body.section,
+        body.degree,
+        steps,
+        block,
+        measured,
+    )
     content = [repr(about).encode(), points.tobytes(), cell.material.stiffness.tobytes()]
     key = hashlib.sha256(b"".join(content) + repr(cell.material.density).encode()).hexdigest()
     with _lock:
@@ -161,20 +170,30 @@ def _condense_foot(
     top = folding.origin[folding.node[shared.mesh.topology.top].min() :]
     x, y, _ = shared.mesh.points[top].T
     values = np.zeros((len(top), 3, body.shapes, 3))
-    for c, parity in enumerate(parities):
-        values[:, c, :, c] = body.over_section(parity, x, y)
+    for c, kinds in enumerate(parities):
+        values[:, c, :, c] = body.over_section(kinds, x, y)
     on_top = values.reshape(3 * len(top), body.on_section)
     folded = shared.symmetry_class(q, on_top)
     solver.factorise(folded.interior)
-    own = reduced(solver, folded.body, steps, block + FOR_SECTION)
+    own = reduced(solver, folded.body, steps, block + FOR_SECTION * body.kinds)
     measures = ClassMeasures.of(shared, q, folded, own, on_top) if measured else None
     return _FootClass(folded.trace, parities, on_top, own, measures)
 
 
-def _parities(folding: Folding, q: int) -> tuple[Parity, ...]:
-    """Of the displacement's components in a class of a cell with both mirrors."""
-    signs = folding.parity[q][:, None] * folding.component
-    return tuple((int(x < 0), int(y < 0)) for x, y in signs.T)
+def _parities(folding: Folding, q: int) -> tuple[Kinds, ...]:
+    """Kinds of polynomials of the displacement's components in a class: those with its signs."""
+    wanted = folding.parity[q][:, None] * folding.component
+    return tuple(
+        tuple(
+            (x, y)
+            for x, y in PARITIES
+            if all(
+                turn[0] ** x * turn[1] ** y == sign
+                for turn, sign in zip(folding.component, signs, strict=True)
+            )
+        )
+        for signs in wanted.T
+    )
 
 
 def _joined(

@@ -13,21 +13,27 @@ from itertools import product
 import numpy as np
 from numpy.typing import NDArray
 
-from haptonic.cell import Topology, UnitCell
-from haptonic.lattice import HALF_TURN, Operation
+from haptonic.cell import TileShape, Topology
+from haptonic.cell.tile import HALF_TURNED, Sides
 
 Ints = NDArray[np.int64]
 
-Folds = tuple[tuple[Operation, tuple[int, int, int]], ...]  # operations, and what each does to components
+Folds = tuple[tuple[Sides, tuple[int, int, int]], ...]  # operations, and what each does to components
+
+MIRRORS = np.diag([-1.0, 1.0, 1.0]), np.diag([1.0, -1.0, 1.0])  # across x and across y
+DIAGONAL = np.array([[0.0, 1.0, 0.0], [1.0, 0.0, 0.0], [0.0, 0.0, 1.0]])  # exchanges x and y
 
 
-def folds_of(cell: UnitCell) -> Folds:
-    """The mirrors across x and y that a cell has, or else its half-turn."""
-    group = cell.point_group
-    turns = {op: group.turn(op) for op in group.operations}
-    signs = {op: np.diag(turn).astype(int) for op, turn in turns.items() if not turn[0, 1]}
-    mirrors = sorted((tuple(sign.tolist()), op) for op, sign in signs.items() if sign.prod() < 0)
-    return tuple((op, sign) for sign, op in mirrors) or ((HALF_TURN, (-1, -1, 1)),)
+def folds_of(tile: TileShape) -> Folds:
+    """The mirrors across x and y that a tile has, or else its half-turn, or else nothing."""
+    mirrors = tuple(_fold(tile, turn) for turn in MIRRORS if tile.has_symmetry(turn))
+    return mirrors or tuple(_fold(tile, turn) for turn in (HALF_TURNED,) if tile.has_symmetry(turn))
+
+
+def _fold(tile: TileShape, turn: NDArray[np.float64]) -> tuple[Sides, tuple[int, int, int]]:
+    sides, (x, y, z) = tile.moved_sides(turn), np.diag(turn).astype(int)
+    assert sides is not None
+    return sides, (int(x), int(y), int(z))
 
 
 @dataclass(frozen=True, eq=False)

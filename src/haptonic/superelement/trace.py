@@ -13,8 +13,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from haptonic.cell import MeshPlan, Topology, UnitCell
-from haptonic.lattice import Operation
+from haptonic.cell import MeshPlan, TileShape, Topology
 from haptonic.superelement.symmetry import Folding
 
 Array = NDArray[np.float64]
@@ -28,7 +27,9 @@ def trace_levels(plan: MeshPlan) -> int:
     enough far from it, but a parabola at least.
     """
     layers = len(plan.plate_layer_orders)
-    return plan.plate_levels if layers == 1 else max(plan.upward, 3)
+    if plan.levels:
+        return plan.levels
+    return plan.plate_levels if layers == 1 else max(plan.upward, 3) + plan.near_rim
 
 
 @dataclass(frozen=True, eq=False)
@@ -123,12 +124,14 @@ class TraceOperation:
     levels: int
 
     @classmethod
-    def of(cls, cell: UnitCell, topology: Topology, levels: int, operation: Operation) -> TraceOperation:
-        """An operation that is its own inverse."""
+    def of(cls, tile: TileShape, topology: Topology, levels: int, turn: Array) -> TraceOperation:
+        """An operation (3, 3) on space that is its own inverse and leaves the tile as it is."""
+        sides = tile.moved_sides(turn)
+        assert sides is not None, "no symmetry of this tile"
         first = topology.rim[0]
         position = {int(node): place for place, node in enumerate(first)}
-        moved = np.array([position[int(n)] for n in topology.permutation(operation)[first]])
-        return cls(np.argsort(moved), cell.lattice.point_group.turn(operation), levels)
+        moved = np.array([position[int(n)] for n in topology.permutation(sides)[first]])
+        return cls(np.argsort(moved), turn, levels)
 
     def applied(self, trace: NDArray[Any]) -> NDArray[Any]:
         """Image of (t, k) traces, or of the rows (t, k) of linear forms on them."""

@@ -59,7 +59,7 @@ def cell_drawing(
     """
     tolerances = checked_tolerances(cell, tolerances or {})
     scaled = in_mm(cell, columns, rows)
-    scaled.lattice.check_rectangular("the drawing")
+    scaled.check_simple("the drawing")
     with reproducible():
         sheet = Sheet.of(outlines(scaled, columns, rows))
         left, bottom, right, top = FRAME, FRAME, A4[0] - FRAME, A4[1] - FRAME

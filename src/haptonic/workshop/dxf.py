@@ -12,7 +12,7 @@ from ezdxf.layouts import BaseLayout
 
 from haptonic.cell import UnitCell
 from haptonic.store import refuse_overwrite, write_atomically
-from haptonic.workshop.shape import Array, Form, PillarShape, centres, corner_grid, in_mm, plate_outline
+from haptonic.workshop.shape import Array, Form, PillarShape, corner_grid, in_mm, plate_outline, standing
 
 MILLIMETRES = 4  # code of the header variable $INSUNITS
 MARK = 0.1  # half the length of a centre mark, in diameters of the pillar
@@ -63,9 +63,9 @@ def outlines(cell: UnitCell, columns: int, rows: int) -> Drawing:
     corners = corner_grid(cell, columns, rows)
     for line in [*corners, *corners.swapaxes(0, 1)]:  # whole lines: two cells share their border
         space.add_line(line[0].tolist(), line[-1].tolist(), dxfattribs={"layer": "CELL"})
-    if cell.pillar is not None:
-        body, arm = PillarShape.of(cell.pillar), MARK * cell.pillar.diameter
-        for x, y in centres(cell, columns, rows).tolist():
+    for pillar, places in standing(cell, columns, rows):
+        body, arm = PillarShape.of(pillar), MARK * pillar.diameter
+        for x, y in places.tolist():
             for layer, half_width in body.outlines.items():
                 add_outline(space, body.form, (x, y), half_width, layer)
             space.add_line((x - arm, y), (x + arm, y), dxfattribs={"layer": "CENTRE"})

@@ -24,6 +24,7 @@ from haptonic.errors import GeometryError
 Array = NDArray[np.float64]
 Place = tuple[float, float]
 
+TRIANGLES = "a surface of triangles"
 MM = 1e3  # mm in a metre
 
 
@@ -196,6 +197,45 @@ def centres(cell: UnitCell, columns: int, rows: int) -> Array:
     """(columns * rows, 2) centres of the cells of a plate, column by column."""
     corners = corner_grid(cell, columns, rows)
     return np.asarray(0.5 * (corners[:-1, :-1] + corners[1:, 1:]).reshape(-1, 2))
+
+
+def standing(cell: UnitCell, columns: int, rows: int) -> list[tuple[Pillar, Array]]:
+    """Pillars of a plate, each with the (n, 2) places where it stands.
+
+    A cell of several sites is cut where there is most room between them.
+
+    Raises
+    ------
+    GeometryError : a pillar that reaches beyond the edge of the plate, wherever the cell is cut
+    """
+    if cell.is_simple:
+        return [(cell.pillar, centres(cell, columns, rows))] if cell.pillar else []
+    starts = [_widest_gap(along) for along in cell.shares.T]
+    first = corner_grid(cell, columns, rows)[:-1, :-1].reshape(-1, 2)
+    across = np.linalg.inv(cell.lattice.vectors)  # its columns are normal to the sides
+    found = []
+    for share, pillar in zip((cell.shares - starts) % 1.0, cell.pillars, strict=True):
+        if pillar is None:
+            continue
+        room = np.minimum(share, 1 - share) / np.linalg.norm(across, axis=0)
+        if room.min() < pillar.widest:
+            raise GeometryError.conflict(
+                argument="cell.site",
+                given=f"a pillar {2 * pillar.widest:.4g} mm wide, {room.min():.4g} mm from the plate's edge",
+                allowed="pillars that stand on the plate with their whole foot",
+                cause="the sites leave no room for a straight cut between them",
+                next_step="describe the same lattice by a larger cell, or draw the plate by hand",
+            )
+        found.append((pillar, np.asarray(first + share @ cell.lattice.vectors)))
+    return found
+
+
+def _widest_gap(shares: Array) -> float:
+    """The middle of the widest gap between some shares of a translation, from 0 to 1."""
+    edges = np.sort(shares)
+    gaps = np.diff(np.append(edges, edges[0] + 1.0))
+    widest = int(np.argmax(np.round(gaps, 9)))
+    return float((edges[widest] + 0.5 * gaps[widest]) % 1.0)
 
 
 def plate_outline(cell: UnitCell, columns: int, rows: int) -> Array:

@@ -18,7 +18,7 @@ import numpy as np
 from haptonic.cell import UnitCell
 from haptonic.errors import ResourceError
 from haptonic.store import refuse_overwrite, write_atomically
-from haptonic.workshop.shape import MM, PillarShape, centres, in_mm, plate_outline
+from haptonic.workshop.shape import MM, PillarShape, in_mm, plate_outline, standing
 
 # OpenCascade, as NETGEN calls it, puts its own name where the product's and the author's belong.
 _HEADER = re.compile(r"FILE_NAME\(.*?\);", re.DOTALL)
@@ -38,11 +38,12 @@ def solid(cell: UnitCell, columns: int = 1, rows: int = 1) -> Any:
     corners = [occ.Pnt(x, y, 0.0) for x, y in plate_outline(cell, columns, rows)]
     edges = [occ.Segment(a, b) for a, b in pairwise([*corners, corners[0]])]
     plate = occ.Prism(occ.Face(occ.Wire(edges)), occ.Vec(0.0, 0.0, cell.thickness))
-    if cell.pillar is None:
-        return plate
-    pillar = _pillar(occ, PillarShape.of(cell.pillar))
-    places = [occ.Vec(x, y, cell.thickness) for x, y in centres(cell, columns, rows)]
-    return plate + occ.Compound([pillar.Move(place) for place in places])
+    pillars = [
+        _pillar(occ, PillarShape.of(pillar)).Move(occ.Vec(x, y, cell.thickness))
+        for pillar, places in standing(cell, columns, rows)
+        for x, y in places
+    ]
+    return plate + occ.Compound(pillars) if pillars else plate
 
 
 def write_step(

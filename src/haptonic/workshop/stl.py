@@ -19,7 +19,7 @@ from numpy.typing import NDArray
 from haptonic.cell import UnitCell
 from haptonic.errors import GeometryError
 from haptonic.store import refuse_overwrite, write_atomically
-from haptonic.workshop.shape import MM, Array, PillarShape, centres, corner_grid, in_mm
+from haptonic.workshop.shape import MM, TRIANGLES, Array, PillarShape, centres, corner_grid, in_mm
 
 Triangles = NDArray[np.int64]
 
@@ -36,6 +36,7 @@ def surface(cell: UnitCell, columns: int = 1, rows: int = 1, *, chord: float = C
     GeometryError : a number of columns or rows that is not a positive integer, or a useless ``chord``
     """
     scaled = in_mm(cell, columns, rows)
+    scaled.check_one_site(TRIANGLES)
     smallest = min(scaled.lattice.pitch, 2 * scaled.pillar.narrowest if scaled.pillar else math.inf)
     if not 1e-6 * smallest < chord * MM < 0.1 * smallest:
         raise GeometryError.out_of_range(

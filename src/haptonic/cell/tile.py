@@ -1,0 +1,153 @@
+"""A tile: a convex polygon of plate about a point, with at most one pillar there.
+
+Every cell is put together from tiles, edge to edge; a cell of one site is a tile itself.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+from typing import cast
+
+import numpy as np
+from numpy.typing import NDArray
+
+from haptonic.cell.pillar import Pillar
+from haptonic.lattice import SAME
+from haptonic.materials import Material, is_symmetry
+
+Array = NDArray[np.float64]
+Sides = tuple[int, int]  # where a turn or mirror of a polygon takes its first two sides
+
+HALF_TURNED = np.diag([-1.0, -1.0, 1.0])  # about the normal
+SHEET = 0.08  # thickness, in half pitches, below which a plate is thin
+SHEET_CLEARANCE = 3.0  # and so narrow a neck, in thicknesses, that it is none
+
+
+class TileShape:
+    """What a mesh has to know of a piece of plate; the pillar's axis is the origin.
+
+    corners : (sides, 2) of the polygon, anticlockwise, m
+    extent : m, the period of what stands around it: necks between pillars and waves are counted on it
+    """
+
+    thickness: float
+    material: Material
+    pillar: Pillar | None
+
+    @property
+    def corners(self) -> Array:
+        raise NotImplementedError
+
+    @property
+    def extent(self) -> float:
+        raise NotImplementedError
+
+    @property
+    def elongation(self) -> float:
+        """Square of the extent over the area; of a lattice's cell as though its angles were right ones."""
+        return self.extent**2 / self.area
+
+    @cached_property
+    def inradius(self) -> float:
+        """Distance from the pillar's axis to the nearest side, m."""
+        along = np.roll(self.corners, -1, axis=0) - self.corners
+        across = self.corners[:, 0] * along[:, 1] - self.corners[:, 1] * along[:, 0]
+        return float((across / np.linalg.norm(along, axis=1)).min())
+
+    @cached_property
+    def area(self) -> float:
+        """Of the polygon, m^2."""
+        following = np.roll(self.corners, -1, axis=0)
+        return float(
+            0.5 * (self.corners[:, 0] * following[:, 1] - self.corners[:, 1] * following[:, 0]).sum()
+        )
+
+    @property
+    def clearance(self) -> float:
+        """Free width of plate between the pillar and the nearest side, m."""
+        return self.inradius - (self.pillar.widest if self.pillar else 0.0)
+
+    @property
+    def is_thin(self) -> bool:
+        """Whether the plate is so thin for its pitch that many of its waves lie below those of its pillar."""
+        return self.thickness < SHEET * self.inradius
+
+    @property
+    def is_sheet(self) -> bool:
+        """Whether the plate is so thin that it bends like a sheet everywhere but at the foot.
+
+        Its waves are as long as those of a thicker one, so that it needs many orders in its plane and few
+        through it. With a fillet the foot's rings follow the arc, and there it is none.
+        """
+        wide = SHEET_CLEARANCE * self.thickness < self.clearance
+        return self.is_thin and wide and not (self.pillar and self.pillar.fillet)
+
+    @property
+    def is_upright(self) -> bool:
+        """Whether it is a rectangle along x and y about its middle."""
+        corners = self.corners
+        return len(corners) == 4 and bool(
+            np.abs(np.abs(corners) - np.abs(corners[0])).max() < SAME * self.extent
+        )
+
+    def moved_sides(self, turn: Array) -> Sides | None:
+        """Where an orthogonal map of space (3, 3) that keeps the normal takes the first two sides.
+
+        None if it does not leave the polygon as it is.
+        """
+        plane = turn[:2, :2].T
+        images = self.corners @ plane
+        apart = np.linalg.norm(images[:, None] - self.corners, axis=2).min(axis=1)
+        if apart.max() > SAME * self.extent:
+            return None
+        middles = 0.5 * (self.corners + np.roll(self.corners, -1, axis=0))
+        moved = np.linalg.norm((middles[:2] @ plane)[:, None] - middles, axis=2).argmin(axis=1)
+        return int(moved[0]), int(moved[1])
+
+    def has_symmetry(self, turn: Array) -> bool:
+        """Whether such a map leaves polygon, pillar and material as they are."""
+        return (
+            (self.pillar is None or self.pillar.has_symmetry(turn))
+            and is_symmetry(self.material.stiffness, turn)
+            and self.moved_sides(turn) is not None
+        )
+
+
+@dataclass(frozen=True)
+class SiteTile(TileShape):
+    """What lies nearer to one site of a cell than to any other, in axes of its own; see `TileShape`."""
+
+    outline: tuple[tuple[float, float], ...]
+    period: float
+    thickness: float
+    material: Material
+    pillar: Pillar | None
+
+    @cached_property
+    def corners(self) -> Array:
+        return cast("Array", np.array(self.outline))
+
+    @property
+    def extent(self) -> float:
+        return self.period
+
+
+@dataclass(frozen=True, eq=False)
+class PlacedTile:
+    """A tile in its place in a cell: turned about the normal, then moved.
+
+    turn : (3, 3) from the tile's axes to the cell's; position : (2,) of the tile's origin, m
+    """
+
+    tile: TileShape
+    turn: Array
+    position: Array
+
+    @property
+    def is_turned(self) -> bool:
+        return not np.array_equal(self.turn, np.eye(3))
+
+    def points(self, own: Array) -> Array:
+        """(n, 3) points of the cell from those of the tile, m."""
+        return np.asarray(own @ self.turn.T + np.append(self.position, 0.0))

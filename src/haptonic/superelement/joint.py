@@ -1,0 +1,190 @@
+"""How the rims of tiles meet, within a cell and across its borders."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from haptonic.cell import PlacedTile, UnitCell
+from haptonic.cell.tile import HALF_TURNED
+from haptonic.errors import GeometryError
+from haptonic.lattice import HALF_TURN, Operation
+
+Array = NDArray[np.float64]
+Fields = NDArray[Any]  # real or complex
+Ints = NDArray[np.int64]
+
+MEET = 1e-6  # of the pitch: places of two rims that are one
+
+
+def repeated(position: Array, vectors: Array) -> tuple[Ints, Ints]:
+    """Which of some places (n, 2) are one, but for translations of a lattice.
+
+    Of all that are one place of the lattice that with the least sum of lattice coordinates, and then with the
+    least second one, counts.
+
+    Returns
+    -------
+    (n,) the place that counts for each, and (n, 2) the integer translation from there
+    """
+    whole, same = _steps(position, position, vectors)
+    order = len(position) * (-2 * len(position) * whole.sum(axis=2) - whole[..., 1])
+    rank = np.where(same, order + np.arange(len(position)), np.inf)
+    master = rank.argmin(axis=1)
+    return master, whole[np.arange(len(position)), master].astype(np.int64)
+
+
+def _steps(places: Array, others: Array, vectors: Array) -> tuple[Array, NDArray[np.bool_]]:
+    """(n, m, 2) translations from the others to the places, rounded, and (n, m) whether they are whole."""
+    steps: Array = (places[:, None] - others) @ np.linalg.inv(vectors)
+    whole: Array = np.round(steps)
+    pitch = float(np.linalg.norm(vectors, axis=1).max())
+    apart = np.linalg.norm((steps - whole) @ vectors, axis=2)
+    return whole, np.asarray(apart < MEET * pitch)
+
+
+@dataclass(frozen=True, eq=False)
+class Joint:
+    """The traces of a cell's tiles; those of the whole cell are theirs, one tile after the other.
+
+    placed : the tiles; levels : of all their traces
+    position : (places,) of the rims, m; ends : of each tile's among them
+    """
+
+    cell: UnitCell
+    placed: tuple[PlacedTile, ...]
+    levels: int
+    position: Array
+    ends: Ints
+
+    @classmethod
+    def of(cls, cell: UnitCell, placed: Sequence[PlacedTile], rims: Sequence[Array], levels: int) -> Joint:
+        """Join tiles, given the places (n, 3) of their rims in their own axes, m.
+
+        Raises
+        ------
+        GeometryError : edges that do not meet
+        """
+        places = [one.points(rim)[:, :2] for one, rim in zip(placed, rims, strict=True)]
+        joint = cls(cell, tuple(placed), levels, np.concatenate(places), np.cumsum([len(p) for p in places]))
+        alone = np.bincount(joint.master)[joint.master] == 1
+        if alone.any():
+            raise GeometryError.mismatch(
+                argument="tiles",
+                given=f"{alone.sum()} of {len(alone)} places that no other tile has",
+                allowed="tiles that cover the plane, edge to edge, with equal nodes on common edges",
+                cause="edges of two tiles do not meet, or their meshes differ there",
+                next_step="make the tiles fill the period, and give them plans of equal order and blocks",
+            )
+        return joint
+
+    @cached_property
+    def _repeated(self) -> tuple[Ints, Ints]:
+        return repeated(self.position, self.cell.lattice.vectors)
+
+    @property
+    def master(self) -> Ints:
+        """(places,) see `repeated`."""
+        return self._repeated[0]
+
+    @property
+    def shift(self) -> Ints:
+        """(places, 2) see `repeated`."""
+        return self._repeated[1]
+
+    @property
+    def size(self) -> int:
+        """Unknowns of all traces."""
+        return 3 * self.levels * len(self.position)
+
+    @cached_property
+    def unknowns(self) -> Ints:
+        """(levels, places, 3) numbers of the unknowns."""
+        starts = np.concatenate([[0], self.ends])
+        pieces = [
+            3 * self.levels * start + np.arange(3 * self.levels * count).reshape(self.levels, count, 3)
+            for start, count in zip(starts, np.diff(starts), strict=False)
+        ]
+        return np.concatenate(pieces, axis=1)
+
+    def of_tile(self, number: int) -> slice:
+        """Unknowns of one tile's trace."""
+        start = self.ends[number - 1] if number else 0
+        return slice(3 * self.levels * int(start), 3 * self.levels * int(self.ends[number]))
+
+    def turned(self, number: int, rows: Fields, *, back: bool = False) -> Fields:
+        """(n, k) motions of a tile's trace in the cell's axes from those in its own, or back."""
+        placed = self.placed[number]
+        if not placed.is_turned:
+            return rows
+        turn = placed.turn.T if back else placed.turn
+        return np.asarray(turn @ rows.reshape(-1, 3, rows.shape[1])).reshape(rows.shape)
+
+    def form(self, number: int, own: Array, traces: int) -> Array:
+        """A form of a tile, whose first unknowns are its trace, in the cell's axes."""
+        if not self.placed[number].is_turned:
+            return own
+        for _ in range(2):
+            own = np.vstack([self.turned(number, own[:traces]), own[traces:]]).T
+        return own
+
+    def image(self, operation: Operation) -> JointImage:
+        """How an operation of the cell acts on traces."""
+        mapped = self.cell.site_map(operation)
+        assert mapped is not None, "no symmetry of this cell"
+        lattice = self.cell.lattice
+        turn = lattice.point_group.turn(operation)
+        before = (self.position - mapped.move @ lattice.vectors) @ turn[:2, :2]  # where each comes from
+        whole, same = _steps(before, self.position, lattice.vectors)
+        rank = np.where(same, np.abs(whole).sum(axis=2), np.inf)
+        source = rank.argmin(axis=1)
+        assert np.isfinite(rank.min(axis=1)).all(), "the operation does not leave the rims as they are"
+        twice = mapped.move @ np.array(operation).T + mapped.move
+        return JointImage(self, turn, source, whole[np.arange(len(source)), source], twice)
+
+    def half_turn(self) -> JointImage | None:
+        """How half a turn about the normal acts, if the cell has it."""
+        return self.image(HALF_TURN) if HALF_TURN in self.cell.point_group else None
+
+
+@dataclass(frozen=True, eq=False)
+class JointImage:
+    """A mirror, perhaps with a glide, or the half-turn, on traces of Bloch waves: ``turn u(g^-1 x)``.
+
+    turn : (3, 3); source : (places,) the place that each takes its motion from, ``shift`` (places, 2)
+    translations away; twice : (2,) translation that the operation is if it is done twice
+    """
+
+    joint: Joint
+    turn: Array
+    source: Ints
+    shift: Array
+    twice: Array
+
+    def applied(self, trace: Fields, kappa: Array) -> Fields:
+        """Image of (t, k) traces at the phases (2,), twice of which they are themselves."""
+        unknowns = self.joint.unknowns
+        phase = np.exp(1j * (self.shift @ kappa + 0.5 * self.twice @ kappa))
+        moved = trace[unknowns[:, self.source]] * phase[:, None, None]
+        image = np.empty(trace.shape, dtype=complex)
+        image[unknowns] = self.turn @ moved
+        return image
+
+    def half_turned(self) -> tuple[Ints, Array, Array]:
+        """Of each unknown (t,): which it takes its motion from, with which sign, (t, 2) how far away."""
+        assert np.array_equal(self.turn, HALF_TURNED)
+        unknowns = self.joint.unknowns
+        source, sign, shift = (
+            np.empty(self.joint.size, int),
+            np.empty(self.joint.size),
+            np.empty((self.joint.size, 2)),
+        )
+        source[unknowns] = unknowns[:, self.source]
+        sign[unknowns] = np.diag(self.turn)
+        shift[unknowns] = self.shift[:, None]
+        return source, sign, shift
