@@ -9,10 +9,10 @@ from .plate import PlateResult, compute_plate
 from .protocol import TrialPlan
 from .result import Result
 from .runner import Runner, design_gaps
+from .simulated_friction import SimulatedFriction, simulated_friction
 from .sweeps import Sweep, Sweeps
 from .table import Column, Table, Uncertain
 from .tolerance import Tolerance
-from .simulated_friction import SimulatedFriction, simulated_friction
 from .verdict import Verdict
 
 __all__ = [
@@ -21,17 +21,17 @@ __all__ = [
     "Design",
     "Feel",
     "FrictionResult",
-    "SimulatedFriction",
     "Guides",
     "Layers",
-    "TrialPlan",
     "PlateResult",
     "Result",
     "Runner",
+    "SimulatedFriction",
     "Sweep",
     "Sweeps",
     "Table",
     "Tolerance",
+    "TrialPlan",
     "Uncertain",
     "Verdict",
     "compute_bands",
@@ -42,8 +42,8 @@ __all__ = [
     "compute_layers",
     "compute_plate",
     "design_gaps",
-    "simulated_friction",
     "refuse_taken",
+    "simulated_friction",
     "write_files",
     "write_netcdf",
 ]

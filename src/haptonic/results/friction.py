@@ -19,7 +19,7 @@ from haptonic.friction.statistics.summary import Summary, summary
 from haptonic.names import cell
 from haptonic.paths import source as checked
 from haptonic.progress import Progress, silent
-from haptonic.results.friction_tables import conditions_table, excluded_table, tests_tables, reported
+from haptonic.results.friction_tables import conditions_table, excluded_table, reported, tests_tables
 from haptonic.results.plain import determined, plain, split
 from haptonic.results.quality import quality
 from haptonic.results.result import Result, figure, file

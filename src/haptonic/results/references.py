@@ -24,10 +24,9 @@ from typing import Annotated, Any
 
 from pydantic import BaseModel, ConfigDict, Field, ValidationError
 
-from haptonic.errors import StudyError
+from haptonic.errors import StudyError, shown
 from haptonic.paths import source
 from haptonic.units import to_si
-from haptonic.errors import shown
 
 FOLDER = "references"
 Text = Annotated[str, Field(min_length=1, max_length=2000, strict=True)]

@@ -3,4 +3,4 @@
 from haptonic.results.compare.sides import BandSet, of_dataset, of_file, of_table
 from haptonic.results.compare.value import Comparison
 
-__all__ = ["Comparison", "BandSet", "of_dataset", "of_file", "of_table"]
+__all__ = ["BandSet", "Comparison", "of_dataset", "of_file", "of_table"]

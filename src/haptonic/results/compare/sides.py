@@ -15,9 +15,8 @@ from numpy.typing import NDArray
 from haptonic.bloch import Gap, gaps_of
 from haptonic.channels.hdf5 import arrays_of
 from haptonic.channels.numbers import Numbers, read_numbers
-from haptonic.errors import ChannelError, StudyError
+from haptonic.errors import ChannelError, StudyError, shown
 from haptonic.foreign.process import ask
-from haptonic.errors import shown
 from haptonic.units import to_si
 
 Array = NDArray[np.float64]
@@ -132,9 +131,10 @@ def of_table(path: Path, along: xr.Dataset, wavevector: str | None, frequency_un
             argument="--wavevector",
             given=shown(unit or numbers.units[0]) if unit or numbers.units[0] else "nothing",
             allowed=f"one of {', '.join(WAVEVECTORS)}",
-            cause=f"the first column of {path.name} goes from {axis[0]:g} to {axis[-1]:g}, and nobody says of what",
-            next_step=f"say it: --wavevector {_likely(axis, corners)}; share is of the whole path, segments count "
-            "its corners from 0",
+            cause=f"the first column of {path.name} goes from {axis[0]:g} to {axis[-1]:g}, and nobody says "
+            "of what",
+            next_step=f"say it: --wavevector {_likely(axis, corners)}; share is of the whole path, segments "
+            "count its corners from 0",
         )
     position = _position(path, axis, unit, corners)
     values = numbers.values[:, columns] * _in_hertz(path, numbers, columns, frequency_unit)

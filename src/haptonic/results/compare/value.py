@@ -77,8 +77,9 @@ class Comparison(Result):
         place = np.unravel_index(np.nanargmax(relative), relative.shape)
         said = [
             f"{b.name} against {a.name}: {relative.shape[1]} bands at {len(b.position)} wavevectors, "
-            f"{100 * float(np.sqrt(np.nanmean(relative**2))):.3g} % apart on average (root mean square), at most "
-            f"{100 * float(relative[place]):.3g} % (band {place[1] + 1}, {self._place(float(b.position[place[0]]))})."
+            f"{100 * float(np.sqrt(np.nanmean(relative**2))):.3g} % apart on average (root mean square), at "
+            f"most {100 * float(relative[place]):.3g} % (band {place[1] + 1}, "
+            f"{self._place(float(b.position[place[0]]))})."
         ]
         moved = [row for row in self._gap_rows() if None not in row[1:5]]
         if moved:
@@ -165,8 +166,8 @@ class Comparison(Result):
         far = [band for band, one in enumerate(apart, start=1) if one > OTHER_BAND]
         if far and self.second.inputs == {}:
             said.append(
-                f"band {far[0]} and others are more than {OTHER_BAND:.0%} apart: a band may be missing in one of the "
-                "two, or a unit or a size may differ"
+                f"band {far[0]} and others are more than {OTHER_BAND:.0%} apart: a band may be missing in one of "
+                "the two, or a unit or a size may differ"
             )
         if len(self.first.position) < len(self.second.position):
             said.append(

@@ -43,9 +43,9 @@ from haptonic.vibrometry import (
 )
 from haptonic.vibrometry.estimation.quality import assessed
 from haptonic.vibrometry.estimation.spectra import Estimator, WindowName
-from haptonic.vibrometry.on_plate import contrast_range, decay_in, lattice_gap
 from haptonic.vibrometry.guides import guides_of, mirror_beside
 from haptonic.vibrometry.of_settings import Tiles, plan_for
+from haptonic.vibrometry.on_plate import contrast_range, decay_in, lattice_gap
 from haptonic.vibrometry.settings import ScanSettings
 from haptonic.vibrometry.theory import computed_waves
 

@@ -26,8 +26,8 @@ from haptonic.vibrometry import TimeScan, estimate, write_records, write_uff, wr
 from haptonic.vibrometry.chirp import Drive
 from haptonic.vibrometry.exports import csv_files, write_mat, write_mat_records, write_tdms
 from haptonic.vibrometry.instrument import recorded
-from haptonic.vibrometry.on_plate import contrast_range
 from haptonic.vibrometry.of_settings import plan_for
+from haptonic.vibrometry.on_plate import contrast_range
 from haptonic.vibrometry.readers.folder import GEOMETRY
 from haptonic.vibrometry.settings import ScanSettings
 
