@@ -166,8 +166,8 @@ class Comparison(Result):
         far = [band for band, one in enumerate(apart, start=1) if one > OTHER_BAND]
         if far and self.second.inputs == {}:
             said.append(
-                f"band {far[0]} and others are more than {OTHER_BAND:.0%} apart: a band may be missing in one of "
-                "the two, or a unit or a size may differ"
+                f"band {far[0]} and others are more than {OTHER_BAND:.0%} apart: a band may be missing "
+                "in one of the two, or a unit or a size may differ"
             )
         if len(self.first.position) < len(self.second.position):
             said.append(
