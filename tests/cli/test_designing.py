@@ -35,7 +35,7 @@ to = 0.6
 steps = 3
 """
 CONSTANTS = '[material]\nyoungs_modulus = "70 GPa"\npoisson_ratio = 0.33\ndensity = "2700 kg/m^3"\n\n[cell]\n'
-FINE = ("order = 2\nfoot_rings = 0", "order = 4\nfoot_rings = 1")
+FINE = ("order = 2\nfoot_rings = 0", "order = 3\nfoot_rings = 1")
 BUILT_IN = ('material = "aluminium-paper"\n', "")
 LIMITS = "[design]\nstarts = 1\nclimbs = 1\nsteps = 2\npitches = 2\n"
 HEIGHT = '[[design.vary]]\nparameter = "cell.pillar.height"\nfrom = "14 mm"\nto = "16 mm"\n'

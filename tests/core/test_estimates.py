@@ -161,7 +161,7 @@ def test_estimates_hold_of_a_first_mesh(number, order):
 
 @pytest.mark.slow
 @pytest.mark.parametrize(
-    "number", [7, 10, *(pytest.param(number, marks=pytest.mark.nightly) for number in (6, 8))]
+    "number", [7, *(pytest.param(number, marks=pytest.mark.nightly) for number in (6, 8, 10))]
 )
 def test_estimates_hold_for_cheap_designs(number):
     """The benchmark ``estimates_hold`` in small; number 6 was below the truth once."""

@@ -256,7 +256,7 @@ def test_the_group_is_that_of_lattice_and_sites(name, order, half_turn):
 
 
 @given(sites(2), st.floats(0.3, 0.6), st.floats(0.5, 2.0), st.floats(0.2, 0.4))
-@settings(max_examples=2, deadline=None)
+@settings(max_examples=1, deadline=None)
 def test_bands_of_any_sites_have_the_symmetry_of_their_group(cell, width, height, plate):
     room = 2 * min(one.tile.inradius for one in cell.tiles)
     pillar = Pillar(width * room, height * room)
@@ -271,7 +271,10 @@ def test_bands_of_any_sites_have_the_symmetry_of_their_group(cell, width, height
         assert hertz(cell, kappa, 6, 2, 2, 10) == pytest.approx(expected, rel=2e-3)
 
 
-@pytest.mark.parametrize("name", ["honeycomb", "kagome", "lieb", "glide"])
+@pytest.mark.parametrize(
+    "name",
+    ["kagome", "glide", *(pytest.param(name, marks=pytest.mark.nightly) for name in ("honeycomb", "lieb"))],
+)
 def test_modes_beside_a_mirror_are_even_or_odd(name):
     path = CELLS[name].zone.path(30)
     along = diagram(model(name), path)
@@ -307,8 +310,8 @@ def test_velocities_are_slopes(name):
     ["honeycomb", *(pytest.param(name, marks=pytest.mark.nightly) for name in CELLS if name != "honeycomb")],
 )
 def test_the_estimates_hold_against_a_finer_mesh(name):
-    """Order 5 with two rings errs by a small part of what order 3 does."""
-    coarse, fine = model(name), model(name, 5, 2)
+    """Order 4 with two rings errs by a part of what order 3 does."""
+    coarse, fine = model(name), model(name, 4, 2)
     for kappa in (INSIDE, *list(CELLS[name].zone.corner_phases.values())[1:3]):
         one, other = coarse.solve(kappa), fine.solve(kappa)
         away = np.abs(one.frequency - other.frequency)
@@ -316,7 +319,10 @@ def test_the_estimates_hold_against_a_finer_mesh(name):
         assert (away > 0.01 * one.error).any(), "and they are not far too large"
 
 
-@pytest.mark.parametrize("name", ["unequal honeycomb", "kagome", "glide"])
+@pytest.mark.parametrize(
+    "name",
+    ["kagome", *(pytest.param(name, marks=pytest.mark.nightly) for name in ("unequal honeycomb", "glide"))],
+)
 def test_no_band_is_missing(name):
     found = model(name)
     level = 0.5 * float(found.solve(np.zeros(2)).frequency[3] + found.solve(np.zeros(2)).frequency[-1])
@@ -325,7 +331,13 @@ def test_no_band_is_missing(name):
     assert missed == 0
 
 
-@pytest.mark.parametrize("name", ["honeycomb", "kagome", "lieb", "anywhere"])
+@pytest.mark.parametrize(
+    "name",
+    [
+        "honeycomb",
+        *(pytest.param(name, marks=pytest.mark.nightly) for name in ("kagome", "lieb", "anywhere")),
+    ],
+)
 def test_empty_sites_leave_the_waves_of_a_plate(name):
     """Rayleigh's and Lamb's, and shear ones, folded, within the estimates."""
     cell = CELLS[name].without_pillar()

@@ -232,7 +232,7 @@ def test_an_unknown_solver_is_refused_with_the_ones_there_are(monkeypatch):
     with pytest.raises(HaptonicError) as caught:
         solvers.chosen()
     assert caught.value.argument == "HAPTONIC_SOLVER"
-    assert caught.value.given == "mumps"
+    assert caught.value.given == "'mumps'"
     assert caught.value.allowed == "one of " + ", ".join(solvers.available())
 
 

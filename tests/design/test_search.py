@@ -364,7 +364,7 @@ def drawn(seed):
     return replace(brief, cell=brief.at(brief.feasible(rng.random(2))))
 
 
-@pytest.mark.parametrize("seed", [3, 4])
+@pytest.mark.parametrize("seed", [3, pytest.param(4, marks=pytest.mark.nightly)])
 def test_a_search_is_at_least_as_good_as_a_scan(cheap, seed, kept):
     """The benchmark ``search_finds_what_is_there`` draws twenty."""
     brief = drawn(seed)

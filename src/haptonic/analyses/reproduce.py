@@ -34,7 +34,7 @@ from haptonic.results.references import References, Variant, found_at
 from haptonic.results.result import Result
 from haptonic.results.runner import Runner
 from haptonic.results.scan.value import ScanResult
-from haptonic.results.simulated_friction import simulated_friction
+from haptonic.results.simulated_trials import simulated_friction
 from haptonic.results.table import Table
 from haptonic.study.schema import Description
 

@@ -12,7 +12,7 @@ from haptonic.analyses.experiments import protocol_of, truth_of
 from haptonic.errors import FrictionError, ResourceError, shown
 from haptonic.paths import source
 from haptonic.results.runner import Runner
-from haptonic.results.simulated_friction import SimulatedFriction, simulated_friction
+from haptonic.results.simulated_trials import SimulatedFriction, simulated_friction
 from haptonic.study.schema import Description
 
 

@@ -279,7 +279,7 @@ def _neck(cell: TileShape, pillar: Pillar, least: float = 0.0) -> float:
 def _near_rim(cell: TileShape) -> int:
     """Levels more on the rim for what the foot does there."""
     share = cell.clearance / cell.thickness
-    return next((more for near, more in NEAR_RIM.items() if share < near), 0)
+    return next((more for near, more in NEAR_RIM.items() if share < near * (1 - ROUNDING)), 0)
 
 
 def _waves(cell: TileShape, bands: float) -> float:

@@ -27,6 +27,9 @@ SHARE = Quantity("", at_least=0.0, below=1.0)
 PLACE = Quantity("m")
 MIRRORS = (np.diag([-1.0, 1.0, 1.0]), np.diag([1.0, -1.0, 1.0]))
 MOST_SITES = 12
+# Of a site's tile, from the site to its farthest corner, in radii of the circle within: beside pillars whose
+# neighbours are that much nearer on one side, elements were turned inside out from 9.9 on.
+MOST_POINTED = 8.0
 # sites of lattices that are named after them, in shares of a1 and a2, and places between them that stay empty
 SITES: dict[str, tuple[tuple[float, float], ...]] = {
     "honeycomb": ((1 / 3, 1 / 3), (2 / 3, 2 / 3)),
@@ -306,6 +309,16 @@ def check_tiles(tiles: Sequence[PlacedTile], given: int, pitch: float, least: fl
                 f"none shorter than {LEAST_SIDE:g} of the radius of the circle within",
                 "four tiles or more nearly meet in a point, but not quite",
                 'write the shares as fractions, such as "1/3", or move a site by a hundredth of the pitch',
+                at=f"{at}.at" if number <= given else "site",
+            )
+        pointed = float(np.linalg.norm(tile.corners, axis=1).max() / tile.inradius)
+        if pointed > MOST_POINTED and len(tiles) > 1:
+            raise problem(
+                "out-of-range",
+                f"a tile whose farthest corner is {pointed:.3g} times as far as its nearest side",
+                f"at most {MOST_POINTED:g} times",
+                "another site is so near on one side, and none on the other, that elements would fold",
+                "move the two sites apart, or make them one",
                 at=f"{at}.at" if number <= given else "site",
             )
         pillar = tile.pillar

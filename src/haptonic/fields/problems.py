@@ -150,12 +150,13 @@ def _unknown(path: str, pattern: str, value: object, keys: Mapping[str, Key]) ->
     section, _, name = pattern.rpartition(".")
     here, guess = _neighbours(section, keys), _guess(pattern, keys)
     elsewhere = [key for key in keys if key.rpartition(".")[2] == name]
+    inside = [key for key in elsewhere if section and key.startswith(f"{section}.")]
     if name in here:
         cause, next_step = "a value that was given holds it already", "leave it out, or change that value"
-    elif guess:
+    elif guess and not inside:
         cause, next_step = "a slip in the name", f'write "{guess}"'
     elif elsewhere:
-        table_name = elsewhere[0].rpartition(".")[0].replace("[]", "")
+        table_name = (inside or elsewhere)[0].rpartition(".")[0].replace("[]", "")
         cause, next_step = (
             "the key belongs elsewhere",
             f"move it to [{table_name}]" if table_name else "move it to the top",

@@ -1,11 +1,11 @@
 from .bands import dispersion
-from .compared import compared
 from .designs import front, search
 from .feel import friction_map, reduction_curve
 from .friction import conditions, reductions, trial_sheet
 from .mapped import animated, maps, maps_compared
 from .mirrors import decay, guide, layers
 from .modes import mode_shapes
+from .overlays import compared
 from .planning import power
 from .plates import plate_plan
 from .scans import (

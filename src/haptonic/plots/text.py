@@ -15,6 +15,7 @@ _PROPERLY = {
     "cell.pitch_2": "second pitch",
 }
 _PROPER = re.compile(rf"\b(?:{'|'.join(map(re.escape, _PROPERLY))})\b")
+_OF_SITE = re.compile(r"\bcell\.site\[(\d*)\]\.([\w.]*\w)")
 MOST_DECIMALS = 6
 
 
@@ -42,6 +43,7 @@ def label(name: str) -> str:
 
 def readable(expression: str) -> str:
     """A swept expression in words: ``cell.pillar.diameter / cell.pitch`` is ``pillar diameter / pitch``."""
+    expression = _OF_SITE.sub(r"\2 of site \1", expression)
     plain = re.sub(r"\b(?:cell|material)\.", "", _PROPER.sub(lambda name: _PROPERLY[name[0]], expression))
     return re.sub(r"(?<=[A-Za-z])[._](?=[A-Za-z])", " ", plain)
 

@@ -9,7 +9,7 @@ from .plate import PlateResult, compute_plate
 from .protocol import TrialPlan
 from .result import Result
 from .runner import Runner, design_gaps
-from .simulated_friction import SimulatedFriction, simulated_friction
+from .simulated_trials import SimulatedFriction, simulated_friction
 from .sweeps import Sweep, Sweeps
 from .table import Column, Table, Uncertain
 from .tolerance import Tolerance
