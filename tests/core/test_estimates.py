@@ -31,7 +31,7 @@ def hertz(cell, plan: MeshPlan, count: int) -> np.ndarray:
 
 @pytest.mark.parametrize(
     "number",
-    [9, 15, *(pytest.param(number, marks=pytest.mark.nightly) for number in (4, 13))],  # a minute and more
+    [9, *(pytest.param(number, marks=pytest.mark.nightly) for number in (4, 13, 15))],  # a minute and more
 )
 def test_what_the_interior_leaves_out_is_told_for_many_bands(number):
     """25 bands, among them those of a pillar that hardly moves the cell's sides."""
@@ -61,7 +61,7 @@ def test_a_quarter_turn_resolves_the_neck_between_pillars_of_any_lattice(ratio):
     assert (np.abs(here / finer - 1)[finer > REST * finer.max()] < 1.2e-2).all()
 
 
-@pytest.mark.slow
+@pytest.mark.nightly
 def test_what_more_of_the_interior_mends_is_not_laid_on_the_mesh():
     """A slender pillar has many modes of its own; finer meshes with as short an interior tell none."""
     pillar = Pillar(1.5e-3, 38e-3)

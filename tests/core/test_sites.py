@@ -189,7 +189,10 @@ def test_a_honeycomb_is_a_rectangle_with_four_sites():
     assert hertz(double, double.lattice.vectors @ k) == pytest.approx(np.sort(expected)[:8], rel=1e-6)
 
 
-@by_name
+@pytest.mark.parametrize(
+    "name",
+    [pytest.param(name, marks=pytest.mark.nightly) if name == "anywhere" else name for name in CELLS],
+)
 def test_the_origin_may_be_anywhere(name):
     """Sites moved together are the same structure."""
     cell = CELLS[name]
