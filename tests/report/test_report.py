@@ -21,6 +21,7 @@ from haptonic.report.chapters import IN_ORDER, comparison, dispersion, mirror, s
 from haptonic.report.page import page
 from haptonic.report.trend import fitted_power, trend_of
 from haptonic.results.references import References
+from haptonic.results.sweeps import Sweep, Sweeps
 from haptonic.study import Study
 from made_up import (
     made_up_sweep,
@@ -478,3 +479,13 @@ class TestTrend:
         sweep = made_up_sweep()
         sweep["gap_upper"][:] = sweep["gap_lower"]
         assert trend_of(sweep) is None
+
+
+def test_sweeps_of_several_lengths_and_numbers_of_gaps_are_one_dataset():
+    """The reference study has both, and its report ended in a traceback."""
+    long = made_up_sweep()
+    short = long.isel(step=slice(0, -1), gap_slot=slice(0, 1)).assign_attrs(expression="cell.pitch")
+    rows = Sweeps((Sweep(long, {}), Sweep(short, {})))
+    assert rows.dataset["gap_lower"].sizes == {"sweep": 2, **long["gap_lower"].sizes}
+    assert np.isnan(rows.dataset["value"][1, -1])
+    assert rows.to_json()["sweeps"][1]["designs"][-1]["gaps"]

@@ -11,6 +11,7 @@ import numpy as np
 import xarray as xr
 
 from haptonic import plots
+from haptonic.gate import declared
 from haptonic.results.common import Writer, write_netcdf
 from haptonic.results.result import Result, figure, file
 from haptonic.results.table import Cell, Column, Table
@@ -84,9 +85,15 @@ class Sweeps(Result):
     @property
     def dataset(self) -> xr.Dataset:
         """All rows, one behind the other along ``sweep``; shorter ones are filled up with NaN."""
-        data = [one.dataset for one in self.rows]
-        names = [one.attrs["expression"] for one in data]
+        names = [one.dataset.attrs["expression"] for one in self.rows]
+        # lengths differ, and xarray aligns only what is numbered
+        data = [
+            one.dataset.assign_coords({name: np.arange(size) for name, size in one.dataset.sizes.items()})
+            for one in self.rows
+        ]
         joined = xr.concat(data, "sweep", combine_attrs="drop_conflicts", join="outer")
+        joined = joined.drop_vars(list(joined.indexes))
+        declared(joined, value="this sweep has no further design")
         return joined.assign_coords(expression=("sweep", names))
 
     def summary(self) -> list[str]:
