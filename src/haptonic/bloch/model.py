@@ -42,9 +42,6 @@ TIGHTER = 0.1  # factor on that share where it was too coarse: little inertia ma
 # Relative error up to which what the interior leaves out is what its first order tells: where 1.4e-2 was told
 # 4.7e-2 was lost, and bands had changed places; up to the share of the accuracy the interior need not grow.
 TRUSTED_TRUNCATION, TRUNCATION_SHARE = 1e-3, 0.25
-# What the lower orders' interior leaves out, as a multiple: of a pillar of 25 diameters 2.5e-3 was left out,
-# and the distance was 1.1e-2; with more inside 7e-4.
-LOWER_TRUNCATION = 4.4
 FIRST_ORDER = 1.5  # what was lost was at most that many times what first order told, below the trusted one
 MOST_GROWTH = 4  # of the interior at one mesh
 ABOVE = 2  # modes above those asked for that may change places with them: a tenth band was 1.3 % off so
@@ -255,12 +252,14 @@ class BlochModel:
 
     @property
     def mesh_error(self) -> float:
-        """What of `worst_error` more of the interior would not mend, at least.
+        """What of `worst_error` more of the interior would not mend, as far as can be told before.
 
-        The interior of the lower orders is as short and leaves out more: all that a band's distance to them
-        is may be that.
+        The lower orders' interior is as short and is taken to leave out as much, so a band's distance to them
+        holds it as well. It may be more: of a pillar of 25 diameters it was 4.4 times as much, and then a
+        finer mesh is made where a longer interior would have done. To allow for that everywhere cost more:
+        three interiors at order 4 were made of cells that order 5 answers with the second.
         """
-        of_distance = self.resolution.remaining(self.cell) * (1 + SHARED) * LOWER_TRUNCATION
+        of_distance = self.resolution.remaining(self.cell) * (1 + SHARED)
         return self.worst_error - (1 + of_distance) * self.truncation
 
     @cached_property

@@ -226,6 +226,7 @@ def first_rung(cell: UnitCell, accuracy: float) -> int:
 
 LONGEST = 60.0  # s of one processor, foreseen for all meshes that are tried for an accuracy of `USUAL`
 USUAL = 2e-3  # for finer ones as the root of their ratio: who asks for more digits waits longer
+LATE = 1.5  # times the same for the mesh that follows an answer: who has waited wants no refusal by a hair
 MOST_MEMORY = 0.9  # of what is free
 
 
@@ -293,12 +294,12 @@ def check_cost(
 
     Parameters
     ----------
-    spent : s, for the meshes that were tried before; reached : the best accuracy among them
+    spent : s, for the meshes that were tried before; reached : the best accuracy that any answered with
     """
     needed, memory = resolution.seconds(cell), resolution.memory(cell)
     free = float(psutil.virtual_memory().available)
     too_large = memory > MOST_MEMORY * free
-    if not too_large and spent + needed <= longest(accuracy):
+    if not too_large and spent + needed <= longest(accuracy) * (LATE if reached < math.inf else 1.0):
         return needed
     possible = reached if reached < math.inf else within_reach(cell, resolution.bands, accuracy)
     would = (

@@ -172,7 +172,11 @@ def _levels(cell: TileShape, plan: MeshPlan) -> Array:
         return np.array([*breaks, *_upwards(top + lowest, top + high, plan.pillar_layers)])
     beside = step_reach(pillar, plan.step_rings)
     ledge, end, within = top + high, top + pillar.height, beside[0] if len(beside) else 0.0
-    breaks += [*_upwards(top + lowest, ledge - within, plan.pillar_layers)]
+    if plan.pillar_layers > 2:  # a short one below the step as well
+        below = min(2 * FOOT_LAYER * pillar.half_width(high, 0), (high - lowest) / plan.pillar_layers)
+        breaks += [*_upwards(top + lowest, ledge - below, plan.pillar_layers - 1), ledge - within]
+    else:
+        breaks += [*_upwards(top + lowest, ledge - within, plan.pillar_layers)]
     breaks += [*(ledge - beside[1:]), ledge, *(ledge + beside[::-1])][: 2 * len(beside)]
     first = ledge + min(FOOT_LAYER * pillar.step.diameter, (pillar.height - high) / plan.step_layers)
     return np.array([*breaks, *_upwards(first, end, plan.step_layers)])
