@@ -240,27 +240,30 @@ class BlochModel:
         return worst
 
     @cached_property
+    def _worst(self) -> tuple[float, float]:
+        """`worst_error` and `mesh_error`."""
+        wavevectors, _ = self.cell.zone.triangles(ERROR_DIVISIONS)
+        worst = np.zeros(2)
+        for kappa in wavevectors:
+            found = self.solve(kappa)
+            lost = self._lost((2 * np.pi * found.frequency) ** 2, found.fields)
+            moving = found.frequency > REST * self.highest
+            errors = np.stack([found.error, found.error - lost])[:, moving] / found.frequency[moving]
+            worst = np.maximum(worst, errors.max(axis=1, initial=0.0))
+        return float(worst[0]), float(worst[1])
+
+    @property
     def worst_error(self) -> float:
         """Largest relative error estimate over a coarse sampling of the irreducible zone, rest left out."""
-        wavevectors, _ = self.cell.zone.triangles(ERROR_DIVISIONS)
-        worst = 0.0
-        for kappa in wavevectors:
-            solution = self.solve(kappa)
-            moving = solution.frequency > REST * self.highest
-            worst = max(worst, float((solution.error[moving] / solution.frequency[moving]).max()))
-        return worst
+        return self._worst[0]
 
     @property
     def mesh_error(self) -> float:
-        """What of `worst_error` more of the interior would not mend, as far as can be told before.
+        """The same without what the interior leaves out: more of it would not mend this.
 
-        The lower orders' interior is as short and is taken to leave out as much, so a band's distance to them
-        holds it as well. It may be more: of a pillar of 25 diameters it was 4.4 times as much, and then a
-        finer mesh is made where a longer interior would have done. To allow for that everywhere cost more:
-        three interiors at order 4 were made of cells that order 5 answers with the second.
+        Lower orders have as short an interior, so a band's distance to them hardly holds any of it.
         """
-        of_distance = self.resolution.remaining(self.cell) * (1 + SHARED)
-        return self.worst_error - (1 + of_distance) * self.truncation
+        return self._worst[1]
 
     @cached_property
     def highest(self) -> float:
@@ -344,9 +347,10 @@ def candidate_models(
             trusted = model.truncation <= TRUSTED_TRUNCATION
             enough = model.truncation <= TRUNCATION_SHARE * accuracy
             too_coarse = trusted and resolution is None and model.mesh_error > accuracy
-            if grown == MOST_GROWTH or (trusted and enough) or too_coarse:
+            grown += not (trusted and enough)
+            if grown > MOST_GROWTH or (trusted and enough) or too_coarse:
                 break
-            grown, tried = grown + 1, tried.grown()
+            tried = tried.grown()
     raise ResourceError.inaccurate(
         argument="bands.accuracy",
         given=f"{accuracy:g}",
