@@ -6,7 +6,6 @@ their datasets back and this process alone writes the store, so remote workers n
 
 from __future__ import annotations
 
-import asyncio
 import logging
 import os
 import signal
@@ -21,19 +20,18 @@ from functools import partial
 from multiprocessing import resource_tracker
 from typing import TYPE_CHECKING, Any
 
-import xarray as xr
-
 from haptonic.errors import HaptonicError, ResourceError, shown
 from haptonic.gate import passed
+from haptonic.later import xarray as xr
 from haptonic.progress import Progress, silent
 from haptonic.store import Store, content_key, fingerprint
 
 if TYPE_CHECKING:
     from distributed import Client, Future, LocalCluster
 
-Function = Callable[[Any], xr.Dataset]
-Result = xr.Dataset | HaptonicError
-Results = Generator[tuple[str, Result], None, None]
+    Function = Callable[[Any], xr.Dataset]
+    Result = xr.Dataset | HaptonicError
+    Results = Generator[tuple[str, Result], None, None]
 
 STORED = "in the store"  # what is said of a task that was computed before
 THREAD_LIMITS = ("OMP_NUM_THREADS", "MKL_NUM_THREADS", "OPENBLAS_NUM_THREADS")
@@ -279,9 +277,11 @@ def _end(cluster: LocalCluster) -> None:
     On a busy machine a killed worker takes any time to be gone; that is no reason to lose the results.
     """
 
+    from asyncio import gather  # here, because it is slow to load and runs without workers do not need it
+
     async def end_workers() -> None:
         closing = (nanny.close(timeout=CLOSE_SECONDS) for nanny in cluster.workers.values())
-        await asyncio.gather(*closing, return_exceptions=True)
+        await gather(*closing, return_exceptions=True)
 
     with _interrupts_held():
         for close in (partial(cluster.sync, end_workers), cluster.close):

@@ -7,7 +7,6 @@ from collections.abc import Sequence
 from dataclasses import asdict
 
 import numpy as np
-import xarray as xr
 from numpy.typing import NDArray
 
 from haptonic.analyses.analysis import KEPT, Analysis, NoOptions
@@ -29,6 +28,7 @@ from haptonic.design.tolerance import (
 )
 from haptonic.errors import HaptonicError, StudyError
 from haptonic.jobs import Task
+from haptonic.later import xarray as xr
 from haptonic.results.common import stamped
 from haptonic.results.runner import Runner
 from haptonic.results.tolerance import Tolerance

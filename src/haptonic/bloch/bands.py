@@ -7,7 +7,6 @@ from dataclasses import asdict
 from typing import Any
 
 import numpy as np
-import xarray as xr
 from numpy.typing import NDArray
 from threadpoolctl import threadpool_limits
 
@@ -21,6 +20,7 @@ from haptonic.bloch.wavevectors import wavevector_at
 from haptonic.bloch.zone import zone_surface
 from haptonic.cell import UnitCell
 from haptonic.gate import declared
+from haptonic.later import xarray as xr
 from haptonic.superelement import TiledMesh
 
 Array = NDArray[np.float64]

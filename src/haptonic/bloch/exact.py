@@ -5,10 +5,10 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-import scipy.linalg as la
 from numpy.typing import NDArray
 
 from haptonic.bloch.pencil import Periodic
+from haptonic.later import linalg as la
 from haptonic.superelement import TiledMesh
 
 Array = NDArray[np.float64]

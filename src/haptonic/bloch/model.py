@@ -9,7 +9,6 @@ from dataclasses import dataclass, replace
 from functools import cached_property
 
 import numpy as np
-import scipy.linalg as la
 from numpy.typing import NDArray
 from threadpoolctl import threadpool_limits
 
@@ -30,6 +29,7 @@ from haptonic.brillouin import IrreducibleZone
 from haptonic.cell import UnitCell
 from haptonic.cell.plan import USUAL_BANDS
 from haptonic.errors import ResourceError
+from haptonic.later import linalg as la
 from haptonic.superelement import Tiling, definite, on_each
 
 Array = NDArray[np.float64]

@@ -11,9 +11,9 @@ from dataclasses import dataclass
 from typing import Any, Protocol
 
 import numpy as np
-import scipy.linalg as la
 from numpy.typing import NDArray
 
+from haptonic.later import linalg as la
 from haptonic.superelement import Joint, Tiling, definite
 
 Array = NDArray[np.float64]

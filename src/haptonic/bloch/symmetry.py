@@ -5,9 +5,9 @@ from __future__ import annotations
 from itertools import pairwise
 
 import numpy as np
-import scipy.linalg as la
 from numpy.typing import NDArray
 
+from haptonic.later import linalg as la
 from haptonic.lattice import Operation, PointGroup
 
 Array = NDArray[np.float64]

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 import numpy as np
-import scipy.linalg as la
 from numpy.typing import NDArray
 
 from haptonic.cell.pillar import Pillar
 from haptonic.cell.quadrature import lobatto
+from haptonic.later import linalg as la
 from haptonic.materials import IsotropicMaterial
 
 Array = NDArray[np.float64]

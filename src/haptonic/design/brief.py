@@ -7,8 +7,8 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 
 import numpy as np
+import scipy
 from numpy.typing import NDArray
-from scipy.optimize import minimize
 
 from haptonic.cell import UnitCell
 from haptonic.design.parameters import values_of
@@ -161,7 +161,7 @@ class Brief:
         if self.allows(share):
             return share
         count = len(share)
-        result = minimize(
+        result = scipy.optimize.minimize(
             lambda x: 1e-3 * float(((x[:count] - share) ** 2).sum()) + x[count],
             np.append(share, max(0.0, -min(self.limits(share).values()))),
             method="SLSQP",

@@ -9,8 +9,9 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 import numpy as np
-import scipy.sparse as sp
 from numpy.typing import NDArray
+
+from haptonic.later import sparse as sp
 
 Ints = NDArray[np.int64]
 

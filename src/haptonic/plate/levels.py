@@ -6,9 +6,9 @@ from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
-import xarray as xr
 from numpy.typing import NDArray
 
+from haptonic.later import xarray as xr
 from haptonic.plate.parts import Plate
 from haptonic.plate.sampling import driven_region, loudest_within, points_of
 from haptonic.response import FrequencyResponse, contrast, disc_average

@@ -6,10 +6,10 @@ from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
-import psutil
 from numpy.typing import NDArray
 
 from haptonic.errors import ResourceError, StudyError
+from haptonic.later import psutil
 from haptonic.plate import Plate
 from haptonic.plate.layout import Layout
 from haptonic.plate.parts import Actuator, Force

@@ -6,11 +6,11 @@ from collections.abc import Sequence
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.sparse import csr_array
 
 from haptonic.cell import HexMesh
 from haptonic.cell.quadrature import interpolation, lobatto
 from haptonic.errors import GeometryError
+from haptonic.later import sparse as sp
 
 Array = NDArray[np.float64]
 Ints = NDArray[np.int64]
@@ -32,7 +32,7 @@ def flat_faces(mesh: HexMesh) -> list[Ints]:
     return [nodes for nodes in found if len(nodes)]
 
 
-def surface_weights(points: Array, faces: Sequence[Ints], where: Array) -> csr_array:
+def surface_weights(points: Array, faces: Sequence[Ints], where: Array) -> sp.csr_array:
     """Matrix that takes nodal values to values at points of the flat face.
 
     Every point is found in one of the curved quadrilaterals by Newton's method on their isoparametric maps;
@@ -75,7 +75,7 @@ def surface_weights(points: Array, faces: Sequence[Ints], where: Array) -> csr_a
         columns.append(face[element[pair]].ravel())
         weights.append(weight.ravel())
     entries = np.concatenate(weights), (np.concatenate(rows), np.concatenate(columns))
-    matrix = csr_array(entries, shape=(len(where), len(points)))
+    matrix = sp.csr_array(entries, shape=(len(where), len(points)))
     matrix.eliminate_zeros()
     return matrix
 

@@ -8,9 +8,9 @@ from functools import cached_property
 from typing import Any, Protocol
 
 import numpy as np
-import scipy.linalg as la
 from numpy.typing import NDArray
 
+from haptonic.later import linalg as la
 from haptonic.plate.bonds import Bond3
 from haptonic.plate.keys import PLATE, PartKey
 from haptonic.plate.surface import surface_weights

@@ -6,9 +6,9 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
-import scipy.linalg as la
 from numpy.typing import NDArray
 
+from haptonic.later import linalg as la
 from haptonic.plate.bonds import Bond3
 from haptonic.plate.keys import PLATE, bond
 from haptonic.plate.model import PlateModel, drives_on

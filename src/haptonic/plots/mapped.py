@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
+import scipy
 from matplotlib.axes import Axes
 from matplotlib.collections import LineCollection
 from matplotlib.colors import Normalize
@@ -16,7 +17,6 @@ from matplotlib.image import AxesImage
 from matplotlib.ticker import MaxNLocator
 from numpy.typing import NDArray
 from PIL import Image
-from scipy.spatial import cKDTree
 
 from haptonic.errors import ResponseError
 from haptonic.plate.layout import Layout
@@ -146,7 +146,7 @@ def _seen(line: FrequencyResponse) -> tuple[Complex, tuple[float, float], tuple[
 
 def _nearest(line: FrequencyResponse) -> tuple[Complex, Array, Array]:
     """(y, x) normal vibration at the nearest point, NaN where there is none near, and these places, m."""
-    points, tree = line.points, cKDTree(line.points)
+    points, tree = line.points, scipy.spatial.cKDTree(line.points)
     step = float(np.median(tree.query(points, k=2)[0][:, 1]))
     low, high = points.min(axis=0) - 0.5 * step, points.max(axis=0) + 0.5 * step
     count = np.maximum(1, np.minimum(np.rint(FINER * (high - low) / step), MOST_PLACES)).astype(int)

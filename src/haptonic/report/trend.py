@@ -6,8 +6,9 @@ import math
 from dataclasses import dataclass
 
 import numpy as np
-import xarray as xr
 from numpy.typing import NDArray
+
+from haptonic.later import xarray as xr
 
 Array = NDArray[np.float64]
 FEWEST = 4  # designs that a fit with a spread needs

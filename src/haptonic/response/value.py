@@ -12,10 +12,10 @@ from importlib.metadata import version
 from typing import Any, Literal
 
 import numpy as np
-import xarray as xr
 from numpy.typing import NDArray
 
 from haptonic.errors import ResponseError
+from haptonic.later import xarray as xr
 from haptonic.response import checks
 from haptonic.response.lines import regular_line
 from haptonic.response.reference import Reference

@@ -6,7 +6,6 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-import xarray as xr
 from numpy.typing import NDArray
 
 from haptonic import plots
@@ -15,6 +14,7 @@ from haptonic.design.parameters import UNITS
 from haptonic.design.tolerance import (
     REACH,
 )
+from haptonic.later import xarray as xr
 from haptonic.results.plain import split
 from haptonic.results.result import Result, figure
 from haptonic.results.table import Cell, Column, Table

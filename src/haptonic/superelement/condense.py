@@ -18,10 +18,10 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
-import scipy.linalg as la
 from numpy.typing import NDArray
 
 from haptonic.cell import HexMesh, MeshPlan, TileShape
+from haptonic.later import linalg as la
 from haptonic.solvers import Solver, definite
 from haptonic.superelement.folded import FoldedMesh
 from haptonic.superelement.interior import CraigBampton, reduced

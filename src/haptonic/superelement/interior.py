@@ -6,8 +6,9 @@ from dataclasses import dataclass
 from typing import Protocol
 
 import numpy as np
-import scipy.linalg as la
 from numpy.typing import NDArray
+
+from haptonic.later import linalg as la
 
 Array = NDArray[np.float64]
 

@@ -14,9 +14,9 @@ from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.linalg import block_diag
 
 from haptonic.cell import HexMesh, MeshPlan, PlacedTile, TileShape, UnitCell
+from haptonic.later import linalg as la
 from haptonic.lattice import HALF_TURN
 from haptonic.superelement.condense import Superelement, condensed
 from haptonic.superelement.dynamic import DynamicStiffness, dynamic_stiffness
@@ -313,4 +313,4 @@ class JoinedStiffness:
 
     def _joined(self, forms: Sequence[Array]) -> Array:
         own = [self.joint.form(number, form, len(form)) for number, form in enumerate(forms)]
-        return np.asarray(block_diag(*own))
+        return np.asarray(la.block_diag(*own))

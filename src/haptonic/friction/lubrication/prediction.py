@@ -7,7 +7,6 @@ from collections.abc import Callable
 from importlib.metadata import version
 
 import numpy as np
-import xarray as xr
 from numpy.typing import ArrayLike, NDArray
 
 from haptonic.errors import FrictionError
@@ -19,6 +18,7 @@ from haptonic.friction.lubrication.sharing import (
     shared_friction,
 )
 from haptonic.friction.lubrication.slider import VALIDITY, intermittent_friction
+from haptonic.later import xarray as xr
 
 Array = NDArray[np.float64]
 Model = Callable[[ArrayLike, Touch, Values], Array]

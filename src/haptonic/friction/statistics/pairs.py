@@ -6,10 +6,10 @@ from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
-import xarray as xr
 from numpy.typing import NDArray
 
 from haptonic.errors import FrictionError
+from haptonic.later import xarray as xr
 
 Array = NDArray[np.float64]
 Names = NDArray[np.str_]

@@ -7,12 +7,12 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 import scipy
-import xarray as xr
 from numpy.typing import NDArray
 
 from haptonic.errors import FrictionError, shown
 from haptonic.friction.statistics.comparison import by_mixed_model, by_participants, by_trials
 from haptonic.friction.statistics.pairs import Pairs
+from haptonic.later import xarray as xr
 
 Array = NDArray[np.float64]
 

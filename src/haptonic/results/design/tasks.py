@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 import numpy as np
-import xarray as xr
 from numpy.typing import NDArray
 
 from haptonic.bloch import gaps_dataset
@@ -14,6 +13,7 @@ from haptonic.cell import UnitCell
 from haptonic.design.brief import Brief
 from haptonic.design.search import HeightRow, Visited, climb, spread, starts_of
 from haptonic.jobs import Task
+from haptonic.later import xarray as xr
 
 Array = NDArray[np.float64]
 

@@ -10,12 +10,12 @@ from pathlib import Path, PurePosixPath
 from typing import Any, Literal
 
 import numpy as np
-import xarray as xr
+import scipy
 from numpy.typing import NDArray
-from scipy.spatial import cKDTree
 
 from haptonic.bloch import Gap
 from haptonic.errors import HaptonicError, ScanError
+from haptonic.later import xarray as xr
 from haptonic.plate import Plate
 from haptonic.plate.levels import contrasts
 from haptonic.plate.sampling import driven_region
@@ -87,7 +87,7 @@ class SimulatedScan(Result):
         ScanError : a response at other points or lines
         """
         plan = plan_for(settings, plate).points
-        distance, order = cKDTree(response.points).query(plan)
+        distance, order = scipy.spatial.cKDTree(response.points).query(plan)
         if distance.max() > NEAR * settings.grid:
             raise ScanError.mismatch(
                 argument="response",

@@ -8,8 +8,8 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
+import scipy
 from numpy.typing import NDArray
-from scipy.spatial import cKDTree
 
 from haptonic.errors import ScanError
 from haptonic.response import FrequencyResponse
@@ -134,7 +134,7 @@ def repaired(
             next_step="measure again; nothing can be repaired here",
         )
     places, values = response.points, response.values.copy()
-    distance, near = cKDTree(places[good]).query(places[bad], k=NEIGHBOURS)
+    distance, near = scipy.spatial.cKDTree(places[good]).query(places[bad], k=NEIGHBOURS)
     weight = 1 / np.maximum(distance, 1e-12) ** 2
     weight /= weight.sum(axis=1, keepdims=True)
     mixed = np.einsum("lpkd,pk->lpd", values[:, good[near]], weight)

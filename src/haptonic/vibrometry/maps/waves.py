@@ -7,10 +7,10 @@ from typing import Literal
 
 import numpy as np
 import scipy
-import xarray as xr
 from numpy.typing import NDArray
 
 from haptonic.errors import HaptonicWarning, ScanError
+from haptonic.later import xarray as xr
 from haptonic.response import FrequencyResponse
 
 Array = NDArray[np.float64]
