@@ -17,11 +17,11 @@ import numpy as np
 from numpy.typing import NDArray
 from pydantic import Field
 
+from haptonic.arrays import Array
 from haptonic.errors import GeometryError
 from haptonic.fields import Quantity, described, problem, remade, size
 from haptonic.units import format_quantity
 
-Array = NDArray[np.float64]
 Operation = tuple[tuple[int, int], tuple[int, int]]
 
 HALF_TURN: Operation = ((-1, 0), (0, -1))

@@ -22,9 +22,9 @@ import scipy.sparse as sp
 from numpy.typing import NDArray
 from scipy.sparse.linalg import splu
 
+from haptonic.arrays import Array
 from haptonic.errors import HaptonicError, NumericalError
 
-Array = NDArray[np.float64]
 Indices = NDArray[np.int32]
 
 

@@ -16,12 +16,10 @@ import scipy.linalg as la
 import scipy.sparse as sp
 from numpy.typing import NDArray
 
-from haptonic.bloch.pencil import Fields, Pencil, Periodic, bloch_pencil
+from haptonic.arrays import Array, Complex, Fields
+from haptonic.bloch.pencil import Pencil, Periodic, bloch_pencil
 from haptonic.lattice import HALF_TURN
 from haptonic.superelement import Tiling
-
-Array = NDArray[np.float64]
-Complex = NDArray[np.complex128]
 
 STEP = 1e-3  # rad, of the differences that stand for derivatives at Gamma
 

@@ -12,16 +12,13 @@ from typing import Literal
 
 import numpy as np
 import scipy.linalg as la
-from numpy.typing import NDArray
 from scipy.optimize import brentq
 
+from haptonic.arrays import Array, Complex
 from haptonic.bloch.layers import Interface
 from haptonic.bloch.plate_waves import PlateWaves
 from haptonic.errors import StudyError
 from haptonic.superelement import Superelement
-
-Array = NDArray[np.float64]
-Complex = NDArray[np.complex128]
 
 Ends = Literal["free", "mirror"]
 

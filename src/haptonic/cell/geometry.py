@@ -8,9 +8,9 @@ from functools import cached_property
 from typing import Annotated
 
 import numpy as np
-from numpy.typing import NDArray
 from pydantic import Field
 
+from haptonic.arrays import Array
 from haptonic.brillouin import IrreducibleZone
 from haptonic.cell.pillar import Pillar
 from haptonic.cell.sites import (
@@ -31,8 +31,6 @@ from haptonic.errors import GeometryError
 from haptonic.fields import INLINE, TOP, described, numbers, problem, size, with_numbers
 from haptonic.lattice import HALF_TURN, Lattice, Operation, PointGroup
 from haptonic.materials import GIVEN, Material, is_symmetry
-
-Array = NDArray[np.float64]
 
 LEAST_CLEARANCE = 0.01  # of the pitch, between a pillar and the nearest side of its cell
 

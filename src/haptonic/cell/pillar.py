@@ -11,10 +11,10 @@ import numpy as np
 from numpy.typing import NDArray
 from pydantic import Field
 
+from haptonic.arrays import Array
 from haptonic.errors import GeometryError
 from haptonic.fields import LARGEST, Quantity, described, problem, size
 
-Array = NDArray[np.float64]
 Section = Literal["round", "square"]
 
 LEAST_SHARE = 0.05  # of the width at the foot that the narrowest section keeps

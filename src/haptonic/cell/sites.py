@@ -10,18 +10,15 @@ from itertools import product
 from typing import Annotated
 
 import numpy as np
-from numpy.typing import NDArray
 from pydantic import Field, field_validator
 
+from haptonic.arrays import Array, Ints
 from haptonic.cell.pillar import Pillar
 from haptonic.cell.tile import HALF_TURNED, PlacedTile, SiteTile, TileShape
 from haptonic.errors import GeometryError
 from haptonic.fields import Quantity, described, problem
 from haptonic.lattice import LEAST_SIDE, SAME, Operation, voronoi_cell
 from haptonic.materials import Material, is_symmetry
-
-Array = NDArray[np.float64]
-Ints = NDArray[np.int64]
 
 SHARE = Quantity("", at_least=0.0, below=1.0)
 PLACE = Quantity("m")

@@ -6,8 +6,8 @@ from collections.abc import Sequence
 
 import numpy as np
 import xarray as xr
-from numpy.typing import NDArray
 
+from haptonic.arrays import Array
 from haptonic.bloch import Gap
 from haptonic.bloch.exact import exact_modes
 from haptonic.bloch.pencil import eigenpairs
@@ -15,8 +15,6 @@ from haptonic.cell import UnitCell
 from haptonic.design.quick import QuickDesign
 from haptonic.design.sensitivity import sensitivity
 from haptonic.design.tolerance import Surface, terms_needed
-
-Array = NDArray[np.float64]
 
 DIVISIONS = 10  # of the irreducible zone's sides, where the bands beside the gap are followed
 

@@ -18,16 +18,14 @@ from typing import Annotated, Literal
 
 import numpy as np
 import scipy
-from numpy.typing import NDArray
 from pydantic import Field
 
+from haptonic.arrays import Array
 from haptonic.cell import UnitCell
 from haptonic.design.parameters import OfCell, values_of
 from haptonic.fields import Quantity, described, once, problem
 from haptonic.fields.keys import pattern_of
 from haptonic.units import format_quantity
-
-Array = NDArray[np.float64]
 
 CUT = 3.0  # standard deviations at which normal spreads are cut off
 REACH = 2.0  # the fit holds for spreads up to this many times those given

@@ -10,10 +10,11 @@ from typing import Annotated
 import numpy as np
 from pydantic import Field, ValidationInfo, field_validator
 
+from haptonic.arrays import Array
 from haptonic.errors import shown
 from haptonic.fields import Entries, Quantity, described, number_of, problem
 from haptonic.fields.quantity import collected
-from haptonic.materials.common import DENSITY, Array, spread_of
+from haptonic.materials.common import DENSITY, spread_of
 
 INCOMPRESSIBLE = (
     "a solid with a Poisson ratio of 0.5 is incompressible and has no finite bulk modulus; write 0.49 for "

@@ -8,10 +8,10 @@ from typing import Annotated
 import numpy as np
 from pydantic import Field
 
+from haptonic.arrays import Array
 from haptonic.fields import Entries, described
 from haptonic.materials.common import (
     DENSITY,
-    Array,
     require_between,
     require_name,
     require_positive_definite,

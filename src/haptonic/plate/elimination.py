@@ -10,9 +10,8 @@ from collections.abc import Sequence
 
 import numpy as np
 import scipy.sparse as sp
-from numpy.typing import NDArray
 
-Ints = NDArray[np.int64]
+from haptonic.arrays import Ints
 
 
 def elimination_order(size: int, blocks: Sequence[Ints]) -> Ints:

@@ -9,13 +9,11 @@ import numpy as np
 import scipy.sparse as sp
 from numpy.typing import NDArray
 
+from haptonic.arrays import Array, Ints
 from haptonic.cell import Topology
 from haptonic.elements import ElementMatrices, coupled_pairs
 from haptonic.solvers import Pattern
 from haptonic.superelement.symmetry import Folding
-
-Array = NDArray[np.float64]
-Ints = NDArray[np.int64]
 
 
 @dataclass(frozen=True, eq=False)

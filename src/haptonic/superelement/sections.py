@@ -8,10 +8,9 @@ import numpy as np
 import scipy.sparse as sp
 from numpy.typing import NDArray
 
+from haptonic.arrays import Array
 from haptonic.cell import HexMesh
 from haptonic.superelement.symmetry import Folding
-
-Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True)

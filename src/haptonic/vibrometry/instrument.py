@@ -3,21 +3,21 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Annotated, Any
+from typing import Annotated
 
 import numpy as np
 import scipy.fft
 from numpy.typing import NDArray
 from pydantic import Field
 
+from haptonic.arrays import AnyComplex, Array
+from haptonic.channels.signals import Samples
 from haptonic.errors import ScanError
 from haptonic.fields import Frequency, Quantity, described
 from haptonic.response import FrequencyResponse
 from haptonic.vibrometry.chirp import Drive
-from haptonic.vibrometry.records import Samples, TimeScan
+from haptonic.vibrometry.records import TimeScan
 
-Array = NDArray[np.float64]
-Complex = NDArray[np.complexfloating[Any, Any]]
 Velocity = Annotated[float, Quantity("m/s", above=0.0, at_most=1e3, typical=(1e-7, 10.0))]
 
 SAME = 1e-6  # of the line spacing, by which lines of drive and response may differ
@@ -129,8 +129,8 @@ def recorded(
 class _Simulated:
     """Makes the records of some points. values : (line, point); spectrum : (line,) of drive and path."""
 
-    values: Complex
-    spectrum: Complex
+    values: AnyComplex
+    spectrum: AnyComplex
     signal: Drive
     instrument: Instrument
     averages: int
@@ -161,7 +161,7 @@ def _members(signal: Drive) -> slice:
     return slice(first, last + 1)
 
 
-def _moved(values: Complex, spectrum: Complex, signal: Drive) -> NDArray[np.float32]:
+def _moved(values: AnyComplex, spectrum: AnyComplex, signal: Drive) -> NDArray[np.float32]:
     """(point, sample) one period of the velocity, m/s."""
     samples = len(signal.samples)
     whole = np.zeros((values.shape[1], samples // 2 + 1), dtype=np.complex64)

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import numpy as np
 import xarray as xr
-from numpy.typing import NDArray
 from threadpoolctl import threadpool_limits
 
+from haptonic.arrays import Array
 from haptonic.bloch import Gap
 from haptonic.bloch.evanescent import attenuation
 from haptonic.bloch.guide import Guide
@@ -18,8 +18,6 @@ from haptonic.errors import StudyError
 from haptonic.gate import WORD
 from haptonic.plate.layout import Layout
 from haptonic.vibrometry.guides import Guiding, Mirror
-
-Array = NDArray[np.float64]
 
 PLAIN = 41  # frequencies of the plain plate's wave
 FADING = 33  # of evanescent waves

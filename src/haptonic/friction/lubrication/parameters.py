@@ -13,14 +13,13 @@ from typing import Annotated, Literal
 
 import numpy as np
 import scipy
-from numpy.typing import NDArray
 from pydantic import Field
 
+from haptonic.arrays import Array
 from haptonic.errors import FrictionError, shown
 from haptonic.fields import Quantity, described
 from haptonic.units import format_quantity
 
-Array = NDArray[np.float64]
 Values = Mapping[str, float | Array]
 """What a model computes with: `Fingertip.values`, or draws from `Fingertip.sampled`."""
 Mark = Literal["assumed", "stated", "computed", "given"]

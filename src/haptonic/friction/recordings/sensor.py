@@ -10,9 +10,9 @@ import numpy as np
 import pandas as pd
 from pydantic import AfterValidator, Field
 
+from haptonic.arrays import Array
 from haptonic.channels import Group
 from haptonic.channels.labels import factor_of
-from haptonic.channels.signals import Array
 from haptonic.errors import FrictionError, HaptonicError, shown
 from haptonic.fields import Quantity, described, handed_on, problem
 from haptonic.friction.recordings.channel_map import ChannelMap, ScaledChannel, no_rate

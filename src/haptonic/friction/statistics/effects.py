@@ -17,10 +17,10 @@ import scipy
 import xarray as xr
 from numpy.typing import NDArray
 
+from haptonic.arrays import Array
 from haptonic.errors import FrictionError
 from haptonic.friction.statistics.pairs import Pairs
 
-Array = NDArray[np.float64]
 About = Literal["people", "these participants"]
 
 DRAWS = 2000

@@ -9,9 +9,9 @@ import numpy as np
 import xarray as xr
 from numpy.typing import NDArray
 
+from haptonic.arrays import Array
 from haptonic.errors import FrictionError
 
-Array = NDArray[np.float64]
 Names = NDArray[np.str_]
 
 

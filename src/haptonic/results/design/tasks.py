@@ -6,16 +6,14 @@ from collections.abc import Sequence
 
 import numpy as np
 import xarray as xr
-from numpy.typing import NDArray
 
+from haptonic.arrays import Array
 from haptonic.bloch import gaps_dataset
 from haptonic.bloch.settings import BandSettings
 from haptonic.cell import UnitCell
 from haptonic.design.brief import Brief
 from haptonic.design.search import HeightRow, Visited, climb, spread, starts_of
 from haptonic.jobs import Task
-
-Array = NDArray[np.float64]
 
 FRONT_STARTS = 12  # designs looked at for each pitch of a front
 

@@ -8,15 +8,13 @@ from dataclasses import dataclass
 from typing import Annotated
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.spatial import ConvexHull, QhullError, cKDTree
 
+from haptonic.arrays import Array
 from haptonic.errors import ScanError
 from haptonic.response import FrequencyResponse
 from haptonic.units import In
 from haptonic.vibrometry.planning import Region
-
-Array = NDArray[np.float64]
 
 ROUNDS = 50  # of the best fit; it has settled long before
 SETTLED = 1e-12  # of the plate's size
