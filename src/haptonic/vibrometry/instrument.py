@@ -13,7 +13,7 @@ from pydantic import Field
 from haptonic.arrays import AnyComplex, Array
 from haptonic.channels.signals import Samples
 from haptonic.errors import ScanError
-from haptonic.fields import Frequency, Quantity, described
+from haptonic.fields import Frequency, Quantity, described, setting
 from haptonic.response import FrequencyResponse
 from haptonic.vibrometry.chirp import Drive
 from haptonic.vibrometry.records import TimeScan
@@ -30,31 +30,23 @@ PORTION = 32e6  # bytes that are made at a time while the range is looked for
 class Instrument:
     """What a vibrometer and its converter do to a velocity. Its noise is white."""
 
-    bits: Annotated[int, Field(ge=4, le=32, strict=True)] = Field(
-        default=16, title="Bits", description="Of the converter that records the vibrometer."
+    bits: Annotated[int, Field(ge=4, le=32, strict=True)] = setting(
+        16, "Of the converter that records the vibrometer."
     )
-    noise: Annotated[float, Quantity("m/s", at_least=0.0, at_most=1e3, typical=(0.0, 1e-2))] = Field(
-        default=5e-5, title="Noise", description="Of the vibrometer, root mean square of the samples."
+    noise: Annotated[float, Quantity("m/s", at_least=0.0, at_most=1e3, typical=(0.0, 1e-2))] = setting(
+        5e-5, "Of the vibrometer, root mean square of the samples."
     )
-    full_scale: Velocity | None = Field(
-        default=None,
-        title="Range",
-        description="Largest velocity of the vibrometer; else 1.25 of what comes.",
+    full_scale: Velocity | None = setting(
+        None, "Largest velocity of the vibrometer; else 1.25 of what comes.", title="Range"
     )
-    dropouts: Annotated[float, Quantity("", at_least=0.0, below=1.0, typical=(0.0, 0.1))] = Field(
-        default=0.005,
-        title="Dropouts",
-        description="Share of points at which the laser loses the surface.",
+    dropouts: Annotated[float, Quantity("", at_least=0.0, below=1.0, typical=(0.0, 0.1))] = setting(
+        0.005, "Share of points at which the laser loses the surface."
     )
-    delay: Annotated[float, Quantity("s", at_least=0.0, at_most=1.0, typical=(0.0, 1e-3))] = Field(
-        default=0.0,
-        title="Delay",
-        description="Of the vibrometer behind the drive; the analysis takes it out.",
+    delay: Annotated[float, Quantity("s", at_least=0.0, at_most=1.0, typical=(0.0, 1e-3))] = setting(
+        0.0, "Of the vibrometer behind the drive; the analysis takes it out."
     )
-    bandwidth: Frequency | None = Field(
-        default=None,
-        title="Bandwidth",
-        description="-3 dB of its first-order low-pass; the analysis takes it out.",
+    bandwidth: Frequency | None = setting(
+        None, "-3 dB of its first-order low-pass; the analysis takes it out."
     )
 
     def path(self, frequency: Array) -> NDArray[np.complex128]:
