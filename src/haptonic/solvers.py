@@ -20,11 +20,11 @@ from typing import Any, Protocol
 import numpy as np
 from numpy.typing import NDArray
 
+from haptonic.arrays import Array
 from haptonic.errors import HaptonicError, NumericalError
 from haptonic.later import sparse as sp
 from haptonic.later import sparse_linalg
 
-Array = NDArray[np.float64]
 Indices = NDArray[np.int32]
 
 

@@ -7,7 +7,6 @@ from collections.abc import Sequence
 from dataclasses import asdict
 
 import numpy as np
-from numpy.typing import NDArray
 
 from haptonic.analyses.analysis import KEPT, Analysis, NoOptions
 from haptonic.analyses.needs import need_carrier
@@ -33,8 +32,6 @@ from haptonic.results.common import stamped
 from haptonic.results.runner import Runner
 from haptonic.results.tolerance import Tolerance
 from haptonic.study.schema import Description
-
-Array = NDArray[np.float64]
 
 BATCH = 8  # designs of one task
 DRAWN = 2000  # plates in the result's dataset

@@ -13,15 +13,11 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from haptonic.arrays import Array, Bools, Complex, Ints
 from haptonic.cell import UnitCell
 from haptonic.later import csgraph
 from haptonic.later import linalg as la
 from haptonic.superelement import Superelement, repeated
-
-Array = NDArray[np.float64]
-Complex = NDArray[np.complex128]
-Bools = NDArray[np.bool_]
-Ints = NDArray[np.int64]
 
 SHIFT = 1.2 * np.exp(0.9j)  # multiplier about which the waves are sought, off the unit circle
 ON_CIRCLE = 1e-7  # real part of an exponent below which a wave counts as propagating

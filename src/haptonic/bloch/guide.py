@@ -12,16 +12,13 @@ from typing import Literal
 
 import numpy as np
 import scipy
-from numpy.typing import NDArray
 
+from haptonic.arrays import Array, Complex
 from haptonic.bloch.layers import Interface
 from haptonic.bloch.plate_waves import PlateWaves
 from haptonic.errors import StudyError
 from haptonic.later import linalg as la
 from haptonic.superelement import Superelement
-
-Array = NDArray[np.float64]
-Complex = NDArray[np.complex128]
 
 Ends = Literal["free", "mirror"]
 

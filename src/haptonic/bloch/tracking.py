@@ -10,15 +10,12 @@ import numpy as np
 import scipy
 from numpy.typing import NDArray
 
+from haptonic.arrays import Array, Complex, Ints
 from haptonic.bloch.character import characters
 from haptonic.bloch.model import REST, SPARE_MODES, BlochModel, Solution
 from haptonic.bloch.symmetry import clusters, corner_labels, mirrors_at, sorted_by_parity
 from haptonic.brillouin import Path
 from haptonic.superelement import JointImage
-
-Array = NDArray[np.float64]
-Complex = NDArray[np.complex128]
-Ints = NDArray[np.int64]
 
 ALIKE = 0.2  # squared overlap from which two modes at neighbouring wavevectors may be one branch
 

@@ -15,11 +15,9 @@ import numpy as np
 import scipy
 from numpy.typing import NDArray
 
+from haptonic.arrays import Array, Ints
 from haptonic.cell.plan import MeshPlan
 from haptonic.cell.tile import Sides
-
-Array = NDArray[np.float64]
-Ints = NDArray[np.int64]
 
 SAME = 1e-9  # of a polygon whose corners lie on the unit circle: places that are one
 

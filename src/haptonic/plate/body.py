@@ -12,8 +12,8 @@ from types import MappingProxyType
 
 import numpy as np
 from numpy.lib.stride_tricks import sliding_window_view
-from numpy.typing import NDArray
 
+from haptonic.arrays import Array, Ints
 from haptonic.cell import MeshPlan, UnitCell, mesh_cell
 from haptonic.cell.quadrature import lobatto
 from haptonic.elements import element_matrices
@@ -24,8 +24,6 @@ from haptonic.plate.parts import Actuator, Plate
 from haptonic.plate.piezo import electric_part
 from haptonic.plate.surface import flat_faces
 
-Array = NDArray[np.float64]
-Ints = NDArray[np.int64]
 Window = tuple[tuple[float, float], tuple[float, float]]
 
 SAME = 1e-9  # lines closer than this share of the longest element differ by rounding only

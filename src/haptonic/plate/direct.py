@@ -12,15 +12,12 @@ few directions, so that the product lies near the identity but for some resonanc
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
+from haptonic.arrays import Array, Complex
 from haptonic.later import sparse_linalg
 from haptonic.plate.damping import real_times
 from haptonic.plate.keys import PLATE
 from haptonic.plate.model import PlateModel
-
-Array = NDArray[np.float64]
-Complex = NDArray[np.complex128]
 
 BESIDE = 1e-3  # share of the square of the frequency by which the plate without loss is answered beside it
 RESIDUAL = 1e-12  # relative

@@ -9,11 +9,9 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 import numpy as np
-from numpy.typing import NDArray
 
+from haptonic.arrays import Ints
 from haptonic.later import sparse as sp
-
-Ints = NDArray[np.int64]
 
 
 def elimination_order(size: int, blocks: Sequence[Ints]) -> Ints:

@@ -20,14 +20,11 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from haptonic.arrays import Array, Ints
 from haptonic.cell.quadrature import lobatto
 from haptonic.later import linalg as la
 from haptonic.materials import PiezoelectricMaterial
-
-Array = NDArray[np.float64]
-Ints = NDArray[np.int64]
 
 
 @dataclass(frozen=True)

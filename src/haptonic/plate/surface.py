@@ -5,15 +5,12 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 import numpy as np
-from numpy.typing import NDArray
 
+from haptonic.arrays import Array, Ints
 from haptonic.cell import HexMesh
 from haptonic.cell.quadrature import interpolation, lobatto
 from haptonic.errors import GeometryError
 from haptonic.later import sparse as sp
-
-Array = NDArray[np.float64]
-Ints = NDArray[np.int64]
 
 FLAT = 1e-9  # of the tile's extent, within which a node lies at z = 0
 OUTSIDE = 1e-9  # in local coordinates, which run from -1 to 1, by which a point may miss its element

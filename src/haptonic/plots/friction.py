@@ -13,6 +13,7 @@ from matplotlib.figure import Figure
 from matplotlib.patches import Patch, Rectangle
 from numpy.typing import NDArray
 
+from haptonic.arrays import Array
 from haptonic.friction.phrases import change
 from haptonic.friction.signals.record import EVERYBODY
 from haptonic.friction.statistics import IntervalEstimate
@@ -20,8 +21,6 @@ from haptonic.friction.statistics.summary import Condition
 from haptonic.later import xarray as xr
 from haptonic.plots import style
 from haptonic.plots.text import label
-
-Array = NDArray[np.float64]
 
 LOOKS = ((style.BLUE, "o"), (style.ORANGE, "s"), (style.GREEN, "^"), (style.PURPLE, "D"), (style.SKY, "v"))
 MOST_PEOPLE = 12  # whose bars stand beside those of all

@@ -6,11 +6,10 @@ import math
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from haptonic.arrays import Array
 from haptonic.later import xarray as xr
 
-Array = NDArray[np.float64]
 FEWEST = 4  # designs that a fit with a spread needs
 MOST_DECIMALS = 4
 

@@ -9,10 +9,10 @@ from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from numpy.typing import NDArray
 from threadpoolctl import threadpool_limits
 
 from haptonic import plots
+from haptonic.arrays import Array
 from haptonic.bloch import Gap, Resolution
 from haptonic.bloch.evanescent import Slab, bloch_waves, decibels
 from haptonic.bloch.gaps import gap_at, widest_gap
@@ -45,7 +45,6 @@ from haptonic.units import format_quantity
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-Array = NDArray[np.float64]
 
 LEAST_SHARE = 1e-30  # of the energy
 CHUNK = 12  # frequencies of one task

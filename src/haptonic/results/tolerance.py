@@ -5,9 +5,6 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
-import numpy as np
-from numpy.typing import NDArray
-
 from haptonic import plots
 from haptonic.bloch import Gap
 from haptonic.design.parameters import UNITS
@@ -21,8 +18,6 @@ from haptonic.results.table import Cell, Column, Table
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
-
-Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True, eq=False, repr=False)

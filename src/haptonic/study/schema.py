@@ -21,8 +21,10 @@ from haptonic.fields import (
     described,
     handed_on,
     leaves,
+    needed,
     numbers,
     problem,
+    setting,
     table,
     unchecked,
     unknown_number,
@@ -56,18 +58,11 @@ class Description:
     It is read by `haptonic.study.load`, which gives its errors five parts and warns about unusual values.
     """
 
-    title: str = Field(
-        default="Study",
-        title="Title",
-        description="Heads the report.",
-        min_length=1,
-        max_length=200,
-        strict=True,
+    title: str = setting("Study", "Heads the report.", min_length=1, max_length=200, strict=True)
+    carrier: Annotated[float, CARRIER] | None = setting(
+        None, "Frequency of the drive; marked in the diagrams."
     )
-    carrier: Annotated[float, CARRIER] | None = Field(
-        default=None, title="Carrier", description="Frequency of the drive; marked in the diagrams."
-    )
-    cell: UnitCell = Field(title="Unit cell", description="One period of the plate.")
+    cell: UnitCell = needed("One period of the plate.", title="Unit cell")
     bands_settings: BandSettings = Field(
         default=BandSettings(), alias="bands", title="Bands", description="What the band diagram shows."
     )
@@ -101,23 +96,15 @@ class Description:
         title="Plate",
         description="A finite one, made of cells and of plain plate.",
     )
-    touch: TouchSettings = Field(
-        default=TouchSettings(), title="Touch", description="The finger that feels the plate."
-    )
-    trials: TrialSettings = Field(
-        default=TrialSettings(),
-        title="Trials",
-        description="How force records are processed, and which count.",
-    )
+    touch: TouchSettings = setting(TouchSettings(), "The finger that feels the plate.")
+    trials: TrialSettings = setting(TrialSettings(), "How force records are processed, and which count.")
     protocol_settings: ProtocolSettings = Field(
         default=ProtocolSettings(),
         alias="protocol",
         title="Protocol",
         description="Trials with people: how many, in which order.",
     )
-    participants: Participants = Field(
-        default=Participants(), title="Participants", description="What is assumed of people."
-    )
+    participants: Participants = setting(Participants(), "What is assumed of people.")
     scan_settings: ScanSettings = Field(
         default=ScanSettings(),
         alias="scan",

@@ -6,11 +6,9 @@ from dataclasses import dataclass
 from typing import Protocol
 
 import numpy as np
-from numpy.typing import NDArray
 
+from haptonic.arrays import Array
 from haptonic.later import linalg as la
-
-Array = NDArray[np.float64]
 
 # motions of the boundary whose inertia the interior's modes have to answer: these and as many as it gets
 # directions; with 24 whatever it gets, 25 bands lost up to ten times what the truncation told

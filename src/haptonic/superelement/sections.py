@@ -7,11 +7,10 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from haptonic.arrays import Array
 from haptonic.cell import HexMesh
 from haptonic.later import sparse as sp
 from haptonic.superelement.symmetry import Folding
-
-Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True)

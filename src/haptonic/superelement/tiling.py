@@ -13,8 +13,8 @@ from functools import cached_property
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from haptonic.arrays import Array, Fields, Ints
 from haptonic.cell import HexMesh, MeshPlan, PlacedTile, TileShape, UnitCell
 from haptonic.later import linalg as la
 from haptonic.lattice import HALF_TURN
@@ -26,10 +26,6 @@ from haptonic.superelement.measures import ENERGIES, Measures
 from haptonic.superelement.sections import PillarSections
 from haptonic.superelement.substructured import condense_by_parts
 from haptonic.superelement.symmetry import folds_of
-
-Array = NDArray[np.float64]
-Fields = NDArray[Any]  # real or complex
-Ints = NDArray[np.int64]
 
 
 @dataclass(frozen=True, eq=False)

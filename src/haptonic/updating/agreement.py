@@ -6,14 +6,11 @@ from dataclasses import dataclass
 
 import numpy as np
 import scipy
-from numpy.typing import NDArray
 
+from haptonic.arrays import Array, Complex
 from haptonic.errors import ScanError
 from haptonic.response import FrequencyResponse, frac, mac
 from haptonic.updating.shapes import How, Pair, Shapes, pairs, shapes_of
-
-Array = NDArray[np.float64]
-Complex = NDArray[np.complex128]
 
 NEAR = 0.25  # of the distance of neighbouring points, within which two points are one
 SAME = 1e-6  # of a frequency, within which two lines are one

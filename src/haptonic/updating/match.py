@@ -14,14 +14,12 @@ import numpy as np
 import scipy
 from numpy.typing import NDArray
 
+from haptonic.arrays import Array, Complex, Ints
 from haptonic.plate import Plate
 from haptonic.plate.family import Family
 from haptonic.updating.parameters import changed, values_of
 from haptonic.updating.settings import Unknown
 
-Array = NDArray[np.float64]
-Ints = NDArray[np.int64]
-Complex = NDArray[np.complex128]
 Residual = Callable[[Array], Array]
 
 TRIED = 48  # sets of numbers of which the best few are improved

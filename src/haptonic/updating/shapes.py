@@ -10,13 +10,10 @@ from typing import Literal
 
 import numpy as np
 import scipy
-from numpy.typing import NDArray
 
+from haptonic.arrays import Array, Complex, Ints
 from haptonic.response import mac
 
-Array = NDArray[np.float64]
-Ints = NDArray[np.int64]
-Complex = NDArray[np.complex128]
 How = Literal["modes", "operating shapes"]
 
 PROMINENT = 3.0  # dB by which a peak of the average spectrum rises above what separates it from a higher one

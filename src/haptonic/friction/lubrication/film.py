@@ -21,9 +21,9 @@ from pathlib import Path
 
 import numpy as np
 import scipy
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
-Array = NDArray[np.float64]
+from haptonic.arrays import Array
 
 SQUEEZE_NUMBERS = np.geomspace(0.01, 1000.0, 36)  # of the table
 EXCURSIONS = np.array([0, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.75, 0.8, 0.85, 0.9, 0.925, 0.95])

@@ -13,14 +13,12 @@ from typing import Annotated, Literal
 
 import numpy as np
 import scipy
-from numpy.typing import NDArray
-from pydantic import Field
 
+from haptonic.arrays import Array
 from haptonic.errors import FrictionError, shown
-from haptonic.fields import Quantity, described
+from haptonic.fields import Quantity, described, needed, setting
 from haptonic.units import format_quantity
 
-Array = NDArray[np.float64]
 Values = Mapping[str, float | Array]
 """What a model computes with: `Fingertip.values`, or draws from `Fingertip.sampled`."""
 Mark = Literal["assumed", "stated", "computed", "given"]
@@ -190,11 +188,9 @@ Speed = Annotated[float, Quantity("m/s", at_least=SPEEDS[0], at_most=SPEEDS[1], 
 class Touch:
     """How the finger touches the vibrating plate."""
 
-    frequency: Annotated[float, Quantity("Hz", at_least=1e3, at_most=1e6)] = Field(
-        title="Frequency", description="Of the vibration."
-    )
-    force: Force = Field(default=0.5, title="Force of the finger", description="Normal to the plate.")
-    speed: Speed = Field(default=0.078, title="Speed of the finger", description="Along the plate.")
+    frequency: Annotated[float, Quantity("Hz", at_least=1e3, at_most=1e6)] = needed("Of the vibration.")
+    force: Force = setting(0.5, "Normal to the plate.", title="Force of the finger")
+    speed: Speed = setting(0.078, "Along the plate.", title="Speed of the finger")
 
     @property
     def omega(self) -> float:

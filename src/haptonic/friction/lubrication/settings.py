@@ -8,7 +8,7 @@ from typing import Annotated, Any
 from pydantic import Field
 
 from haptonic.errors import FrictionError
-from haptonic.fields import INLINE, Quantity, described, problem
+from haptonic.fields import INLINE, Quantity, described, problem, setting
 from haptonic.friction.lubrication.parameters import Fingertip, Force, Parameter, Speed, Touch
 from haptonic.units import format_quantity
 
@@ -69,13 +69,13 @@ Skin: Any = described("touch.skin", FrictionError, kw_only=True)(
 class Pad(_Ordered):
     """What the finger does to the plate: a damper, spread evenly over a disc."""
 
-    diameter: Annotated[float, Quantity("m", at_least=1e-3, at_most=40e-3, typical=(5e-3, 20e-3))] = Field(
-        default=10e-3, title="Diameter below the finger", description="Of the disc that it covers; assumed."
+    diameter: Annotated[float, Quantity("m", at_least=1e-3, at_most=40e-3, typical=(5e-3, 20e-3))] = setting(
+        10e-3, "Of the disc that it covers; assumed.", title="Diameter below the finger"
     )
-    damping: tuple[Damping, Damping, Damping] = Field(
-        default=USUAL_DAMPING,
+    damping: tuple[Damping, Damping, Damping] = setting(
+        USUAL_DAMPING,
+        "Of the whole disc: lowest plausible, value, highest plausible; assumed.",
         title="Damping of the finger",
-        description="Of the whole disc: lowest plausible, value, highest plausible; assumed.",
     )
 
 
@@ -83,15 +83,11 @@ class Pad(_Ordered):
 class TouchSettings:
     """The finger that feels the plate, and how hard the plate is driven."""
 
-    force: Force = Field(default=0.5, title="Force of the finger", description="Normal to the plate.")
-    speed: Speed = Field(default=0.078, title="Speed of the finger", description="Along the plate.")
-    pad: Annotated[Pad, INLINE] = Field(
-        default=Pad(), title="Pad", description="What the finger does to the plate."
-    )
-    voltage: Annotated[float, VOLTAGE] | None = Field(
-        default=None,
-        title="Voltage",
-        description="Of the first actuator while the finger feels; else the plate's.",
+    force: Force = setting(0.5, "Normal to the plate.", title="Force of the finger")
+    speed: Speed = setting(0.078, "Along the plate.", title="Speed of the finger")
+    pad: Annotated[Pad, INLINE] = setting(Pad(), "What the finger does to the plate.")
+    voltage: Annotated[float, VOLTAGE] | None = setting(
+        None, "Of the first actuator while the finger feels; else the plate's."
     )
     skin: Skin = Field(
         default_factory=Skin, title="Skin", description="What the models of friction know of it."

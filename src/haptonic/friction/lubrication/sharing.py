@@ -8,14 +8,13 @@ load. Both pressures fall as the gap grows, so there is one equilibrium.
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from haptonic.arrays import Array
 from haptonic.errors import FrictionError
 from haptonic.friction.lubrication import film
 from haptonic.friction.lubrication.parameters import Fingertip, Touch, Values
 from haptonic.later import elementwise
-
-Array = NDArray[np.float64]
 
 FILM_ONLY = 1e-9  # of friction left, beyond which nobody cares how much
 FAR = 100.0  # times the amplitude: a gap at which no film is left that could carry a finger

@@ -14,13 +14,12 @@ good to 0.04.
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from haptonic.arrays import Array
 from haptonic.friction.lubrication.parameters import Touch, Values
 from haptonic.friction.lubrication.sharing import NO_MOTION, checked_amplitude
 from haptonic.later import elementwise
-
-Array = NDArray[np.float64]
 
 VALIDITY = (
     "the plate leaves the skin for half of every period, and no air is left between them; "

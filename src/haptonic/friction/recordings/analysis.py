@@ -16,7 +16,7 @@ from pydantic import Field
 
 from haptonic.channels import Group, SignalFile, opened
 from haptonic.errors import ChannelError, FrictionError, HaptonicError
-from haptonic.fields import Name, described, problem
+from haptonic.fields import Name, described, needed, problem, setting
 from haptonic.friction.recordings.channel_map import ChannelMap, pressing
 from haptonic.friction.recordings.sensor import Sensor
 from haptonic.friction.recordings.trial_table import RecordSpan, TrialTable
@@ -41,15 +41,13 @@ POINTS = 80  # of a curve that is drawn small
 class Exclusion:
     """Trials that do not count, declared before the data are seen."""
 
-    participant: Name = Field(title="Participant", description="As the table of trials calls him or her.")
-    reason: Annotated[str, Field(min_length=1, max_length=200, strict=True)] = Field(
-        title="Reason", description="Stands beside the trial in every table."
+    participant: Name = needed("As the table of trials calls him or her.")
+    reason: Annotated[str, Field(min_length=1, max_length=200, strict=True)] = needed(
+        "Stands beside the trial in every table."
     )
-    block: Annotated[int, Field(ge=1, le=10**6, strict=True)] | None = Field(
-        default=None, title="Block", description="Else all blocks."
-    )
-    trial: Annotated[int, Field(ge=1, le=10**6, strict=True)] | None = Field(
-        default=None, title="Trial", description="Of the block; else all its trials."
+    block: Annotated[int, Field(ge=1, le=10**6, strict=True)] | None = setting(None, "Else all blocks.")
+    trial: Annotated[int, Field(ge=1, le=10**6, strict=True)] | None = setting(
+        None, "Of the block; else all its trials."
     )
 
     def __post_init__(self) -> None:

@@ -16,11 +16,11 @@ import numpy as np
 import scipy
 from numpy.typing import NDArray
 
+from haptonic.arrays import Array
 from haptonic.errors import FrictionError
 from haptonic.friction.statistics.pairs import Pairs
 from haptonic.later import xarray as xr
 
-Array = NDArray[np.float64]
 About = Literal["people", "these participants"]
 
 DRAWS = 2000

@@ -26,8 +26,6 @@ from haptonic.friction.statistics.effects import (
 from haptonic.friction.statistics.pairs import Pairs, paired
 from haptonic.later import xarray as xr
 
-Array = NDArray[np.float64]
-
 SIDES = ("off", "on")
 MOST_NAMED = 5  # participants with unequal conditions
 

@@ -9,8 +9,8 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from haptonic.arrays import Array
 from haptonic.bloch import Gap, gaps_of
 from haptonic.bloch.settings import COARSEST, BandSettings
 from haptonic.design.brief import SLACK, Brief
@@ -25,8 +25,6 @@ from haptonic.results.design.refusals import held_back_by, out_of_reach, uncompu
 from haptonic.results.design.tasks import visits_of
 from haptonic.results.design.value import Design, all_seen
 from haptonic.results.runner import Runner
-
-Array = NDArray[np.float64]
 
 POLISH_STEPS = 5  # designs computed at most once the coarse model has been corrected
 LAST_STEPS = 20  # of the best climb at most, before it is said what holds it back

@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 import numpy as np
-from numpy.typing import NDArray
 
+from haptonic.arrays import Array
 from haptonic.bloch import gaps_dataset
 from haptonic.bloch.settings import BandSettings
 from haptonic.cell import UnitCell
@@ -14,8 +14,6 @@ from haptonic.design.brief import Brief
 from haptonic.design.search import HeightRow, Visited, climb, spread, starts_of
 from haptonic.jobs import Task
 from haptonic.later import xarray as xr
-
-Array = NDArray[np.float64]
 
 FRONT_STARTS = 12  # designs looked at for each pitch of a front
 

@@ -13,6 +13,7 @@ import scipy
 from numpy.typing import NDArray
 
 from haptonic import plots
+from haptonic.arrays import Array
 from haptonic.errors import StudyError
 from haptonic.friction.lubrication import (
     CUE_THRESHOLD,
@@ -40,7 +41,6 @@ from haptonic.units import format_quantity
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-Array = NDArray[np.float64]
 
 STRONGEST = 1e4  # V or N: no drive is looked for beyond
 SMALLEST, LARGEST = 1e-9, 5e-5  # m, amplitudes between which the law of friction is tabulated

@@ -29,9 +29,6 @@ from haptonic.results.common import stamped
 from haptonic.results.plate.value import PlateResult
 from haptonic.store import Store, content_key
 
-Array = NDArray[np.float64]
-AnyComplex = NDArray[np.complexfloating[Any, Any]]
-
 
 def compute_plate(
     plate: Plate,

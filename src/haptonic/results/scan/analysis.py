@@ -10,8 +10,8 @@ from typing import Any
 
 import numpy as np
 import scipy
-from numpy.typing import NDArray
 
+from haptonic.arrays import Array
 from haptonic.bloch import Gap
 from haptonic.bloch.settings import BandSettings
 from haptonic.errors import HaptonicError, ResponseError, ScanError
@@ -48,8 +48,6 @@ from haptonic.vibrometry.of_settings import Tiles, plan_for
 from haptonic.vibrometry.on_plate import contrast_range, decay_in, lattice_gap
 from haptonic.vibrometry.settings import ScanSettings
 from haptonic.vibrometry.theory import computed_waves
-
-Array = NDArray[np.float64]
 
 FAR = 0.5  # of a step of the grid: a worse misfit of a registration is told
 SAME_SCALE = 0.05  # by which a registration may scale before it is told

@@ -11,7 +11,6 @@ from typing import Any, Literal
 
 import numpy as np
 import scipy
-from numpy.typing import NDArray
 
 from haptonic.bloch import Gap
 from haptonic.errors import HaptonicError, ScanError
@@ -31,7 +30,6 @@ from haptonic.vibrometry.on_plate import contrast_range
 from haptonic.vibrometry.readers.folder import GEOMETRY
 from haptonic.vibrometry.settings import ScanSettings
 
-Array = NDArray[np.float64]
 Kind = Literal["time", "frf"]
 
 STAGE = (12e-3, 7e-3)  # m, where the corner of the plate lies in the coordinates of the stage

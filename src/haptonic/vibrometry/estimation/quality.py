@@ -5,17 +5,15 @@ from __future__ import annotations
 import json
 from collections.abc import Collection
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
 import scipy
 from numpy.typing import NDArray
 
+from haptonic.arrays import Array
+from haptonic.channels.signals import Samples
 from haptonic.errors import ScanError
 from haptonic.response import FrequencyResponse
-
-Array = NDArray[np.float64]
-Samples = NDArray[Any]
 
 NEAR_FULL = 0.999  # of the full scale: a sample beyond it is clipped
 FLAT_TOP = 3  # samples in a row at the largest value, which a free vibration does not have

@@ -10,6 +10,7 @@ import numpy as np
 import scipy
 from numpy.typing import NDArray
 
+from haptonic.arrays import Array, Bools, Complex
 from haptonic.errors import ScanError
 from haptonic.later import xarray as xr
 from haptonic.response import FrequencyResponse
@@ -17,10 +18,6 @@ from haptonic.units import Hertz
 from haptonic.vibrometry.maps.noise import HIDDEN, averages_of, noise_power
 from haptonic.vibrometry.maps.waves import Axis
 from haptonic.vibrometry.planning import Rectangle
-
-Array = NDArray[np.float64]
-Complex = NDArray[np.complex128]
-Bools = NDArray[np.bool_]
 
 LEAST_ROWS = 3  # a wave and its reflection need three rows to be told apart
 DEGREE = 5  # of the splines across the rows

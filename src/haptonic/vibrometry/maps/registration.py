@@ -9,14 +9,12 @@ from typing import Annotated
 
 import numpy as np
 import scipy
-from numpy.typing import NDArray
 
+from haptonic.arrays import Array
 from haptonic.errors import ScanError
 from haptonic.response import FrequencyResponse
 from haptonic.units import In
 from haptonic.vibrometry.planning import Region
-
-Array = NDArray[np.float64]
 
 ROUNDS = 50  # of the best fit; it has settled long before
 SETTLED = 1e-12  # of the plate's size
