@@ -73,7 +73,7 @@ def compute(study: Description, options: FeelOptions, runner: Runner) -> Feel:
         diameter=finger.pad.diameter, damping=finger.pad.damping, carrier=carrier, at=options.at, gap=edges,
         grid=own.grid, tolerance=own.tolerance, fineness=fineness(study),
     )  # fmt: skip
-    touch, skin = finger.at(found.attrs["frequency_hz"]), finger.fingertip()
+    touch, skin = finger.at(found.attrs["frequency_hz"]), finger.skin
     return Feel(plate, edges, found, finger.pad.diameter, touch, skin, drive, options.reduction)
 
 
