@@ -22,6 +22,7 @@ from typing import TYPE_CHECKING, Any
 
 from haptonic.errors import HaptonicError, ResourceError, shown
 from haptonic.gate import passed
+from haptonic.later import asyncio
 from haptonic.later import xarray as xr
 from haptonic.progress import Progress, silent
 from haptonic.store import Store, content_key, fingerprint
@@ -277,11 +278,9 @@ def _end(cluster: LocalCluster) -> None:
     On a busy machine a killed worker takes any time to be gone; that is no reason to lose the results.
     """
 
-    from asyncio import gather  # here, because it is slow to load and runs without workers do not need it
-
     async def end_workers() -> None:
         closing = (nanny.close(timeout=CLOSE_SECONDS) for nanny in cluster.workers.values())
-        await gather(*closing, return_exceptions=True)
+        await asyncio.gather(*closing, return_exceptions=True)
 
     with _interrupts_held():
         for close in (partial(cluster.sync, end_workers), cluster.close):

@@ -11,6 +11,7 @@ from types import ModuleType
 from typing import TYPE_CHECKING, Any
 
 __all__ = [
+    "asyncio",
     "csgraph",
     "elementwise",
     "h5py",
@@ -25,6 +26,8 @@ __all__ = [
 ]
 
 if TYPE_CHECKING:
+    import asyncio as asyncio
+
     import h5py as h5py
     import jinja2 as jinja2
     import pandas as pandas
@@ -47,7 +50,7 @@ else:
             return found
 
     h5py, jinja2, pandas = _Later("h5py"), _Later("jinja2"), _Later("pandas")
-    psutil, xarray = _Later("psutil"), _Later("xarray")
+    asyncio, psutil, xarray = _Later("asyncio"), _Later("psutil"), _Later("xarray")
     linalg, wavfile = _Later("scipy.linalg"), _Later("scipy.io.wavfile")
     elementwise = _Later("scipy.optimize.elementwise")
     sparse, sparse_linalg = _Later("scipy.sparse"), _Later("scipy.sparse.linalg")
