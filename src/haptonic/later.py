@@ -11,7 +11,6 @@ from types import ModuleType
 from typing import TYPE_CHECKING, Any
 
 __all__ = [
-    "asyncio",
     "csgraph",
     "elementwise",
     "h5py",
@@ -26,8 +25,6 @@ __all__ = [
 ]
 
 if TYPE_CHECKING:
-    import asyncio as asyncio
-
     import h5py as h5py
     import jinja2 as jinja2
     import pandas as pandas
@@ -50,7 +47,7 @@ else:
             return found
 
     h5py, jinja2, pandas = _Later("h5py"), _Later("jinja2"), _Later("pandas")
-    asyncio, psutil, xarray = _Later("asyncio"), _Later("psutil"), _Later("xarray")
+    psutil, xarray = _Later("psutil"), _Later("xarray")
     linalg, wavfile = _Later("scipy.linalg"), _Later("scipy.io.wavfile")
     elementwise = _Later("scipy.optimize.elementwise")
     sparse, sparse_linalg = _Later("scipy.sparse"), _Later("scipy.sparse.linalg")
