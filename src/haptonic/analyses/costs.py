@@ -29,11 +29,11 @@ GUIDES, SAMPLE = 2.0, 0.6  # s, of a design beside the study's own
 REPORT = 30.0  # s, of pictures and of the twins of a scan and of trials
 DRIVE = 2.0  # s, of a drive's files and pictures
 POWER = 3.0  # s, of simulated experiments
-FILM, STROKE = 3.0, 0.01  # s, of load sharing; of a stroke that is made up and written
+FILM, STROKE = 3.0, 0.006  # s, of load sharing; of a stroke that is made up and written
 FILES = 3.0  # s, of outlines, solids and the drawing of a cell
 RECORDED = 0.01  # s, of a point that is made up and written
-ANALYSED, BYTE_OF_SCAN = 6.0, 1.5e-7  # s, of maps and pictures; of a byte that is read and estimated
-TESTED, BYTE_OF_TRIALS = 6.0, 2e-7  # s, of statistics and pictures; of a byte that is read and filtered
+ANALYSED, BYTE_OF_SCAN = 4.0, 5e-8  # s, of maps and pictures; of a byte that is read and estimated
+TESTED, BYTE_OF_TRIALS = 4.0, 6e-8  # s, of statistics and pictures; of a byte that is read and filtered
 HELD = 4.0  # of a file in memory at once, times its size
 FITTED = 0.2  # of the plate's response, for every number that is fitted
 
