@@ -17,10 +17,9 @@ from dataclasses import dataclass
 from functools import partial
 from typing import TYPE_CHECKING, Any
 
-import xarray as xr
-
 from haptonic.errors import HaptonicError, ResourceError, shown
 from haptonic.gate import passed
+from haptonic.later import xarray as xr
 from haptonic.parallel import StartError, finished
 from haptonic.progress import Progress, silent
 from haptonic.store import Store, content_key, fingerprint
@@ -28,9 +27,9 @@ from haptonic.store import Store, content_key, fingerprint
 if TYPE_CHECKING:
     from distributed import Client, Future
 
-Function = Callable[[Any], xr.Dataset]
-Result = xr.Dataset | HaptonicError
-Results = Generator[tuple[str, Result], None, None]
+    Function = Callable[[Any], xr.Dataset]
+    Result = xr.Dataset | HaptonicError
+    Results = Generator[tuple[str, Result], None, None]
 
 STORED = "in the store"  # what is said of a task that was computed before
 CONNECT_SECONDS = 5

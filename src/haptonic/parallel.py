@@ -17,8 +17,9 @@ from contextlib import ExitStack, contextmanager, suppress
 from multiprocessing import resource_tracker
 from typing import TypeVar
 
-import psutil
 from threadpoolctl import threadpool_limits
+
+from haptonic.later import psutil
 
 Key = TypeVar("Key")
 Item = TypeVar("Item")

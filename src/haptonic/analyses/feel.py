@@ -6,12 +6,11 @@ from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from typing import Any
 
-import xarray as xr
-
 from haptonic.analyses.analysis import Analysis, option
 from haptonic.analyses.needs import fineness, gap_of_plate, has_plate, need_carrier, response_settings
 from haptonic.errors import StudyError
 from haptonic.friction.lubrication.settings import VOLTAGE
+from haptonic.later import xarray as xr
 from haptonic.plate import Plate
 from haptonic.plate.loaded import LOADS, highest, loaded
 from haptonic.plate.parts import Actuator

@@ -7,7 +7,6 @@ from collections.abc import Sequence
 from dataclasses import asdict
 
 import numpy as np
-import xarray as xr
 
 from haptonic.analyses.analysis import KEPT, Analysis, NoOptions
 from haptonic.analyses.needs import need_carrier
@@ -28,6 +27,7 @@ from haptonic.design.tolerance import (
 )
 from haptonic.errors import HaptonicError, StudyError
 from haptonic.jobs import Task
+from haptonic.later import xarray as xr
 from haptonic.results.common import stamped
 from haptonic.results.runner import Runner
 from haptonic.results.tolerance import Tolerance

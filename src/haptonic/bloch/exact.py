@@ -5,10 +5,10 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-import scipy.linalg as la
 
 from haptonic.arrays import Array, Complex
 from haptonic.bloch.pencil import Periodic
+from haptonic.later import linalg as la
 from haptonic.superelement import TiledMesh
 
 TOGETHER = 1e-6  # relative distance of eigenvalues below which modes count as degenerate

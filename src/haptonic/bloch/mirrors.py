@@ -7,7 +7,6 @@ from dataclasses import dataclass
 from functools import lru_cache
 
 import numpy as np
-import xarray as xr
 from threadpoolctl import threadpool_limits
 
 from haptonic.arrays import Array, Complex
@@ -18,6 +17,7 @@ from haptonic.bloch.resolution import Resolution
 from haptonic.cell import UnitCell
 from haptonic.errors import StudyError
 from haptonic.gate import WORD
+from haptonic.later import xarray as xr
 from haptonic.parallel import each
 from haptonic.superelement import Superelement, condense
 

@@ -9,7 +9,6 @@ from dataclasses import dataclass, replace
 from functools import cached_property
 
 import numpy as np
-import scipy.linalg as la
 from threadpoolctl import threadpool_limits
 
 from haptonic.arrays import Array, Complex, Fields
@@ -30,6 +29,7 @@ from haptonic.brillouin import IrreducibleZone
 from haptonic.cell import UnitCell
 from haptonic.cell.plan import USUAL_BANDS
 from haptonic.errors import ResourceError
+from haptonic.later import linalg as la
 from haptonic.superelement import Tiling, definite, on_each
 
 TRAINING_DIVISIONS = (2, 4, 8)  # of the zone's sides, for the wavevectors that span the small basis

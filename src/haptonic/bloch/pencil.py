@@ -11,9 +11,9 @@ from dataclasses import dataclass
 from typing import Protocol
 
 import numpy as np
-import scipy.linalg as la
 
 from haptonic.arrays import Array, Complex, Fields, Ints
+from haptonic.later import linalg as la
 from haptonic.superelement import Joint, Tiling, definite
 
 

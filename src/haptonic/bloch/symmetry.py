@@ -5,9 +5,9 @@ from __future__ import annotations
 from itertools import pairwise
 
 import numpy as np
-import scipy.linalg as la
 
 from haptonic.arrays import Array, Complex
+from haptonic.later import linalg as la
 from haptonic.lattice import Operation, PointGroup
 
 SAME = 1e-4  # modes closer than this share of their frequency are treated as one degenerate group

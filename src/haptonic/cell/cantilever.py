@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 import numpy as np
-import scipy.linalg as la
 
 from haptonic.arrays import Array
 from haptonic.cell.pillar import Pillar
 from haptonic.cell.quadrature import lobatto
+from haptonic.later import linalg as la
 from haptonic.materials import IsotropicMaterial
 
 ALPHA = np.array([3.516, 22.03, 61.70])  # equation (3) of the paper

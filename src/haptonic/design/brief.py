@@ -7,7 +7,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 
 import numpy as np
-from scipy.optimize import minimize
+import scipy
 
 from haptonic.arrays import Array
 from haptonic.cell import UnitCell
@@ -159,7 +159,7 @@ class Brief:
         if self.allows(share):
             return share
         count = len(share)
-        result = minimize(
+        result = scipy.optimize.minimize(
             lambda x: 1e-3 * float(((x[:count] - share) ** 2).sum()) + x[count],
             np.append(share, max(0.0, -min(self.limits(share).values()))),
             method="SLSQP",

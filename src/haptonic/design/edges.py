@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 import numpy as np
-import xarray as xr
 
 from haptonic.arrays import Array
 from haptonic.bloch import Gap
@@ -15,6 +14,7 @@ from haptonic.cell import UnitCell
 from haptonic.design.quick import QuickDesign
 from haptonic.design.sensitivity import sensitivity
 from haptonic.design.tolerance import Surface, terms_needed
+from haptonic.later import xarray as xr
 
 DIVISIONS = 10  # of the irreducible zone's sides, where the bands beside the gap are followed
 

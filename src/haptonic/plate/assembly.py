@@ -17,10 +17,10 @@ from functools import cached_property
 from typing import Any
 
 import numpy as np
-import scipy.sparse as sp
 from numpy.typing import NDArray
 
 from haptonic.arrays import Array, Ints
+from haptonic.later import sparse as sp
 from haptonic.parallel import each
 from haptonic.plate.elimination import elimination_order
 from haptonic.plate.skeleton import Skeleton

@@ -11,13 +11,13 @@ from math import ceil
 from types import MappingProxyType
 
 import numpy as np
-import scipy.sparse as sp
 from numpy.lib.stride_tricks import sliding_window_view
 
 from haptonic.arrays import Array, Ints
 from haptonic.cell import MeshPlan, UnitCell, mesh_cell
 from haptonic.cell.quadrature import lobatto
 from haptonic.elements import element_matrices
+from haptonic.later import sparse as sp
 from haptonic.materials import Material, PiezoelectricMaterial
 from haptonic.plate.keys import PLATE, PartKey, bond, ceramic, electric
 from haptonic.plate.parts import Actuator, Plate

@@ -12,10 +12,10 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
-import scipy.linalg as la
 from numpy.typing import NDArray
 
 from haptonic.arrays import Array, Complex, Ints
+from haptonic.later import linalg as la
 from haptonic.parallel import each
 from haptonic.plate.krylov import Basis
 

@@ -7,10 +7,10 @@ from collections.abc import Mapping
 from dataclasses import asdict
 
 import numpy as np
-import xarray as xr
 from numpy.typing import NDArray
 
 from haptonic.arrays import Array
+from haptonic.later import xarray as xr
 from haptonic.plate import Band, Plate, PlateModel, PlateModes, Vibration
 from haptonic.plate.keys import PLATE, PartKey
 from haptonic.plate.nodal import nodal_name

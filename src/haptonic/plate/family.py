@@ -15,9 +15,9 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
-import scipy.linalg as la
 
 from haptonic.arrays import Array, Complex
+from haptonic.later import linalg as la
 from haptonic.plate.body import loss_factors
 from haptonic.plate.bonds import Bond3
 from haptonic.plate.damping import real_times

@@ -5,9 +5,9 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-import scipy.linalg as la
 
 from haptonic.arrays import Array, Fields, Ints
+from haptonic.later import linalg as la
 from haptonic.plate.keys import PLATE
 from haptonic.plate.reduction import few_modes
 from haptonic.plate.skeleton import Block, TraceOrders, traced

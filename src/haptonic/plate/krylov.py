@@ -13,10 +13,10 @@ from functools import cached_property
 from itertools import pairwise
 
 import numpy as np
-import scipy.linalg as la
 from numpy.typing import NDArray
 
 from haptonic.arrays import Array
+from haptonic.later import linalg as la
 from haptonic.parallel import each
 from haptonic.plate.assembly import AT_ONCE, Assembly, Shifted
 

@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 import numpy as np
-import xarray as xr
 from numpy.typing import NDArray
 
 from haptonic.arrays import AnyComplex, Array
+from haptonic.later import xarray as xr
 from haptonic.plate.parts import Plate
 from haptonic.plate.sampling import driven_region, loudest_within, points_of
 from haptonic.response import FrequencyResponse, contrast, disc_average

@@ -6,10 +6,10 @@ from collections.abc import Mapping, Sequence
 from dataclasses import replace
 
 import numpy as np
-import xarray as xr
 
 from haptonic.arrays import Array
 from haptonic.gate import WORD
+from haptonic.later import xarray as xr
 from haptonic.plate import Band, Fineness, Plate, PlateModel, PlateModes, modes_between
 from haptonic.plate.sampling import (
     NEAR,

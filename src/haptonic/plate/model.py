@@ -8,9 +8,9 @@ from functools import cached_property
 from types import MappingProxyType
 
 import numpy as np
-import scipy.sparse as sp
 
 from haptonic.arrays import Array, Complex, Ints
+from haptonic.later import sparse as sp
 from haptonic.plate.assembly import Assembly
 from haptonic.plate.blocks import blocks_of
 from haptonic.plate.body import loss_factors

@@ -6,12 +6,12 @@ from collections.abc import Iterable, Mapping, Sequence
 from types import MappingProxyType
 
 import numpy as np
-import scipy.linalg as la
-import scipy.sparse as sp
 
 from haptonic.arrays import Array, Ints
 from haptonic.cell import MeshPlan, UnitCell
 from haptonic.cell.quadrature import lobatto
+from haptonic.later import linalg as la
+from haptonic.later import sparse as sp
 from haptonic.plate.body import Body
 from haptonic.plate.bonds import Bonded
 from haptonic.plate.keys import PLATE

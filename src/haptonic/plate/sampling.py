@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 import numpy as np
-import psutil
 
 from haptonic.arrays import AnyComplex, Array, Bools
 from haptonic.errors import ResourceError, StudyError
+from haptonic.later import psutil
 from haptonic.plate import Plate
 from haptonic.plate.layout import Layout
 from haptonic.plate.parts import Actuator, Force

@@ -6,11 +6,11 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
 import numpy as np
-import scipy.sparse as sp
 from numpy.polynomial.legendre import leggauss
 from numpy.typing import NDArray
 
 from haptonic.arrays import Array, Ints
+from haptonic.later import sparse as sp
 from haptonic.plate.holding import Support
 from haptonic.plate.layout import Layout
 from haptonic.plate.skeleton import OuterEdge, Skeleton, TraceOrders, edge_fields

@@ -7,11 +7,11 @@ from dataclasses import dataclass, replace
 from itertools import pairwise
 
 import numpy as np
-import psutil
 
 from haptonic.arrays import Array
 from haptonic.cell.cantilever import euler_bernoulli
 from haptonic.errors import HaptonicError, ResourceError
+from haptonic.later import psutil
 from haptonic.materials import IsotropicMaterial
 from haptonic.plate.assembly import Shifted
 from haptonic.plate.direct import direct_answer

@@ -8,9 +8,9 @@ from functools import cached_property
 from typing import Protocol
 
 import numpy as np
-import scipy.linalg as la
 
 from haptonic.arrays import Array, Fields, Ints
+from haptonic.later import linalg as la
 from haptonic.plate.bonds import Bond3
 from haptonic.plate.keys import PLATE, PartKey
 from haptonic.plate.surface import surface_weights

@@ -13,9 +13,9 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
-import scipy.linalg as la
 
 from haptonic.arrays import Array, Complex, Ints
+from haptonic.later import linalg as la
 from haptonic.parallel import each
 from haptonic.plate.damping import real_times
 from haptonic.plate.keys import PLATE

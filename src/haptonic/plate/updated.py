@@ -5,9 +5,9 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 
 import numpy as np
-import scipy.linalg as la
 
 from haptonic.arrays import Array, Fields
+from haptonic.later import linalg as la
 from haptonic.plate.bonds import Bond3
 from haptonic.plate.keys import PLATE, bond
 from haptonic.plate.model import PlateModel, drives_on

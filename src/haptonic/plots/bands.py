@@ -6,11 +6,11 @@ import json
 from dataclasses import dataclass
 
 import numpy as np
-import xarray as xr
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from haptonic.arrays import Array, Ints
+from haptonic.later import xarray as xr
 from haptonic.plots import style
 from haptonic.plots.text import khz
 

@@ -7,6 +7,7 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 
 import numpy as np
+import scipy
 from matplotlib.axes import Axes
 from matplotlib.collections import LineCollection
 from matplotlib.colors import Normalize
@@ -14,7 +15,6 @@ from matplotlib.figure import Figure
 from matplotlib.image import AxesImage
 from matplotlib.ticker import MaxNLocator
 from PIL import Image
-from scipy.spatial import cKDTree
 
 from haptonic.arrays import AnyComplex, Array
 from haptonic.errors import ResponseError
@@ -142,7 +142,7 @@ def _seen(line: FrequencyResponse) -> tuple[AnyComplex, tuple[float, float], tup
 
 def _nearest(line: FrequencyResponse) -> tuple[AnyComplex, Array, Array]:
     """(y, x) normal vibration at the nearest point, NaN where there is none near, and these places, m."""
-    points, tree = line.points, cKDTree(line.points)
+    points, tree = line.points, scipy.spatial.cKDTree(line.points)
     step = float(np.median(tree.query(points, k=2)[0][:, 1]))
     low, high = points.min(axis=0) - 0.5 * step, points.max(axis=0) + 0.5 * step
     count = np.maximum(1, np.minimum(np.rint(FINER * (high - low) / step), MOST_PLACES)).astype(int)

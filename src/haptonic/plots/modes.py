@@ -6,7 +6,6 @@ import json
 from itertools import pairwise, product
 
 import numpy as np
-import xarray as xr
 from matplotlib.axes import Axes
 from matplotlib.cm import ScalarMappable
 from matplotlib.collections import LineCollection, PolyCollection
@@ -14,6 +13,7 @@ from matplotlib.colors import Normalize
 from matplotlib.figure import Figure
 
 from haptonic.arrays import Array, Ints
+from haptonic.later import xarray as xr
 from haptonic.plots import style
 
 SHOWN = 8  # modes, as in Fig. 4B of the paper

@@ -6,9 +6,9 @@ import math
 from dataclasses import dataclass
 
 import numpy as np
-import xarray as xr
 
 from haptonic.arrays import Array
+from haptonic.later import xarray as xr
 
 FEWEST = 4  # designs that a fit with a spread needs
 MOST_DECIMALS = 4

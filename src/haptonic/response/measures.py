@@ -9,12 +9,12 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 import numpy as np
-import xarray as xr
-from scipy.sparse import csr_array
-from scipy.spatial import cKDTree
+import scipy
 
 from haptonic.arrays import AnyComplex, Array, Bools
 from haptonic.errors import ResponseError
+from haptonic.later import sparse as sp
+from haptonic.later import xarray as xr
 from haptonic.response.checks import REST
 from haptonic.response.value import FrequencyResponse
 
@@ -159,7 +159,7 @@ def disc_average(response: FrequencyResponse, diameter: float) -> xr.DataArray:
     counts = np.array([len(members) for members in near])
     ends = np.concatenate([[0], np.cumsum(counts)])
     share = np.repeat(1.0 / counts, counts)
-    averaging = csr_array((share, np.concatenate(near), ends), shape=(len(points), len(points)))
+    averaging = sp.csr_array((share, np.concatenate(near), ends), shape=(len(points), len(points)))
     amplitude = np.sqrt(averaging @ squares(response.values).T).T
     old = response.dataset["response"]
     return xr.DataArray(
@@ -174,7 +174,9 @@ def disc_average(response: FrequencyResponse, diameter: float) -> xr.DataArray:
 def discs(points: Array, diameter: float) -> list[list[int]]:
     """For each of points (k, 2), m, the numbers of those on a disc around it; its rim belongs to it."""
     near: list[list[int]] = (
-        cKDTree(points).query_ball_point(points, 0.5 * diameter * (1 + ROUNDING), return_sorted=True).tolist()
+        scipy.spatial.cKDTree(points)
+        .query_ball_point(points, 0.5 * diameter * (1 + ROUNDING), return_sorted=True)
+        .tolist()
     )
     return near
 

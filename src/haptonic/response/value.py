@@ -12,11 +12,11 @@ from importlib.metadata import version
 from typing import Any, Literal
 
 import numpy as np
-import xarray as xr
 from numpy.typing import NDArray
 
 from haptonic.arrays import AnyComplex, Array
 from haptonic.errors import ResponseError
+from haptonic.later import xarray as xr
 from haptonic.response import checks
 from haptonic.response.lines import regular_line
 from haptonic.response.reference import Reference

@@ -5,14 +5,13 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
-import xarray as xr
-
 from haptonic import plots
 from haptonic.bloch import Gap
 from haptonic.design.parameters import UNITS
 from haptonic.design.tolerance import (
     REACH,
 )
+from haptonic.later import xarray as xr
 from haptonic.results.plain import split
 from haptonic.results.result import Result, figure
 from haptonic.results.table import Cell, Column, Table

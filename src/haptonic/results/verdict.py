@@ -9,11 +9,11 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-import xarray as xr
 
 from haptonic import plots
 from haptonic.arrays import Array
 from haptonic.gate import declared
+from haptonic.later import xarray as xr
 from haptonic.plate import Plate
 from haptonic.plate.sampling import driven_region
 from haptonic.response import FrequencyResponse, average_spectrum, contrast, write

@@ -17,10 +17,10 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
-import scipy.linalg as la
 
 from haptonic.arrays import Array, Fields
 from haptonic.cell import HexMesh, MeshPlan, TileShape
+from haptonic.later import linalg as la
 from haptonic.solvers import Solver, definite
 from haptonic.superelement.folded import FoldedMesh
 from haptonic.superelement.interior import CraigBampton, reduced

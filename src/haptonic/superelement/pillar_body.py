@@ -15,12 +15,12 @@ from functools import cached_property, lru_cache
 from typing import Any
 
 import numpy as np
-import scipy.linalg as la
 from numpy.typing import NDArray
 
 from haptonic.arrays import Array
 from haptonic.cell.pillar import Section
 from haptonic.cell.quadrature import interpolation, lobatto
+from haptonic.later import linalg as la
 from haptonic.materials import Material, elasticity_tensor
 
 Parity = tuple[int, int]  # in x and y: 0 even, 1 odd

@@ -12,12 +12,12 @@ from dataclasses import dataclass, replace
 from threading import Lock
 
 import numpy as np
-import scipy.linalg as la
 
 from haptonic.arrays import Array, Fields
 from haptonic.cell import HexMesh, MeshPlan, TileShape, mesh_cell
 from haptonic.cell.edges import FOOT_LAYER
 from haptonic.cell.topology import Topology, topology_of
+from haptonic.later import linalg as la
 from haptonic.solvers import Solver, definite
 from haptonic.superelement.condense import ClassForm, CondensedClass, Superelement, assembled, condensed
 from haptonic.superelement.folded import FoldedMesh

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import numpy as np
-import xarray as xr
 from threadpoolctl import threadpool_limits
 
 from haptonic.arrays import Array
@@ -16,6 +15,7 @@ from haptonic.bloch.plate_waves import PlainPlate
 from haptonic.bloch.settings import BandSettings
 from haptonic.errors import StudyError
 from haptonic.gate import WORD
+from haptonic.later import xarray as xr
 from haptonic.plate.layout import Layout
 from haptonic.vibrometry.guides import Guiding, Mirror
 

@@ -20,9 +20,8 @@ from importlib.resources import files
 from pathlib import Path
 
 import numpy as np
+import scipy
 from numpy.typing import ArrayLike
-from scipy.interpolate import RectBivariateSpline
-from scipy.special import ive
 
 from haptonic.arrays import Array
 
@@ -89,7 +88,7 @@ def small_amplitude_efficiency(squeeze: float) -> float:
     q = np.sqrt(1j * squeeze)
     nodes, weights = np.polynomial.legendre.leggauss(QUADRATURE)
     radius = np.sqrt(0.5 * (nodes + 1))
-    f = ive(0, q * radius) / ive(0, q) * np.exp(-(1 - radius) * q.real)
+    f = scipy.special.ive(0, q * radius) / scipy.special.ive(0, q) * np.exp(-(1 - radius) * q.real)
     pressure = 1.25 - f.real - 0.25 * np.abs(f) ** 2
     return float(weights @ pressure / 2 / 1.25)
 
@@ -156,10 +155,10 @@ def write_table(path: Path) -> None:
 
 
 @cache
-def _table() -> RectBivariateSpline:
+def _table() -> scipy.interpolate.RectBivariateSpline:
     text = (files(__package__) / "film.csv").read_text("utf-8")
     values = np.loadtxt(text.splitlines(), delimiter=",")
-    return RectBivariateSpline(np.log(SQUEEZE_NUMBERS), EXCURSIONS**2, np.log(values))
+    return scipy.interpolate.RectBivariateSpline(np.log(SQUEEZE_NUMBERS), EXCURSIONS**2, np.log(values))
 
 
 def _even_chebyshev(radius: Array, terms: int) -> Array:

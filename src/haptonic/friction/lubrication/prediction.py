@@ -7,7 +7,6 @@ from collections.abc import Callable
 from importlib.metadata import version
 
 import numpy as np
-import xarray as xr
 from numpy.typing import ArrayLike
 
 from haptonic.arrays import Array
@@ -20,6 +19,7 @@ from haptonic.friction.lubrication.sharing import (
     shared_friction,
 )
 from haptonic.friction.lubrication.slider import VALIDITY, intermittent_friction
+from haptonic.later import xarray as xr
 
 Model = Callable[[ArrayLike, Touch, Values], Array]
 

@@ -11,7 +11,6 @@ from pathlib import Path
 from typing import Annotated, NamedTuple, NoReturn
 
 import numpy as np
-import xarray as xr
 from numpy.typing import NDArray
 from pydantic import Field
 
@@ -26,6 +25,7 @@ from haptonic.friction.signals.record import Record
 from haptonic.friction.signals.rules import DECLARED, UNREADABLE, Measured, Rules
 from haptonic.friction.signals.tables import LABEL, read_columns, read_records, read_trials
 from haptonic.friction.signals.trials import joined, measured, tabulated
+from haptonic.later import xarray as xr
 from haptonic.parallel import finished
 from haptonic.progress import Progress, silent
 

@@ -7,7 +7,6 @@ from pathlib import Path
 from typing import Annotated
 
 import numpy as np
-import pandas as pd
 from pydantic import AfterValidator, Field
 
 from haptonic.arrays import Array
@@ -16,6 +15,7 @@ from haptonic.channels.labels import factor_of
 from haptonic.errors import FrictionError, HaptonicError, shown
 from haptonic.fields import Quantity, described, handed_on, problem, setting
 from haptonic.friction.recordings.channel_map import ChannelMap, ScaledChannel, no_rate
+from haptonic.later import pandas as pd
 from haptonic.paths import source
 from haptonic.units import to_si
 

@@ -14,12 +14,12 @@ from typing import Literal
 
 import numpy as np
 import scipy
-import xarray as xr
 from numpy.typing import NDArray
 
 from haptonic.arrays import Array
 from haptonic.errors import FrictionError
 from haptonic.friction.statistics.pairs import Pairs
+from haptonic.later import xarray as xr
 
 About = Literal["people", "these participants"]
 

@@ -6,11 +6,11 @@ from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
-import xarray as xr
 from numpy.typing import NDArray
 
 from haptonic.arrays import Array
 from haptonic.errors import FrictionError
+from haptonic.later import xarray as xr
 
 Names = NDArray[np.str_]
 

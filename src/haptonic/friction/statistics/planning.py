@@ -7,11 +7,11 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 import scipy
-import xarray as xr
 
 from haptonic.errors import FrictionError, shown
 from haptonic.friction.statistics.comparison import by_mixed_model, by_participants, by_trials
 from haptonic.friction.statistics.pairs import Pairs
+from haptonic.later import xarray as xr
 
 SHARP = 1e-3  # of a reduction that is looked for
 

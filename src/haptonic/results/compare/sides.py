@@ -9,7 +9,6 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-import xarray as xr
 
 from haptonic.arrays import Array
 from haptonic.bloch import Gap, gaps_of
@@ -17,6 +16,7 @@ from haptonic.channels.hdf5 import arrays_of
 from haptonic.channels.numbers import Numbers, read_numbers
 from haptonic.errors import ChannelError, StudyError, shown
 from haptonic.foreign.process import ask
+from haptonic.later import xarray as xr
 from haptonic.units import to_si
 
 WAVEVECTORS = ("rad/m", "rad/mm", "1/m", "share", "segments")

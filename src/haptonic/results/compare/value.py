@@ -7,10 +7,10 @@ from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-import xarray as xr
 
 from haptonic import plots
 from haptonic.arrays import Array
+from haptonic.later import xarray as xr
 from haptonic.results.common import stamped
 from haptonic.results.compare.sides import BandSet
 from haptonic.results.result import Result, figure

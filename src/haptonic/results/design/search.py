@@ -9,7 +9,6 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
-import xarray as xr
 
 from haptonic.arrays import Array
 from haptonic.bloch import Gap, gaps_of
@@ -19,6 +18,7 @@ from haptonic.design.parameters import UNITS
 from haptonic.design.search import HeightRow, Visited, distinct, spread, starts_of
 from haptonic.errors import HaptonicError
 from haptonic.jobs import Task
+from haptonic.later import xarray as xr
 from haptonic.results.common import stamped
 from haptonic.results.design import tasks
 from haptonic.results.design.refusals import held_back_by, out_of_reach, uncomputed

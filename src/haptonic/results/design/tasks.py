@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 import numpy as np
-import xarray as xr
 
 from haptonic.arrays import Array
 from haptonic.bloch import gaps_dataset
@@ -14,6 +13,7 @@ from haptonic.cell import UnitCell
 from haptonic.design.brief import Brief
 from haptonic.design.search import HeightRow, Visited, climb, spread, starts_of
 from haptonic.jobs import Task
+from haptonic.later import xarray as xr
 
 FRONT_STARTS = 12  # designs looked at for each pitch of a front
 

@@ -9,10 +9,8 @@ from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-import xarray as xr
+import scipy
 from numpy.typing import NDArray
-from scipy.optimize import brentq
-from scipy.spatial import cKDTree
 
 from haptonic import plots
 from haptonic.arrays import Array
@@ -29,6 +27,7 @@ from haptonic.friction.lubrication import (
 )
 from haptonic.friction.phrases import change
 from haptonic.gate import declared
+from haptonic.later import xarray as xr
 from haptonic.plate import Plate
 from haptonic.plate.sampling import driven_region
 from haptonic.response import Reference
@@ -128,7 +127,7 @@ class Feel(Result):
         points = np.stack([self.loaded["x"].values, self.loaded["y"].values], axis=1)
         if inside.all():
             return np.asarray(inside)
-        clear = cKDTree(points[~inside]).query(points)[0] > 0.5 * self.diameter
+        clear = scipy.spatial.cKDTree(points[~inside]).query(points)[0] > 0.5 * self.diameter
         layout = self.plate.layout
         edges = np.array([layout.x[0], layout.y[0]]), np.array([layout.x[-1], layout.y[-1]])
         room = np.minimum(points - edges[0], edges[1] - points).min(axis=1) >= 0.5 * self.diameter
@@ -203,7 +202,11 @@ class Feel(Result):
             high += math.log(2)
             if high > math.log(STRONGEST):
                 return None
-        return math.exp(brentq(missing, low, high, xtol=1e-4)) if missing(low) < 0 else math.exp(low)
+        return (
+            math.exp(scipy.optimize.brentq(missing, low, high, xtol=1e-4))
+            if missing(low) < 0
+            else math.exp(low)
+        )
 
     def amplitude(self, region: str, load: str = "value") -> float:
         """Mean amplitude below a finger on a region, m."""

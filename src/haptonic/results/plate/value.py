@@ -9,11 +9,11 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-import xarray as xr
 
 from haptonic import plots
 from haptonic.arrays import Complex
 from haptonic.bloch import Gap
+from haptonic.later import xarray as xr
 from haptonic.names import file_parts
 from haptonic.plate import Plate
 from haptonic.plate.levels import below_finger, compared, contrasts

@@ -10,11 +10,11 @@ from pathlib import Path, PurePosixPath
 from typing import Any, Literal
 
 import numpy as np
-import xarray as xr
-from scipy.spatial import cKDTree
+import scipy
 
 from haptonic.bloch import Gap
 from haptonic.errors import HaptonicError, ScanError
+from haptonic.later import xarray as xr
 from haptonic.plate import Plate
 from haptonic.plate.levels import contrasts
 from haptonic.plate.sampling import driven_region
@@ -85,7 +85,7 @@ class SimulatedScan(Result):
         ScanError : a response at other points or lines
         """
         plan = plan_for(settings, plate).points
-        distance, order = cKDTree(response.points).query(plan)
+        distance, order = scipy.spatial.cKDTree(response.points).query(plan)
         if distance.max() > NEAR * settings.grid:
             raise ScanError.mismatch(
                 argument="response",

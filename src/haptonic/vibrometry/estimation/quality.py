@@ -7,8 +7,8 @@ from collections.abc import Collection
 from dataclasses import dataclass
 
 import numpy as np
+import scipy
 from numpy.typing import NDArray
-from scipy.spatial import cKDTree
 
 from haptonic.arrays import Array
 from haptonic.channels.signals import Samples
@@ -132,7 +132,7 @@ def repaired(
             next_step="measure again; nothing can be repaired here",
         )
     places, values = response.points, response.values.copy()
-    distance, near = cKDTree(places[good]).query(places[bad], k=NEIGHBOURS)
+    distance, near = scipy.spatial.cKDTree(places[good]).query(places[bad], k=NEIGHBOURS)
     weight = 1 / np.maximum(distance, 1e-12) ** 2
     weight /= weight.sum(axis=1, keepdims=True)
     mixed = np.einsum("lpkd,pk->lpd", values[:, good[near]], weight)

@@ -6,11 +6,11 @@ from dataclasses import dataclass
 from typing import Annotated
 
 import numpy as np
-import xarray as xr
 from numpy.typing import NDArray
 
 from haptonic.arrays import Array
 from haptonic.errors import ScanError
+from haptonic.later import xarray as xr
 from haptonic.response import FrequencyResponse
 from haptonic.units import Hertz, In
 

@@ -5,10 +5,10 @@ from __future__ import annotations
 import json
 
 import numpy as np
-import xarray as xr
 
 from haptonic.arrays import Array, Bools
 from haptonic.gate import WORD
+from haptonic.later import xarray as xr
 from haptonic.response import FrequencyResponse
 from haptonic.response.measures import spectrum, squares
 

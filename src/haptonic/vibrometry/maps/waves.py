@@ -7,9 +7,9 @@ from typing import Literal
 
 import numpy as np
 import scipy
-import xarray as xr
 
 from haptonic.errors import HaptonicWarning, ScanError
+from haptonic.later import xarray as xr
 from haptonic.response import FrequencyResponse
 
 Axis = Literal["x", "y"]
