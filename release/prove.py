@@ -66,10 +66,10 @@ def tried(haptonic: Path, folder: Path) -> str:
     machine = json.loads(run("doctor", "--json"))
     assert machine["healthy"], machine
     start = time.perf_counter()
-    gap = json.loads(run("bands", "bare-cell.toml", "--json", "--out", "bands"))["data"]
+    gap, *_ = json.loads(run("bands", "bare-cell.toml", "--json", "--out", "bands"))["gaps"]
     taken = time.perf_counter() - start
     assert (work / "bands" / "dispersion.png").stat().st_size > 0
-    edges = [gap["gap_lower_hz"][0], gap["gap_upper_hz"][0]]
+    edges = [gap["lower_hz"], gap["upper_hz"]]
     known = folder / "edges.json"
     before = json.loads(known.read_text()) if known.exists() else edges
     known.write_text(json.dumps(edges))
