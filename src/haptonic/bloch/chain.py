@@ -25,8 +25,11 @@ Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 
 BLOCK = 16  # directions in each step of the Krylov space
-CONVERGED = 1e-9  # relative change of an eigenvalue in a step of the space from which it counts as found
+CONVERGED = (
+    1e-9  # of the interval: change of an eigenvalue in a step of the space from which it counts as found
+)
 MOST_STEPS = 60  # of the space; eight did for thirty eigenvalues
+LOST = 1e-20  # share of the inertia of a step's directions below which nothing new is left of them
 SEED = 20  # of the first directions: the same pencil gives the same modes
 
 
@@ -138,9 +141,7 @@ def counted(stiffness: Chain, mass: Chain, value: float) -> int:
     return Eliminated.of(stiffness.less(mass, value)).negative
 
 
-def eigenpairs_within(
-    stiffness: Chain, mass: Chain, low: float, high: float
-) -> tuple[int, Array, Complex]:
+def eigenpairs_within(stiffness: Chain, mass: Chain, low: float, high: float) -> tuple[int, Array, Complex]:
     """All eigenvalues of a pencil within an interval.
 
     Returns
@@ -165,11 +166,13 @@ def eigenpairs_within(
     operated = np.empty((size, 0), dtype=complex)
     last = np.empty(0)
     for _ in range(MOST_STEPS):
+        given = float(np.linalg.norm(new))
         for _ in range(2):  # one pass of Gram and Schmidt is not enough
             new = new - basis @ (heavy.conj().T @ new)
         weighed = mass.times(new)
         values, turn = la.eigh(new.conj().T @ weighed)
-        kept = values > 1e-12 * values[-1]
+        largest = float(np.linalg.norm(weighed)) * given / max(float(np.linalg.norm(new)), 1e-300)
+        kept = values > LOST * largest * given
         turn = turn[:, kept] / np.sqrt(values[kept])
         new, weighed = new @ turn, weighed @ turn
         following = inverse.solved(stiffness.split(weighed))
@@ -182,11 +185,12 @@ def eigenpairs_within(
             found = middle + 1 / inverses
         inside = (found > low) & (found < high) & (inverses != 0)
         order = np.flatnonzero(inside)[np.argsort(found[inside])]
-        settled = len(order) == len(last) == wanted
-        if settled and (np.abs(found[order] - last) < CONVERGED * middle).all():
+        settled = len(last) == len(order) and (np.abs(found[order] - last) < CONVERGED * (high - low)).all()
+        exhausted = basis.shape[1] >= size or not kept.any()
+        if len(order) == wanted and (settled or exhausted):
             return below, found[order], np.asarray(basis @ modes[:, order])
         last = found[order]
-        if basis.shape[1] + block > size:
+        if exhausted:
             break
     raise NumericalError.inaccurate(
         argument="ribbon",

@@ -31,12 +31,10 @@ def outermost(ribbon: Ribbon) -> tuple[int, ...]:
 
 
 def in_gap(modes: RibbonModes, bulk: Array) -> Bools:
-    """(k,) whether modes lie outside all bulk bands (bands, 2; Hz) at their phase, by more than their errors."""
+    """(k,) whether modes lie outside all bulk bands (bands, 2; Hz) at their phase, errors counted."""
     low, high = bulk[:, 0], bulk[:, 1]
-    above, below = (modes.frequency - modes.error)[:, None] > high, (modes.frequency + modes.error)[
-        :, None
-    ] < low
-    return np.asarray((above | below).all(axis=1))
+    least, most = modes.frequency - modes.error, modes.frequency + modes.error
+    return np.asarray(((least[:, None] > high) | (most[:, None] < low)).all(axis=1))
 
 
 def decay(ribbon: Ribbon, energy: Array) -> Array:
@@ -50,7 +48,7 @@ def decay(ribbon: Ribbon, energy: Array) -> Array:
         return np.full(len(energy), np.nan)
     found = np.full((2, len(energy)), np.nan)
     sides = range(min(guide) - 1, -1, -1), range(max(guide) + 1, len(ribbon.columns))
-    if not all(ribbon.columns[number].has_pillars for number in guide):
+    if ribbon.has_plain_guide:
         away = sides
     else:  # an edge between two crystals: its own columns are the first rows
         away = range(min(guide), -1, -1), range(max(guide), len(ribbon.columns))
@@ -67,19 +65,16 @@ def decay(ribbon: Ribbon, energy: Array) -> Array:
     return np.asarray(np.fmin(*found))
 
 
-def harmonics(ribbon: Ribbon, pencil: RibbonPencil, modes: RibbonModes) -> tuple[Array, Ints]:
-    """Wavenumbers (k,) rad/m along the guide, and (k,) nodal lines across it, of the normal motion.
+def harmonics(ribbon: Ribbon, pencil: RibbonPencil, modes: RibbonModes) -> tuple[Array, Array]:
+    """Wavenumbers (k,) rad/m along the guide, and (k,) nodal lines across a plain one, of the normal motion.
 
     Along lines of the flat face that lie along the ribbon, sides of tiles, a mode is split into
-    ``exp(i (kappa + 2 pi h) y / period)``; that with the largest amplitude counts. NaN and -1 where tiles
-    have no sides along the ribbon.
+    ``exp(i (kappa + 2 pi h) y / period)``; that with the largest amplitude counts. NaN where tiles have no
+    sides along the ribbon.
     """
     joint = pencil.tiling.joint
-    guide = np.isin(ribbon.column_of_tile, ribbon.guide)
-    places = np.concatenate([
-        np.arange(joint.ends[number] - len(_rim(pencil, number)), joint.ends[number])
-        for number in np.flatnonzero(guide)
-    ])  # fmt: skip
+    sizes = np.diff(joint.ends, prepend=0)
+    places = np.flatnonzero(np.repeat(np.isin(ribbon.column_of_tile, ribbon.guide), sizes))
     at = joint.position[places] @ ribbon.turn.T
     motion = modes.fields[joint.unknowns[0, places, 2]]
     close = 1e-6 * ribbon.period
@@ -94,19 +89,15 @@ def harmonics(ribbon: Ribbon, pencil: RibbonPencil, modes: RibbonModes) -> tuple
         waves = np.exp(-1j * np.outer(modes.kappa + 2 * np.pi * HARMONICS, y / ribbon.period)) * weight
         found.append(waves @ motion[on[first]])
     if not found:
-        return np.full(len(modes.frequency), np.nan), np.full(len(modes.frequency), -1)
+        return np.full(len(modes.frequency), np.nan), np.full(len(modes.frequency), np.nan)
     amplitude = np.array(found)  # (lines, harmonics, k)
     strongest = (np.abs(amplitude) ** 2).sum(axis=0).argmax(axis=0)
     wavenumber = np.abs(modes.kappa + 2 * np.pi * HARMONICS[strongest]) / ribbon.period
     across = np.take_along_axis(amplitude, strongest[None, None], axis=1)[:, 0]
     phase = np.take_along_axis(across, np.abs(across).argmax(axis=0)[None], axis=0)
     size = (across * np.exp(-1j * np.angle(phase))).real / np.maximum(np.abs(phase), 1e-300)
-    lines_across = np.zeros(size.shape[1], dtype=np.int64)
-    for number, one in enumerate(size.T):
+    lines_across = np.full(size.shape[1], np.nan)
+    for number, one in enumerate(size.T if ribbon.has_plain_guide else []):
         signs = np.sign(one[np.abs(one) > STILL])
-        lines_across[number] = int((np.diff(signs) != 0).sum())
+        lines_across[number] = (np.diff(signs) != 0).sum()
     return wavenumber, lines_across
-
-
-def _rim(pencil: RibbonPencil, number: int) -> Ints:
-    return pencil.tiling.tiles[number].mesh.topology.rim[0]

@@ -7,10 +7,8 @@ them is held by the guide, or by the edge, and fades into the crystals.
 
 from __future__ import annotations
 
-import math
 from collections.abc import Sequence
 from dataclasses import dataclass
-from functools import cached_property
 
 import numpy as np
 import scipy.sparse as sp
@@ -77,7 +75,10 @@ class RibbonPencil:
                     assert h <= g + 1, "tiles that touch farther columns than their own tell"
                     kept = diagonal[g] if h == g else beside[g]
                     total = kept.setdefault(t - s, np.zeros((2, sizes[g], sizes[h])))
-                    left, right = _spread(place[free[rows]], sizes[g]), _spread(place[free[columns]], sizes[h])
+                    left, right = (
+                        _spread(place[free[rows]], sizes[g]),
+                        _spread(place[free[columns]], sizes[h]),
+                    )
                     for which, form in enumerate(forms):
                         total[which] += left @ (right @ form[np.ix_(rows, columns)].T).T
         return cls(tiling, periodic, order, tuple(diagonal), tuple(beside))
@@ -87,7 +88,7 @@ class RibbonPencil:
 
         def summed(parts: dict[int, Array], which: int) -> Complex:
             factors = {s: np.exp(1j * s * kappa) * (1j * s if slope else 1.0) for s in parts}
-            found: Complex = sum(factors[s] * one[which] for s, one in parts.items())  # type: ignore[assignment]
+            found: Complex = sum(factors[s] * one[which] for s, one in parts.items())
             return found
 
         def hermitian(parts: dict[int, Array], which: int) -> Complex:
@@ -98,7 +99,8 @@ class RibbonPencil:
 
         stiffness, mass = (
             Chain(
-                tuple(hermitian(one, which) for one in self.own), tuple(summed(one, which) for one in self.off)
+                tuple(hermitian(one, which) for one in self.own),
+                tuple(summed(one, which) for one in self.off),
             )
             for which in (0, 1)
         )

@@ -49,7 +49,9 @@ class Ribbon:
                 argument="ribbon.along",
                 given=f"{list(self.along)}",
                 allowed="two whole numbers without a common divisor",
-                cause="the ribbon repeats after a part of that" if any(self.along) else "that is no direction",
+                cause="the ribbon repeats after a part of that"
+                if any(self.along)
+                else "that is no direction",
                 next_step="write along = [0, 1] for the second translation of the lattice",
             )
         first = self.columns[0]
@@ -61,7 +63,9 @@ class Ribbon:
         free = self.along == (0, 1) and all(
             cell.is_simple and cell.lattice.is_rectangular for cell in (first, one)
         )
-        wanted, found = ((cell.lattice.vectors[1:] if free else cell.lattice.vectors) for cell in (first, one))
+        wanted, found = (
+            (cell.lattice.vectors[1:] if free else cell.lattice.vectors) for cell in (first, one)
+        )
         alike = np.abs(wanted - found).max() < close and len(first.outlines) == len(one.outlines)
         if alike and not free:
             alike = all(
@@ -74,15 +78,15 @@ class Ribbon:
                 given=f"column {number}, whose tiles have other edges than those of column 1"
                 if not alike
                 else f"column {number}, of another thickness or material",
-                allowed="columns whose edges meet, of one plate: the same period along the ribbon, and the same "
-                "sites, unless the cells are rectangles",
+                allowed="columns of one plate whose edges meet: of the same period along the ribbon, and of "
+                "the same sites, unless the cells are rectangles",
                 cause="a number of the cell was changed that moves its edges",
                 next_step="change sizes of pillars only, or of the pitch across the ribbon",
             )
 
     @cached_property
     def across(self) -> tuple[int, int]:
-        """How many translations lead from a column to the next: the shortest way, to the right of the period."""
+        """How many translations lead from a column to the next, to the right: the shortest way."""
         m, n = self.along
         vectors = self.columns[0].lattice.vectors
         x, y = _bezout(m, n)  # m x + n y = 1
@@ -136,10 +140,8 @@ class Ribbon:
     def reach(self) -> int:
         """How many columns away the farthest tiles are that touch one."""
         normal = self.turn[0]
-        corners = [
-            one.tile.corners @ one.turn[:2, :2].T + one.position for one in self.columns[0].tiles
-        ]
-        wide = np.ptp(np.concatenate(corners) @ normal)
+        corners = [one.tile.corners @ one.turn[:2, :2].T + one.position for one in self.columns[0].tiles]
+        wide = float(np.ptp(np.concatenate(corners) @ normal))
         return math.floor(wide / float(self.steps[0] @ normal) + SAME)
 
     @property
@@ -171,11 +173,15 @@ class Ribbon:
 
     @property
     def guide(self) -> tuple[int, ...]:
-        """Columns that waves may be guided by: the plain ones, or where there are none those on either side of
-        where two crystals meet."""
+        """Columns that may guide waves: the plain ones, else those beside each other of two crystals."""
         plain = [number for number, cell in enumerate(self.columns) if not cell.has_pillars]
         meet = [n for n in range(1, len(self.columns)) if self.columns[n] is not self.columns[n - 1]]
         return tuple(plain or sorted({number for n in meet for number in (n - 1, n)}))
+
+    @property
+    def has_plain_guide(self) -> bool:
+        """Whether the guide is plain plate, and not the edge of a crystal."""
+        return any(not self.columns[number].has_pillars for number in self.guide)
 
     def phases(self, along: float, across: Array) -> Array:
         """(n, 2) phases (k.a1, k.a2) of a crystal from those along (rad) and across (n,) the ribbon."""

@@ -56,6 +56,7 @@ __all__ = [
     "projected",
     "reduction_curve",
     "reductions",
+    "ribbon_field",
     "save",
     "search",
     "sweep",

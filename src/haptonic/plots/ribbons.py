@@ -6,10 +6,11 @@ import numpy as np
 import xarray as xr
 from matplotlib.collections import LineCollection
 from matplotlib.figure import Figure
+from matplotlib.tri import Triangulation
 
 from haptonic.plots import style
 
-PERIODS = 6  # of the ribbon, that a field is drawn over
+LONG, MOST_PERIODS = 1.5, 30  # of a drawn field: its length over its width, and the most periods of it
 FADED = 0.12  # opacity of a bulk band's shade: where bands overlap it is darker
 DIRECTIONS = ("across the ribbon", "along the ribbon", "normal to the plate")
 
@@ -38,7 +39,9 @@ def projected(dataset: xr.Dataset) -> Figure:
     at, frequency = dataset["phase"].values / np.pi, dataset["frequency"].values / 1e3
     step = 0.45 * (float(np.diff(phase).min()) if len(phase) > 1 else 0.02)
     rise = dataset["group_velocity"].values / (2 * dataset.attrs["period"]) / 1e3 * step
-    ends = np.stack([np.column_stack([at - step, frequency - rise]), np.column_stack([at + step, frequency + rise])], 1)
+    ends = np.stack(
+        [np.column_stack([at - step, frequency - rise]), np.column_stack([at + step, frequency + rise])], 1
+    )
     order = np.argsort(dataset["guide_share"].values)
     lines = LineCollection(list(ends[order]), cmap=style.perceptual().reversed(), lw=1.6, gid="modes")
     lines.set_array(dataset["guide_share"].values[order])
@@ -66,15 +69,17 @@ def ribbon_field(dataset: xr.Dataset) -> Figure:
     points = 1e3 * dataset["field_position"].values
     field = dataset["field_real"].values + 1j * dataset["field_imag"].values
     turn, period = float(dataset["field_phase"]), 1e3 * float(dataset.attrs["period"])
-    wide, long = np.ptp(points[:, 0]), np.ptp(points[:, 1]) + (PERIODS - 1) * period
+    wide = float(np.ptp(points[:, 0]))
+    periods = min(MOST_PERIODS, max(2, round(LONG * wide / period)))
+    long = float(np.ptp(points[:, 1])) + (periods - 1) * period
     figure = style.blank(min(17.0, 3.2 + (style.WIDTH - 4.5) * wide / long))
     axes = figure.add_subplot(aspect="equal")
     drawn = None
-    for number in range(PERIODS):
+    for number in range(periods):
+        there = Triangulation(points[:, 1] + number * period, points[:, 0], dataset["field_triangle"].values)
         drawn = axes.tripcolor(
-            points[:, 1] + number * period, points[:, 0], dataset["field_triangle"].values,
-            (field * np.exp(1j * number * turn)).real, shading="gouraud", cmap=style.diverging(), vmin=-1, vmax=1,
-            rasterized=True,
+            there, (field * np.exp(1j * number * turn)).real, shading="gouraud", cmap=style.diverging(),
+            vmin=-1, vmax=1, rasterized=True,
         )  # fmt: skip
     assert drawn is not None
     axes.set_xlabel("position along the ribbon (mm)")

@@ -8,7 +8,7 @@ from .layers import Layers, compute_layers
 from .plate import PlateResult, compute_plate
 from .protocol import TrialPlan
 from .result import Result
-from .ribbon import RibbonWaves, compute_ribbon
+from .ribbon import RibbonWaves
 from .runner import Runner, design_gaps
 from .simulated_trials import SimulatedFriction, simulated_friction
 from .sweeps import Sweep, Sweeps

@@ -36,6 +36,7 @@ Range = tuple[float, float]
 
 BESIDE = 0.15  # of a gap's width, on either side of it, where modes are sought as well
 MOST_TOLD = 40  # modes in the table, those nearest to the middle of the gap
+MOST = 0.5  # share of the energy from which a mode belongs to the guide more than to what is around it
 COLUMNS = (
     Column("frequency", shown="kHz", form=".3f", error="frequency_error"),
     Column("phase / pi", form=".4f", of="phase_share"),
@@ -59,11 +60,20 @@ class RibbonWaves(Result):
 
     @property
     def guided(self) -> xr.Dataset:
-        """Those that the guide holds: between the bulk bands, with more energy there than at the outermost edges;
-        lowest first."""
+        """Those between the bulk bands with more energy in the guide than at the outer edges."""
         found = self.dataset.drop_dims(["node", "triangle"], errors="ignore")
         found = found.isel(mode=np.flatnonzero(found["guided"].values))
         return found.isel(mode=np.argsort(found["frequency"].values))
+
+    @property
+    def best(self) -> xr.Dataset | None:
+        """Of `guided` the mode nearest to the `target`, if possible with most of its energy there."""
+        found = self.guided
+        if not found.sizes["mode"]:
+            return None
+        most = np.flatnonzero(found["guide_share"].values >= MOST)
+        found = found.isel(mode=most) if len(most) else found
+        return found.isel(mode=int(np.abs(found["frequency"].values - self.target).argmin()))
 
     @property
     def target(self) -> float:
@@ -73,23 +83,26 @@ class RibbonWaves(Result):
         return float(carrier if low < carrier < high else 0.5 * (low + high))
 
     def summary(self) -> list[str]:
-        found, low, high = self.guided, *self.dataset.attrs["range_hz"]
+        found = self.guided
+        low, high = self.dataset.attrs["range_hz"]
         where = f"from {low / 1e3:.4g} to {high / 1e3:.4g} kHz"
-        if not found.sizes["mode"]:
+        best = self.best
+        if best is None:
             return [f"The ribbon holds no wave between the bulk bands {where}."]
-        best = found.isel(mode=int(np.abs(found["frequency"].values - self.target).argmin()))
         kind = "The guide" if self.dataset.attrs["has_plain"] else "The edge"
         intervals = float(best["intervals"])
-        name = f"{int(best['nodal_lines'])}x{intervals:.0f}, " if np.isfinite(intervals) else ""
+        across = float(best["nodal_lines"])
+        name = f"{across:.0f}x{intervals:.0f}, " if np.isfinite(intervals) and np.isfinite(across) else ""
         fading = float(best["decay"])
+        near, speed, inside = (float(best[name]) for name in ("frequency", "group_velocity", "guide_share"))
         fades = f", and it fades by {fading:.1f} dB per row" if np.isfinite(fading) else ""
         return [
             f"{kind} holds {found.sizes['mode']} modes between the bulk bands {where}, at "
             f"{self.dataset.sizes['wavevector']} wavevectors.",
             f"Nearest to {self.target / 1e3:.4g} kHz: "
-            f"{khz(float(best['frequency']), float(best['frequency_error']))} kHz ({name}phase "
-            f"{float(best['phase_share']):.3f} pi per period): {float(best['guide_share']):.0%} of its energy is "
-            f"there{fades}; group velocity {float(best['group_velocity']):.0f} m/s.",
+            f"{khz(near, float(best['frequency_error']))} kHz ({name}phase "
+            f"{float(best['phase_share']):.3f} pi per period): {inside:.0%} of its energy "
+            f"is there{fades}; group velocity {speed:.0f} m/s.",
         ]
 
     def tables(self) -> list[Table]:
@@ -103,9 +116,9 @@ class RibbonWaves(Result):
 
     @figure(
         "ribbon",
-        "Simulated projected bands of the ribbon. Bulk bands of the crystals are shaded, for all phases across; "
-        "dashes are modes of the ribbon, their slope the group velocity, their colour the share of energy in "
-        "the guide or at the edge.",
+        "Simulated projected bands of the ribbon. Bulk bands of the crystals are shaded, for all phases "
+        "across; dashes are modes of the ribbon, their slope the group velocity, their colour the share of "
+        "energy in the guide or at the edge.",
     )
     def _projected(self) -> Figure:
         return plots.projected(self.dataset)
@@ -151,7 +164,9 @@ def compute_ribbon(
     """
     crystals = ribbon.crystals
     models = [bloch_model(cell, settings) for cell in crystals or ribbon.columns[:1]]
-    resolution = max((one.resolution for one in models), key=lambda one: (one.order, one.foot_rings, one.steps))
+    resolution = max(
+        (one.resolution for one in models), key=lambda one: (one.order, one.foot_rings, one.steps)
+    )
     low, high = _range(between, crystals, settings, carrier, runner)
     kappa = (np.arange(rows) + 0.5) * np.pi / rows if rows else np.linspace(0.0, np.pi, points)
     bulk = _bulk(models if crystals else [], ribbon, kappa)
@@ -167,16 +182,14 @@ def compute_ribbon(
         "range_hz": [low, high],
         "rows": rows or 0,
         "period": ribbon.period,
-        "has_plain": int(any(not ribbon.columns[n].has_pillars for n in ribbon.guide)),
+        "has_plain": int(ribbon.has_plain_guide),
         "unknowns": len(model.fine.order),
         "mesh": json.dumps([resolution.order, resolution.foot_rings]),
     } | ({"carrier_hz": carrier} if carrier is not None else {})
     result = RibbonWaves(dataset)
-    held = result.guided
-    if held.sizes["mode"]:
-        share = held["guide_share"].values
-        near = np.abs(held["frequency"].values - result.target) / result.target
-        dataset = dataset.merge(_field_dataset(model, held.isel(mode=int((near - share).argmin())), found))
+    best = result.best
+    if best is not None:
+        dataset = dataset.merge(_field_dataset(model, best, found))
     return RibbonWaves(stamped(dataset.assign_attrs(result.dataset.attrs), inputs))
 
 
@@ -222,7 +235,9 @@ def _bulk(models: Sequence[BlochModel], ribbon: Ribbon, kappa: Array) -> Array:
     return np.array([bulk_bands(one, ribbon, [float(k) for k in kappa]) for one in models])
 
 
-def _modes_dataset(model: RibbonModel, found: Sequence[RibbonModes], bulk: Array, rows: int | None) -> xr.Dataset:
+def _modes_dataset(
+    model: RibbonModel, found: Sequence[RibbonModes], bulk: Array, rows: int | None
+) -> xr.Dataset:
     ribbon = model.ribbon
     pieces = []
     for number, modes in enumerate(found):
@@ -241,7 +256,7 @@ def _modes_dataset(model: RibbonModel, found: Sequence[RibbonModes], bulk: Array
             "guided": (there & (inside > within(modes.energy, outermost(ribbon)))).astype(np.int8),
             "decay": np.where(there, decay(ribbon, modes.energy), np.nan),
             "wavenumber": wavenumber,
-            "nodal_lines": across.astype(float) if (across >= 0).all() else np.where(across < 0, np.nan, across),
+            "nodal_lines": across,
             "intervals": wavenumber * (rows or np.nan) * ribbon.period / np.pi - 0.5,
         })  # fmt: skip
     joined = {name: np.concatenate([one[name] for one in pieces]) for name in pieces[0]}
@@ -270,7 +285,7 @@ def _modes_dataset(model: RibbonModel, found: Sequence[RibbonModes], bulk: Array
         dataset,
         decay="a mode within a bulk band, or fewer than two rows to compare",
         wavenumber="tiles without sides along the ribbon",
-        nodal_lines="tiles without sides along the ribbon",
+        nodal_lines="an edge between crystals, or tiles without sides along the ribbon",
         intervals="no length in cells was given, or tiles without sides along the ribbon",
     )
 
@@ -279,7 +294,11 @@ def _bulk_dataset(ribbon: Ribbon, kappa: Array, bulk: Array, names: Sequence[str
     edges = ("crystal", "wavevector", "bulk_band")
     dataset = xr.Dataset(
         {
-            "wavevector_phase": ("wavevector", kappa, {"units": "rad", "long_name": "phases along the ribbon"}),
+            "wavevector_phase": (
+                "wavevector",
+                kappa,
+                {"units": "rad", "long_name": "phases along the ribbon"},
+            ),
             "bulk_lower": (edges, bulk[..., 0], {"units": "Hz", "long_name": "lower edge of a bulk band"}),
             "bulk_upper": (edges, bulk[..., 1], {"units": "Hz", "long_name": "upper edge of a bulk band"}),
         }
@@ -288,7 +307,7 @@ def _bulk_dataset(ribbon: Ribbon, kappa: Array, bulk: Array, names: Sequence[str
 
 
 def _field_dataset(model: RibbonModel, chosen: xr.Dataset, found: Sequence[RibbonModes]) -> xr.Dataset:
-    """The field of one mode on the flat face, along its largest direction, in axes with the ribbon along y."""
+    """The field of one mode on the flat face, in the direction of its largest, the ribbon along y."""
     modes = next(one for one in found if one.kappa == float(chosen["phase"]))
     number = int(np.abs(modes.frequency - float(chosen["frequency"])).argmin())
     tiling, ribbon = model.fine.tiling, model.ribbon

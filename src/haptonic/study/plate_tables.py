@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from difflib import get_close_matches
 from typing import Annotated, Any
 
@@ -47,9 +48,9 @@ class LatticeSettings:
         return read
 
     @property
-    def units(self) -> dict[str, str]:
+    def units(self) -> Mapping[str, str]:
         """SI unit of every number that may change."""
-        return dict(UNITS)
+        return UNITS
 
 
 def _flat(tree: dict[str, Any], prefix: str = "") -> dict[str, object]:

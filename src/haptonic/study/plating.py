@@ -65,7 +65,11 @@ def plate_of(section: PlateSettings | None, own: UnitCell) -> Plate:
 
 def _layout(section: PlateSettings, own: UnitCell) -> Layout:
     tiles = section.grid
-    cells = {name: cell for name, cell in lattices(section.cell, own, "plate.cell") if name in section.tiles.values()}
+    cells = {
+        name: cell
+        for name, cell in lattices(section.cell, own, "plate.cell")
+        if name in section.tiles.values()
+    }
     for cell in cells.values():
         cell.check_simple("a plate")
     for letter, name in section.tiles.items():
@@ -89,13 +93,11 @@ def _summed(sizes: Iterable[float]) -> tuple[float, ...]:
     return tuple(float(line) for line in accumulate(map(Fraction, sizes), initial=Fraction(0)))
 
 
-def lattices(
-    given: Sequence[LatticeSettings], own: UnitCell, table: str
-) -> Iterator[tuple[str, UnitCell]]:
+def lattices(further: Sequence[LatticeSettings], own: UnitCell, table: str) -> Iterator[tuple[str, UnitCell]]:
     """The study's own cell, then those of a table with some of its numbers changed, each with its name."""
     yield LATTICE, own
     known = own.numbers()
-    for i, one in enumerate(given, start=1):
+    for i, one in enumerate(further, start=1):
         at = f'{table}[{i}] "{one.name}".change'
         for path in one.change:
             if path not in known:

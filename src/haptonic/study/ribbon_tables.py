@@ -71,7 +71,7 @@ class RibbonSettings:
             raise problem(
                 "malformed",
                 f"{len(lines)} lines" if len(lines) > 1 else shown(lines[0]),
-                f"one line of at most {MOST_COLUMNS} letters, none of them \"{NOTHING}\"",
+                f'one line of at most {MOST_COLUMNS} letters, none of them "{NOTHING}"',
                 "a ribbon repeats its one line without end, and has no holes",
                 "write one line such as ooooo1111ooooo; [plate] takes maps of several lines",
             )
@@ -98,7 +98,9 @@ class RibbonSettings:
                     "unknown",
                     shown(name),
                     f"one of {', '.join(plain)}" if plain else "none: no column is plain plate",
-                    "it is a lattice, which has its own pitch" if name in known else "no column has this name",
+                    "it is a lattice, which has its own pitch"
+                    if name in known
+                    else "no column has this name",
                     f'write "{guess}"' if guess else "leave it out",
                     at=f"widths.{name}",
                 )
@@ -138,7 +140,7 @@ class RibbonSettings:
         ------
         HaptonicError : columns whose edges do not meet, or a lattice without pillars
         """
-        kinds = {name: cell for name, cell in lattices(self.cell, own, "ribbon.cell")}
+        kinds = dict(lattices(self.cell, own, "ribbon.cell"))
         for letter, name in self.tiles.items():
             if name in kinds and not kinds[name].has_pillars:
                 raise StudyError.conflict(

@@ -42,7 +42,8 @@ def repeated(position: Array, vectors: Array) -> tuple[Ints, Ints]:
 def _steps(places: Array, others: Array, vectors: Array) -> tuple[Array, NDArray[np.bool_]]:
     """(n, m, d) translations from the others to the places, rounded, and (n, m) whether they are whole."""
     steps: Array = places[:, None] - others
-    whole: Array = np.round(steps @ np.linalg.pinv(vectors))
+    inverse = np.asarray(np.linalg.pinv(vectors), dtype=np.float64)
+    whole: Array = np.round(steps @ inverse)
     pitch = float(np.linalg.norm(vectors, axis=1).max())
     apart = np.linalg.norm(steps - whole @ vectors, axis=2)
     return whole, np.asarray(apart < MEET * pitch)
