@@ -27,7 +27,7 @@ Ints = NDArray[np.int64]
 
 ACROSS = 33  # phases across, at which bulk bands are sampled
 WIDER = 0.03  # of a frequency: how far off it may be at the next lower orders, to begin with
-MOST_WIDER = 4  # times that this is doubled
+LEAST = 1e-3  # of the lowest frequency: only rigid motions lie below that
 
 
 @dataclass(frozen=True)
@@ -169,12 +169,14 @@ class RibbonModel:
         """All modes between two frequencies (Hz) at a phase (rad) along the ribbon."""
         below, values, modes = eigenpairs_within(*self.fine.at(kappa), *_squares(low, high))
         frequency, fields = _hertz(values), self.fine.expanded(modes, kappa)
-        error = np.zeros(len(frequency))
-        if len(frequency):
-            distance = np.abs(self._lower(kappa, low, high, below, len(frequency)) - frequency)
-            every = np.ones(len(frequency), dtype=bool)
-            error = remaining_error(self.resolution, self.ribbon, frequency, distance, every)
-            error += 0.5 * FIRST_ORDER * values * self._summed("truncation", fields).sum(axis=1) * frequency
+        if not len(frequency):
+            none = np.empty(0)
+            return RibbonModes(kappa, none, none, none, fields, np.empty((0, len(self.ribbon.columns))))
+        distance = np.abs(self._lower(kappa, low, high, below, len(frequency)) - frequency)
+        every = np.ones(len(frequency), dtype=bool)
+        error = remaining_error(self.resolution, self.ribbon, frequency, distance, every)
+        lost = np.abs(self._summed("truncation", fields).sum(axis=1))
+        error += 0.5 * FIRST_ORDER * values * lost * frequency
         stiffer, heavier = self.fine.at(kappa, slope=True)
         slope = np.einsum("nk,nk->k", modes.conj(), stiffer.times(modes)).real
         slope -= values * np.einsum("nk,nk->k", modes.conj(), heavier.times(modes)).real
@@ -184,13 +186,14 @@ class RibbonModel:
 
     def _lower(self, kappa: float, low: float, high: float, below: int, count: int) -> Array:
         """(count,) Hz, modes of the lower orders by their rank among all, the first of them ``below``."""
-        pencil, wider = self.coarse.at(kappa), WIDER
-        for _ in range(MOST_WIDER):
-            first, values, _ = eigenpairs_within(*pencil, *_squares((1 - wider) * low, (1 + wider) * high))
+        pencil, below_low, above_high = self.coarse.at(kappa), WIDER, WIDER
+        while True:
+            ends = _squares(max(1 - below_low, LEAST) * low, (1 + above_high) * high)
+            first, values, _ = eigenpairs_within(*pencil, *ends)
             if first <= below and first + len(values) >= below + count:
                 return _hertz(values[below - first : below - first + count])
-            wider *= 2
-        return np.full(count, np.inf)
+            below_low *= 2 if first > below else 1
+            above_high *= 2 if first + len(values) < below + count else 1
 
     def _summed(self, form: str, fields: Complex) -> Array:
         """(k, columns) what the tiles' forms are on fields (t + m, k), by column."""
