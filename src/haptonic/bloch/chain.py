@@ -15,14 +15,11 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
-import scipy.linalg as la
 from numpy.typing import NDArray
-from scipy.linalg.lapack import zhetrf, zhetrs
 
+from haptonic.arrays import Array, Complex
 from haptonic.errors import NumericalError
-
-Array = NDArray[np.float64]
-Complex = NDArray[np.complex128]
+from haptonic.later import linalg as la
 
 BLOCK = 16  # directions in each step of the Krylov space
 CONVERGED = (
@@ -77,7 +74,7 @@ class _Link:
     coupling: Complex
 
     def solved(self, loads: Complex) -> Complex:
-        found, info = zhetrs(self.factor, self.pivots, loads)
+        found, info = la.lapack.zhetrs(self.factor, self.pivots, loads)
         assert info == 0
         return np.asarray(found)
 
@@ -101,7 +98,7 @@ class Eliminated:
             if links:
                 before = links[-1]
                 own = own - before.coupling.conj().T @ before.answer[before.rows] @ before.coupling
-            factor, pivots, info = zhetrf(own, lwork=64 * len(own))
+            factor, pivots, info = la.lapack.zhetrf(own, lwork=64 * len(own))
             if info != 0:
                 raise NumericalError.inaccurate(
                     argument="ribbon",
@@ -114,7 +111,7 @@ class Eliminated:
             rows = np.flatnonzero(off.any(axis=1))
             unit = np.zeros((len(own), len(rows)), dtype=complex)
             unit[rows, np.arange(len(rows))] = 1.0
-            answer = zhetrs(factor, pivots, unit)[0] if len(rows) else unit
+            answer = la.lapack.zhetrs(factor, pivots, unit)[0] if len(rows) else unit
             links.append(_Link(factor, pivots, rows, answer, off[rows]))
         return cls(tuple(links))
 

@@ -3,14 +3,10 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
+from haptonic.arrays import Array, Bools
 from haptonic.bloch.ribbon import RibbonModes, RibbonPencil
 from haptonic.cell import Ribbon
-
-Array = NDArray[np.float64]
-Ints = NDArray[np.int64]
-Bools = NDArray[np.bool_]
 
 FAINTEST = 1e-18  # share of the energy below which a column holds rounding, and no wave
 LEAST_ON_LINE = 3  # places along the ribbon from which its harmonics can be told

@@ -11,19 +11,15 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
-import scipy.sparse as sp
-from numpy.typing import NDArray
 
+from haptonic.arrays import Array, Complex, Ints
 from haptonic.bloch.chain import Chain, eigenpairs_within
 from haptonic.bloch.model import FIRST_ORDER, BlochModel, remaining_error
 from haptonic.bloch.pencil import Periodic
 from haptonic.bloch.resolution import Resolution
 from haptonic.cell import Ribbon
+from haptonic.later import sparse as sp
 from haptonic.superelement import Tiling, definite, on_each
-
-Array = NDArray[np.float64]
-Complex = NDArray[np.complex128]
-Ints = NDArray[np.int64]
 
 ACROSS = 33  # phases across, at which bulk bands are sampled
 WIDER = 0.03  # of a frequency: how far off it may be at the next lower orders, to begin with

@@ -7,15 +7,12 @@ from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
-from numpy.typing import NDArray
 
+from haptonic.arrays import Array, Ints
 from haptonic.cell.geometry import UnitCell
 from haptonic.cell.tile import FreeEdge, PlacedTile
 from haptonic.errors import GeometryError
 from haptonic.lattice import SAME
-
-Array = NDArray[np.float64]
-Ints = NDArray[np.int64]
 
 LEAST_COLUMNS = 2
 

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 import numpy as np
-import xarray as xr
 from matplotlib.collections import LineCollection
 from matplotlib.figure import Figure
 from matplotlib.tri import Triangulation
 
+from haptonic.later import xarray as xr
 from haptonic.plots import style
 
 LONG, MOST_PERIODS = 1.5, 30  # of a drawn field: its length over its width, and the most periods of it

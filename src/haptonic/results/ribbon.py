@@ -8,11 +8,10 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-import xarray as xr
-from numpy.typing import NDArray
 from threadpoolctl import threadpool_limits
 
 from haptonic import plots
+from haptonic.arrays import Array
 from haptonic.bloch.gaps import gap_at, widest_gap
 from haptonic.bloch.guided import decay, harmonics, in_gap, outermost, within
 from haptonic.bloch.model import BlochModel, bloch_model
@@ -21,6 +20,7 @@ from haptonic.bloch.settings import HIGHEST, LOWEST, BandSettings
 from haptonic.cell import Ribbon, UnitCell
 from haptonic.errors import StudyError
 from haptonic.gate import declared
+from haptonic.later import xarray as xr
 from haptonic.plots.text import khz
 from haptonic.results.common import stamped
 from haptonic.results.result import Result, figure
@@ -31,7 +31,6 @@ from haptonic.units import format_quantity
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-Array = NDArray[np.float64]
 Range = tuple[float, float]
 
 BESIDE = 0.15  # of a gap's width, on either side of it, where modes are sought as well

@@ -8,7 +8,7 @@ from pydantic import Field, field_validator
 
 from haptonic.cell import Ribbon, UnitCell
 from haptonic.errors import StudyError, nearest, shown
-from haptonic.fields import Entries, Frequency, Name, Quantity, ascending, described, problem
+from haptonic.fields import Entries, Frequency, Name, Quantity, ascending, described, needed, problem, setting
 from haptonic.lattice import Lattice
 from haptonic.study.plate_map import NOTHING, check_letters, drawn
 from haptonic.study.plate_tables import LATTICE, LatticeSettings, TileSize
@@ -24,43 +24,37 @@ Translations = Annotated[float, Quantity("", at_least=-20, at_most=20)]
 class RibbonSettings:
     """Cells side by side, repeated without end along the other direction; the outermost edges are free."""
 
-    map: Annotated[str, Field(max_length=1000, strict=True)] = Field(
-        title="Map", description="A letter for each column, from left to right, such as ooooo1111ooooo."
+    map: Annotated[str, Field(max_length=1000, strict=True)] = needed(
+        "A letter for each column, from left to right, such as ooooo1111ooooo."
     )
-    rows: Annotated[int, Field(ge=1, le=1000, strict=True)] | None = Field(
-        default=None,
+    rows: Annotated[int, Field(ge=1, le=1000, strict=True)] | None = setting(
+        None,
+        "Of a guide with free ends, whose resonances are told; else waves of any length.",
         title="Length in cells",
-        description="Of a guide with free ends, whose resonances are told; else waves of any length.",
     )
-    tiles: Entries[Name] = Field(
+    tiles: Entries[Name] = needed(
+        'Of each, "lattice", the name of a ribbon.cell, or any other of plain plate.',
         title="Meaning of the letters",
-        description='Of each, "lattice", the name of a ribbon.cell, or any other of plain plate.',
     )
-    widths: Entries[TileSize] = Field(
-        default=Entries(),
-        title="Widths",
-        description="By name: of a column of plain plate; else that of the lattice.",
+    widths: Entries[TileSize] = setting(
+        Entries(), "By name: of a column of plain plate; else that of the lattice."
     )
-    cell: tuple[LatticeSettings, ...] = Field(
-        default=(), title="Further lattices", description="For columns of other names.", max_length=20
+    cell: tuple[LatticeSettings, ...] = setting(
+        (), "For columns of other names.", title="Further lattices", max_length=20
     )
-    along: tuple[Translations, Translations] = Field(
-        default=(0.0, 1.0),
+    along: tuple[Translations, Translations] = setting(
+        (0.0, 1.0),
+        "How many of the lattice's two translations the ribbon repeats after; [0, 1] is along y.",
         title="Direction",
-        description="How many of the lattice's two translations the ribbon repeats after; [0, 1] is along y.",
     )
-    lowest: Frequency | None = Field(
-        default=None,
-        title="Lowest frequency",
-        description="That modes are sought at; else somewhat below the gap.",
+    lowest: Frequency | None = setting(
+        None, "That modes are sought at; else somewhat below the gap.", title="Lowest frequency"
     )
-    highest: Frequency | None = Field(
-        default=None,
-        title="Highest frequency",
-        description="That modes are sought at; else somewhat above the gap.",
+    highest: Frequency | None = setting(
+        None, "That modes are sought at; else somewhat above the gap.", title="Highest frequency"
     )
-    points: Annotated[int, Field(ge=2, le=1000, strict=True)] = Field(
-        default=21, title="Wavevectors", description="Along the ribbon, where it has no length in cells."
+    points: Annotated[int, Field(ge=2, le=1000, strict=True)] = setting(
+        21, "Along the ribbon, where it has no length in cells.", title="Wavevectors"
     )
 
     @field_validator("map")
