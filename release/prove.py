@@ -44,8 +44,12 @@ def main(dist: Path) -> None:
 
 
 def pythons() -> dict[tuple[int, int], str]:
-    """A Python of every version from the oldest on that is installed here, by (major, minor)."""
-    listed = json.loads(told("uv", "python", "list", "--only-installed", "--output-format", "json"))
+    """A Python of every version from the oldest on that is installed here, by (major, minor); pyenv's too."""
+    more = [str(folder) for folder in Path.home().glob(".pyenv/versions/*/bin")]
+    search = {"PATH": os.pathsep.join([str(Path(sys.executable).parent), os.environ["PATH"], *more])}
+    listed = json.loads(
+        told("uv", "python", "list", "--only-installed", "--output-format", "json", more=search)
+    )
     found = {(one["version_parts"]["major"], one["version_parts"]["minor"]): one["path"] for one in listed}
     return {version: path for version, path in sorted(found.items()) if version >= OLDEST}
 

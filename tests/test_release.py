@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ast
+import importlib.util
 import re
 import sys
 import tomllib
@@ -14,7 +15,10 @@ import pytest
 import yaml
 
 import haptonic
+from five_parts import refusing
 from haptonic.cli.doctor import OPTIONAL
+from haptonic.errors import ResourceError
+from haptonic.jobs import check_workers
 
 ROOT = Path(__file__).parents[1]
 SOURCE = Path(haptonic.__file__).parent
@@ -97,3 +101,13 @@ def test_the_forge_runs_what_a_desk_runs(file):
     for program, *words in commands:
         assert program == "make"
         assert set(words) <= targets
+
+
+def test_a_scheduler_without_its_extra_is_refused(monkeypatch):
+    found = importlib.util.find_spec
+    monkeypatch.setattr(
+        "importlib.util.find_spec", lambda name: None if name == "distributed" else found(name)
+    )
+    with refusing(ResourceError, "not-installed", "scheduler", "haptonic[scheduler]"):
+        check_workers(0, "tcp://127.0.0.1:8786")
+    check_workers(2, None)

@@ -133,13 +133,13 @@ def check_workers(workers: object, scheduler: object) -> None:
             cause="a slip, or two ways of computing asked for at once",
             next_step="give --workers N or --scheduler ADDRESS, not both",
         )
-    if (workers or scheduler) and importlib.util.find_spec("distributed") is None:
+    if scheduler and importlib.util.find_spec("distributed") is None:
         raise ResourceError.not_installed(
-            argument="workers",
-            given=shown(workers if scheduler is None else scheduler),
-            allowed="0, or more where the package distributed is installed",
+            argument="scheduler",
+            given=shown(scheduler),
+            allowed="an address where the package distributed is installed",
             cause="distributed is an optional part of haptonic and is not installed",
-            next_step='pip install "haptonic[workers]", or leave --workers out',
+            next_step='pip install "haptonic[scheduler]", or --workers N for processes on this machine',
         )
 
 

@@ -26,8 +26,8 @@ OPTIONAL = {  # of pyproject.toml: extra -> the package that it brings
     "cad": "netgen-mesher",
     "cholmod": "scikit-sparse",
     "modal": "sdypy-EMA",
+    "scheduler": "distributed",
     "tdms": "npTDMS",
-    "workers": "distributed",
 }
 # bands of the template touchpad take 13.3 s of processor time, its plate at one frequency 29 s;
 # with Pardiso 8.9 s and 19 s
