@@ -21,6 +21,8 @@ from haptonic.errors import GeometryError
 from haptonic.fields import Quantity, described, problem, remade, size
 from haptonic.units import format_quantity
 
+__all__ = ["Lattice", "PointGroup"]
+
 Array = NDArray[np.float64]
 Operation = tuple[tuple[int, int], tuple[int, int]]
 
