@@ -121,30 +121,42 @@ def test_whatever_parts_the_columns_the_bands_come_out(tmp_path_factory, export,
 
 
 @pytest.mark.parametrize(
-    ("text", "words"),
+    ("text", "code", "argument", "given"),
     [
-        ("", ["two numbers"]),
-        ("hello\nworld\n", ["two numbers"]),
-        ("1\n2\n3\n", ["two numbers"]),
-        ("0,1\n1,2\nend of table\n", ["line 3"]),
-        ("0;1;2\n1;2\n2;3;4\n", ["line 2", "2 numbers"]),
-        ("k,f\n0,5,1,5\n1,0,2,5\n", ["2 names above 4 numbers", "decimal point"]),
-        ("2,1\n1,2\n0,3\n", ["first column", "2, then 1"]),
-        ("1,1\n1,2\n", ["first column"]),
-        ("0,1\n4,2\n", ["0 to 4"]),
+        ("", "unreadable", "theirs.csv", "two numbers"),
+        ("hello\nworld\n", "unreadable", "theirs.csv", "two numbers"),
+        ("1\n2\n3\n", "unreadable", "theirs.csv", "two numbers"),
+        ("0,1\n1,2\nend of table\n", "unreadable", "theirs.csv", "line 3"),
+        ("0;1;2\n1;2\n2;3;4\n", "unreadable", "theirs.csv", "line 2"),
+        ("k,f\n0,5,1,5\n1,0,2,5\n", "unreadable", "theirs.csv", "2 names above 4 numbers"),
+        ("2,1\n1,2\n0,3\n", "malformed", "theirs.csv, first column", "2, then 1"),
+        ("1,1\n1,2\n", "malformed", "theirs.csv, first column", ""),
+        ("0,1\n4,2\n", "mismatch", "theirs.csv, first column", "0 to 4"),
     ],
 )
-def test_what_is_no_table_of_bands(tmp_path, text, words):
+def test_what_is_no_table_of_bands(tmp_path, text, code, argument, given):
     path = tmp_path / "theirs.csv"
     path.write_text(text)
-    refused(lambda: of_table(path, ours(), "segments", "Hz"), *words, kind=ChannelError)
+    refused(
+        lambda: of_table(path, ours(), "segments", "Hz"),
+        given,
+        code=code,
+        argument=argument,
+        kind=ChannelError,
+    )
 
 
-@pytest.mark.parametrize(("unit", "words"), [("mm", ["mm"]), ("kilohurz", ["kilohurz"])])
-def test_a_unit_that_is_none(tmp_path, unit, words):
+@pytest.mark.parametrize(
+    ("unit", "code", "argument", "given"),
+    [
+        ("mm", "malformed", "--frequency-unit", "mm"),
+        ("kilohurz", "malformed", "--frequency-unit", "kilohurz"),
+    ],
+)
+def test_a_unit_that_is_none(tmp_path, unit, code, argument, given):
     path = tmp_path / "theirs.csv"
     path.write_text("0,1\n1,2\n")
-    refused(lambda: of_table(path, ours(), "segments", unit), *words)
+    refused(lambda: of_table(path, ours(), "segments", unit), given, code=code, argument=argument)
     refused(lambda: of_table(path, ours(), unit, "Hz"), "--wavevector", "segments")
 
 

@@ -5,12 +5,11 @@ from __future__ import annotations
 from dataclasses import dataclass
 from pathlib import Path
 
-import xarray as xr
-
 from haptonic.analyses.analysis import Analysis, option
 from haptonic.channels.numbers import read_numbers
 from haptonic.errors import StudyError, shown
 from haptonic.fields import remade, table
+from haptonic.later import xarray as xr
 from haptonic.results.bands import compute_bands
 from haptonic.results.compare import Comparison, of_dataset, of_file, of_table
 from haptonic.results.runner import Runner

@@ -9,12 +9,11 @@ from dataclasses import dataclass, replace
 from functools import cached_property
 
 import numpy as np
-import scipy.linalg as la
-from numpy.typing import NDArray
 from threadpoolctl import threadpool_limits
 
+from haptonic.arrays import Array, Complex, Fields
 from haptonic.bloch.centred import CentredPencil, PhasedPencil, RealPencil, lattice_pencil
-from haptonic.bloch.pencil import Evaluated, Fields, Pencil, eigenpairs
+from haptonic.bloch.pencil import Evaluated, Pencil, eigenpairs
 from haptonic.bloch.resolution import (
     LADDER,
     SHARED,
@@ -30,10 +29,8 @@ from haptonic.brillouin import IrreducibleZone
 from haptonic.cell import UnitCell
 from haptonic.cell.plan import USUAL_BANDS
 from haptonic.errors import ResourceError
+from haptonic.later import linalg as la
 from haptonic.superelement import Tiling, definite, on_each
-
-Array = NDArray[np.float64]
-Complex = NDArray[np.complex128]
 
 TRAINING_DIVISIONS = (2, 4, 8)  # of the zone's sides, for the wavevectors that span the small basis
 SPARE_MODES = 3  # modes beyond those asked for that go into the small basis

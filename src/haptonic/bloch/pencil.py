@@ -8,18 +8,13 @@ Time: ``exp(+i omega t)``.
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any, Protocol
+from typing import Protocol
 
 import numpy as np
-import scipy.linalg as la
-from numpy.typing import NDArray
 
+from haptonic.arrays import Array, Complex, Fields, Ints
+from haptonic.later import linalg as la
 from haptonic.superelement import Joint, Tiling, definite
-
-Array = NDArray[np.float64]
-Complex = NDArray[np.complex128]
-Fields = NDArray[Any]  # real or complex
-Ints = NDArray[np.int64]
 
 
 @dataclass(frozen=True)

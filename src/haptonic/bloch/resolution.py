@@ -6,11 +6,10 @@ import math
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
-import psutil
-
 from haptonic.cell import MeshPlan, Pillar, TileShape, UnitCell
 from haptonic.cell.plan import THIN_PLATE, USUAL_BANDS
 from haptonic.errors import GeometryError, ResourceError
+from haptonic.later import psutil
 from haptonic.superelement.symmetry import folds_of
 from haptonic.superelement.trace import trace_levels
 

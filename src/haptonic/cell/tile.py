@@ -10,13 +10,12 @@ from functools import cached_property
 from typing import cast
 
 import numpy as np
-from numpy.typing import NDArray
 
+from haptonic.arrays import Array
 from haptonic.cell.pillar import Pillar
 from haptonic.lattice import SAME
 from haptonic.materials import Material, is_symmetry
 
-Array = NDArray[np.float64]
 Sides = tuple[int, int]  # where a turn or mirror of a polygon takes its first two sides
 
 HALF_TURNED = np.diag([-1.0, -1.0, 1.0])  # about the normal

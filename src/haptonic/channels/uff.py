@@ -14,8 +14,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from haptonic.arrays import Array
 from haptonic.channels.notes import Notebook
-from haptonic.channels.signals import ORIGIN, SIMULATED, Array, Channel, Group, Samples
+from haptonic.channels.signals import ORIGIN, SIMULATED, Channel, Group, Samples
 from haptonic.channels.uff_blocks import (
     Buffer,
     DataSet,

@@ -8,12 +8,12 @@ from importlib.metadata import version
 from typing import Any
 
 import numpy as np
-import psutil
 
 from haptonic import __version__
 from haptonic.bloch import bloch_pencil
 from haptonic.bloch.pencil import eigenpairs
 from haptonic.cell import MeshPlan, UnitCell
+from haptonic.later import psutil
 from haptonic.lattice import Lattice
 from haptonic.materials import IsotropicMaterial
 from haptonic.parallel import threads

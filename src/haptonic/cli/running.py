@@ -135,7 +135,8 @@ def answered(analysis: Analysis, given: dict[str, Any]) -> None:
         located = result.located(folder) if folder else {}
         if folder and folder.is_dir():  # a plan of a lattice has no picture
             voice.tell(f"files: {located.get('report', folder)}")
-        voice.answer(result.to_json() | located)
+        if json:
+            voice.answer(result.to_json() | located)
 
 
 def show(result: Result, voice: Voice, *, every: bool) -> None:

@@ -7,9 +7,9 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 
 import numpy as np
-from numpy.typing import NDArray
-from scipy.optimize import minimize
+import scipy
 
+from haptonic.arrays import Array
 from haptonic.cell import UnitCell
 from haptonic.design.parameters import values_of
 from haptonic.design.settings import DesignLimits
@@ -17,8 +17,6 @@ from haptonic.errors import StudyError
 from haptonic.fields import unchecked
 from haptonic.lattice import FURTHER, LEAST_SIDE
 from haptonic.materials import IsotropicMaterial
-
-Array = NDArray[np.float64]
 
 LEAST_GAP = 0.02  # between pillars, as a share of the pitch, if no tool asks for more
 LEAST_TIP = 0.1  # narrowest width of a pillar, as a share of that at its foot
@@ -161,7 +159,7 @@ class Brief:
         if self.allows(share):
             return share
         count = len(share)
-        result = minimize(
+        result = scipy.optimize.minimize(
             lambda x: 1e-3 * float(((x[:count] - share) ** 2).sum()) + x[count],
             np.append(share, max(0.0, -min(self.limits(share).values()))),
             method="SLSQP",

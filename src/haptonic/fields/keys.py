@@ -225,7 +225,7 @@ def _key(path: str, field: FieldInfo) -> Key:
         bounds, typical = f"{count} of them, {bounds}", ""
     return Key(
         path=path,
-        title=field.title or path,
+        title=field.title or path.rpartition(".")[2].replace("_", " ").capitalize(),
         kind=kind,
         unit=quantity.unit if quantity else "",
         default=_default(field, quantity),

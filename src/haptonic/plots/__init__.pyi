@@ -18,7 +18,7 @@ from .scans import (
     wave_map,
 )
 from .spectra import contrast_spectrum, impedance_spectrum, velocity_spectrum
-from .style import save
+from .style import rendered, save
 from .sweeps import sweep
 from .tolerances import tolerance
 from .verdicts import before_after, frac_maps, mac_matrix
@@ -54,6 +54,7 @@ __all__ = [
     "power",
     "reduction_curve",
     "reductions",
+    "rendered",
     "save",
     "search",
     "sweep",

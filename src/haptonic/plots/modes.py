@@ -6,19 +6,15 @@ import json
 from itertools import pairwise, product
 
 import numpy as np
-import xarray as xr
 from matplotlib.axes import Axes
 from matplotlib.cm import ScalarMappable
 from matplotlib.collections import LineCollection, PolyCollection
 from matplotlib.colors import Normalize
 from matplotlib.figure import Figure
-from numpy.typing import NDArray
 
+from haptonic.arrays import Array, Ints
+from haptonic.later import xarray as xr
 from haptonic.plots import style
-
-Array = NDArray[np.float64]
-Ints = NDArray[np.int64]
-Bools = NDArray[np.bool_]
 
 SHOWN = 8  # modes, as in Fig. 4B of the paper
 COLUMNS = 4

@@ -6,12 +6,12 @@ from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-import xarray as xr
 from matplotlib.artist import Artist
 from matplotlib.colors import LogNorm
 from matplotlib.figure import Figure
-from numpy.typing import NDArray
 
+from haptonic.arrays import Array
+from haptonic.later import xarray as xr
 from haptonic.plots import style
 from haptonic.plots.spectra import curves, finished, shaded
 from haptonic.plots.text import in_pi
@@ -19,7 +19,6 @@ from haptonic.plots.text import in_pi
 if TYPE_CHECKING:
     from haptonic.vibrometry import Drive, LatticeGap, MeasuredGap, Quality
 
-Array = NDArray[np.float64]
 
 FLOOR = -80.0  # dB below the largest line, the lowest that a spectrum of a drive shows
 LEAST_COHERENCE = 0.8  # the lowest that colours show, unless there are lower ones

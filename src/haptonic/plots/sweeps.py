@@ -5,17 +5,16 @@ from __future__ import annotations
 from typing import Any
 
 import numpy as np
-import xarray as xr
 from matplotlib.artist import Artist
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.patches import Patch
 from numpy.typing import NDArray
 
+from haptonic.arrays import Array
+from haptonic.later import xarray as xr
 from haptonic.plots import style
 from haptonic.plots.text import readable, scaled_unit
-
-Array = NDArray[np.float64]
 
 BAR = 0.8  # width of a bar, as a share of the step
 SUBSCRIPTED = ("f₁", "f₂", "f₃")

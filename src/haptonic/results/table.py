@@ -10,9 +10,8 @@ from dataclasses import dataclass, replace
 from functools import cache
 from io import StringIO
 
-import pandas as pd
-import xarray as xr
-
+from haptonic.later import pandas as pd
+from haptonic.later import xarray as xr
 from haptonic.names import cell as safe
 from haptonic.units import to_si
 

@@ -9,8 +9,6 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from typing import Annotated, Any, Self
 
-from pydantic import Field
-
 from haptonic.bloch.settings import CARRIER, BandSettings, LayersSettings, WaveguideSettings
 from haptonic.cell import UnitCell
 from haptonic.design.parameters import FILLET, values_of
@@ -21,8 +19,10 @@ from haptonic.fields import (
     described,
     handed_on,
     leaves,
+    needed,
     numbers,
     problem,
+    setting,
     table,
     unchecked,
     unknown_number,
@@ -56,83 +56,39 @@ class Description:
     It is read by `haptonic.study.load`, which gives its errors five parts and warns about unusual values.
     """
 
-    title: str = Field(
-        default="Study",
-        title="Title",
-        description="Heads the report.",
-        min_length=1,
-        max_length=200,
-        strict=True,
+    title: str = setting("Study", "Heads the report.", min_length=1, max_length=200, strict=True)
+    carrier: Annotated[float, CARRIER] | None = setting(
+        None, "Frequency of the drive; marked in the diagrams."
     )
-    carrier: Annotated[float, CARRIER] | None = Field(
-        default=None, title="Carrier", description="Frequency of the drive; marked in the diagrams."
+    cell: UnitCell = needed("One period of the plate.", title="Unit cell")
+    bands_settings: BandSettings = setting(BandSettings(), "What the band diagram shows.", alias="bands")
+    layers_settings: LayersSettings = setting(
+        LayersSettings(), "Rows of cells as a mirror between two plates.", alias="layers"
     )
-    cell: UnitCell = Field(title="Unit cell", description="One period of the plate.")
-    bands_settings: BandSettings = Field(
-        default=BandSettings(), alias="bands", title="Bands", description="What the band diagram shows."
+    waveguide_settings: WaveguideSettings = setting(
+        WaveguideSettings(), "A strip of plate between two mirrors.", alias="waveguide"
     )
-    layers_settings: LayersSettings = Field(
-        default=LayersSettings(),
-        alias="layers",
-        title="Layers",
-        description="Rows of cells as a mirror between two plates.",
+    design_settings: DesignSettings = setting(
+        DesignSettings(), "What may change so that the gap holds the carrier.", alias="design"
     )
-    waveguide_settings: WaveguideSettings = Field(
-        default=WaveguideSettings(),
-        alias="waveguide",
-        title="Waveguide",
-        description="A strip of plate between two mirrors.",
+    tolerance_settings: ToleranceSettings = setting(
+        ToleranceSettings(), "How much the parts differ.", alias="tolerance"
     )
-    design_settings: DesignSettings = Field(
-        default=DesignSettings(),
-        alias="design",
-        title="Design",
-        description="What may change so that the gap holds the carrier.",
+    finite_plate: PlateSettings | None = setting(
+        None, "A finite one, made of cells and of plain plate.", alias="plate"
     )
-    tolerance_settings: ToleranceSettings = Field(
-        default=ToleranceSettings(),
-        alias="tolerance",
-        title="Tolerance",
-        description="How much the parts differ.",
+    touch: TouchSettings = setting(TouchSettings(), "The finger that feels the plate.")
+    trials: TrialSettings = setting(TrialSettings(), "How force records are processed, and which count.")
+    protocol_settings: ProtocolSettings = setting(
+        ProtocolSettings(), "Trials with people: how many, in which order.", alias="protocol"
     )
-    finite_plate: PlateSettings | None = Field(
-        default=None,
-        alias="plate",
-        title="Plate",
-        description="A finite one, made of cells and of plain plate.",
+    participants: Participants = setting(Participants(), "What is assumed of people.")
+    scan_settings: ScanSettings = setting(
+        ScanSettings(), "How a laser vibrometer scans the plate.", alias="scan"
     )
-    touch: TouchSettings = Field(
-        default=TouchSettings(), title="Touch", description="The finger that feels the plate."
-    )
-    trials: TrialSettings = Field(
-        default=TrialSettings(),
-        title="Trials",
-        description="How force records are processed, and which count.",
-    )
-    protocol_settings: ProtocolSettings = Field(
-        default=ProtocolSettings(),
-        alias="protocol",
-        title="Protocol",
-        description="Trials with people: how many, in which order.",
-    )
-    participants: Participants = Field(
-        default=Participants(), title="Participants", description="What is assumed of people."
-    )
-    scan_settings: ScanSettings = Field(
-        default=ScanSettings(),
-        alias="scan",
-        title="Scan",
-        description="How a laser vibrometer scans the plate.",
-    )
-    fit_settings: FitSettings = Field(
-        default=FitSettings(), alias="fit", title="Fit", description="What a measurement of the plate tells."
-    )
-    sweep_settings: tuple[SweepSettings, ...] = Field(
-        default=(),
-        alias="sweep",
-        title="Sweeps",
-        description="Rows of designs to compare.",
-        max_length=MOST_SWEEPS,
+    fit_settings: FitSettings = setting(FitSettings(), "What a measurement of the plate tells.", alias="fit")
+    sweep_settings: tuple[SweepSettings, ...] = setting(
+        (), "Rows of designs to compare.", title="Sweeps", alias="sweep", max_length=MOST_SWEEPS
     )
 
     def __post_init__(self) -> None:

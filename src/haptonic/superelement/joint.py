@@ -5,19 +5,15 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from haptonic.arrays import Array, Fields, Ints
 from haptonic.cell import PlacedTile, UnitCell
 from haptonic.cell.tile import HALF_TURNED
 from haptonic.errors import GeometryError
 from haptonic.lattice import HALF_TURN, Operation
-
-Array = NDArray[np.float64]
-Fields = NDArray[Any]  # real or complex
-Ints = NDArray[np.int64]
 
 MEET = 1e-6  # of the pitch: places of two rims that are one
 

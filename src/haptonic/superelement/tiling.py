@@ -13,10 +13,10 @@ from functools import cached_property
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
-from scipy.linalg import block_diag
 
+from haptonic.arrays import Array, Fields, Ints
 from haptonic.cell import HexMesh, MeshPlan, PlacedTile, TileShape, UnitCell
+from haptonic.later import linalg as la
 from haptonic.lattice import HALF_TURN
 from haptonic.superelement.condense import Superelement, condensed
 from haptonic.superelement.dynamic import DynamicStiffness, dynamic_stiffness
@@ -26,10 +26,6 @@ from haptonic.superelement.measures import ENERGIES, Measures
 from haptonic.superelement.sections import PillarSections
 from haptonic.superelement.substructured import condense_by_parts
 from haptonic.superelement.symmetry import folds_of
-
-Array = NDArray[np.float64]
-Fields = NDArray[Any]  # real or complex
-Ints = NDArray[np.int64]
 
 
 @dataclass(frozen=True, eq=False)
@@ -313,4 +309,4 @@ class JoinedStiffness:
 
     def _joined(self, forms: Sequence[Array]) -> Array:
         own = [self.joint.form(number, form, len(form)) for number, form in enumerate(forms)]
-        return np.asarray(block_diag(*own))
+        return np.asarray(la.block_diag(*own))

@@ -9,17 +9,15 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-import xarray as xr
-from numpy.typing import NDArray
 
+from haptonic.arrays import Array
 from haptonic.bloch import Gap, gaps_of
 from haptonic.channels.hdf5 import arrays_of
 from haptonic.channels.numbers import Numbers, read_numbers
 from haptonic.errors import ChannelError, StudyError, shown
 from haptonic.foreign.process import ask
+from haptonic.later import xarray as xr
 from haptonic.units import to_si
-
-Array = NDArray[np.float64]
 
 WAVEVECTORS = ("rad/m", "rad/mm", "1/m", "share", "segments")
 SAME_PATH = 0.02  # share by which two lengths of one path may differ
