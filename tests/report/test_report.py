@@ -96,7 +96,7 @@ def study_with(**changes: object) -> Study:
 @pytest.fixture
 def empty_pictures(monkeypatch):
     """Pictures are drawn but not rendered, which takes most of the time of a page."""
-    monkeypatch.setattr("haptonic.pages.rendered", lambda figure, kind: b"<svg/>")
+    monkeypatch.setattr("haptonic.plots.rendered", lambda figure, kind: b"<svg/>")
 
 
 @pytest.fixture
