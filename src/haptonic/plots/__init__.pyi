@@ -8,6 +8,7 @@ from .modes import mode_shapes
 from .overlays import compared
 from .planning import power
 from .plates import plate_plan
+from .ribbons import projected, ribbon_field
 from .scans import (
     average_response,
     decay_map,
@@ -52,9 +53,11 @@ __all__ = [
     "plate_plan",
     "point_quality",
     "power",
+    "projected",
     "reduction_curve",
     "reductions",
     "rendered",
+    "ribbon_field",
     "save",
     "search",
     "sweep",

@@ -8,6 +8,7 @@ from .layers import Layers, compute_layers
 from .plate import PlateResult, compute_plate
 from .protocol import TrialPlan
 from .result import Result
+from .ribbon import RibbonWaves
 from .runner import Runner, design_gaps
 from .simulated_trials import SimulatedFriction, simulated_friction
 from .sweeps import Sweep, Sweeps
@@ -25,6 +26,7 @@ __all__ = [
     "Layers",
     "PlateResult",
     "Result",
+    "RibbonWaves",
     "Runner",
     "SimulatedFriction",
     "Sweep",
