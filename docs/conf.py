@@ -9,6 +9,7 @@ from __future__ import annotations
 from typing import Any
 
 from docutils.nodes import SkipNode
+from jupyter_client.connect import ConnectionFileMixin
 from latex2mathml.converter import convert
 
 from haptonic import __version__
@@ -22,16 +23,20 @@ html_theme = "pydata_sphinx_theme"
 html_title = f"haptonic {__version__}"
 html_theme_options = {
     "navigation_with_keys": True,
+    "navbar_center": [],  # all pages stand in the sidebar, by what they are for
+    "navbar_persistent": ["search-button"],  # the field's name for a screen reader leaves out its own words
     "secondary_sidebar_items": ["page-toc"],
     "pygments_light_style": "a11y-high-contrast-light",
     "pygments_dark_style": "a11y-high-contrast-dark",
 }
+html_sidebars = {"index": [], "**": ["globaltoc.html"]}
 html_static_path = ["static"]
 html_css_files = ["haptonic.css"]
 html_copy_source = html_show_sourcelink = False
 html_math_renderer = "mathml"
 myst_enable_extensions = ["colon_fence", "dollarmath"]
 myst_heading_anchors = 3
+ConnectionFileMixin.transport.default_value = "ipc"  # kernels open no port, and do not warn of it
 nb_execution_mode = "cache"
 nb_execution_raise_on_error = True
 nb_execution_in_temp = True

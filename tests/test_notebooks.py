@@ -55,6 +55,13 @@ def test_the_first_steps_of_the_afternoon(capsys):
     assert "12 mm: 42.2 to 49.5 kHz, holds the carrier: True" in capsys.readouterr().out
 
 
+def test_the_first_page_says_what_its_code_gives():
+    text = (DOCS / "index.md").read_text("utf-8")
+    (code,) = re.findall(r"```python\n(.*?)```", text, re.DOTALL)
+    said = re.search(r"^\*(.*)\*$", text, re.MULTILINE)[1]
+    assert run("index", [code.replace("study.bands()", "bands = study.bands()")])["bands"].summary()[0] == said
+
+
 def test_every_layer_by_itself(capsys):
     run("library", [code for _, _, code in cells("library")])
     said = capsys.readouterr().out
