@@ -46,10 +46,10 @@ def main(dist: Path) -> None:
 def pythons() -> dict[tuple[int, int], str]:
     """A Python of every version from the oldest on that is installed here, by (major, minor); pyenv's too."""
     more = [str(folder) for folder in Path.home().glob(".pyenv/versions/*/bin")]
-    search = {"PATH": os.pathsep.join([str(Path(sys.executable).parent), os.environ["PATH"], *more])}
-    listed = json.loads(
-        told("uv", "python", "list", "--only-installed", "--output-format", "json", more=search)
-    )
+    search = {"PATH": os.pathsep.join([str(Path(sys.executable).parent), *more, os.environ["PATH"]])}
+    command = ("uv", "python", "list", "--only-installed", "--output-format", "json")
+    # a shim of pyenv only points to a Python that is chosen elsewhere
+    listed = [one for one in json.loads(told(*command, more=search)) if "shims" not in one["path"]]
     found = {(one["version_parts"]["major"], one["version_parts"]["minor"]): one["path"] for one in listed}
     return {version: path for version, path in sorted(found.items()) if version >= OLDEST}
 
