@@ -143,6 +143,18 @@ def test_bulk_bands_hold_all_modes_but_those_of_guide_and_edges():
     assert in_gap(replace(held, error=0 * held.error), bulk).all()
 
 
+@pytest.mark.parametrize("along", [(0, 1), (1, 0), (1, 1), (-1, 2), (3, 2)])
+@pytest.mark.parametrize("lattice", [Lattice.triangular(7 * MM), Lattice.oblique(7 * MM, 9 * MM, 1.2)])
+def test_phases_along_and_across_are_those_of_the_period_and_of_the_step_to_the_next_column(lattice, along):
+    ribbon = Ribbon((UnitCell(lattice, 1.5 * MM, ALUMINIUM),) * 2, along)
+    (period,), (step, _) = ribbon.vectors, ribbon.steps
+    assert step[0] * period[1] - step[1] * period[0] == pytest.approx(lattice.area), "to the right of it"
+    assert abs(step @ period) <= 0.5 * (1 + 1e-9) * (period @ period), "the shortest way"
+    (wave,) = lattice.wavevector(ribbon.phases(0.7, np.array([-1.3])))
+    assert wave @ period == pytest.approx(0.7)
+    assert wave @ step == pytest.approx(-1.3)
+
+
 # --- one structure, several ways ----------------------------------------------------------------------------
 
 
