@@ -14,7 +14,7 @@ from strategies import ALUMINIUM, reference_cell
 from test_sites import TALL, THIN, named
 
 from five_parts import refusing
-from haptonic.bloch.chain import Chain, counted, eigenpairs_within
+from haptonic.bloch.chain import BlockChain, counted, eigenpairs_within
 from haptonic.bloch.evanescent import attenuation
 from haptonic.bloch.guided import decay, harmonics, in_gap, outermost, within
 from haptonic.bloch.model import BlochModel
@@ -248,7 +248,7 @@ def test_all_eigenvalues_of_a_chain_within_an_interval_are_found(seed, sizes, sh
     off = [draw.standard_normal(pair) + 0j for pair in pairwise(sizes)]
     heavy = [hermitian(size) + 100 * np.eye(size) for size in sizes]
     light = [0.1 * one for one in off]
-    stiffness, mass = Chain(tuple(own), tuple(off)), Chain(tuple(heavy), tuple(light))
+    stiffness, mass = BlockChain(tuple(own), tuple(off)), BlockChain(tuple(heavy), tuple(light))
     whole = [form.times(np.eye(sum(sizes), dtype=complex)) for form in (stiffness, mass)]
     exact = la.eigh(*whole, eigvals_only=True)
     low, high = exact[0] - 0.01, exact[0] + share * (exact[-1] - exact[0]) + 1e-3
