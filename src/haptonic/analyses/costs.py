@@ -23,6 +23,7 @@ QUICK_DESIGN = 0.25  # s of a design that a search sees; twenty drawn searches t
 REFINED = 6  # designs that a search computes as exactly as asked for
 MIRROR = 0.035  # s of a row at a frequency
 GUIDES, SAMPLE = 2.0, 0.6  # s, of a design beside the study's own
+COLUMN, BULK = 0.17, 0.2  # s of a column of a ribbon at a wavevector, where it has one tile; of a crystal
 REPORT = 30.0  # s, of pictures and of the twins of a scan and of trials
 
 
@@ -62,6 +63,16 @@ def waveguide(study: Description, options: Any) -> Cost:
     return gaps(study) + Cost(GUIDES)
 
 
+def ribbon(study: Description, options: Any) -> Cost:
+    """Of the modes of a ribbon at each wavevector, and of the bulk bands of its crystals."""
+    section = study.ribbon_settings
+    assert section is not None
+    made = section.ribbon(study.cell)
+    tiles = max(len(cell.tiles) for cell in made.columns)
+    each = Cost(COLUMN * tiles**2 * len(made.columns) + BULK * len(made.crystals))
+    return meshes(study).times(max(1, len(made.crystals))) + each.times(section.rows or section.points)
+
+
 def design(study: Description, options: Any) -> Cost:
     """Of a search; more where the carrier is hard to reach."""
     section = study.design_settings
@@ -88,7 +99,7 @@ def plate(study: Description, options: Any) -> Cost:
 def reproduce(study: Description, options: Any) -> Cost:
     """Of every analysis in the report."""
     total = bands(study, options) + Cost(SURFACE + (REPORT if has_plate(study) else 0.0))
-    for name in ("sweep", "layers", "waveguide", "plate"):
+    for name in ("sweep", "layers", "waveguide", "ribbon", "plate"):
         if FORECASTS[name].when(study):
             total += FORECASTS[name].cost(study, options)
     return total
@@ -108,6 +119,7 @@ FORECASTS = {
     "reproduce": Forecast(reproduce),
     "layers": Forecast(layers, has_mirror),
     "waveguide": Forecast(waveguide, has_mirror),
+    "ribbon": Forecast(ribbon, lambda study: study.ribbon_settings),
     "design": Forecast(design, lambda study: study.carrier and study.design_settings.vary),
     "tolerance": Forecast(tolerance, lambda study: study.carrier and study.tolerance_settings.of),
     "plate": Forecast(plate, has_plate),

@@ -68,7 +68,7 @@ class Periodic:
     """How the unknowns of a tiling follow from the free ones of its lattice: a phase and a number.
 
     free : (n,) the free unknowns among all; number : (t + m,) free unknown behind each
-    shift : (t + m, 2) integer translation from the free unknown to this one
+    shift : (t + m, d) integer translation from the free unknown to this one
     """
 
     free: Ints
@@ -84,7 +84,7 @@ class Periodic:
         """Of traces, and of so many modes behind them, which are free."""
         master = joint.unknowns[:, joint.master]
         source = np.arange(joint.size + modes)
-        shift = np.zeros((len(source), 2), dtype=np.int64)
+        shift = np.zeros((len(source), joint.shift.shape[1]), dtype=np.int64)
         source[joint.unknowns] = master
         shift[joint.unknowns] = joint.shift[:, None]
         free, number = np.unique(source, return_inverse=True)

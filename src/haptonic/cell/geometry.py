@@ -25,7 +25,7 @@ from haptonic.cell.sites import (
     site_map,
     site_tile,
 )
-from haptonic.cell.tile import HALF_TURNED, PlacedTile, TileShape
+from haptonic.cell.tile import HALF_TURNED, FreeEdge, PlacedTile, TileShape
 from haptonic.errors import GeometryError
 from haptonic.fields import INLINE, TOP, described, needed, numbers, problem, setting, size, with_numbers
 from haptonic.lattice import HALF_TURN, Lattice, Operation, PointGroup
@@ -180,6 +180,21 @@ class UnitCell(TileShape):
                 "sweeps, slopes, tolerances and outlines",
                 next_step='write lattice = "square" or "rectangular", and leave [[cell.site]] out',
             )
+
+    @property
+    def vectors(self) -> Array:
+        """(2, 2) translations, as rows, m."""
+        return self.lattice.vectors
+
+    @property
+    def free_edges(self) -> tuple[FreeEdge, ...]:
+        """None: it goes on all around."""
+        return ()
+
+    @cached_property
+    def area(self) -> float:
+        """m^2."""
+        return self.lattice.area
 
     @property
     def corners(self) -> Array:

@@ -16,6 +16,8 @@ from .modes import mode_shapes as mode_shapes
 from .overlays import compared as compared
 from .planning import power as power
 from .plates import plate_plan as plate_plan
+from .ribbons import projected as projected
+from .ribbons import ribbon_field as ribbon_field
 from .scans import average_response as average_response
 from .scans import decay_map as decay_map
 from .scans import drive_signal as drive_signal

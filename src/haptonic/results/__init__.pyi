@@ -17,6 +17,7 @@ from .plate import PlateResult as PlateResult
 from .plate import compute_plate as compute_plate
 from .protocol import TrialPlan as TrialPlan
 from .result import Result as Result
+from .ribbon import RibbonWaves as RibbonWaves
 from .runner import Runner as Runner
 from .runner import design_gaps as design_gaps
 from .simulated_trials import SimulatedFriction as SimulatedFriction

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from difflib import get_close_matches
 from typing import Annotated, Any
 
@@ -10,6 +11,7 @@ from pydantic import Field, ValidationInfo, field_validator
 from haptonic.design.parameters import UNITS
 from haptonic.errors import StudyError, nearest, shown
 from haptonic.fields import Entries, Name, described, handed_on, needed, number_of, problem, setting, size
+from haptonic.fields.keys import pattern_of
 from haptonic.materials import Material
 from haptonic.plate.holding import Clamp, Edges, Loss
 from haptonic.plate.parts import Actuator, Finger, Force
@@ -17,9 +19,7 @@ from haptonic.plate.settings import ResponseSettings
 from haptonic.response.checks import REST, THE_REST
 from haptonic.study.plate_map import check_map, drawn
 
-CHANGEABLE = [
-    path for path in UNITS if path.startswith("cell.") and "[]" not in path and path != "cell.thickness"
-]
+CHANGEABLE = [path for path in UNITS if path.startswith("cell.") and path != "cell.thickness"]
 LATTICE = "lattice"  # the name of the study's own cell in [plate.tiles]
 
 TileSize = Annotated[float, size(100e-6, 100e-3)]
@@ -27,7 +27,7 @@ TileSize = Annotated[float, size(100e-6, 100e-3)]
 
 @described("plate.cell", kw_only=True)
 class LatticeSettings:
-    """A further lattice of the plate: the study's own cell with some numbers changed."""
+    """A further lattice of the plate, or of a ribbon: the study's own cell with some numbers changed."""
 
     name: Name = needed("By which tiles refer to it.")
     change: Entries[float] = needed(
@@ -47,9 +47,9 @@ class LatticeSettings:
         return read
 
     @property
-    def units(self) -> dict[str, str]:
+    def units(self) -> Mapping[str, str]:
         """SI unit of every number that may change."""
-        return dict(UNITS)
+        return UNITS
 
 
 def _flat(tree: dict[str, Any], prefix: str = "") -> dict[str, object]:
@@ -60,7 +60,7 @@ def _flat(tree: dict[str, Any], prefix: str = "") -> dict[str, object]:
 
 
 def _changeable(path: str) -> None:
-    if path in CHANGEABLE:
+    if pattern_of(path) in CHANGEABLE:
         return
     slip, whole = path not in UNITS, "all lattices of a plate have its thickness and its material"
     cause = "no number of the cell has this name" if slip else whole

@@ -37,6 +37,7 @@ from haptonic.plate.parts import Plate
 from haptonic.study.experiment_tables import ProtocolSettings
 from haptonic.study.plate_tables import PlateSettings
 from haptonic.study.plating import plate_of
+from haptonic.study.ribbon_tables import RibbonSettings
 from haptonic.study.sweeps import SweepSettings, numeric_parameters
 from haptonic.study.trial_tables import TrialSettings
 from haptonic.study.vary import Expression, check_names, solve
@@ -74,6 +75,9 @@ class Description:
     tolerance_settings: ToleranceSettings = setting(
         ToleranceSettings(), "How much the parts differ.", alias="tolerance"
     )
+    ribbon_settings: RibbonSettings | None = setting(
+        None, "Columns of cells side by side, and the waves that run along them.", alias="ribbon"
+    )
     finite_plate: PlateSettings | None = setting(
         None, "A finite one, made of cells and of plain plate.", alias="plate"
     )
@@ -94,6 +98,8 @@ class Description:
     def __post_init__(self) -> None:
         try:
             plate = None if self.finite_plate is None else self.mounted_plate()
+            if self.ribbon_settings is not None:
+                self.ribbon_settings.ribbon(self.cell)
         except HaptonicError as error:
             raise handed_on(error) from None
         self._names_what_the_cell_has()
@@ -289,6 +295,7 @@ class Description:
         """
         data = document(self, lambda value, unit: value, absent=True)
         left = {"title"} | AFTERWARDS | ({"plate"} if self.finite_plate is None else set())
+        left |= {"ribbon"} if self.ribbon_settings is None else set()
         data = {key: value for key, value in data.items() if key not in left}
         if self.finite_plate is not None:
             solids = self.finite_plate.materials
