@@ -22,6 +22,8 @@ from haptonic.errors import GeometryError
 from haptonic.fields import Quantity, described, needed, problem, remade, setting, size
 from haptonic.units import format_quantity
 
+__all__ = ["Lattice", "PointGroup"]
+
 Operation = tuple[tuple[int, int], tuple[int, int]]
 
 HALF_TURN: Operation = ((-1, 0), (0, -1))

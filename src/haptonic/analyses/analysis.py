@@ -5,9 +5,10 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from dataclasses import MISSING, dataclass, field, fields
 from pathlib import Path
-from typing import Any, Literal
+from typing import Any, Literal, get_args, get_type_hints
 
 from haptonic.errors import StudyError
+from haptonic.paths import source
 from haptonic.results.result import Result
 from haptonic.results.runner import Runner
 from haptonic.units import to_si
@@ -93,17 +94,28 @@ class Analysis:
 
         Raises
         ------
-        StudyError : there is no such option, or one that is needed is missing
+        StudyError : there is no such option, one that is needed is missing, or a path is none
         """
         known = {one.name: one for one in fields(self.options)}
+        kinds = get_type_hints(self.options)
         for name in given:
             if name not in known:
                 cause = f"{self.name} has no such option"
                 raise StudyError.unknown(name, name, known, cause, next_step="leave it out")
+        for name, declared in known.items():
+            if declared.default is MISSING and declared.default_factory is MISSING and name not in given:
+                raise StudyError.missing(
+                    argument=name,
+                    allowed=one.help if (one := option_of(declared)) else "a value",
+                    cause=f"{self.name} cannot do without it",
+                    next_step=f"give it by its name, {name}=...",
+                )
         asked = {
             name: one.value(given[name]) if (one := option_of(known[name])) else given[name] for name in given
         }
-        return self.options(**asked)
+        paths = {name: source(one, name, StudyError) for name, one in asked.items()
+                 if one is not None and Path in (kinds[name], *get_args(kinds[name]))}  # fmt: skip
+        return self.options(**asked | paths)
 
     def run(self, study: Any, runner: Runner, given: Mapping[str, Any]) -> Result:
         """Check, then compute."""

@@ -51,7 +51,7 @@ def conditions(
     people = list(dict.fromkeys(one.participant for one in found))
     if len(people) > MOST_PEOPLE + 1:
         people = [EVERYBODY]
-    figure = style.blank(9.0, min(30.0, max(style.WIDTH, 3.0 + 2.6 * len(people) * len(guides) / 2)))
+    figure = style.blank(9.0, min(30.0, max(style.WIDTH, 3.0 + 1.6 * len(people) * len(guides) / 2)))
     axes = figure.subplots()
     bar = 0.8 / (2 * len(guides))
     shown = {(one.participant, one.waveguide, one.actuation): one for one in found}

@@ -82,11 +82,11 @@ def measured_contrast(
     handles += shaded(axes, frequency, computed, "computed gap")
     if gap is not None:
         for edge, error in ((gap.lower, gap.lower_error), (gap.upper, gap.upper_error)):
-            axes.axvspan((edge - error) / 1e3, (edge + error) / 1e3, lw=0,
-                         facecolor=style.SKY, alpha=0.45, zorder=0.5)  # fmt: skip
+            axes.axvspan((edge - error) / 1e3, (edge + error) / 1e3, lw=0, facecolor="none",
+                         edgecolor=style.PURPLE, hatch="///", zorder=0.5)  # fmt: skip
             line = axes.axvline(edge / 1e3, color=style.PURPLE, lw=1.1, zorder=3)
         line.set_label(
-            f"high contrast, {gap.lower / 1e3:.1f} to {gap.upper / 1e3:.1f} kHz; standard error shaded"
+            f"high contrast, {gap.lower / 1e3:.1f} to {gap.upper / 1e3:.1f} kHz; standard error hatched"
         )
         handles.append(line)
     axes.set_ylabel("contrast (dB)")
@@ -169,7 +169,9 @@ def wave_map(
     axes.set(xlabel=f"wavenumber along {region} (rad/mm)", ylabel="frequency (kHz)",
              xlim=(wavenumber[0], wavenumber[-1]), ylim=(frequency[0], frequency[-1]),
              title=f"{region}, {origin}")  # fmt: skip
-    figure.colorbar(image, ax=axes, label="amplitude / its maximum (dimensionless)")
+    figure.colorbar(
+        image, ax=axes, label="amplitude / its maximum (dimensionless)", format=style.PowersOfTen()
+    )
     if drawn:
         legend = figure.legend(handles=drawn, loc="outside lower center", ncols=2, title="computed")
         legend.get_frame().set(facecolor="#5a5a5a", alpha=1.0, visible=True)

@@ -134,6 +134,9 @@ class Table:
     ) -> None:
         made = tuple(Column(one) if isinstance(one, str) else one for one in columns)
         assert all(len(row) == len(made) for row in rows), title
+        assert all(column.head for column in made), (
+            f"{title}: who hears the table needs a name for every column"
+        )
         object.__setattr__(self, "title", title)
         object.__setattr__(self, "columns", made)
         object.__setattr__(self, "rows", tuple(tuple(row) for row in rows))

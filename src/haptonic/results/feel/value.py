@@ -342,7 +342,10 @@ class Feel(Result):
             [number for number, name in enumerate(self.regions) if name == self.driven],
         )
         demands = [(f"{MARKS[one.colour]} {one.colour}", one.what, one.reason) for one in self.requirements]
-        return [felt, Table("does the simulated plate do what it is for?", ("", "demand", "why"), demands)]
+        return [
+            felt,
+            Table("does the simulated plate do what it is for?", ("light", "demand", "why"), demands),
+        ]
 
     def facts(self) -> dict[str, Any]:
         return {
