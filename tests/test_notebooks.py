@@ -59,7 +59,8 @@ def test_the_first_page_says_what_its_code_gives():
     text = (DOCS / "index.md").read_text("utf-8")
     (code,) = re.findall(r"```python\n(.*?)```", text, re.DOTALL)
     said = re.search(r"^\*(.*)\*$", text, re.MULTILINE)[1]
-    assert run("index", [code.replace("study.bands()", "bands = study.bands()")])["bands"].summary()[0] == said
+    space = run("index", [code.replace("study.bands()", "bands = study.bands()")])
+    assert space["bands"].summary()[0] == said
 
 
 def test_every_layer_by_itself(capsys):
