@@ -14,7 +14,7 @@ from strategies import ALUMINIUM, reference_cell
 from test_sites import TALL, THIN, named
 
 from five_parts import refusing
-from haptonic.bloch.chain import Chain, counted, eigenpairs_within
+from haptonic.bloch.chain import BlockChain, counted, eigenpairs_within
 from haptonic.bloch.evanescent import attenuation
 from haptonic.bloch.guided import decay, harmonics, in_gap, outermost, within
 from haptonic.bloch.model import BlochModel
@@ -143,6 +143,18 @@ def test_bulk_bands_hold_all_modes_but_those_of_guide_and_edges():
     assert in_gap(replace(held, error=0 * held.error), bulk).all()
 
 
+@pytest.mark.parametrize("along", [(0, 1), (1, 0), (1, 1), (-1, 2), (3, 2)])
+@pytest.mark.parametrize("lattice", [Lattice.triangular(7 * MM), Lattice.oblique(7 * MM, 9 * MM, 1.2)])
+def test_phases_along_and_across_are_those_of_the_period_and_of_the_step_to_the_next_column(lattice, along):
+    ribbon = Ribbon((UnitCell(lattice, 1.5 * MM, ALUMINIUM),) * 2, along)
+    (period,), (step, _) = ribbon.vectors, ribbon.steps
+    assert step[0] * period[1] - step[1] * period[0] == pytest.approx(lattice.area), "to the right of it"
+    assert abs(step @ period) <= 0.5 * (1 + 1e-9) * (period @ period), "the shortest way"
+    (wave,) = lattice.wavevector(ribbon.phases(0.7, np.array([-1.3])))
+    assert wave @ period == pytest.approx(0.7)
+    assert wave @ step == pytest.approx(-1.3)
+
+
 # --- one structure, several ways ----------------------------------------------------------------------------
 
 
@@ -236,7 +248,7 @@ def test_all_eigenvalues_of_a_chain_within_an_interval_are_found(seed, sizes, sh
     off = [draw.standard_normal(pair) + 0j for pair in pairwise(sizes)]
     heavy = [hermitian(size) + 100 * np.eye(size) for size in sizes]
     light = [0.1 * one for one in off]
-    stiffness, mass = Chain(tuple(own), tuple(off)), Chain(tuple(heavy), tuple(light))
+    stiffness, mass = BlockChain(tuple(own), tuple(off)), BlockChain(tuple(heavy), tuple(light))
     whole = [form.times(np.eye(sum(sizes), dtype=complex)) for form in (stiffness, mass)]
     exact = la.eigh(*whole, eigvals_only=True)
     low, high = exact[0] - 0.01, exact[0] + share * (exact[-1] - exact[0]) + 1e-3

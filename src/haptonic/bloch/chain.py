@@ -31,7 +31,7 @@ SEED = 20  # of the first directions: the same pencil gives the same modes
 
 
 @dataclass(frozen=True)
-class Chain:
+class BlockChain:
     """A Hermitian form of blocks in a row. own : (c,) of them (n_c, n_c); off : (c - 1,) (n_c, n_(c + 1))"""
 
     own: tuple[Complex, ...]
@@ -54,9 +54,9 @@ class Chain:
             found[number + 1] = found[number + 1] + off.conj().T @ parts[number]
         return np.concatenate(found)
 
-    def less(self, other: Chain, factor: float) -> Chain:
+    def less(self, other: BlockChain, factor: float) -> BlockChain:
         """This minus ``factor`` times another one."""
-        return Chain(
+        return BlockChain(
             tuple(mine - factor * one for mine, one in zip(self.own, other.own, strict=True)),
             tuple(mine - factor * one for mine, one in zip(self.off, other.off, strict=True)),
         )
@@ -86,13 +86,13 @@ class _Link:
 
 
 @dataclass(frozen=True)
-class Eliminated:
+class Elimination:
     """``K - sigma M`` eliminated from left to right."""
 
     links: tuple[_Link, ...]
 
     @classmethod
-    def of(cls, form: Chain) -> Eliminated:
+    def of(cls, form: BlockChain) -> Elimination:
         links: list[_Link] = []
         for number, own in enumerate(form.own):
             if links:
@@ -133,12 +133,14 @@ class Eliminated:
         return np.concatenate(answers)
 
 
-def counted(stiffness: Chain, mass: Chain, value: float) -> int:
+def counted(stiffness: BlockChain, mass: BlockChain, value: float) -> int:
     """Eigenvalues of a pencil below a value."""
-    return Eliminated.of(stiffness.less(mass, value)).negative
+    return Elimination.of(stiffness.less(mass, value)).negative
 
 
-def eigenpairs_within(stiffness: Chain, mass: Chain, low: float, high: float) -> tuple[int, Array, Complex]:
+def eigenpairs_within(
+    stiffness: BlockChain, mass: BlockChain, low: float, high: float
+) -> tuple[int, Array, Complex]:
     """All eigenvalues of a pencil within an interval.
 
     Returns
@@ -154,7 +156,7 @@ def eigenpairs_within(stiffness: Chain, mass: Chain, low: float, high: float) ->
     if wanted == 0:
         return below, np.empty(0), np.empty((size, 0), dtype=complex)
     middle = 0.5 * (low + high)
-    inverse = Eliminated.of(stiffness.less(mass, middle))
+    inverse = Elimination.of(stiffness.less(mass, middle))
     draw = np.random.default_rng(SEED)
     block = min(BLOCK, size)
     new = draw.standard_normal((size, block)) + 1j * draw.standard_normal((size, block))

@@ -13,7 +13,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from haptonic.arrays import Array, Complex, Ints
-from haptonic.bloch.chain import Chain, eigenpairs_within
+from haptonic.bloch.chain import BlockChain, eigenpairs_within
 from haptonic.bloch.model import FIRST_ORDER, BlochModel, remaining_error
 from haptonic.bloch.pencil import Periodic
 from haptonic.bloch.resolution import Resolution
@@ -79,7 +79,7 @@ class RibbonPencil:
                         total[which] += left @ (right @ form[np.ix_(rows, columns)].T).T
         return cls(tiling, periodic, order, tuple(diagonal), tuple(beside))
 
-    def at(self, kappa: float, slope: bool = False) -> tuple[Chain, Chain]:
+    def at(self, kappa: float, slope: bool = False) -> tuple[BlockChain, BlockChain]:
         """Stiffness and mass at a phase (rad) along the ribbon, or their derivatives with respect to it."""
 
         def summed(parts: dict[int, Array], which: int) -> Complex:
@@ -94,7 +94,7 @@ class RibbonPencil:
             return np.asarray(still + half + half.conj().T)
 
         stiffness, mass = (
-            Chain(
+            BlockChain(
                 tuple(hermitian(one, which) for one in self.own),
                 tuple(summed(one, which) for one in self.off),
             )
