@@ -240,9 +240,8 @@ def _modes_dataset(
     ribbon = model.ribbon
     pieces = []
     for number, modes in enumerate(found):
-        at = bulk[:, number].reshape(-1, 2)
         share = modes.energy / modes.energy.sum(axis=1, keepdims=True)
-        inside, there = within(modes.energy, ribbon.guide), in_gap(modes, at)
+        inside, there = within(modes.energy, ribbon.guide), in_gap(modes, bulk[:, number])
         wavenumber, across = harmonics(ribbon, model.fine, modes)
         pieces.append({
             "phase": np.full(len(modes.frequency), modes.kappa),
