@@ -9,7 +9,6 @@ from __future__ import annotations
 from typing import Any
 
 from docutils.nodes import SkipNode
-from jupyter_client.connect import ConnectionFileMixin
 from latex2mathml.converter import convert
 
 from haptonic import __version__
@@ -36,7 +35,6 @@ html_copy_source = html_show_sourcelink = False
 html_math_renderer = "mathml"
 myst_enable_extensions = ["colon_fence", "dollarmath"]
 myst_heading_anchors = 3
-ConnectionFileMixin.transport.default_value = "ipc"  # kernels open no port, and do not warn of it
 nb_execution_mode = "cache"
 nb_execution_raise_on_error = True
 nb_execution_in_temp = True

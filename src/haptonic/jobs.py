@@ -7,6 +7,7 @@ workers need no shared disk.
 
 from __future__ import annotations
 
+import importlib.util
 import logging
 import warnings
 from collections import Counter
@@ -131,6 +132,14 @@ def check_workers(workers: object, scheduler: object) -> None:
             allowed="0 or more worker processes on this machine, or a scheduler with workers of its own",
             cause="a slip, or two ways of computing asked for at once",
             next_step="give --workers N or --scheduler ADDRESS, not both",
+        )
+    if scheduler and importlib.util.find_spec("distributed") is None:
+        raise ResourceError.not_installed(
+            argument="scheduler",
+            given=shown(scheduler),
+            allowed="an address where the package distributed is installed",
+            cause="distributed is an optional part of haptonic and is not installed",
+            next_step='pip install "haptonic[scheduler]", or --workers N for processes on this machine',
         )
 
 

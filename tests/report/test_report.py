@@ -150,12 +150,14 @@ class TestOneFile:
         assert "@media print" in whole
 
     def test_a_light_has_its_colour_and_its_word(self, monkeypatch, empty_pictures):
-        lights = Table("lights", ("light", "demand"), [("green", "a"), ("amber", "b"), ("5", "red")])
+        lights = Table(
+            "lights", ("light", "demand"), [("● green", "a"), ("▲ amber", "b"), ("", "red"), ("5", "red")]
+        )
         monkeypatch.setattr(Toy, "tables", lambda toy: [lights])
         content = page(replace(results(), parts={**results().parts, "toy": Toy(2)}))
-        assert re.findall(r'class="light (\w+)">(\w+)</th>', content) == [
-            ("green", "green"),
-            ("amber", "amber"),
+        assert re.findall(r'class="light (\w+)">(.*?)</th>', content) == [
+            ("green", "● green"),
+            ("amber", "▲ amber"),
         ]
 
     def test_it_is_not_replaced_unasked(self, tmp_path):

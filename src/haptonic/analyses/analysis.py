@@ -74,6 +74,7 @@ class Analysis:
     reported : options with which the report of a study has it; None for a study whose report has not
     folder : ending of the folder for its files; by default its name
     writes : whether it gives files only, and so always has a folder
+    watches : whether it is quick enough to be asked again whenever the study is saved
     """
 
     name: str
@@ -88,6 +89,7 @@ class Analysis:
     reported: Callable[[Any], Any] | None = None
     folder: str = ""
     writes: bool = False
+    watches: bool = False
 
     def chosen(self, given: Mapping[str, Any]) -> Any:
         """The options, from what was given by name.

@@ -1,5 +1,6 @@
-from .formats import opened
-from .notes import Dropped, Notebook
-from .signals import Channel, Group, SignalFile
-
-__all__ = ["Channel", "Dropped", "Group", "Notebook", "SignalFile", "opened"]
+from .formats import opened as opened
+from .notes import Dropped as Dropped
+from .notes import Notebook as Notebook
+from .signals import Channel as Channel
+from .signals import Group as Group
+from .signals import SignalFile as SignalFile

@@ -98,7 +98,7 @@ def remade(value: T, **changes: Any) -> T:
 
 
 def unchecked(value: T, **changes: Any) -> T:
-    """A copy without a check, for changes that cannot make a possible value impossible: a part left out."""
+    """A copy without a check: for a part left out, or to ask how far a value is from a possible one."""
     made: T = object.__new__(type(value))
     for field in fields(value):  # type: ignore[arg-type]
         object.__setattr__(made, field.name, changes.get(field.name, getattr(value, field.name)))
