@@ -17,7 +17,7 @@ project = "haptonic"
 version = release = __version__
 extensions = ["myst_nb"]
 root_doc = "index"
-exclude_patterns = ["_build"]
+exclude_patterns = ["_build", "templates"]
 html_theme = "pydata_sphinx_theme"
 html_title = f"haptonic {__version__}"
 html_theme_options = {
@@ -28,7 +28,8 @@ html_theme_options = {
     "pygments_light_style": "a11y-high-contrast-light",
     "pygments_dark_style": "a11y-high-contrast-dark",
 }
-html_sidebars = {"index": [], "**": ["globaltoc.html"]}
+templates_path = ["templates"]
+html_sidebars = {"index": [], "**": ["pages.html"]}
 html_static_path = ["static"]
 html_css_files = ["haptonic.css"]
 html_copy_source = html_show_sourcelink = False

@@ -17,14 +17,11 @@ NOTEBOOKS = {
     for page in sorted(DOCS.glob("*.md"))
     if "file_format: mystnb" in page.read_text("utf-8")
 }
-CELL = re.compile(
-    r"^```\{code-cell\} python\n(?:---\n(.*?)---\n)?(?::tags: \[(\w+)\]\n\n)?(.*?)^```$",
-    re.DOTALL | re.MULTILINE,
-)
+CELL = re.compile(r"^```\{code-cell\} python\n(?:---\n(.*?)---\n)?(.*?)^```$", re.DOTALL | re.MULTILINE)
 
 
-def cells(name: str) -> list[tuple[str, str, str]]:
-    """(options, tag, code) of each."""
+def cells(name: str) -> list[tuple[str, str]]:
+    """(options, code) of each."""
     return [match.groups("") for match in CELL.finditer(NOTEBOOKS[name])]
 
 
@@ -49,7 +46,7 @@ def _elsewhere(tmp_path, monkeypatch):
 
 def test_the_first_steps_of_the_afternoon(capsys):
     text = NOTEBOOKS["afternoon"].split("## 3.")[0]
-    space = run("afternoon", [match[3] for match in CELL.finditer(text)])
+    space = run("afternoon", [match[2] for match in CELL.finditer(text)])
     assert space["bands"].gaps[0].holds(46e3)
     assert "1 % apart on average" in space["beside"].summary()[0]
     assert "12 mm: 42.2 to 49.5 kHz, holds the carrier: True" in capsys.readouterr().out
@@ -64,7 +61,7 @@ def test_the_first_page_says_what_its_code_gives():
 
 
 def test_every_layer_by_itself(capsys):
-    run("library", [code for _, _, code in cells("library")])
+    run("library", [code for _, code in cells("library")])
     said = capsys.readouterr().out
     assert "complete gap from 52.5 to 60.2 kHz" in said
     assert "280 points, 61 lines, simulated" in said
@@ -75,11 +72,11 @@ def test_every_layer_by_itself(capsys):
 @pytest.mark.parametrize("name", ["afternoon", "gallery"])
 @pytest.mark.filterwarnings("ignore::haptonic.HaptonicWarning")
 def test_every_cell(name):
-    assert run(name, [code for _, _, code in cells(name)])
+    assert run(name, [code for _, code in cells(name)])
 
 
 def test_differences_on_the_page_of_validation_are_within_what_is_told():
-    space = run("validation", [code for _, _, code in cells("validation")])
+    space = run("validation", [code for _, code in cells("validation")])
     assert len(space["rows"]) == 6
     for what, where, _, away, told in space["rows"]:
         assert float(away) < (float(told) if told else 4e-4), (what, where)
@@ -87,7 +84,7 @@ def test_differences_on_the_page_of_validation_are_within_what_is_told():
 
 def test_reference_values_on_the_page_of_validation_are_those_of_the_tests():
     found = {}
-    for _, _, code in cells("validation"):
+    for _, code in cells("validation"):
         for line in ast.parse(code).body:
             if (
                 isinstance(line, ast.Assign)
@@ -107,13 +104,13 @@ def test_reference_values_on_the_page_of_validation_are_those_of_the_tests():
 
 
 def test_the_gallery_is_one():
-    assert sum("alt:" in options for options, _, _ in cells("gallery")) >= 15
+    assert sum("alt:" in options for options, _ in cells("gallery")) >= 15
 
 
 @pytest.mark.parametrize("name", NOTEBOOKS)
 def test_every_picture_has_words_of_its_own(name):
     pictures = [
-        (options, code) for options, _, code in cells(name) if re.search(r"plot\([^\n]*\)\Z", code.strip())
+        (options, code) for options, code in cells(name) if re.search(r"plot\([^\n]*\)\Z", code.strip())
     ]
     words = [re.search(r"alt: (.*)", options)[1] for options, _ in pictures]
     assert all(len(one) > 40 for one in words), "what would somebody miss who does not see it?"

@@ -252,7 +252,7 @@ class Lattice:
                 given=self.name,
                 allowed=f"square or rectangular for {what}",
                 cause=f"{what} knows cells with four sides along x and y only; others have bands, gaps, "
-                "sweeps, solids and outlines",
+                "ribbons, sweeps, solids and outlines",
                 next_step='write lattice = "square" or "rectangular"',
             )
 

@@ -19,7 +19,7 @@ from haptonic.bloch.evanescent import attenuation
 from haptonic.bloch.guided import decay, harmonics, in_gap, outermost, within
 from haptonic.bloch.model import BlochModel
 from haptonic.bloch.resolution import Resolution
-from haptonic.bloch.ribbon import RibbonModel, bulk_bands
+from haptonic.bloch.ribbon import RibbonModel, RibbonModes, bulk_bands
 from haptonic.cell import Pillar, Ribbon, Site, UnitCell
 from haptonic.errors import GeometryError
 from haptonic.lattice import Lattice
@@ -138,9 +138,16 @@ def test_bulk_bands_hold_all_modes_but_those_of_guide_and_edges():
         found.energy, outermost(prototype().ribbon)
     )
     assert (deep < 0.5).sum() >= 8
-    assert not in_gap(replace(found, error=np.zeros_like(found.error)), bulk)[deep < 0.02].any()
+    assert not in_gap(replace(found, error=np.zeros_like(found.error)), bulk[None])[deep < 0.02].any()
     held = prototype().solve(ALONG, 54e3, 61e3)
-    assert in_gap(replace(held, error=0 * held.error), bulk).all()
+    assert in_gap(replace(held, error=0 * held.error), bulk[None]).all()
+
+
+def test_above_the_last_bulk_band_that_was_computed_no_gap_is_told():
+    bulk = np.array([[[10.0, 20.0], [25.0, 30.0]], [[9.0, 11.0], [26.0, 27.0]]])
+    at = np.array([5.0, 15.0, 22.0, 24.8, 28.0, 31.0])
+    modes = RibbonModes(0.3, at, np.full(6, 0.5), at, at, at)
+    assert list(in_gap(modes, bulk)) == [True, False, True, False, False, False]
 
 
 @pytest.mark.parametrize("along", [(0, 1), (1, 0), (1, 1), (-1, 2), (3, 2)])

@@ -78,6 +78,16 @@ def test_a_study_with_a_ribbon_is_written_and_read_back():
     assert "ribbon" not in loads(STUDY).inputs()
 
 
+def test_a_sweep_is_about_the_lattice_alone():
+    """As it leaves the plate out, whose tiles some of the designs would not fit either."""
+    further = '[[ribbon.cell]]\nname = "wide"\nchange = { "cell.pillar.diameter" = "6 mm" }\n'
+    text = changed(('"ooo1111ooo"', '"ooo1111oow"'), ('1 = "guide"', '1 = "guide"\nw = "wide"')) + further
+    sweep = '[[sweep]]\nvary = "cell.pitch"\nfrom = "5 mm"\nto = "7 mm"\nsteps = 3\n'
+    study = loads(text + sweep)
+    (designs,) = (study.designs(one) for one in study.sweep_settings)
+    assert [one.ribbon_settings for one in designs] == [None] * 3
+
+
 def changed(*pairs, text=STUDY + RIBBON):
     for old, new in pairs:
         assert old in text

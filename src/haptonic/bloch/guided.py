@@ -27,10 +27,17 @@ def outermost(ribbon: Ribbon) -> tuple[int, ...]:
 
 
 def in_gap(modes: RibbonModes, bulk: Array) -> Bools:
-    """(k,) whether modes lie outside all bulk bands (bands, 2; Hz) at their phase, errors counted."""
-    low, high = bulk[:, 0], bulk[:, 1]
-    least, most = modes.frequency - modes.error, modes.frequency + modes.error
-    return np.asarray(((least[:, None] > high) | (most[:, None] < low)).all(axis=1))
+    """(k,) whether modes lie outside the bulk bands (crystals, bands, 2; Hz) at their phase, errors counted.
+
+    Above the lowest frequency of the last band that was computed nobody knows what the next ones cover.
+    """
+    least, most = (modes.frequency - modes.error)[:, None], (modes.frequency + modes.error)[:, None]
+    free = np.ones(len(modes.frequency), dtype=bool)
+    for bands in bulk:
+        below, above = most < bands[:, 0], least > bands[:, 1]
+        above[:, -1] = False
+        free &= (below | above).all(axis=1)
+    return free
 
 
 def decay(ribbon: Ribbon, energy: Array) -> Array:

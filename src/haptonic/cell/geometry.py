@@ -177,7 +177,7 @@ class UnitCell(TileShape):
                 given=f"{len(self.shares)} sites" if self.site else self.lattice.name,
                 allowed=f"a cell of one site in its middle for {what}",
                 cause=f"{what} knows cells with a single pillar only; those with several have bands, gaps, "
-                "sweeps, slopes, tolerances and outlines",
+                "ribbons, sweeps, slopes, tolerances and outlines",
                 next_step='write lattice = "square" or "rectangular", and leave [[cell.site]] out',
             )
 

@@ -19,6 +19,8 @@ DIRECTIONS = ("across the ribbon", "along the ribbon", "normal to the plate")
 def projected(dataset: xr.Dataset) -> Figure:
     """Frequency against phase along the ribbon: bulk bands shaded, modes as dashes along their slope.
 
+    Above the last bulk band that was computed all is shaded.
+
     Parameters
     ----------
     dataset : from `haptonic.results.ribbon`
@@ -36,6 +38,7 @@ def projected(dataset: xr.Dataset) -> Figure:
                     phase, below[:, band], above[:, band], color=shades[number % 3], lw=0,
                     alpha=2.5 * FADED if len(lower) == 1 else 1.5 * FADED, gid="bulk",
                 )  # fmt: skip
+        axes.fill_between(phase, below[:, -1], max(high, below[:, -1].max()), facecolor=style.BEYOND, lw=0)
     at, frequency = dataset["phase"].values / np.pi, dataset["frequency"].values / 1e3
     step = 0.45 * (float(np.diff(phase).min()) if len(phase) > 1 else 0.02)
     rise = dataset["group_velocity"].values / (2 * dataset.attrs["period"]) / 1e3 * step

@@ -37,7 +37,7 @@ BESIDE = 0.15  # of a gap's width, on either side of it, where modes are sought 
 MOST_TOLD = 40  # modes in the table, those nearest to the middle of the gap
 MOST = 0.5  # share of the energy from which a mode belongs to the guide more than to what is around it
 COLUMNS = (
-    Column("frequency", shown="kHz", form=".3f", error="frequency_error"),
+    Column("frequency", shown="kHz", form=".4f", error="frequency_error"),
     Column("phase / pi", form=".4f", of="phase_share"),
     Column("wavenumber", form=".1f"),
     Column("across", form=".0f", of="nodal_lines"),
@@ -240,9 +240,8 @@ def _modes_dataset(
     ribbon = model.ribbon
     pieces = []
     for number, modes in enumerate(found):
-        at = bulk[:, number].reshape(-1, 2)
         share = modes.energy / modes.energy.sum(axis=1, keepdims=True)
-        inside, there = within(modes.energy, ribbon.guide), in_gap(modes, at)
+        inside, there = within(modes.energy, ribbon.guide), in_gap(modes, bulk[:, number])
         wavenumber, across = harmonics(ribbon, model.fine, modes)
         pieces.append({
             "phase": np.full(len(modes.frequency), modes.kappa),

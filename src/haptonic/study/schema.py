@@ -183,7 +183,7 @@ class Description:
 
     def without_plate(self) -> Self:
         """The same study of the lattice alone."""
-        return unchecked(self, finite_plate=None)
+        return unchecked(self, finite_plate=None, ribbon_settings=None)
 
     def parameters(self) -> dict[str, float]:
         """Value of every numeric parameter that this study gives, by path and in SI units."""
