@@ -4,7 +4,7 @@ VENV := .venv
 BIN := $(VENV)/bin
 CORES := $(shell getconf _NPROCESSORS_ONLN)
 
-.PHONY: reproduce test nightly bench docs clean
+.PHONY: reproduce test nightly lowest bench docs dist clean
 
 reproduce: $(VENV)/ready
 	$(BIN)/haptonic reproduce studies/touchpad.toml --out results/touchpad-report --workers $(CORES) --overwrite
@@ -18,6 +18,15 @@ test: $(VENV)/ready-test
 nightly: $(VENV)/ready-test
 	OMP_NUM_THREADS=$(CORES) $(BIN)/pytest -m nightly --hypothesis-profile=anew
 
+# A selection of the tests with the oldest packages that pyproject.toml allows.
+lowest: $(VENV)/ready-dist
+	$(BIN)/uv venv --quiet --clear --python $(BIN)/python .venv-lowest
+	$(BIN)/uv pip install --quiet --python .venv-lowest/bin/python --resolution lowest-direct -r pyproject.toml --extra test
+	PYTHONPATH=src OMP_NUM_THREADS=1 .venv-lowest/bin/python -m pytest -n $(CORES) -o filterwarnings=default \
+		-m "not slow and not nightly" tests/test_*.py tests/channels tests/study tests/plots tests/core/test_bands.py \
+		tests/core/test_solvers.py tests/cli/test_answers.py tests/cli/test_compare.py tests/cli/test_start.py \
+		tests/friction/test_statistics.py tests/friction/test_recordings.py
+
 # One script per claim; docs/benchmarks.md shows what they measured, with the kernels that OpenBLAS chooses itself.
 bench: $(VENV)/ready-test
 	cd benchmarks && for claim in diagram_in_a_second sweeps_in_twenty_seconds thousand_times_cheaper \
@@ -30,6 +39,18 @@ bench: $(VENV)/ready-test
 docs: $(VENV)/ready-docs
 	$(BIN)/python docs/write_reference.py
 	$(BIN)/python -m sphinx -W --keep-going -q -b html docs docs/_build/html
+
+# dist/: sdist and wheel, tried in a clean environment of every Python here; licences and bill of materials of all that an
+# installation brings.
+dist: $(VENV)/ready-dist
+	rm -rf dist
+	$(BIN)/python -m build --outdir dist
+	$(BIN)/python -m twine check --strict dist/*.whl dist/*.tar.gz
+	$(BIN)/python release/prove.py dist
+
+$(VENV)/ready-dist: $(VENV)/ready
+	$(BIN)/python -m pip install --quiet --disable-pip-version-check --editable ".[dist]"
+	touch $@
 
 $(VENV)/ready-docs: $(VENV)/ready
 	$(BIN)/python -m pip install --quiet --disable-pip-version-check --editable ".[docs]"
@@ -45,4 +66,4 @@ $(VENV)/ready-test: $(VENV)/ready
 	touch $@
 
 clean:
-	rm -rf $(VENV) results docs/_build
+	rm -rf $(VENV) .venv-lowest dist results docs/_build

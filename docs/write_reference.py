@@ -5,7 +5,7 @@ from __future__ import annotations
 import inspect
 from importlib import import_module
 from pathlib import Path
-from pkgutil import iter_modules
+from pkgutil import walk_packages
 
 import haptonic
 from haptonic.analyses import NAMES, named
@@ -15,9 +15,10 @@ PAGE = Path(__file__).parent / "reference.md"
 
 
 def packages() -> list[str]:
-    """The packages that say what is public in them."""
-    inner = [f"haptonic.{one.name}" for one in iter_modules(haptonic.__path__) if one.ispkg]
-    return ["haptonic", *(name for name in sorted(inner) if hasattr(import_module(name), "__all__"))]
+    """The packages, those within others too, that say what is public in them, and the lattices."""
+    inner = [one.name for one in walk_packages(haptonic.__path__, "haptonic.") if one.ispkg]
+    inner = [name for name in inner if hasattr(import_module(name), "__all__")]
+    return ["haptonic", *sorted([*inner, "haptonic.lattice"])]
 
 
 def first_line(value: object) -> str:

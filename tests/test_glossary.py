@@ -39,6 +39,13 @@ def test_every_row_is_whole_and_every_term_stands_once():
     assert len(set(terms)) == len(terms)
 
 
+def test_the_names_beside_equations_exist():
+    table = PAGE.with_name("method.md").read_text("utf-8").split("## Equations")[1]
+    given = {name for line in table.splitlines() for name in re.findall(r"`([^`]+)` \|$", line)}
+    assert len(given) > 10
+    assert given <= names_in_the_code(), given - names_in_the_code()
+
+
 def test_the_names_of_the_code_exist():
     known = names_in_the_code()
     given = {name for row in ROWS for name in re.findall(r"`([^`]+)`", row[3])}

@@ -21,7 +21,7 @@ import pytest
 import xarray as xr
 
 from five_parts import refusing
-from haptonic import jobs
+from haptonic import jobs, parallel
 from haptonic.errors import HaptonicError, ResourceError, StudyError
 from haptonic.jobs import Outcome, Task, run_all
 from haptonic.store import Store
@@ -35,7 +35,7 @@ Step = tuple[int, int, bool]
 
 def square(number: float) -> xr.Dataset:
     """The computation of most tests; it also tells where it ran and with how many threads."""
-    threads = [int(os.environ.get(name, "0")) for name in jobs.THREAD_LIMITS]
+    threads = [int(os.environ.get(name, "0")) for name in parallel.THREAD_LIMITS]
     return xr.Dataset(
         {"y": ((), float(number) ** 2), "threads": ("library", threads), "process": ((), os.getpid())}
     )
@@ -56,6 +56,10 @@ def moody(argument: tuple[str, int, str]) -> xr.Dataset:
     if mood == "buggy":
         raise ZeroDivisionError("not foreseen")
     return square(number)
+
+
+def no_process(*_: object, **__: object) -> None:
+    raise OSError("no more processes")
 
 
 def never(number: float) -> xr.Dataset:
@@ -104,11 +108,11 @@ class TestHere:
         for one, other in zip(first, again, strict=True):
             xr.testing.assert_identical(one.dataset, other.dataset)
 
-    def test_no_cluster_is_started_when_all_is_there(
+    def test_no_process_is_started_when_all_is_there(
         self, store: Store, monkeypatch: pytest.MonkeyPatch
     ) -> None:
         run_all(square, tasks_for([1, 2]), store=store)
-        monkeypatch.setattr(jobs, "_computed_by_dask", never)
+        monkeypatch.setattr(jobs, "finished", never)
         assert all(
             outcome.from_store for outcome in run_all(never, tasks_for([1, 2]), store=store, workers=2)
         )
@@ -178,9 +182,7 @@ class TestWorkers:
         monkeypatch: pytest.MonkeyPatch,
     ) -> None:
         """One run for all that is asked of workers on this machine: it takes seconds to start them."""
-        import dask.system
-
-        monkeypatch.setattr(dask.system, "CPU_COUNT", 6)
+        monkeypatch.setattr(parallel, "cores", lambda: 6)
         monkeypatch.setenv("OMP_NUM_THREADS", "64")
         monkeypatch.delenv("MKL_NUM_THREADS", raising=False)
         moods = ["fine", "deadly", "fine", "wrong", "deadly once", "fine", "fine", "fine"]
@@ -208,18 +210,26 @@ class TestWorkers:
         assert os.environ["OMP_NUM_THREADS"] == "64"
         assert "MKL_NUM_THREADS" not in os.environ
 
-    def test_an_end_that_takes_too_long_costs_no_result(
-        self, store: Store, monkeypatch: pytest.MonkeyPatch
-    ) -> None:
-        """As on a busy machine: nobody waits for the workers, and whoever closes them is told so."""
+    def test_no_process_stays_behind(self, store: Store) -> None:
         import psutil
 
-        monkeypatch.setattr(jobs, "CLOSE_SECONDS", 1e-4)
         outcomes = run_all(square, tasks_for([1, 2, 3]), store=store, workers=2)
         assert [result(outcome) for outcome in outcomes] == [1, 4, 9]
         processes = {int(outcome.dataset.process) for outcome in outcomes if outcome.dataset is not None}
         _, alive = psutil.wait_procs([psutil.Process(p) for p in processes if psutil.pid_exists(p)], 5)
         assert not alive
+
+    def test_any_other_exception_ends_the_run_and_keeps_what_was_done(
+        self, store: Store, tmp_path: Path
+    ) -> None:
+        with pytest.raises(ZeroDivisionError, match="not foreseen"):
+            run_all(moody, moody_tasks(tmp_path, ["fine", "fine", "fine", "buggy"]), store=store, workers=1)
+        assert kept(store) == 3
+
+    def test_none_can_be_started(self, store: Store, monkeypatch: pytest.MonkeyPatch) -> None:
+        monkeypatch.setattr(parallel.multiprocessing.get_context("spawn"), "Process", no_process)
+        with refusing(ResourceError, "worker", "workers"):
+            run_all(square, tasks_for([1]), store=store, workers=1)
 
     @pytest.mark.parametrize(("workers", "scheduler"), [(-1, None), (2, "tcp://127.0.0.1:8786")])
     def test_settings_that_make_no_sense(self, store: Store, workers: int, scheduler: str | None) -> None:
@@ -322,7 +332,7 @@ class TestInterrupted:
         import sys, time
         from pathlib import Path
         import xarray as xr
-        from haptonic import jobs
+        from haptonic import jobs, parallel
         from haptonic.store import Store
 
         def slow(number):
@@ -332,11 +342,11 @@ class TestInterrupted:
         def say(*words):
             print(*words, flush=True)
 
-        def announced(start=jobs.resource_tracker.ensure_running):
+        def announced(start=parallel.resource_tracker.ensure_running):
             say("starting")
             start()
 
-        jobs.resource_tracker.ensure_running = announced
+        parallel.resource_tracker.ensure_running = announced
 
         if __name__ == "__main__":
             tasks = [jobs.Task({"kind": "square", "number": number}, number) for number in range(8)]
@@ -399,8 +409,3 @@ class TestInterrupted:
         assert noise == ""
         assert child.returncode == 130
         assert kept(store) == 0
-
-
-def test_two_runs_at_a_time_do_not_fight_for_a_port():
-    with jobs._local_workers(1), jobs._local_workers(1):
-        pass

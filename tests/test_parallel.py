@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from threadpoolctl import threadpool_info, threadpool_limits
 
-from haptonic.parallel import each, streamed, threads
+from haptonic.parallel import each, finished, streamed, threads
 
 
 @pytest.mark.parametrize("count", ["1", "3"])
@@ -74,5 +74,16 @@ def test_whoever_turns_away_leaves_nothing_to_be_begun():
     assert len(begun) < 10
 
 
-def test_processes_do_as_threads_do():
-    assert list(streamed(math.factorial, range(9), 2, 4, processes=True)) == [*map(math.factorial, range(9))]
+@pytest.mark.parametrize("workers", [0, 2])
+def test_processes_give_each_result_once_and_take_no_item_early(workers):
+    taken, done = [], {}
+
+    def items():
+        for item in range(9):
+            taken.append(item)
+            yield f"{item}!", item
+
+    for key, result in finished(math.factorial, items(), workers, math.factorial):
+        done[key] = result
+        assert len(taken) - len(done) <= max(workers, 1)
+    assert done == {f"{item}!": math.factorial(item) for item in range(9)}

@@ -7,7 +7,7 @@
 
 import lazy_loader as lazy
 
-__version__ = "0.1.0"
+__version__ = "0.2.0"
 
 # What a name needs is loaded when it is first asked for: half of the field's libraries would be, otherwise.
 __getattr__, __dir__, __all__ = lazy.attach_stub(__name__, __file__)

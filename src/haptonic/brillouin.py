@@ -15,11 +15,9 @@ from itertools import pairwise
 import numpy as np
 from numpy.typing import NDArray
 
+from haptonic.arrays import Array
 from haptonic.errors import GeometryError
 from haptonic.lattice import SAME, Lattice, PointGroup, voronoi_cell
-
-Array = NDArray[np.float64]
-Ints = NDArray[np.int64]
 
 # names of the middles of the zone's sides, in the order of the path, and of its corners; Γ is the centre
 NAMES = {

@@ -10,13 +10,10 @@ from dataclasses import dataclass
 from functools import lru_cache
 
 import numpy as np
-from numpy.typing import NDArray
 
+from haptonic.arrays import Array, Ints
 from haptonic.cell.quadrature import lobatto
 from haptonic.materials import Material, elasticity_tensor
-
-Array = NDArray[np.float64]
-Ints = NDArray[np.int64]
 
 
 @dataclass(frozen=True)

@@ -13,9 +13,9 @@ from collections.abc import Iterator
 from typing import Any
 
 import numpy as np
-import xarray as xr
 
 from haptonic.errors import NumericalError
+from haptonic.later import xarray as xr
 
 WORD = "nan_means"
 

@@ -1,47 +1,40 @@
 """Many computations, each kept in the store the moment it is finished.
 
-Parallel work goes through Dask: worker processes on this machine, or the workers of a scheduler. They send
-their datasets back and this process alone writes the store, so remote workers need no shared disk.
+Parallel work goes to processes of this machine (`haptonic.parallel`), or through Dask to the workers of a
+scheduler that somebody runs. They send their datasets back and this process alone writes the store, so remote
+workers need no shared disk.
 """
 
 from __future__ import annotations
 
-import asyncio
+import importlib.util
 import logging
-import os
-import signal
-import threading
 import warnings
 from collections import Counter
 from collections.abc import Callable, Generator, Iterator, Mapping, Sequence
 from concurrent.futures import CancelledError
-from contextlib import ExitStack, closing, contextmanager, suppress
+from contextlib import closing, contextmanager
 from dataclasses import dataclass
 from functools import partial
-from multiprocessing import resource_tracker
 from typing import TYPE_CHECKING, Any
-
-import xarray as xr
 
 from haptonic.errors import HaptonicError, ResourceError, shown
 from haptonic.gate import passed
+from haptonic.later import xarray as xr
+from haptonic.parallel import StartError, finished
 from haptonic.progress import Progress, silent
 from haptonic.store import Store, content_key, fingerprint
 
 if TYPE_CHECKING:
-    from distributed import Client, Future, LocalCluster
+    from distributed import Client, Future
 
-Function = Callable[[Any], xr.Dataset]
-Result = xr.Dataset | HaptonicError
-Results = Generator[tuple[str, Result], None, None]
+    Function = Callable[[Any], xr.Dataset]
+    Result = xr.Dataset | HaptonicError
+    Results = Generator[tuple[str, Result], None, None]
 
 STORED = "in the store"  # what is said of a task that was computed before
-THREAD_LIMITS = ("OMP_NUM_THREADS", "MKL_NUM_THREADS", "OPENBLAS_NUM_THREADS")
-# Dask has workers give freed memory back at once; to be given it anew costs this work half of its time.
-KEEP_MEMORY = {"MALLOC_TRIM_THRESHOLD_": str(2**31), "MALLOC_MMAP_THRESHOLD_": str(2**30)}
 CONNECT_SECONDS = 5
 FIRST_WORKER_SECONDS = 30
-CLOSE_SECONDS = 0.5
 
 
 @dataclass(frozen=True)
@@ -114,9 +107,11 @@ def run_all(
 
     missing = {key: arguments[key] for key in copies if key not in outcomes}
     if not missing or (workers == 0 and scheduler is None):
-        results = _computed_here(function, missing)
+        results = ((key, _attempt(function, argument)) for key, argument in missing.items())
+    elif scheduler is None:
+        results = _computed_by_processes(function, missing, workers)
     else:
-        results = _computed_by_dask(function, missing, workers, scheduler)
+        results = _computed_by_dask(function, missing, scheduler)
     with closing(results):
         for key, result in results:
             if isinstance(result, HaptonicError):
@@ -138,11 +133,14 @@ def check_workers(workers: object, scheduler: object) -> None:
             cause="a slip, or two ways of computing asked for at once",
             next_step="give --workers N or --scheduler ADDRESS, not both",
         )
-
-
-def _computed_here(function: Function, missing: Mapping[str, object]) -> Results:
-    for key, argument in missing.items():
-        yield key, _attempt(function, argument)
+    if scheduler and importlib.util.find_spec("distributed") is None:
+        raise ResourceError.not_installed(
+            argument="scheduler",
+            given=shown(scheduler),
+            allowed="an address where the package distributed is installed",
+            cause="distributed is an optional part of haptonic and is not installed",
+            next_step='pip install "haptonic[scheduler]", or --workers N for processes on this machine',
+        )
 
 
 def _attempt(function: Function, argument: object) -> Result:
@@ -167,27 +165,34 @@ def _attempt_there(argument: object, function: Function, expected: str) -> Resul
     return _attempt(function, argument)
 
 
-def _computed_by_dask(
-    function: Function, missing: Mapping[str, object], workers: int, scheduler: str | None
-) -> Results:
-    where = _local_workers(min(workers, len(missing))) if scheduler is None else _remote_workers(scheduler)
-    with _quiet(), where as client:
+def _computed_by_processes(function: Function, missing: Mapping[str, object], workers: int) -> Results:
+    attempt = partial(_attempt_there, function=function, expected=fingerprint())
+    try:
+        yield from finished(attempt, missing.items(), min(workers, len(missing)), _died_twice)
+    except StartError as error:
+        raise ResourceError.worker(
+            argument="workers",
+            given=workers,
+            allowed="as many worker processes as this machine can start",
+            cause=f"too little memory, or a script without a main guard ({error})",
+            next_step='put the call below `if __name__ == "__main__":`, or use fewer workers, or 0',
+        ) from error
+
+
+def _computed_by_dask(function: Function, missing: Mapping[str, object], scheduler: str) -> Results:
+    with _quiet(), _remote_workers(scheduler) as client:
         try:
             yield from _collected(client, function, missing)
         except CancelledError as error:
-            if scheduler is None:
-                raise
             raise _no_scheduler(
                 scheduler, "it was ended, or the connection broke, while computing"
             ) from error
         except ImportError as error:
-            if scheduler is None:
-                raise
             raise _no_scheduler(scheduler, f"its workers lack a module: {error}") from error
 
 
 def _collected(client: Client, function: Function, missing: Mapping[str, object]) -> Results:
-    from distributed import KilledWorker, as_completed  # here for the reason given in _local_workers
+    from distributed import KilledWorker, as_completed  # here for the reason given in _remote_workers
 
     def submitted(keys: Sequence[str]) -> list[Future[Any]]:
         arguments = [missing[key] for key in keys]
@@ -232,94 +237,9 @@ def _died_twice(argument: object) -> ResourceError:
 
 
 @contextmanager
-def _local_workers(count: int) -> Iterator[Client]:
-    # Importing distributed takes most of a second, which only a run that uses it should pay.
-    import dask
-    from dask.system import CPU_COUNT
-    from distributed import Client, LocalCluster
-
-    given = dask.config.get("distributed.nanny.pre-spawn-environ")
-    limits = dict.fromkeys(THREAD_LIMITS, str(max(1, CPU_COUNT // count))) | KEEP_MEMORY
-    settings = {
-        "distributed.nanny.pre-spawn-environ": {**given, **limits},
-        "distributed.scheduler.allowed-failures": 0,  # the second attempt is made by _collected
-        "distributed.scheduler.worker-saturation": 1.0,  # no queue on a worker that would die with it
-        "distributed.scheduler.worker-ttl": None,  # a busy process is not a dead one; its end is noticed
-    }
-    with (
-        dask.config.set(settings),
-        _environment({**given, "PYTHONHASHSEED": None}, limits),
-        ExitStack() as stack,
-    ):
-        with _interrupts_held():
-            try:
-                cluster = LocalCluster(
-                    n_workers=count,
-                    threads_per_worker=1,
-                    processes=True,
-                    dashboard_address=":0",  # any port: two runs at a time must not fight for one
-                    silence_logs=logging.CRITICAL,
-                )
-            except (RuntimeError, OSError) as error:
-                raise ResourceError.worker(
-                    argument="workers",
-                    given=count,
-                    allowed="as many worker processes as this machine can start",
-                    cause=f"too little memory, or a script without a main guard ({error})",
-                    next_step='put the call below `if __name__ == "__main__":`, or use fewer workers, or 0',
-                ) from error
-            stack.callback(_end, cluster)
-            client = stack.enter_context(Client(cluster, set_as_default=False))
-        yield client
-
-
-def _end(cluster: LocalCluster) -> None:
-    """End the workers without waiting for what they are doing, which nobody wants any more.
-
-    On a busy machine a killed worker takes any time to be gone; that is no reason to lose the results.
-    """
-
-    async def end_workers() -> None:
-        closing = (nanny.close(timeout=CLOSE_SECONDS) for nanny in cluster.workers.values())
-        await asyncio.gather(*closing, return_exceptions=True)
-
-    with _interrupts_held():
-        for close in (partial(cluster.sync, end_workers), cluster.close):
-            with suppress(OSError):  # of which TimeoutError is one
-                close()
-
-
-@contextmanager
-def _interrupts_held() -> Iterator[None]:
-    """Let Ctrl-C wait until the block is done: Dask does not survive it while it starts or ends a cluster.
-
-    The signal is also blocked in the threads and processes that are started meanwhile. A terminal sends it to
-    every process of the run, and only this one is to react.
-    """
-    seen: list[int] = []
-    blocks = hasattr(signal, "pthread_sigmask")  # not on Windows
-    # Python allows handlers in the main thread only; elsewhere Ctrl-C does not arrive anyway.
-    handles = threading.current_thread() is threading.main_thread()
-    if handles:
-        handler = signal.signal(signal.SIGINT, lambda number, frame: seen.append(number))
-    if blocks:
-        # Started on demand otherwise, by a thread that would then unblock the signal.
-        resource_tracker.ensure_running()
-        mask = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})
-    try:
-        yield
-    finally:
-        if blocks:
-            signal.pthread_sigmask(signal.SIG_SETMASK, mask)
-        if handles:
-            signal.signal(signal.SIGINT, handler or signal.SIG_DFL)
-    if seen:
-        signal.raise_signal(signal.SIGINT)
-
-
-@contextmanager
 def _remote_workers(address: str) -> Iterator[Client]:
-    from distributed import Client  # here for the reason given in _local_workers
+    # Importing distributed takes most of a second, which only a run that uses it should pay.
+    from distributed import Client
     from distributed.utils import LoopRunner
 
     try:
@@ -359,21 +279,6 @@ def _no_scheduler(address: str, cause: str) -> ResourceError:
         next_step="start `dask scheduler` and `dask worker ADDRESS`, or give --workers N instead; what was "
         "finished is in the store",
     )
-
-
-@contextmanager
-def _environment(touched: Mapping[str, object], values: Mapping[str, str]) -> Iterator[None]:
-    """Set variables for a while, then put back these and all that Dask is known to touch."""
-    before = {name: os.environ.get(name) for name in {*touched, *values}}
-    os.environ.update(values)
-    try:
-        yield
-    finally:
-        for name, value in before.items():
-            if value is None:
-                os.environ.pop(name, None)
-            else:
-                os.environ[name] = value
 
 
 @contextmanager

@@ -17,11 +17,13 @@ import numpy as np
 from numpy.typing import NDArray
 from pydantic import Field
 
+from haptonic.arrays import Array
 from haptonic.errors import GeometryError
-from haptonic.fields import Quantity, described, problem, remade, size
+from haptonic.fields import Quantity, described, needed, problem, remade, setting, size
 from haptonic.units import format_quantity
 
-Array = NDArray[np.float64]
+__all__ = ["Lattice", "PointGroup"]
+
 Operation = tuple[tuple[int, int], tuple[int, int]]
 
 HALF_TURN: Operation = ((-1, 0), (0, -1))
@@ -136,21 +138,19 @@ class Lattice:
         title="Lattice",
         description="How the cells repeat in the plane; the last three have two sites or three each.",
     )
-    pitch: Annotated[float, size(100e-6, 100e-3)] = Field(
-        title="Pitch", description="Period of the lattice; along x for a rectangular or a centred one."
+    pitch: Annotated[float, size(100e-6, 100e-3)] = needed(
+        "Period of the lattice; along x for a rectangular or a centred one."
     )
-    pitch_y: Annotated[float, size(100e-6, 100e-3)] | None = Field(
-        default=None,
+    pitch_y: Annotated[float, size(100e-6, 100e-3)] | None = setting(
+        None,
+        "Of a rectangular lattice, or of a centred one, whose rectangles have a middle pillar.",
         title="Pitch along y",
-        description="Of a rectangular lattice, or of a centred one, whose rectangles have a middle pillar.",
     )
-    pitch_2: Annotated[float, size(100e-6, 100e-3)] | None = Field(
-        default=None, title="Second pitch", description="Of an oblique lattice only."
+    pitch_2: Annotated[float, size(100e-6, 100e-3)] | None = setting(
+        None, "Of an oblique lattice only.", title="Second pitch"
     )
-    angle: Annotated[float, Quantity("rad", above=0.0, below=math.pi, typical=USUAL_ANGLE)] | None = Field(
-        default=None,
-        title="Angle",
-        description="From the first pitch, along x, to that of an oblique lattice.",
+    angle: Annotated[float, Quantity("rad", above=0.0, below=math.pi, typical=USUAL_ANGLE)] | None = setting(
+        None, "From the first pitch, along x, to that of an oblique lattice."
     )
 
     def __post_init__(self) -> None:
@@ -252,7 +252,7 @@ class Lattice:
                 given=self.name,
                 allowed=f"square or rectangular for {what}",
                 cause=f"{what} knows cells with four sides along x and y only; others have bands, gaps, "
-                "sweeps, solids and outlines",
+                "ribbons, sweeps, solids and outlines",
                 next_step='write lattice = "square" or "rectangular"',
             )
 

@@ -18,13 +18,13 @@ from functools import cache
 from typing import Any, Protocol
 
 import numpy as np
-import scipy.sparse as sp
 from numpy.typing import NDArray
-from scipy.sparse.linalg import splu
 
+from haptonic.arrays import Array
 from haptonic.errors import HaptonicError, NumericalError
+from haptonic.later import sparse as sp
+from haptonic.later import sparse_linalg
 
-Array = NDArray[np.float64]
 Indices = NDArray[np.int32]
 
 
@@ -212,7 +212,7 @@ class SuperLUSolver:
     def factorise(self, data: Array, *, definite: bool = True) -> int:
         matrix = sp.csc_array(self._pattern.matrix(data))
         try:
-            self._factor = splu(
+            self._factor = sparse_linalg.splu(
                 matrix,
                 permc_spec="MMD_AT_PLUS_A",
                 diag_pivot_thresh=0.0,

@@ -29,10 +29,10 @@ from typing import Any
 import numpy as np
 import platformdirs
 import scipy
-import xarray as xr
 
 from haptonic.errors import HaptonicWarning, ResourceError
 from haptonic.gate import passed
+from haptonic.later import xarray as xr
 from haptonic.paths import target
 
 # Parts of the package that show results but do not make them.

@@ -8,8 +8,8 @@ from pathlib import Path
 
 import meshio
 import numpy as np
-import xarray as xr
 
+from haptonic.later import xarray as xr
 from haptonic.store import refuse_overwrite, write_atomically
 
 

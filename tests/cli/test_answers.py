@@ -3,13 +3,15 @@
 from __future__ import annotations
 
 import io
+from pathlib import Path
 from types import SimpleNamespace
 
+import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
 from haptonic.cli.console import Voice
-from haptonic.cli.running import SCREEN, show
+from haptonic.cli.running import OF_COMMANDS, SCREEN, SENTENCES, folder_for, show
 from haptonic.results.table import Table
 
 tables = st.lists(st.integers(0, 40), max_size=6).map(
@@ -54,6 +56,28 @@ def test_all_tables_on_request(found, width):
 @given(tables)
 def test_machines_get_none_of_it(found):
     assert printed(found, 80, every=True, machine=True) == []
+
+
+@given(st.lists(st.integers(), max_size=8))
+def test_more_than_three_sentences_are_for_those_who_ask(numbers):
+    said = [f"Sentence {n} of {k}." for k, n in enumerate(numbers)]
+    result = SimpleNamespace(summary=lambda: said, tables=list, remarks=list)
+
+    def told(*, every: bool) -> list[str]:
+        voice = Voice(machine=False)
+        voice.out.file = io.StringIO()
+        show(result, voice, every=every)
+        return voice.out.file.getvalue().splitlines()
+
+    beyond = max(len(said) - SENTENCES, 0)
+    assert told(every=True) == said
+    assert told(every=False) == said[:SENTENCES] + [f"more with --tables: {beyond} sentences"] * (beyond > 0)
+
+
+@pytest.mark.parametrize("name", OF_COMMANDS)
+def test_files_that_commands_name_alike_are_told_apart_by_their_folders(name):
+    folders = {folder_for(Path(f"results/{one}/{name}.toml"), None, False, "export") for one in ("a", "b")}
+    assert folders == {Path("results/a-export"), Path("results/b-export")}
 
 
 def test_a_pipe_gets_no_line_of_a_bar(inside, study, tmp_path):

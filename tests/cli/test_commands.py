@@ -96,24 +96,24 @@ def test_nothing_is_overwritten_without_being_told(haptonic, study, tmp_path):
 
 
 @pytest.mark.parametrize(
-    ("change", "words"),
+    ("change", "code", "argument", "given"),
     [
-        (("thickness =", "thicknes ="), ("cell.thicknes", "thickness")),
-        (('"7 mm"', '"7 kHz"'), ("cell.pitch", "7 kHz")),
-        (('"7 mm"', '"7"'), ("cell.pitch", "unit")),
-        (('"3.5 mm"', '"7.5 mm"'), ("cell.pillar.diameter", "wider")),
-        (('"1.5 mm"', '"0 mm"'), ("cell.thickness",)),
-        (('"1.5 mm"', '"-1 mm"'), ("cell.thickness",)),
-        (('"1.5 mm"', '"nan mm"'), ("cell.thickness",)),
-        (('"aluminium-paper"', '"aluminium-papr"'), ("material", "aluminium-paper")),
-        (("accuracy = 2e-2", "accuracy = 0"), ("bands.accuracy",)),
-        (("count = 8", "count = 0"), ("bands.count",)),
-        (("cell.pillar.diameter / cell.pitch", "__import__('os')"), ("sweep[1].vary",)),
+        (("thickness =", "thicknes ="), "unknown", "cell.thicknes", ""),
+        (('"7 mm"', '"7 kHz"'), "malformed", "cell.pitch", "7 kHz"),
+        (('"7 mm"', '"7"'), "malformed", "cell.pitch", ""),
+        (('"3.5 mm"', '"7.5 mm"'), "out-of-range", "cell.pillar.diameter", ""),
+        (('"1.5 mm"', '"0 mm"'), "out-of-range", "cell.thickness", ""),
+        (('"1.5 mm"', '"-1 mm"'), "out-of-range", "cell.thickness", ""),
+        (('"1.5 mm"', '"nan mm"'), "malformed", "cell.thickness", ""),
+        (('"aluminium-paper"', '"aluminium-papr"'), "unknown", "material", ""),
+        (("accuracy = 2e-2", "accuracy = 0"), "out-of-range", "bands.accuracy", ""),
+        (("count = 8", "count = 0"), "out-of-range", "bands.count", ""),
+        (("cell.pillar.diameter / cell.pitch", "__import__('os')"), "malformed", "sweep[1].vary", ""),
     ],
 )
-def test_bad_values_are_refused_in_five_parts(haptonic, study, tmp_path, change, words):
+def test_bad_values_are_refused_in_five_parts(haptonic, study, tmp_path, change, code, argument, given):
     out = tmp_path / "out"
-    assert_five_parts(haptonic("bands", study(change), "--out", out), *words)
+    assert_five_parts(haptonic("bands", study(change), "--out", out), given, code=code, argument=argument)
     assert not out.exists()
 
 

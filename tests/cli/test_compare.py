@@ -13,7 +13,7 @@ from hypothesis import strategies as st
 from five_parts import assert_five_parts, refused
 from haptonic.channels.numbers import read_numbers
 from haptonic.errors import ChannelError
-from haptonic.results.compare import Comparison, of_dataset, of_table
+from haptonic.results.compare import Comparison, of_dataset, of_table, path_in
 from quick import QUICK_CELL
 
 CORNERS = (0.0, 450.0, 900.0, 1536.0)  # rad/m
@@ -110,42 +110,61 @@ def test_whatever_parts_the_columns_the_bands_come_out(tmp_path_factory, export,
     path = tmp_path_factory.mktemp("export") / "theirs.txt"
     path.write_text(text, encoding=data.draw(st.sampled_from(["utf-8", "utf-8-sig"])), newline="")
     said = (None, None) if heads else (wavevector, unit)
-    side = of_table(path, ours(), *said)
+    side = of_table(path, *path_in(ours()), *said)
     assert side.position == pytest.approx(position, abs=1e-6)
     assert side.frequency == pytest.approx(dispersion(position), rel=1e-7)
     if not heads:
-        refused(lambda: of_table(path, ours(), None, unit), "--wavevector", wavevector, kind=ChannelError)
-        refused(lambda: of_table(path, ours(), wavevector, None), "--frequency-unit", kind=ChannelError)
+        refused(
+            lambda: of_table(path, *path_in(ours()), None, unit),
+            "--wavevector",
+            wavevector,
+            kind=ChannelError,
+        )
+        refused(
+            lambda: of_table(path, *path_in(ours()), wavevector, None), "--frequency-unit", kind=ChannelError
+        )
     result = Comparison(of_dataset("ours", ours()), side)
     assert np.nanmax(np.abs(result.relative)) < 1e-6
 
 
 @pytest.mark.parametrize(
-    ("text", "words"),
+    ("text", "code", "argument", "given"),
     [
-        ("", ["two numbers"]),
-        ("hello\nworld\n", ["two numbers"]),
-        ("1\n2\n3\n", ["two numbers"]),
-        ("0,1\n1,2\nend of table\n", ["line 3"]),
-        ("0;1;2\n1;2\n2;3;4\n", ["line 2", "2 numbers"]),
-        ("k,f\n0,5,1,5\n1,0,2,5\n", ["2 names above 4 numbers", "decimal point"]),
-        ("2,1\n1,2\n0,3\n", ["first column", "2, then 1"]),
-        ("1,1\n1,2\n", ["first column"]),
-        ("0,1\n4,2\n", ["0 to 4"]),
+        ("", "unreadable", "theirs.csv", "two numbers"),
+        ("hello\nworld\n", "unreadable", "theirs.csv", "two numbers"),
+        ("1\n2\n3\n", "unreadable", "theirs.csv", "two numbers"),
+        ("0,1\n1,2\nend of table\n", "unreadable", "theirs.csv", "line 3"),
+        ("0;1;2\n1;2\n2;3;4\n", "unreadable", "theirs.csv", "line 2"),
+        ("k,f\n0,5,1,5\n1,0,2,5\n", "unreadable", "theirs.csv", "2 names above 4 numbers"),
+        ("2,1\n1,2\n0,3\n", "malformed", "theirs.csv, first column", "2, then 1"),
+        ("1,1\n1,2\n", "malformed", "theirs.csv, first column", ""),
+        ("0,1\n4,2\n", "mismatch", "theirs.csv, first column", "0 to 4"),
     ],
 )
-def test_what_is_no_table_of_bands(tmp_path, text, words):
+def test_what_is_no_table_of_bands(tmp_path, text, code, argument, given):
     path = tmp_path / "theirs.csv"
     path.write_text(text)
-    refused(lambda: of_table(path, ours(), "segments", "Hz"), *words, kind=ChannelError)
+    refused(
+        lambda: of_table(path, *path_in(ours()), "segments", "Hz"),
+        given,
+        code=code,
+        argument=argument,
+        kind=ChannelError,
+    )
 
 
-@pytest.mark.parametrize(("unit", "words"), [("mm", ["mm"]), ("kilohurz", ["kilohurz"])])
-def test_a_unit_that_is_none(tmp_path, unit, words):
+@pytest.mark.parametrize(
+    ("unit", "code", "argument", "given"),
+    [
+        ("mm", "malformed", "--frequency-unit", "mm"),
+        ("kilohurz", "malformed", "--frequency-unit", "kilohurz"),
+    ],
+)
+def test_a_unit_that_is_none(tmp_path, unit, code, argument, given):
     path = tmp_path / "theirs.csv"
     path.write_text("0,1\n1,2\n")
-    refused(lambda: of_table(path, ours(), "segments", unit), *words)
-    refused(lambda: of_table(path, ours(), unit, "Hz"), "--wavevector", "segments")
+    refused(lambda: of_table(path, *path_in(ours()), "segments", unit), given, code=code, argument=argument)
+    refused(lambda: of_table(path, *path_in(ours()), unit, "Hz"), "--wavevector", "segments")
 
 
 def test_two_columns_of_the_wavevector_make_a_way(tmp_path):
@@ -154,7 +173,7 @@ def test_two_columns_of_the_wavevector_make_a_way(tmp_path):
     corners = np.array([[0, 0], [450, 0], [450, 450], [0, 0]])
     rows = [f"{x},{y},{f[0]},{f[1]}" for (x, y), f in zip(corners, dispersion(np.arange(4.0)), strict=True)]
     path.write_text("\n".join(["kx [rad/m],ky [rad/m],f1 [Hz],f2 [Hz]", *rows]))
-    side = of_table(path, ours(), None, None)
+    side = of_table(path, *path_in(ours()), None, None)
     assert side.position == pytest.approx([0, 1, 2, 3], abs=1e-3)
     assert side.frequency[:, 1] == pytest.approx(dispersion(np.arange(4.0))[:, 1])
 
@@ -166,7 +185,7 @@ def test_a_missing_band_is_said(tmp_path):
         for k, f in zip(range(4), dispersion(np.arange(4.0)), strict=True)
     ]
     path.write_text("\n".join(rows))
-    result = Comparison(of_dataset("ours", ours()), of_table(path, ours(), "segments", "Hz"))
+    result = Comparison(of_dataset("ours", ours()), of_table(path, *path_in(ours()), "segments", "Hz"))
     assert any("band 2" in text and "missing" in text for text in result.remarks())
 
 
@@ -235,3 +254,17 @@ class TestCommand:
             "one-one-compare",
             "one-two-compare",
         }
+
+    def test_what_a_table_does_not_say_is_asked_before_bands_are_computed(
+        self, inside, tmp_path, monkeypatch
+    ):
+        monkeypatch.setattr(
+            "haptonic.analyses.compare.compute_bands", lambda *_, **__: pytest.fail("computed")
+        )
+        table = tmp_path / "comsol.csv"
+        table.write_text("% Model:,bands.mph\n% k,Eigenfrequency (Hz)\n0,10+0.1i\n3,20000+2i\n")
+        assert_five_parts(inside("compare", self.folder / "one.toml", table), "--wavevector segments")
+        table.write_text("k,f\n0,10\n3,20000\n")
+        asked = ["compare", self.folder / "one.toml", table, "--wavevector", "segments"]
+        assert_five_parts(inside(*asked), "--frequency-unit")
+        assert_five_parts(inside(*asked[:3], "--wavevector", "share"), "first column")

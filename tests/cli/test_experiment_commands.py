@@ -125,21 +125,26 @@ class TestProtocol:
         assert_five_parts(inside("protocol", single), code="missing", argument="protocol.idle")
 
     @pytest.mark.parametrize(
-        ("change", "words"),
+        ("change", "code", "argument", "given"),
         [
-            (("blocks = 4", "blocks = 5"), ("protocol.blocks", "even number", "write 6")),
-            (("trials = 8", "trials = 8.0"), ("protocol.trials",)),
-            (('"60 mm"', '"60 um"'), ("protocol.stroke",)),
-            (('"100 mm/s"', '"1 mm/s"'), ("protocol.stroke", "60 s")),
-            (('"100 mm/s"', '"100 mm"'), ("touch.speed", "not a unit of speed")),
-            (("pause", "pauze"), ("protocol.pauze", "pause")),
-            (("[protocol]", '[protocol]\ndriven = "A"\nidle = "A"'), ("protocol.idle",)),
-            (("[protocol]", "[participants]\nidle = 0.6\n[protocol]"), ("participants.idle", "exchange")),
-            (("[protocol]", "[participants]\nwithin = 22\n[protocol]"), ("participants.within",)),
+            (("blocks = 4", "blocks = 5"), "out-of-range", "protocol.blocks", ""),
+            (("trials = 8", "trials = 8.0"), "malformed", "protocol.trials", ""),
+            (('"60 mm"', '"60 um"'), "out-of-range", "protocol.stroke", ""),
+            (('"100 mm/s"', '"1 mm/s"'), "out-of-range", "protocol.stroke", "60 s"),
+            (('"100 mm/s"', '"100 mm"'), "malformed", "touch.speed", ""),
+            (("pause", "pauze"), "unknown", "protocol.pauze", ""),
+            (("[protocol]", '[protocol]\ndriven = "A"\nidle = "A"'), "conflict", "protocol.idle", ""),
+            (("[protocol]", "[participants]\nidle = 0.6\n[protocol]"), "conflict", "participants.idle", ""),
+            (
+                ("[protocol]", "[participants]\nwithin = 22\n[protocol]"),
+                "out-of-range",
+                "participants.within",
+                "",
+            ),
         ],
     )
-    def test_bad_plans_are_refused(self, inside, study, change, words):
-        assert_five_parts(inside("protocol", study(SMALL, change)), *words)
+    def test_bad_plans_are_refused(self, inside, study, change, code, argument, given):
+        assert_five_parts(inside("protocol", study(SMALL, change)), given, code=code, argument=argument)
 
     def test_nothing_is_overwritten_unasked(self, inside, study, tmp_path):
         path = study(SMALL)

@@ -75,19 +75,19 @@ def test_the_map_is_that_of_the_response(inside, plated, tmp_path):
 
 
 @pytest.mark.parametrize(
-    ("options", "words"),
+    ("options", "code", "argument", "given"),
     [
-        (["--voltage", "200"], ["unit"]),
-        (["--voltage", "3 kHz"], ["V"]),
-        (["--voltage", "0 V"], ["voltage", "above 0 V"]),
-        (["--voltage", "-5 V"], ["-5 V"]),
-        (["--at", "58 mm"], ["Hz"]),
-        (["--at", "5 Hz"], ["touch.frequency", "kHz"]),
-        (["--reduction", "55"], ["percentage"]),
+        (["--voltage", "200"], "malformed", "--voltage", ""),
+        (["--voltage", "3 kHz"], "malformed", "--voltage", ""),
+        (["--voltage", "0 V"], "out-of-range", "voltage", ""),
+        (["--voltage", "-5 V"], "out-of-range", "voltage", "-5 V"),
+        (["--at", "58 mm"], "malformed", "--at", ""),
+        (["--at", "5 Hz"], "out-of-range", "touch.frequency", ""),
+        (["--reduction", "55"], "out-of-range", "reduction", ""),
     ],
 )
-def test_bad_options_are_refused(inside, plated, options, words):
-    assert_five_parts(inside("feel", plated(), *options, "--json"), *words)
+def test_bad_options_are_refused(inside, plated, options, code, argument, given):
+    assert_five_parts(inside("feel", plated(), *options, "--json"), given, code=code, argument=argument)
 
 
 def test_a_wrong_reduction_is_refused_before_anything_is_computed(inside, plated, monkeypatch):
@@ -111,18 +111,20 @@ def test_a_voltage_for_a_plate_that_a_force_drives_is_refused(inside, plated):
 
 
 @pytest.mark.parametrize(
-    ("change", "words"),
+    ("change", "code", "argument"),
     [
-        ('damping = ["30 N s/m", "10 N s/m", "5 N s/m"]', ["touch.damping", "ascending"]),
-        ('force = "2000 N"', ["touch.force"]),
-        ('skin = { contact_gap = ["4 um", "3 um", "5 um"] }', ["touch.skin.contact_gap", "ascending"]),
-        ('skin = { gap = ["4 um", "5 um", "6 um"] }', ["contact_gap"]),
-        ('skin = { film_share = "1" }', ["touch.skin.film_share"]),
-        ('voltage = "0 V"', ["touch.voltage"]),
+        ('damping = ["30 N s/m", "10 N s/m", "5 N s/m"]', "conflict", "touch.damping"),
+        ('force = "2000 N"', "out-of-range", "touch.force"),
+        ('skin = { contact_gap = ["4 um", "3 um", "5 um"] }', "conflict", "touch.skin.contact_gap"),
+        ('skin = { gap = ["4 um", "5 um", "6 um"] }', "unknown", "touch.skin.gap"),
+        ('skin = { film_share = "1" }', "malformed", "touch.skin.film_share"),
+        ('voltage = "0 V"', "out-of-range", "touch.voltage"),
     ],
 )
-def test_bad_keys_of_the_touch_are_refused(inside, plated, change, words):
-    assert_five_parts(inside("feel", plated(("[[sweep]]", f"[touch]\n{change}\n\n[[sweep]]"))), *words)
+def test_bad_keys_of_the_touch_are_refused(inside, plated, change, code, argument):
+    assert_five_parts(
+        inside("feel", plated(("[[sweep]]", f"[touch]\n{change}\n\n[[sweep]]"))), code=code, argument=argument
+    )
 
 
 def test_a_study_without_a_plate_is_refused(inside, study):

@@ -138,26 +138,36 @@ def test_reference_values_stand_beside_ours_where_they_are_given(inside, tmp_pat
 
 
 @pytest.mark.parametrize(
-    ("text", "words"),
+    ("text", "code", "argument", "given"),
     [
-        ('[trials]\nfilter = "bessel"\n', ("trials.filter", "literal")),
-        ('[trials]\nthreshold = "100 mm"\n', ("trials.threshold", "not a unit of force")),
-        ('[trials]\nforce = ["5 N", "0.1 N"]\n', ("trials.force", "exchange")),
-        ("[trials]\ntreshold = 1\n", ("treshold", "threshold")),
-        ('[trials.sensor]\nforce_unit = "mm"\n', ("trials.sensor.force_unit",)),
-        ('[trials.sensor]\ngauges = "a, b"\n', ("trials.sensor.gauges", "six different names")),
-        ('[trials.sensor]\ncalibration = "none.csv"\n', ("trials.sensor.calibration", "cannot be read")),
-        ('[trials.sensor]\nnormal = "G2"\ncalibration = "c.csv"\n', ("trials.sensor.normal", "Fx, Fy or Fz")),
-        ('[trials]\ndriven = "WG9"\n', ("WG9", 'write "WG2"')),
-        ('[[trials.exclude]]\nparticipant = "P1"\ntrial = 2\nreason = "x"\n', ("trials.exclude[1].block",)),
-        ('[[trials.exclude]]\nparticipant = "P7"\nreason = "x"\n', ("trials.exclude[1]", "P7")),
-        ('[[trials.exclude]]\nparticipant = "P1"\n', ("trials.exclude[1].reason",)),
+        ('[trials]\nfilter = "bessel"\n', "unknown", "trials.filter", ""),
+        ('[trials]\nthreshold = "100 mm"\n', "malformed", "trials.threshold", ""),
+        ('[trials]\nforce = ["5 N", "0.1 N"]\n', "conflict", "trials.force", ""),
+        ("[trials]\ntreshold = 1\n", "unknown", "trials.treshold", ""),
+        ('[trials.sensor]\nforce_unit = "mm"\n', "malformed", "trials.sensor.force_unit", ""),
+        ('[trials.sensor]\ngauges = "a, b"\n', "malformed", "trials.sensor.gauges", ""),
+        (
+            '[trials.sensor]\ncalibration = "none.csv"\n',
+            "unreadable",
+            "trials.sensor.calibration",
+            "cannot be read",
+        ),
+        ('[trials.sensor]\nnormal = "G2"\ncalibration = "c.csv"\n', "unknown", "trials.sensor.normal", ""),
+        ('[trials]\ndriven = "WG9"\n', "unknown", "waveguide", "WG9"),
+        (
+            '[[trials.exclude]]\nparticipant = "P1"\ntrial = 2\nreason = "x"\n',
+            "missing",
+            "trials.exclude[1].block",
+            "",
+        ),
+        ('[[trials.exclude]]\nparticipant = "P7"\nreason = "x"\n', "mismatch", "trials.exclude[1]", "P7"),
+        ('[[trials.exclude]]\nparticipant = "P1"\n', "missing", "trials.exclude[1].reason", ""),
     ],
 )
-def test_bad_studies_are_refused(inside, tmp_path, text, words):
+def test_bad_studies_are_refused(inside, tmp_path, text, code, argument, given):
     folder = written(tmp_path / "trials", MADE[:8])
     (folder / "study.toml").write_text(text)
-    assert_five_parts(inside("friction", folder, "--json"), *words)
+    assert_five_parts(inside("friction", folder, "--json"), given, code=code, argument=argument)
 
 
 def test_bad_places_are_refused(inside, tmp_path):

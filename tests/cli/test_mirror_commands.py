@@ -182,23 +182,31 @@ CARRIER = ('carrier = "60 kHz"\n', "")
 
 
 @pytest.mark.parametrize(
-    ("command", "changes", "words"),
+    ("command", "changes", "code", "argument", "given"),
     [
-        ("layers", [("count = 3", "count = 0")], ("layers.count", "at least 1")),
-        ("layers", [("count = 3", 'angle = "90 deg"')], ("layers.angle", "90")),
-        ("layers", [("count = 3", 'lowest = "70 kHz"\nhighest = "50 kHz"')], ("layers.highest", "exchange")),
-        ("layers", [("count = 3", 'lowest = "90 kHz"')], ("layers.lowest", "84 kHz", "give both")),
-        ("layers", [("count = 3", 'highest = "30 kHz"')], ("layers.lowest", "36 kHz", "give both")),
-        ("layers", [CARRIER], ("carrier", "60 kHz")),
-        ("layers", [(PILLAR, ""), (SWEEP, "")], ("cell.pillar", "reflect nothing")),
-        ("waveguide", [CARRIER], ("carrier", "60 kHz")),
-        ("waveguide", [*FINE, ('"60 kHz"', '"40 kHz"')], ("carrier", "40 kHz", "complete gap")),
-        ("waveguide", [(PILLAR, ""), (SWEEP, "")], ("carrier", "complete gap")),
+        ("layers", [("count = 3", "count = 0")], "out-of-range", "layers.count", ""),
+        ("layers", [("count = 3", 'angle = "90 deg"')], "out-of-range", "layers.angle", "90"),
+        (
+            "layers",
+            [("count = 3", 'lowest = "70 kHz"\nhighest = "50 kHz"')],
+            "conflict",
+            "layers.highest",
+            "",
+        ),
+        ("layers", [("count = 3", 'lowest = "90 kHz"')], "conflict", "layers.lowest", ""),
+        ("layers", [("count = 3", 'highest = "30 kHz"')], "conflict", "layers.lowest", "36 kHz"),
+        ("layers", [CARRIER], "missing", "carrier", ""),
+        ("layers", [(PILLAR, ""), (SWEEP, "")], "missing", "cell.pillar", ""),
+        ("waveguide", [CARRIER], "missing", "carrier", ""),
+        ("waveguide", [*FINE, ('"60 kHz"', '"40 kHz"')], "no-answer", "carrier", "40 kHz"),
+        ("waveguide", [(PILLAR, ""), (SWEEP, "")], "no-answer", "carrier", ""),
     ],
 )
-def test_bad_values_are_refused_in_five_parts(inside, study, command, changes, words):
+def test_bad_values_are_refused_in_five_parts(inside, study, command, changes, code, argument, given):
     path = study(*changes)
-    assert_five_parts(inside(command, path, "--out", path.parent / "out"), *words)
+    assert_five_parts(
+        inside(command, path, "--out", path.parent / "out"), given, code=code, argument=argument
+    )
     assert not written(path)
 
 

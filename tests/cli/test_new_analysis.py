@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import re
 import sys
 
 import pytest
@@ -63,6 +64,9 @@ class TestAddedAnalysis:
         assert (result.number, result.length) == (2, 3e-3)
         assert repr(result) == "<Toy: It counts to 2.>"
         assert "<table>" in result._repr_html_()
+        assert re.search(
+            r'<img src="data:image/png;base64,[^"]{100,}" alt="Simulated numbers."', result._repr_html_()
+        )
         assert result.to_dataframe()["way (m)"].tolist() == [0.0, 3e-3]
         assert result.tables()[0].to_csv().splitlines()[0] == "number,way (m)"
         assert loaded.run("toy", number=5).number == 5

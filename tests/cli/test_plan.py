@@ -6,8 +6,8 @@ import pytest
 
 import haptonic
 from five_parts import assert_five_parts
-from haptonic.analyses import named
-from haptonic.analyses.costs import FORECASTS
+from haptonic.analyses import NAMES, named
+from haptonic.analyses.costs import COSTS, FORECASTS
 from haptonic.cli.commands.new import templates
 from haptonic.results.cost import Cost
 from haptonic.study import loads
@@ -99,6 +99,101 @@ class TestPlan:
 
     def test_a_dry_run_refuses_what_the_command_would(self, inside, file):
         assert inside("plate", file("mirror"), "--dry-run").code == 2
+
+
+@pytest.mark.usefixtures("nothing_computes")
+class TestOthers:
+    """Commands that a plan does not list, since they are quick or depend on a file."""
+
+    @pytest.mark.parametrize(
+        ("command", "template"),
+        [
+            ("chirp", "touchpad"),
+            ("protocol", "my-trials"),
+            ("export", "mirror"),
+            ("simulate scan", "my-scan"),
+            ("simulate friction", "my-trials"),
+        ],
+    )
+    def test_a_dry_run_says_the_cost_and_no_more(
+        self, inside, file, tmp_path, monkeypatch, command, template
+    ):
+        monkeypatch.chdir(tmp_path)
+        ran = inside(*command.split(), file(template), "--dry-run")
+        assert ran.code == 0, ran.err
+        assert ran.out.startswith("About ")
+        assert [one.name for one in tmp_path.iterdir()] == ["mine.toml"]
+
+    @pytest.mark.parametrize("command", ["scan", "friction"])
+    def test_a_larger_file_costs_more(self, inside, tmp_path, command):
+        told = []
+        for size in (10**6, 10**9):
+            with (tmp_path / "file.h5").open("wb") as file:
+                file.truncate(size)
+            told.append(inside(command, tmp_path / "file.h5", "--dry-run", "--json").json["processor_s"])
+        assert told[0] < told[1]
+
+    def test_a_model_that_is_judged_costs_more(self, inside, file, tmp_path):
+        (tmp_path / "scan.h5").touch()
+        asked = ["scan", tmp_path / "scan.h5", "--dry-run", "--json"]
+        alone, judged = (inside(*asked, *more).json for more in ([], ["--against", file("my-scan")]))
+        assert alone["processor_s"] < judged["processor_s"]
+
+    def test_a_drawing_costs_its_tolerances(self, inside, file):
+        asked = ["export", file("mirror"), "--dry-run", "--json"]
+        outline, drawing = (inside(*asked, kind).json for kind in ("--dxf", "--drawing"))
+        assert outline["processor_s"] < drawing["processor_s"]
+
+    def test_every_analysis_that_computes_has_a_forecast(self):
+        assert set(COSTS) == set(NAMES) - {"plan", "compare"}
+
+
+class TestWatching:
+    """`plan --watch`, whose looks at the file take turns with what somebody does to it."""
+
+    @pytest.fixture
+    def watched(self, inside, file, tmp_path, monkeypatch):
+        path, out = file("touchpad"), tmp_path / "out"
+
+        def watch(*deeds):
+            """Watch the study while deeds are done to it, one between two looks, the last of them Ctrl-C."""
+            left = iter(deeds)
+
+            def sleep(seconds):
+                deed = next(left, None)
+                if deed is None:
+                    raise KeyboardInterrupt
+                deed(path)
+
+            monkeypatch.setattr("haptonic.cli.watching.time.sleep", sleep)
+            return inside("plan", path, "--watch", "--out", out)
+
+        return watch
+
+    @staticmethod
+    def saved(old, new):
+        return lambda path: path.write_text(TEMPLATES["touchpad"].replace(old, new), "utf-8")
+
+    def test_it_tells_anew_what_was_saved_and_ends_with_ctrl_c(self, watched):
+        ran = watched(lambda path: None, self.saved('title = "', 'title = "Second '), lambda path: None)
+        assert ran.code == 0, ran.err
+        assert ran.out.count("180 pillars") == 2
+        assert ran.out.count("Second Touchpad") == 1
+
+    def test_a_broken_file_is_told_and_waited_out(self, watched):
+        broken, gone = lambda path: path.write_text("[cell", "utf-8"), lambda path: path.unlink()
+        ran = watched(broken, gone, self.saved('title = "', 'title = "Mended '))
+        assert ran.code == 0, ran.err
+        assert ran.err.count("likely cause") == 1
+        assert "Mended Touchpad" in ran.out
+
+    def test_what_was_there_before_is_not_replaced(self, watched, tmp_path):
+        (tmp_path / "out").mkdir()
+        (tmp_path / "out" / "plan.png").touch()
+        assert_five_parts(watched(), "--overwrite")
+
+    def test_it_has_many_answers_and_so_no_json(self, inside, file):
+        assert_five_parts(inside("plan", file("touchpad"), "--watch", "--json"), "--watch")
 
 
 def test_a_long_command_says_so_before_it_starts(inside, study, monkeypatch, tmp_path):

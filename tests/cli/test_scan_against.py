@@ -132,18 +132,20 @@ def test_files_of_a_verdict_in_the_way_stop_it_before_the_work(inside, folder, t
 
 
 @pytest.mark.parametrize(
-    ("arguments", "words"),
+    ("arguments", "code", "argument", "given"),
     [
-        (("--against", "model.nc"), ["--against", "without its study"]),
-        (("true.toml", "--against", "wrong.toml"), ["--against", "one study"]),
-        (("--against", "none.toml"), ["study", "no such file"]),
-        (("true.toml", "--against", "none.nc"), ["none.nc", "no such file"]),
-        (("--against", "cell.toml"), ["plate"]),
-        (("true.toml", "--against", "measured.nc"), ["computed", "simulated"]),
+        (("--against", "model.nc"), "missing", "--against", "without its study"),
+        (("true.toml", "--against", "wrong.toml"), "conflict", "--against", ""),
+        (("--against", "none.toml"), "unreadable", "study", ""),
+        (("true.toml", "--against", "none.nc"), "unreadable", "file of a frequency response", "none.nc"),
+        (("--against", "cell.toml"), "missing", "plate", ""),
+        (("true.toml", "--against", "measured.nc"), "mismatch", "computed", ""),
     ],
 )
-def test_it_refuses(inside, folder, arguments, words):
+def test_it_refuses(inside, folder, arguments, code, argument, given):
     measured = read(folder / "model.nc")
     write(FrequencyResponse(measured.dataset.assign_attrs(origin="measured")), folder / "measured.nc")
     named = [one if one.startswith("--") else folder / one for one in arguments]
-    assert_five_parts(inside("scan", folder / "scan.h5", *named, "--json"), *words)
+    assert_five_parts(
+        inside("scan", folder / "scan.h5", *named, "--json"), given, code=code, argument=argument
+    )

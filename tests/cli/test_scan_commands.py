@@ -271,15 +271,17 @@ class TestTwin:
         assert len(points) == len(plan)
 
     @pytest.mark.parametrize(
-        ("options", "words"),
+        ("options", "code", "argument"),
         [
-            (("--format", "nc", "--time"), ["--format", "h5, uff, mat, tdms"]),
-            (("--format", "tdms", "--frf"), ["--format", "nc, uff, mat, csv"]),
-            (("--from", "nothing.nc"), ["no such file"]),
+            (("--format", "nc", "--time"), "conflict", "--format"),
+            (("--format", "tdms", "--frf"), "conflict", "--format"),
+            (("--from", "nothing.nc"), "unreadable", "file of a frequency response"),
         ],
     )
-    def test_it_refuses(self, inside, tiny, tmp_path, options, words):
-        assert_five_parts(inside("simulate", "scan", tiny, "--out", tmp_path, *options), *words)
+    def test_it_refuses(self, inside, tiny, tmp_path, options, code, argument):
+        assert_five_parts(
+            inside("simulate", "scan", tiny, "--out", tmp_path, *options), code=code, argument=argument
+        )
 
     def test_it_refuses_a_response_of_another_scan(self, inside, tmp_path, answer):
         other = tmp_path / "other.toml"
@@ -412,27 +414,32 @@ class TestScan:
         assert "repaired" in mended.response.dataset.attrs["title"]
 
     @pytest.mark.parametrize(
-        ("arguments", "words"),
+        ("arguments", "code", "argument", "given"),
         [
-            (("nothing.h5",), ["no such file"]),
-            (("SCAN", "--corners", "0 0 1 1 mm"), ["--corners"]),
-            (("SCAN", "STUDY", "--corners", "0 0 1 1 mm"), ["--corners", "eight numbers"]),
-            (("SCAN", "STUDY", "--corners", "0 0 1 0 1 1 0 1 kg"), ["--corners"]),
-            (("SCAN", "--mirrored"), ["--mirrored"]),
-            (("SCAN", "--repair", "dropuot"), ["flags", "dropuot"]),
-            (("SCAN", "--at", "3 mm"), ["--at"]),
-            (("SCAN", "--at", "3 MHz"), ["3e+06 Hz"]),
-            (("SCAN", "--segment", "3 s"), ["segment"]),
-            (("SCAN", "--window", "exponential"), ["decay"]),
-            (("SCAN", "--overlap", "1.5"), ["overlap"]),
-            (("SCAN", "CELL"), ["plate"]),
+            (("nothing.h5",), "unreadable", "path", "no such file"),
+            (("SCAN", "--corners", "0 0 1 1 mm"), "malformed", "--corners", ""),
+            (("SCAN", "STUDY", "--corners", "0 0 1 1 mm"), "malformed", "--corners", ""),
+            (("SCAN", "STUDY", "--corners", "0 0 1 0 1 1 0 1 kg"), "malformed", "--corners", ""),
+            (("SCAN", "--mirrored"), "missing", "--mirrored", ""),
+            (("SCAN", "--repair", "dropuot"), "unknown", "flags", "dropuot"),
+            (("SCAN", "--at", "3 mm"), "malformed", "--at", ""),
+            (("SCAN", "--at", "3 MHz"), "out-of-range", "frequency", "3e+06 Hz"),
+            (("SCAN", "--segment", "3 s"), "out-of-range", "segment", ""),
+            (("SCAN", "--window", "exponential"), "conflict", "decay", ""),
+            (("SCAN", "--overlap", "1.5"), "out-of-range", "overlap", ""),
+            (("SCAN", "CELL"), "missing", "plate", ""),
         ],
     )
-    def test_it_refuses(self, inside, tiny, recorded, tmp_path, arguments, words):
+    def test_it_refuses(self, inside, tiny, recorded, tmp_path, arguments, code, argument, given):
         cell = tmp_path / "cell.toml"
         cell.write_text(TINY[: TINY.index("[plate]")], "utf-8")
         known = {"SCAN": recorded / "scan.h5", "STUDY": tiny, "CELL": cell}
-        assert_five_parts(inside("scan", *(known.get(one, one) for one in arguments), "--json"), *words)
+        assert_five_parts(
+            inside("scan", *(known.get(one, one) for one in arguments), "--json"),
+            given,
+            code=code,
+            argument=argument,
+        )
 
     def test_a_scan_of_another_plate_is_told(self, inside, tiny, tmp_path, recorded):
         other = tmp_path / "other.toml"
@@ -493,15 +500,17 @@ class TestOwnNames:
         assert "--frequency-unit kHz" in frequencies
 
     @pytest.mark.parametrize(
-        ("options", "words"),
+        ("options", "code", "argument", "given"),
         [
-            ((), ("x, y or points", "--variables")),
-            (("--variables", "response=FRX"), ("variables.response", "FRX", "FRF")),
-            (("--variables", "answer=FRF"), ("variables.answer", "response")),
-            (("--variables", "response"), ("--variables", "MEANING=NAME")),
-            (("--variables", "response=FRF,"), ("--variables", "MEANING=NAME")),
-            ((*ASKED, "--frequency-unit", "mm"), ("frequency_unit", "not a unit of frequency")),
+            ((), "mismatch", "own.mat: x, y or points", ""),
+            (("--variables", "response=FRX"), "unknown", "variables.response", "FRX"),
+            (("--variables", "answer=FRF"), "unknown", "variables.answer", ""),
+            (("--variables", "response"), "malformed", "--variables", ""),
+            (("--variables", "response=FRF,"), "malformed", "--variables", ""),
+            ((*ASKED, "--frequency-unit", "mm"), "malformed", "frequency_unit", ""),
         ],
     )
-    def test_what_does_not_name_a_variable_or_a_unit_is_refused(self, inside, own, options, words):
-        assert_five_parts(inside("scan", own[0], *options, "--json"), *words)
+    def test_what_does_not_name_a_variable_or_a_unit_is_refused(
+        self, inside, own, options, code, argument, given
+    ):
+        assert_five_parts(inside("scan", own[0], *options, "--json"), given, code=code, argument=argument)

@@ -26,6 +26,7 @@ from haptonic.cli.listing import entry
 from haptonic.errors import StudyError
 from haptonic.fields import remade, table
 from haptonic.fields.json_schema import json_schema
+from haptonic.fields.keys import pattern_of
 from haptonic.materials import library
 from haptonic.study import Study, load, loads
 
@@ -127,6 +128,16 @@ def printed(width: int, head: str, lines: dict[str, str]) -> list[str]:
     return voice.out.file.getvalue().splitlines()
 
 
+def test_the_trials_of_the_template_can_be_tried(inside, tmp_path):
+    """Simulated records are read by the sensor of the study that they were made for."""
+    study = tmp_path / "mine.toml"
+    study.write_text(TEMPLATES["my-trials"].replace("blocks = 4", "blocks = 2"), "utf-8")
+    made = inside("simulate", "friction", study, "--participants", 2, "--out", tmp_path / "trials")
+    assert made.code == 0, made.err
+    told = inside("friction", tmp_path / "trials", "--json").json
+    assert told.get("error") is None
+
+
 class TestKeys:
     @pytest.mark.parametrize("path", KEYS)
     def test_all_that_is_known_is_shown_at_80_columns(self, path):
@@ -158,6 +169,12 @@ class TestKeys:
         every = inside("keys", "--json").json["keys"]
         assert [key["path"] for key in every] == list(KEYS)
         assert all(key["allowed"] for key in every)
+
+    @pytest.mark.parametrize("path", [path for path in KEYS if path.endswith("[].parameter")])
+    def test_numbers_that_a_text_may_name_are_told(self, path):
+        names = keys.lines(KEYS[path])["names"].split(", ")
+        assert "material.youngs_modulus" in names
+        assert all(name in KEYS or pattern_of(name) in KEYS for name in names)
 
     def test_one_that_finds_nothing_names_the_nearest(self, inside):
         assert_five_parts(inside("keys", "thicknes s"), "haptonic keys thickness")

@@ -160,16 +160,16 @@ def test_a_response_that_is_there_is_not_computed_again(inside, plated, scan, mo
 
 
 @pytest.mark.parametrize(
-    ("others", "words"),
+    ("others", "code", "argument"),
     [
-        ({"reference": "A1, V"}, "reference"),
-        ({"reference": ""}, "reference"),
-        ({"factor": 1e3}, "points"),
-        ({"direction": ("x",)}, "direction"),
+        ({"reference": "A1, V"}, "mismatch", "reference"),
+        ({"reference": ""}, "mismatch", "reference"),
+        ({"factor": 1e3}, "mismatch", "points"),
+        ({"direction": ("x",)}, "missing", "direction"),
     ],
 )
-def test_a_scan_of_something_else_is_refused(inside, plated, scan, others, words):
-    assert_five_parts(inside("verdict", scan(**others), plated()), words)
+def test_a_scan_of_something_else_is_refused(inside, plated, scan, others, code, argument):
+    assert_five_parts(inside("verdict", scan(**others), plated()), code=code, argument=argument)
 
 
 def test_files_in_the_way_stop_it_before_the_work(inside, plated, scan, tmp_path):

@@ -11,10 +11,25 @@ import haptonic
 SOURCE = Path(haptonic.__file__).parent
 FILES = sorted(SOURCE.rglob("*.py"))
 
-BASE = {"errors", "fields", "foreign", "gate", "hdf5", "names", "parallel", "paths", "progress", "units"}
+BASE = {
+    "arrays",
+    "errors",
+    "fields",
+    "foreign",
+    "gate",
+    "hdf5",
+    "names",
+    "parallel",
+    "paths",
+    "progress",
+    "units",
+}
 CORE = BASE | {"materials", "lattice", "brillouin", "cell", "elements", "solvers", "superelement", "bloch"}
 LOWER = CORE | {"design", "friction", "plate", "response", "store", "updating", "vibrometry"}
+EVERYWHERE = {"later"}  # stands for libraries of others
 ALLOWED: dict[str, set[str]] = {
+    "arrays": set(),
+    "later": set(),
     "names": set(),
     "hdf5": set(),
     "gate": {"errors"},
@@ -25,16 +40,17 @@ ALLOWED: dict[str, set[str]] = {
     "materials": BASE,
     "lattice": BASE,
     "brillouin": BASE | {"lattice"},
-    "solvers": {"errors"},
+    "solvers": {"arrays", "errors"},
     "paths": {"errors", "units"},
     "progress": set(),
     "parallel": set(),
     "store": {"errors", "gate", "paths"},
     "jobs": BASE | {"store"},
     "cell": BASE | {"materials", "lattice", "brillouin"},
-    "elements": {"cell", "materials"},
-    "superelement": {"cell", "elements", "errors", "lattice", "materials", "parallel", "solvers"},
+    "elements": {"arrays", "cell", "materials"},
+    "superelement": {"arrays", "cell", "elements", "errors", "lattice", "materials", "parallel", "solvers"},
     "bloch": {
+        "arrays",
         "superelement",
         "cell",
         "lattice",
@@ -46,7 +62,7 @@ ALLOWED: dict[str, set[str]] = {
         "parallel",
         "units",
     },
-    "channels": {"errors", "foreign", "hdf5", "names", "paths", "units"},
+    "channels": {"arrays", "errors", "foreign", "hdf5", "names", "paths", "units"},
     "response": BASE | {"channels"},
     "vibrometry": CORE | {"channels", "plate", "response"},
     "friction": BASE | {"channels", "response"},
@@ -129,7 +145,7 @@ def test_imports_follow_the_table(module):
     assert part in ALLOWED.keys() | TOP, f"{part} is not in the table of parts"
     for name in own_imports_of(module):
         other = part_of(name)
-        if part in TOP or other == part:
+        if part in TOP or other == part or other in EVERYWHERE:
             continue
         assert other in ALLOWED[part], f"{module} must not import {name}"
 
@@ -212,3 +228,24 @@ def test_the_core_needs_no_more_than_numpy_scipy_and_what_counts_memory_and_thre
         if part_of(module) in CORE - {"units", "fields", "foreign"}:
             roots = {name.split(".")[0] for name in imports_of(module)} - set(sys.stdlib_module_names)
             assert roots <= outside, module
+
+
+def aliases_in(tree: ast.Module) -> dict[str, str]:
+    """Types of arrays that a module gives names to, by what they are."""
+    made = [
+        node for node in tree.body if isinstance(node, ast.Assign) and isinstance(node.value, ast.Subscript)
+    ]
+    return {ast.unparse(node.value): ast.unparse(node.targets[0]) for node in made}
+
+
+KNOWN = aliases_in(TREES["haptonic.arrays"])
+
+
+@pytest.mark.parametrize("module", sorted(TREES.keys() - {"haptonic.arrays"}))
+def test_types_of_arrays_are_named_once(module):
+    again = {
+        name: what
+        for what, name in aliases_in(TREES[module]).items()
+        if what in KNOWN and what != "NDArray[Any]"
+    }
+    assert again == {}, f"{module} names again what haptonic.arrays names"

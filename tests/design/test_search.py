@@ -109,6 +109,14 @@ class TestLimits:
         assert self.room()[limit] > 0
         assert self.room(**change)[limit] < 0
 
+    def test_widths_are_asked_of_the_pillar(self, monkeypatch):
+        """So that a pillar of another shape has its limits without a change here."""
+        own, before = Pillar.half_width, self.room()
+        monkeypatch.setattr(Pillar, "half_width", lambda pillar, z, stage: own(pillar, z, stage) - 0.1 * z)
+        room = self.room()
+        assert room["tip"] == pytest.approx(before["tip"] - 2 * 0.1 * 9 / 4.5)
+        assert room["step's width"] == pytest.approx(before["step's width"] - 0.93 * 2 * 0.1 * 5 / 4.5)
+
     def test_only_those_that_apply(self):
         assert set(brief_of(CELL).limits(np.full(4, 0.5))) == {"gap between pillars", "fillet", "tip"}
         plate = replace(CELL, pillar=None)

@@ -1,7 +1,6 @@
 """Load sharing and intermittent contact: stated values, balance of forces, scaling laws, inverses."""
 
 import json
-from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -14,7 +13,6 @@ from five_parts import refused
 from haptonic.friction.lubrication import (
     Fingertip,
     Margin,
-    Parameter,
     Touch,
     amplitude_for,
     amplitude_ratio,
@@ -225,7 +223,7 @@ class TestPrediction:
 
     def test_what_explains_the_prototype(self):
         """A film as wide as the pad: 3 and somewhat more. A short film needs a larger ratio still."""
-        wide = replace(FINGER, film_share=FINGER.film_share.having(1.0))
+        wide = FINGER.having(film_share=1.0)
         found = explained(0.55, 0.11, TOUCH, wide)
         low, value, high = found["ratio"].sel(quantity=["low", "value", "high"]).values
         assert 2.8 < low < value < high < 4.2
@@ -294,42 +292,23 @@ def test_bad_touches_are_refused(numbers, word):
     refused(lambda: Touch(**numbers), word, "touch.")
 
 
-def test_bad_fingers_are_refused():
-    refused(lambda: FINGER.having(contact_gaps=1e-6), code="unknown", argument="finger.contact_gaps")
-    refused(lambda: FINGER.having(zebra=1.0), code="unknown", argument="finger.zebra")
+@pytest.mark.parametrize(
+    ("numbers", "code", "argument"),
+    [
+        ({"contact_gaps": 1e-6}, "unknown", "touch.skin.contact_gaps"),
+        ({"zebra": 1.0}, "unknown", "touch.skin.zebra"),
+        ({"contact_gap": 4.0}, "out-of-range", "touch.skin.contact_gap[1]"),
+        ({"contact_gap": float("nan")}, "out-of-range", "touch.skin.contact_gap[1]"),
+        ({"area_exponent": 0.0}, "out-of-range", "touch.skin.area_exponent[1]"),
+    ],
+)
+def test_bad_fingers_are_refused(numbers, code, argument):
+    refused(lambda: FINGER.having(**numbers), code=code, argument=argument)
+
+
+def test_a_value_outside_of_its_own_uncertainty_is_refused():
     refused(
-        lambda: FINGER.having(contact_gap=4.0),
-        "4 m",
-        code="out-of-range",
-        argument="finger: gap at which asperities carry that pressure",
-    )
-    refused(
-        lambda: FINGER.having(contact_gap=float("nan")),
-        "nan",
-        code="out-of-range",
-        argument="finger: gap at which asperities carry that pressure",
-    )
-    refused(
-        lambda: FINGER.having(contact_gap="4 um"),
-        "'4 um'",
-        code="out-of-range",
-        argument="finger: gap at which asperities carry that pressure",
-    )
-    refused(
-        lambda: FINGER.having(area_exponent=0.0),
-        code="out-of-range",
-        argument="finger: growth of the area with force",
-    )
-    refused(
-        lambda: FINGER.contact_gap.having(4e-6, (5e-6, 6e-6)),
-        code="out-of-range",
-        argument="finger: gap at which asperities carry that pressure",
-    )
-    refused(
-        lambda: Parameter(1.0, "m", "t", (0.0, 2.0), (1.0, 3.0), "given", "user"),
-        "plausible 1 to 3",
-        code="out-of-range",
-        argument="finger: t",
+        lambda: Fingertip(contact_gap=(5e-6, 4e-6, 6e-6)), code="conflict", argument="touch.skin.contact_gap"
     )
 
 

@@ -219,18 +219,18 @@ class TestSensor:
         refused(lambda: friction_in(folder, clipped), "saturated channel", code="too-few", argument="trials")
 
     @pytest.mark.parametrize(
-        ("rows", "word"),
+        ("rows", "code", "argument", "given"),
         [
-            (np.eye(5), "5 x 5"),
-            (np.ones((6, 6)), "rank 1"),
-            (np.diag([1, 1, 1, 1, 1, 0.0]), "rank 5"),
-            (np.eye(6) + np.diag([np.nan] * 6), "rank"),
-            (ALMOST_DEPENDENT, "rank 6, condition number"),
+            (np.eye(5), "unreadable", "trials.sensor.calibration", "5 x 5"),
+            (np.ones((6, 6)), "unreadable", "trials.sensor.calibration", "rank 1"),
+            (np.diag([1, 1, 1, 1, 1, 0.0]), "unreadable", "trials.sensor.calibration", "rank 5"),
+            (np.eye(6) + np.diag([np.nan] * 6), "unreadable", "trials.sensor.calibration", "rank"),
+            (ALMOST_DEPENDENT, "unreadable", "trials.sensor.calibration", "rank 6, condition number"),
         ],
     )
-    def test_bad_calibrations_are_refused(self, tmp_path, rows, word):
+    def test_bad_calibrations_are_refused(self, tmp_path, rows, code, argument, given):
         pd.DataFrame(rows).to_csv(tmp_path / "m.csv", header=False, index=False)
-        refused(lambda: read_calibration(tmp_path / "m.csv"), word, "full rank")
+        refused(lambda: read_calibration(tmp_path / "m.csv"), given, code=code, argument=argument)
         refused(
             lambda: read_calibration(tmp_path / "none.csv"),
             "cannot be read",
@@ -332,23 +332,48 @@ class TestOmissions:
 
 class TestTables:
     @pytest.mark.parametrize(
-        ("change", "word"),
+        ("change", "code", "argument", "given"),
         [
-            (lambda t: t.drop(columns="file"), "column file"),
-            (lambda t: t.rename(columns={"participant": "particpant"}), 'rename "particpant"'),
-            (lambda t: t.assign(file="/etc/passwd"), "in this folder"),
-            (lambda t: t.assign(file="../other.csv"), "in this folder"),
-            (lambda t: t.assign(file=""), "in this folder"),
-            (lambda t: t.assign(actuation="maybe"), '"on" or "off"'),
-            (lambda t: t.assign(trial=1), "more than once"),
-            (lambda t: t.iloc[:0], "[0] rows"),
-            (lambda t: t.assign(start="soon", stop=1.0), "numbers in the column start"),
-            (lambda t: t.assign(file="gone.csv"), "no such file"),
+            (lambda t: t.drop(columns="file"), "missing", "trials.csv: column file", ""),
+            (
+                lambda t: t.rename(columns={"participant": "particpant"}),
+                "missing",
+                "trials.csv: column participant",
+                "",
+            ),
+            (
+                lambda t: t.assign(file="/etc/passwd"),
+                "malformed",
+                "trials.csv: file of participant P1, block 1, trial 1",
+                "",
+            ),
+            (
+                lambda t: t.assign(file="../other.csv"),
+                "malformed",
+                "trials.csv: file of participant P1, block 1, trial 1",
+                "",
+            ),
+            (
+                lambda t: t.assign(file=""),
+                "malformed",
+                "trials.csv: file of participant P1, block 1, trial 1",
+                "",
+            ),
+            (
+                lambda t: t.assign(actuation="maybe"),
+                "malformed",
+                "actuation of participant P1, block 1, trial 1",
+                "",
+            ),
+            (lambda t: t.assign(trial=1), "repeated", "records", "more than once"),
+            (lambda t: t.iloc[:0], "malformed", "trials.csv", "[0] rows"),
+            (lambda t: t.assign(start="soon", stop=1.0), "malformed", "trials.csv", ""),
+            (lambda t: t.assign(file="gone.csv"), "unreadable", "gone.csv: gone.csv", "no such file"),
         ],
     )
-    def test_wrong_tables_are_refused(self, tmp_path, change, word):
+    def test_wrong_tables_are_refused(self, tmp_path, change, code, argument, given):
         folder = edited(written(tmp_path / "a", MADE[:6]), change)
-        refused(lambda: friction_in(folder), word)
+        refused(lambda: friction_in(folder), given, code=code, argument=argument)
 
     def test_folders_without_a_table(self, tmp_path):
         for folder in (tmp_path, tmp_path / "none"):

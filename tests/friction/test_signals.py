@@ -200,52 +200,52 @@ def test_a_record_twice_is_refused():
 
 
 @pytest.mark.parametrize(
-    ("name", "array", "word"),
+    ("name", "array", "code", "argument", "given"),
     [
-        ("normal", np.full(1500, 2000.0), "2000 N"),
-        ("tangential", np.full(1500, -800.0), "800 N"),
-        ("position", np.linspace(0, 140, 1500), "140 m"),
-        ("tangential", np.ones(1499), "(1499,)"),
-        ("tangential", np.ones((1500, 3)), "(1500, 3)"),
-        ("normal", np.array(["a"] * 1500), "<U1"),
-        ("rate", 0.0, "0.0 Hz"),
-        ("rate", float("nan"), "nan"),
+        ("normal", np.full(1500, 2000.0), "malformed", "record.normal", "2000 N"),
+        ("tangential", np.full(1500, -800.0), "malformed", "record.tangential", "800 N"),
+        ("position", np.linspace(0, 140, 1500), "malformed", "record.position", "140 m"),
+        ("tangential", np.ones(1499), "malformed", "record.tangential", "(1499,)"),
+        ("tangential", np.ones((1500, 3)), "malformed", "record.tangential", "(1500, 3)"),
+        ("normal", np.array(["a"] * 1500), "malformed", "record.normal", "<U1"),
+        ("rate", 0.0, "malformed", "record.rate", "0.0 Hz"),
+        ("rate", float("nan"), "malformed", "record.rate", "nan"),
     ],
 )
-def test_bad_records_are_refused(name, array, word):
-    refused(lambda: Record(**(stroke() | {name: array})), word, "record.")
+def test_bad_records_are_refused(name, array, code, argument, given):
+    refused(lambda: Record(**(stroke() | {name: array})), given, code=code, argument=argument)
 
 
 @pytest.mark.parametrize(
-    ("rules", "word"),
+    ("rules", "code", "argument", "given"),
     [
-        ({"threshold": 100.0}, "100"),
-        ({"threshold": float("nan")}, "nan"),
-        ({"plateau": 50}, "50"),
-        ({"steady": "0.1 N"}, "0.1 N"),
-        ({"steady": True}, "True"),
-        ({"force": (5.0, 0.1)}, "lower limit first"),
-        ({"speed": 0.078}, "0.078"),
-        ({"filter": "bessel"}, "bessel"),
+        ({"threshold": 100.0}, "out-of-range", "trials.threshold", "100"),
+        ({"threshold": float("nan")}, "out-of-range", "trials.threshold", "nan"),
+        ({"plateau": 50}, "out-of-range", "trials.plateau", "50"),
+        ({"steady": "0.1 N"}, "malformed", "trials.steady", "0.1 N"),
+        ({"steady": True}, "malformed", "trials.steady", "True"),
+        ({"force": (5.0, 0.1)}, "conflict", "trials.force", ""),
+        ({"speed": 0.078}, "malformed", "trials.speed", "0.078"),
+        ({"filter": "bessel"}, "unknown", "trials.filter", "bessel"),
     ],
 )
-def test_bad_rules_are_refused(rules, word):
-    refused(lambda: Rules(**rules), word)
+def test_bad_rules_are_refused(rules, code, argument, given):
+    refused(lambda: Rules(**rules), given, code=code, argument=argument)
 
 
 @pytest.mark.parametrize(
-    ("label", "word"),
+    ("label", "code", "argument"),
     [
-        ({"actuation": "onn"}, '"on"'),
-        ({"participant": " "}, "participant of"),
-        ({"block": 0}, "block of"),
-        ({"trial": 1.5}, "1.5"),
-        ({"waveguide": None}, "waveguide of"),
+        ({"actuation": "onn"}, "malformed", "actuation of participant P1, block 1, trial 1"),
+        ({"participant": " "}, "malformed", "participant of participant  , block 1, trial 1"),
+        ({"block": 0}, "malformed", "block of participant P1, block 0, trial 1"),
+        ({"trial": 1.5}, "malformed", "trial of participant P1, block 1, trial 1.5"),
+        ({"waveguide": None}, "malformed", "waveguide of participant P1, block 1, trial 1"),
     ],
 )
-def test_bad_labels_are_refused(label, word):
+def test_bad_labels_are_refused(label, code, argument):
     good = {"participant": "P1", "block": 1, "trial": 1, "waveguide": "WG1", "actuation": "on"}
-    refused(lambda: Label(**(good | label)), word)
+    refused(lambda: Label(**(good | label)), code=code, argument=argument)
 
 
 class TestFiles:
@@ -296,23 +296,43 @@ class TestFiles:
             assert record.position == pytest.approx(rows["position"].to_numpy())
 
     @pytest.mark.parametrize(
-        ("spoil", "word"),
+        ("spoil", "code", "argument", "given"),
         [
-            (lambda t: t.drop(columns="normal"), "column normal"),
-            (lambda t: t.rename(columns={"tangential": "tangental"}), 'rename "tangental"'),
-            (lambda t: t.assign(time=t["time"].to_numpy()[::-1]), "times that do not advance evenly"),
-            (lambda t: t.drop(index=[500]), "participant P1, block 1, trial 1"),
-            (lambda t: t.assign(actuation="maybe"), '"on" or "off"'),
-            (lambda t: t.assign(waveguide=["WG1", *["WG2"] * (len(t) - 1)]), "waveguide changes"),
-            (lambda t: t.assign(normal=1000 * t["normal"]), "record.normal"),
-            (lambda t: t.assign(normal="0,8"), "text in the column normal"),
-            (lambda t: t.assign(block=1.5), "block of"),
-            (lambda t: t.iloc[:0], "[0] rows"),
+            (lambda t: t.drop(columns="normal"), "missing", "a.csv: column normal", ""),
+            (
+                lambda t: t.rename(columns={"tangential": "tangental"}),
+                "missing",
+                "a.csv: column tangential",
+                "",
+            ),
+            (
+                lambda t: t.assign(time=t["time"].to_numpy()[::-1]),
+                "malformed",
+                "a.csv, participant P1, block 1, trial 1",
+                "times that do not advance evenly",
+            ),
+            (lambda t: t.drop(index=[500]), "malformed", "a.csv, participant P1, block 1, trial 1", ""),
+            (
+                lambda t: t.assign(actuation="maybe"),
+                "malformed",
+                "actuation of participant P1, block 1, trial 1",
+                "",
+            ),
+            (
+                lambda t: t.assign(waveguide=["WG1", *["WG2"] * (len(t) - 1)]),
+                "malformed",
+                "a.csv",
+                "waveguide changes",
+            ),
+            (lambda t: t.assign(normal=1000 * t["normal"]), "malformed", "record.normal", ""),
+            (lambda t: t.assign(normal="0,8"), "malformed", "a.csv", "text in the column normal"),
+            (lambda t: t.assign(block=1.5), "malformed", "block of participant P1, block 1.5, trial 1", ""),
+            (lambda t: t.iloc[:0], "malformed", "a.csv", "[0] rows"),
         ],
     )
-    def test_bad_tables_of_records(self, tmp_path, spoil, word):
+    def test_bad_tables_of_records(self, tmp_path, spoil, code, argument, given):
         path = self.written(spoil(self.rows()), tmp_path / "a.csv")
-        refused(lambda: list(read_records(path)), word)
+        refused(lambda: list(read_records(path)), given, code=code, argument=argument)
 
     def test_files_that_cannot_be_read(self, tmp_path):
         (tmp_path / "b.nc").write_bytes(b"no such thing")

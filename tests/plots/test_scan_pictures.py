@@ -34,8 +34,8 @@ def test_the_contrast_and_the_gap_s_uncertainty():
     gap = MeasuredGap(52e3, 60e3, 500.0, 1500.0, 0, 0, 0, 20)
     figure = plots.measured_contrast(LINES, {"A over B": LINES / 1e3}, gap, (53e3, 59e3), origin="simulated")
     (axes,) = figure.axes
-    sky = [p for p in axes.patches if to_hex(p.get_facecolor()) == style.SKY.lower()]
-    assert sorted((p.get_x(), p.get_x() + p.get_width()) for p in sky) == [(51.5, 52.5), (58.5, 61.5)]
+    errors = [p for p in axes.patches if p.get_hatch()]
+    assert sorted((p.get_x(), p.get_x() + p.get_width()) for p in errors) == [(51.5, 52.5), (58.5, 61.5)]
     assert "simulated" in texts(figure)
     assert "high contrast, 52.0 to 60.0 kHz" in texts(figure)
     assert "computed gap, 53.0 to 59.0 kHz" in texts(figure)
@@ -72,6 +72,10 @@ def test_waves_and_dispersion():
     # there and back: a standing wave is both
     assert [line.get_xdata().tolist() for line in axes.lines] == [[0.2, 0.3], [-0.2, -0.3]]
     assert "WG1, simulated" in texts(figure)
+    bar = figure.axes[-1]
+    named = [one.get_text() for one in bar.get_yticklabels()]
+    assert {"10⁻³", "10⁻²", "10⁻¹", "10⁰"} <= set(named)
+    assert not any("$" in one for one in named)
 
 
 def test_a_loud_line_among_very_many_is_drawn():

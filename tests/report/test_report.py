@@ -16,7 +16,7 @@ from matplotlib.figure import Figure
 from five_parts import refusing
 from haptonic.errors import ResourceError
 from haptonic.fields import unchecked
-from haptonic.report import Absent, Chapter, Results, write_report
+from haptonic.report import Absent, Chapter, Results, Table, write_report
 from haptonic.report.chapters import IN_ORDER, comparison, dispersion, mirror, sweeps
 from haptonic.report.page import page
 from haptonic.report.trend import fitted_power, trend_of
@@ -96,7 +96,7 @@ def study_with(**changes: object) -> Study:
 @pytest.fixture
 def empty_pictures(monkeypatch):
     """Pictures are drawn but not rendered, which takes most of the time of a page."""
-    monkeypatch.setattr("haptonic.pages.rendered", lambda figure, kind: b"<svg/>")
+    monkeypatch.setattr("haptonic.plots.rendered", lambda figure, kind: b"<svg/>")
 
 
 @pytest.fixture
@@ -148,6 +148,17 @@ class TestOneFile:
         assert reader.of("html")[0]["lang"] == "en"
         assert any(meta.get("name") == "viewport" for meta in reader.of("meta"))
         assert "@media print" in whole
+
+    def test_a_light_has_its_colour_and_its_word(self, monkeypatch, empty_pictures):
+        lights = Table(
+            "lights", ("light", "demand"), [("● green", "a"), ("▲ amber", "b"), ("", "red"), ("5", "red")]
+        )
+        monkeypatch.setattr(Toy, "tables", lambda toy: [lights])
+        content = page(replace(results(), parts={**results().parts, "toy": Toy(2)}))
+        assert re.findall(r'class="light (\w+)">(.*?)</th>', content) == [
+            ("green", "● green"),
+            ("amber", "▲ amber"),
+        ]
 
     def test_it_is_not_replaced_unasked(self, tmp_path):
         path = tmp_path / "report.html"

@@ -7,7 +7,7 @@ import pytest
 
 from haptonic.errors import StudyError
 from haptonic.fields import table
-from haptonic.fields.keys import leaves
+from haptonic.fields.keys import leaves, slots
 from haptonic.study import Study, load, loads
 
 KEYS = table(Study)
@@ -146,3 +146,19 @@ def test_leaves_are_the_values_of_the_study(reference_path):
     assert found["sweep[2].to"] == 3.0
     assert found["material.name"] == "aluminium (paper)"
     assert "cell.pitch_y" not in found
+
+
+def every_slot(kind, prefix=""):
+    for slot in slots(kind):
+        yield f"{prefix}{slot.name}", slot
+        for below in slot.kinds:
+            yield from every_slot(below, f"{prefix}{slot.name}.")
+
+
+def test_a_title_is_declared_only_where_it_is_not_the_name():
+    """What the name says already would have to be changed with it; the numbers of a model have their own."""
+    own = {path: slot for path, slot in every_slot(Study) if slot.field.alias is None}
+    own = {path: slot for path, slot in own.items() if not path.startswith("touch.skin.")}
+    repeated = [path for path, slot in own.items()
+                if slot.field.title == slot.name.replace("_", " ").capitalize()]  # fmt: skip
+    assert repeated == []

@@ -1,11 +1,14 @@
 """Studies and cells made in Python: of values or texts, checked as in a file, changed by paths."""
 
+from dataclasses import fields
+
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from test_study_writing import studies
 
 from five_parts import refused, refusing
+from haptonic.analyses import NAMES, named
 from haptonic.cell import Pillar, UnitCell
 from haptonic.errors import HaptonicError, StudyError
 from haptonic.fields import numbers, table, with_numbers
@@ -147,3 +150,27 @@ def test_the_radius_of_a_sharp_edge_is_a_number_like_others(radius):
 def test_what_a_run_cannot_be_given_is_refused_before_any_work(argument, value):
     error = refused(lambda: Study(cell=CELL).bands(**{argument: value}))
     assert error.argument == ("workers" if argument == "scheduler" else argument)
+
+
+NEEDING_PATHS = {
+    name: [one.name for one in fields(named(name).options) if one.type in ("Path", "Path | None")]
+    for name in NAMES
+}
+
+
+@pytest.mark.parametrize("name", [name for name, paths in NEEDING_PATHS.items() if paths])
+def test_a_path_that_an_analysis_takes_may_be_a_text_and_nothing_else(name, tmp_path):
+    """Of every analysis with a path, whatever it is for."""
+    study, one = Study(cell=CELL, carrier="60 kHz"), named(name)
+    given = dict.fromkeys(NEEDING_PATHS[name], str(tmp_path))
+    assert all(getattr(one.chosen(given), path) == tmp_path for path in given)
+    for path in given:
+        for wrong in (3, "", b"x", ["a.csv"]):
+            error = refused(lambda path=path, wrong=wrong: study.run(name, **given | {path: wrong}))
+            assert error.argument == path
+
+
+@pytest.mark.parametrize(("name", "option"), [("scan", "path"), ("friction", "path"), ("compare", "second")])
+def test_what_an_analysis_cannot_do_without_is_asked_for_by_its_name(name, option):
+    error = refused(lambda: Study(cell=CELL).run(name, **({"first": "a.toml"} if name == "compare" else {})))
+    assert (error.code, error.argument) == ("missing", option)

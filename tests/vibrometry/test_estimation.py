@@ -374,25 +374,25 @@ class TestStream:
 
 
 @pytest.mark.parametrize(
-    ("settings", "words"),
+    ("settings", "code", "argument", "given"),
     [
-        ({"estimator": "H3"}, ["estimator", "H3"]),
-        ({"window": "blackman"}, ["window", "blackman"]),
-        ({"window": "exponential"}, ["decay"]),
-        ({"decay": 1.0}, ["decay"]),
-        ({"window": "exponential", "decay": -1.0}, ["decay"]),
-        ({"segment": 1}, ["segment"]),
-        ({"segment": SAMPLES + 1}, ["segment"]),
-        ({"overlap": 1.0}, ["overlap"]),
-        ({"band": (20.0, 60.0)}, ["band", "100 Hz apart"]),
-        ({"band": (5e4, 1e4)}, ["band"]),
-        ({"band": (2e5, 3e5)}, ["band"]),
+        ({"estimator": "H3"}, "unknown", "estimator", "H3"),
+        ({"window": "blackman"}, "unknown", "window", "blackman"),
+        ({"window": "exponential"}, "conflict", "decay", ""),
+        ({"decay": 1.0}, "conflict", "decay", ""),
+        ({"window": "exponential", "decay": -1.0}, "conflict", "decay", ""),
+        ({"segment": 1}, "out-of-range", "segment", ""),
+        ({"segment": SAMPLES + 1}, "out-of-range", "segment", ""),
+        ({"overlap": 1.0}, "out-of-range", "overlap", ""),
+        ({"band": (20.0, 60.0)}, "out-of-range", "band", ""),
+        ({"band": (5e4, 1e4)}, "out-of-range", "band", ""),
+        ({"band": (2e5, 3e5)}, "out-of-range", "band", ""),
     ],
 )
-def test_settings_that_do_not_fit(settings, words):
+def test_settings_that_do_not_fit(settings, code, argument, given):
     with pytest.raises(ScanError) as caught:
         estimate(recorded(*periodic()), **settings)
-    assert_told(caught.value, *words)
+    assert_told(caught.value, given, code=code, argument=argument)
 
 
 def test_no_drive_at_all():

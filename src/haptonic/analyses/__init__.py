@@ -25,6 +25,7 @@ NAMES = {
     "layers": "What rows of cells let through between two plain plates, and how many of them the carrier "
     "needs.",
     "waveguide": "Width, length and frequency of a waveguide between two such mirrors.",
+    "ribbon": "Waves along columns of cells side by side: projected bands, and what a guide or edge holds.",
     "design": "The cell whose gap holds the carrier with the widest margin, within the study's [design].",
     "tolerance": "The chance that the gap holds the carrier, the size that matters most, and the loosest "
     "tolerances.",

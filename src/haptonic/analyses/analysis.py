@@ -5,9 +5,10 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from dataclasses import MISSING, dataclass, field, fields
 from pathlib import Path
-from typing import Any, Literal
+from typing import Any, Literal, get_args, get_type_hints
 
 from haptonic.errors import StudyError
+from haptonic.paths import source
 from haptonic.results.result import Result
 from haptonic.results.runner import Runner
 from haptonic.units import to_si
@@ -73,6 +74,7 @@ class Analysis:
     reported : options with which the report of a study has it; None for a study whose report has not
     folder : ending of the folder for its files; by default its name
     writes : whether it gives files only, and so always has a folder
+    watches : whether it is quick enough to be asked again whenever the study is saved
     """
 
     name: str
@@ -87,23 +89,35 @@ class Analysis:
     reported: Callable[[Any], Any] | None = None
     folder: str = ""
     writes: bool = False
+    watches: bool = False
 
     def chosen(self, given: Mapping[str, Any]) -> Any:
         """The options, from what was given by name.
 
         Raises
         ------
-        StudyError : there is no such option, or one that is needed is missing
+        StudyError : there is no such option, one that is needed is missing, or a path is none
         """
         known = {one.name: one for one in fields(self.options)}
+        kinds = get_type_hints(self.options)
         for name in given:
             if name not in known:
                 cause = f"{self.name} has no such option"
                 raise StudyError.unknown(name, name, known, cause, next_step="leave it out")
+        for name, declared in known.items():
+            if declared.default is MISSING and declared.default_factory is MISSING and name not in given:
+                raise StudyError.missing(
+                    argument=name,
+                    allowed=one.help if (one := option_of(declared)) else "a value",
+                    cause=f"{self.name} cannot do without it",
+                    next_step=f"give it by its name, {name}=...",
+                )
         asked = {
             name: one.value(given[name]) if (one := option_of(known[name])) else given[name] for name in given
         }
-        return self.options(**asked)
+        paths = {name: source(one, name, StudyError) for name, one in asked.items()
+                 if one is not None and Path in (kinds[name], *get_args(kinds[name]))}  # fmt: skip
+        return self.options(**asked | paths)
 
     def run(self, study: Any, runner: Runner, given: Mapping[str, Any]) -> Result:
         """Check, then compute."""

@@ -8,10 +8,10 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-import xarray as xr
 
 from haptonic import plots
 from haptonic.analyses.analysis import Analysis, NoOptions
+from haptonic.later import xarray as xr
 from haptonic.plate import Plate
 from haptonic.results.result import Result, figure, file
 from haptonic.results.runner import Runner

@@ -5,14 +5,13 @@ from __future__ import annotations
 from dataclasses import dataclass
 from pathlib import Path
 
-import xarray as xr
-
 from haptonic.analyses.analysis import Analysis, option
 from haptonic.channels.numbers import read_numbers
 from haptonic.errors import StudyError, shown
 from haptonic.fields import remade, table
+from haptonic.later import xarray as xr
 from haptonic.results.bands import compute_bands
-from haptonic.results.compare import Comparison, of_dataset, of_file, of_table
+from haptonic.results.compare import Comparison, of_dataset, of_file, of_table, path_in
 from haptonic.results.runner import Runner
 from haptonic.study.loading import load_as
 from haptonic.study.schema import Description
@@ -41,7 +40,7 @@ def kind_of(path: Path) -> str:
 
 
 def check(study: None, options: CompareOptions) -> None:
-    """Raise HaptonicError if the first is not ours, or the second a table that cannot be read."""
+    """Raise HaptonicError if the first is not ours, or the second a table that cannot be laid over it."""
     if kind_of(options.first) == "table":
         raise StudyError.conflict(
             argument="FIRST",
@@ -54,6 +53,12 @@ def check(study: None, options: CompareOptions) -> None:
         )
     if kind_of(options.second) == "table":
         read_numbers(options.second)
+        if (
+            kind_of(options.first) == "study"
+        ):  # what the table does not say is asked before bands are computed
+            path = load_as(options.first, Description).cell.zone.path(FINE)
+            corners = path.distance[list(path.corners)]
+            of_table(options.second, tuple(path.labels), corners, options.wavevector, options.frequency_unit)
 
 
 def compute(study: None, options: CompareOptions, runner: Runner) -> Comparison:
@@ -68,7 +73,7 @@ def compute(study: None, options: CompareOptions, runner: Runner) -> Comparison:
     own = bands_of(options.first, runner)
     first = of_dataset(names[0], own)
     if kind_of(options.second) == "table":
-        theirs = of_table(options.second, own, options.wavevector, options.frequency_unit)
+        theirs = of_table(options.second, *path_in(own), options.wavevector, options.frequency_unit)
         return Comparison(first, theirs)
     second = of_dataset(names[1], bands_of(options.second, runner))
     if first.labels != second.labels:

@@ -7,13 +7,16 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from pathlib import Path
 from typing import Any
 
 from haptonic.analyses.needs import has_mirror, has_plate
 from haptonic.bloch.resolution import started
 from haptonic.plate.forecast import foreseen
-from haptonic.results.cost import Cost
+from haptonic.results.cost import BASE, Cost
+from haptonic.study.loading import load_as
 from haptonic.study.schema import Description
+from haptonic.vibrometry.of_settings import plan_for
 
 FIRST, SECOND = 0.5, 0.25  # of what meshes are foreseen to take at most: the second is not always needed
 ZONE = 0.2  # s, of the search for gaps
@@ -23,7 +26,17 @@ QUICK_DESIGN = 0.25  # s of a design that a search sees; twenty drawn searches t
 REFINED = 6  # designs that a search computes as exactly as asked for
 MIRROR = 0.035  # s of a row at a frequency
 GUIDES, SAMPLE = 2.0, 0.6  # s, of a design beside the study's own
+COLUMN, BULK = 0.17, 0.2  # s of a column of a ribbon at a wavevector, where it has one tile; of a crystal
 REPORT = 30.0  # s, of pictures and of the twins of a scan and of trials
+DRIVE = 2.0  # s, of a drive's files and pictures
+POWER = 3.0  # s, of simulated experiments
+FILM, STROKE = 3.0, 0.006  # s, of load sharing; of a stroke that is made up and written
+FILES = 3.0  # s, of outlines, solids and the drawing of a cell
+RECORDED = 0.01  # s, of a point that is made up and written
+ANALYSED, BYTE_OF_SCAN = 4.0, 5e-8  # s, of maps and pictures; of a byte that is read and estimated
+TESTED, BYTE_OF_TRIALS = 4.0, 6e-8  # s, of statistics and pictures; of a byte that is read and filtered
+HELD = 4.0  # of a file in memory at once, times its size
+FITTED = 0.2  # of the plate's response, for every number that is fitted
 
 
 def meshes(study: Description, second: float = SECOND) -> Cost:
@@ -62,6 +75,16 @@ def waveguide(study: Description, options: Any) -> Cost:
     return gaps(study) + Cost(GUIDES)
 
 
+def ribbon(study: Description, options: Any) -> Cost:
+    """Of the modes of a ribbon at each wavevector, and of the bulk bands of its crystals."""
+    section = study.ribbon_settings
+    assert section is not None
+    made = section.ribbon(study.cell)
+    tiles = max(len(cell.tiles) for cell in made.columns)
+    each = Cost(COLUMN * tiles**2 * len(made.columns) + BULK * len(made.crystals))
+    return meshes(study).times(max(1, len(made.crystals))) + each.times(section.rows or section.points)
+
+
 def design(study: Description, options: Any) -> Cost:
     """Of a search; more where the carrier is hard to reach."""
     section = study.design_settings
@@ -88,10 +111,60 @@ def plate(study: Description, options: Any) -> Cost:
 def reproduce(study: Description, options: Any) -> Cost:
     """Of every analysis in the report."""
     total = bands(study, options) + Cost(SURFACE + (REPORT if has_plate(study) else 0.0))
-    for name in ("sweep", "layers", "waveguide", "plate"):
+    for name in ("sweep", "layers", "waveguide", "ribbon", "plate"):
         if FORECASTS[name].when(study):
             total += FORECASTS[name].cost(study, options)
     return total
+
+
+def export(study: Description, options: Any) -> Cost:
+    """Of the files; of the tolerances in a drawing where the study gives spreads."""
+    drawn = options is None or "drawing" in options.kinds
+    found = drawn and study.carrier and study.tolerance_settings.of
+    return Cost(FILES) + (tolerance(study, None) if found else Cost(0.0))
+
+
+def simulate_friction(study: Description, options: Any) -> Cost:
+    """Of every stroke."""
+    asked = study.protocol_settings
+    people = getattr(options, "participants", None) or asked.participants
+    return Cost(FILM + STROKE * people * asked.blocks * asked.trials)
+
+
+def simulate_scan(study: Description, options: Any) -> Cost:
+    """Of the plate's response in the band of the drive, if it is not given, and of every point."""
+    mounted, asked = study.mounted_plate(), study.scan_settings
+    made = Cost(RECORDED * len(plan_for(asked, mounted).points))
+    if getattr(options, "response", None) is not None:
+        return made
+    return Cost(*foreseen(mounted, asked.lowest, asked.highest)) + gaps(study) + made
+
+
+def verdict(study: Description, options: Any) -> Cost:
+    """Of the response that is compared, if it is not given, and of the fits."""
+    numbers = len(study.fit_settings.vary)
+    computed = 0.0 if getattr(options, "computed", None) is not None else 1.0
+    return plate(study, None).times(computed + (1.0 + FITTED * numbers if numbers else 0.0))
+
+
+def scan(study: Description | None, options: Any) -> Cost:
+    """Of what is read, and of the verdict on a model."""
+    size = _size(options.path)
+    read = Cost(ANALYSED + BYTE_OF_SCAN * size, BASE + HELD * size)
+    if options.model_is_a_study:
+        return read + verdict(load_as(options.against, Description), None)
+    return read + (verdict(study, options) if study is not None and options.against else Cost(0.0))
+
+
+def friction(study: None, options: Any) -> Cost:
+    """Of what is read."""
+    return Cost(TESTED + BYTE_OF_TRIALS * _size(options.path))
+
+
+def _size(path: Path) -> int:
+    """Of a file, or of all in a folder, bytes."""
+    files = path.rglob("*") if path.is_dir() else [path]
+    return sum(one.stat().st_size for one in files if one.is_file())
 
 
 @dataclass(frozen=True)
@@ -108,8 +181,22 @@ FORECASTS = {
     "reproduce": Forecast(reproduce),
     "layers": Forecast(layers, has_mirror),
     "waveguide": Forecast(waveguide, has_mirror),
+    "ribbon": Forecast(ribbon, lambda study: study.ribbon_settings),
     "design": Forecast(design, lambda study: study.carrier and study.design_settings.vary),
     "tolerance": Forecast(tolerance, lambda study: study.carrier and study.tolerance_settings.of),
     "plate": Forecast(plate, has_plate),
     "feel": Forecast(plate, has_plate),
+}
+# of every analysis by name; a plan does not tell the last: they take seconds, or what they take depends on
+# a file
+COSTS: dict[str, Callable[[Any, Any], Cost]] = {
+    **{name: one.cost for name, one in FORECASTS.items()},
+    "export": export,
+    "chirp": lambda study, options: Cost(DRIVE),
+    "protocol": lambda study, options: Cost(POWER),
+    "simulate friction": simulate_friction,
+    "simulate scan": simulate_scan,
+    "scan": scan,
+    "friction": friction,
+    "verdict": verdict,
 }

@@ -4,12 +4,11 @@ from __future__ import annotations
 
 from dataclasses import dataclass, replace
 
-import xarray as xr
-
 from haptonic.analyses.analysis import KEPT, Analysis, option
 from haptonic.analyses.needs import need_carrier
 from haptonic.design.brief import Brief
 from haptonic.errors import StudyError
+from haptonic.later import xarray as xr
 from haptonic.materials import IsotropicMaterial
 from haptonic.results.common import stamped
 from haptonic.results.design import Design, compute_design, compute_front

@@ -98,7 +98,7 @@ def truth_of(study: Description, amplitudes: Mapping[str, float] | None = None) 
     FrictionError : amplitudes or reductions that load sharing does not explain
     """
     people, carrier, names = study.participants, need_carrier(study), waveguides_of(study)
-    task, skin = task_of(study), study.touch.fingertip()
+    task, skin = task_of(study), study.touch.skin
     force = (task.force, people.force_spread)
     if amplitudes is None:
         reductions = dict(zip(names, (people.driven, people.idle), strict=True))

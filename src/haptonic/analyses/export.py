@@ -7,12 +7,11 @@ from datetime import date
 from pathlib import Path
 from typing import Any
 
-import xarray as xr
-
 from haptonic import workshop
 from haptonic.analyses import tolerance
 from haptonic.analyses.analysis import Analysis, NoOptions, option
 from haptonic.cell import UnitCell
+from haptonic.later import xarray as xr
 from haptonic.results.result import Result
 from haptonic.results.runner import Runner
 from haptonic.results.tolerance import percent

@@ -6,12 +6,11 @@ from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from typing import Any
 
-import xarray as xr
-
 from haptonic.analyses.analysis import Analysis, option
 from haptonic.analyses.needs import fineness, gap_of_plate, has_plate, need_carrier, response_settings
 from haptonic.errors import StudyError
 from haptonic.friction.lubrication.settings import VOLTAGE
+from haptonic.later import xarray as xr
 from haptonic.plate import Plate
 from haptonic.plate.loaded import LOADS, highest, loaded
 from haptonic.plate.parts import Actuator
@@ -74,7 +73,7 @@ def compute(study: Description, options: FeelOptions, runner: Runner) -> Feel:
         diameter=finger.pad.diameter, damping=finger.pad.damping, carrier=carrier, at=options.at, gap=edges,
         grid=own.grid, tolerance=own.tolerance, fineness=fineness(study),
     )  # fmt: skip
-    touch, skin = finger.at(found.attrs["frequency_hz"]), finger.fingertip()
+    touch, skin = finger.at(found.attrs["frequency_hz"]), finger.skin
     return Feel(plate, edges, found, finger.pad.diameter, touch, skin, drive, options.reduction)
 
 

@@ -21,4 +21,5 @@ ANALYSIS = Analysis(
     result=StudyPlan,
     compute=compute,
     doing="drawing",
+    watches=True,
 )

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 import numpy as np
-import xarray as xr
 
 from haptonic.analyses.analysis import Analysis, NoOptions
 from haptonic.analyses.experiments import protocol_of, task_of
 from haptonic.friction.statistics import Population, participants_needed, power, smallest_shown
 from haptonic.gate import declared
+from haptonic.later import xarray as xr
 from haptonic.results.common import stamped
 from haptonic.results.protocol import TrialPlan
 from haptonic.results.runner import Runner

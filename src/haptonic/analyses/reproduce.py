@@ -14,8 +14,6 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import Any, TypeVar
 
-import xarray as xr
-
 from haptonic import analyses, report
 from haptonic.analyses import named
 from haptonic.analyses.analysis import KEPT, Analysis, option
@@ -25,6 +23,7 @@ from haptonic.errors import FrictionError, HaptonicError, HaptonicWarning, ScanE
 from haptonic.fields import read, remade
 from haptonic.friction.recordings import Sensor
 from haptonic.friction.statistics import Alarms, Population, false_alarms
+from haptonic.later import xarray as xr
 from haptonic.report import Results
 from haptonic.results.bands import Bands
 from haptonic.results.feel.value import Feel

@@ -9,11 +9,11 @@ from pathlib import Path
 from typing import Any, Literal
 
 import numpy as np
-from numpy.typing import NDArray
 
 from haptonic.analyses.analysis import Analysis, option
 from haptonic.analyses.scanning import on_plate
 from haptonic.analyses.verdict import compared
+from haptonic.arrays import Array
 from haptonic.errors import ScanError, StudyError, shown
 from haptonic.paths import source
 from haptonic.response import read
@@ -25,8 +25,6 @@ from haptonic.study.schema import Description
 from haptonic.units import to_si
 from haptonic.vibrometry import read_scan
 from haptonic.vibrometry.estimation.quality import check_flags
-
-Array = NDArray[np.float64]
 
 PROGRESS = "estimating"  # folder in which an estimation that was stopped goes on
 

@@ -5,9 +5,9 @@ from __future__ import annotations
 import warnings
 
 import numpy as np
-from numpy.typing import NDArray
 
 from haptonic.analyses.needs import gap_of_plate, need_carrier, response_settings
+from haptonic.arrays import Array
 from haptonic.errors import HaptonicWarning, ScanError
 from haptonic.fields import unchecked
 from haptonic.progress import Progress, silent
@@ -20,8 +20,6 @@ from haptonic.study.schema import Description
 from haptonic.vibrometry import ReadReport, Scan
 from haptonic.vibrometry.of_settings import drive_for
 from haptonic.vibrometry.settings import ScanSettings
-
-Array = NDArray[np.float64]
 
 SHIFTED = 0.01  # of the distance of lines, by which a computed line may be off one of a periodic drive
 

@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 import numpy as np
-import xarray as xr
 
 from haptonic.analyses.analysis import KEPT, Analysis, NoOptions
 from haptonic.cell import UnitCell
@@ -13,6 +12,7 @@ from haptonic.cell.cantilever import euler_bernoulli, timoshenko
 from haptonic.errors import StudyError
 from haptonic.gate import declared
 from haptonic.jobs import Outcome, Task
+from haptonic.later import xarray as xr
 from haptonic.materials import IsotropicMaterial
 from haptonic.results.common import stamped
 from haptonic.results.runner import Runner, design_gaps

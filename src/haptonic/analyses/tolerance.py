@@ -7,8 +7,6 @@ from collections.abc import Sequence
 from dataclasses import asdict
 
 import numpy as np
-import xarray as xr
-from numpy.typing import NDArray
 
 from haptonic.analyses.analysis import KEPT, Analysis, NoOptions
 from haptonic.analyses.needs import need_carrier
@@ -29,12 +27,11 @@ from haptonic.design.tolerance import (
 )
 from haptonic.errors import HaptonicError, StudyError
 from haptonic.jobs import Task
+from haptonic.later import xarray as xr
 from haptonic.results.common import stamped
 from haptonic.results.runner import Runner
 from haptonic.results.tolerance import Tolerance
 from haptonic.study.schema import Description
-
-Array = NDArray[np.float64]
 
 BATCH = 8  # designs of one task
 DRAWN = 2000  # plates in the result's dataset

@@ -7,10 +7,10 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from haptonic.analyses.analysis import Analysis, option
 from haptonic.analyses.needs import fineness, response_settings
+from haptonic.arrays import Ints
 from haptonic.errors import ResponseError, ScanError
 from haptonic.plate import Plate
 from haptonic.plate.answer import responded
@@ -26,8 +26,6 @@ from haptonic.updating.match import MeasuredResponse
 from haptonic.updating.shapes import How, can_identify, even
 from haptonic.vibrometry.maps.gap import MeasuredGap
 from haptonic.vibrometry.on_plate import contrast_range
-
-Ints = NDArray[np.int64]
 
 MOST_BESIDE = 0.5  # share of the points that may lie beside the plate
 

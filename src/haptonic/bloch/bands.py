@@ -7,10 +7,9 @@ from dataclasses import asdict
 from typing import Any
 
 import numpy as np
-import xarray as xr
-from numpy.typing import NDArray
 from threadpoolctl import threadpool_limits
 
+from haptonic.arrays import Array
 from haptonic.bloch.character import NAMES, characters
 from haptonic.bloch.gaps import Gap, complete_gaps, partial_gaps
 from haptonic.bloch.model import BlochModel, bloch_model, candidate_models
@@ -21,9 +20,8 @@ from haptonic.bloch.wavevectors import wavevector_at
 from haptonic.bloch.zone import zone_surface
 from haptonic.cell import UnitCell
 from haptonic.gate import declared
+from haptonic.later import xarray as xr
 from haptonic.superelement import TiledMesh
-
-Array = NDArray[np.float64]
 
 SURFACE_DIVISIONS = 24  # of the irreducible zone's sides, for contours and the density of states
 DENSITY_BINS = 200

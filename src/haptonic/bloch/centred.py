@@ -12,16 +12,14 @@ from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
-import scipy.linalg as la
-import scipy.sparse as sp
 from numpy.typing import NDArray
 
-from haptonic.bloch.pencil import Fields, Pencil, Periodic, bloch_pencil
+from haptonic.arrays import Array, Complex, Fields
+from haptonic.bloch.pencil import Pencil, Periodic, bloch_pencil
+from haptonic.later import linalg as la
+from haptonic.later import sparse as sp
 from haptonic.lattice import HALF_TURN
 from haptonic.superelement import Tiling
-
-Array = NDArray[np.float64]
-Complex = NDArray[np.complex128]
 
 STEP = 1e-3  # rad, of the differences that stand for derivatives at Gamma
 

@@ -7,10 +7,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from haptonic.arrays import Array, Complex
 from haptonic.superelement import Tiling, on_each
-
-Array = NDArray[np.float64]
-Complex = NDArray[np.complex128]
 
 NAMES = (
     "pillar bending 1",

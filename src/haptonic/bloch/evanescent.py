@@ -11,17 +11,13 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
-import scipy.linalg as la
 from numpy.typing import NDArray
-from scipy.sparse.csgraph import connected_components
 
+from haptonic.arrays import Array, Bools, Complex, Ints
 from haptonic.cell import UnitCell
+from haptonic.later import csgraph
+from haptonic.later import linalg as la
 from haptonic.superelement import Superelement, repeated
-
-Array = NDArray[np.float64]
-Complex = NDArray[np.complex128]
-Bools = NDArray[np.bool_]
-Ints = NDArray[np.int64]
 
 SHIFT = 1.2 * np.exp(0.9j)  # multiplier about which the waves are sought, off the unit circle
 ON_CIRCLE = 1e-7  # real part of an exponent below which a wave counts as propagating
@@ -209,7 +205,7 @@ def directed(exponent: Complex, displacement: Complex, force: Complex, omega: fl
     to_right = exponent.real < 0
     moving = np.flatnonzero(propagates)
     multiplier = np.exp(exponent[moving])
-    _, cluster = connected_components(np.abs(multiplier[:, None] - multiplier) < COINCIDENT)
+    _, cluster = csgraph.connected_components(np.abs(multiplier[:, None] - multiplier) < COINCIDENT)
     for number in range(cluster.max(initial=-1) + 1):
         same = moving[cluster == number]
         power, turn = la.eigh(energy_flux(displacement[:, same], force[:, same], omega))

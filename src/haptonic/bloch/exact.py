@@ -5,14 +5,11 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-import scipy.linalg as la
-from numpy.typing import NDArray
 
+from haptonic.arrays import Array, Complex
 from haptonic.bloch.pencil import Periodic
+from haptonic.later import linalg as la
 from haptonic.superelement import TiledMesh
-
-Array = NDArray[np.float64]
-Complex = NDArray[np.complex128]
 
 TOGETHER = 1e-6  # relative distance of eigenvalues below which modes count as degenerate
 ASIDE = 2e-4  # of the eigenvalue, between it and the shift: nearer, the inside may resonate as well

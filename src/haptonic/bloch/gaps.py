@@ -6,16 +6,13 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from haptonic.arrays import Array, Ints
 from haptonic.bloch.model import BlochModel
 from haptonic.bloch.pencil import eigenpairs
 from haptonic.bloch.tracking import Diagram
 from haptonic.errors import StudyError
 from haptonic.units import Hertz, format_quantity
-
-Array = NDArray[np.float64]
-Ints = NDArray[np.int64]
 
 COARSE_DIVISIONS = 12  # of the irreducible zone's sides in the first sampling
 DOUBT = 0.5  # share by which a band may rise more, or fall less, than its slope at a corner says

@@ -11,17 +11,14 @@ from dataclasses import dataclass, replace
 from typing import Literal
 
 import numpy as np
-import scipy.linalg as la
-from numpy.typing import NDArray
-from scipy.optimize import brentq
+import scipy
 
+from haptonic.arrays import Array, Complex
 from haptonic.bloch.layers import Interface
 from haptonic.bloch.plate_waves import PlateWaves
 from haptonic.errors import StudyError
+from haptonic.later import linalg as la
 from haptonic.superelement import Superelement
-
-Array = NDArray[np.float64]
-Complex = NDArray[np.complex128]
 
 Ends = Literal["free", "mirror"]
 
@@ -283,7 +280,7 @@ def _root(misfit: Callable[[float], float], low: float, high: float) -> float | 
     """Where a growing function passes through zero within an interval, if it does without a jump."""
     if not misfit(low) < 0 < misfit(high):
         return None
-    root = float(brentq(misfit, low, high, rtol=1e-12))
+    root = float(scipy.optimize.brentq(misfit, low, high, rtol=1e-12))
     return root if abs(misfit(root)) < CLOSED else None
 
 

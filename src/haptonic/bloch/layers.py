@@ -11,17 +11,13 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 import numpy as np
-import scipy.linalg as la
-from numpy.typing import NDArray
 
+from haptonic.arrays import Array, Complex, Ints
 from haptonic.bloch.evanescent import FaceStiffness, Slab, Waves, bloch_waves, row_cell
 from haptonic.bloch.plate_waves import FAMILIES, HIGHER, PlainPlate, PlateWaves
 from haptonic.errors import StudyError
+from haptonic.later import linalg as la
 from haptonic.superelement import Superelement
-
-Array = NDArray[np.float64]
-Complex = NDArray[np.complex128]
-Ints = NDArray[np.int64]
 
 OUTGOING = (*FAMILIES, HIGHER)  # kinds of waves that carry energy away
 

@@ -7,10 +7,9 @@ from dataclasses import dataclass
 from functools import lru_cache
 
 import numpy as np
-import xarray as xr
-from numpy.typing import NDArray
 from threadpoolctl import threadpool_limits
 
+from haptonic.arrays import Array, Complex
 from haptonic.bloch.evanescent import Slab, bloch_waves, decibels
 from haptonic.bloch.layers import OUTGOING, Interface, Scattering
 from haptonic.bloch.plate_waves import FAMILIES
@@ -18,11 +17,9 @@ from haptonic.bloch.resolution import Resolution
 from haptonic.cell import UnitCell
 from haptonic.errors import StudyError
 from haptonic.gate import WORD
+from haptonic.later import xarray as xr
 from haptonic.parallel import each
 from haptonic.superelement import Superelement, condense
-
-Array = NDArray[np.float64]
-Complex = NDArray[np.complex128]
 
 PHASES = np.linspace(0.0, np.pi, 5)  # along the rows, at which the decay is followed
 SHOWN_WAVES = 8  # of each frequency in the complex band structure: those that reach farthest

@@ -9,12 +9,11 @@ from dataclasses import dataclass, replace
 from functools import cached_property
 
 import numpy as np
-import scipy.linalg as la
-from numpy.typing import NDArray
 from threadpoolctl import threadpool_limits
 
+from haptonic.arrays import Array, Bools, Complex, Fields
 from haptonic.bloch.centred import CentredPencil, PhasedPencil, RealPencil, lattice_pencil
-from haptonic.bloch.pencil import Evaluated, Fields, Pencil, eigenpairs
+from haptonic.bloch.pencil import Evaluated, Pencil, eigenpairs
 from haptonic.bloch.resolution import (
     LADDER,
     SHARED,
@@ -27,13 +26,11 @@ from haptonic.bloch.resolution import (
 )
 from haptonic.bloch.settings import BandSettings
 from haptonic.brillouin import IrreducibleZone
-from haptonic.cell import UnitCell
+from haptonic.cell import Period, UnitCell
 from haptonic.cell.plan import USUAL_BANDS
 from haptonic.errors import ResourceError
+from haptonic.later import linalg as la
 from haptonic.superelement import Tiling, definite, on_each
-
-Array = NDArray[np.float64]
-Complex = NDArray[np.complex128]
 
 TRAINING_DIVISIONS = (2, 4, 8)  # of the zone's sides, for the wavevectors that span the small basis
 SPARE_MODES = 3  # modes beyond those asked for that go into the small basis
@@ -210,13 +207,8 @@ class BlochModel:
         fields = self.fine.expanded(modes, kappa)
         frequency = _hertz(values)
         distance = np.abs(_hertz(eigenpairs(self.coarse, kappa, count + ABOVE)[0]) - frequency)
-        # a band may come out alike in both by chance, hence a share of what others are apart
         moving = frequency > REST * self.highest
-        relative = np.divide(distance, frequency, out=np.zeros_like(distance), where=moving)
-        error = self.resolution.remaining(self.cell) * (
-            distance + SHARED * relative[moving].mean() * frequency
-        )
-        error += self.resolution.unresolved(self.cell) * distance * relative
+        error = remaining_error(self.resolution, self.cell, frequency, distance, moving)
         error += self._lost(values, fields) + frequency * self.fine.projection_error
         error += self.fine.rounding / (8 * np.pi**2 * np.maximum(frequency, REST * self.highest))
         error = _ranked(frequency, error)
@@ -287,6 +279,19 @@ class BlochModel:
         slopes[~moving] = np.nan
         slopes[moving] /= 8 * np.pi**2 * frequency[moving, None]
         return slopes
+
+
+def remaining_error(
+    resolution: Resolution, period: Period, frequency: Array, distance: Array, moving: Bools
+) -> Array:
+    """(k,) Hz that the mesh leaves of frequencies (k,), from their distance to the next lower orders.
+
+    moving : which of them are no rigid motion
+    """
+    # a band may come out alike in both by chance, hence a share of what others are apart
+    relative = np.divide(distance, frequency, out=np.zeros_like(distance), where=moving)
+    error = resolution.remaining(period) * (distance + SHARED * relative[moving].mean() * frequency)
+    return np.asarray(error + resolution.unresolved(period) * distance * relative)
 
 
 def _hertz(values: Array) -> Array:

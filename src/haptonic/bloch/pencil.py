@@ -8,18 +8,13 @@ Time: ``exp(+i omega t)``.
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any, Protocol
+from typing import Protocol
 
 import numpy as np
-import scipy.linalg as la
-from numpy.typing import NDArray
 
+from haptonic.arrays import Array, Complex, Fields, Ints
+from haptonic.later import linalg as la
 from haptonic.superelement import Joint, Tiling, definite
-
-Array = NDArray[np.float64]
-Complex = NDArray[np.complex128]
-Fields = NDArray[Any]  # real or complex
-Ints = NDArray[np.int64]
 
 
 @dataclass(frozen=True)
@@ -73,7 +68,7 @@ class Periodic:
     """How the unknowns of a tiling follow from the free ones of its lattice: a phase and a number.
 
     free : (n,) the free unknowns among all; number : (t + m,) free unknown behind each
-    shift : (t + m, 2) integer translation from the free unknown to this one
+    shift : (t + m, d) integer translation from the free unknown to this one
     """
 
     free: Ints
@@ -89,7 +84,7 @@ class Periodic:
         """Of traces, and of so many modes behind them, which are free."""
         master = joint.unknowns[:, joint.master]
         source = np.arange(joint.size + modes)
-        shift = np.zeros((len(source), 2), dtype=np.int64)
+        shift = np.zeros((len(source), joint.shift.shape[1]), dtype=np.int64)
         source[joint.unknowns] = master
         shift[joint.unknowns] = joint.shift[:, None]
         free, number = np.unique(source, return_inverse=True)

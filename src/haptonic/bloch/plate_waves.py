@@ -11,19 +11,14 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 
 import numpy as np
-import scipy.linalg as la
 from numpy.polynomial.legendre import leggauss
-from numpy.typing import NDArray
 
+from haptonic.arrays import Array, Bools, Complex, Ints
 from haptonic.bloch.evanescent import ON_CIRCLE, Waves, directed
 from haptonic.cell import UnitCell
 from haptonic.cell.quadrature import interpolation, lobatto
+from haptonic.later import linalg as la
 from haptonic.materials import elasticity_tensor
-
-Array = NDArray[np.float64]
-Complex = NDArray[np.complex128]
-Bools = NDArray[np.bool_]
-Ints = NDArray[np.int64]
 
 FAMILIES = ("A0", "S0", "SH0")  # the waves that go down to zero frequency
 HIGHER, EVANESCENT = "higher", "evanescent"

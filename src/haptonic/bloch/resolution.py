@@ -6,11 +6,10 @@ import math
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
-import psutil
-
-from haptonic.cell import MeshPlan, Pillar, TileShape, UnitCell
+from haptonic.cell import MeshPlan, Period, Pillar, TileShape, UnitCell
 from haptonic.cell.plan import THIN_PLATE, USUAL_BANDS
 from haptonic.errors import GeometryError, ResourceError
+from haptonic.later import psutil
 from haptonic.superelement.symmetry import folds_of
 from haptonic.superelement.trace import trace_levels
 
@@ -62,19 +61,19 @@ class Resolution:
         """Plan of a tile whose area is a share of the cell's."""
         return MeshPlan.suited(tile, self.order, self.foot_rings, self.bands * share)
 
-    def plans(self, cell: UnitCell) -> tuple[MeshPlan, ...]:
+    def plans(self, cell: Period) -> tuple[MeshPlan, ...]:
         """Plan of each tile of a cell; their sides meet."""
         tiles = [one.tile for one in cell.tiles]
-        return meeting([self.plan(tile, tile.area / cell.lattice.area) for tile in tiles])
+        return meeting([self.plan(tile, tile.area / cell.area) for tile in tiles])
 
-    def lowered(self, cell: UnitCell) -> tuple[MeshPlan, ...]:
+    def lowered(self, cell: Period) -> tuple[MeshPlan, ...]:
         """The same blocks with orders one lower, to tell the error by."""
         tiles = [one.tile for one in cell.tiles]
         return meeting([
             plan.lowered(tile) for plan, tile in zip(self.plans(cell), tiles, strict=True)
         ])  # fmt: skip
 
-    def _meshed(self, cell: UnitCell) -> list[tuple[TileShape, MeshPlan]]:
+    def _meshed(self, cell: Period) -> list[tuple[TileShape, MeshPlan]]:
         """Tiles that differ and their plans, without the bodies of prisms, which take next to nothing."""
         made = {}
         for one, plan in zip(cell.tiles, self.plans(cell), strict=True):
@@ -88,7 +87,7 @@ class Resolution:
         """Relative error of a frequency that a small basis may add: little beside what the order leaves."""
         return 1e-4 * 0.4 ** max(self.order - 4, 0)
 
-    def remaining(self, cell: UnitCell) -> float:
+    def remaining(self, cell: Period) -> float:
         """Error of this resolution as a multiple of its distance to the next lower orders.
 
         That distance is a band's own plus ``SHARED`` times the mean of all. At the re-entrant edge (270
@@ -113,7 +112,7 @@ class Resolution:
             return MEASURED.get((self.order, 2), MEASURED[6, 2])
         return MEASURED.get((self.order, self.foot_rings), of_the_edge)
 
-    def unresolved(self, cell: UnitCell) -> float:
+    def unresolved(self, cell: Period) -> float:
         """What `remaining` gets more for each relative distance of a plain plate's band.
 
         Without an edge each order divides the error, by the more the better a wave is resolved. A band that
@@ -121,7 +120,7 @@ class Resolution:
         """
         return 0.0 if cell.has_pillars else UNRESOLVED
 
-    def memory(self, cell: UnitCell) -> float:
+    def memory(self, cell: Period) -> float:
         """Estimate of the peak memory, bytes, set to be a little above what orders 3 to 6 were seen to take.
 
         It counts dense answers to the trace, the sparse factor, element matrices and the condensed ones.
@@ -142,7 +141,7 @@ class Resolution:
             + 60 * (trace / 2 + 150) ** 2  # pencils
         )
 
-    def seconds(self, cell: UnitCell) -> float:
+    def seconds(self, cell: Period) -> float:
         """Estimate of the processor time of a model, its coarse one included, s.
 
         Static answers to the trace and the interior's blocks lead: as many as there are of these, times the

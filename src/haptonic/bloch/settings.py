@@ -12,7 +12,7 @@ from pydantic import Field
 from haptonic.bloch.guide import Ends
 from haptonic.bloch.resolution import LADDER, LEAST_ORDER, Resolution, starting_rung
 from haptonic.errors import StudyError
-from haptonic.fields import TOP, Frequency, Length, Quantity, ascending, described
+from haptonic.fields import TOP, Frequency, Length, Quantity, ascending, described, setting
 from haptonic.units import format_quantity
 
 CARRIER = Quantity("Hz", at_least=1.0, at_most=1e9, typical=(10e3, 1e6))
@@ -24,13 +24,11 @@ COARSEST = 0.1  # accuracy: bands that are less exact tell nothing of gaps
 class MeshSettings:
     """For experts: what ``bands.accuracy`` would choose."""
 
-    order: Annotated[int, Field(ge=LEAST_ORDER, le=10, strict=True)] | None = Field(
-        default=None, title="Element order", description="Polynomial order of the elements."
+    order: Annotated[int, Field(ge=LEAST_ORDER, le=10, strict=True)] | None = setting(
+        None, "Polynomial order of the elements.", title="Element order"
     )
-    foot_rings: Annotated[int, Field(ge=0, le=6, strict=True)] | None = Field(
-        default=None,
-        title="Rings at the foot",
-        description="Refinements on either side of the pillar's foot.",
+    foot_rings: Annotated[int, Field(ge=0, le=6, strict=True)] | None = setting(
+        None, "Refinements on either side of the pillar's foot.", title="Rings at the foot"
     )
 
 
@@ -38,20 +36,16 @@ class MeshSettings:
 class BandSettings:
     """How many bands, where, and how exactly."""
 
-    count: Annotated[int, Field(ge=1, le=60, strict=True)] = Field(
-        default=10, title="Number of bands", description="Counted from the lowest."
+    count: Annotated[int, Field(ge=1, le=60, strict=True)] = setting(
+        10, "Counted from the lowest.", title="Number of bands"
     )
-    points: Annotated[int, Field(ge=8, le=10_000, strict=True)] = Field(
-        default=66, title="Wavevectors", description="Along the edge of the irreducible zone."
+    points: Annotated[int, Field(ge=8, le=10_000, strict=True)] = setting(
+        66, "Along the edge of the irreducible zone.", title="Wavevectors"
     )
-    accuracy: Annotated[float, Quantity("", at_least=1e-6, at_most=COARSEST, typical=(1e-5, 0.05))] = Field(
-        default=2e-3,
-        title="Accuracy",
-        description="Relative, of every frequency up to the last band asked for.",
+    accuracy: Annotated[float, Quantity("", at_least=1e-6, at_most=COARSEST, typical=(1e-5, 0.05))] = setting(
+        2e-3, "Relative, of every frequency up to the last band asked for."
     )
-    mesh: Annotated[MeshSettings, TOP] = Field(
-        default=MeshSettings(), title="Mesh", description="For experts; else the accuracy decides."
-    )
+    mesh: Annotated[MeshSettings, TOP] = setting(MeshSettings(), "For experts; else the accuracy decides.")
 
     @property
     def resolution(self) -> Resolution | None:
@@ -72,26 +66,20 @@ class BandSettings:
 class LayersSettings:
     """What is asked of a mirror of several rows of cells between two plates."""
 
-    count: Annotated[int, Field(ge=1, le=20, strict=True)] = Field(
-        default=6, title="Rows", description="The most that are computed; all fewer ones are as well."
+    count: Annotated[int, Field(ge=1, le=20, strict=True)] = setting(
+        6, "The most that are computed; all fewer ones are as well.", title="Rows"
     )
-    lowest: Frequency | None = Field(
-        default=None,
-        title="Lowest frequency",
-        description=f"Of the spectrum; else {LOWEST:g} of the carrier.",
+    lowest: Frequency | None = setting(
+        None, f"Of the spectrum; else {LOWEST:g} of the carrier.", title="Lowest frequency"
     )
-    highest: Frequency | None = Field(
-        default=None,
-        title="Highest frequency",
-        description=f"Of the spectrum; else {HIGHEST:g} of the carrier.",
+    highest: Frequency | None = setting(
+        None, f"Of the spectrum; else {HIGHEST:g} of the carrier.", title="Highest frequency"
     )
-    points: Annotated[int, Field(ge=2, le=5000, strict=True)] = Field(
-        default=161, title="Frequencies", description="In the spectrum, both ends included."
+    points: Annotated[int, Field(ge=2, le=5000, strict=True)] = setting(
+        161, "In the spectrum, both ends included.", title="Frequencies"
     )
-    angle: Annotated[float, Quantity("rad", at_least=0.0, below=0.5 * math.pi, typical=(0.0, 1.5))] = Field(
-        default=0.0,
-        title="Angle of incidence",
-        description="Between the incident wave and the normal of the rows.",
+    angle: Annotated[float, Quantity("rad", at_least=0.0, below=0.5 * math.pi, typical=(0.0, 1.5))] = setting(
+        0.0, "Between the incident wave and the normal of the rows.", title="Angle of incidence"
     )
 
     def __post_init__(self) -> None:
@@ -120,25 +108,18 @@ class LayersSettings:
 class WaveguideSettings:
     """A strip of plain plate between two mirrors."""
 
-    mode: str = Field(
-        default="0x17",
-        title="Mode",
-        description="Nodal lines across the strip, and intervals between nodal lines along it.",
+    mode: str = setting(
+        "0x17",
+        "Nodal lines across the strip, and intervals between nodal lines along it.",
         pattern=r"^[0-9]{1,2}x[0-9]{1,3}$",
     )
-    width: Length | None = Field(
-        default=None,
-        title="Width",
-        description="Of the plain strip; else the one that puts the mode at the carrier.",
+    width: Length | None = setting(
+        None, "Of the plain strip; else the one that puts the mode at the carrier."
     )
-    rows: Annotated[int, Field(ge=1, le=1000, strict=True)] | None = Field(
-        default=None, title="Length in cells", description="Of the strip; else several are compared."
+    rows: Annotated[int, Field(ge=1, le=1000, strict=True)] | None = setting(
+        None, "Of the strip; else several are compared.", title="Length in cells"
     )
-    ends: Ends = Field(
-        default="free",
-        title="Ends",
-        description="Of the strip: edges of the plate, or closed by the mirror as well.",
-    )
+    ends: Ends = setting("free", "Of the strip: edges of the plate, or closed by the mirror as well.")
 
     @property
     def nodal_lines(self) -> tuple[int, int]:

@@ -5,14 +5,10 @@ from __future__ import annotations
 from itertools import pairwise
 
 import numpy as np
-import scipy.linalg as la
-from numpy.typing import NDArray
 
+from haptonic.arrays import Array, Complex
+from haptonic.later import linalg as la
 from haptonic.lattice import Operation, PointGroup
-
-Array = NDArray[np.float64]
-Complex = NDArray[np.complex128]
-Ints = NDArray[np.int64]
 
 SAME = 1e-4  # modes closer than this share of their frequency are treated as one degenerate group
 

@@ -7,18 +7,15 @@ from itertools import pairwise
 from typing import Any
 
 import numpy as np
+import scipy
 from numpy.typing import NDArray
-from scipy.optimize import linear_sum_assignment
 
+from haptonic.arrays import Array, Complex, Ints
 from haptonic.bloch.character import characters
 from haptonic.bloch.model import REST, SPARE_MODES, BlochModel, Solution
 from haptonic.bloch.symmetry import clusters, corner_labels, mirrors_at, sorted_by_parity
 from haptonic.brillouin import Path
 from haptonic.superelement import JointImage
-
-Array = NDArray[np.float64]
-Complex = NDArray[np.complex128]
-Ints = NDArray[np.int64]
 
 ALIKE = 0.2  # squared overlap from which two modes at neighbouring wavevectors may be one branch
 
@@ -146,7 +143,7 @@ def _joined(
     overlap = np.abs(old_fields.conj().T @ weighed) ** 2
     differ = (old_signs[:, None] * signs[None, :]) < 0
     overlap[differ] = 0.0
-    rows, columns = linear_sum_assignment(-overlap)
+    rows, columns = scipy.optimize.linear_sum_assignment(-overlap)
     branch = np.full(len(signs), -1, dtype=np.int64)
     for row, column in zip(rows, columns, strict=True):
         if overlap[row, column] > ALIKE:

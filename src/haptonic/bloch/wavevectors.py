@@ -5,12 +5,10 @@ from __future__ import annotations
 import re
 
 import numpy as np
-from numpy.typing import NDArray
 
+from haptonic.arrays import Array
 from haptonic.brillouin import IrreducibleZone
 from haptonic.errors import StudyError, shown
-
-Array = NDArray[np.float64]
 
 GAMMA = {"G": "Γ", "GAMMA": "Γ", "Γ": "Γ"}
 _NUMBER = r"[+-]?(?:\d+\.?\d*|\.\d+)"

@@ -5,15 +5,12 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from haptonic.arrays import Array, Ints
 from haptonic.bloch.model import BlochModel
 from haptonic.bloch.pencil import eigenpairs
 from haptonic.brillouin import IrreducibleZone
 from haptonic.lattice import HALF_TURN, PointGroup
-
-Array = NDArray[np.float64]
-Ints = NDArray[np.int64]
 
 
 @dataclass(frozen=True)

@@ -4,15 +4,19 @@ from haptonic.cell.geometry import UnitCell
 from haptonic.cell.mesh import HexMesh, mesh_cell
 from haptonic.cell.pillar import Pillar, Step
 from haptonic.cell.plan import MeshPlan
+from haptonic.cell.ribbon import Ribbon
 from haptonic.cell.sites import Site
-from haptonic.cell.tile import PlacedTile, TileShape
+from haptonic.cell.tile import FreeEdge, Period, PlacedTile, TileShape
 from haptonic.cell.topology import Topology
 
 __all__ = [
+    "FreeEdge",
     "HexMesh",
     "MeshPlan",
+    "Period",
     "Pillar",
     "PlacedTile",
+    "Ribbon",
     "Site",
     "Step",
     "TileShape",

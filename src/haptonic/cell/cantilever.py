@@ -3,14 +3,12 @@
 from __future__ import annotations
 
 import numpy as np
-import scipy.linalg as la
-from numpy.typing import NDArray
 
+from haptonic.arrays import Array
 from haptonic.cell.pillar import Pillar
 from haptonic.cell.quadrature import lobatto
+from haptonic.later import linalg as la
 from haptonic.materials import IsotropicMaterial
-
-Array = NDArray[np.float64]
 
 ALPHA = np.array([3.516, 22.03, 61.70])  # equation (3) of the paper
 POLYNOMIAL = 24  # order along the pillar; the lowest modes are then exact to rounding

@@ -5,12 +5,10 @@ from __future__ import annotations
 import math
 
 import numpy as np
-from numpy.typing import NDArray
 
+from haptonic.arrays import Array
 from haptonic.cell.pillar import Pillar
 from haptonic.cell.tile import TileShape
-
-Array = NDArray[np.float64]
 
 CORE_RADIUS = 0.55  # core square's corners, as a share of the curve around it
 FOOT_LAYER = 0.3  # height of the pillar's lowest layer, in diameters: stresses of the foot die out in it

@@ -8,9 +8,8 @@ from functools import cached_property
 from typing import Annotated
 
 import numpy as np
-from numpy.typing import NDArray
-from pydantic import Field
 
+from haptonic.arrays import Array
 from haptonic.brillouin import IrreducibleZone
 from haptonic.cell.pillar import Pillar
 from haptonic.cell.sites import (
@@ -26,13 +25,11 @@ from haptonic.cell.sites import (
     site_map,
     site_tile,
 )
-from haptonic.cell.tile import HALF_TURNED, PlacedTile, TileShape
+from haptonic.cell.tile import HALF_TURNED, FreeEdge, PlacedTile, TileShape
 from haptonic.errors import GeometryError
-from haptonic.fields import INLINE, TOP, described, numbers, problem, size, with_numbers
+from haptonic.fields import INLINE, TOP, described, needed, numbers, problem, setting, size, with_numbers
 from haptonic.lattice import HALF_TURN, Lattice, Operation, PointGroup
 from haptonic.materials import GIVEN, Material, is_symmetry
-
-Array = NDArray[np.float64]
 
 LEAST_CLEARANCE = 0.01  # of the pitch, between a pillar and the nearest side of its cell
 
@@ -49,22 +46,18 @@ class UnitCell(TileShape):
         that do not fit together, or a material that half a turn about the normal does not leave as it is
     """
 
-    lattice: Annotated[Lattice, INLINE] = Field(title="Lattice", description="How the cells repeat.")
-    thickness: Annotated[float, size(20e-6, 20e-3)] = Field(
-        title="Plate thickness", description="Without the pillar."
+    lattice: Annotated[Lattice, INLINE] = needed("How the cells repeat.")
+    thickness: Annotated[float, size(20e-6, 20e-3)] = needed("Without the pillar.", title="Plate thickness")
+    material: Annotated[Material, GIVEN, TOP] = needed(
+        "Of the plate and its pillars: a built-in name or its constants."
     )
-    material: Annotated[Material, GIVEN, TOP] = Field(
-        title="Material", description="Of the plate and its pillars: a built-in name or its constants."
+    pillar: Pillar | None = setting(
+        None, "On every site, if the sites have no tables; without any the cell is plain plate."
     )
-    pillar: Pillar | None = Field(
-        default=None,
-        title="Pillar",
-        description="On every site, if the sites have no tables; without any the cell is plain plate.",
-    )
-    site: tuple[Site, ...] = Field(
-        default=(),
+    site: tuple[Site, ...] = setting(
+        (),
+        "Where pillars of their own stand; in order, where the lattice is named after them.",
         title="Sites",
-        description="Where pillars of their own stand; in order, where the lattice is named after them.",
         max_length=MOST_SITES,
     )
 
@@ -184,9 +177,24 @@ class UnitCell(TileShape):
                 given=f"{len(self.shares)} sites" if self.site else self.lattice.name,
                 allowed=f"a cell of one site in its middle for {what}",
                 cause=f"{what} knows cells with a single pillar only; those with several have bands, gaps, "
-                "sweeps, slopes, tolerances and outlines",
+                "ribbons, sweeps, slopes, tolerances and outlines",
                 next_step='write lattice = "square" or "rectangular", and leave [[cell.site]] out',
             )
+
+    @property
+    def vectors(self) -> Array:
+        """(2, 2) translations, as rows, m."""
+        return self.lattice.vectors
+
+    @property
+    def free_edges(self) -> tuple[FreeEdge, ...]:
+        """None: it goes on all around."""
+        return ()
+
+    @cached_property
+    def area(self) -> float:
+        """m^2."""
+        return self.lattice.area
 
     @property
     def corners(self) -> Array:

@@ -8,16 +8,13 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from haptonic.arrays import Array, Ints
 from haptonic.cell.plan import MeshPlan
 from haptonic.cell.profile import Profile
 from haptonic.cell.quadrature import lobatto
 from haptonic.cell.tile import TileShape
 from haptonic.cell.topology import Topology, topology_of
-
-Array = NDArray[np.float64]
-Ints = NDArray[np.int64]
 
 CORE_BULGE = 0.45  # edges of the core below a round pillar: 0 straight, 1 arcs
 

@@ -9,12 +9,11 @@ from typing import Annotated, Literal
 
 import numpy as np
 from numpy.typing import NDArray
-from pydantic import Field
 
+from haptonic.arrays import Array
 from haptonic.errors import GeometryError
-from haptonic.fields import LARGEST, Quantity, described, problem, size
+from haptonic.fields import LARGEST, Quantity, described, needed, problem, setting, size
 
-Array = NDArray[np.float64]
 Section = Literal["round", "square"]
 
 LEAST_SHARE = 0.05  # of the width at the foot that the narrowest section keeps
@@ -26,11 +25,11 @@ USUAL_DRAFT = (0.0, math.radians(10))
 class Step:
     """Where a pillar becomes narrower, m."""
 
-    diameter: Annotated[float, size(50e-6, 50e-3)] = Field(
-        title="Diameter above the step", description="Smaller than below it by more than 5 %."
+    diameter: Annotated[float, size(50e-6, 50e-3)] = needed(
+        "Smaller than below it by more than 5 %.", title="Diameter above the step"
     )
-    height: Annotated[float, size(50e-6, 100e-3)] = Field(
-        title="Height of the step", description="Above the face of the plate."
+    height: Annotated[float, size(50e-6, 100e-3)] = needed(
+        "Above the face of the plate.", title="Height of the step"
     )
 
 
@@ -61,34 +60,24 @@ class Pillar:
     GeometryError : sizes that do not make a body
     """
 
-    diameter: Annotated[float, size(50e-6, 50e-3)] = Field(
-        title="Pillar diameter",
-        description="At the foot, its fillet not counted; of a square section the side. "
+    diameter: Annotated[float, size(50e-6, 50e-3)] = needed(
+        "At the foot, its fillet not counted; of a square section the side. "
         "Smaller than the pitch by more than 2 %.",
+        title="Pillar diameter",
     )
-    height: Annotated[float, size(50e-6, 100e-3)] = Field(
-        title="Pillar height", description="Above the face of the plate."
+    height: Annotated[float, size(50e-6, 100e-3)] = needed(
+        "Above the face of the plate.", title="Pillar height"
     )
-    section: Section = Field(
-        default="round",
-        title="Section",
-        description="Seen from above; the sides of a square lie along the cell's.",
-    )
+    section: Section = setting("round", "Seen from above; the sides of a square lie along the cell's.")
     draft: Annotated[float, Quantity("rad", at_least=-STEEPEST, at_most=STEEPEST, typical=USUAL_DRAFT)] = (
-        Field(
-            default=0.0,
-            title="Draft angle",
-            description="Between side and normal; positive is narrower at the top.",
-        )
+        setting(0.0, "Between side and normal; positive is narrower at the top.", title="Draft angle")
     )
-    fillet: Annotated[float, Quantity("m", at_least=0.0, at_most=LARGEST, typical=(0.0, 5e-3))] = Field(
-        default=0.0,
+    fillet: Annotated[float, Quantity("m", at_least=0.0, at_most=LARGEST, typical=(0.0, 5e-3))] = setting(
+        0.0,
+        "At the foot: the corner radius of the end mill; mitred at the corners of a square.",
         title="Fillet radius",
-        description="At the foot: the corner radius of the end mill; mitred at the corners of a square.",
     )
-    step: Step | None = Field(
-        default=None, title="Step", description="Where the pillar becomes narrower, if it does."
-    )
+    step: Step | None = setting(None, "Where the pillar becomes narrower, if it does.")
 
     def __post_init__(self) -> None:
         if self.step is not None:

@@ -12,8 +12,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from haptonic.arrays import Array
 from haptonic.cell.edges import (
     CORE_RADIUS,
     FOOT_LAYER,
@@ -28,8 +28,6 @@ from haptonic.cell.pillar import Pillar
 from haptonic.cell.plan import MeshPlan
 from haptonic.cell.quadrature import lobatto
 from haptonic.cell.tile import TileShape
-
-Array = NDArray[np.float64]
 
 EDGE_CROWDING = 0.35  # spacing of nodes next to an edge, as a share of an even one: stress is singular there
 BESIDE_FILLET = 0.6  # least width of all thin rings on the inner side of a fillet, in radii of the arc

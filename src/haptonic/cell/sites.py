@@ -10,18 +10,15 @@ from itertools import product
 from typing import Annotated
 
 import numpy as np
-from numpy.typing import NDArray
-from pydantic import Field, field_validator
+from pydantic import field_validator
 
+from haptonic.arrays import Array, Ints
 from haptonic.cell.pillar import Pillar
 from haptonic.cell.tile import HALF_TURNED, PlacedTile, SiteTile, TileShape
 from haptonic.errors import GeometryError
-from haptonic.fields import Quantity, described, problem
+from haptonic.fields import Quantity, described, problem, setting
 from haptonic.lattice import LEAST_SIDE, SAME, Operation, voronoi_cell
 from haptonic.materials import Material, is_symmetry
-
-Array = NDArray[np.float64]
-Ints = NDArray[np.int64]
 
 SHARE = Quantity("", at_least=0.0, below=1.0)
 PLACE = Quantity("m")
@@ -47,17 +44,13 @@ class Site:
     the cell that they span.
     """
 
-    at: tuple[Annotated[float, SHARE], Annotated[float, SHARE]] | None = Field(
-        default=None,
-        title="Site",
-        description='Shares of the two translations, such as ["1/3", "2/3"]; each from 0 to below 1.',
+    at: tuple[Annotated[float, SHARE], Annotated[float, SHARE]] | None = setting(
+        None, 'Shares of the two translations, such as ["1/3", "2/3"]; each from 0 to below 1.', title="Site"
     )
-    position: tuple[Annotated[float, PLACE], Annotated[float, PLACE]] | None = Field(
-        default=None, title="Position", description="The same as two lengths along x and y."
+    position: tuple[Annotated[float, PLACE], Annotated[float, PLACE]] | None = setting(
+        None, "The same as two lengths along x and y."
     )
-    pillar: Pillar | None = Field(
-        default=None, title="Pillar of the site", description="Without this table the site is empty."
-    )
+    pillar: Pillar | None = setting(None, "Without this table the site is empty.", title="Pillar of the site")
 
     @field_validator("at", mode="before")
     @classmethod

@@ -7,16 +7,15 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import cached_property
-from typing import cast
+from typing import Protocol, cast
 
 import numpy as np
-from numpy.typing import NDArray
 
+from haptonic.arrays import Array
 from haptonic.cell.pillar import Pillar
 from haptonic.lattice import SAME
 from haptonic.materials import Material, is_symmetry
 
-Array = NDArray[np.float64]
 Sides = tuple[int, int]  # where a turn or mirror of a polygon takes its first two sides
 
 HALF_TURNED = np.diag([-1.0, -1.0, 1.0])  # about the normal
@@ -151,3 +150,36 @@ class PlacedTile:
     def points(self, own: Array) -> Array:
         """(n, 3) points of the cell from those of the tile, m."""
         return np.asarray(own @ self.turn.T + np.append(self.position, 0.0))
+
+
+@dataclass(frozen=True, eq=False)
+class FreeEdge:
+    """Where a period has no neighbour: of tiles first, ..., beyond - 1, the sides that meet their own images
+    a step (2,) away, m."""
+
+    first: int
+    beyond: int
+    step: Array
+
+
+class Period(Protocol):
+    """What is repeated: a cell in two directions, one of a ribbon in one.
+
+    tiles : that it consists of; vectors : (d, 2) translations, m; free_edges : where nothing follows
+    area : of plate that as many bands belong to as are asked for, m^2
+    """
+
+    @property
+    def tiles(self) -> tuple[PlacedTile, ...]: ...
+
+    @property
+    def vectors(self) -> Array: ...
+
+    @property
+    def free_edges(self) -> tuple[FreeEdge, ...]: ...
+
+    @property
+    def area(self) -> float: ...
+
+    @property
+    def has_pillars(self) -> bool: ...

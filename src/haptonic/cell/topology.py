@@ -12,14 +12,12 @@ from dataclasses import dataclass
 from functools import lru_cache
 
 import numpy as np
+import scipy
 from numpy.typing import NDArray
-from scipy.spatial import cKDTree
 
+from haptonic.arrays import Array, Ints
 from haptonic.cell.plan import MeshPlan
 from haptonic.cell.tile import Sides
-
-Array = NDArray[np.float64]
-Ints = NDArray[np.int64]
 
 SAME = 1e-9  # of a polygon whose corners lie on the unit circle: places that are one
 
@@ -78,7 +76,7 @@ class Topology:
         points = np.concatenate([_core_points(self.plan)[:inner], _rim_points(self.plan)])
         sides = _middles(self.plan.sides)
         turn = sides[list(moved)].T @ np.linalg.inv(sides[:2].T)  # of the polygon that stands for the cell
-        distance, level = cKDTree(points).query(points @ turn.T)
+        distance, level = scipy.spatial.cKDTree(points).query(points @ turn.T)
         assert distance.max() < SAME, "the operation does not leave the mesh as it is"
         sizes = np.diff(self.level_start)
         for start in range(inner + around, sizes[0], around):
@@ -91,7 +89,7 @@ class Topology:
 def topology_of(plan: MeshPlan) -> Topology:
     """The topology that a plan describes; the same object for the same plan."""
     p, inner, around = plan.order, plan.core_size, plan.around
-    tree = cKDTree(np.concatenate([_core_points(plan), _rim_points(plan)]))
+    tree = scipy.spatial.cKDTree(np.concatenate([_core_points(plan), _rim_points(plan)]))
     core = np.stack([_numbers(tree, patch) for patch in _patches(plan)])
     # quadrilaterals seen from above: (n1, n2) node numbers each, and the ring that they lie in
     step, blocks = np.arange(p + 1), range((core.shape[1] - 1) // p)
@@ -172,11 +170,11 @@ def _patches(plan: MeshPlan) -> list[Array]:
 def _core_points(plan: MeshPlan) -> Array:
     """(core, 2) places of the core's nodes within its outline, in the order of their numbers."""
     points = np.concatenate([patch.reshape(-1, 2) for patch in _patches(plan)])
-    away, _ = cKDTree(_rim_points(plan)).query(points)
+    away, _ = scipy.spatial.cKDTree(_rim_points(plan)).query(points)
     points = points[away > SAME]
     _, first = np.unique(np.round(points / SAME), axis=0, return_index=True)
     return np.asarray(points[np.sort(first)])
 
 
-def _numbers(tree: cKDTree, places: Array) -> Ints:
+def _numbers(tree: scipy.spatial.cKDTree, places: Array) -> Ints:
     return np.asarray(tree.query(places)[1], dtype=np.int64)

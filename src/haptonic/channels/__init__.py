@@ -6,8 +6,6 @@ whatever its format, and they know what the channels mean.
 docs/channels.md says how to add a format.
 """
 
-from haptonic.channels.formats import opened
-from haptonic.channels.notes import Dropped, Notebook
-from haptonic.channels.signals import Channel, Group, SignalFile
+import lazy_loader as lazy
 
-__all__ = ["Channel", "Dropped", "Group", "Notebook", "SignalFile", "opened"]
+__getattr__, __dir__, __all__ = lazy.attach_stub(__name__, __file__)

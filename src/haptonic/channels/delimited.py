@@ -14,11 +14,11 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-import pandas as pd
 
 from haptonic.channels.notes import Notebook
 from haptonic.channels.signals import ORIGIN, SIMULATED, Channel, Group, Samples
 from haptonic.errors import ChannelError
+from haptonic.later import pandas as pd
 from haptonic.names import cell, from_cell
 from haptonic.paths import source
 

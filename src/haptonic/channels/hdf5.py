@@ -7,15 +7,15 @@ from functools import partial
 from pathlib import Path
 from typing import Any
 
-import h5py
 import numpy as np
-import xarray as xr
 from numpy.typing import NDArray
 
 from haptonic import hdf5
 from haptonic.channels.notes import ELSEWHERE, Notebook
 from haptonic.channels.signals import Channel, Group, Samples
 from haptonic.foreign.process import ask, damaged
+from haptonic.later import h5py
+from haptonic.later import xarray as xr
 
 PACKING = ("scale_factor", "add_offset", "_FillValue", "missing_value", "dtype", "_Unsigned")
 

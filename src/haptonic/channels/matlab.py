@@ -10,14 +10,14 @@ from functools import partial
 from pathlib import Path
 from typing import Any
 
-import h5py
 import numpy as np
-import scipy.io
+import scipy
 
 from haptonic import hdf5
 from haptonic.channels.notes import ELSEWHERE, Notebook
 from haptonic.channels.signals import ORIGIN, Channel, Group, Samples
 from haptonic.foreign.process import ask
+from haptonic.later import h5py
 
 LARGE = 16_000_000  # numbers, from which a variable of version 7.3 stays in the file until it is asked for
 HEADER = b"MATLAB 7.3 MAT-file, written by haptonic"

@@ -12,12 +12,10 @@ from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
-from numpy.typing import NDArray
 
+from haptonic.arrays import Array
 from haptonic.channels.delimited import text_of
 from haptonic.errors import ChannelError, shown
-
-Array = NDArray[np.float64]
 
 FORMS = (
     ("\t", "."),

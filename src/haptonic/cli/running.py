@@ -11,8 +11,10 @@ from typing import Annotated, Any, get_type_hints
 import typer
 
 from haptonic.analyses.analysis import Analysis, option_of, path_of
-from haptonic.analyses.costs import FORECASTS
+from haptonic.analyses.costs import COSTS
 from haptonic.cli.console import Voice, speaking
+from haptonic.cli.watching import watched
+from haptonic.errors import HaptonicError
 from haptonic.paths import target
 from haptonic.results.common import refuse_taken
 from haptonic.results.cost import LONG
@@ -23,6 +25,7 @@ from haptonic.store import Store
 from haptonic.study import load
 
 SCREEN = 24  # lines of a terminal
+SENTENCES = 3  # of the answer that are always told
 Json = Annotated[
     bool, typer.Option("--json", help="Print one JSON object; files are then written only with --out.")
 ]
@@ -39,6 +42,8 @@ WORKERS = Annotated[
     int, typer.Option("--workers", metavar="N", help="Worker processes on this machine; 0 works in this one.")
 ]
 DRY_RUN = Annotated[bool, typer.Option("--dry-run", help="Only tell time and memory that it will need.")]
+OF_COMMANDS = ("design", "fitted", "response", "scan", "trials")  # names that commands give to their files
+WATCH = Annotated[bool, typer.Option("--watch", help="Draw anew whenever the study is saved, until Ctrl-C.")]
 SCHEDULER = Annotated[
     str | None, typer.Option("--scheduler", metavar="ADDRESS", help="A running Dask scheduler to work on.")
 ]
@@ -53,8 +58,10 @@ def command(analysis: Analysis) -> Callable[..., None]:
     own, last = parameters(analysis), inspect.Parameter.KEYWORD_ONLY
     shared = [inspect.Parameter(n, last, default=None if n == "out" else False, annotation=kind)
               for n, kind in SHARED.items()]  # fmt: skip
-    if analysis.name in FORECASTS:
+    if analysis.name in COSTS:
         shared.append(inspect.Parameter("dry_run", last, default=False, annotation=DRY_RUN))
+    if analysis.watches:
+        shared.append(inspect.Parameter("watch", last, default=False, annotation=WATCH))
     if analysis.parallel:
         shared += [
             inspect.Parameter("workers", last, default=0, annotation=WORKERS),
@@ -106,44 +113,62 @@ def parameters(analysis: Analysis) -> list[inspect.Parameter]:
 
 
 def answered(analysis: Analysis, given: dict[str, Any]) -> None:
-    """Load, look whether it can end well, compute, write, say what was found."""
-    out, json, tables, overwrite = (given.pop(name) for name in SHARED)
-    workers, scheduler = given.pop("workers", 0), given.pop("scheduler", None)
-    file, dry = given.pop("study_file", None), given.pop("dry_run", False)
+    """Answer once; with ``--watch`` again and again, replacing what the first answer wrote."""
+    watch, json = given.pop("watch", False), given["json"]
     with speaking(json, analysis.kept) as voice:
-        options = analysis.chosen({name: value for name, value in given.items() if value is not None})
-        study = None if file is None else load(file)
-        analysis.check(study, options)
-        forecast = FORECASTS.get(analysis.name)
-        cost = forecast.cost(study, options) if forecast and study else None
-        if cost and dry:
-            voice.tell(cost.sentence)
-            voice.answer({"processor_s": cost.seconds, "memory_b": cost.memory})
-            return
-        about = path_of(options) if analysis.study != "needed" else file
-        assert about is not None, f"{analysis.name} is asked of nothing"
-        folder = folder_for(about, out, json and not analysis.writes, analysis.folder or analysis.name)
-        refuse_taken(folder, taken(folder, analysis.names(options, about.stem)), overwrite=overwrite)
-        if cost and cost.seconds >= LONG:
-            voice.say(cost.sentence)
-        with voice.counted(analysis.doing or analysis.name) as progress:
-            runner = Runner(Store.default(), workers, scheduler, progress, about, folder)
-            result = analysis.compute(study, options, runner)
-            if folder:
-                result.write(folder, overwrite=overwrite, progress=progress)
-        show(result, voice, every=tables)
-        located = result.located(folder) if folder else {}
-        if folder and folder.is_dir():  # a plan of a lattice has no picture
-            voice.tell(f"files: {located.get('report', folder)}")
+        if watch and json:
+            raise HaptonicError.conflict(
+                argument="--watch",
+                given="--watch and --json",
+                allowed="one of them",
+                cause="--json prints one object, and a study that is watched has many answers",
+                next_step="leave --watch out, and ask again when the study is saved",
+            )
+        once(analysis, given, voice)
+        if watch:
+            watched(given["study_file"], voice, lambda: once(analysis, given | {"overwrite": True}, voice))
+
+
+def once(analysis: Analysis, given: dict[str, Any], voice: Voice) -> None:
+    """Load, look whether it can end well, compute, write, say what was found."""
+    rest = dict(given)
+    out, json, tables, overwrite = (rest.pop(name) for name in SHARED)
+    workers, scheduler = rest.pop("workers", 0), rest.pop("scheduler", None)
+    file, dry = rest.pop("study_file", None), rest.pop("dry_run", False)
+    options = analysis.chosen({name: value for name, value in rest.items() if value is not None})
+    study = None if file is None else load(file)
+    analysis.check(study, options)
+    cost = COSTS[analysis.name](study, options) if analysis.name in COSTS else None
+    if cost and dry:
+        voice.tell(cost.sentence)
+        voice.answer({"processor_s": cost.seconds, "memory_b": cost.memory})
+        return
+    about = path_of(options) if analysis.study != "needed" else file
+    assert about is not None, f"{analysis.name} is asked of nothing"
+    folder = folder_for(about, out, json and not analysis.writes, analysis.folder or analysis.name)
+    refuse_taken(folder, taken(folder, analysis.names(options, about.stem)), overwrite=overwrite)
+    if cost and cost.seconds >= LONG:
+        voice.say(cost.sentence)
+    with voice.counted(analysis.doing or analysis.name) as progress:
+        runner = Runner(Store.default(), workers, scheduler, progress, about, folder)
+        result = analysis.compute(study, options, runner)
+        if folder:
+            result.write(folder, overwrite=overwrite, progress=progress)
+    show(result, voice, every=tables)
+    located = result.located(folder) if folder else {}
+    if folder and folder.is_dir():  # a plan of a lattice has no picture
+        voice.tell(f"files: {located.get('report', folder)}")
+    if json:
         voice.answer(result.to_json() | located)
 
 
 def show(result: Result, voice: Voice, *, every: bool) -> None:
     """The answer in sentences, then its tables while they fit a screen, then what may be wrong.
 
-    ``every`` : all tables; else those beyond are named, so that the sentences stay in sight
+    ``every`` : all of them; else what is beyond is named, so that the answer stays in sight
     """
-    for sentence in result.summary():
+    said = result.summary()
+    for sentence in said if every else said[:SENTENCES]:
         voice.tell(sentence)
     room, left = SCREEN, list[Table]()
     for table in () if voice.machine else result.tables():
@@ -152,9 +177,10 @@ def show(result: Result, voice: Voice, *, every: bool) -> None:
             voice.show(table)
         else:
             left.append(table)
-    if left:
-        named = ", ".join(f"{table.title} ({len(table.rows)})" for table in left)
-        voice.tell(f"{len(left)} more with --tables: {named}")
+    kept = [f"{len(said) - SENTENCES} sentences"] if len(said) > SENTENCES and not every else []
+    kept += [f"{table.title} ({len(table.rows)})" for table in left]
+    if kept:
+        voice.tell(f"more with --tables: {', '.join(kept)}")
     for text in result.remarks():
         voice.warn(text)
 
@@ -163,5 +189,7 @@ def folder_for(about: Path, out: Path | None, json: bool, ending: str) -> Path |
     """Where a command's files go; nowhere if a machine asks and names no folder."""
     if out is None and json:
         return None
-    stem = about.absolute().stem
+    path = about.absolute()
+    # two designs, or two scans, are files of one name in folders that tell them apart
+    stem = path.parent.name if path.stem in OF_COMMANDS else path.stem
     return target(Path("results") / f"{stem}-{ending}" if out is None else out)

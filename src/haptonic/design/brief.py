@@ -7,18 +7,16 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 
 import numpy as np
-from numpy.typing import NDArray
-from scipy.optimize import minimize
+import scipy
 
+from haptonic.arrays import Array
 from haptonic.cell import UnitCell
 from haptonic.design.parameters import values_of
 from haptonic.design.settings import DesignLimits
 from haptonic.errors import StudyError
-from haptonic.fields import unchecked
-from haptonic.lattice import FURTHER, LEAST_SIDE
+from haptonic.fields import with_numbers
+from haptonic.lattice import LEAST_SIDE
 from haptonic.materials import IsotropicMaterial
-
-Array = NDArray[np.float64]
 
 LEAST_GAP = 0.02  # between pillars, as a share of the pitch, if no tool asks for more
 LEAST_TIP = 0.1  # narrowest width of a pillar, as a share of that at its foot
@@ -96,32 +94,28 @@ class Brief:
 
     def _of_shape(self, own: Mapping[str, float]) -> dict[str, float]:
         """What makes a body of the pillar, and keeps it on its cell."""
-        sizes = {name: own[f"cell.{name}"] for name in ("pitch", *FURTHER[self.cell.lattice.name])}
-        lattice = unchecked(self.cell.lattice, **sizes)
+        cell = with_numbers(self.cell, own, "cell.", checked=False)
+        lattice, pillar = cell.lattice, cell.pillar
+        assert pillar is not None
         pitch = 2 * lattice.inradius  # from side to side where the cell is narrowest
-        draft, fillet = own["cell.pillar.draft"], own.get("cell.pillar.fillet", 0.0)
-        diameter, height = own["cell.pillar.diameter"], own["cell.pillar.height"]
-        lower, upper = (
-            own.get("cell.pillar.step.height", height),
-            own.get("cell.pillar.step.diameter", diameter),
-        )
-        stepped, slope = "cell.pillar.step.height" in own, math.tan(draft)
-        at_step = diameter - 2 * slope * lower
-        top = upper - 2 * slope * (height - (lower if stepped else 0.0))
-        at_foot = diameter + 2 * fillet * (1 / math.cos(draft) - slope)
-        least = max(LEAST_GAP * own["cell.pitch"], self.allowed.tool or 0.0) / pitch
+        below, top = 2 * pillar.half_width(pillar.stages[0][1], 0), 2 * pillar.half_width(pillar.height, -1)
+        at_foot = 2 * pillar.arc.centre[0] if pillar.arc is not None else pillar.diameter
+        upper = 2 * pillar.stages[-1][2]
+        least = max(LEAST_GAP * lattice.pitch, self.allowed.tool or 0.0) / pitch
         room = {
-            "gap between pillars": 1 - max(diameter, at_step, top) / pitch - least,
-            "fillet": 1 - at_foot / pitch - LEAST_GAP * own["cell.pitch"] / pitch,
-            "tip": min(upper, top) / diameter - LEAST_TIP,
+            "gap between pillars": 1 - max(pillar.diameter, below, top) / pitch - least,
+            "fillet": 1 - at_foot / pitch - LEAST_GAP * lattice.pitch / pitch,
+            "tip": min(upper, top) / pillar.diameter - LEAST_TIP,
         }
         if math.isfinite(lattice.shortest_side):
             room["side of the cell"] = lattice.shortest_side - LEAST_SIDE
-        if fillet:
-            room["height of the fillet"] = 0.75 - fillet * (1 - math.sin(draft)) / lower
-        if stepped:
-            room["step's height"] = 0.95 - lower / height
-            room["step's width"] = (0.93 * at_step - upper) / diameter
+        if pillar.arc is not None:
+            room["height of the fillet"] = (
+                0.75 - pillar.fillet * (1 - math.sin(pillar.draft)) / pillar.stages[0][1]
+            )
+        if pillar.step is not None:
+            room["step's height"] = 0.95 - pillar.step.height / pillar.height
+            room["step's width"] = (0.93 * below - upper) / pillar.diameter
         return room
 
     def _of_tools(self, own: Mapping[str, float]) -> dict[str, float]:
@@ -161,7 +155,7 @@ class Brief:
         if self.allows(share):
             return share
         count = len(share)
-        result = minimize(
+        result = scipy.optimize.minimize(
             lambda x: 1e-3 * float(((x[:count] - share) ** 2).sum()) + x[count],
             np.append(share, max(0.0, -min(self.limits(share).values()))),
             method="SLSQP",

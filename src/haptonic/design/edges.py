@@ -5,9 +5,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 import numpy as np
-import xarray as xr
-from numpy.typing import NDArray
 
+from haptonic.arrays import Array
 from haptonic.bloch import Gap
 from haptonic.bloch.exact import exact_modes
 from haptonic.bloch.pencil import eigenpairs
@@ -15,8 +14,7 @@ from haptonic.cell import UnitCell
 from haptonic.design.quick import QuickDesign
 from haptonic.design.sensitivity import sensitivity
 from haptonic.design.tolerance import Surface, terms_needed
-
-Array = NDArray[np.float64]
+from haptonic.later import xarray as xr
 
 DIVISIONS = 10  # of the irreducible zone's sides, where the bands beside the gap are followed
 

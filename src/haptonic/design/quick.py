@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 from threadpoolctl import threadpool_limits
 
+from haptonic.arrays import Array
 from haptonic.bloch.gaps import ZoneSampling
 from haptonic.bloch.model import BlochModel, ReducedCell
 from haptonic.bloch.pencil import eigenpairs
@@ -16,8 +17,6 @@ from haptonic.bloch.resolution import Resolution
 from haptonic.cell import UnitCell
 from haptonic.design.sensitivity import eigenvalue_derivatives
 from haptonic.superelement import TiledMesh, Tiling
-
-Array = NDArray[np.float64]
 
 QUICK = Resolution(3, 1)  # frequencies a few tenths of a percent high, all of them alike
 APART = 0.3  # rad, between two extremes of a band that count as two

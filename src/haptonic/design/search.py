@@ -17,12 +17,10 @@ from dataclasses import dataclass
 
 import numpy as np
 import scipy
-from numpy.typing import NDArray
 
+from haptonic.arrays import Array
 from haptonic.design.brief import Brief
 from haptonic.design.quick import CRITICAL, QuickDesign, Side, edges_of
-
-Array = NDArray[np.float64]
 
 HEIGHT = "cell.pillar.height"
 COLUMN = 6  # heights of a foot that are looked at: each costs a third of a new foot

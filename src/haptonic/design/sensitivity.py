@@ -15,11 +15,11 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from haptonic.arrays import Array, Fields
 from haptonic.bloch.exact import ExactModes
 from haptonic.cell import HexMesh, PlacedTile, UnitCell, mesh_cell
 from haptonic.cell.quadrature import lobatto
@@ -27,9 +27,6 @@ from haptonic.design.parameters import UNITS, values_of
 from haptonic.errors import GeometryError
 from haptonic.materials import IsotropicMaterial, Material, elasticity_tensor
 from haptonic.superelement import FoldedMesh, TiledMesh, through_levels
-
-Array = NDArray[np.float64]
-Fields = NDArray[Any]  # real or complex
 
 # constants of the material that eigenvalues are in proportion to, or their inverses
 SCALES = {"material.youngs_modulus": 1.0, "material.density": -1.0}

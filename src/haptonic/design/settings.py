@@ -8,7 +8,7 @@ import numpy as np
 from pydantic import Field
 
 from haptonic.design.parameters import OfCell
-from haptonic.fields import INLINE, Length, NumberRange, Quantity, described, once, problem
+from haptonic.fields import INLINE, Length, NumberRange, Quantity, described, once, problem, setting
 from haptonic.materials import IsotropicMaterial
 
 # centre of a long plate with clamped sides under a force: w = factor * F * span^2 / D (Timoshenko and
@@ -26,24 +26,16 @@ class DesignLimits:
     """What the workshop can cut, and what the plate has to bear; None where nothing is asked."""
 
     slenderness: Annotated[float, Quantity("", at_least=0.1, at_most=100.0, typical=(1.0, 10.0))] | None = (
-        Field(default=None, title="Slenderness", description="Largest height of a pillar over its diameter.")
+        setting(None, "Largest height of a pillar over its diameter.")
     )
-    tool: Length | None = Field(
-        default=None, title="End mill", description="Its diameter: the least gap between two pillars."
+    tool: Length | None = setting(None, "Its diameter: the least gap between two pillars.", title="End mill")
+    reach: Length | None = setting(None, "How deep the end mill can cut: the largest height of a pillar.")
+    finger_force: Annotated[float, Quantity("N", above=0.0, at_most=1e3, typical=(0.1, 20.0))] | None = (
+        setting(None, "In the middle of a waveguide of the span given.", title="Force of a finger")
     )
-    reach: Length | None = Field(
-        default=None,
-        title="Reach",
-        description="How deep the end mill can cut: the largest height of a pillar.",
-    )
-    finger_force: Annotated[float, Quantity("N", above=0.0, at_most=1e3, typical=(0.1, 20.0))] | None = Field(
-        default=None, title="Force of a finger", description="In the middle of a waveguide of the span given."
-    )
-    finger_span: Length | None = Field(
-        default=None, title="Span", description="Width of the waveguide that bears the finger."
-    )
-    finger_deflection: Length | None = Field(
-        default=None, title="Deflection", description="How far the plate may give way; limits its thickness."
+    finger_span: Length | None = setting(None, "Width of the waveguide that bears the finger.", title="Span")
+    finger_deflection: Length | None = setting(
+        None, "How far the plate may give way; limits its thickness.", title="Deflection"
     )
 
     def __post_init__(self) -> None:
@@ -75,29 +67,21 @@ class DesignLimits:
 class DesignSettings:
     """What a design may change, and how long it is looked for."""
 
-    vary: tuple[Variable, ...] = Field(
-        default=(), title="Parameters", description="What the design may change.", max_length=12
+    vary: tuple[Variable, ...] = setting((), "What the design may change.", title="Parameters", max_length=12)
+    starts: Annotated[int, Field(ge=1, le=1024, strict=True)] = setting(
+        48, "Designs, the study's own among them, that are looked at first."
     )
-    starts: Annotated[int, Field(ge=1, le=1024, strict=True)] = Field(
-        default=48,
-        title="Starts",
-        description="Designs, the study's own among them, that are looked at first.",
+    climbs: Annotated[int, Field(ge=1, le=64, strict=True)] = setting(
+        3, "How many of the best starts are improved; more while none reaches the carrier."
     )
-    climbs: Annotated[int, Field(ge=1, le=64, strict=True)] = Field(
-        default=3,
-        title="Climbs",
-        description="How many of the best starts are improved; more while none reaches the carrier.",
+    steps: Annotated[int, Field(ge=1, le=200, strict=True)] = setting(
+        12, "Designs computed in each climb at most."
     )
-    steps: Annotated[int, Field(ge=1, le=200, strict=True)] = Field(
-        default=12, title="Steps", description="Designs computed in each climb at most."
+    limits: Annotated[DesignLimits, INLINE] = setting(
+        DesignLimits(), "What the workshop and the finger allow."
     )
-    limits: Annotated[DesignLimits, INLINE] = Field(
-        default=DesignLimits(), title="Limits", description="What the workshop and the finger allow."
-    )
-    pitches: Annotated[int, Field(ge=2, le=40, strict=True)] = Field(
-        default=6,
-        title="Pitches",
-        description="How many are compared between the bounds of the pitch for the front.",
+    pitches: Annotated[int, Field(ge=2, le=40, strict=True)] = setting(
+        6, "How many are compared between the bounds of the pitch for the front."
     )
 
     def __post_init__(self) -> None:

@@ -18,16 +18,14 @@ from typing import Annotated, Literal
 
 import numpy as np
 import scipy
-from numpy.typing import NDArray
 from pydantic import Field
 
+from haptonic.arrays import Array
 from haptonic.cell import UnitCell
 from haptonic.design.parameters import OfCell, values_of
-from haptonic.fields import Quantity, described, once, problem
+from haptonic.fields import Quantity, described, needed, once, problem, setting
 from haptonic.fields.keys import pattern_of
 from haptonic.units import format_quantity
-
-Array = NDArray[np.float64]
 
 CUT = 3.0  # standard deviations at which normal spreads are cut off
 REACH = 2.0  # the fit holds for spreads up to this many times those given
@@ -40,17 +38,12 @@ PLATE_DRAWS = 2**8
 class Spread(OfCell):
     """How much a number of the cell differs from one plate, or one pillar, to the next."""
 
-    spread: float = Field(
-        title="Spread",
-        description="Standard deviation of a normal, half-width of a uniform distribution.",
+    spread: float = needed("Standard deviation of a normal, half-width of a uniform distribution.")
+    distribution: Literal["normal", "uniform"] = setting(
+        "normal", "Normal ones are cut off at three deviations."
     )
-    distribution: Literal["normal", "uniform"] = Field(
-        default="normal", title="Distribution", description="Normal ones are cut off at three deviations."
-    )
-    per: Literal["batch", "pillar"] = Field(
-        default="batch",
-        title="Per",
-        description="Whether all pillars of a plate differ alike, or each by itself.",
+    per: Literal["batch", "pillar"] = setting(
+        "batch", "Whether all pillars of a plate differ alike, or each by itself."
     )
 
     def __post_init__(self) -> None:
@@ -104,21 +97,17 @@ class Spread(OfCell):
 class ToleranceSettings:
     """How much the parts differ, and how sure the gap has to hold the carrier."""
 
-    of: tuple[Spread, ...] = Field(
-        default=(), title="Spreads", description="What differs, and how much.", max_length=12
+    of: tuple[Spread, ...] = setting((), "What differs, and how much.", title="Spreads", max_length=12)
+    margin: Annotated[float, Quantity("Hz", at_least=0.0, at_most=1e9)] = setting(
+        0.0, "Least distance of the carrier from the gap's edges."
     )
-    margin: Annotated[float, Quantity("Hz", at_least=0.0, at_most=1e9)] = Field(
-        default=0.0, title="Margin", description="Least distance of the carrier from the gap's edges."
+    confidence: Annotated[float, Quantity("", above=0.0, below=1.0, typical=(0.9, 0.9999))] = setting(
+        0.99, "Share of plates that have to keep the margin."
     )
-    confidence: Annotated[float, Quantity("", above=0.0, below=1.0, typical=(0.9, 0.9999))] = Field(
-        default=0.99, title="Confidence", description="Share of plates that have to keep the margin."
+    pillars: Annotated[int, Field(ge=1, le=10**7, strict=True)] = setting(
+        180, "On a plate; each of them has to keep the margin."
     )
-    pillars: Annotated[int, Field(ge=1, le=10**7, strict=True)] = Field(
-        default=180, title="Pillars", description="On a plate; each of them has to keep the margin."
-    )
-    samples: Annotated[int, Field(ge=16, le=4096, strict=True)] = Field(
-        default=64, title="Samples", description="Designs that are computed."
-    )
+    samples: Annotated[int, Field(ge=16, le=4096, strict=True)] = setting(64, "Designs that are computed.")
 
     def __post_init__(self) -> None:
         once(self.of, "of")

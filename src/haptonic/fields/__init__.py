@@ -1,6 +1,6 @@
 """Fields declared once, with title, unit, bounds, usual range, help: for checks, files and labels."""
 
-from haptonic.fields.described import described, extended, remade, unchecked
+from haptonic.fields.described import described, extended, needed, remade, setting, unchecked
 from haptonic.fields.entries import Entries
 from haptonic.fields.keys import ByPattern, Key, leaves, table
 from haptonic.fields.numbers import numbers, unknown_number, with_numbers
@@ -43,12 +43,14 @@ __all__ = [
     "extended",
     "handed_on",
     "leaves",
+    "needed",
     "number_of",
     "numbers",
     "once",
     "problem",
     "read",
     "remade",
+    "setting",
     "size",
     "table",
     "unchecked",

@@ -4,7 +4,8 @@
 
     @described("cell.pillar", GeometryError)
     class Pillar:
-        diameter: Annotated[float, Quantity("m", at_least=1e-9)] = Field(title="Diameter", description="...")
+        diameter: Annotated[float, Quantity("m", at_least=1e-9)] = needed("Of the cylinder.")
+        draft: Annotated[float, Quantity("rad")] = setting(0.0, "Of its side.", title="Draft angle")
 
 The declaration stands beside the field and nowhere else: the check, the study file, its keys, help and labels
 read it. A value is checked whenever it is made, in Python, ``Pillar(diameter=3.5e-3, height="14 mm")``, or
@@ -29,7 +30,24 @@ from haptonic.fields.reading import any_placed, arranged
 T = TypeVar("T")
 
 
-@dataclass_transform(frozen_default=True, field_specifiers=(Field,))
+def needed(help: str, title: str = "", **more: Any) -> Any:
+    """A field that has to be given.
+
+    Parameters
+    ----------
+    help : what it is, a sentence
+    title : heads it where it is shown; by default its name as words
+    more : what `pydantic.Field` takes besides, ``max_length`` or ``strict``
+    """
+    return Field(title=title or None, description=help, **more)
+
+
+def setting(default: Any, help: str, title: str = "", **more: Any) -> Any:
+    """A field with a default; see `needed`."""
+    return Field(default=default, title=title or None, description=help, **more)
+
+
+@dataclass_transform(frozen_default=True, field_specifiers=(Field, needed))
 def described(
     place: str, family: type[HaptonicError] = StudyError, *, kw_only: bool = False
 ) -> Callable[[type[T]], type[T]]:
@@ -80,7 +98,7 @@ def remade(value: T, **changes: Any) -> T:
 
 
 def unchecked(value: T, **changes: Any) -> T:
-    """A copy without a check, for changes that cannot make a possible value impossible: a part left out."""
+    """A copy without a check: for a part left out, or to ask how far a value is from a possible one."""
     made: T = object.__new__(type(value))
     for field in fields(value):  # type: ignore[arg-type]
         object.__setattr__(made, field.name, changes.get(field.name, getattr(value, field.name)))

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cache
 from types import NoneType, UnionType
 from typing import Annotated, Any, Literal, TypeVar, Union, get_args, get_origin
@@ -33,6 +33,7 @@ class Key:
     choices : the allowed words of a choice; named : of a value that a name can stand for, such as a material
     quantity : the declaration itself, for a quantity or number; the first one's of a list
     count : how many there are in a list
+    numbers : paths of the study's numbers that a text may name; see `haptonic.fields.of_number`
     """
 
     path: str
@@ -47,6 +48,7 @@ class Key:
     named: Named | None = None
     quantity: Quantity | None = None
     count: int = 1
+    numbers: tuple[str, ...] = ()
 
     @property
     def required(self) -> bool:
@@ -80,6 +82,8 @@ def table(kind: type, prefix: str = "") -> dict[str, Key]:
     for slot in slots(kind):
         path = slot.path(prefix)
         key = _key(path, slot.field)
+        if slot.name == "parameter" and (known := getattr(kind, "known", None)):
+            key = replace(key, numbers=tuple(known()))
         own = {} if slot.placed.inline else {path: key}
         for below in slot.kinds:
             own |= table(below, f"{path}[]." if key.kind == "tables" else slot.below(prefix))
@@ -225,7 +229,7 @@ def _key(path: str, field: FieldInfo) -> Key:
         bounds, typical = f"{count} of them, {bounds}", ""
     return Key(
         path=path,
-        title=field.title or path,
+        title=field.title or path.rpartition(".")[2].replace("_", " ").capitalize(),
         kind=kind,
         unit=quantity.unit if quantity else "",
         default=_default(field, quantity),

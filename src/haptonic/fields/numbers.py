@@ -5,12 +5,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from types import MappingProxyType
 from typing import Any, TypeVar
 
 from haptonic.errors import StudyError
-from haptonic.fields.described import remade
+from haptonic.fields.described import remade, unchecked
 from haptonic.fields.entries import Entries
 from haptonic.fields.keys import Slot, is_described, leaves, slots
 
@@ -28,10 +28,10 @@ def numbers(value: object, prefix: str = "", *, names: bool = False) -> dict[str
     return {path: number for path, number, declared in leaves(value, prefix, names=names) if declared}
 
 
-def with_numbers(value: T, changes: Mapping[str, float], prefix: str = "") -> T:
+def with_numbers(value: T, changes: Mapping[str, float], prefix: str = "", checked: bool = True) -> T:
     """The value with some of its `numbers` changed, all at once.
 
-    Only the values on the way to these numbers are made anew, and check themselves.
+    Only the values on the way to these numbers are made anew, and check themselves if ``checked``.
 
     Raises
     ------
@@ -39,7 +39,7 @@ def with_numbers(value: T, changes: Mapping[str, float], prefix: str = "") -> T:
     StudyError : a name that no number of the value has
     """
     left = dict(changes)
-    made: T = _changed(value, left, prefix)
+    made: T = _changed(value, left, prefix, remade if checked else unchecked)
     for name in left:
         raise unknown_number(name, numbers(value, prefix))
     return made
@@ -60,25 +60,25 @@ def unknown_number(
     return StudyError.unknown(at or "name of a number", name, known, cause, slip=slip, next_step=next_step)
 
 
-def _changed(value: Any, changes: dict[str, float], prefix: str) -> Any:
+def _changed(value: Any, changes: dict[str, float], prefix: str, make: Callable[..., Any]) -> Any:
     """The value with what ``changes`` holds of it, which is taken out of there."""
     made = {}
     for slot in slots(type(value)):
         old = getattr(value, slot.name)
-        new = _in_slot(slot, old, changes, prefix)
+        new = _in_slot(slot, old, changes, prefix, make)
         if new is not old:
             made[slot.name] = new
-    return remade(value, **made) if made else value
+    return make(value, **made) if made else value
 
 
-def _in_slot(slot: Slot, old: Any, changes: dict[str, float], prefix: str) -> Any:
+def _in_slot(slot: Slot, old: Any, changes: dict[str, float], prefix: str, make: Callable[..., Any]) -> Any:
     path = slot.path(prefix)
     if is_described(old):
-        return _changed(old, changes, slot.below(prefix))
+        return _changed(old, changes, slot.below(prefix), make)
     if isinstance(old, tuple):
         items = [(f"{path}[{index}]", item) for index, item in enumerate(old, start=1)]
         new = tuple(
-            _changed(item, changes, f"{at}.") if is_described(item) else changes.pop(at, item)
+            _changed(item, changes, f"{at}.", make) if is_described(item) else changes.pop(at, item)
             for at, item in items
         )
         return old if all(a is b for a, b in zip(new, old, strict=True)) else new

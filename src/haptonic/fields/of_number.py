@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from pydantic import Field, ValidationInfo, field_validator
 
 from haptonic.errors import StudyError
-from haptonic.fields.described import described
+from haptonic.fields.described import described, needed
 from haptonic.fields.quantity import handed_on, number_of, problem
 from haptonic.units import format_quantity
 
@@ -16,11 +16,7 @@ from haptonic.units import format_quantity
 class OfNumber:
     """A table about one number of the study; a subclass says by `unit_of` and `known` about which."""
 
-    parameter: str = Field(
-        title="Parameter",
-        description="By its name in this file; tables of one name count from 1.",
-        strict=True,
-    )
+    parameter: str = needed("By its name in this file; tables of one name count from 1.", strict=True)
 
     @classmethod
     def unit_of(cls, path: str) -> str | None:

@@ -7,13 +7,12 @@ from collections.abc import Mapping
 from functools import lru_cache
 
 import numpy as np
-from numpy.typing import NDArray
 
+from haptonic.arrays import Array
 from haptonic.errors import StudyError, shown
 from haptonic.fields import Entries, Quantity
 from haptonic.units import format_quantity
 
-Array = NDArray[np.float64]
 Rows = tuple[tuple[float, ...], ...]
 
 VOIGT = ((0, 5, 4), (5, 1, 3), (4, 3, 2))  # Voigt number of the pair (i, j); order 11 22 33 23 13 12

@@ -8,12 +8,13 @@ from dataclasses import asdict
 from typing import Annotated
 
 import numpy as np
-from pydantic import Field, ValidationInfo, field_validator
+from pydantic import ValidationInfo, field_validator
 
+from haptonic.arrays import Array
 from haptonic.errors import shown
-from haptonic.fields import Entries, Quantity, described, number_of, problem
+from haptonic.fields import Entries, Quantity, described, needed, number_of, problem, setting
 from haptonic.fields.quantity import collected
-from haptonic.materials.common import DENSITY, Array, spread_of
+from haptonic.materials.common import DENSITY, spread_of
 
 INCOMPRESSIBLE = (
     "a solid with a Poisson ratio of 0.5 is incompressible and has no finite bulk modulus; write 0.49 for "
@@ -31,35 +32,20 @@ class IsotropicMaterial:
     StudyError : a property outside its limits
     """
 
-    youngs_modulus: Annotated[float, Quantity("Pa", at_least=1e3, at_most=1e13, typical=(1e9, 5e11))] = Field(
-        title="Young's modulus", description="Stiffness in tension."
+    youngs_modulus: Annotated[float, Quantity("Pa", at_least=1e3, at_most=1e13, typical=(1e9, 5e11))] = (
+        needed("Stiffness in tension.", title="Young's modulus")
     )
     poisson_ratio: Annotated[
         float, Quantity("", above=-1.0, below=0.5, typical=(0.1, 0.45), hint=INCOMPRESSIBLE)
-    ] = Field(title="Poisson ratio", description="Sideways contraction over stretch.")
-    density: Annotated[float, DENSITY] = Field(title="Density", description="Mass per volume.")
-    loss_factor: Annotated[float, Quantity("", at_least=0.0, below=1.0, typical=(0.0, 0.2))] = Field(
-        default=0.0,
-        title="Loss factor",
-        description="Imaginary over real part of the stiffness; about 1 / Q.",
+    ] = needed("Sideways contraction over stretch.")
+    density: Annotated[float, DENSITY] = needed("Mass per volume.")
+    loss_factor: Annotated[float, Quantity("", at_least=0.0, below=1.0, typical=(0.0, 0.2))] = setting(
+        0.0, "Imaginary over real part of the stiffness; about 1 / Q."
     )
-    name: str = Field(
-        default="material", title="Name", description="Shown in reports.", min_length=1, strict=True
-    )
-    source: str = Field(
-        default="",
-        title="Source",
-        description="Of the constants: words, or a key of the bibliography.",
-        strict=True,
-    )
-    uncertainty: Entries[float] = Field(
-        default=Entries(),
-        title="Uncertainty",
-        description="Half-widths of the plausible intervals, by property.",
-    )
-    note: str = Field(
-        default="", title="Note", description="What else is known of the constants.", strict=True
-    )
+    name: str = setting("material", "Shown in reports.", min_length=1, strict=True)
+    source: str = setting("", "Of the constants: words, or a key of the bibliography.", strict=True)
+    uncertainty: Entries[float] = setting(Entries(), "Half-widths of the plausible intervals, by property.")
+    note: str = setting("", "What else is known of the constants.", strict=True)
 
     def __post_init__(self) -> None:
         if not self.name.strip():

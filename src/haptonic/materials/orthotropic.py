@@ -6,12 +6,11 @@ from dataclasses import asdict
 from typing import Annotated
 
 import numpy as np
-from pydantic import Field
 
-from haptonic.fields import Entries, described
+from haptonic.arrays import Array
+from haptonic.fields import Entries, described, needed
 from haptonic.materials.common import (
     DENSITY,
-    Array,
     require_between,
     require_name,
     require_positive_definite,
@@ -46,7 +45,7 @@ class OrthotropicMaterial:
     c44: float
     c55: float
     c66: float
-    density: Annotated[float, DENSITY] = Field(title="Density", description="Mass per volume.")
+    density: Annotated[float, DENSITY] = needed("Mass per volume.")
     loss_factor: float = 0.0
     source: str = ""
     uncertainty: Entries[float] = Entries()

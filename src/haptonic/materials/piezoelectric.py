@@ -7,10 +7,10 @@ from dataclasses import asdict, dataclass, field
 
 import numpy as np
 
+from haptonic.arrays import Array
 from haptonic.fields import Entries
 from haptonic.materials.common import (
     VOIGT,
-    Array,
     Rows,
     require_between,
     require_name,

@@ -5,11 +5,10 @@ from __future__ import annotations
 import base64
 from dataclasses import dataclass
 from importlib.resources import files
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Literal
 
-from jinja2 import Environment, StrictUndefined
-
-from haptonic.plots.style import rendered
+from haptonic import plots
+from haptonic.later import jinja2
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -26,14 +25,15 @@ class Picture:
 
 def filled(template: str, **values: object) -> str:
     """A page of this folder with its values filled in; text is escaped."""
-    environment = Environment(
-        autoescape=True, undefined=StrictUndefined, trim_blocks=True, lstrip_blocks=True
+    environment = jinja2.Environment(
+        autoescape=True, undefined=jinja2.StrictUndefined, trim_blocks=True, lstrip_blocks=True
     )
-    environment.filters["embedded"] = _embedded
+    environment.filters["embedded"] = embedded
     text = files("haptonic.pages").joinpath(template).read_text("utf-8")
     return environment.from_string(text).render(**values)
 
 
-def _embedded(figure: Figure) -> str:
+def embedded(figure: Figure, kind: Literal["svg", "png"] = "svg") -> str:
     """The figure as an address that holds all of it."""
-    return "data:image/svg+xml;base64," + base64.b64encode(rendered(figure, "svg")).decode()
+    form = "svg+xml" if kind == "svg" else kind
+    return f"data:image/{form};base64,{base64.b64encode(plots.rendered(figure, kind)).decode()}"

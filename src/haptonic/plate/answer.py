@@ -6,14 +6,12 @@ from collections.abc import Mapping, Sequence
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from haptonic.arrays import Array
 from haptonic.plate import Band, Fineness, Plate, PlateModel
 from haptonic.plate.damping import real_times
 from haptonic.plate.sampling import reference_of, unit_drives
 from haptonic.response import FrequencyResponse
-
-Array = NDArray[np.float64]
 
 
 def responded(

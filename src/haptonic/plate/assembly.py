@@ -17,17 +17,15 @@ from functools import cached_property
 from typing import Any
 
 import numpy as np
-import scipy.sparse as sp
 from numpy.typing import NDArray
 
+from haptonic.arrays import Array, Ints
+from haptonic.later import sparse as sp
 from haptonic.parallel import each
 from haptonic.plate.elimination import elimination_order
 from haptonic.plate.skeleton import Skeleton
 from haptonic.plate.tile import Eliminated, Tile, applied
 from haptonic.solvers import Pattern, Solver, chosen
-
-Array = NDArray[np.float64]
-Ints = NDArray[np.int64]
 
 AT_ONCE = 64  # vectors that a product takes on at once
 

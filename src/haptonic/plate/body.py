@@ -11,21 +11,19 @@ from math import ceil
 from types import MappingProxyType
 
 import numpy as np
-import scipy.sparse as sp
 from numpy.lib.stride_tricks import sliding_window_view
-from numpy.typing import NDArray
 
+from haptonic.arrays import Array, Ints
 from haptonic.cell import MeshPlan, UnitCell, mesh_cell
 from haptonic.cell.quadrature import lobatto
 from haptonic.elements import element_matrices
+from haptonic.later import sparse as sp
 from haptonic.materials import Material, PiezoelectricMaterial
 from haptonic.plate.keys import PLATE, PartKey, bond, ceramic, electric
 from haptonic.plate.parts import Actuator, Plate
 from haptonic.plate.piezo import electric_part
 from haptonic.plate.surface import flat_faces
 
-Array = NDArray[np.float64]
-Ints = NDArray[np.int64]
 Window = tuple[tuple[float, float], tuple[float, float]]
 
 SAME = 1e-9  # lines closer than this share of the longest element differ by rounding only

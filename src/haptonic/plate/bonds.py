@@ -10,12 +10,10 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from haptonic.arrays import Array
 from haptonic.plate.body import Body
 from haptonic.plate.keys import bond
-
-Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True, eq=False)

@@ -12,15 +12,12 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
-import scipy.linalg as la
 from numpy.typing import NDArray
 
+from haptonic.arrays import Array, Complex, Ints
+from haptonic.later import linalg as la
 from haptonic.parallel import each
 from haptonic.plate.krylov import Basis
-
-Array = NDArray[np.float64]
-Ints = NDArray[np.int64]
-Complex = NDArray[np.complex128]
 
 AT_ONCE = 32  # lines
 NO_STIFFNESS = 1e-13  # share of a form's largest eigenvalue that is rounding

@@ -7,15 +7,14 @@ from collections.abc import Mapping
 from dataclasses import asdict
 
 import numpy as np
-import xarray as xr
 from numpy.typing import NDArray
 
+from haptonic.arrays import Array
+from haptonic.later import xarray as xr
 from haptonic.plate import Band, Plate, PlateModel, PlateModes, Vibration
 from haptonic.plate.keys import PLATE, PartKey
 from haptonic.plate.nodal import nodal_name
 from haptonic.plate.sampling import reference_of
-
-Array = NDArray[np.float64]
 
 
 def _by_part(plate: Plate, stored: Mapping[PartKey, Array], model: PlateModel) -> tuple[list[str], Array]:

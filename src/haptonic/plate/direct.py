@@ -12,15 +12,12 @@ few directions, so that the product lies near the identity but for some resonanc
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
-from scipy.sparse.linalg import LinearOperator, gmres
 
+from haptonic.arrays import Array, Complex
+from haptonic.later import sparse_linalg
 from haptonic.plate.damping import real_times
 from haptonic.plate.keys import PLATE
 from haptonic.plate.model import PlateModel
-
-Array = NDArray[np.float64]
-Complex = NDArray[np.complex128]
 
 BESIDE = 1e-3  # share of the square of the frequency by which the plate without loss is answered beside it
 RESIDUAL = 1e-12  # relative
@@ -43,9 +40,14 @@ def direct_answer(model: PlateModel, loads: Complex, omega: float) -> Complex:
         return out
 
     shape = (assembly.size, assembly.size)
-    matrix = LinearOperator(shape, lambda field: stiff(field.ravel()), dtype=complex)
-    nearby = LinearOperator(shape, lambda right: _whole(shifted.solve(_halves(right.ravel()))), dtype=complex)
-    found = [gmres(matrix, load, M=nearby, rtol=RESIDUAL, restart=STEPS, maxiter=1)[0] for load in loads.T]
+    matrix = sparse_linalg.LinearOperator(shape, lambda field: stiff(field.ravel()), dtype=complex)
+    nearby = sparse_linalg.LinearOperator(
+        shape, lambda right: _whole(shifted.solve(_halves(right.ravel()))), dtype=complex
+    )
+    found = [
+        sparse_linalg.gmres(matrix, load, M=nearby, rtol=RESIDUAL, restart=STEPS, maxiter=1)[0]
+        for load in loads.T
+    ]
     shifted.release()
     return np.stack(found, axis=1)
 

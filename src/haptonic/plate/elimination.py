@@ -9,10 +9,9 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 import numpy as np
-import scipy.sparse as sp
-from numpy.typing import NDArray
 
-Ints = NDArray[np.int64]
+from haptonic.arrays import Ints
+from haptonic.later import sparse as sp
 
 
 def elimination_order(size: int, blocks: Sequence[Ints]) -> Ints:

@@ -15,9 +15,9 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
-import scipy.linalg as la
-from numpy.typing import NDArray
 
+from haptonic.arrays import Array, Complex
+from haptonic.later import linalg as la
 from haptonic.plate.body import loss_factors
 from haptonic.plate.bonds import Bond3
 from haptonic.plate.damping import real_times
@@ -27,9 +27,6 @@ from haptonic.plate.parts import Plate
 from haptonic.plate.sweep import Band
 from haptonic.plate.tile import applied
 from haptonic.plate.updated import bond_thickness, stiffness_ratio, support_ratio, updated
-
-Array = NDArray[np.float64]
-Complex = NDArray[np.complex128]
 
 MISSED = 1e-4  # share of the energy norm of an answer that a basis may miss
 

@@ -5,9 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Annotated, Literal
 
-from pydantic import Field
-
-from haptonic.fields import Quantity, described, problem, size
+from haptonic.fields import Quantity, described, needed, problem, setting, size
 from haptonic.plate.layout import Side
 from haptonic.units import format_quantity
 
@@ -42,29 +40,15 @@ class Support:
 class Edges:
     """What holds the outer side faces of the plate, by the direction in which they look."""
 
-    left: EdgeHold = Field(
-        default="free", title="Left edge", description="What holds the faces that look left."
+    left: EdgeHold = setting("free", "What holds the faces that look left.", title="Left edge")
+    right: EdgeHold = setting("free", "What holds the faces that look right.", title="Right edge")
+    bottom: EdgeHold = setting("free", "What holds the faces that look down.", title="Bottom edge")
+    top: EdgeHold = setting("free", "What holds the faces that look up.", title="Top edge")
+    spring: FoundationStiffness | None = setting(
+        None, 'Stiffness per area of every edge on a "spring".', title="Springs of the edges"
     )
-    right: EdgeHold = Field(
-        default="free",
-        title="Right edge",
-        description="What holds the faces that look right.",
-    )
-    bottom: EdgeHold = Field(
-        default="free",
-        title="Bottom edge",
-        description="What holds the faces that look down.",
-    )
-    top: EdgeHold = Field(default="free", title="Top edge", description="What holds the faces that look up.")
-    spring: FoundationStiffness | None = Field(
-        default=None,
-        title="Springs of the edges",
-        description='Stiffness per area of every edge on a "spring".',
-    )
-    loss_factor: Loss = Field(
-        default=0.0,
-        title="Loss of the edges' springs",
-        description="Imaginary over real part of their stiffness.",
+    loss_factor: Loss = setting(
+        0.0, "Imaginary over real part of their stiffness.", title="Loss of the edges' springs"
     )
 
     def __post_init__(self) -> None:
@@ -100,18 +84,14 @@ class Edges:
 class Clamp:
     """What holds the plate at the four corners of the rectangle around it."""
 
-    corners: Annotated[float, size(100e-6, 100e-3)] = Field(
-        title="Held length", description="Of each side face, from the corner on."
+    corners: Annotated[float, size(100e-6, 100e-3)] = needed(
+        "Of each side face, from the corner on.", title="Held length"
     )
-    spring: FoundationStiffness | None = Field(
-        default=None,
-        title="Springs of the corners",
-        description="Stiffness per area; else the corners are clamped.",
+    spring: FoundationStiffness | None = setting(
+        None, "Stiffness per area; else the corners are clamped.", title="Springs of the corners"
     )
-    loss_factor: Loss = Field(
-        default=0.0,
-        title="Loss of the corners' springs",
-        description="Imaginary over real part of their stiffness.",
+    loss_factor: Loss = setting(
+        0.0, "Imaginary over real part of their stiffness.", title="Loss of the corners' springs"
     )
 
     def __post_init__(self) -> None:

@@ -5,16 +5,13 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-import scipy.linalg as la
-from numpy.typing import NDArray
 
+from haptonic.arrays import Array, Fields, Ints
+from haptonic.later import linalg as la
 from haptonic.plate.keys import PLATE
 from haptonic.plate.reduction import few_modes
 from haptonic.plate.skeleton import Block, TraceOrders, traced
-from haptonic.plate.tile import Fields, Inside, Tile, Turned
-
-Array = NDArray[np.float64]
-Ints = NDArray[np.int64]
+from haptonic.plate.tile import Inside, Tile, Turned
 
 
 def joined_tile(

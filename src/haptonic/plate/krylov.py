@@ -13,13 +13,12 @@ from functools import cached_property
 from itertools import pairwise
 
 import numpy as np
-import scipy.linalg as la
 from numpy.typing import NDArray
 
+from haptonic.arrays import Array
+from haptonic.later import linalg as la
 from haptonic.parallel import each
 from haptonic.plate.assembly import AT_ONCE, Assembly, Shifted
-
-Array = NDArray[np.float64]
 
 TOGETHER = 4  # chains that are made orthogonal to the others at once
 REPEATED = 1e-13  # share of a direction's squared length that must not lie in the others

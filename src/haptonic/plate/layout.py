@@ -10,12 +10,10 @@ from types import MappingProxyType
 from typing import Literal
 
 import numpy as np
-from numpy.typing import NDArray
 
 from haptonic.cell import UnitCell
 from haptonic.materials import Material
 
-Array = NDArray[np.float64]
 Side = Literal["left", "right", "bottom", "top"]
 Tile = tuple[int, int]
 Rectangle = tuple[float, float, float, float]

@@ -3,19 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Any
 
 import numpy as np
-import xarray as xr
 from numpy.typing import NDArray
 
+from haptonic.arrays import AnyComplex, Array
+from haptonic.later import xarray as xr
 from haptonic.plate.parts import Plate
 from haptonic.plate.sampling import driven_region, loudest_within, points_of
 from haptonic.response import FrequencyResponse, contrast, disc_average
 from haptonic.response.checks import REST, THE_REST
-
-Array = NDArray[np.float64]
-AnyComplex = NDArray[np.complexfloating[Any, Any]]
 
 FINGER = 10e-3  # m, width of the disc over which a finger averages
 BELOW, ABOVE = 0.76, 1.25  # of the gap's edges, where the maps below and above it are taken

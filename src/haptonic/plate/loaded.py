@@ -6,10 +6,10 @@ from collections.abc import Mapping, Sequence
 from dataclasses import replace
 
 import numpy as np
-import xarray as xr
-from numpy.typing import NDArray
 
+from haptonic.arrays import Array
 from haptonic.gate import WORD
+from haptonic.later import xarray as xr
 from haptonic.plate import Band, Fineness, Plate, PlateModel, PlateModes, modes_between
 from haptonic.plate.sampling import (
     NEAR,
@@ -22,9 +22,6 @@ from haptonic.plate.sampling import (
 )
 from haptonic.plate.touch import Sites, below_finger
 from haptonic.progress import Progress, silent
-
-Array = NDArray[np.float64]
-Complex = NDArray[np.complex128]
 
 FREE = "free"  # the vibration that no finger damps
 LOADS = (FREE, "low", "value", "high")  # by the damping of the finger

@@ -8,9 +8,9 @@ from functools import cached_property
 from types import MappingProxyType
 
 import numpy as np
-import scipy.sparse as sp
-from numpy.typing import NDArray
 
+from haptonic.arrays import Array, Complex, Ints
+from haptonic.later import sparse as sp
 from haptonic.plate.assembly import Assembly
 from haptonic.plate.blocks import blocks_of
 from haptonic.plate.body import loss_factors
@@ -21,10 +21,6 @@ from haptonic.plate.recipes import Fineness, recipe_of, tiles_of
 from haptonic.plate.resolved import check_resolved
 from haptonic.plate.skeleton import Skeleton
 from haptonic.plate.supports import Foundation, supported, total_stiffness
-
-Array = NDArray[np.float64]
-Ints = NDArray[np.int64]
-Complex = NDArray[np.complex128]
 
 OPEN_FROM = 4000  # unknowns between blocks from which on those at free edges are condensed into their tiles
 FINGER_POINTS = 37  # of equal area on the disc below a finger

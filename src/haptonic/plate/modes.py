@@ -5,13 +5,11 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from haptonic.arrays import Array
 from haptonic.plate.keys import FINGER, SUPPORTS, PartKey
 from haptonic.plate.model import impedance
 from haptonic.plate.sweep import Band
-
-Array = NDArray[np.float64]
 
 RISE = 2.2  # time constants from 10 to 90 % of the final amplitude
 

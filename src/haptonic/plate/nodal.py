@@ -3,9 +3,8 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
-Array = NDArray[np.float64]
+from haptonic.arrays import Array
 
 SEPARABLE = 0.7  # share of a shape's square that one product of two curves has to hold
 QUIET = 0.2  # of a curve's peak, below which a change of sign is not counted

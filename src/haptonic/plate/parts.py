@@ -11,9 +11,8 @@ from dataclasses import dataclass
 from typing import Annotated
 
 import numpy as np
-from pydantic import Field
 
-from haptonic.fields import LARGEST, Name, Quantity, described, problem, size
+from haptonic.fields import LARGEST, Name, Quantity, described, needed, problem, setting, size
 from haptonic.materials import Material, PiezoelectricMaterial
 from haptonic.materials.library import CERAMIC, SOLID
 from haptonic.plate.holding import Support
@@ -32,8 +31,8 @@ CENTRE = "From the lower left corner of the smallest rectangle around the region
 class Bond:
     """The layer of glue below an actuator."""
 
-    thickness: BondThickness = Field(title="Thickness of the bond", description="Of the layer of glue.")
-    material: Annotated[Material, SOLID] = Field(title="Material of the bond", description="A built-in one.")
+    thickness: BondThickness = needed("Of the layer of glue.", title="Thickness of the bond")
+    material: Annotated[Material, SOLID] = needed("A built-in one.", title="Material of the bond")
 
 
 @described("plate.actuator")
@@ -43,26 +42,18 @@ class Actuator:
     The voltage counts between its free and its glued electrode.
     """
 
-    name: Name = Field(title="Name", description="Shown in results.")
-    centre: tuple[Position, Position] = Field(title="Centre", description=CENTRE)
-    size: tuple[Width, Width, PatchThickness] = Field(
-        title="Size", description="Along x, along y, and its thickness."
+    name: Name = needed("Shown in results.")
+    centre: tuple[Position, Position] = needed(CENTRE)
+    size: tuple[Width, Width, PatchThickness] = needed("Along x, along y, and its thickness.")
+    material: Annotated[PiezoelectricMaterial, CERAMIC] = needed(
+        "A built-in piezoelectric one, poled along z."
     )
-    material: Annotated[PiezoelectricMaterial, CERAMIC] = Field(
-        title="Material", description="A built-in piezoelectric one, poled along z."
+    bond: Bond | None = setting(None, "Without this table the patch is one with the plate.")
+    voltage: Annotated[float, Quantity("V", at_least=0.0, at_most=1e5, typical=(0.0, 1e3))] = setting(
+        1.0, "Amplitude between the electrodes on its two faces."
     )
-    bond: Bond | None = Field(
-        default=None, title="Bond", description="Without this table the patch is one with the plate."
-    )
-    voltage: Annotated[float, Quantity("V", at_least=0.0, at_most=1e5, typical=(0.0, 1e3))] = Field(
-        default=1.0, title="Voltage", description="Amplitude between the electrodes on its two faces."
-    )
-    phase: Phase = Field(default=0.0, title="Phase", description="Of the voltage.")
-    region: Name | None = Field(
-        default=None,
-        title="Region",
-        description="Of plain plate, that the whole patch lies on; else any.",
-    )
+    phase: Phase = setting(0.0, "Of the voltage.")
+    region: Name | None = setting(None, "Of plain plate, that the whole patch lies on; else any.")
 
     def __post_init__(self) -> None:
         *sides, thickness = self.size
@@ -86,20 +77,14 @@ class Actuator:
 class Force:
     """A force normal to the flat face, at a point or spread evenly over a rectangle."""
 
-    name: Name = Field(title="Name", description="Shown in results.")
-    centre: tuple[Position, Position] = Field(title="Centre", description=CENTRE)
-    size: tuple[Width, Width] | None = Field(
-        default=None, title="Size", description="Along x and along y; else the force acts at a point."
+    name: Name = needed("Shown in results.")
+    centre: tuple[Position, Position] = needed(CENTRE)
+    size: tuple[Width, Width] | None = setting(None, "Along x and along y; else the force acts at a point.")
+    force: Annotated[float, Quantity("N", at_least=0.0, at_most=1e6, typical=(0.0, 100.0))] = setting(
+        1.0, "Amplitude of its total."
     )
-    force: Annotated[float, Quantity("N", at_least=0.0, at_most=1e6, typical=(0.0, 100.0))] = Field(
-        default=1.0, title="Force", description="Amplitude of its total."
-    )
-    phase: Phase = Field(default=0.0, title="Phase", description="Of the force.")
-    region: Name | None = Field(
-        default=None,
-        title="Region",
-        description="Or lattice, that all of the force lies on; else any.",
-    )
+    phase: Phase = setting(0.0, "Of the force.")
+    region: Name | None = setting(None, "Or lattice, that all of the force lies on; else any.")
 
     @property
     def amplitude(self) -> complex:
@@ -116,24 +101,18 @@ class Finger:
     disc.
     """
 
-    centre: tuple[Position, Position] = Field(title="Centre", description=CENTRE)
-    diameter: Annotated[float, size(1e-3, 40e-3)] = Field(
-        default=10e-3, title="Diameter", description="Of the disc that it touches."
+    centre: tuple[Position, Position] = needed(CENTRE)
+    diameter: Annotated[float, size(1e-3, 40e-3)] = setting(10e-3, "Of the disc that it touches.")
+    mass: Annotated[float, Quantity("kg", above=0.0, at_most=1e3, typical=(1e-5, 1.0))] | None = setting(
+        None, "That vibrates with the pad; else spring and damper end at rest."
     )
-    mass: Annotated[float, Quantity("kg", above=0.0, at_most=1e3, typical=(1e-5, 1.0))] | None = Field(
-        default=None,
-        title="Mass",
-        description="That vibrates with the pad; else spring and damper end at rest.",
+    stiffness: Annotated[float, Quantity("N/m", at_least=0.0, at_most=1e12, typical=(0.0, 1e6))] = setting(
+        0.0, "Of the whole disc.", title="Stiffness of the pad"
     )
-    stiffness: Annotated[float, Quantity("N/m", at_least=0.0, at_most=1e12, typical=(0.0, 1e6))] = Field(
-        default=0.0, title="Stiffness of the pad", description="Of the whole disc."
+    damping: Annotated[float, Quantity("N s/m", at_least=0.0, at_most=1e9, typical=(0.0, 1e3))] = setting(
+        0.0, "Of the whole disc.", title="Damping of the pad"
     )
-    damping: Annotated[float, Quantity("N s/m", at_least=0.0, at_most=1e9, typical=(0.0, 1e3))] = Field(
-        default=0.0, title="Damping of the pad", description="Of the whole disc."
-    )
-    region: Name | None = Field(
-        default=None, title="Region", description="Or lattice, from whose corner its centre counts; else any."
-    )
+    region: Name | None = setting(None, "Or lattice, from whose corner its centre counts; else any.")
 
     def __post_init__(self) -> None:
         if self.stiffness == 0 and self.damping == 0:

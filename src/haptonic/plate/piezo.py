@@ -20,14 +20,11 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
-from scipy.linalg import cholesky, solve_triangular
 
+from haptonic.arrays import Array, Ints
 from haptonic.cell.quadrature import lobatto
+from haptonic.later import linalg as la
 from haptonic.materials import PiezoelectricMaterial
-
-Array = NDArray[np.float64]
-Ints = NDArray[np.int64]
 
 
 @dataclass(frozen=True)
@@ -115,9 +112,9 @@ def electric_part(
     P_tt = float(P[np.ix_(top, top)].sum())
     if not inner.any():  # linear through the patch
         return ElectricPart(own, np.zeros((3 * count,) * 2), -A_t, P_tt)
-    root = cholesky(P[np.ix_(inner, inner)], lower=True)
-    seen = solve_triangular(root, A[inner].reshape(-1, 3 * count), lower=True)
-    follows = solve_triangular(root, P_it, lower=True)
+    root = la.cholesky(P[np.ix_(inner, inner)], lower=True)
+    seen = la.solve_triangular(root, A[inner].reshape(-1, 3 * count), lower=True)
+    follows = la.solve_triangular(root, P_it, lower=True)
     return ElectricPart(
         nodes=own,
         stiffness=seen.T @ seen,

@@ -8,9 +8,9 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.polynomial.legendre import leggauss
-from numpy.typing import NDArray
 from threadpoolctl import threadpool_limits
 
+from haptonic.arrays import Array
 from haptonic.cell import MeshPlan, UnitCell
 from haptonic.lattice import Lattice
 from haptonic.parallel import threads
@@ -24,8 +24,6 @@ from haptonic.plate.reduction import block_tile, cell_tile
 from haptonic.plate.skeleton import Block, TraceOrders
 from haptonic.plate.surface import surface_weights
 from haptonic.plate.tile import Tile
-
-Array = NDArray[np.float64]
 
 FORCE_POINTS = 12  # along either side of a force's rectangle
 

@@ -6,12 +6,12 @@ from collections.abc import Iterable, Mapping, Sequence
 from types import MappingProxyType
 
 import numpy as np
-import scipy.linalg as la
-import scipy.sparse as sp
-from numpy.typing import NDArray
 
+from haptonic.arrays import Array, Ints
 from haptonic.cell import MeshPlan, UnitCell
 from haptonic.cell.quadrature import lobatto
+from haptonic.later import linalg as la
+from haptonic.later import sparse as sp
 from haptonic.plate.body import Body
 from haptonic.plate.bonds import Bonded
 from haptonic.plate.keys import PLATE
@@ -20,9 +20,6 @@ from haptonic.plate.surface import flat_faces
 from haptonic.plate.tile import OnMesh, Tile
 from haptonic.solvers import Pattern, chosen
 from haptonic.superelement import condense
-
-Array = NDArray[np.float64]
-Ints = NDArray[np.int64]
 
 EXACT = 1.5  # interior modes up to this multiple of the highest frequency are all kept
 SAMPLED = (0.3, 0.55, 0.8, 1.0)  # of the square of the highest frequency, where the others must serve

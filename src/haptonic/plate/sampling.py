@@ -3,22 +3,17 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Any
 
 import numpy as np
-import psutil
-from numpy.typing import NDArray
 
+from haptonic.arrays import AnyComplex, Array, Bools
 from haptonic.errors import ResourceError, StudyError
+from haptonic.later import psutil
 from haptonic.plate import Plate
 from haptonic.plate.layout import Layout
 from haptonic.plate.parts import Actuator, Force
 from haptonic.response import Reference
 from haptonic.units import format_quantity
-
-Array = NDArray[np.float64]
-Complex = NDArray[np.complexfloating[Any, Any]]
-Mask = NDArray[np.bool_]
 
 NEAR = 0.06  # share of the carrier around it within which modes are listed and a resonance is looked for
 
@@ -119,14 +114,14 @@ def tile_names(layout: Layout, points: Array) -> list[str | None]:
     return [layout.at((int(i), int(j))) for i, j in zip(*found, strict=True)]
 
 
-def points_of(regions: Sequence[str], name: str | None) -> Mask:
+def points_of(regions: Sequence[str], name: str | None) -> Bools:
     """(points,) which of them lie in a region; all, if none does."""
     there = np.array([region == name for region in regions])
     return there if there.any() else np.ones(len(there), dtype=bool)
 
 
 def loudest_within(
-    frequency: Array, velocity: Complex, there: Mask, gap: Sequence[float], carrier: float
+    frequency: Array, velocity: AnyComplex, there: Bools, gap: Sequence[float], carrier: float
 ) -> int:
     """The line in a gap and near the carrier at which some points vibrate most.
 

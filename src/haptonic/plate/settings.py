@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 from pydantic import Field
 
-from haptonic.fields import Quantity, ascending, described, size, unchecked
+from haptonic.fields import Quantity, ascending, described, setting, size, unchecked
 
 ResponseFrequency = Annotated[float, Quantity("Hz", at_least=1.0, at_most=1e9, typical=(1.0, 1e6))]
 
@@ -17,18 +17,16 @@ ResponseFrequency = Annotated[float, Quantity("Hz", at_least=1.0, at_most=1e9, t
 class ResponseSettings:
     """What is asked of the plate's vibration."""
 
-    lowest: ResponseFrequency = Field(default=100.0, title="Lowest frequency", description="Of the response.")
-    highest: ResponseFrequency = Field(
-        default=100e3, title="Highest frequency", description="Of the response."
+    lowest: ResponseFrequency = setting(100.0, "Of the response.", title="Lowest frequency")
+    highest: ResponseFrequency = setting(100e3, "Of the response.", title="Highest frequency")
+    points: Annotated[int, Field(ge=2, le=1_000_001, strict=True)] = setting(
+        1001, "Of the response, both ends included.", title="Frequencies"
     )
-    points: Annotated[int, Field(ge=2, le=1_000_001, strict=True)] = Field(
-        default=1001, title="Frequencies", description="Of the response, both ends included."
+    tolerance: Annotated[float, Quantity("", at_least=1e-10, at_most=0.1, typical=(1e-8, 1e-2))] = setting(
+        1e-3, "Largest allowed at every frequency, relative.", title="Field error"
     )
-    tolerance: Annotated[float, Quantity("", at_least=1e-10, at_most=0.1, typical=(1e-8, 1e-2))] = Field(
-        default=1e-3, title="Field error", description="Largest allowed at every frequency, relative."
-    )
-    grid: Annotated[float, size(50e-6, 20e-3)] = Field(
-        default=2e-3, title="Grid", description="Distance of neighbouring points on the flat face."
+    grid: Annotated[float, size(50e-6, 20e-3)] = setting(
+        2e-3, "Distance of neighbouring points on the flat face."
     )
 
     def __post_init__(self) -> None:

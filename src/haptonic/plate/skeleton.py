@@ -10,13 +10,10 @@ from functools import cached_property
 
 import numpy as np
 from numpy.polynomial.legendre import legder, legval
-from numpy.typing import NDArray
 
+from haptonic.arrays import Array, Ints
 from haptonic.cell.quadrature import interpolation, lobatto
 from haptonic.plate.layout import Layout, Side
-
-Array = NDArray[np.float64]
-Ints = NDArray[np.int64]
 
 
 @dataclass(frozen=True)

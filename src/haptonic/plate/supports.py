@@ -6,16 +6,14 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
 import numpy as np
-import scipy.sparse as sp
 from numpy.polynomial.legendre import leggauss
 from numpy.typing import NDArray
 
+from haptonic.arrays import Array, Ints
+from haptonic.later import sparse as sp
 from haptonic.plate.holding import Support
 from haptonic.plate.layout import Layout
 from haptonic.plate.skeleton import OuterEdge, Skeleton, TraceOrders, edge_fields
-
-Array = NDArray[np.float64]
-Ints = NDArray[np.int64]
 
 WHOLE = 1e-9  # of an edge's length, that a support may miss of the whole edge
 CLAMPED = 100.0  # stiffness of a clamp on a part of an edge, in those of a layer as thick as the plate

@@ -5,15 +5,12 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 import numpy as np
-from numpy.typing import NDArray
-from scipy.sparse import csr_array
 
+from haptonic.arrays import Array, Ints
 from haptonic.cell import HexMesh
 from haptonic.cell.quadrature import interpolation, lobatto
 from haptonic.errors import GeometryError
-
-Array = NDArray[np.float64]
-Ints = NDArray[np.int64]
+from haptonic.later import sparse as sp
 
 FLAT = 1e-9  # of the tile's extent, within which a node lies at z = 0
 OUTSIDE = 1e-9  # in local coordinates, which run from -1 to 1, by which a point may miss its element
@@ -32,7 +29,7 @@ def flat_faces(mesh: HexMesh) -> list[Ints]:
     return [nodes for nodes in found if len(nodes)]
 
 
-def surface_weights(points: Array, faces: Sequence[Ints], where: Array) -> csr_array:
+def surface_weights(points: Array, faces: Sequence[Ints], where: Array) -> sp.csr_array:
     """Matrix that takes nodal values to values at points of the flat face.
 
     Every point is found in one of the curved quadrilaterals by Newton's method on their isoparametric maps;
@@ -75,7 +72,7 @@ def surface_weights(points: Array, faces: Sequence[Ints], where: Array) -> csr_a
         columns.append(face[element[pair]].ravel())
         weights.append(weight.ravel())
     entries = np.concatenate(weights), (np.concatenate(rows), np.concatenate(columns))
-    matrix = csr_array(entries, shape=(len(where), len(points)))
+    matrix = sp.csr_array(entries, shape=(len(where), len(points)))
     matrix.eliminate_zeros()
     return matrix
 

@@ -7,11 +7,11 @@ from dataclasses import dataclass, replace
 from itertools import pairwise
 
 import numpy as np
-import psutil
-from numpy.typing import NDArray
 
+from haptonic.arrays import Array
 from haptonic.cell.cantilever import euler_bernoulli
 from haptonic.errors import HaptonicError, ResourceError
+from haptonic.later import psutil
 from haptonic.materials import IsotropicMaterial
 from haptonic.plate.assembly import Shifted
 from haptonic.plate.direct import direct_answer
@@ -20,8 +20,6 @@ from haptonic.plate.model import PlateModel
 from haptonic.plate.parts import Finger, Plate
 from haptonic.plate.vibration import ReducedPlate, Vibration
 from haptonic.progress import Progress, silent
-
-Array = NDArray[np.float64]
 
 SPACING = 8e3  # Hz between neighbouring shifts, at most
 MODES = 85  # between neighbouring shifts, about, at most

@@ -5,19 +5,15 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
-from typing import Any, Protocol
+from typing import Protocol
 
 import numpy as np
-import scipy.linalg as la
-from numpy.typing import NDArray
 
+from haptonic.arrays import Array, Fields, Ints
+from haptonic.later import linalg as la
 from haptonic.plate.bonds import Bond3
 from haptonic.plate.keys import PLATE, PartKey
 from haptonic.plate.surface import surface_weights
-
-Array = NDArray[np.float64]
-Ints = NDArray[np.int64]
-Fields = NDArray[Any]  # real or complex
 
 SAME_PLACE = 12  # decimals to which positions, m, are told apart
 

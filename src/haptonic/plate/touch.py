@@ -13,18 +13,14 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
-import scipy.linalg as la
-from numpy.typing import NDArray
 
+from haptonic.arrays import Array, Complex, Ints
+from haptonic.later import linalg as la
 from haptonic.parallel import each
 from haptonic.plate.damping import real_times
 from haptonic.plate.keys import PLATE
 from haptonic.plate.vibration import ReducedPlate
 from haptonic.response.measures import discs
-
-Array = NDArray[np.float64]
-Complex = NDArray[np.complex128]
-Ints = NDArray[np.int64]
 
 TOGETHER = 32  # places that are answered at once
 

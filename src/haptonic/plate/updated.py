@@ -3,21 +3,17 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
-from typing import Any
 
 import numpy as np
-import scipy.linalg as la
-from numpy.typing import NDArray
 
+from haptonic.arrays import Array, Fields
+from haptonic.later import linalg as la
 from haptonic.plate.bonds import Bond3
 from haptonic.plate.keys import PLATE, bond
 from haptonic.plate.model import PlateModel, drives_on
 from haptonic.plate.parts import Plate
 from haptonic.plate.supports import Foundation, foundation_stiffness, total_stiffness
 from haptonic.plate.tile import Tile, Turned
-
-Array = NDArray[np.float64]
-Fields = NDArray[Any]
 
 
 @dataclass(frozen=True, eq=False)

@@ -7,8 +7,8 @@ from dataclasses import dataclass, fields, replace
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from haptonic.arrays import Array, Complex, Ints
 from haptonic.parallel import each
 from haptonic.plate.assembly import Shifted
 from haptonic.plate.damping import ReducedExtra, amplitudes, real_times
@@ -16,10 +16,6 @@ from haptonic.plate.keys import FINGER, PLATE, SUPPORTS, PartKey, dielectric
 from haptonic.plate.krylov import Basis
 from haptonic.plate.model import PlateModel
 from haptonic.plate.model import impedance as finger_impedance
-
-Array = NDArray[np.float64]
-Complex = NDArray[np.complex128]
-Ints = NDArray[np.int64]
 
 ROUNDING = 1e-9  # relative error that no residual shows, because it is computed in floating point too
 TINY = np.finfo(float).tiny

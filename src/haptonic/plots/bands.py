@@ -6,16 +6,13 @@ import json
 from dataclasses import dataclass
 
 import numpy as np
-import xarray as xr
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
-from numpy.typing import NDArray
 
+from haptonic.arrays import Array, Ints
+from haptonic.later import xarray as xr
 from haptonic.plots import style
 from haptonic.plots.text import khz
-
-Array = NDArray[np.float64]
-Ints = NDArray[np.int64]
 
 MARK_EVERY = 5  # wavevectors between two markers on a curve
 

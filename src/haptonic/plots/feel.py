@@ -6,7 +6,6 @@ from itertools import cycle
 from typing import Any
 
 import numpy as np
-import xarray as xr
 from matplotlib.axes import Axes
 from matplotlib.colors import Normalize
 from matplotlib.figure import Figure
@@ -14,6 +13,7 @@ from matplotlib.image import AxesImage
 from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
 
+from haptonic.later import xarray as xr
 from haptonic.plate.layout import Layout
 from haptonic.plots import style
 from haptonic.plots.mapped import ends, outlined
@@ -39,10 +39,10 @@ def friction_map(friction: xr.Dataset, layout: Layout, *, title: str = "") -> Fi
     for axes, (end, words) in zip(panels, PANELS.items(), strict=True):
         image = _draw_friction(axes, friction, end, layout)
         axes.set_title(words, fontsize=9)
-    panels[0].set_ylabel("y of the finger's middle (mm)")
+    panels[0].set_ylabel("y (mm)")
     figure.suptitle(title, fontsize=9.5)
     bar = figure.colorbar(image, ax=list(panels), location="bottom", shrink=0.6, aspect=30, pad=0.02)
-    bar.set_label("friction with over without vibration, µ / µ₀ (dimensionless)")
+    bar.set_label("friction with over without vibration, µ / µ₀; finger's middle at each point")
     return figure
 
 
@@ -52,7 +52,7 @@ def _draw_friction(axes: Axes, friction: xr.Dataset, end: str, layout: Layout) -
     grid = np.full((len(y), len(x)), np.nan)
     grid[row, column] = friction[end].values
     image = axes.imshow(
-        grid, cmap=style.perceptual(), norm=Normalize(0, 1), origin="lower",
+        grid, cmap=style.perceptual().reversed(), norm=Normalize(0, 1), origin="lower",
         extent=(*ends(1e3 * x), *ends(1e3 * y)), interpolation="nearest", gid="friction",
     )  # fmt: skip
     outlined(axes, layout)

@@ -6,7 +6,6 @@ from collections.abc import Mapping, Sequence
 from typing import Any
 
 import numpy as np
-import xarray as xr
 from matplotlib.artist import Artist
 from matplotlib.axes import Axes
 from matplotlib.collections import LineCollection
@@ -14,14 +13,14 @@ from matplotlib.figure import Figure
 from matplotlib.patches import Patch, Rectangle
 from numpy.typing import NDArray
 
+from haptonic.arrays import Array
 from haptonic.friction.phrases import change
 from haptonic.friction.signals.record import EVERYBODY
 from haptonic.friction.statistics import IntervalEstimate
 from haptonic.friction.statistics.summary import Condition
+from haptonic.later import xarray as xr
 from haptonic.plots import style
 from haptonic.plots.text import label
-
-Array = NDArray[np.float64]
 
 LOOKS = ((style.BLUE, "o"), (style.ORANGE, "s"), (style.GREEN, "^"), (style.PURPLE, "D"), (style.SKY, "v"))
 MOST_PEOPLE = 12  # whose bars stand beside those of all
@@ -52,7 +51,7 @@ def conditions(
     people = list(dict.fromkeys(one.participant for one in found))
     if len(people) > MOST_PEOPLE + 1:
         people = [EVERYBODY]
-    figure = style.blank(9.0, min(30.0, max(style.WIDTH, 3.0 + 2.6 * len(people) * len(guides) / 2)))
+    figure = style.blank(9.0, min(30.0, max(style.WIDTH, 3.0 + 1.6 * len(people) * len(guides) / 2)))
     axes = figure.subplots()
     bar = 0.8 / (2 * len(guides))
     shown = {(one.participant, one.waveguide, one.actuation): one for one in found}

@@ -5,28 +5,24 @@ from __future__ import annotations
 import io
 from collections.abc import Mapping, Sequence
 from pathlib import Path
-from typing import Any
 
 import numpy as np
+import scipy
 from matplotlib.axes import Axes
 from matplotlib.collections import LineCollection
 from matplotlib.colors import Normalize
 from matplotlib.figure import Figure
 from matplotlib.image import AxesImage
 from matplotlib.ticker import MaxNLocator
-from numpy.typing import NDArray
 from PIL import Image
-from scipy.spatial import cKDTree
 
+from haptonic.arrays import AnyComplex, Array
 from haptonic.errors import ResponseError
 from haptonic.plate.layout import Layout
 from haptonic.plots import style
 from haptonic.plots.plates import HALO, region_borders, rows_of
 from haptonic.response import FrequencyResponse
 from haptonic.store import refuse_overwrite, write_atomically
-
-Array = NDArray[np.float64]
-Complex = NDArray[np.complexfloating[Any, Any]]
 
 FRAMES = 24  # of a cycle
 FRAME_SECONDS = 0.05
@@ -127,7 +123,7 @@ def animated(
     return path
 
 
-def _seen(line: FrequencyResponse) -> tuple[Complex, tuple[float, float], tuple[float, float]]:
+def _seen(line: FrequencyResponse) -> tuple[AnyComplex, tuple[float, float], tuple[float, float]]:
     """(y, x) normal vibration at one frequency over that of its largest point; its ends along x and y, mm.
 
     Points that lie on no regular grid, as when a stage was turned, are drawn finer than they lie: every place
@@ -144,9 +140,9 @@ def _seen(line: FrequencyResponse) -> tuple[Complex, tuple[float, float], tuple[
     return scaled, ends(1e3 * x), ends(1e3 * y)
 
 
-def _nearest(line: FrequencyResponse) -> tuple[Complex, Array, Array]:
+def _nearest(line: FrequencyResponse) -> tuple[AnyComplex, Array, Array]:
     """(y, x) normal vibration at the nearest point, NaN where there is none near, and these places, m."""
-    points, tree = line.points, cKDTree(line.points)
+    points, tree = line.points, scipy.spatial.cKDTree(line.points)
     step = float(np.median(tree.query(points, k=2)[0][:, 1]))
     low, high = points.min(axis=0) - 0.5 * step, points.max(axis=0) + 0.5 * step
     count = np.maximum(1, np.minimum(np.rint(FINER * (high - low) / step), MOST_PLACES)).astype(int)

@@ -5,16 +5,14 @@ from __future__ import annotations
 from typing import Literal
 
 import numpy as np
-import xarray as xr
 from matplotlib.artist import Artist
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
-from numpy.typing import NDArray
 
+from haptonic.arrays import Array
+from haptonic.later import xarray as xr
 from haptonic.plots import style
 from haptonic.plots.text import in_pi
-
-Array = NDArray[np.float64]
 
 FLAT = 1e-6  # rad, imaginary part of a phase below which a wave propagates
 DEEPEST = 1.2 * np.pi  # rad per cell, imaginary part up to which waves are shown

@@ -6,23 +6,20 @@ import json
 from itertools import pairwise, product
 
 import numpy as np
-import xarray as xr
 from matplotlib.axes import Axes
 from matplotlib.cm import ScalarMappable
 from matplotlib.collections import LineCollection, PolyCollection
 from matplotlib.colors import Normalize
 from matplotlib.figure import Figure
-from numpy.typing import NDArray
 
+from haptonic.arrays import Array, Ints
+from haptonic.later import xarray as xr
 from haptonic.plots import style
-
-Array = NDArray[np.float64]
-Ints = NDArray[np.int64]
-Bools = NDArray[np.bool_]
 
 SHOWN = 8  # modes, as in Fig. 4B of the paper
 COLUMNS = 4
 PIECES = 8  # faces drawn along an element's side, at most
+FINER = 4  # patches of one colour along the side of a face
 LARGEST = 0.2  # drawn displacement, as a share of the period
 SHARP = np.cos(np.radians(35))  # faces that meet at a larger angle make an edge of the outline
 AZIMUTH, ELEVATION = np.radians(-62), np.radians(20)  # where the camera is
@@ -92,13 +89,14 @@ def _draw_body(axes: Axes, points: Array, amount: Array, faces: Ints, borders: I
     corners = seen[faces]
     first, second = corners[:, 2, :2] - corners[:, 0, :2], corners[:, 3, :2] - corners[:, 1, :2]
     front = first[:, 0] * second[:, 1] - first[:, 1] * second[:, 0] > 0
-    shade = style.perceptual()(amount[faces[front]].mean(axis=1))
+    patches = _finer(np.concatenate([corners[front], amount[faces[front], None]], axis=2))
+    shade = style.perceptual()(patches[..., 3].mean(axis=1))
     used = np.isin(borders, np.unique(faces[front])).all(axis=1)
     lines = seen[borders[used]]
     # A line is a polygon of no area; it lies on its faces, so it has to come a little nearer than they do.
     lift = 0.02 * np.ptp(seen[:, 1])
-    shapes = [*corners[front][..., :2], *lines[..., :2]]
-    nearness = np.concatenate([corners[front][..., 2].mean(axis=1), lines[..., 2].mean(axis=1) + lift])
+    shapes = [*patches[..., :2], *lines[..., :2]]
+    nearness = np.concatenate([patches[..., 2].mean(axis=1), lines[..., 2].mean(axis=1) + lift])
     ink = np.broadcast_to([0.0, 0.0, 0.0, 0.35], (len(lines), 4))
     colours = np.concatenate([shade, ink])
     widths = np.concatenate([np.full(len(shade), 0.3), np.full(len(lines), 0.35)])
@@ -106,6 +104,15 @@ def _draw_body(axes: Axes, points: Array, amount: Array, faces: Ints, borders: I
     body = PolyCollection([shapes[i] for i in order], rasterized=True, gid="deformed")
     body.set(facecolors=colours[order], edgecolors=colours[order], linewidths=widths[order])
     axes.add_collection(body)
+
+
+def _finer(corners: Array) -> Array:
+    """(n FINER^2, 4, c) quadrilaterals that fill those with these corners (n, 4, c), bilinearly:
+    colours change in steps too small to be seen."""
+    u, v = np.meshgrid(*[np.linspace(0, 1, FINER + 1)] * 2, indexing="ij")
+    shares = np.stack([(1 - u) * (1 - v), u * (1 - v), u * v, (1 - u) * v], axis=-1)
+    around = np.stack([shares[:-1, :-1], shares[1:, :-1], shares[1:, 1:], shares[:-1, 1:]], axis=2)
+    return np.asarray(np.einsum("ijkl,nlc->nijkc", around, corners)).reshape(-1, 4, corners.shape[2])
 
 
 def _projected(points: Array) -> Array:

@@ -6,12 +6,11 @@ from collections.abc import Sequence
 
 import numpy as np
 from matplotlib.figure import Figure
-from numpy.typing import NDArray
 
+from haptonic.arrays import Array
 from haptonic.plots import style
 from haptonic.plots.text import label
 
-Array = NDArray[np.float64]
 Bands = tuple[str, Array, Array, Sequence[tuple[float, float]]]
 
 COLOURS = (style.BLUE, style.ORANGE)

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-import xarray as xr
 from matplotlib.figure import Figure
 from matplotlib.ticker import MaxNLocator
 
+from haptonic.later import xarray as xr
 from haptonic.plots import style
 from haptonic.plots.text import label
 

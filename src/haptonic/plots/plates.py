@@ -13,14 +13,13 @@ from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from matplotlib.patches import Circle, Patch, Rectangle
 from matplotlib.patheffects import withStroke
-from numpy.typing import NDArray
 
+from haptonic.arrays import Array
 from haptonic.plate.holding import Hold, Support
 from haptonic.plate.layout import Layout, Side
 from haptonic.plate.parts import Plate
 from haptonic.plots import style
 
-Array = NDArray[np.float64]
 Tile = tuple[int, int]
 Segment = tuple[tuple[float, float], tuple[float, float]]  # mm
 

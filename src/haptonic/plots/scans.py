@@ -6,12 +6,12 @@ from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-import xarray as xr
 from matplotlib.artist import Artist
 from matplotlib.colors import LogNorm
 from matplotlib.figure import Figure
-from numpy.typing import NDArray
 
+from haptonic.arrays import Array
+from haptonic.later import xarray as xr
 from haptonic.plots import style
 from haptonic.plots.spectra import curves, finished, shaded
 from haptonic.plots.text import in_pi
@@ -19,7 +19,6 @@ from haptonic.plots.text import in_pi
 if TYPE_CHECKING:
     from haptonic.vibrometry import Drive, LatticeGap, MeasuredGap, Quality
 
-Array = NDArray[np.float64]
 
 FLOOR = -80.0  # dB below the largest line, the lowest that a spectrum of a drive shows
 LEAST_COHERENCE = 0.8  # the lowest that colours show, unless there are lower ones
@@ -83,11 +82,11 @@ def measured_contrast(
     handles += shaded(axes, frequency, computed, "computed gap")
     if gap is not None:
         for edge, error in ((gap.lower, gap.lower_error), (gap.upper, gap.upper_error)):
-            axes.axvspan((edge - error) / 1e3, (edge + error) / 1e3, lw=0,
-                         facecolor=style.SKY, alpha=0.45, zorder=0.5)  # fmt: skip
+            axes.axvspan((edge - error) / 1e3, (edge + error) / 1e3, lw=0, facecolor="none",
+                         edgecolor=style.PURPLE, hatch="///", zorder=0.5)  # fmt: skip
             line = axes.axvline(edge / 1e3, color=style.PURPLE, lw=1.1, zorder=3)
         line.set_label(
-            f"high contrast, {gap.lower / 1e3:.1f} to {gap.upper / 1e3:.1f} kHz; standard error shaded"
+            f"high contrast, {gap.lower / 1e3:.1f} to {gap.upper / 1e3:.1f} kHz; standard error hatched"
         )
         handles.append(line)
     axes.set_ylabel("contrast (dB)")
@@ -170,7 +169,9 @@ def wave_map(
     axes.set(xlabel=f"wavenumber along {region} (rad/mm)", ylabel="frequency (kHz)",
              xlim=(wavenumber[0], wavenumber[-1]), ylim=(frequency[0], frequency[-1]),
              title=f"{region}, {origin}")  # fmt: skip
-    figure.colorbar(image, ax=axes, label="amplitude / its maximum (dimensionless)")
+    figure.colorbar(
+        image, ax=axes, label="amplitude / its maximum (dimensionless)", format=style.PowersOfTen()
+    )
     if drawn:
         legend = figure.legend(handles=drawn, loc="outside lower center", ncols=2, title="computed")
         legend.get_frame().set(facecolor="#5a5a5a", alpha=1.0, visible=True)

@@ -10,13 +10,11 @@ import numpy as np
 from matplotlib.artist import Artist
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
-from numpy.typing import NDArray
 
+from haptonic.arrays import AnyComplex, Array
 from haptonic.plots import style
 from haptonic.plots.text import label
 
-Array = NDArray[np.float64]
-Complex = NDArray[np.complexfloating[Any, Any]]
 Gap = tuple[float, float] | None
 Looks = Sequence[tuple[str, Any]]
 
@@ -76,7 +74,7 @@ def velocity_spectrum(
 
 
 @style.drawn
-def impedance_spectrum(frequency: Array, impedance: Complex, gap: Gap, *, origin: str = "") -> Figure:
+def impedance_spectrum(frequency: Array, impedance: AnyComplex, gap: Gap, *, origin: str = "") -> Figure:
     """Electrical impedance of an actuator: magnitude above phase.
 
     Parameters

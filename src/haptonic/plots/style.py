@@ -94,9 +94,17 @@ def drawn(make: Callable[P, Figure]) -> Callable[P, Figure]:
     return inside
 
 
-def blank(height: float, width: float = WIDTH) -> Figure:
+class Drawing(Figure):
+    """A figure that a notebook shows without any magic, at its size on paper."""
+
+    def _repr_png_(self) -> tuple[bytes, dict[str, int]]:
+        wide, high = (round(96 * inches) for inches in self.get_size_inches())  # px of CSS
+        return rendered(self, "png"), {"width": wide, "height": high}
+
+
+def blank(height: float, width: float = WIDTH) -> Drawing:
     """An empty figure of a size in cm, with its parts arranged so that they do not overlap."""
-    return Figure(figsize=(width * CENTIMETRE, height * CENTIMETRE), layout="constrained")
+    return Drawing(figsize=(width * CENTIMETRE, height * CENTIMETRE), layout="constrained")
 
 
 SUPERSCRIPTS = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")

@@ -5,22 +5,21 @@ from __future__ import annotations
 from typing import Any
 
 import numpy as np
-import xarray as xr
 from matplotlib.artist import Artist
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.patches import Patch
 from numpy.typing import NDArray
 
+from haptonic.arrays import Array
+from haptonic.later import xarray as xr
 from haptonic.plots import style
 from haptonic.plots.text import readable, scaled_unit
-
-Array = NDArray[np.float64]
 
 BAR = 0.8  # width of a bar, as a share of the step
 SUBSCRIPTED = ("f₁", "f₂", "f₃")
 CURVES = {
-    "euler_bernoulli": ("cantilever, Euler-Bernoulli, equation (3)", style.BLUE, style.SOLID),
+    "euler_bernoulli": ("cantilever, Euler-Bernoulli", style.BLUE, style.SOLID),
     "timoshenko": ("cantilever, Timoshenko", style.RED, style.DASHED),
 }
 
@@ -56,9 +55,10 @@ def sweep(dataset: xr.Dataset) -> Figure:
             handles += axes.plot([], [], color=colour, ls=dashes, label=label)
     if "own_value" in dataset.attrs:
         own = float(dataset.attrs["own_value"]) * factor
+        beside = "" if unit == "dimensionless" else f" {unit}"
         if value.min() - half <= own <= value.max() + half:
             handles.append(axes.axvline(own, color=style.INK, ls=style.DOTTED, lw=1.2, gid="own",
-                                        label=f"this study ({own:.4g})"))  # fmt: skip
+                                        label=f"this study ({own:.4g}{beside})"))  # fmt: skip
     carrier = dataset.attrs.get("carrier_hz")
     if carrier is not None:
         axes.axhline(carrier / 1e3, color=style.CARRIER, ls=style.DASHED, lw=1.1, gid="carrier", zorder=4)

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 import numpy as np
-import xarray as xr
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
+from haptonic.later import xarray as xr
 from haptonic.plots import style
 from haptonic.plots.text import readable
 

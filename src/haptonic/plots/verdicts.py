@@ -10,15 +10,13 @@ from matplotlib.colors import Normalize
 from matplotlib.figure import Figure
 from matplotlib.patches import Rectangle
 from matplotlib.ticker import MaxNLocator
-from numpy.typing import NDArray
 
+from haptonic.arrays import Array
 from haptonic.plate.layout import Layout
 from haptonic.plots import style
 from haptonic.plots.plates import region_borders
 from haptonic.plots.spectra import curves, finished
 from haptonic.updating.agreement import Agreement
-
-Array = NDArray[np.float64]
 
 MOST_NUMBERS = 16  # shapes along either side, beyond which the numbers of a matrix are not written
 DARK = 0.6  # criterion above which numbers are written in ink, on the bright end of the colours

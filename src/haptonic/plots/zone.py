@@ -5,7 +5,6 @@ from __future__ import annotations
 import json
 
 import numpy as np
-import xarray as xr
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.ticker import MaxNLocator
@@ -13,6 +12,7 @@ from matplotlib.tri import Triangulation
 
 from haptonic.bloch.zone import ZoneSurface
 from haptonic.brillouin import IrreducibleZone
+from haptonic.later import xarray as xr
 from haptonic.lattice import Lattice, PointGroup
 from haptonic.plots import style
 from haptonic.plots.bands import complete_gaps

@@ -1,11 +1,6 @@
-from .chapter import Absent, Chapter, Picture, Results, Table
-from .page import write_report
-
-__all__ = [
-    "Absent",
-    "Chapter",
-    "Picture",
-    "Results",
-    "Table",
-    "write_report",
-]
+from .chapter import Absent as Absent
+from .chapter import Chapter as Chapter
+from .chapter import Picture as Picture
+from .chapter import Results as Results
+from .chapter import Table as Table
+from .page import write_report as write_report

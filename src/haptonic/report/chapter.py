@@ -7,9 +7,8 @@ from dataclasses import dataclass, field
 from datetime import datetime
 from typing import TypeVar
 
-import xarray as xr
-
 from haptonic.friction.statistics import Alarms
+from haptonic.later import xarray as xr
 from haptonic.pages import Picture
 from haptonic.results.references import References, Variant
 from haptonic.results.result import Result

@@ -6,10 +6,10 @@ import math
 from dataclasses import dataclass
 
 import numpy as np
-import xarray as xr
-from numpy.typing import NDArray
 
-Array = NDArray[np.float64]
+from haptonic.arrays import Array
+from haptonic.later import xarray as xr
+
 FEWEST = 4  # designs that a fit with a spread needs
 MOST_DECIMALS = 4
 

@@ -12,7 +12,6 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-import xarray as xr
 from numpy.typing import NDArray
 
 from haptonic import hdf5
@@ -20,6 +19,7 @@ from haptonic.channels.hdf5 import arrays_of
 from haptonic.errors import ChannelError, ResourceError, ResponseError
 from haptonic.foreign.process import ask
 from haptonic.gate import passed
+from haptonic.later import xarray as xr
 from haptonic.paths import source
 from haptonic.response.value import FrequencyResponse
 

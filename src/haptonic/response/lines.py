@@ -3,12 +3,9 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
+from haptonic.arrays import Array, Ints
 from haptonic.errors import ResponseError
-
-Array = NDArray[np.float64]
-Ints = NDArray[np.int64]
 
 SAME = 2e-4  # of the extent of all points, within which coordinates belong to one row or column
 OFF = 0.05  # of the step, that a row or column may lie beside its place

@@ -7,27 +7,22 @@ response itself; a root mean square is one over points, never over time.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Any
 
 import numpy as np
-import xarray as xr
-from numpy.typing import NDArray
-from scipy.sparse import csr_array
-from scipy.spatial import cKDTree
+import scipy
 
+from haptonic.arrays import AnyComplex, Array, Bools
 from haptonic.errors import ResponseError
+from haptonic.later import sparse as sp
+from haptonic.later import xarray as xr
 from haptonic.response.checks import REST
 from haptonic.response.value import FrequencyResponse
-
-Array = NDArray[np.float64]
-Bools = NDArray[np.bool_]
-Complex = NDArray[np.complexfloating[Any, Any]]
 
 ROUNDING = 1e-9  # of a disc's radius, within which a point on its rim counts
 AT_ONCE = 2_000_000  # numbers that are converted to double precision at a time
 
 
-def mac(a: Complex, b: Complex) -> Array:
+def mac(a: AnyComplex, b: AnyComplex) -> Array:
     """Modal assurance criterion |a^H b|^2 / (a^H a  b^H b) of every shape with every other [allemang2003].
 
     Parameters
@@ -47,7 +42,7 @@ def mac(a: Complex, b: Complex) -> Array:
     return np.asarray(np.minimum(np.abs(_unit(a, 1).conj() @ _unit(b, 1).T) ** 2, 1.0))
 
 
-def frac(a: Complex, b: Complex) -> Array:
+def frac(a: AnyComplex, b: AnyComplex) -> Array:
     """Frequency response assurance criterion of two responses, point by point [allemang2003].
 
     |sum a* b|^2 / (sum |a|^2 sum |b|^2), the sums over the lines: blind to one complex factor for each point.
@@ -164,7 +159,7 @@ def disc_average(response: FrequencyResponse, diameter: float) -> xr.DataArray:
     counts = np.array([len(members) for members in near])
     ends = np.concatenate([[0], np.cumsum(counts)])
     share = np.repeat(1.0 / counts, counts)
-    averaging = csr_array((share, np.concatenate(near), ends), shape=(len(points), len(points)))
+    averaging = sp.csr_array((share, np.concatenate(near), ends), shape=(len(points), len(points)))
     amplitude = np.sqrt(averaging @ squares(response.values).T).T
     old = response.dataset["response"]
     return xr.DataArray(
@@ -179,7 +174,9 @@ def disc_average(response: FrequencyResponse, diameter: float) -> xr.DataArray:
 def discs(points: Array, diameter: float) -> list[list[int]]:
     """For each of points (k, 2), m, the numbers of those on a disc around it; its rim belongs to it."""
     near: list[list[int]] = (
-        cKDTree(points).query_ball_point(points, 0.5 * diameter * (1 + ROUNDING), return_sorted=True).tolist()
+        scipy.spatial.cKDTree(points)
+        .query_ball_point(points, 0.5 * diameter * (1 + ROUNDING), return_sorted=True)
+        .tolist()
     )
     return near
 
@@ -222,7 +219,7 @@ def cmif(responses: Sequence[FrequencyResponse]) -> xr.DataArray:
     )
 
 
-def _unit(shapes: Complex, axis: int) -> Complex:
+def _unit(shapes: AnyComplex, axis: int) -> AnyComplex:
     """Shapes of length 1, in double precision, or an error if one is zero."""
     largest = np.abs(shapes).max(axis=axis, keepdims=True)
     if not (largest > 0).all():
@@ -237,7 +234,7 @@ def _unit(shapes: Complex, axis: int) -> Complex:
     return np.asarray(scaled / np.linalg.norm(scaled, axis=axis, keepdims=True))
 
 
-def _unlike(a: Complex, b: Complex, allowed: str) -> ResponseError:
+def _unlike(a: AnyComplex, b: AnyComplex, allowed: str) -> ResponseError:
     return ResponseError.mismatch(
         argument="shapes",
         given=f"{a.shape} and {b.shape}",
@@ -247,7 +244,7 @@ def _unlike(a: Complex, b: Complex, allowed: str) -> ResponseError:
     )
 
 
-def squares(values: Complex) -> Array:
+def squares(values: AnyComplex) -> Array:
     """(frequency, point) squared length of the vector at every point, in double precision."""
     real, imaginary = values.real.astype(np.float64), values.imag.astype(np.float64)
     return np.asarray((real**2 + imaginary**2).sum(axis=2))

@@ -12,16 +12,15 @@ from importlib.metadata import version
 from typing import Any, Literal
 
 import numpy as np
-import xarray as xr
 from numpy.typing import NDArray
 
+from haptonic.arrays import AnyComplex, Array
 from haptonic.errors import ResponseError
+from haptonic.later import xarray as xr
 from haptonic.response import checks
 from haptonic.response.lines import regular_line
 from haptonic.response.reference import Reference
 
-Array = NDArray[np.float64]
-Complex = NDArray[np.complexfloating[Any, Any]]
 Quantity = Literal["velocity", "displacement"]
 Origin = Literal["simulated", "measured"]
 
@@ -44,7 +43,7 @@ class FrequencyResponse:
     @classmethod
     def of(
         cls,
-        response: Complex,
+        response: AnyComplex,
         *,
         frequency: Array,
         x: Array,
@@ -125,7 +124,7 @@ class FrequencyResponse:
         return np.asarray(self.dataset["frequency"].values)
 
     @property
-    def values(self) -> Complex:
+    def values(self) -> AnyComplex:
         """(frequency, point, direction) the complex response."""
         return np.asarray(self.dataset["response"].values)
 
@@ -258,7 +257,7 @@ class FrequencyResponse:
         checks.frequencies(self.frequency[lines])
         return FrequencyResponse(_locked(self.dataset.isel(frequency=lines)))
 
-    def _converted(self, quantity: Quantity, factor: Complex) -> FrequencyResponse:
+    def _converted(self, quantity: Quantity, factor: AnyComplex) -> FrequencyResponse:
         """The response times a factor for each line, in the precision that it has."""
         old = self.dataset["response"]
         values = old.values * factor.astype(old.dtype)[:, None, None]

@@ -1,49 +1,31 @@
-from .bands import Bands, compute_bands
-from .common import refuse_taken, write_files, write_netcdf
-from .design import Design, compute_design, compute_front
-from .feel import Feel
-from .friction import FrictionResult, compute_friction
-from .guides import Guides, compute_guides
-from .layers import Layers, compute_layers
-from .plate import PlateResult, compute_plate
-from .protocol import TrialPlan
-from .result import Result
-from .runner import Runner, design_gaps
-from .simulated_trials import SimulatedFriction, simulated_friction
-from .sweeps import Sweep, Sweeps
-from .table import Column, Table, Uncertain
-from .tolerance import Tolerance
-from .verdict import Verdict
-
-__all__ = [
-    "Bands",
-    "Column",
-    "Design",
-    "Feel",
-    "FrictionResult",
-    "Guides",
-    "Layers",
-    "PlateResult",
-    "Result",
-    "Runner",
-    "SimulatedFriction",
-    "Sweep",
-    "Sweeps",
-    "Table",
-    "Tolerance",
-    "TrialPlan",
-    "Uncertain",
-    "Verdict",
-    "compute_bands",
-    "compute_design",
-    "compute_friction",
-    "compute_front",
-    "compute_guides",
-    "compute_layers",
-    "compute_plate",
-    "design_gaps",
-    "refuse_taken",
-    "simulated_friction",
-    "write_files",
-    "write_netcdf",
-]
+from .bands import Bands as Bands
+from .bands import compute_bands as compute_bands
+from .common import refuse_taken as refuse_taken
+from .common import write_files as write_files
+from .common import write_netcdf as write_netcdf
+from .design import Design as Design
+from .design import compute_design as compute_design
+from .design import compute_front as compute_front
+from .feel import Feel as Feel
+from .friction import FrictionResult as FrictionResult
+from .friction import compute_friction as compute_friction
+from .guides import Guides as Guides
+from .guides import compute_guides as compute_guides
+from .layers import Layers as Layers
+from .layers import compute_layers as compute_layers
+from .plate import PlateResult as PlateResult
+from .plate import compute_plate as compute_plate
+from .protocol import TrialPlan as TrialPlan
+from .result import Result as Result
+from .ribbon import RibbonWaves as RibbonWaves
+from .runner import Runner as Runner
+from .runner import design_gaps as design_gaps
+from .simulated_trials import SimulatedFriction as SimulatedFriction
+from .simulated_trials import simulated_friction as simulated_friction
+from .sweeps import Sweep as Sweep
+from .sweeps import Sweeps as Sweeps
+from .table import Column as Column
+from .table import Table as Table
+from .table import Uncertain as Uncertain
+from .tolerance import Tolerance as Tolerance
+from .verdict import Verdict as Verdict

@@ -9,13 +9,13 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-import pandas as pd
-import xarray as xr
 
 from haptonic import plots, vtu
 from haptonic.bloch import Gap, bands_dataset, gaps_of
 from haptonic.bloch.settings import BandSettings
 from haptonic.cell import UnitCell
+from haptonic.later import pandas as pd
+from haptonic.later import xarray as xr
 from haptonic.plots.text import khz
 from haptonic.results.common import stamped
 from haptonic.results.plain import plain

@@ -8,10 +8,9 @@ from importlib.metadata import version
 from pathlib import Path, PurePosixPath
 from typing import Any
 
-import xarray as xr
-
 from haptonic import hdf5
 from haptonic.gate import passed
+from haptonic.later import xarray as xr
 from haptonic.names import variable
 from haptonic.paths import inside
 from haptonic.store import draft_for, fingerprint, refuse_overwrite, write_atomically

@@ -8,14 +8,13 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-import pandas as pd
-import xarray as xr
-
 from haptonic import plots
 from haptonic.friction.phrases import AVERAGES
 from haptonic.friction.recordings import Exclusion, Sensor, analysed, traces
 from haptonic.friction.signals import Rules, exclusions, write_trials
 from haptonic.friction.statistics.summary import Summary, summary
+from haptonic.later import pandas as pd
+from haptonic.later import xarray as xr
 from haptonic.names import cell
 from haptonic.paths import source as checked
 from haptonic.progress import Progress, silent

@@ -69,7 +69,17 @@ def excluded_table(result: FrictionResult) -> Table:
 
 def conditions_table(result: FrictionResult) -> Table:
     """Every condition of every participant: mean and standard deviation over trials."""
-    head = ("who", "where", "", "trials", "left out", "mean of ratios", "ratio of means", "force / N", "mm/s")
+    head = (
+        "who",
+        "where",
+        "vibration",
+        "trials",
+        "left out",
+        "mean of ratios",
+        "ratio of means",
+        "force / N",
+        "mm/s",
+    )
     rows: list[tuple[Cell, ...]] = []
     for one in _few(result, result.found.conditions):
         fast = one.speed[0] * 1e3, one.speed[1] * 1e3

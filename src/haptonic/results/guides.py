@@ -8,7 +8,6 @@ from dataclasses import asdict, dataclass
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-import xarray as xr
 from threadpoolctl import threadpool_limits
 
 from haptonic import plots
@@ -22,6 +21,7 @@ from haptonic.bloch.plate_waves import PlainPlate
 from haptonic.bloch.settings import BandSettings, WaveguideSettings
 from haptonic.cell import UnitCell
 from haptonic.errors import StudyError
+from haptonic.later import xarray as xr
 from haptonic.results.common import stamped
 from haptonic.results.plain import split
 from haptonic.results.result import Result, figure

@@ -9,11 +9,10 @@ from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-import xarray as xr
-from numpy.typing import NDArray
 from threadpoolctl import threadpool_limits
 
 from haptonic import plots
+from haptonic.arrays import Array
 from haptonic.bloch import Gap, Resolution
 from haptonic.bloch.evanescent import Slab, bloch_waves, decibels
 from haptonic.bloch.gaps import gap_at, widest_gap
@@ -34,6 +33,7 @@ from haptonic.cell import UnitCell
 from haptonic.errors import StudyError
 from haptonic.gate import WORD
 from haptonic.jobs import Task
+from haptonic.later import xarray as xr
 from haptonic.results.common import stamped
 from haptonic.results.plain import plain, split
 from haptonic.results.result import Result, figure
@@ -45,7 +45,6 @@ from haptonic.units import format_quantity
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-Array = NDArray[np.float64]
 
 LEAST_SHARE = 1e-30  # of the energy
 CHUNK = 12  # frequencies of one task

@@ -18,9 +18,9 @@ from pathlib import PurePath
 from typing import Any, get_type_hints
 
 import numpy as np
-import xarray as xr
 
 from haptonic.gate import WORD
+from haptonic.later import xarray as xr
 
 
 def named(name: str, unit: str) -> str:

@@ -6,12 +6,11 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
-import psutil
-import xarray as xr
-
 from haptonic import plots
 from haptonic.cell import UnitCell
 from haptonic.design.parameters import values_of
+from haptonic.later import psutil
+from haptonic.later import xarray as xr
 from haptonic.plate import Plate
 from haptonic.results.common import stamped
 from haptonic.results.cost import Cost

@@ -8,7 +8,6 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
 import numpy as np
-import xarray as xr
 
 from haptonic import plots
 from haptonic.friction.lubrication import WEBER_FRACTION
@@ -16,6 +15,7 @@ from haptonic.friction.metronome import clicks, write_wav
 from haptonic.friction.protocol import Protocol, imbalance
 from haptonic.friction.signals import Label
 from haptonic.friction.trial_list import NAME, write_list
+from haptonic.later import xarray as xr
 from haptonic.results.plain import split
 from haptonic.results.result import Result, figure, file
 from haptonic.results.sheet import sheet

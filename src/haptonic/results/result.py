@@ -17,6 +17,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, ClassVar
 
 from haptonic import plots
+from haptonic.pages import embedded
 from haptonic.paths import target
 from haptonic.progress import Progress, silent
 from haptonic.results.common import Writer, refuse_taken, write_files, write_netcdf
@@ -211,7 +212,15 @@ class Result:
 
     def _repr_html_(self) -> str:
         said = "".join(f"<p>{html.escape(sentence)}</p>" for sentence in self.summary())
-        return said + "".join(table.to_html() for table in self.tables())
+        return said + "".join(table.to_html() for table in self.tables()) + self._thumbnail()
+
+    def _thumbnail(self) -> str:
+        """The first picture, small."""
+        figures = self.figures
+        for name in figures:
+            source, words = embedded(figures[name], "png"), html.escape(figures.captions[name])
+            return f'<img src="{source}" alt="{words}" title="{words}" style="max-width: 24rem">'
+        return ""
 
 
 def taken(folder: Path | None, names: Sequence[Any]) -> list[Any]:

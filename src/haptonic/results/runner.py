@@ -7,13 +7,12 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
-import xarray as xr
-
 from haptonic.bloch import Gap, gaps_dataset, gaps_of
 from haptonic.bloch.settings import BandSettings
 from haptonic.cell import UnitCell
 from haptonic.errors import HaptonicError
 from haptonic.jobs import Outcome, Task, check_workers, run_all
+from haptonic.later import xarray as xr
 from haptonic.progress import Progress, silent
 from haptonic.store import Store
 

@@ -11,7 +11,6 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-import xarray as xr
 from numpy.typing import NDArray
 
 from haptonic.friction.protocol import Protocol
@@ -20,6 +19,7 @@ from haptonic.friction.simulation.files import SIMULATED, WRITERS
 from haptonic.friction.simulation.gauges import GAUGES, calibration, voltages
 from haptonic.friction.simulation.strokes import AXES, RATE, samples_of
 from haptonic.friction.trial_list import NAME, Per, file_of, write_list
+from haptonic.later import xarray as xr
 from haptonic.paths import inside
 from haptonic.progress import Progress, silent
 from haptonic.results.result import Result

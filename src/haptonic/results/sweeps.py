@@ -8,10 +8,10 @@ from functools import partial
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-import xarray as xr
 
 from haptonic import plots
 from haptonic.gate import declared
+from haptonic.later import xarray as xr
 from haptonic.results.common import Writer, write_netcdf
 from haptonic.results.result import Result, figure, file
 from haptonic.results.table import Cell, Column, Table

@@ -10,9 +10,8 @@ from dataclasses import dataclass, replace
 from functools import cache
 from io import StringIO
 
-import pandas as pd
-import xarray as xr
-
+from haptonic.later import pandas as pd
+from haptonic.later import xarray as xr
 from haptonic.names import cell as safe
 from haptonic.units import to_si
 
@@ -135,6 +134,9 @@ class Table:
     ) -> None:
         made = tuple(Column(one) if isinstance(one, str) else one for one in columns)
         assert all(len(row) == len(made) for row in rows), title
+        assert all(column.head for column in made), (
+            f"{title}: who hears the table needs a name for every column"
+        )
         object.__setattr__(self, "title", title)
         object.__setattr__(self, "columns", made)
         object.__setattr__(self, "rows", tuple(tuple(row) for row in rows))

@@ -5,24 +5,19 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
-import numpy as np
-import xarray as xr
-from numpy.typing import NDArray
-
 from haptonic import plots
 from haptonic.bloch import Gap
 from haptonic.design.parameters import UNITS
 from haptonic.design.tolerance import (
     REACH,
 )
+from haptonic.later import xarray as xr
 from haptonic.results.plain import split
 from haptonic.results.result import Result, figure
 from haptonic.results.table import Cell, Column, Table
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
-
-Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True, eq=False, repr=False)

@@ -9,11 +9,11 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-import xarray as xr
-from numpy.typing import NDArray
 
 from haptonic import plots
+from haptonic.arrays import Array
 from haptonic.gate import declared
+from haptonic.later import xarray as xr
 from haptonic.plate import Plate
 from haptonic.plate.sampling import driven_region
 from haptonic.response import FrequencyResponse, average_spectrum, contrast, write
@@ -29,7 +29,6 @@ from haptonic.vibrometry.maps.gap import MeasuredGap
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-Array = NDArray[np.float64]
 MOST_ROWS = 40  # pairs that a table shows
 PAIR_COLUMNS = (
     Column("measured", shown="kHz", form=".3f"), Column("model", shown="kHz", form=".3f", of="computed"),

@@ -1,14 +1,7 @@
-from .plate_tables import PlateSettings
-from .runs import Study, load, load_trials, loads
-from .sweeps import SweepSettings
-from .trial_tables import TrialSettings
-
-__all__ = [
-    "PlateSettings",
-    "Study",
-    "SweepSettings",
-    "TrialSettings",
-    "load",
-    "load_trials",
-    "loads",
-]
+from .plate_tables import PlateSettings as PlateSettings
+from .runs import Study as Study
+from .runs import load as load
+from .runs import load_trials as load_trials
+from .runs import loads as loads
+from .sweeps import SweepSettings as SweepSettings
+from .trial_tables import TrialSettings as TrialSettings

@@ -6,48 +6,40 @@ from typing import Annotated, Literal
 
 from pydantic import Field
 
-from haptonic.fields import Name, Quantity, described, problem
+from haptonic.fields import Name, Quantity, described, problem, setting
 
 
 @described("protocol", kw_only=True)
 class ProtocolSettings:
     """Trials with people: how many, in which order, and what they are asked to do."""
 
-    blocks: Annotated[int, Field(ge=2, le=99, strict=True)] = Field(
-        default=8, title="Blocks", description="Of each participant; an even number."
+    blocks: Annotated[int, Field(ge=2, le=99, strict=True)] = setting(
+        8, "Of each participant; an even number."
     )
-    trials: Annotated[int, Field(ge=2, le=98, strict=True)] = Field(
-        default=30, title="Trials", description="Strokes in a block; an even number."
+    trials: Annotated[int, Field(ge=2, le=98, strict=True)] = setting(
+        30, "Strokes in a block; an even number."
     )
-    participants: Annotated[int, Field(ge=1, le=500, strict=True)] = Field(
-        default=3, title="Participants", description="How many people take part."
+    participants: Annotated[int, Field(ge=1, le=500, strict=True)] = setting(3, "How many people take part.")
+    order: Literal["published", "balanced"] = setting(
+        "published", "As published, with on before off, or balanced and drawn at random."
     )
-    order: Literal["published", "balanced"] = Field(
-        default="published",
-        title="Order",
-        description="As published, with on before off, or balanced and drawn at random.",
+    seed: Annotated[int, Field(ge=0, le=2**31, strict=True)] = setting(
+        0, "Of the balanced order and of the plan's simulations."
     )
-    seed: Annotated[int, Field(ge=0, le=2**31, strict=True)] = Field(
-        default=0, title="Seed", description="Of the balanced order and of the plan's simulations."
+    stroke: Annotated[float, Quantity("m", at_least=1e-3, at_most=1.0, typical=(10e-3, 200e-3))] = setting(
+        70e-3, "From where the finger sets down to where it lifts.", title="Stroke length"
     )
-    stroke: Annotated[float, Quantity("m", at_least=1e-3, at_most=1.0, typical=(10e-3, 200e-3))] = Field(
-        default=70e-3, title="Stroke length", description="From where the finger sets down to where it lifts."
+    pause: Annotated[float, Quantity("s", at_least=0.1, at_most=60.0, typical=(0.5, 30.0))] = setting(
+        4.0, "Between the end of a stroke and the start of the next."
     )
-    pause: Annotated[float, Quantity("s", at_least=0.1, at_most=60.0, typical=(0.5, 30.0))] = Field(
-        default=4.0, title="Pause", description="Between the end of a stroke and the start of the next."
+    driven: Name | None = setting(
+        None, "By its name; else the one with the first actuator.", title="Driven waveguide"
     )
-    driven: Name | None = Field(
-        default=None,
-        title="Driven waveguide",
-        description="By its name; else the one with the first actuator.",
+    idle: Name | None = setting(
+        None, "By its name; else the plate's first other region.", title="Idle waveguide"
     )
-    idle: Name | None = Field(
-        default=None, title="Idle waveguide", description="By its name; else the plate's first other region."
-    )
-    power: Annotated[float, Quantity("", above=0.5, below=1.0, typical=(0.7, 0.99))] = Field(
-        default=0.8,
-        title="Power",
-        description="Chance of showing an effect, for which participants are counted.",
+    power: Annotated[float, Quantity("", above=0.5, below=1.0, typical=(0.7, 0.99))] = setting(
+        0.8, "Chance of showing an effect, for which participants are counted."
     )
 
     def __post_init__(self) -> None:

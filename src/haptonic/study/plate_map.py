@@ -47,7 +47,7 @@ def check_map(lines: Sequence[str], rows: int | None, tiles: Mapping[str, str]) 
             "the map is repeated as a whole", f"write rows = {max(1, round(rows / len(lines))) * len(lines)}",
             at="rows",
         )  # fmt: skip
-    _check_letters(lines, tiles)
+    check_letters(lines, tiles)
     if (rows or 0) * len(lines[0]) > MOST_TILES:
         raise _too_large(rows or 0, len(lines[0]), at="rows")
     whole = list(lines) * ((rows or len(lines)) // len(lines))
@@ -66,7 +66,8 @@ def check_map(lines: Sequence[str], rows: int | None, tiles: Mapping[str, str]) 
         )
 
 
-def _check_letters(lines: Sequence[str], tiles: Mapping[str, str]) -> None:
+def check_letters(lines: Sequence[str], tiles: Mapping[str, str], table: str = "[plate.tiles]") -> None:
+    """Refuse letters that a table does not explain, and entries of it that are none or are not used."""
     names = list(tiles.values())
     for letter, name in tiles.items():
         at = f"tiles.{letter if letter.isalnum() else shown(letter)}"
@@ -92,8 +93,8 @@ def _check_letters(lines: Sequence[str], tiles: Mapping[str, str]) -> None:
                     "unknown",
                     f"{shown(letter)} in line {number}, column {column}",
                     f'one of {", ".join(tiles)}, or "{NOTHING}" where there is no plate',
-                    "[plate.tiles] does not say what this letter is",
-                    f'write "{guess}"' if guess else f'add {letter} = "..." to [plate.tiles]',
+                    f"{table} does not say what this letter is",
+                    f'write "{guess}"' if guess else f'add {letter} = "..." to {table}',
                     at="map",
                 )
     used = set().union(*lines)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from difflib import get_close_matches
 from typing import Annotated, Any
 
@@ -9,7 +10,8 @@ from pydantic import Field, ValidationInfo, field_validator
 
 from haptonic.design.parameters import UNITS
 from haptonic.errors import StudyError, nearest, shown
-from haptonic.fields import Entries, Name, described, handed_on, number_of, problem, size
+from haptonic.fields import Entries, Name, described, handed_on, needed, number_of, problem, setting, size
+from haptonic.fields.keys import pattern_of
 from haptonic.materials import Material
 from haptonic.plate.holding import Clamp, Edges, Loss
 from haptonic.plate.parts import Actuator, Finger, Force
@@ -17,9 +19,7 @@ from haptonic.plate.settings import ResponseSettings
 from haptonic.response.checks import REST, THE_REST
 from haptonic.study.plate_map import check_map, drawn
 
-CHANGEABLE = [
-    path for path in UNITS if path.startswith("cell.") and "[]" not in path and path != "cell.thickness"
-]
+CHANGEABLE = [path for path in UNITS if path.startswith("cell.") and path != "cell.thickness"]
 LATTICE = "lattice"  # the name of the study's own cell in [plate.tiles]
 
 TileSize = Annotated[float, size(100e-6, 100e-3)]
@@ -27,12 +27,11 @@ TileSize = Annotated[float, size(100e-6, 100e-3)]
 
 @described("plate.cell", kw_only=True)
 class LatticeSettings:
-    """A further lattice of the plate: the study's own cell with some numbers changed."""
+    """A further lattice of the plate, or of a ribbon: the study's own cell with some numbers changed."""
 
-    name: Name = Field(title="Name", description="By which tiles refer to it.")
-    change: Entries[float] = Field(
-        title="Change",
-        description="Numbers of the cell, by their names in this file; thickness and material stay.",
+    name: Name = needed("By which tiles refer to it.")
+    change: Entries[float] = needed(
+        "Numbers of the cell, by their names in this file; thickness and material stay."
     )
 
     @field_validator("change", mode="before")
@@ -48,9 +47,9 @@ class LatticeSettings:
         return read
 
     @property
-    def units(self) -> dict[str, str]:
+    def units(self) -> Mapping[str, str]:
         """SI unit of every number that may change."""
-        return dict(UNITS)
+        return UNITS
 
 
 def _flat(tree: dict[str, Any], prefix: str = "") -> dict[str, object]:
@@ -61,7 +60,7 @@ def _flat(tree: dict[str, Any], prefix: str = "") -> dict[str, object]:
 
 
 def _changeable(path: str) -> None:
-    if path in CHANGEABLE:
+    if pattern_of(path) in CHANGEABLE:
         return
     slip, whole = path not in UNITS, "all lattices of a plate have its thickness and its material"
     cause = "no number of the cell has this name" if slip else whole
@@ -72,51 +71,32 @@ def _changeable(path: str) -> None:
 class PlateSettings:
     """A finite plate: a map of tiles, what holds it and what drives it."""
 
-    map: Annotated[str, Field(max_length=200_000, strict=True)] = Field(
-        title="Map",
-        description="A letter for each tile, from above on the face with the pillars, largest y first.",
+    map: Annotated[str, Field(max_length=200_000, strict=True)] = needed(
+        "A letter for each tile, from above on the face with the pillars, largest y first."
     )
-    rows: Annotated[int, Field(ge=1, le=10_000, strict=True)] | None = Field(
-        default=None, title="Rows", description="The lines of the map are repeated until there are so many."
+    rows: Annotated[int, Field(ge=1, le=10_000, strict=True)] | None = setting(
+        None, "The lines of the map are repeated until there are so many."
     )
-    loss_factor: Loss | None = Field(
-        default=None, title="Loss factor", description="Of the mounted plate; else that of its material."
-    )
-    tiles: Entries[Name] = Field(
+    loss_factor: Loss | None = setting(None, "Of the mounted plate; else that of its material.")
+    tiles: Entries[Name] = needed(
+        'Of each, "lattice", the name of a plate.cell, or that of a region of plain plate.',
         title="Meaning of the letters",
-        description='Of each, "lattice", the name of a plate.cell, or that of a region of plain plate.',
     )
-    widths: Entries[TileSize] = Field(
-        default=Entries(),
-        title="Widths",
-        description="By region: of its columns without a lattice; else the pitch.",
+    widths: Entries[TileSize] = setting(
+        Entries(), "By region: of its columns without a lattice; else the pitch."
     )
-    heights: Entries[TileSize] = Field(
-        default=Entries(),
-        title="Heights",
-        description="By region: of its rows without a lattice; else the pitch along y.",
+    heights: Entries[TileSize] = setting(
+        Entries(), "By region: of its rows without a lattice; else the pitch along y."
     )
-    cell: tuple[LatticeSettings, ...] = Field(
-        default=(), title="Further lattices", description="For tiles of other names.", max_length=20
+    cell: tuple[LatticeSettings, ...] = setting(
+        (), "For tiles of other names.", title="Further lattices", max_length=20
     )
-    edges: Edges = Field(default=Edges(), title="Edges", description="What holds them.")
-    clamp: Clamp | None = Field(
-        default=None,
-        title="Corners",
-        description="Held, if this table is there.",
-    )
-    actuator: tuple[Actuator, ...] = Field(
-        default=(), title="Actuators", description="Piezoelectric patches.", max_length=100
-    )
-    force: tuple[Force, ...] = Field(
-        default=(), title="Forces", description="On the flat face.", max_length=100
-    )
-    finger: Finger | None = Field(
-        default=None, title="Finger", description="On the flat face, if it is there."
-    )
-    response: ResponseSettings = Field(
-        default=ResponseSettings(), title="Response", description="What is asked of the vibration."
-    )
+    edges: Edges = setting(Edges(), "What holds them.")
+    clamp: Clamp | None = setting(None, "Held, if this table is there.", title="Corners")
+    actuator: tuple[Actuator, ...] = setting((), "Piezoelectric patches.", title="Actuators", max_length=100)
+    force: tuple[Force, ...] = setting((), "On the flat face.", title="Forces", max_length=100)
+    finger: Finger | None = setting(None, "On the flat face, if it is there.")
+    response: ResponseSettings = setting(ResponseSettings(), "What is asked of the vibration.")
 
     @field_validator("map")
     @classmethod

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from fractions import Fraction
 from itertools import accumulate, combinations
 from typing import TypeVar
@@ -14,7 +14,7 @@ from haptonic.fields import unchecked
 from haptonic.plate.holding import Clamp
 from haptonic.plate.layout import CLOSE, Layout, Rectangle
 from haptonic.plate.parts import Actuator, Finger, Force, Plate
-from haptonic.study.plate_tables import CHANGEABLE, LATTICE, PlateSettings
+from haptonic.study.plate_tables import CHANGEABLE, LATTICE, LatticeSettings, PlateSettings
 from haptonic.units import format_quantity
 
 Attached = TypeVar("Attached", Actuator, Force, Finger)
@@ -65,7 +65,11 @@ def plate_of(section: PlateSettings | None, own: UnitCell) -> Plate:
 
 def _layout(section: PlateSettings, own: UnitCell) -> Layout:
     tiles = section.grid
-    cells = {name: cell for name, cell in _lattices(section, own) if name in section.tiles.values()}
+    cells = {
+        name: cell
+        for name, cell in lattices(section.cell, own, "plate.cell")
+        if name in section.tiles.values()
+    }
     for cell in cells.values():
         cell.check_simple("a plate")
     for letter, name in section.tiles.items():
@@ -89,11 +93,12 @@ def _summed(sizes: Iterable[float]) -> tuple[float, ...]:
     return tuple(float(line) for line in accumulate(map(Fraction, sizes), initial=Fraction(0)))
 
 
-def _lattices(section: PlateSettings, own: UnitCell) -> Iterator[tuple[str, UnitCell]]:
+def lattices(further: Sequence[LatticeSettings], own: UnitCell, table: str) -> Iterator[tuple[str, UnitCell]]:
+    """The study's own cell, then those of a table with some of its numbers changed, each with its name."""
     yield LATTICE, own
     known = own.numbers()
-    for i, one in enumerate(section.cell, start=1):
-        at = f'plate.cell[{i}] "{one.name}".change'
+    for i, one in enumerate(further, start=1):
+        at = f'{table}[{i}] "{one.name}".change'
         for path in one.change:
             if path not in known:
                 raise _refused(

@@ -9,8 +9,6 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from typing import Annotated, Any, Self
 
-from pydantic import Field
-
 from haptonic.bloch.settings import CARRIER, BandSettings, LayersSettings, WaveguideSettings
 from haptonic.cell import UnitCell
 from haptonic.design.parameters import FILLET, values_of
@@ -21,8 +19,10 @@ from haptonic.fields import (
     described,
     handed_on,
     leaves,
+    needed,
     numbers,
     problem,
+    setting,
     table,
     unchecked,
     unknown_number,
@@ -37,6 +37,7 @@ from haptonic.plate.parts import Plate
 from haptonic.study.experiment_tables import ProtocolSettings
 from haptonic.study.plate_tables import PlateSettings
 from haptonic.study.plating import plate_of
+from haptonic.study.ribbon_tables import RibbonSettings
 from haptonic.study.sweeps import SweepSettings, numeric_parameters
 from haptonic.study.trial_tables import TrialSettings
 from haptonic.study.vary import Expression, check_names, solve
@@ -56,88 +57,49 @@ class Description:
     It is read by `haptonic.study.load`, which gives its errors five parts and warns about unusual values.
     """
 
-    title: str = Field(
-        default="Study",
-        title="Title",
-        description="Heads the report.",
-        min_length=1,
-        max_length=200,
-        strict=True,
+    title: str = setting("Study", "Heads the report.", min_length=1, max_length=200, strict=True)
+    carrier: Annotated[float, CARRIER] | None = setting(
+        None, "Frequency of the drive; marked in the diagrams."
     )
-    carrier: Annotated[float, CARRIER] | None = Field(
-        default=None, title="Carrier", description="Frequency of the drive; marked in the diagrams."
+    cell: UnitCell = needed("One period of the plate.", title="Unit cell")
+    bands_settings: BandSettings = setting(BandSettings(), "What the band diagram shows.", alias="bands")
+    layers_settings: LayersSettings = setting(
+        LayersSettings(), "Rows of cells as a mirror between two plates.", alias="layers"
     )
-    cell: UnitCell = Field(title="Unit cell", description="One period of the plate.")
-    bands_settings: BandSettings = Field(
-        default=BandSettings(), alias="bands", title="Bands", description="What the band diagram shows."
+    waveguide_settings: WaveguideSettings = setting(
+        WaveguideSettings(), "A strip of plate between two mirrors.", alias="waveguide"
     )
-    layers_settings: LayersSettings = Field(
-        default=LayersSettings(),
-        alias="layers",
-        title="Layers",
-        description="Rows of cells as a mirror between two plates.",
+    design_settings: DesignSettings = setting(
+        DesignSettings(), "What may change so that the gap holds the carrier.", alias="design"
     )
-    waveguide_settings: WaveguideSettings = Field(
-        default=WaveguideSettings(),
-        alias="waveguide",
-        title="Waveguide",
-        description="A strip of plate between two mirrors.",
+    tolerance_settings: ToleranceSettings = setting(
+        ToleranceSettings(), "How much the parts differ.", alias="tolerance"
     )
-    design_settings: DesignSettings = Field(
-        default=DesignSettings(),
-        alias="design",
-        title="Design",
-        description="What may change so that the gap holds the carrier.",
+    ribbon_settings: RibbonSettings | None = setting(
+        None, "Columns of cells side by side, and the waves that run along them.", alias="ribbon"
     )
-    tolerance_settings: ToleranceSettings = Field(
-        default=ToleranceSettings(),
-        alias="tolerance",
-        title="Tolerance",
-        description="How much the parts differ.",
+    finite_plate: PlateSettings | None = setting(
+        None, "A finite one, made of cells and of plain plate.", alias="plate"
     )
-    finite_plate: PlateSettings | None = Field(
-        default=None,
-        alias="plate",
-        title="Plate",
-        description="A finite one, made of cells and of plain plate.",
+    touch: TouchSettings = setting(TouchSettings(), "The finger that feels the plate.")
+    trials: TrialSettings = setting(TrialSettings(), "How force records are processed, and which count.")
+    protocol_settings: ProtocolSettings = setting(
+        ProtocolSettings(), "Trials with people: how many, in which order.", alias="protocol"
     )
-    touch: TouchSettings = Field(
-        default=TouchSettings(), title="Touch", description="The finger that feels the plate."
+    participants: Participants = setting(Participants(), "What is assumed of people.")
+    scan_settings: ScanSettings = setting(
+        ScanSettings(), "How a laser vibrometer scans the plate.", alias="scan"
     )
-    trials: TrialSettings = Field(
-        default=TrialSettings(),
-        title="Trials",
-        description="How force records are processed, and which count.",
-    )
-    protocol_settings: ProtocolSettings = Field(
-        default=ProtocolSettings(),
-        alias="protocol",
-        title="Protocol",
-        description="Trials with people: how many, in which order.",
-    )
-    participants: Participants = Field(
-        default=Participants(), title="Participants", description="What is assumed of people."
-    )
-    scan_settings: ScanSettings = Field(
-        default=ScanSettings(),
-        alias="scan",
-        title="Scan",
-        description="How a laser vibrometer scans the plate.",
-    )
-    fit_settings: FitSettings = Field(
-        default=FitSettings(), alias="fit", title="Fit", description="What a measurement of the plate tells."
-    )
-    sweep_settings: tuple[SweepSettings, ...] = Field(
-        default=(),
-        alias="sweep",
-        title="Sweeps",
-        description="Rows of designs to compare.",
-        max_length=MOST_SWEEPS,
+    fit_settings: FitSettings = setting(FitSettings(), "What a measurement of the plate tells.", alias="fit")
+    sweep_settings: tuple[SweepSettings, ...] = setting(
+        (), "Rows of designs to compare.", title="Sweeps", alias="sweep", max_length=MOST_SWEEPS
     )
 
     def __post_init__(self) -> None:
         try:
             plate = None if self.finite_plate is None else self.mounted_plate()
+            if self.ribbon_settings is not None:
+                self.ribbon_settings.ribbon(self.cell)
         except HaptonicError as error:
             raise handed_on(error) from None
         self._names_what_the_cell_has()
@@ -221,7 +183,7 @@ class Description:
 
     def without_plate(self) -> Self:
         """The same study of the lattice alone."""
-        return unchecked(self, finite_plate=None)
+        return unchecked(self, finite_plate=None, ribbon_settings=None)
 
     def parameters(self) -> dict[str, float]:
         """Value of every numeric parameter that this study gives, by path and in SI units."""
@@ -333,6 +295,7 @@ class Description:
         """
         data = document(self, lambda value, unit: value, absent=True)
         left = {"title"} | AFTERWARDS | ({"plate"} if self.finite_plate is None else set())
+        left |= {"ribbon"} if self.ribbon_settings is None else set()
         data = {key: value for key, value in data.items() if key not in left}
         if self.finite_plate is not None:
             solids = self.finite_plate.materials

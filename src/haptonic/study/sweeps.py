@@ -10,7 +10,7 @@ from pydantic import Field, ValidationInfo, field_validator
 
 from haptonic.bloch.settings import CARRIER, BandSettings
 from haptonic.cell import UnitCell
-from haptonic.fields import ByPattern, described, number_of, problem, table
+from haptonic.fields import ByPattern, described, needed, number_of, problem, setting, table
 from haptonic.fields.quantity import collected
 from haptonic.study.vary import Expression, check_names, parse
 from haptonic.units import format_quantity
@@ -32,11 +32,11 @@ def numeric_parameters() -> Mapping[str, str]:
 class SweepSettings:
     """A row of designs: an expression of parameters taken from one value to another."""
 
-    vary: str = Field(title="Expression", description="The first parameter in it changes.", strict=True)
+    vary: str = needed("The first parameter in it changes.", title="Expression", strict=True)
     start: float = Field(alias="from", title="First value", description="With its unit, if it has one.")
     stop: float = Field(alias="to", title="Last value", description="With its unit, if it has one.")
-    steps: Annotated[int, Field(ge=2, le=1000, strict=True)] = Field(
-        default=25, title="Steps", description="Number of designs, both ends included."
+    steps: Annotated[int, Field(ge=2, le=1000, strict=True)] = setting(
+        25, "Number of designs, both ends included."
     )
 
     @field_validator("vary")

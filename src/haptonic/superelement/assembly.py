@@ -6,16 +6,14 @@ from dataclasses import dataclass
 from functools import cached_property, lru_cache
 
 import numpy as np
-import scipy.sparse as sp
 from numpy.typing import NDArray
 
+from haptonic.arrays import Array, Ints
 from haptonic.cell import Topology
 from haptonic.elements import ElementMatrices, coupled_pairs
+from haptonic.later import sparse as sp
 from haptonic.solvers import Pattern
 from haptonic.superelement.symmetry import Folding
-
-Array = NDArray[np.float64]
-Ints = NDArray[np.int64]
 
 
 @dataclass(frozen=True, eq=False)

@@ -15,13 +15,12 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
-import scipy.linalg as la
-from numpy.typing import NDArray
 
+from haptonic.arrays import Array, Fields
 from haptonic.cell import HexMesh, MeshPlan, TileShape
+from haptonic.later import linalg as la
 from haptonic.solvers import Solver, definite
 from haptonic.superelement.folded import FoldedMesh
 from haptonic.superelement.interior import CraigBampton, reduced
@@ -30,9 +29,6 @@ from haptonic.superelement.measures import ENERGIES, ClassMeasures, Measures
 from haptonic.superelement.parallel import for_each_class
 from haptonic.superelement.sections import PillarSections, mirrored_momenta, section_sizes
 from haptonic.superelement.trace import FoldedTrace, TraceOperation
-
-Array = NDArray[np.float64]
-Fields = NDArray[Any]  # real or complex
 
 
 @dataclass(frozen=True)

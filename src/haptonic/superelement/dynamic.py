@@ -18,14 +18,12 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 
 import numpy as np
-from numpy.typing import NDArray
 
+from haptonic.arrays import Array, Fields
 from haptonic.solvers import Solver
 from haptonic.superelement.folded import FoldedMesh
-from haptonic.superelement.lifting import ClassLifting, DiagonalImage, Fields, lifted
+from haptonic.superelement.lifting import ClassLifting, DiagonalImage, lifted
 from haptonic.superelement.parallel import for_each_class
-
-Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True)

@@ -6,18 +6,16 @@ from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
-import scipy.linalg as la
-from numpy.typing import NDArray
 
+from haptonic.arrays import Array
 from haptonic.cell import HexMesh, MeshPlan, TileShape, mesh_cell
 from haptonic.cell.quadrature import interpolation, lobatto
 from haptonic.elements import element_matrices
+from haptonic.later import linalg as la
 from haptonic.superelement.assembly import Assembler, FoldedStiffness, assembler_of
 from haptonic.superelement.interior import Bounded
 from haptonic.superelement.symmetry import DIAGONAL, Folding, fold, folds_of
 from haptonic.superelement.trace import FoldedTrace, trace_levels
-
-Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True)

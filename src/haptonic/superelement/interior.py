@@ -6,10 +6,9 @@ from dataclasses import dataclass
 from typing import Protocol
 
 import numpy as np
-import scipy.linalg as la
-from numpy.typing import NDArray
 
-Array = NDArray[np.float64]
+from haptonic.arrays import Array
+from haptonic.later import linalg as la
 
 # motions of the boundary whose inertia the interior's modes have to answer: these and as many as it gets
 # directions; with 24 whatever it gets, 25 bands lost up to ten times what the truncation told

@@ -5,65 +5,62 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from haptonic.cell import PlacedTile, UnitCell
+from haptonic.arrays import Array, Fields, Ints
+from haptonic.cell import Period, PlacedTile, UnitCell
 from haptonic.cell.tile import HALF_TURNED
 from haptonic.errors import GeometryError
 from haptonic.lattice import HALF_TURN, Operation
-
-Array = NDArray[np.float64]
-Fields = NDArray[Any]  # real or complex
-Ints = NDArray[np.int64]
 
 MEET = 1e-6  # of the pitch: places of two rims that are one
 
 
 def repeated(position: Array, vectors: Array) -> tuple[Ints, Ints]:
-    """Which of some places (n, 2) are one, but for translations of a lattice.
+    """Which of some places (n, 2) are one, but for translations (d, 2), two of a lattice or one of a ribbon.
 
     Of all that are one place of the lattice that with the least sum of lattice coordinates, and then with the
     least second one, counts.
 
     Returns
     -------
-    (n,) the place that counts for each, and (n, 2) the integer translation from there
+    (n,) the place that counts for each, and (n, d) the integer translation from there
     """
     whole, same = _steps(position, position, vectors)
-    order = len(position) * (-2 * len(position) * whole.sum(axis=2) - whole[..., 1])
+    order = len(position) * (-2 * len(position) * whole.sum(axis=2) - whole[..., -1])
     rank = np.where(same, order + np.arange(len(position)), np.inf)
     master = rank.argmin(axis=1)
     return master, whole[np.arange(len(position)), master].astype(np.int64)
 
 
 def _steps(places: Array, others: Array, vectors: Array) -> tuple[Array, NDArray[np.bool_]]:
-    """(n, m, 2) translations from the others to the places, rounded, and (n, m) whether they are whole."""
-    steps: Array = (places[:, None] - others) @ np.linalg.inv(vectors)
-    whole: Array = np.round(steps)
+    """(n, m, d) translations from the others to the places, rounded, and (n, m) whether they are whole."""
+    steps: Array = places[:, None] - others
+    inverse = np.asarray(np.linalg.pinv(vectors), dtype=np.float64)
+    whole: Array = np.round(steps @ inverse)
     pitch = float(np.linalg.norm(vectors, axis=1).max())
-    apart = np.linalg.norm((steps - whole) @ vectors, axis=2)
+    apart = np.linalg.norm(steps - whole @ vectors, axis=2)
     return whole, np.asarray(apart < MEET * pitch)
 
 
 @dataclass(frozen=True, eq=False)
 class Joint:
-    """The traces of a cell's tiles; those of the whole cell are theirs, one tile after the other.
+    """The traces of a period's tiles; those of the whole period are theirs, one tile after the other.
 
-    placed : the tiles; levels : of all their traces
+    period : a cell, or one of a ribbon; placed : the tiles; levels : of all their traces
     position : (places,) of the rims, m; ends : of each tile's among them
     """
 
-    cell: UnitCell
+    period: Period
     placed: tuple[PlacedTile, ...]
     levels: int
     position: Array
     ends: Ints
 
     @classmethod
-    def of(cls, cell: UnitCell, placed: Sequence[PlacedTile], rims: Sequence[Array], levels: int) -> Joint:
+    def of(cls, period: Period, placed: Sequence[PlacedTile], rims: Sequence[Array], levels: int) -> Joint:
         """Join tiles, given the places (n, 3) of their rims in their own axes, m.
 
         Raises
@@ -71,8 +68,15 @@ class Joint:
         GeometryError : edges that do not meet
         """
         places = [one.points(rim)[:, :2] for one, rim in zip(placed, rims, strict=True)]
-        joint = cls(cell, tuple(placed), levels, np.concatenate(places), np.cumsum([len(p) for p in places]))
+        joint = cls(
+            period, tuple(placed), levels, np.concatenate(places), np.cumsum([len(p) for p in places])
+        )
         alone = np.bincount(joint.master)[joint.master] == 1
+        starts = np.concatenate([[0], joint.ends])
+        for end in period.free_edges:
+            own = slice(starts[end.first], starts[end.beyond])
+            there = joint.position[own]
+            alone[own] &= ~_steps(there, there + end.step, period.vectors)[1].any(axis=1)
         if alone.any():
             raise GeometryError.mismatch(
                 argument="tiles",
@@ -83,9 +87,15 @@ class Joint:
             )
         return joint
 
+    @property
+    def cell(self) -> UnitCell:
+        """The period, if it is a cell."""
+        assert isinstance(self.period, UnitCell), "a ribbon is no cell"
+        return self.period
+
     @cached_property
     def _repeated(self) -> tuple[Ints, Ints]:
-        return repeated(self.position, self.cell.lattice.vectors)
+        return repeated(self.position, self.period.vectors)
 
     @property
     def master(self) -> Ints:
@@ -94,7 +104,7 @@ class Joint:
 
     @property
     def shift(self) -> Ints:
-        """(places, 2) see `repeated`."""
+        """(places, d) see `repeated`."""
         return self._repeated[1]
 
     @property

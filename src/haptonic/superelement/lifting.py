@@ -4,17 +4,15 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from typing import Any, Protocol
+from typing import Protocol
 
 import numpy as np
 from numpy.typing import NDArray
 
+from haptonic.arrays import Array, Fields
 from haptonic.cell import TileShape, Topology
 from haptonic.superelement.symmetry import DIAGONAL
 from haptonic.superelement.trace import FoldedTrace, TraceOperation
-
-Array = NDArray[np.float64]
-Fields = NDArray[Any]  # real or complex
 
 
 @dataclass(frozen=True)

@@ -5,13 +5,11 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from haptonic.arrays import Array
 from haptonic.superelement.folded import FoldedCell, FoldedMesh
 from haptonic.superelement.interior import CraigBampton
 from haptonic.superelement.sections import PillarSections, momentum_forms
-
-Array = NDArray[np.float64]
 
 ENERGIES = ("pillar_stiffness", "pillar_mass", "vertical_mass")
 

@@ -15,14 +15,14 @@ from functools import cached_property, lru_cache
 from typing import Any
 
 import numpy as np
-import scipy.linalg as la
 from numpy.typing import NDArray
 
+from haptonic.arrays import Array
 from haptonic.cell.pillar import Section
 from haptonic.cell.quadrature import interpolation, lobatto
+from haptonic.later import linalg as la
 from haptonic.materials import Material, elasticity_tensor
 
-Array = NDArray[np.float64]
 Parity = tuple[int, int]  # in x and y: 0 even, 1 odd
 Kinds = tuple[Parity, ...]  # of the polynomials of a component
 

@@ -5,13 +5,12 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-import scipy.sparse as sp
 from numpy.typing import NDArray
 
+from haptonic.arrays import Array
 from haptonic.cell import HexMesh
+from haptonic.later import sparse as sp
 from haptonic.superelement.symmetry import Folding
-
-Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True)

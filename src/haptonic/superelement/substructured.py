@@ -12,25 +12,23 @@ from dataclasses import dataclass, replace
 from threading import Lock
 
 import numpy as np
-import scipy.linalg as la
-from numpy.typing import NDArray
 
+from haptonic.arrays import Array, Fields
 from haptonic.cell import HexMesh, MeshPlan, TileShape, mesh_cell
 from haptonic.cell.edges import FOOT_LAYER
 from haptonic.cell.topology import Topology, topology_of
+from haptonic.later import linalg as la
 from haptonic.solvers import Solver, definite
 from haptonic.superelement.condense import ClassForm, CondensedClass, Superelement, assembled, condensed
 from haptonic.superelement.folded import FoldedMesh
 from haptonic.superelement.interior import Bounded, CraigBampton, reduced
-from haptonic.superelement.lifting import DiagonalImage, Fields, unfolded
+from haptonic.superelement.lifting import DiagonalImage, unfolded
 from haptonic.superelement.measures import ENERGIES, ClassMeasures
 from haptonic.superelement.parallel import KEPT_ENTRIES, for_each_class
 from haptonic.superelement.pillar_body import PARITIES, Kinds, PillarBody
 from haptonic.superelement.sections import section_sizes
 from haptonic.superelement.symmetry import DIAGONAL, Folding, folds_of
 from haptonic.superelement.trace import FoldedTrace
-
-Array = NDArray[np.float64]
 
 LEAST_ORDER, PER_LAYER = 8, 2  # of the polynomials along the body, and what each layer of a mesh adds
 FOR_SECTION = 4  # directions in each block of a foot's Krylov space beyond those that a whole cell has

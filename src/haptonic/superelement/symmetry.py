@@ -13,10 +13,9 @@ from itertools import product
 import numpy as np
 from numpy.typing import NDArray
 
+from haptonic.arrays import Ints
 from haptonic.cell import TileShape, Topology
 from haptonic.cell.tile import HALF_TURNED, Sides
-
-Ints = NDArray[np.int64]
 
 Folds = tuple[tuple[Sides, tuple[int, int, int]], ...]  # operations, and what each does to components
 

@@ -1,4 +1,4 @@
-"""A tiling: condensed tiles in their places in one period of a plate, joined edge to edge.
+"""A tiling: condensed tiles in their places in one period of a plate or a ribbon, joined edge to edge.
 
 Tiles meet in their traces alone, so each is condensed by itself, and equal ones once. A cell of one site is
 the tiling of a single tile. Unknowns are the traces of all tiles, then the amplitudes of all their modes;
@@ -13,10 +13,10 @@ from functools import cached_property
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
-from scipy.linalg import block_diag
 
-from haptonic.cell import HexMesh, MeshPlan, PlacedTile, TileShape, UnitCell
+from haptonic.arrays import Array, Fields, Ints
+from haptonic.cell import HexMesh, MeshPlan, Period, PlacedTile, TileShape, UnitCell
+from haptonic.later import linalg as la
 from haptonic.lattice import HALF_TURN
 from haptonic.superelement.condense import Superelement, condensed
 from haptonic.superelement.dynamic import DynamicStiffness, dynamic_stiffness
@@ -26,10 +26,6 @@ from haptonic.superelement.measures import ENERGIES, Measures
 from haptonic.superelement.sections import PillarSections
 from haptonic.superelement.substructured import condense_by_parts
 from haptonic.superelement.symmetry import folds_of
-
-Array = NDArray[np.float64]
-Fields = NDArray[Any]  # real or complex
-Ints = NDArray[np.int64]
 
 
 @dataclass(frozen=True, eq=False)
@@ -43,7 +39,7 @@ class Tiling:
     tiles: tuple[Superelement, ...]
 
     @classmethod
-    def of(cls, cell: UnitCell, placed: Sequence[PlacedTile], tiles: Sequence[Superelement]) -> Tiling:
+    def of(cls, period: Period, placed: Sequence[PlacedTile], tiles: Sequence[Superelement]) -> Tiling:
         """Join condensed tiles in their places; each its own, or the same several times.
 
         Raises
@@ -53,7 +49,7 @@ class Tiling:
         rims = [one.mesh.points[one.mesh.topology.rim[0]] for one in tiles]
         levels = {one.levels for one in tiles}
         assert len(levels) == 1, "traces of several numbers of levels"
-        return cls(Joint.of(cell, placed, rims, levels.pop()), tuple(tiles))
+        return cls(Joint.of(period, placed, rims, levels.pop()), tuple(tiles))
 
     @classmethod
     def single(cls, tile: Superelement) -> Tiling:
@@ -63,9 +59,9 @@ class Tiling:
 
     @classmethod
     def condensed(
-        cls, cell: UnitCell, plans: Sequence[MeshPlan], steps: int, block: int, *, measured: bool = True
+        cls, period: Period, plans: Sequence[MeshPlan], steps: int, block: int, *, measured: bool = True
     ) -> Tiling:
-        """Condense the tiles of a cell by parts, equal ones once, and join them.
+        """Condense the tiles of a period by parts, equal ones once, and join them.
 
         plans : of each tile; parameters else as for `condense`
         """
@@ -73,7 +69,7 @@ class Tiling:
         def condense(tile: TileShape, plan: MeshPlan) -> Superelement:
             return condense_by_parts(tile, plan, steps, block=directions(tile, block), measured=measured)
 
-        return cls.of(cell, cell.tiles, _each(cell.tiles, plans, condense))
+        return cls.of(period, period.tiles, _each(period.tiles, plans, condense))
 
     @property
     def cell(self) -> UnitCell:
@@ -313,4 +309,4 @@ class JoinedStiffness:
 
     def _joined(self, forms: Sequence[Array]) -> Array:
         own = [self.joint.form(number, form, len(form)) for number, form in enumerate(forms)]
-        return np.asarray(block_diag(*own))
+        return np.asarray(la.block_diag(*own))

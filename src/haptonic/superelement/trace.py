@@ -13,11 +13,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from haptonic.arrays import Array, Ints
 from haptonic.cell import MeshPlan, TileShape, Topology
 from haptonic.superelement.symmetry import Folding
-
-Array = NDArray[np.float64]
-Ints = NDArray[np.int64]
 
 
 def trace_levels(plan: MeshPlan) -> int:

@@ -5,15 +5,12 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
-from scipy.spatial import cKDTree
+import scipy
 
+from haptonic.arrays import Array, Complex
 from haptonic.errors import ScanError
 from haptonic.response import FrequencyResponse, frac, mac
 from haptonic.updating.shapes import How, Pair, Shapes, pairs, shapes_of
-
-Array = NDArray[np.float64]
-Complex = NDArray[np.complex128]
 
 NEAR = 0.25  # of the distance of neighbouring points, within which two points are one
 SAME = 1e-6  # of a frequency, within which two lines are one
@@ -91,8 +88,8 @@ def together(
     lines = np.searchsorted(computed.frequency, measured.frequency * (1 - SAME))
     lines = np.minimum(lines, len(computed.frequency) - 1)
     common = np.abs(computed.frequency[lines] / np.maximum(measured.frequency, SAME) - 1) < SAME
-    spacing, _ = cKDTree(computed.points).query(computed.points, k=min(2, len(computed.points)))
-    distance, partner = cKDTree(computed.points).query(measured.points)
+    spacing, _ = scipy.spatial.cKDTree(computed.points).query(computed.points, k=min(2, len(computed.points)))
+    distance, partner = scipy.spatial.cKDTree(computed.points).query(measured.points)
     near = distance <= NEAR * float(np.median(spacing[..., -1]))
     if common.sum() < 3 or near.sum() < 3:
         raise _apart(

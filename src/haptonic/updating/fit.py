@@ -10,8 +10,8 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
-from numpy.typing import NDArray
 
+from haptonic.arrays import Array, Complex, Ints
 from haptonic.errors import ScanError
 from haptonic.plate import Fineness, Plate, PlateModel
 from haptonic.plate.family import Anchor, Family, anchored
@@ -21,10 +21,6 @@ from haptonic.updating.intervals import Uncertainty, uncertainty
 from haptonic.updating.match import Match, MeasuredResponse, Space
 from haptonic.updating.parameters import LOSS, bonds_of
 from haptonic.updating.settings import Unknown
-
-Array = NDArray[np.float64]
-Ints = NDArray[np.int64]
-Complex = NDArray[np.complex128]
 
 ANCHORS = 3  # sets of numbers whose answers the first small model knows
 ROUNDS = 6  # of fit and improvement at most

@@ -14,10 +14,8 @@ from dataclasses import dataclass
 
 import numpy as np
 import scipy
-from numpy.typing import NDArray
 
-Array = NDArray[np.float64]
-Complex = NDArray[np.complex128]
+from haptonic.arrays import Array, Complex
 
 QUANTILE = 0.975  # on either side of a 95 % interval
 EDGE = 1.1  # of the largest singular value of independent errors, beyond which they are not independent

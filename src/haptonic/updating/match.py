@@ -13,17 +13,13 @@ from dataclasses import dataclass, replace
 import numpy as np
 import scipy
 from numpy.typing import NDArray
-from scipy.ndimage import gaussian_filter1d
-from scipy.optimize import least_squares
 
+from haptonic.arrays import Array, Complex, Ints
 from haptonic.plate import Plate
 from haptonic.plate.family import Family
 from haptonic.updating.parameters import changed, values_of
 from haptonic.updating.settings import Unknown
 
-Array = NDArray[np.float64]
-Ints = NDArray[np.int64]
-Complex = NDArray[np.complex128]
 Residual = Callable[[Array], Array]
 
 TRIED = 48  # sets of numbers of which the best few are improved
@@ -183,7 +179,9 @@ class Match:
         lines, used = self.data.frequency, self.data.used
         width = SMOOTHED * lines[-1] / float(np.median(np.diff(lines)))
         one, other = (
-            gaussian_filter1d((np.abs(values[:, used]) ** 2).mean(axis=1), width, mode="nearest")
+            scipy.ndimage.gaussian_filter1d(
+                (np.abs(values[:, used]) ** 2).mean(axis=1), width, mode="nearest"
+            )
             for values in (self.response(x), self.data.response)
         )
         return np.asarray(0.5 * np.log(one / other))
@@ -191,7 +189,7 @@ class Match:
     def improved(self, residual: Residual, x: Array, loss: str = "linear") -> Array:
         """(p,) where the squares of residuals are least, from a start."""
         low, high = self.space.low, self.space.high
-        found = least_squares(
+        found = scipy.optimize.least_squares(
             residual, np.clip(x, low + INWARD, high - INWARD), _slopes(residual), (low, high),
             x_scale=high - low, loss=loss, xtol=1e-9, ftol=1e-10, gtol=1e-12, max_nfev=60,
         )  # fmt: skip

@@ -7,7 +7,7 @@ from typing import Annotated
 
 from pydantic import Field
 
-from haptonic.fields import Frequency, NumberRange, ascending, described, once, problem
+from haptonic.fields import Frequency, NumberRange, ascending, described, once, problem, setting
 from haptonic.plate import Plate
 from haptonic.units import format_quantity
 from haptonic.updating.parameters import UNITS, unit_of, values_of
@@ -45,18 +45,16 @@ class Unknown(NumberRange):
 class FitSettings:
     """What a measurement is compared with, and what is fitted to it."""
 
-    lowest: Frequency | None = Field(
-        default=None, title="Lowest frequency", description="That is compared; else that of the measurement."
+    lowest: Frequency | None = setting(
+        None, "That is compared; else that of the measurement.", title="Lowest frequency"
     )
-    highest: Frequency | None = Field(
-        default=None, title="Highest frequency", description="That is compared; else that of the measurement."
+    highest: Frequency | None = setting(
+        None, "That is compared; else that of the measurement.", title="Highest frequency"
     )
-    points: Annotated[int, Field(ge=3, le=10_000, strict=True)] = Field(
-        default=60, title="Points", description="Whose response is fitted, drawn evenly from all."
+    points: Annotated[int, Field(ge=3, le=10_000, strict=True)] = setting(
+        60, "Whose response is fitted, drawn evenly from all."
     )
-    vary: tuple[Unknown, ...] = Field(
-        default=(), title="Unknowns", description="What is fitted.", max_length=12
-    )
+    vary: tuple[Unknown, ...] = setting((), "What is fitted.", title="Unknowns", max_length=12)
 
     def __post_init__(self) -> None:
         ascending(self.lowest, self.highest, "range")

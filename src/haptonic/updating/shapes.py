@@ -10,14 +10,10 @@ from typing import Literal
 
 import numpy as np
 import scipy
-from numpy.typing import NDArray
-from scipy.optimize import linear_sum_assignment
 
+from haptonic.arrays import Array, Complex, Ints
 from haptonic.response import mac
 
-Array = NDArray[np.float64]
-Ints = NDArray[np.int64]
-Complex = NDArray[np.complex128]
 How = Literal["modes", "operating shapes"]
 
 PROMINENT = 3.0  # dB by which a peak of the average spectrum rises above what separates it from a higher one
@@ -88,7 +84,9 @@ def pairs(first: Shapes, second: Shapes) -> list[Pair]:
     alike = mac(first.shape, second.shape)
     apart = np.abs(np.log(first.frequency[:, None] / second.frequency)) / np.log1p(APART)
     allowed = (alike >= LEAST) & (apart <= 1)
-    one, other = linear_sum_assignment(np.where(allowed, alike - LEAST * apart, -1.0), maximize=True)
+    one, other = scipy.optimize.linear_sum_assignment(
+        np.where(allowed, alike - LEAST * apart, -1.0), maximize=True
+    )
     return [
         Pair(int(i), int(j), float(alike[i, j])) for i, j in zip(one, other, strict=True) if allowed[i, j]
     ]

@@ -1,69 +1,39 @@
-from .chirp import Drive, drive, drive_notes, write_drive
-from .estimation import Estimate, Quality, estimate
-from .findings import Dropped, ReadReport
-from .maps import (
-    Edge,
-    LatticeGap,
-    LatticeRows,
-    MeasuredGap,
-    Registration,
-    clean_contrast,
-    clean_rms,
-    decay_along,
-    gap_edges,
-    lattice_decay,
-    measured_gap,
-    region_statistics,
-    register_by_corners,
-    register_by_fit,
-    warn_if_aliased,
-    wavenumber_map,
-)
-from .planning import Disc, Rectangle, ScanPlan, scan_plan, visited
-from .readers import Scan, read_scan
-from .readers.hdf5 import write_records
-from .readers.uff import UffContents, uff_contents
-from .records import InMemory, TimeScan
-from .writers import write_uff, write_uff_records
-
-__all__ = [
-    "Disc",
-    "Drive",
-    "Dropped",
-    "Edge",
-    "Estimate",
-    "InMemory",
-    "LatticeGap",
-    "LatticeRows",
-    "MeasuredGap",
-    "Quality",
-    "ReadReport",
-    "Rectangle",
-    "Registration",
-    "Scan",
-    "ScanPlan",
-    "TimeScan",
-    "UffContents",
-    "clean_contrast",
-    "clean_rms",
-    "decay_along",
-    "drive",
-    "drive_notes",
-    "estimate",
-    "gap_edges",
-    "lattice_decay",
-    "measured_gap",
-    "read_scan",
-    "region_statistics",
-    "register_by_corners",
-    "register_by_fit",
-    "scan_plan",
-    "uff_contents",
-    "visited",
-    "warn_if_aliased",
-    "wavenumber_map",
-    "write_drive",
-    "write_records",
-    "write_uff",
-    "write_uff_records",
-]
+from .chirp import Drive as Drive
+from .chirp import drive as drive
+from .chirp import drive_notes as drive_notes
+from .chirp import write_drive as write_drive
+from .estimation import Estimate as Estimate
+from .estimation import Quality as Quality
+from .estimation import estimate as estimate
+from .findings import Dropped as Dropped
+from .findings import ReadReport as ReadReport
+from .maps import Edge as Edge
+from .maps import LatticeGap as LatticeGap
+from .maps import LatticeRows as LatticeRows
+from .maps import MeasuredGap as MeasuredGap
+from .maps import Registration as Registration
+from .maps import clean_contrast as clean_contrast
+from .maps import clean_rms as clean_rms
+from .maps import decay_along as decay_along
+from .maps import gap_edges as gap_edges
+from .maps import lattice_decay as lattice_decay
+from .maps import measured_gap as measured_gap
+from .maps import region_statistics as region_statistics
+from .maps import register_by_corners as register_by_corners
+from .maps import register_by_fit as register_by_fit
+from .maps import warn_if_aliased as warn_if_aliased
+from .maps import wavenumber_map as wavenumber_map
+from .planning import Disc as Disc
+from .planning import Rectangle as Rectangle
+from .planning import ScanPlan as ScanPlan
+from .planning import scan_plan as scan_plan
+from .planning import visited as visited
+from .readers import Scan as Scan
+from .readers import read_scan as read_scan
+from .readers.hdf5 import write_records as write_records
+from .readers.uff import UffContents as UffContents
+from .readers.uff import uff_contents as uff_contents
+from .records import InMemory as InMemory
+from .records import TimeScan as TimeScan
+from .writers import write_uff as write_uff
+from .writers import write_uff_records as write_uff_records

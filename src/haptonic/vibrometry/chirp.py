@@ -8,12 +8,11 @@ from pathlib import Path
 from typing import Any, Literal
 
 import numpy as np
-from numpy.typing import NDArray
 
+from haptonic.arrays import Array
 from haptonic.channels import Channel, delimited, hdf5, wav
 from haptonic.errors import HaptonicWarning, ScanError
 
-Array = NDArray[np.float64]
 Kind = Literal["chirp", "multisine"]
 DriveUnit = Literal["V", "N"]
 

@@ -10,13 +10,11 @@ from typing import Any, Literal
 import numpy as np
 from numpy.typing import NDArray
 
+from haptonic.arrays import Array
 from haptonic.channels import Notebook
 from haptonic.channels.labels import Motion, steps
 from haptonic.errors import ScanError
 from haptonic.response import FrequencyResponse, Reference
-
-Array = NDArray[np.float64]
-Complex = NDArray[np.complex128]
 
 SAME_LINE = 1e-4  # of the line spacing: files hold the spacing with six digits
 AXES = {1: "x", 2: "y", 3: "z"}

@@ -3,21 +3,21 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Annotated, Any
+from typing import Annotated
 
 import numpy as np
-import scipy.fft
+import scipy
 from numpy.typing import NDArray
 from pydantic import Field
 
+from haptonic.arrays import AnyComplex, Array
+from haptonic.channels.signals import Samples
 from haptonic.errors import ScanError
-from haptonic.fields import Frequency, Quantity, described
+from haptonic.fields import Frequency, Quantity, described, setting
 from haptonic.response import FrequencyResponse
 from haptonic.vibrometry.chirp import Drive
-from haptonic.vibrometry.records import Samples, TimeScan
+from haptonic.vibrometry.records import TimeScan
 
-Array = NDArray[np.float64]
-Complex = NDArray[np.complexfloating[Any, Any]]
 Velocity = Annotated[float, Quantity("m/s", above=0.0, at_most=1e3, typical=(1e-7, 10.0))]
 
 SAME = 1e-6  # of the line spacing, by which lines of drive and response may differ
@@ -30,31 +30,23 @@ PORTION = 32e6  # bytes that are made at a time while the range is looked for
 class Instrument:
     """What a vibrometer and its converter do to a velocity. Its noise is white."""
 
-    bits: Annotated[int, Field(ge=4, le=32, strict=True)] = Field(
-        default=16, title="Bits", description="Of the converter that records the vibrometer."
+    bits: Annotated[int, Field(ge=4, le=32, strict=True)] = setting(
+        16, "Of the converter that records the vibrometer."
     )
-    noise: Annotated[float, Quantity("m/s", at_least=0.0, at_most=1e3, typical=(0.0, 1e-2))] = Field(
-        default=5e-5, title="Noise", description="Of the vibrometer, root mean square of the samples."
+    noise: Annotated[float, Quantity("m/s", at_least=0.0, at_most=1e3, typical=(0.0, 1e-2))] = setting(
+        5e-5, "Of the vibrometer, root mean square of the samples."
     )
-    full_scale: Velocity | None = Field(
-        default=None,
-        title="Range",
-        description="Largest velocity of the vibrometer; else 1.25 of what comes.",
+    full_scale: Velocity | None = setting(
+        None, "Largest velocity of the vibrometer; else 1.25 of what comes.", title="Range"
     )
-    dropouts: Annotated[float, Quantity("", at_least=0.0, below=1.0, typical=(0.0, 0.1))] = Field(
-        default=0.005,
-        title="Dropouts",
-        description="Share of points at which the laser loses the surface.",
+    dropouts: Annotated[float, Quantity("", at_least=0.0, below=1.0, typical=(0.0, 0.1))] = setting(
+        0.005, "Share of points at which the laser loses the surface."
     )
-    delay: Annotated[float, Quantity("s", at_least=0.0, at_most=1.0, typical=(0.0, 1e-3))] = Field(
-        default=0.0,
-        title="Delay",
-        description="Of the vibrometer behind the drive; the analysis takes it out.",
+    delay: Annotated[float, Quantity("s", at_least=0.0, at_most=1.0, typical=(0.0, 1e-3))] = setting(
+        0.0, "Of the vibrometer behind the drive; the analysis takes it out."
     )
-    bandwidth: Frequency | None = Field(
-        default=None,
-        title="Bandwidth",
-        description="-3 dB of its first-order low-pass; the analysis takes it out.",
+    bandwidth: Frequency | None = setting(
+        None, "-3 dB of its first-order low-pass; the analysis takes it out."
     )
 
     def path(self, frequency: Array) -> NDArray[np.complex128]:
@@ -129,8 +121,8 @@ def recorded(
 class _Simulated:
     """Makes the records of some points. values : (line, point); spectrum : (line,) of drive and path."""
 
-    values: Complex
-    spectrum: Complex
+    values: AnyComplex
+    spectrum: AnyComplex
     signal: Drive
     instrument: Instrument
     averages: int
@@ -161,7 +153,7 @@ def _members(signal: Drive) -> slice:
     return slice(first, last + 1)
 
 
-def _moved(values: Complex, spectrum: Complex, signal: Drive) -> NDArray[np.float32]:
+def _moved(values: AnyComplex, spectrum: AnyComplex, signal: Drive) -> NDArray[np.float32]:
     """(point, sample) one period of the velocity, m/s."""
     samples = len(signal.samples)
     whole = np.zeros((values.shape[1], samples // 2 + 1), dtype=np.complex64)

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from haptonic.arrays import Array
 from haptonic.errors import ScanError
 from haptonic.plate import Plate
 from haptonic.plate.layout import Layout
@@ -17,8 +18,6 @@ from haptonic.vibrometry.chirp import Drive, drive
 from haptonic.vibrometry.instrument import lines_of
 from haptonic.vibrometry.planning import Rectangle, Region, ScanPlan, visited
 from haptonic.vibrometry.settings import ScanSettings
-
-Array = NDArray[np.float64]
 
 CLAMPS = "clamps"  # stands for all held corners
 

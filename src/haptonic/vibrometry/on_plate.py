@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 import numpy as np
-import xarray as xr
 
 from haptonic.errors import ResponseError, ScanError
+from haptonic.later import xarray as xr
 from haptonic.plate import Plate
 from haptonic.plate.layout import Layout
 from haptonic.plate.sampling import driven_region, tile_names

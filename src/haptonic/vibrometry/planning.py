@@ -7,12 +7,9 @@ from dataclasses import dataclass
 from typing import Protocol
 
 import numpy as np
-from numpy.typing import NDArray
 
+from haptonic.arrays import Array, Bools
 from haptonic.errors import ScanError
-
-Array = NDArray[np.float64]
-Bools = NDArray[np.bool_]
 
 RIM = 1e-9  # of a size, within which a point lies on the rim
 

@@ -4,18 +4,17 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
-from typing import Any, Literal, Protocol
+from typing import Literal, Protocol
 
 import numpy as np
 from numpy.typing import NDArray
 
+from haptonic.arrays import Array
 from haptonic.channels import Channel
 from haptonic.channels.labels import Motion
+from haptonic.channels.signals import Samples
 from haptonic.errors import ChannelError, ResourceError, ScanError
 from haptonic.response import Reference
-
-Array = NDArray[np.float64]
-Samples = NDArray[Any]
 
 WRITTEN = 16  # points that are written to a file at a time
 

@@ -6,7 +6,7 @@ from typing import Annotated
 
 from pydantic import Field
 
-from haptonic.fields import INLINE, Frequency, Quantity, ascending, described, problem, size
+from haptonic.fields import INLINE, Frequency, Quantity, ascending, described, problem, setting, size
 from haptonic.units import format_quantity
 from haptonic.vibrometry.chirp import Kind
 from haptonic.vibrometry.instrument import Instrument
@@ -16,39 +16,25 @@ from haptonic.vibrometry.instrument import Instrument
 class ScanSettings:
     """How a laser vibrometer scans the plate."""
 
-    lowest: Frequency = Field(
-        default=1e3, title="Lowest frequency", description="That the drive sweeps through."
+    lowest: Frequency = setting(1e3, "That the drive sweeps through.", title="Lowest frequency")
+    highest: Frequency = setting(100e3, "That the drive sweeps through.", title="Highest frequency")
+    rate: Annotated[float, Quantity("Hz", at_least=10.0, at_most=1e9, typical=(1e4, 1e7))] = setting(
+        250e3, "Of drive and vibrometer.", title="Sample rate"
     )
-    highest: Frequency = Field(
-        default=100e3, title="Highest frequency", description="That the drive sweeps through."
+    record: Annotated[float, Quantity("s", above=0.0, at_most=100.0, typical=(1e-3, 2.0))] = setting(
+        0.02, "Length of one period of the drive; lines lie its inverse apart."
     )
-    rate: Annotated[float, Quantity("Hz", at_least=10.0, at_most=1e9, typical=(1e4, 1e7))] = Field(
-        default=250e3, title="Sample rate", description="Of drive and vibrometer."
+    averages: Annotated[int, Field(ge=1, le=10_000, strict=True)] = setting(
+        4, "Periods that are recorded at each point."
     )
-    record: Annotated[float, Quantity("s", above=0.0, at_most=100.0, typical=(1e-3, 2.0))] = Field(
-        default=0.02,
-        title="Record",
-        description="Length of one period of the drive; lines lie its inverse apart.",
+    signal: Kind = setting("chirp", "A periodic sweep, or lines of equal size with low peaks.")
+    grid: Annotated[float, size(50e-6, 20e-3)] = setting(
+        2e-3, "Distance of neighbouring points on the flat face."
     )
-    averages: Annotated[int, Field(ge=1, le=10_000, strict=True)] = Field(
-        default=4, title="Averages", description="Periods that are recorded at each point."
+    skip: Annotated[str, Field(max_length=400, strict=True)] = setting(
+        "clamps", "Regions or lattices without points, with commas between; clamps: held corners."
     )
-    signal: Kind = Field(
-        default="chirp",
-        title="Signal",
-        description="A periodic sweep, or lines of equal size with low peaks.",
-    )
-    grid: Annotated[float, size(50e-6, 20e-3)] = Field(
-        default=2e-3, title="Grid", description="Distance of neighbouring points on the flat face."
-    )
-    skip: Annotated[str, Field(max_length=400, strict=True)] = Field(
-        default="clamps",
-        title="Skip",
-        description="Regions or lattices without points, with commas between; clamps: held corners.",
-    )
-    instrument: Annotated[Instrument, INLINE] = Field(
-        default=Instrument(), title="Instrument", description="The vibrometer and its converter."
-    )
+    instrument: Annotated[Instrument, INLINE] = setting(Instrument(), "The vibrometer and its converter.")
 
     def __post_init__(self) -> None:
         ascending(self.lowest, self.highest, "sweep")

@@ -3,10 +3,9 @@
 from __future__ import annotations
 
 import numpy as np
-import xarray as xr
-from numpy.typing import NDArray
 from threadpoolctl import threadpool_limits
 
+from haptonic.arrays import Array
 from haptonic.bloch import Gap
 from haptonic.bloch.evanescent import attenuation
 from haptonic.bloch.guide import Guide
@@ -16,10 +15,9 @@ from haptonic.bloch.plate_waves import PlainPlate
 from haptonic.bloch.settings import BandSettings
 from haptonic.errors import StudyError
 from haptonic.gate import WORD
+from haptonic.later import xarray as xr
 from haptonic.plate.layout import Layout
 from haptonic.vibrometry.guides import Guiding, Mirror
-
-Array = NDArray[np.float64]
 
 PLAIN = 41  # frequencies of the plain plate's wave
 FADING = 33  # of evanescent waves

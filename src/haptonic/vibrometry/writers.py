@@ -13,13 +13,12 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from haptonic.arrays import Array
 from haptonic.channels.labels import UNITS
 from haptonic.channels.uff import SAYS_SIMULATED
 from haptonic.errors import ScanError
 from haptonic.response import FrequencyResponse
 from haptonic.vibrometry.records import TimeScan, portions
-
-Array = NDArray[np.float64]
 
 # How pyuff writes a data set to an open file. pyuff.UFF would read the whole file again after each.
 SETS: dict[object, Any] = {

@@ -10,9 +10,10 @@ import ezdxf
 from ezdxf.document import Drawing
 from ezdxf.layouts import BaseLayout
 
+from haptonic.arrays import Array
 from haptonic.cell import UnitCell
 from haptonic.store import refuse_overwrite, write_atomically
-from haptonic.workshop.shape import Array, Form, PillarShape, corner_grid, in_mm, plate_outline, standing
+from haptonic.workshop.shape import Form, PillarShape, corner_grid, in_mm, plate_outline, standing
 
 MILLIMETRES = 4  # code of the header variable $INSUNITS
 MARK = 0.1  # half the length of a centre mark, in diameters of the pillar

@@ -15,13 +15,12 @@ from itertools import pairwise
 from typing import Literal
 
 import numpy as np
-from numpy.typing import NDArray
 
+from haptonic.arrays import Array
 from haptonic.cell import Pillar, UnitCell
 from haptonic.cell.pillar import Fillet, Section
 from haptonic.errors import GeometryError
 
-Array = NDArray[np.float64]
 Place = tuple[float, float]
 
 TRIANGLES = "a surface of triangles"

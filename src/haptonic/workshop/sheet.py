@@ -36,9 +36,9 @@ from ezdxf.tools.text import MTextEditor
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
+from haptonic.arrays import Array
 from haptonic.names import visible
 from haptonic.plots.style import CENTIMETRE, drawn, spread
-from haptonic.workshop.shape import Array
 
 A4 = (297.0, 210.0)  # mm, landscape
 POINT = 25.4 / 72  # mm

@@ -7,15 +7,14 @@ import math
 import numpy as np
 from numpy.typing import NDArray
 
-from haptonic.workshop.shape import Array
-from haptonic.workshop.stl import Triangles
+from haptonic.arrays import Array, Ints
 
 SHARP = math.cos(math.radians(35))  # facets of a round body meet at less, those of a small fillet too
 PIECES = 24  # stretches of an edge that are seen, or hidden, as a whole
 IN_FRONT = 1e-3  # of the body's size: what hides a point is nearer by at least this
 
 
-def seen_edges(points: Array, triangles: Triangles, towards: tuple[float, float, float]) -> list[Array]:
+def seen_edges(points: Array, triangles: Ints, towards: tuple[float, float, float]) -> list[Array]:
     """Sharp edges and outlines of a closed surface, without what lies behind it.
 
     Parameters
@@ -48,7 +47,7 @@ def seen_edges(points: Array, triangles: Triangles, towards: tuple[float, float,
     return found
 
 
-def _edges(triangles: Triangles) -> Triangles:
+def _edges(triangles: Ints) -> Ints:
     """(n, 4) edges of a closed surface: two points, and the triangles on both sides."""
     sides = np.concatenate([triangles[:, [k, (k + 1) % 3]] for k in range(3)])
     owner = np.tile(np.arange(len(triangles)), 3)

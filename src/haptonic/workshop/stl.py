@@ -14,14 +14,12 @@ from pathlib import Path
 import meshio
 import numpy as np
 from ezdxf.math.triangulation import mapbox_earcut_2d
-from numpy.typing import NDArray
 
+from haptonic.arrays import Array, Ints
 from haptonic.cell import UnitCell
 from haptonic.errors import GeometryError
 from haptonic.store import refuse_overwrite, write_atomically
-from haptonic.workshop.shape import MM, TRIANGLES, Array, PillarShape, centres, corner_grid, in_mm
-
-Triangles = NDArray[np.int64]
+from haptonic.workshop.shape import MM, TRIANGLES, PillarShape, centres, corner_grid, in_mm
 
 CHORD = 5e-6  # m, by default the largest distance between a curved surface and its triangles
 
@@ -90,7 +88,7 @@ def write_stl(
     return path
 
 
-def _pillar(body: PillarShape, cell: Array, chord: float) -> tuple[Array, Triangles, Triangles]:
+def _pillar(body: PillarShape, cell: Array, chord: float) -> tuple[Array, Ints, Ints]:
     """A pillar that stands at the origin, on a cell with these (4, 2) corners.
 
     Returns
@@ -115,12 +113,12 @@ def _pillar(body: PillarShape, cell: Array, chord: float) -> tuple[Array, Triang
     return points, np.concatenate([_strips(number), fan]), top
 
 
-def _strips(loops: Triangles) -> Triangles:
+def _strips(loops: Ints) -> Ints:
     """Triangles between one closed loop of numbers, a row, and the next above it."""
     after = np.roll(loops, -1, axis=1)
     sides = (loops[:-1], after[:-1], after[1:], loops[1:])
     return _halved(np.stack([side.ravel() for side in sides], axis=1))
 
 
-def _halved(quads: Triangles) -> Triangles:
+def _halved(quads: Ints) -> Ints:
     return np.concatenate([quads[:, [0, 1, 2]], quads[:, [0, 2, 3]]])

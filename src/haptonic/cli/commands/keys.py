@@ -77,7 +77,7 @@ def lines(key: Key) -> dict[str, str]:
     return {
         "meaning": f"{key.title}. {key.description}",
         "allowed": allowed_at(key),
-        "names": ", ".join(key.known_names) if key.named and key.kind != "text" else "",
+        "names": ", ".join(key.numbers or (key.known_names if key.named and key.kind != "text" else ())),
         "usual": key.typical,
         "default": "none: it has to be given" if key.required else key.default_text,
         "example": example(key),
@@ -107,7 +107,7 @@ def facts(key: Key) -> dict[str, Any]:
         "allowed": allowed_at(key),
         "bounds": key.bounds,
         "usual": key.typical,
-        "known_names": list(key.known_names),
+        "known_names": list(key.known_names or key.numbers),
         "description": key.description,
         "example": example(key),
     }

@@ -20,11 +20,10 @@ from importlib.resources import files
 from pathlib import Path
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
-from scipy.interpolate import RectBivariateSpline
-from scipy.special import ive
+import scipy
+from numpy.typing import ArrayLike
 
-Array = NDArray[np.float64]
+from haptonic.arrays import Array
 
 SQUEEZE_NUMBERS = np.geomspace(0.01, 1000.0, 36)  # of the table
 EXCURSIONS = np.array([0, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.75, 0.8, 0.85, 0.9, 0.925, 0.95])
@@ -89,7 +88,7 @@ def small_amplitude_efficiency(squeeze: float) -> float:
     q = np.sqrt(1j * squeeze)
     nodes, weights = np.polynomial.legendre.leggauss(QUADRATURE)
     radius = np.sqrt(0.5 * (nodes + 1))
-    f = ive(0, q * radius) / ive(0, q) * np.exp(-(1 - radius) * q.real)
+    f = scipy.special.ive(0, q * radius) / scipy.special.ive(0, q) * np.exp(-(1 - radius) * q.real)
     pressure = 1.25 - f.real - 0.25 * np.abs(f) ** 2
     return float(weights @ pressure / 2 / 1.25)
 
@@ -156,10 +155,10 @@ def write_table(path: Path) -> None:
 
 
 @cache
-def _table() -> RectBivariateSpline:
+def _table() -> scipy.interpolate.RectBivariateSpline:
     text = (files(__package__) / "film.csv").read_text("utf-8")
     values = np.loadtxt(text.splitlines(), delimiter=",")
-    return RectBivariateSpline(np.log(SQUEEZE_NUMBERS), EXCURSIONS**2, np.log(values))
+    return scipy.interpolate.RectBivariateSpline(np.log(SQUEEZE_NUMBERS), EXCURSIONS**2, np.log(values))
 
 
 def _even_chebyshev(radius: Array, terms: int) -> Array:

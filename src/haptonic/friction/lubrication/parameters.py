@@ -8,19 +8,17 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, fields, replace
-from typing import Annotated, Literal
+from dataclasses import dataclass, replace
+from typing import Annotated, Any, Literal, Self
 
 import numpy as np
 import scipy
-from numpy.typing import NDArray
-from pydantic import Field
 
-from haptonic.errors import FrictionError, shown
-from haptonic.fields import Quantity, described
+from haptonic.arrays import Array
+from haptonic.errors import FrictionError
+from haptonic.fields import Quantity, described, needed, problem, setting
 from haptonic.units import format_quantity
 
-Array = NDArray[np.float64]
 Values = Mapping[str, float | Array]
 """What a model computes with: `Fingertip.values`, or draws from `Fingertip.sampled`."""
 Mark = Literal["assumed", "stated", "computed", "given"]
@@ -49,105 +47,87 @@ class Parameter:
     mark: Mark
     source: str
 
-    def __post_init__(self) -> None:
-        low, high = self.plausible
-        numbers = (self.value, low, high)
-        if not all(isinstance(n, int | float) and not isinstance(n, bool) for n in numbers):
-            raise self._refused(shown(self.value), "it is not a number")
-        if not all(math.isfinite(n) and self.bounds[0] < n < self.bounds[1] for n in numbers):
-            raise self._refused(
-                f"{self.value:g} {self.unit}, plausible {low:g} to {high:g}".strip(),
-                "the unit of the value is not SI, or a digit slipped",
-            )
-        if not low <= self.value <= high:
-            raise self._refused(
-                f"{self.value:g} {self.unit}, plausible {low:g} to {high:g}".strip(),
-                "the value lies outside of its own uncertainty",
-            )
-
-    def _refused(self, given: str, cause: str) -> FrictionError:
-        limits = " and ".join(format_quantity(bound, self.unit) for bound in self.bounds)
-        return FrictionError.out_of_range(
-            argument=f"finger: {self.title}",
-            given=given,
-            allowed=f"a number between {limits}, inside of its plausible interval",
-            cause=cause,
-            next_step=f"give the value in {self.unit or 'no unit'}, and an interval around it",
-        )
-
-    def having(self, value: float, plausible: tuple[float, float] | None = None) -> Parameter:
-        """The parameter with a value of the user's; without an interval it counts as exactly known."""
-        return replace(self, value=value, plausible=plausible or (value, value), mark="given", source="user")
-
     def at(self, share: Array) -> Array:
         """Values that lie at shares (0 to 1) of the plausible interval, on a logarithmic scale."""
         low, high = self.plausible
         return np.asarray(low * (high / low) ** share)
 
 
-@dataclass(frozen=True)
-class Fingertip:
-    """A fingertip, and the air below it, as the two models see it. All values are positive.
-
-    Examples
-    --------
-    >>> Fingertip().having(contact_gap=5e-6).contact_gap.mark
-    'given'
-    """
-
-    patch_area: Parameter = Parameter(
+PARAMETERS = {
+    "patch_area": Parameter(
         1e-4, "m^2", "contact area at 0.5 N", (1e-6, 1e-2), (0.7e-4, 1.4e-4), "assumed", "usual fingertip"
-    )
-    area_exponent: Parameter = Parameter(
+    ),
+    "area_exponent": Parameter(
         0.4, "", "growth of the area with force", (0.0, 1.0), (0.3, 0.5), "assumed", "between Hertz and a rod"
-    )
-    asperity_pressure: Parameter = Parameter(
+    ),
+    "asperity_pressure": Parameter(
         5e3, "Pa", "asperity pressure at the contact gap", (1e2, 1e6), (5e3, 5e3), "assumed",
         "defines the contact gap: the pressure of 0.5 N on the area"
-    )  # fmt: skip
-    contact_gap: Parameter = Parameter(
+    ),
+    "contact_gap": Parameter(
         4e-6, "m", "gap at which asperities carry that pressure", (1e-8, 1e-3), (3e-6, 5e-6), "assumed",
         "chosen so that 2.5 um remove about 95 % of the friction; not measured"
-    )  # fmt: skip
-    decay_length: Parameter = Parameter(
+    ),
+    "decay_length": Parameter(
         3e-6, "m", "gap over which asperity pressure falls to 1/e", (1e-8, 1e-3), (2.5e-6, 3.5e-6), "assumed",
         "chosen together with the contact gap; not measured"
-    )  # fmt: skip
-    film_share: Parameter = Parameter(
+    ),
+    "film_share": Parameter(
         1.0, "", "length of the film over the radius of the contact", (1e-4, 10.0), (0.04, 1.0), "assumed",
         "1: the whole pad; 0.04: half the width of one ridge. The largest uncertainty of all"
-    )  # fmt: skip
-    viscosity: Parameter = Parameter(
+    ),
+    "viscosity": Parameter(
         1.81e-5, "Pa s", "viscosity of air", (1e-6, 1e-3), (1.79e-5, 1.86e-5), "assumed", "air at 15 to 30 C"
-    )
-    ambient_pressure: Parameter = Parameter(
+    ),
+    "ambient_pressure": Parameter(
         101325.0, "Pa", "ambient pressure", (1e3, 1e7), (0.95e5, 1.04e5), "assumed", "standard atmosphere"
-    )
-    static_friction: Parameter = Parameter(
+    ),
+    "static_friction": Parameter(
         0.42, "", "coefficient of friction without vibration", (0.0, 10.0), (0.3, 0.6), "computed",
         "from the drop of 0.23, which is 55 %, of [daunizeau-haptics]"
-    )  # fmt: skip
-    stiffness_ratio: Parameter = Parameter(
+    ),
+    "stiffness_ratio": Parameter(
         2 / 3, "", "tangential over normal stiffness of the contact", (0.0, 1.0), (0.6, 0.7), "computed",
         "2 (1 - nu) / (2 - nu) of an elastic contact, nu = 0.5"
-    )  # fmt: skip
+    ),
+}  # fmt: skip
+"""What is taken for what nobody gives."""
 
+
+class Ordered:
+    """Numbers that come in threes, in ascending order."""
+
+    def __post_init__(self) -> None:
+        for name, three in vars(self).items():
+            if isinstance(three, tuple) and list(three) != sorted(three):
+                raise problem(
+                    "conflict",
+                    ", ".join(f"{number:g}" for number in three),
+                    "the lowest plausible value, the value, the highest plausible value",
+                    "they are not in ascending order",
+                    f"sort the numbers of {name}",
+                    at=name,
+                )
+
+
+class _Fingertip(Ordered):
     def __iter__(self) -> Iterator[tuple[str, Parameter]]:
-        return ((entry.name, getattr(self, entry.name)) for entry in fields(self))
+        """Every number by its name, as it was given or is assumed."""
+        for name, usual in PARAMETERS.items():
+            given = getattr(self, name)
+            if given is not None:
+                low, value, high = given
+                usual = replace(usual, value=value, plausible=(low, high), mark="given", source="user")
+            yield name, usual
 
-    def having(self, **values: float) -> Fingertip:
+    def having(self, **values: float) -> Self:
         """A finger with values of the user's, taken as exactly known.
 
         Raises
         ------
         FrictionError : no such parameter, or a value out of bounds
         """
-        known = dict(self)
-        for name in values:
-            if name not in known:
-                cause = "the models have no such number"
-                raise FrictionError.unknown(f"finger.{name}", name, known, cause, next_step="leave it out")
-        return replace(self, **{name: known[name].having(value) for name, value in values.items()})
+        return type(self)(**{**vars(self), **{name: (value,) * 3 for name, value in values.items()}})
 
     @property
     def values(self) -> dict[str, float]:
@@ -161,23 +141,43 @@ class Fingertip:
         -------
         name -> (samples,)
         """
-        cube = scipy.stats.qmc.LatinHypercube(len(dict(self)), rng=np.random.default_rng(seed))
+        cube = scipy.stats.qmc.LatinHypercube(len(PARAMETERS), rng=np.random.default_rng(seed))
         shares = cube.random(samples)
         return {name: parameter.at(shares[:, i]) for i, (name, parameter) in enumerate(self)}
 
     def assumptions(self) -> dict[str, dict[str, object]]:
         """Every number with its mark, interval and source: to be kept with whatever was computed from it."""
-        return {
-            name: {
-                "value": parameter.value,
-                "unit": parameter.unit,
-                "title": parameter.title,
-                "plausible": list(parameter.plausible),
-                "mark": parameter.mark,
-                "source": parameter.source,
-            }
-            for name, parameter in self
-        }
+        kept = ("value", "unit", "title", "plausible", "mark", "source")
+        return {name: {one: getattr(number, one) for one in kept} for name, number in self}
+
+
+def _declared() -> dict[str, Any]:
+    """A field for three numbers of each parameter: lowest plausible, value, highest plausible."""
+    kinds, fields = dict[str, Any](), dict[str, Any]()
+    for name, usual in PARAMETERS.items():
+        low, high = usual.bounds
+        number = Annotated[float, Quantity(usual.unit, above=low, below=high)]
+        three = (usual.plausible[0], usual.value, usual.plausible[1])
+        words = ", ".join(format_quantity(one, usual.unit) for one in three)
+        kinds[name] = tuple[number, number, number] | None
+        fields[name] = setting(
+            None,
+            f"Lowest plausible, value, highest plausible; else {words}, {usual.mark}: {usual.source}.",
+            title=usual.title[0].upper() + usual.title[1:],
+        )
+    return {"__annotations__": kinds, **fields}
+
+
+FINGERTIP = """A fingertip, and the air below it, as the models see it; what is not given is assumed.
+
+    Examples
+    --------
+    >>> dict(Fingertip(contact_gap=(4e-6, 5e-6, 6e-6)))["contact_gap"].mark
+    'given'
+    """
+Fingertip: Any = described("touch.skin", FrictionError, kw_only=True)(
+    type("Fingertip", (_Fingertip,), {"__doc__": FINGERTIP, "__module__": __name__, **_declared()})
+)
 
 
 FORCES = (0.01, 20.0)  # N, and
@@ -190,11 +190,9 @@ Speed = Annotated[float, Quantity("m/s", at_least=SPEEDS[0], at_most=SPEEDS[1], 
 class Touch:
     """How the finger touches the vibrating plate."""
 
-    frequency: Annotated[float, Quantity("Hz", at_least=1e3, at_most=1e6)] = Field(
-        title="Frequency", description="Of the vibration."
-    )
-    force: Force = Field(default=0.5, title="Force of the finger", description="Normal to the plate.")
-    speed: Speed = Field(default=0.078, title="Speed of the finger", description="Along the plate.")
+    frequency: Annotated[float, Quantity("Hz", at_least=1e3, at_most=1e6)] = needed("Of the vibration.")
+    force: Force = setting(0.5, "Normal to the plate.", title="Force of the finger")
+    speed: Speed = setting(0.078, "Along the plate.", title="Speed of the finger")
 
     @property
     def omega(self) -> float:

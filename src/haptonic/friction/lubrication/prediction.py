@@ -7,9 +7,9 @@ from collections.abc import Callable
 from importlib.metadata import version
 
 import numpy as np
-import xarray as xr
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from haptonic.arrays import Array
 from haptonic.errors import FrictionError
 from haptonic.friction.lubrication.parameters import Fingertip, Touch, Values
 from haptonic.friction.lubrication.sharing import (
@@ -19,8 +19,8 @@ from haptonic.friction.lubrication.sharing import (
     shared_friction,
 )
 from haptonic.friction.lubrication.slider import VALIDITY, intermittent_friction
+from haptonic.later import xarray as xr
 
-Array = NDArray[np.float64]
 Model = Callable[[ArrayLike, Touch, Values], Array]
 
 MODELS: dict[str, Model] = {"load_sharing": shared_friction, "intermittent": intermittent_friction}

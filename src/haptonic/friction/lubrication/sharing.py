@@ -8,14 +8,13 @@ load. Both pressures fall as the gap grows, so there is one equilibrium.
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
-from scipy.optimize.elementwise import find_root
+from numpy.typing import ArrayLike
 
+from haptonic.arrays import Array
 from haptonic.errors import FrictionError
 from haptonic.friction.lubrication import film
 from haptonic.friction.lubrication.parameters import Fingertip, Touch, Values
-
-Array = NDArray[np.float64]
+from haptonic.later import elementwise
 
 FILM_ONLY = 1e-9  # of friction left, beyond which nobody cares how much
 FAR = 100.0  # times the amplitude: a gap at which no film is left that could carry a finger
@@ -72,7 +71,7 @@ def shared_friction(amplitude: ArrayLike, touch: Touch, values: Values) -> Array
 
     span = np.log(np.broadcast_to(lowest, shape)), np.log(np.broadcast_to(highest, shape))
     arguments = [np.broadcast_to(a, shape) for a in (np.maximum(moving, NO_MOTION), *values.values())]
-    found = find_root(excess, span, args=tuple(arguments))  # NaN where the ends have the same sign
+    found = elementwise.find_root(excess, span, args=tuple(arguments))  # NaN where no sign changes
     share = asperity_pressure(np.exp(found.x), values) / pressure
     return np.clip(share, 0, 1)
 
@@ -110,7 +109,7 @@ def amplitude_for(friction: ArrayLike, touch: Touch, values: Values) -> Array:
     shape = np.broadcast_shapes(gap.shape, left.shape, *(np.shape(value) for value in values.values()))
     arguments = [np.broadcast_to(a, shape) for a in (gap, left, *values.values())]
     ends = np.zeros(shape), np.full(shape, film.LARGEST_EXCURSION)
-    found = find_root(missing, ends, args=tuple(arguments))
+    found = elementwise.find_root(missing, ends, args=tuple(arguments))
     return np.asarray(found.x * gap)
 
 

@@ -14,13 +14,12 @@ good to 0.04.
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
-from scipy.optimize.elementwise import find_root
+from numpy.typing import ArrayLike
 
+from haptonic.arrays import Array
 from haptonic.friction.lubrication.parameters import Touch, Values
 from haptonic.friction.lubrication.sharing import NO_MOTION, checked_amplitude
-
-Array = NDArray[np.float64]
+from haptonic.later import elementwise
 
 VALIDITY = (
     "the plate leaves the skin for half of every period, and no air is left between them; "
@@ -56,6 +55,6 @@ def slider_friction(beta: ArrayLike) -> Array:
     number = np.minimum(np.asarray(beta, dtype=float), 1.0)
     assert (number > 0).all()
     # sin(theta) / theta falls from 1 to 0 over the half period
-    found = find_root(lambda theta, b: b - np.sinc(theta / np.pi), (0.0, np.pi), args=(number,))
+    found = elementwise.find_root(lambda theta, b: b - np.sinc(theta / np.pi), (0.0, np.pi), args=(number,))
     slip = np.where(number < 1, found.x, 0.0)
     return np.asarray(0.5 * (0.5 * number * slip**2 + 1 + np.cos(slip)))

@@ -8,16 +8,15 @@ from dataclasses import asdict, dataclass
 from functools import partial
 from itertools import islice
 from pathlib import Path
-from typing import Annotated, NamedTuple
+from typing import Annotated, NamedTuple, NoReturn
 
 import numpy as np
-import xarray as xr
 from numpy.typing import NDArray
 from pydantic import Field
 
 from haptonic.channels import Group, SignalFile, opened
-from haptonic.errors import ChannelError, FrictionError, HaptonicError
-from haptonic.fields import Name, described, problem
+from haptonic.errors import ChannelError, FrictionError, HaptonicError, ResourceError
+from haptonic.fields import Name, described, needed, problem, setting
 from haptonic.friction.recordings.channel_map import ChannelMap, pressing
 from haptonic.friction.recordings.sensor import Sensor
 from haptonic.friction.recordings.trial_table import RecordSpan, TrialTable
@@ -26,14 +25,14 @@ from haptonic.friction.signals.record import Record
 from haptonic.friction.signals.rules import DECLARED, UNREADABLE, Measured, Rules
 from haptonic.friction.signals.tables import LABEL, read_columns, read_records, read_trials
 from haptonic.friction.signals.trials import joined, measured, tabulated
-from haptonic.parallel import streamed
+from haptonic.later import xarray as xr
+from haptonic.parallel import finished
 from haptonic.progress import Progress, silent
 
 Portion = list[tuple[str, list[RecordSpan]]]
 
 TRIED = 20  # files that are looked into for channels of the expected names
 PRESSED = 30  # trials that the sign of the normal force is found from
-AHEAD = 4  # portions that wait for each worker
 POINTS = 80  # of a curve that is drawn small
 
 
@@ -41,15 +40,13 @@ POINTS = 80  # of a curve that is drawn small
 class Exclusion:
     """Trials that do not count, declared before the data are seen."""
 
-    participant: Name = Field(title="Participant", description="As the table of trials calls him or her.")
-    reason: Annotated[str, Field(min_length=1, max_length=200, strict=True)] = Field(
-        title="Reason", description="Stands beside the trial in every table."
+    participant: Name = needed("As the table of trials calls him or her.")
+    reason: Annotated[str, Field(min_length=1, max_length=200, strict=True)] = needed(
+        "Stands beside the trial in every table."
     )
-    block: Annotated[int, Field(ge=1, le=10**6, strict=True)] | None = Field(
-        default=None, title="Block", description="Else all blocks."
-    )
-    trial: Annotated[int, Field(ge=1, le=10**6, strict=True)] | None = Field(
-        default=None, title="Trial", description="Of the block; else all its trials."
+    block: Annotated[int, Field(ge=1, le=10**6, strict=True)] | None = setting(None, "Else all blocks.")
+    trial: Annotated[int, Field(ge=1, le=10**6, strict=True)] | None = setting(
+        None, "Of the block; else all its trials."
     )
 
     def __post_init__(self) -> None:
@@ -170,7 +167,7 @@ def _from_folder(
     order, found, simulated = [], [], table.simulated
     work = partial(_measured, table.folder, channel_map, rules)
     # in processes, for most of the work is Python that reads text
-    for rows, columns, says_so in streamed(work, table.portions(), workers, AHEAD * workers, processes=True):
+    for _, (rows, columns, says_so) in finished(work, enumerate(table.portions()), workers, _lost):
         order.append(rows)
         found.append(columns)
         simulated |= says_so
@@ -181,6 +178,16 @@ def _from_folder(
     origin = "simulated" if simulated else "measured"
     trials = tabulated({**table.labels, **table.carried}, columns, rules, origin=origin)
     return trials, channel_map.remarks
+
+
+def _lost(portion: Portion) -> NoReturn:
+    raise ResourceError.worker(
+        argument="worker process",
+        given=f"died twice on {portion[0][0]} or a file after it",
+        allowed="files that a worker can measure",
+        cause="more memory needed than there is, or a crash inside a numerical library",
+        next_step="run it again with fewer workers, or take this file out of the table",
+    )
 
 
 def _measured(

@@ -7,8 +7,8 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from haptonic.arrays import Array
 from haptonic.channels import Group
-from haptonic.channels.signals import Array
 from haptonic.errors import FrictionError
 from haptonic.friction.signals.filters import design_frequency
 from haptonic.friction.signals.measuring import saturated

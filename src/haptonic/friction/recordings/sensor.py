@@ -7,15 +7,15 @@ from pathlib import Path
 from typing import Annotated
 
 import numpy as np
-import pandas as pd
 from pydantic import AfterValidator, Field
 
+from haptonic.arrays import Array
 from haptonic.channels import Group
 from haptonic.channels.labels import factor_of
-from haptonic.channels.signals import Array
 from haptonic.errors import FrictionError, HaptonicError, shown
-from haptonic.fields import Quantity, described, handed_on, problem
+from haptonic.fields import Quantity, described, handed_on, problem, setting
 from haptonic.friction.recordings.channel_map import ChannelMap, ScaledChannel, no_rate
+from haptonic.later import pandas as pd
 from haptonic.paths import source
 from haptonic.units import to_si
 
@@ -58,40 +58,33 @@ Text = Annotated[str, Field(max_length=200, strict=True)]
 class Sensor:
     """What the channels of the files are. What is left out is guessed from usual names, and reported."""
 
-    normal: Text = Field(
-        default="", title="Normal force", description="Name of its channel; a minus before it turns the sign."
+    normal: Text = setting("", "Name of its channel; a minus before it turns the sign.", title="Normal force")
+    tangential: Text = setting("", "Name of its channel.", title="Tangential force")
+    position: Text = setting("", "Name of the channel along the stroke.")
+    time: Text = setting("", "Name of its channel.")
+    force_unit: Annotated[Text, _unit_like("N")] = setting(
+        "", "Else the one that the file says, or N.", title="Unit of the forces"
     )
-    tangential: Text = Field(default="", title="Tangential force", description="Name of its channel.")
-    position: Text = Field(default="", title="Position", description="Name of the channel along the stroke.")
-    time: Text = Field(default="", title="Time", description="Name of its channel.")
-    force_unit: Annotated[Text, _unit_like("N")] = Field(
-        default="", title="Unit of the forces", description="Else the one that the file says, or N."
+    position_unit: Annotated[Text, _unit_like("m")] = setting(
+        "", "Else the one that the file says, or m.", title="Unit of the position"
     )
-    position_unit: Annotated[Text, _unit_like("m")] = Field(
-        default="", title="Unit of the position", description="Else the one that the file says, or m."
+    time_unit: Annotated[Text, _unit_like("s")] = setting(
+        "", "Else the one that the file says, or s.", title="Unit of the time"
     )
-    time_unit: Annotated[Text, _unit_like("s")] = Field(
-        default="", title="Unit of the time", description="Else the one that the file says, or s."
+    rate: Annotated[float, Quantity("Hz", above=0.0, at_most=1e7, typical=(250.0, 1e5))] | None = setting(
+        None, "Where the files have no times.", title="Sampling rate"
     )
-    rate: Annotated[float, Quantity("Hz", above=0.0, at_most=1e7, typical=(250.0, 1e5))] | None = Field(
-        default=None, title="Sampling rate", description="Where the files have no times."
-    )
-    gauges: Text = Field(
-        default="",
-        title="Gauges",
-        description="Names of six raw channels, with commas, in the calibration's order.",
-    )
-    calibration: Text = Field(
-        default="",
-        title="Calibration",
-        description="CSV file of 6 x 6 numbers beside the trials: Fx Fy Fz Tx Ty Tz for 1 V of each gauge; "
+    gauges: Text = setting("", "Names of six raw channels, with commas, in the calibration's order.")
+    calibration: Text = setting(
+        "",
+        "CSV file of 6 x 6 numbers beside the trials: Fx Fy Fz Tx Ty Tz for 1 V of each gauge; "
         f"else {CALIBRATION} if it is there and the files have no forces.",
     )
-    largest_force: Annotated[float, Quantity("N", above=0.0, at_most=1e4)] | None = Field(
-        default=None, title="End of the range", description="Force at which a channel is saturated."
+    largest_force: Annotated[float, Quantity("N", above=0.0, at_most=1e4)] | None = setting(
+        None, "Force at which a channel is saturated.", title="End of the range"
     )
-    largest_gauge: Annotated[float, Quantity("V", above=0.0, at_most=1e3)] | None = Field(
-        default=None, title="End of the gauges", description="Voltage at which a raw channel is saturated."
+    largest_gauge: Annotated[float, Quantity("V", above=0.0, at_most=1e3)] | None = setting(
+        None, "Voltage at which a raw channel is saturated.", title="End of the gauges"
     )
 
     def __post_init__(self) -> None:

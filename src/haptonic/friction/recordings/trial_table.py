@@ -9,11 +9,11 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 import numpy as np
-import pandas as pd
 from numpy.typing import NDArray
 
 from haptonic.errors import FrictionError, ResourceError, shown
 from haptonic.friction.signals.tables import LABEL, label_of, numbers_of, read_columns
+from haptonic.later import pandas as pd
 
 TABLE = "trials.csv"
 CARRIED = ("order", "direction")  # columns that go on into the table of results

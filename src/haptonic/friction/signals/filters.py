@@ -8,11 +8,9 @@ from types import MappingProxyType
 
 import numpy as np
 import scipy
-from numpy.typing import NDArray
 
+from haptonic.arrays import Array
 from haptonic.errors import FrictionError
-
-Array = NDArray[np.float64]
 
 ORDER = 2  # of one of the two passes
 CORNER = 50.0  # Hz

@@ -12,12 +12,11 @@ from itertools import groupby
 import numpy as np
 from numpy.typing import NDArray
 
+from haptonic.arrays import Array, Bools
 from haptonic.friction.signals.filters import design_frequency, smoothed
 from haptonic.friction.signals.record import Record
 from haptonic.friction.signals.rules import DEFAULT_RULES, Measured, Rules
 
-Array = NDArray[np.float64]
-Mask = NDArray[np.bool_]
 Columns = dict[str, NDArray[np.generic]]
 
 SATURATED = 5  # equal samples in a row at the largest force: a channel at its end
@@ -39,13 +38,13 @@ class Processed:
     normal: Array
     tangential: Array
     velocity: Array
-    contact: Mask
-    forwards: Mask
-    plateau: Mask
-    touched: Mask
+    contact: Bools
+    forwards: Bools
+    plateau: Bools
+    touched: Bools
 
     @property
-    def steady(self) -> Mask:
+    def steady(self) -> Bools:
         """The samples that count."""
         return np.asarray(self.contact & self.forwards & self.plateau)
 
@@ -184,8 +183,8 @@ def _numbers(stroke: Processed, rate: float, rules: Rules) -> tuple[dict[str, Ar
 
 
 def _motion(
-    position: Array, rate: float, tangential: Array, contact: Mask, rules: Rules
-) -> tuple[Array, Mask, Mask]:
+    position: Array, rate: float, tangential: Array, contact: Bools, rules: Rules
+) -> tuple[Array, Bools, Bools]:
     """Velocity, whether it has the direction of the stroke, and whether the speed is steady."""
     if not len(position):
         forwards = np.sign(tangential) == np.sign(_median(tangential, contact))[:, None]
@@ -200,7 +199,7 @@ def _motion(
     return velocity, forwards, np.abs(velocity - typical) <= rules.plateau * np.abs(typical)
 
 
-def _median(values: Array, mask: Mask) -> Array:
+def _median(values: Array, mask: Bools) -> Array:
     """(stroke,) median over the masked samples; 0 where there is none."""
     ordered = np.sort(np.where(mask, values, np.inf), axis=1)
     count = mask.sum(axis=1)
@@ -209,7 +208,7 @@ def _median(values: Array, mask: Mask) -> Array:
     return np.asarray(np.where(count > 0, np.where(count[:, None] > 0, middle, 0.0).mean(axis=1), 0.0))
 
 
-def saturated(channels: Array) -> Mask:
+def saturated(channels: Array) -> Bools:
     """(stroke,) whether one of (channel, stroke, sample) stays at its largest size for some samples."""
     size = np.abs(channels)
     largest = size.max(axis=2, keepdims=True)

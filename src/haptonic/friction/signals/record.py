@@ -5,11 +5,9 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from haptonic.arrays import Array
 from haptonic.errors import FrictionError, nearest, shown
-
-Array = NDArray[np.float64]
 
 HEAVIEST = 100.0  # N: no finger presses harder
 FURTHEST = 10.0  # m: no stroke is longer

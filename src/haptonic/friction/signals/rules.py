@@ -6,10 +6,9 @@ from dataclasses import dataclass
 from typing import Annotated, Literal
 
 import numpy as np
-from pydantic import Field
 
 from haptonic.errors import FrictionError
-from haptonic.fields import Quantity, described, problem
+from haptonic.fields import Quantity, described, problem, setting
 from haptonic.units import format_quantity
 
 Share = Annotated[float, Quantity("", at_least=0.01, at_most=1.0)]
@@ -36,42 +35,24 @@ OMISSIONS = (UNREADABLE, DECLARED)
 class Rules:
     """How a trial is processed, and which trials do not count. Declared before the data are seen."""
 
-    filter: Literal["literal", "compensated", "none"] = Field(
-        default="literal",
-        title="Filter",
-        description="Two poles at 50 Hz, run both ways: as published (-6 dB there), or -3 dB there, or none.",
+    filter: Literal["literal", "compensated", "none"] = setting(
+        "literal", "Two poles at 50 Hz, run both ways: as published (-6 dB there), or -3 dB there, or none."
     )
-    bias_window: Annotated[float, Quantity("s", at_least=0.0, at_most=10.0)] = Field(
-        default=0.1,
-        title="Window of the bias",
-        description="At the start, without contact; 0 subtracts nothing.",
+    bias_window: Annotated[float, Quantity("s", at_least=0.0, at_most=10.0)] = setting(
+        0.1, "At the start, without contact; 0 subtracts nothing.", title="Window of the bias"
     )
-    threshold: Annotated[float, Quantity("N", at_least=1e-3, at_most=10.0)] = Field(
-        default=0.1, title="Threshold", description="Normal force from which there is contact."
+    threshold: Annotated[float, Quantity("N", at_least=1e-3, at_most=10.0)] = setting(
+        0.1, "Normal force from which there is contact."
     )
-    plateau: Share = Field(
-        default=0.5,
-        title="Plateau",
-        description="How far the speed may be from its median, as a share of it.",
+    plateau: Share = setting(0.5, "How far the speed may be from its median, as a share of it.")
+    middle: Share = setting(0.6, "Share of the contact that counts where no position was recorded.")
+    steady: Annotated[float, Quantity("s", at_least=0.01, at_most=60.0)] = setting(
+        0.1, "Shortest time that has to be left.", title="Steady part"
     )
-    middle: Share = Field(
-        default=0.6,
-        title="Middle",
-        description="Share of the contact that counts where no position was recorded.",
+    force: tuple[Force, Force] = setting(
+        (0.1, 5.0), "Lowest and highest mean normal force of a trial that counts."
     )
-    steady: Annotated[float, Quantity("s", at_least=0.01, at_most=60.0)] = Field(
-        default=0.1, title="Steady part", description="Shortest time that has to be left."
-    )
-    force: tuple[Force, Force] = Field(
-        default=(0.1, 5.0),
-        title="Force",
-        description="Lowest and highest mean normal force of a trial that counts.",
-    )
-    speed: tuple[Speed, Speed] = Field(
-        default=(0.01, 0.5),
-        title="Speed",
-        description="Lowest and highest mean speed of a trial that counts.",
-    )
+    speed: tuple[Speed, Speed] = setting((0.01, 0.5), "Lowest and highest mean speed of a trial that counts.")
 
     def __post_init__(self) -> None:
         for name, unit in (("force", "N"), ("speed", "m/s")):

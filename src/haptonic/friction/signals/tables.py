@@ -8,8 +8,6 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-import pandas as pd
-import xarray as xr
 from numpy.typing import NDArray
 
 from haptonic import hdf5
@@ -18,6 +16,8 @@ from haptonic.channels import hdf5 as stored
 from haptonic.errors import ChannelError, FrictionError, ResourceError, nearest
 from haptonic.friction.signals.record import Label, Record
 from haptonic.gate import declared, passed
+from haptonic.later import pandas as pd
+from haptonic.later import xarray as xr
 from haptonic.names import cell, visible
 
 Column = NDArray[Any]

@@ -10,13 +10,13 @@ from itertools import islice
 from typing import Any
 
 import numpy as np
-import xarray as xr
 from numpy.typing import NDArray
 
 from haptonic.errors import FrictionError
 from haptonic.friction.signals.measuring import Columns, measure_all
 from haptonic.friction.signals.record import Label, Record
 from haptonic.friction.signals.rules import DEFAULT_RULES, OMISSIONS, REASONS, Rules
+from haptonic.later import xarray as xr
 
 PORTION = 256  # records that are held at a time
 UNITS = {"force": "N", "speed": "m/s", "duration": "s", "friction": "1"}

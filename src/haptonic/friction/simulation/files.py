@@ -7,8 +7,9 @@ from pathlib import Path
 
 import numpy as np
 
+from haptonic.arrays import Array
 from haptonic.channels import Channel, Group, delimited, hdf5, matlab, tdms
-from haptonic.channels.signals import ORIGIN, SIMULATED, Array
+from haptonic.channels.signals import ORIGIN, SIMULATED
 
 __all__ = ["SIMULATED", "WRITERS"]
 

@@ -7,13 +7,11 @@ from dataclasses import dataclass
 
 import numpy as np
 import scipy
-from numpy.typing import NDArray
 
+from haptonic.arrays import Array
 from haptonic.errors import FrictionError
 from haptonic.friction.lubrication import Fingertip, Touch, shared_friction
 from haptonic.units import format_quantity
-
-Array = NDArray[np.float64]
 
 LIGHTEST = 0.2  # N: what a participant who follows instructions does not fall below
 WIDEST = 4.0  # standard deviations from the mean force, beyond which the curve is level

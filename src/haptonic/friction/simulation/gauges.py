@@ -7,9 +7,8 @@ across the beam, as in small sensors of this kind; gains are uneven and gauges s
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
-Array = NDArray[np.float64]
+from haptonic.arrays import Array
 
 GAUGES = ("G0", "G1", "G2", "G3", "G4", "G5")
 BEAM_RADIUS = 0.007  # m

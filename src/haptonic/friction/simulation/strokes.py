@@ -9,13 +9,11 @@ from dataclasses import dataclass
 import numpy as np
 import scipy
 from numpy.random import Generator
-from numpy.typing import NDArray
 
+from haptonic.arrays import Array
 from haptonic.friction.protocol import Protocol
 from haptonic.friction.signals import Label, Record
 from haptonic.friction.simulation.truth import Person, Trial, Truth, people, trials
-
-Array = NDArray[np.float64]
 
 RATE = 1000.0  # Hz
 BEFORE, AFTER = 0.2, 0.1  # s without contact

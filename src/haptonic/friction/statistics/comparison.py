@@ -14,12 +14,11 @@ from typing import Literal
 
 import numpy as np
 import scipy
-from numpy.typing import NDArray
 
+from haptonic.arrays import Array
 from haptonic.friction.statistics.pairs import Pairs
 from haptonic.friction.statistics.sizes import effect_sizes
 
-Array = NDArray[np.float64]
 Name = Literal["trials, as published", "participants", "mixed model"]
 
 CONFIDENCE = 0.95

@@ -14,13 +14,13 @@ from typing import Literal
 
 import numpy as np
 import scipy
-import xarray as xr
 from numpy.typing import NDArray
 
+from haptonic.arrays import Array
 from haptonic.errors import FrictionError
 from haptonic.friction.statistics.pairs import Pairs
+from haptonic.later import xarray as xr
 
-Array = NDArray[np.float64]
 About = Literal["people", "these participants"]
 
 DRAWS = 2000

@@ -6,12 +6,12 @@ from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
-import xarray as xr
 from numpy.typing import NDArray
 
+from haptonic.arrays import Array
 from haptonic.errors import FrictionError
+from haptonic.later import xarray as xr
 
-Array = NDArray[np.float64]
 Names = NDArray[np.str_]
 
 

@@ -7,14 +7,11 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 import scipy
-import xarray as xr
-from numpy.typing import NDArray
 
 from haptonic.errors import FrictionError, shown
 from haptonic.friction.statistics.comparison import by_mixed_model, by_participants, by_trials
 from haptonic.friction.statistics.pairs import Pairs
-
-Array = NDArray[np.float64]
+from haptonic.later import xarray as xr
 
 SHARP = 1e-3  # of a reduction that is looked for
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from typing import Any
 
-from scipy.special import nctdtrinc
+import scipy
 
 QUANTILES = (0.975, 0.025)  # of the statistic, at the lower and the upper end of a 95 % interval
 
@@ -38,5 +38,5 @@ def effect_sizes(difference: float, spread: float, mean_spread: float, n: int) -
 
 def _noncentrality(t: float, dof: int) -> tuple[float, float]:
     """Ends of the 95 % interval of the noncentrality of a t statistic."""
-    low, high = (float(nctdtrinc(dof, quantile, abs(t))) for quantile in QUANTILES)
+    low, high = (float(scipy.special.nctdtrinc(dof, quantile, abs(t))) for quantile in QUANTILES)
     return (low, high) if t >= 0 else (-high, -low)

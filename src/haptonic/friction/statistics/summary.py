@@ -7,7 +7,6 @@ from collections.abc import Iterator
 from dataclasses import dataclass, replace
 
 import numpy as np
-import xarray as xr
 from numpy.typing import NDArray
 
 from haptonic.errors import FrictionError
@@ -25,8 +24,7 @@ from haptonic.friction.statistics.effects import (
     stopped_here,
 )
 from haptonic.friction.statistics.pairs import Pairs, paired
-
-Array = NDArray[np.float64]
+from haptonic.later import xarray as xr
 
 SIDES = ("off", "on")
 MOST_NAMED = 5  # participants with unequal conditions

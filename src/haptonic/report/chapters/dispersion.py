@@ -4,9 +4,8 @@ from __future__ import annotations
 
 import json
 
-import xarray as xr
-
 from haptonic.bloch import Gap, gaps_of
+from haptonic.later import xarray as xr
 from haptonic.plots.text import khz
 from haptonic.report.chapter import Absent, Chapter, Results
 

@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-import xarray as xr
-
+from haptonic.later import xarray as xr
 from haptonic.report.chapter import Absent, Chapter, Results
 from haptonic.results.plain import split
 from haptonic.results.plate.tables import lines_table, modes_table

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 import numpy as np
-import xarray as xr
 
 from haptonic import plots
+from haptonic.later import xarray as xr
 from haptonic.plots.sweeps import SUBSCRIPTED
 from haptonic.plots.text import minus, readable, scaled_unit
 from haptonic.report.chapter import Absent, Chapter, Picture, Results, Table

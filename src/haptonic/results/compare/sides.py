@@ -9,17 +9,15 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-import xarray as xr
-from numpy.typing import NDArray
 
+from haptonic.arrays import Array
 from haptonic.bloch import Gap, gaps_of
 from haptonic.channels.hdf5 import arrays_of
 from haptonic.channels.numbers import Numbers, read_numbers
 from haptonic.errors import ChannelError, StudyError, shown
 from haptonic.foreign.process import ask
+from haptonic.later import xarray as xr
 from haptonic.units import to_si
-
-Array = NDArray[np.float64]
 
 WAVEVECTORS = ("rad/m", "rad/mm", "1/m", "share", "segments")
 SAME_PATH = 0.02  # share by which two lengths of one path may differ
@@ -108,12 +106,20 @@ def of_file(path: Path) -> xr.Dataset:
     return data
 
 
-def of_table(path: Path, along: xr.Dataset, wavevector: str | None, frequency_unit: str | None) -> BandSet:
+def path_in(data: xr.Dataset) -> tuple[tuple[str, ...], Array]:
+    """Names of the corners of a result's path, and how far along it they lie, rad/m."""
+    corners = data["distance"].values[json.loads(data.attrs["path_corners"])]
+    return tuple(json.loads(data.attrs["path_labels"])), corners
+
+
+def of_table(
+    path: Path, labels: tuple[str, ...], corners: Array, wavevector: str | None, frequency_unit: str | None
+) -> BandSet:
     """Bands of a text file, on the path of ours.
 
     Parameters
     ----------
-    along : bands of ours, whose path it is
+    labels, corners : of our path, as `path_in` gives them
     wavevector, frequency_unit : what the file does not say
 
     Raises
@@ -121,8 +127,6 @@ def of_table(path: Path, along: xr.Dataset, wavevector: str | None, frequency_un
     ChannelError : no table, units that nobody says, an axis that is none, or another path
     """
     numbers = read_numbers(path)
-    distance = along["distance"].values
-    corners = distance[json.loads(along.attrs["path_corners"])]
     said = numbers.units[0].replace(" ", "")
     unit = wavevector or (said if said in WAVEVECTORS else "")
     axis, columns = _axis(path, numbers)
@@ -146,7 +150,7 @@ def of_table(path: Path, along: xr.Dataset, wavevector: str | None, frequency_un
         path.stem,
         np.unique(position),
         frequency,
-        tuple(json.loads(along.attrs["path_labels"])),
+        labels,
         (),
         {},
         ours=False,

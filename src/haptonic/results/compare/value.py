@@ -7,10 +7,10 @@ from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-import xarray as xr
-from numpy.typing import NDArray
 
 from haptonic import plots
+from haptonic.arrays import Array
+from haptonic.later import xarray as xr
 from haptonic.results.common import stamped
 from haptonic.results.compare.sides import BandSet
 from haptonic.results.result import Result, figure
@@ -20,7 +20,6 @@ from haptonic.units import format_quantity
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-Array = NDArray[np.float64]
 
 LOW = 0.05  # of the highest frequency, below which a share of the frequency tells nothing
 FEW = 3  # differences that are told in a sentence

@@ -6,17 +6,13 @@ import itertools
 import math
 from collections.abc import Sequence
 
-import numpy as np
-from numpy.typing import NDArray
-
+from haptonic.arrays import Array
 from haptonic.bloch import Gap
 from haptonic.design.brief import Brief
 from haptonic.design.parameters import UNITS
 from haptonic.design.search import Visited
 from haptonic.errors import HaptonicError, ResourceError, StudyError
 from haptonic.units import format_quantity
-
-Array = NDArray[np.float64]
 
 AT_BOUND = 0.01  # share of a range, or of a limit, from which one counts as reached
 

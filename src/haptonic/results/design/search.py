@@ -9,9 +9,8 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
-import xarray as xr
-from numpy.typing import NDArray
 
+from haptonic.arrays import Array
 from haptonic.bloch import Gap, gaps_of
 from haptonic.bloch.settings import COARSEST, BandSettings
 from haptonic.design.brief import SLACK, Brief
@@ -19,14 +18,13 @@ from haptonic.design.parameters import UNITS
 from haptonic.design.search import HeightRow, Visited, distinct, spread, starts_of
 from haptonic.errors import HaptonicError
 from haptonic.jobs import Task
+from haptonic.later import xarray as xr
 from haptonic.results.common import stamped
 from haptonic.results.design import tasks
 from haptonic.results.design.refusals import held_back_by, out_of_reach, uncomputed
 from haptonic.results.design.tasks import visits_of
 from haptonic.results.design.value import Design, all_seen
 from haptonic.results.runner import Runner
-
-Array = NDArray[np.float64]
 
 POLISH_STEPS = 5  # designs computed at most once the coarse model has been corrected
 LAST_STEPS = 20  # of the best climb at most, before it is said what holds it back

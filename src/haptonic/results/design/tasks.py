@@ -5,17 +5,15 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 import numpy as np
-import xarray as xr
-from numpy.typing import NDArray
 
+from haptonic.arrays import Array
 from haptonic.bloch import gaps_dataset
 from haptonic.bloch.settings import BandSettings
 from haptonic.cell import UnitCell
 from haptonic.design.brief import Brief
 from haptonic.design.search import HeightRow, Visited, climb, spread, starts_of
 from haptonic.jobs import Task
-
-Array = NDArray[np.float64]
+from haptonic.later import xarray as xr
 
 FRONT_STARTS = 12  # designs looked at for each pitch of a front
 

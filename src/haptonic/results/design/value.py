@@ -9,7 +9,6 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-import xarray as xr
 
 from haptonic import plots
 from haptonic.bloch import Gap
@@ -17,6 +16,7 @@ from haptonic.design.brief import Brief
 from haptonic.design.parameters import UNITS
 from haptonic.design.quick import QUICK
 from haptonic.design.search import Visited
+from haptonic.later import xarray as xr
 from haptonic.plots.text import khz
 from haptonic.results.common import write_netcdf
 from haptonic.results.design.tasks import as_dataset

@@ -9,12 +9,11 @@ from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-import xarray as xr
+import scipy
 from numpy.typing import NDArray
-from scipy.optimize import brentq
-from scipy.spatial import cKDTree
 
 from haptonic import plots
+from haptonic.arrays import Array
 from haptonic.errors import StudyError
 from haptonic.friction.lubrication import (
     CUE_THRESHOLD,
@@ -28,6 +27,7 @@ from haptonic.friction.lubrication import (
 )
 from haptonic.friction.phrases import change
 from haptonic.gate import declared
+from haptonic.later import xarray as xr
 from haptonic.plate import Plate
 from haptonic.plate.sampling import driven_region
 from haptonic.response import Reference
@@ -41,7 +41,6 @@ from haptonic.units import format_quantity
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-Array = NDArray[np.float64]
 
 STRONGEST = 1e4  # V or N: no drive is looked for beyond
 SMALLEST, LARGEST = 1e-9, 5e-5  # m, amplitudes between which the law of friction is tabulated
@@ -128,7 +127,7 @@ class Feel(Result):
         points = np.stack([self.loaded["x"].values, self.loaded["y"].values], axis=1)
         if inside.all():
             return np.asarray(inside)
-        clear = cKDTree(points[~inside]).query(points)[0] > 0.5 * self.diameter
+        clear = scipy.spatial.cKDTree(points[~inside]).query(points)[0] > 0.5 * self.diameter
         layout = self.plate.layout
         edges = np.array([layout.x[0], layout.y[0]]), np.array([layout.x[-1], layout.y[-1]])
         room = np.minimum(points - edges[0], edges[1] - points).min(axis=1) >= 0.5 * self.diameter
@@ -203,7 +202,11 @@ class Feel(Result):
             high += math.log(2)
             if high > math.log(STRONGEST):
                 return None
-        return math.exp(brentq(missing, low, high, xtol=1e-4)) if missing(low) < 0 else math.exp(low)
+        return (
+            math.exp(scipy.optimize.brentq(missing, low, high, xtol=1e-4))
+            if missing(low) < 0
+            else math.exp(low)
+        )
 
     def amplitude(self, region: str, load: str = "value") -> float:
         """Mean amplitude below a finger on a region, m."""
@@ -339,7 +342,10 @@ class Feel(Result):
             [number for number, name in enumerate(self.regions) if name == self.driven],
         )
         demands = [(f"{MARKS[one.colour]} {one.colour}", one.what, one.reason) for one in self.requirements]
-        return [felt, Table("does the simulated plate do what it is for?", ("", "demand", "why"), demands)]
+        return [
+            felt,
+            Table("does the simulated plate do what it is for?", ("light", "demand", "why"), demands),
+        ]
 
     def facts(self) -> dict[str, Any]:
         return {

@@ -6,11 +6,11 @@ from collections.abc import Mapping
 from typing import Any
 
 import numpy as np
-import xarray as xr
 from numpy.typing import NDArray
 
 from haptonic.bloch import Gap
 from haptonic.errors import StudyError
+from haptonic.later import xarray as xr
 from haptonic.plate import Band, Fineness, Plate, PlateModel, modes_between
 from haptonic.plate.damping import real_times
 from haptonic.plate.datasets import body_dataset, lines_dataset, modes_dataset
@@ -28,9 +28,6 @@ from haptonic.response import FrequencyResponse, from_plain, plain
 from haptonic.results.common import stamped
 from haptonic.results.plate.value import PlateResult
 from haptonic.store import Store, content_key
-
-Array = NDArray[np.float64]
-AnyComplex = NDArray[np.complexfloating[Any, Any]]
 
 
 def compute_plate(

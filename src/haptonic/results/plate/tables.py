@@ -4,8 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-import xarray as xr
-
+from haptonic.later import xarray as xr
 from haptonic.results.table import Cell, Column, Table
 
 if TYPE_CHECKING:

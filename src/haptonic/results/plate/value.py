@@ -9,11 +9,11 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-import xarray as xr
-from numpy.typing import NDArray
 
 from haptonic import plots
+from haptonic.arrays import Complex
 from haptonic.bloch import Gap
+from haptonic.later import xarray as xr
 from haptonic.names import file_parts
 from haptonic.plate import Plate
 from haptonic.plate.levels import below_finger, compared, contrasts
@@ -29,7 +29,6 @@ from haptonic.vtu import write_body
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-Complex = NDArray[np.complex128]
 
 # Measured in tests/plate/test_full_plate.py; no cheap estimate for the plate at hand is known.
 ERRORS = (

@@ -9,14 +9,14 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-import xarray as xr
-from numpy.typing import NDArray
-from scipy.spatial import cKDTree
+import scipy
 
+from haptonic.arrays import Array
 from haptonic.bloch import Gap
 from haptonic.bloch.settings import BandSettings
 from haptonic.errors import HaptonicError, ResponseError, ScanError
 from haptonic.gate import WORD
+from haptonic.later import xarray as xr
 from haptonic.plate import Plate
 from haptonic.plate.levels import compared, marked_lines
 from haptonic.plate.sampling import driven_region, tile_names
@@ -48,8 +48,6 @@ from haptonic.vibrometry.of_settings import Tiles, plan_for
 from haptonic.vibrometry.on_plate import contrast_range, decay_in, lattice_gap
 from haptonic.vibrometry.settings import ScanSettings
 from haptonic.vibrometry.theory import computed_waves
-
-Array = NDArray[np.float64]
 
 FAR = 0.5  # of a step of the grid: a worse misfit of a registration is told
 SAME_SCALE = 0.05  # by which a registration may scale before it is told
@@ -298,5 +296,5 @@ def _by_guide(waves: Mapping[str, xr.DataArray]) -> xr.Dataset:
 
 def _step(response: FrequencyResponse) -> float:
     """Distance of a point to its nearest neighbour, as most points have it, m."""
-    distance, _ = cKDTree(response.points).query(response.points, k=2)
+    distance, _ = scipy.spatial.cKDTree(response.points).query(response.points, k=2)
     return float(np.median(distance[:, 1]))

@@ -10,12 +10,11 @@ from pathlib import Path, PurePosixPath
 from typing import Any, Literal
 
 import numpy as np
-import xarray as xr
-from numpy.typing import NDArray
-from scipy.spatial import cKDTree
+import scipy
 
 from haptonic.bloch import Gap
 from haptonic.errors import HaptonicError, ScanError
+from haptonic.later import xarray as xr
 from haptonic.plate import Plate
 from haptonic.plate.levels import contrasts
 from haptonic.plate.sampling import driven_region
@@ -31,7 +30,6 @@ from haptonic.vibrometry.on_plate import contrast_range
 from haptonic.vibrometry.readers.folder import GEOMETRY
 from haptonic.vibrometry.settings import ScanSettings
 
-Array = NDArray[np.float64]
 Kind = Literal["time", "frf"]
 
 STAGE = (12e-3, 7e-3)  # m, where the corner of the plate lies in the coordinates of the stage
@@ -87,7 +85,7 @@ class SimulatedScan(Result):
         ScanError : a response at other points or lines
         """
         plan = plan_for(settings, plate).points
-        distance, order = cKDTree(response.points).query(plan)
+        distance, order = scipy.spatial.cKDTree(response.points).query(plan)
         if distance.max() > NEAR * settings.grid:
             raise ScanError.mismatch(
                 argument="response",

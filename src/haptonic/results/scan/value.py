@@ -12,11 +12,11 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-import xarray as xr
 
 from haptonic import plots
 from haptonic.bloch import Gap
 from haptonic.gate import WORD
+from haptonic.later import xarray as xr
 from haptonic.names import cell, file_parts
 from haptonic.plate import Plate
 from haptonic.plate.layout import Layout

@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 
 from haptonic.channels import Notebook
 from haptonic.channels.labels import steps
+from haptonic.channels.signals import Samples
 from haptonic.errors import ScanError
 from haptonic.parallel import streamed
 from haptonic.progress import Progress, silent
@@ -38,7 +39,7 @@ from haptonic.vibrometry.estimation.spectra import (
     window_of,
 )
 from haptonic.vibrometry.findings import ReadReport
-from haptonic.vibrometry.records import Samples, TimeScan
+from haptonic.vibrometry.records import TimeScan
 
 __all__ = ["Estimate", "Quality", "estimate", "repaired", "window_of"]
 

@@ -5,17 +5,15 @@ from __future__ import annotations
 import json
 from collections.abc import Collection
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
+import scipy
 from numpy.typing import NDArray
-from scipy.spatial import cKDTree
 
+from haptonic.arrays import Array
+from haptonic.channels.signals import Samples
 from haptonic.errors import ScanError
 from haptonic.response import FrequencyResponse
-
-Array = NDArray[np.float64]
-Samples = NDArray[Any]
 
 NEAR_FULL = 0.999  # of the full scale: a sample beyond it is clipped
 FLAT_TOP = 3  # samples in a row at the largest value, which a free vibration does not have
@@ -134,7 +132,7 @@ def repaired(
             next_step="measure again; nothing can be repaired here",
         )
     places, values = response.points, response.values.copy()
-    distance, near = cKDTree(places[good]).query(places[bad], k=NEIGHBOURS)
+    distance, near = scipy.spatial.cKDTree(places[good]).query(places[bad], k=NEIGHBOURS)
     weight = 1 / np.maximum(distance, 1e-12) ** 2
     weight /= weight.sum(axis=1, keepdims=True)
     mixed = np.einsum("lpkd,pk->lpd", values[:, good[near]], weight)

@@ -6,13 +6,13 @@ from dataclasses import dataclass
 from typing import Any, Literal
 
 import numpy as np
-import scipy.fft
+import scipy
 from numpy.typing import NDArray
 
+from haptonic.arrays import AnyComplex
 from haptonic.errors import ScanError
 
 Real = NDArray[np.floating[Any]]
-Complex = NDArray[np.complexfloating[Any, Any]]
 Estimator = Literal["H1", "H2", "Hv"]
 WindowName = Literal["none", "hann", "exponential"]
 
@@ -31,10 +31,10 @@ class Spectra:
 
     xx: Real
     yy: Real
-    xy: Complex
+    xy: AnyComplex
     averages: int
 
-    def response(self, estimator: Estimator) -> Complex:
+    def response(self, estimator: Estimator) -> AnyComplex:
         """H1 = Sxy/Sxx, blind to noise on the response; H2 = Syy/Syx, blind to noise on the reference;
         Hv, their geometric mean. A line without any signal gives a number that is not finite."""
         with np.errstate(divide="ignore", invalid="ignore"):
@@ -90,13 +90,13 @@ def segmented(records: Real, length: int, step: int) -> Real:
     return np.asarray(views).reshape(len(records), -1, length)
 
 
-def transformed(segments: Real, window: Real | None, lines: slice) -> Complex:
+def transformed(segments: Real, window: Real | None, lines: slice) -> AnyComplex:
     """(point, segment, line) of segments (point, segment, sample), weighted by a window (sample,)."""
     weighted = segments if window is None else segments * window.astype(segments.dtype)
     return np.asarray(scipy.fft.rfft(weighted, axis=2)[..., lines])
 
 
-def spectra_of(x: Complex, y: Complex) -> Spectra:
+def spectra_of(x: AnyComplex, y: AnyComplex) -> Spectra:
     """Averaged spectra of transforms (point or 1, segment, line) and (point, segment, line)."""
     xx = _power(x)
     # sums of products: quicker than `einsum`, whose inner loop over segments jumps from line to line
@@ -104,7 +104,7 @@ def spectra_of(x: Complex, y: Complex) -> Spectra:
     return Spectra(np.broadcast_to(xx, xy.shape), _power(y), xy, y.shape[1])
 
 
-def _power(transforms: Complex) -> Real:
+def _power(transforms: AnyComplex) -> Real:
     """(point, line) mean of the squared amplitude over the segments."""
     return np.asarray((transforms.real**2 + transforms.imag**2).mean(axis=1))
 

@@ -7,20 +7,17 @@ from dataclasses import dataclass
 from typing import Any, Literal
 
 import numpy as np
-import xarray as xr
+import scipy
 from numpy.typing import NDArray
-from scipy.interpolate import make_interp_spline
 
+from haptonic.arrays import Array, Bools, Complex
 from haptonic.errors import ScanError
+from haptonic.later import xarray as xr
 from haptonic.response import FrequencyResponse
 from haptonic.units import Hertz
 from haptonic.vibrometry.maps.noise import HIDDEN, averages_of, noise_power
 from haptonic.vibrometry.maps.waves import Axis
 from haptonic.vibrometry.planning import Rectangle
-
-Array = NDArray[np.float64]
-Complex = NDArray[np.complex128]
-Bools = NDArray[np.bool_]
 
 LEAST_ROWS = 3  # a wave and its reflection need three rows to be told apart
 DEGREE = 5  # of the splines across the rows
@@ -219,7 +216,7 @@ def _compared(response: FrequencyResponse, strip: LatticeRows, phases: Array) ->
     row = (np.arange(PLACES) + 0.5) / PLACES + np.arange(strip.rows)[:, None]
     at = strip.start + strip.inwards * strip.pitch * row.ravel()
     order = np.argsort(across)
-    spline = make_interp_spline(across[order], np.eye(len(across))[order], k=DEGREE)(at)
+    spline = scipy.interpolate.make_interp_spline(across[order], np.eye(len(across))[order], k=DEGREE)(at)
     product = np.zeros((len(whole), len(phases)), complex)
     energy, noise = np.zeros((2, len(whole), len(phases)))
     heard = _noise(part, strip.depth, along, whole)

@@ -6,14 +6,13 @@ from dataclasses import dataclass
 from typing import Annotated
 
 import numpy as np
-import xarray as xr
 from numpy.typing import NDArray
 
+from haptonic.arrays import Array
 from haptonic.errors import ScanError
+from haptonic.later import xarray as xr
 from haptonic.response import FrequencyResponse
 from haptonic.units import Hertz, In
-
-Array = NDArray[np.float64]
 
 LEAST_STEP = 6.0  # dB by which the contrast has to rise, or there is no gap to speak of
 LINES = 256  # that are converted to double precision at a time

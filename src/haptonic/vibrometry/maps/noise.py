@@ -5,15 +5,12 @@ from __future__ import annotations
 import json
 
 import numpy as np
-import xarray as xr
-from numpy.typing import NDArray
 
+from haptonic.arrays import Array, Bools
 from haptonic.gate import WORD
+from haptonic.later import xarray as xr
 from haptonic.response import FrequencyResponse
 from haptonic.response.measures import spectrum, squares
-
-Array = NDArray[np.float64]
-Bools = NDArray[np.bool_]
 
 LINES = 256  # that are converted to double precision at a time
 TRUSTED = 0.125  # dB, standard error up to which a level is told: four of them are half a decibel

@@ -8,15 +8,13 @@ from dataclasses import dataclass
 from typing import Annotated
 
 import numpy as np
-from numpy.typing import NDArray
-from scipy.spatial import ConvexHull, QhullError, cKDTree
+import scipy
 
+from haptonic.arrays import Array
 from haptonic.errors import ScanError
 from haptonic.response import FrequencyResponse
 from haptonic.units import In
 from haptonic.vibrometry.planning import Region
-
-Array = NDArray[np.float64]
 
 ROUNDS = 50  # of the best fit; it has settled long before
 SETTLED = 1e-12  # of the plate's size
@@ -138,7 +136,7 @@ def register_by_fit(
     """
     seen = scan * np.array([-1.0, 1.0]) if mirrored else scan
     (size, tilt, middle), (target_size, target_tilt, target) = _rectangle(seen), _rectangle(plate)
-    tree, found = cKDTree(plate), []
+    tree, found = scipy.spatial.cKDTree(plate), []
     for quarter in range(4):
         angle = target_tilt - tilt + quarter * np.pi / 2
         sides = size[::-1] if quarter % 2 else size
@@ -163,8 +161,8 @@ def register_by_fit(
 def _rectangle(points: Array) -> tuple[Array, float, Array]:
     """Sides, turn and middle of the smallest rectangle around points; one of its sides lies on the hull's."""
     try:
-        hull = points[ConvexHull(points).vertices]
-    except (QhullError, ValueError) as error:
+        hull = points[scipy.spatial.ConvexHull(points).vertices]
+    except (scipy.spatial.QhullError, ValueError) as error:
         raise _wrong(
             "fit", f"{len(points)} points on one line", "three points or more, not on a line"
         ) from error

@@ -7,13 +7,11 @@ from typing import Literal
 
 import numpy as np
 import scipy
-import xarray as xr
-from numpy.typing import NDArray
 
 from haptonic.errors import HaptonicWarning, ScanError
+from haptonic.later import xarray as xr
 from haptonic.response import FrequencyResponse
 
-Array = NDArray[np.float64]
 Axis = Literal["x", "y"]
 
 PADDED = 4  # times the length of the guide: the map is drawn finer, not resolved better

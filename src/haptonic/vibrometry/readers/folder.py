@@ -13,8 +13,8 @@ import re
 from pathlib import Path
 
 import numpy as np
-from numpy.typing import NDArray
 
+from haptonic.arrays import Array
 from haptonic.channels import Channel, Notebook, delimited
 from haptonic.channels.labels import label_of, ratio_of
 from haptonic.channels.signals import ORIGIN, SIMULATED, Origin
@@ -22,8 +22,6 @@ from haptonic.errors import ChannelError, ScanError
 from haptonic.response import FrequencyResponse, Reference
 from haptonic.vibrometry.curves import Curve, Point, assemble
 from haptonic.vibrometry.readers.tables import Mapped
-
-Array = NDArray[np.float64]
 
 GEOMETRY = "geometry.csv"
 COLUMNS = {

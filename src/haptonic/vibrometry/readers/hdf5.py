@@ -20,7 +20,6 @@ from collections.abc import Mapping
 from dataclasses import replace
 from pathlib import Path
 
-import h5py
 import numpy as np
 
 from haptonic.channels import Channel, Group, Notebook
@@ -30,6 +29,7 @@ from haptonic.channels.notes import ELSEWHERE
 from haptonic.channels.signals import SIMULATED
 from haptonic.errors import ChannelError, ScanError
 from haptonic.hdf5 import written
+from haptonic.later import h5py
 from haptonic.response import Reference
 from haptonic.vibrometry.records import OfChannels, TimeScan
 

@@ -11,12 +11,12 @@ import numpy as np
 
 from haptonic.channels import Channel, Group, Notebook, tdms
 from haptonic.channels.labels import label_of, ratio_of
-from haptonic.channels.signals import SIMULATED, Origin, number_of
+from haptonic.channels.signals import SIMULATED, Origin, Samples, number_of
 from haptonic.foreign.process import damaged
 from haptonic.response import Reference
 from haptonic.vibrometry.curves import nothing_left
 from haptonic.vibrometry.readers.tables import Mapped
-from haptonic.vibrometry.records import Samples, TimeScan
+from haptonic.vibrometry.records import TimeScan
 
 POSITION = (("x", "y"), ("X", "Y"), ("x_m", "y_m"))
 

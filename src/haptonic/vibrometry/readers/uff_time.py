@@ -8,13 +8,13 @@ from dataclasses import dataclass
 import numpy as np
 
 from haptonic.channels.labels import Ratio
-from haptonic.channels.signals import Origin
+from haptonic.channels.signals import Origin, Samples
 from haptonic.channels.uff import TIME, Function, UffContents
 from haptonic.errors import ScanError
 from haptonic.response import Reference
 from haptonic.vibrometry.curves import AXES, nothing_left
 from haptonic.vibrometry.readers.uff import ratio_in
-from haptonic.vibrometry.records import Samples, TimeScan
+from haptonic.vibrometry.records import TimeScan
 
 
 @dataclass(frozen=True, eq=False)

@@ -1,0 +1,58 @@
+"""Waves along a ribbon: cells side by side in one direction, repeated along the other."""
+
+from __future__ import annotations
+
+from haptonic.analyses.analysis import Analysis, NoOptions
+from haptonic.errors import StudyError
+from haptonic.results.ribbon import RibbonWaves, compute_ribbon
+from haptonic.results.runner import Runner
+from haptonic.study.ribbon_tables import RibbonSettings
+from haptonic.study.schema import Description
+
+
+def _needed(study: Description) -> RibbonSettings:
+    if study.ribbon_settings is None:
+        raise StudyError.missing(
+            argument="ribbon",
+            allowed="a [ribbon] table with map and tiles",
+            cause="the study does not say what lies side by side",
+            next_step='add map = "ooooo1111ooooo" to [ribbon], and o = "lattice" and 1 = "guide" to '
+            "[ribbon.tiles]",
+        )
+    return study.ribbon_settings
+
+
+def check(study: Description, options: NoOptions) -> None:
+    """Raise StudyError if the study has no ribbon."""
+    _needed(study)
+
+
+def compute(study: Description, options: NoOptions, runner: Runner) -> RibbonWaves:
+    """Projected bands, and the modes that a guide or an edge holds.
+
+    Raises
+    ------
+    StudyError : no ribbon, or nothing says at which frequencies to look
+    """
+    asked = _needed(study)
+    found: RibbonWaves = compute_ribbon(
+        asked.ribbon(study.cell),
+        [asked.tiles[letter] for letter in asked.map],
+        study.bands_settings,
+        points=asked.points,
+        rows=asked.rows,
+        between=(asked.lowest, asked.highest),
+        carrier=study.carrier,
+        inputs=study.inputs(),
+        runner=runner,
+    )
+    return found
+
+
+ANALYSIS = Analysis(
+    name="ribbon",
+    result=RibbonWaves,
+    compute=compute,
+    check=check,
+    reported=lambda study: NoOptions() if study.ribbon_settings else None,
+)

@@ -1,0 +1,106 @@
+"""What a mode of a ribbon is: where its energy is, how it fades into the crystals, its nodal lines."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from haptonic.arrays import Array, Bools
+from haptonic.bloch.ribbon import RibbonModes, RibbonPencil
+from haptonic.cell import Ribbon
+
+FAINTEST = 1e-18  # share of the energy below which a column holds rounding, and no wave
+LEAST_ON_LINE = 3  # places along the ribbon from which its harmonics can be told
+HARMONICS = np.arange(-3, 4)
+STILL = 0.05  # of the largest amplitude across the guide, below which its sign means nothing
+NEAR_AND_FAR = 5  # rows from which the first one, which fading waves of all kinds reach, may be left out
+
+
+def within(share: Array, columns: tuple[int, ...]) -> Array:
+    """(k,) share of the energy (k, columns) in some columns."""
+    return np.asarray(share[:, list(columns)].sum(axis=1) / share.sum(axis=1))
+
+
+def outermost(ribbon: Ribbon) -> tuple[int, ...]:
+    """The first and the last column, if they are no guide: their free edges hold waves of their own."""
+    ends = (0, len(ribbon.columns) - 1)
+    return tuple(number for number in ends if number not in ribbon.guide)
+
+
+def in_gap(modes: RibbonModes, bulk: Array) -> Bools:
+    """(k,) whether modes lie outside the bulk bands (crystals, bands, 2; Hz) at their phase, errors counted.
+
+    Above the lowest frequency of the last band that was computed nobody knows what the next ones cover.
+    """
+    least, most = (modes.frequency - modes.error)[:, None], (modes.frequency + modes.error)[:, None]
+    free = np.ones(len(modes.frequency), dtype=bool)
+    for bands in bulk:
+        below, above = most < bands[:, 0], least > bands[:, 1]
+        above[:, -1] = False
+        free &= (below | above).all(axis=1)
+    return free
+
+
+def decay(ribbon: Ribbon, energy: Array) -> Array:
+    """(k,) dB per row by which modes of given energy (k, columns) fade away from the guide.
+
+    By least squares over the rows on each side, without the outermost, where the free edge throws waves
+    back; the slower side counts. NaN where there are not two rows to compare.
+    """
+    guide = ribbon.guide
+    if not guide:
+        return np.full(len(energy), np.nan)
+    found = np.full((2, len(energy)), np.nan)
+    sides = range(min(guide) - 1, -1, -1), range(max(guide) + 1, len(ribbon.columns))
+    if ribbon.has_plain_guide:
+        away = sides
+    else:  # an edge between two crystals: its own columns are the first rows
+        away = range(min(guide), -1, -1), range(max(guide), len(ribbon.columns))
+    for side, columns in enumerate(away):
+        rows = np.array(columns, dtype=int)[:-1]
+        rows = rows[1:] if len(rows) >= NEAR_AND_FAR else rows
+        if len(rows) < 2:
+            continue
+        share = energy[:, rows] / energy.sum(axis=1, keepdims=True)
+        for number, one in enumerate(share):
+            there = one > FAINTEST
+            if there.sum() > 1:
+                found[side, number] = -np.polyfit(np.flatnonzero(there), 10 * np.log10(one[there]), 1)[0]
+    return np.asarray(np.fmin(*found))
+
+
+def harmonics(ribbon: Ribbon, pencil: RibbonPencil, modes: RibbonModes) -> tuple[Array, Array]:
+    """Wavenumbers (k,) rad/m along the guide, and (k,) nodal lines across a plain one, of the normal motion.
+
+    Along lines of the flat face that lie along the ribbon, sides of tiles, a mode is split into
+    ``exp(i (kappa + 2 pi h) y / period)``; that with the largest amplitude counts. NaN where tiles have no
+    sides along the ribbon.
+    """
+    joint = pencil.tiling.joint
+    sizes = np.diff(joint.ends, prepend=0)
+    places = np.flatnonzero(np.repeat(np.isin(ribbon.column_of_tile, ribbon.guide), sizes))
+    at = joint.position[places] @ ribbon.turn.T
+    motion = modes.fields[joint.unknowns[0, places, 2]]
+    close = 1e-6 * ribbon.period
+    lines = np.round(at[:, 0] / close).astype(np.int64)
+    found: list[Array] = []
+    for line in np.unique(lines):
+        on = np.flatnonzero(np.abs(lines - line) <= 1)
+        y, first = np.unique(np.round(at[on, 1] / close).astype(np.int64), return_index=True)
+        if len(y) < LEAST_ON_LINE or np.ptp(y) * close < 0.99 * ribbon.period:
+            continue
+        y, weight = y * close, np.gradient(y * close)
+        waves = np.exp(-1j * np.outer(modes.kappa + 2 * np.pi * HARMONICS, y / ribbon.period)) * weight
+        found.append(waves @ motion[on[first]])
+    if not found:
+        return np.full(len(modes.frequency), np.nan), np.full(len(modes.frequency), np.nan)
+    amplitude = np.array(found)  # (lines, harmonics, k)
+    strongest = (np.abs(amplitude) ** 2).sum(axis=0).argmax(axis=0)
+    wavenumber = np.abs(modes.kappa + 2 * np.pi * HARMONICS[strongest]) / ribbon.period
+    across = np.take_along_axis(amplitude, strongest[None, None], axis=1)[:, 0]
+    phase = np.take_along_axis(across, np.abs(across).argmax(axis=0)[None], axis=0)
+    size = (across * np.exp(-1j * np.angle(phase))).real / np.maximum(np.abs(phase), 1e-300)
+    lines_across = np.full(size.shape[1], np.nan)
+    for number, one in enumerate(size.T if ribbon.has_plain_guide else []):
+        signs = np.sign(one[np.abs(one) > STILL])
+        lines_across[number] = (np.diff(signs) != 0).sum()
+    return wavenumber, lines_across

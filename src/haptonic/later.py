@@ -1,0 +1,54 @@
+"""Libraries that most modules name and many runs never use: imported when a name of theirs is asked for.
+
+``from haptonic.later import xarray as xr`` stands for ``import xarray as xr``. All that is below takes half
+a second to load, and what only lists, plans or refuses need not wait for them.
+"""
+
+from __future__ import annotations
+
+from importlib import import_module
+from types import ModuleType
+from typing import TYPE_CHECKING, Any
+
+__all__ = [
+    "csgraph",
+    "elementwise",
+    "h5py",
+    "jinja2",
+    "linalg",
+    "pandas",
+    "psutil",
+    "sparse",
+    "sparse_linalg",
+    "wavfile",
+    "xarray",
+]
+
+if TYPE_CHECKING:
+    import h5py as h5py
+    import jinja2 as jinja2
+    import pandas as pandas
+    import psutil as psutil
+    import scipy.io.wavfile as wavfile
+    import scipy.linalg as linalg
+    import scipy.optimize.elementwise as elementwise
+    import scipy.sparse as sparse
+    import scipy.sparse.csgraph as csgraph
+    import scipy.sparse.linalg as sparse_linalg
+    import xarray as xarray
+else:
+
+    class _Later(ModuleType):
+        """Stands for a module; `importlib.util.LazyLoader` would be loaded by the next ``import`` of it."""
+
+        def __getattr__(self, name: str) -> Any:
+            found = getattr(import_module(self.__name__), name)
+            setattr(self, name, found)  # asked once
+            return found
+
+    h5py, jinja2, pandas = _Later("h5py"), _Later("jinja2"), _Later("pandas")
+    psutil, xarray = _Later("psutil"), _Later("xarray")
+    linalg, wavfile = _Later("scipy.linalg"), _Later("scipy.io.wavfile")
+    elementwise = _Later("scipy.optimize.elementwise")
+    sparse, sparse_linalg = _Later("scipy.sparse"), _Later("scipy.sparse.linalg")
+    csgraph = _Later("scipy.sparse.csgraph")

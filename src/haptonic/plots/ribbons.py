@@ -1,0 +1,93 @@
+"""Projected bands of a ribbon, and the field of a mode that it holds."""
+
+from __future__ import annotations
+
+import numpy as np
+from matplotlib.collections import LineCollection
+from matplotlib.figure import Figure
+from matplotlib.tri import Triangulation
+
+from haptonic.later import xarray as xr
+from haptonic.plots import style
+
+LONG, MOST_PERIODS = 1.5, 30  # of a drawn field: its length over its width, and the most periods of it
+FADED = 0.12  # opacity of a bulk band's shade: where bands overlap it is darker
+DIRECTIONS = ("across the ribbon", "along the ribbon", "normal to the plate")
+
+
+@style.drawn
+def projected(dataset: xr.Dataset) -> Figure:
+    """Frequency against phase along the ribbon: bulk bands shaded, modes as dashes along their slope.
+
+    Above the last bulk band that was computed all is shaded.
+
+    Parameters
+    ----------
+    dataset : from `haptonic.results.ribbon`
+    """
+    figure = style.blank(11.5)
+    axes = figure.add_subplot()
+    low, high = np.array(dataset.attrs["range_hz"]) / 1e3
+    phase = dataset["wavevector_phase"].values / np.pi
+    lower, upper = (dataset[f"bulk_{end}"].values / 1e3 for end in ("lower", "upper"))
+    shades = (style.PALE_INK, style.ORANGE, style.GREEN)
+    for number, (below, above) in enumerate(zip(lower, upper, strict=True)):
+        for band in range(below.shape[1]):
+            if above[:, band].max() > low and below[:, band].min() < high:
+                axes.fill_between(
+                    phase, below[:, band], above[:, band], color=shades[number % 3], lw=0,
+                    alpha=2.5 * FADED if len(lower) == 1 else 1.5 * FADED, gid="bulk",
+                )  # fmt: skip
+        axes.fill_between(phase, below[:, -1], max(high, below[:, -1].max()), facecolor=style.BEYOND, lw=0)
+    at, frequency = dataset["phase"].values / np.pi, dataset["frequency"].values / 1e3
+    step = 0.45 * (float(np.diff(phase).min()) if len(phase) > 1 else 0.02)
+    rise = dataset["group_velocity"].values / (2 * dataset.attrs["period"]) / 1e3 * step
+    ends = np.stack(
+        [np.column_stack([at - step, frequency - rise]), np.column_stack([at + step, frequency + rise])], 1
+    )
+    order = np.argsort(dataset["guide_share"].values)
+    lines = LineCollection(list(ends[order]), cmap=style.perceptual().reversed(), lw=1.6, gid="modes")
+    lines.set_array(dataset["guide_share"].values[order])
+    lines.set_clim(0.0, 1.0)
+    axes.add_collection(lines)
+    figure.colorbar(lines, ax=axes, label="share of energy in the guide or at the edge (dimensionless)")
+    carrier = dataset.attrs.get("carrier_hz")
+    if carrier is not None and low < carrier / 1e3 < high:
+        axes.axhline(carrier / 1e3, color=style.CARRIER, ls=style.DASHED, lw=1.1, gid="carrier")
+    axes.set_xlim(0, 1)
+    axes.set_ylim(low, high)
+    axes.set_xlabel("phase along the ribbon / π (dimensionless)")
+    axes.set_ylabel("frequency (kHz)")
+    return figure
+
+
+@style.drawn
+def ribbon_field(dataset: xr.Dataset) -> Figure:
+    """The field of one mode over a few periods of the ribbon, which runs from left to right here.
+
+    Parameters
+    ----------
+    dataset : from `haptonic.results.ribbon`
+    """
+    points = 1e3 * dataset["field_position"].values
+    field = dataset["field_real"].values + 1j * dataset["field_imag"].values
+    turn, period = float(dataset["field_phase"]), 1e3 * float(dataset.attrs["period"])
+    wide = float(np.ptp(points[:, 0]))
+    periods = min(MOST_PERIODS, max(2, round(LONG * wide / period)))
+    long = float(np.ptp(points[:, 1])) + (periods - 1) * period
+    figure = style.blank(min(17.0, 3.2 + (style.WIDTH - 4.5) * wide / long))
+    axes = figure.add_subplot(aspect="equal")
+    drawn = None
+    for number in range(periods):
+        there = Triangulation(points[:, 1] + number * period, points[:, 0], dataset["field_triangle"].values)
+        drawn = axes.tripcolor(
+            there, (field * np.exp(1j * number * turn)).real, shading="gouraud", cmap=style.diverging(),
+            vmin=-1, vmax=1, rasterized=True,
+        )  # fmt: skip
+    assert drawn is not None
+    axes.set_xlabel("position along the ribbon (mm)")
+    axes.set_ylabel("position across (mm)")
+    what = DIRECTIONS[int(dataset["field_component"])]
+    axes.set_title(f"{float(dataset['field_frequency']) / 1e3:.2f} kHz, phase {turn / np.pi:.3f} π; {what}")
+    figure.colorbar(drawn, ax=axes, label="displacement (dimensionless)")
+    return figure

@@ -1,0 +1,65 @@
+"""The command about ribbons, from the outside."""
+
+import json
+
+import numpy as np
+import pytest
+import xarray as xr
+
+from quick import QUICK_CELL
+
+RIBBON = """
+[ribbon]
+map = "ooo111oo"
+rows = 4
+lowest = "55.5 kHz"
+highest = "57 kHz"
+
+[ribbon.tiles]
+o = "lattice"
+1 = "guide"
+
+[ribbon.widths]
+guide = "10.7 mm"
+"""
+FILES = {"ribbon.nc", "ribbon.svg", "ribbon.png", "field.svg", "field.png"}
+
+
+@pytest.fixture(scope="module")
+def ran(haptonic, tmp_path_factory):
+    """What the command says to machines, and the folder that it writes."""
+    folder = tmp_path_factory.mktemp("ribbon")
+    study = QUICK_CELL.replace("order = 2", "order = 3").replace("foot_rings = 0", "foot_rings = 1") + RIBBON
+    (folder / "guide.toml").write_text(study, "utf-8")
+    told = haptonic("ribbon", folder / "guide.toml", "--json", "--out", folder / "out")
+    assert told.code == 0, told.err
+    return json.loads(told.out), folder / "out"
+
+
+def test_ribbon_writes_its_files_and_says_what_is_held(ran):
+    told, folder = ran
+    assert {path.name for path in folder.iterdir()} == FILES
+    said = " ".join(told["summary"])
+    for words in ("The guide holds", "dB per row", "0x3", "group velocity"):
+        assert words in said, said
+    names = {"frequency_hz", "frequency_error_hz", "group_velocity_m_per_s", "decay_db_per_row"}
+    assert names <= set(told["guided"])
+
+
+def test_all_modes_are_in_the_file_with_what_they_are(ran):
+    _, folder = ran
+    data = xr.load_dataset(folder / "ribbon.nc", engine="h5netcdf")
+    assert data["wavevector_phase"].values == pytest.approx((np.arange(4) + 0.5) * np.pi / 4)
+    assert data["column_share"].sum("column").values == pytest.approx(np.ones(data.sizes["mode"]))
+    assert (data["frequency_error"] > 0).all()
+    held = data["guided"].values.astype(bool)
+    assert (data["in_gap"].values[held] == 1).all()
+    assert np.isnan(data["decay"].values[data["in_gap"].values == 0]).all()
+    intervals = data["intervals"].values[held]
+    assert intervals == pytest.approx(np.round(intervals), abs=1e-9), (
+        "a whole number of them fits a resonance"
+    )
+    straight = (data["nodal_lines"].values == 0) & (np.abs(data["intervals"].values - 3) < 0.1)
+    (one,) = np.flatnonzero(straight & held)
+    assert data["guide_share"].values[one] > 0.9
+    assert data["group_velocity"].values[one] == pytest.approx(1560, rel=0.1)

@@ -1,0 +1,295 @@
+"""Ribbons against exact waves of a bare strip, complex bands, other bases of one structure, and counts."""
+
+from dataclasses import replace
+from functools import cache
+from itertools import pairwise
+
+import numpy as np
+import pytest
+import scipy.linalg as la
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from numpy.polynomial import legendre
+from strategies import ALUMINIUM, reference_cell
+from test_sites import TALL, THIN, named
+
+from five_parts import refusing
+from haptonic.bloch.chain import BlockChain, counted, eigenpairs_within
+from haptonic.bloch.evanescent import attenuation
+from haptonic.bloch.guided import decay, harmonics, in_gap, outermost, within
+from haptonic.bloch.model import BlochModel
+from haptonic.bloch.resolution import Resolution
+from haptonic.bloch.ribbon import RibbonModel, RibbonModes, bulk_bands
+from haptonic.cell import Pillar, Ribbon, Site, UnitCell
+from haptonic.errors import GeometryError
+from haptonic.lattice import Lattice
+from haptonic.materials import elasticity_tensor
+
+MM = 1e-3
+COARSE = Resolution(2, 1)
+CRYSTAL = reference_cell()
+PLAIN = UnitCell(Lattice.rectangular(8 * MM, 7 * MM), 1.5 * MM, ALUMINIUM)
+ALONG = 17.5 * np.pi / 20
+
+
+@cache
+def prototype() -> RibbonModel:
+    return RibbonModel.of(Ribbon((CRYSTAL,) * 5 + (PLAIN,) * 4 + (CRYSTAL,) * 5), COARSE)
+
+
+# --- a bare strip -------------------------------------------------------------------------------------------
+
+
+def strip_waves(width: float, thickness: float, wavenumber: float, degrees=(13, 7)) -> np.ndarray:
+    """Hz, waves exp(i k y) of a bar of rectangular section with free faces, by Legendre polynomials over it.
+
+    Rayleigh and Ritz on a basis of the whole section: no mesh, no tiles, no condensation.
+    """
+
+    def forms(degree, length):
+        x, weight = legendre.leggauss(degree + 2)
+        value = legendre.legvander(x, degree)
+        slope = np.stack([legendre.legval(x, legendre.legder(row)) for row in np.eye(degree + 1)], 1)
+        slope = slope * 2 / length
+        weight = weight * length / 2
+        return [[(a.T * weight) @ b for b in (value, slope)] for a in (value, slope)]
+
+    across, through = forms(degrees[0], width), forms(degrees[1], thickness)
+    tensor = elasticity_tensor(ALUMINIUM.stiffness)
+    size = 3 * (degrees[0] + 1) * (degrees[1] + 1)
+    stiffness = np.zeros((size, size), dtype=complex)
+    for a in range(3):
+        for b in range(3):
+            factor = (-1j * wavenumber if a == 1 else 1.0) * (1j * wavenumber if b == 1 else 1.0)
+            over = np.kron(across[a == 0][b == 0], through[a == 2][b == 2])
+            stiffness += factor * np.kron(over, tensor[:, a, :, b])
+    mass = ALUMINIUM.density * np.kron(np.kron(across[0][0], through[0][0]), np.eye(3))
+    return np.sqrt(np.maximum(la.eigvalsh(stiffness, mass), 0.0)) / (2 * np.pi)
+
+
+@pytest.mark.parametrize("kappa", [0.4, 0.9, 3.0])
+def test_a_bare_strip_has_its_guided_waves_within_the_errors_told(kappa):
+    cell = UnitCell(Lattice.rectangular(4 * MM, 3 * MM), 1.5 * MM, ALUMINIUM)
+    ribbon = Ribbon((cell,) * 2)
+    found = RibbonModel.of(ribbon, Resolution(4, 0)).solve(kappa, 5e3, 650e3)
+    zone = 2 * np.pi / (3 * MM)
+    waves = [strip_waves(8 * MM, 1.5 * MM, kappa / (3 * MM) + shift * zone) for shift in (-1, 0, 1)]
+    exact = np.sort(np.concatenate(waves))
+    exact = exact[(exact > 5e3) & (exact < 650e3)]
+    assert len(found.frequency) == len(exact) >= 8
+    assert (np.abs(found.frequency - exact) <= found.error + 1e-5 * exact).all()
+    low = exact < 400e3
+    assert found.frequency[low] == pytest.approx(exact[low], rel=1e-3)
+    assert found.error[low].max() < 5e-3 * exact[low].max()
+
+
+def test_the_first_shear_wave_of_a_wide_strip_is_the_plates():
+    """omega = c pi / width, motion along the strip with one nodal line: at k = 0 no other wave is coupled."""
+    cell = UnitCell(Lattice.rectangular(5 * MM, 4 * MM), 1.0 * MM, ALUMINIUM)
+    found = RibbonModel.of(Ribbon((cell,) * 3), Resolution(4, 0)).solve(0.0, 90e3, 115e3)
+    shear = np.sqrt(ALUMINIUM.stiffness[5, 5] / ALUMINIUM.density)
+    exact = shear / (2 * 15 * MM)
+    nearest = np.abs(found.frequency - exact).argmin()
+    assert found.frequency[nearest] == pytest.approx(exact, rel=1e-4)
+    assert abs(found.frequency[nearest] - exact) < found.error[nearest] < 1e-3 * exact
+
+
+def test_group_velocity_is_the_slope_of_the_frequency():
+    model, step = prototype(), 1e-4
+    here = model.solve(ALONG, 54e3, 61e3)
+    before, after = (model.frequencies(ALONG + s * step, 54e3, 61e3) for s in (-1, 1))
+    assert here.slope == pytest.approx((after - before) / (2 * step), rel=1e-5)
+
+
+# --- a guide between crystals -------------------------------------------------------------------------------
+
+
+def test_a_guided_wave_fades_into_the_rows_as_the_complex_bands_say():
+    model = prototype()
+    found = model.solve(ALONG, 54e3, 61e3)
+    (crystal,) = {id(t): t for t in model.fine.tiling.tiles if t.cell is CRYSTAL}.values()
+    omega = 2 * np.pi * found.frequency
+    expected = attenuation(crystal, omega, np.array([ALONG]))[:, 0]
+    assert len(expected) == 1
+    assert decay(model.ribbon, found.energy) == pytest.approx(expected, rel=0.005)
+
+
+def test_the_prototypes_guide_holds_one_mode_without_nodal_lines_at_17_intervals():
+    model = prototype()
+    found = model.solve(ALONG, 54e3, 61e3)
+    (share,), (edges,) = (
+        within(found.energy, model.ribbon.guide),
+        within(found.energy, outermost(model.ribbon)),
+    )
+    assert found.energy.sum(axis=1) == pytest.approx([1.0], rel=1e-9), "unit mass"
+    assert share > 0.95
+    assert edges < 1e-4
+    wavenumber, across = harmonics(model.ribbon, model.fine, found)
+    assert wavenumber == pytest.approx([17.5 * np.pi / (20 * 7 * MM)], rel=1e-9)
+    assert across == pytest.approx([0.0])
+
+
+def test_bulk_bands_hold_all_modes_but_those_of_guide_and_edges():
+    """Of a wide ribbon at a phase without a guided wave nearby."""
+    bulk = bulk_bands(BlochModel.of(CRYSTAL, COARSE, 8, measured=False), prototype().ribbon, [ALONG])[0]
+    low, high = bulk[5] - [20.0, -20.0]
+    found = prototype().solve(ALONG, float(low), float(high))
+    deep = within(found.energy, prototype().ribbon.guide) + within(
+        found.energy, outermost(prototype().ribbon)
+    )
+    assert (deep < 0.5).sum() >= 8
+    assert not in_gap(replace(found, error=np.zeros_like(found.error)), bulk[None])[deep < 0.02].any()
+    held = prototype().solve(ALONG, 54e3, 61e3)
+    assert in_gap(replace(held, error=0 * held.error), bulk[None]).all()
+
+
+def test_above_the_last_bulk_band_that_was_computed_no_gap_is_told():
+    bulk = np.array([[[10.0, 20.0], [25.0, 30.0]], [[9.0, 11.0], [26.0, 27.0]]])
+    at = np.array([5.0, 15.0, 22.0, 24.8, 28.0, 31.0])
+    modes = RibbonModes(0.3, at, np.full(6, 0.5), at, at, at)
+    assert list(in_gap(modes, bulk)) == [True, False, True, False, False, False]
+
+
+@pytest.mark.parametrize("along", [(0, 1), (1, 0), (1, 1), (-1, 2), (3, 2)])
+@pytest.mark.parametrize("lattice", [Lattice.triangular(7 * MM), Lattice.oblique(7 * MM, 9 * MM, 1.2)])
+def test_phases_along_and_across_are_those_of_the_period_and_of_the_step_to_the_next_column(lattice, along):
+    ribbon = Ribbon((UnitCell(lattice, 1.5 * MM, ALUMINIUM),) * 2, along)
+    (period,), (step, _) = ribbon.vectors, ribbon.steps
+    assert step[0] * period[1] - step[1] * period[0] == pytest.approx(lattice.area), "to the right of it"
+    assert abs(step @ period) <= 0.5 * (1 + 1e-9) * (period @ period), "the shortest way"
+    (wave,) = lattice.wavevector(ribbon.phases(0.7, np.array([-1.3])))
+    assert wave @ period == pytest.approx(0.7)
+    assert wave @ step == pytest.approx(-1.3)
+
+
+# --- one structure, several ways ----------------------------------------------------------------------------
+
+
+def hertz(ribbon: Ribbon, kappa: float, low: float, high: float, resolution=COARSE) -> np.ndarray:
+    return RibbonModel.of(ribbon, resolution).frequencies(kappa, low, high)
+
+
+def test_a_ribbon_and_its_mirror_image_have_the_same_waves():
+    columns = (CRYSTAL, CRYSTAL, PLAIN, PLAIN, CRYSTAL)
+    one, other = (hertz(Ribbon(c), 1.1, 20e3, 60e3) for c in (columns, columns[::-1]))
+    assert len(one) > 5
+    assert other == pytest.approx(one, rel=1e-8)
+
+
+def test_a_square_lattice_may_be_repeated_along_either_translation():
+    columns = (CRYSTAL, CRYSTAL.without_pillar(), CRYSTAL)
+    one, other = (hertz(Ribbon(columns, along), 0.7, 20e3, 60e3) for along in ((0, 1), (1, 0)))
+    assert other == pytest.approx(one, rel=1e-8)
+
+
+@pytest.mark.parametrize("along", [(1, 1), (-1, 2)])
+def test_waves_run_alike_both_ways_whatever_the_direction(along):
+    """Time reversal, on a ribbon whose columns reach beyond their neighbours."""
+    cell = replace(CRYSTAL, pillar=Pillar(3.5 * MM, 5 * MM))
+    model = RibbonModel.of(Ribbon((cell, cell.without_pillar(), cell), along), COARSE)
+    one, other = (model.frequencies(sign * 0.8, 10e3, 60e3) for sign in (1, -1))
+    assert len(one) >= 5
+    assert other == pytest.approx(one, rel=1e-9)
+
+
+def test_two_periods_are_one_twice_as_long():
+    """Its waves at kappa are those of the shorter one at half of it, and half a turn on."""
+    pillar = Pillar(3.5 * MM, 9 * MM)
+    short = UnitCell(Lattice.rectangular(7 * MM, 7 * MM), 1.5 * MM, ALUMINIUM, pillar)
+    sites = (Site(at=(0, 0), pillar=pillar), Site(at=(0, 0.5), pillar=pillar))
+    long = UnitCell(Lattice.rectangular(7 * MM, 14 * MM), 1.5 * MM, ALUMINIUM, site=sites)
+    single = RibbonModel.of(Ribbon((short, short.without_pillar(), short)), COARSE)
+    double = RibbonModel.of(Ribbon((long, long.without_pillar(), long)), COARSE)
+    expected = np.concatenate([single.frequencies(0.6 + turn, 15e3, 50e3) for turn in (0.0, np.pi)])
+    found = double.frequencies(1.2, 15e3, 50e3)
+    assert len(found) == len(expected)
+    assert found == pytest.approx(np.sort(expected), rel=2e-3)
+
+
+# --- two crystals -------------------------------------------------------------------------------------------
+
+
+def honeycomb(*heights: float) -> UnitCell:
+    site = tuple(Site(pillar=Pillar(5 * MM, h * MM)) for h in heights)
+    return UnitCell(Lattice(lattice="honeycomb", pitch=12 * MM), 1.5 * MM, ALUMINIUM, None, site)
+
+
+@pytest.mark.nightly
+def test_an_edge_between_mirrored_honeycombs_holds_a_wave_that_crosses_the_gap():
+    """Unequal pillars open the cone at K; exchanged ones on the other side give their edge a wave there."""
+    one, other = honeycomb(3.3, 2.7), honeycomb(2.7, 3.3)
+    wall = Ribbon((one,) * 4 + (other,) * 4)
+    bulk_model = BlochModel.of(one, COARSE, 9, measured=False)
+    phases = np.linspace(0.35, 0.725, 5) * np.pi
+    bulk = bulk_bands(bulk_model, wall, phases)
+    low, high = bulk[:, 4, 1].max(), bulk[:, 5, 0].min()
+    assert high > 1.02 * low, "a gap between the fifth and the sixth band"
+    model = RibbonModel.of(wall, COARSE)
+    held = []
+    for kappa in phases:
+        found = model.solve(kappa, low, high)
+        chosen = within(found.energy, wall.guide) > 0.4
+        assert chosen.any(), "at each phase"
+        assert (within(found.energy, outermost(wall))[chosen] < 0.1).all(), "it is no wave of the free edges"
+        held.append((float(found.frequency[chosen][0]), float(found.slope[chosen][0])))
+    frequency, slope = np.array(held).T
+    assert (np.diff(frequency) < 0).all(), "it runs one way at one of the two corners"
+    assert (slope < 0).all()
+    assert frequency[0] > low + 0.8 * (high - low)
+    assert frequency[-1] < low + 0.3 * (high - low)
+
+
+# --- all modes, and no others -------------------------------------------------------------------------------
+
+
+@given(st.integers(0, 10**6), st.lists(st.integers(1, 12), min_size=2, max_size=6), st.floats(0.05, 0.9))
+@settings(max_examples=40, deadline=None)
+def test_all_eigenvalues_of_a_chain_within_an_interval_are_found(seed, sizes, share):
+    draw = np.random.default_rng(seed)
+
+    def hermitian(size):
+        one = draw.standard_normal((size, size)) + 1j * draw.standard_normal((size, size))
+        return one + one.conj().T
+
+    own = [hermitian(size) for size in sizes]
+    off = [draw.standard_normal(pair) + 0j for pair in pairwise(sizes)]
+    heavy = [hermitian(size) + 100 * np.eye(size) for size in sizes]
+    light = [0.1 * one for one in off]
+    stiffness, mass = BlockChain(tuple(own), tuple(off)), BlockChain(tuple(heavy), tuple(light))
+    whole = [form.times(np.eye(sum(sizes), dtype=complex)) for form in (stiffness, mass)]
+    exact = la.eigh(*whole, eigvals_only=True)
+    low, high = exact[0] - 0.01, exact[0] + share * (exact[-1] - exact[0]) + 1e-3
+    below, values, modes = eigenpairs_within(stiffness, mass, low, high)
+    assert below == 0
+    assert values == pytest.approx(exact[exact < high], rel=1e-7, abs=1e-9)
+    assert modes.conj().T @ whole[1] @ modes == pytest.approx(np.eye(len(values)), abs=1e-8)
+    assert counted(stiffness, mass, high) == (exact < high).sum()
+
+
+# --- what is refused ----------------------------------------------------------------------------------------
+
+
+def test_columns_whose_edges_do_not_meet_are_refused():
+    low = replace(CRYSTAL, lattice=Lattice.rectangular(7 * MM, 6 * MM))
+    with refusing(GeometryError, "mismatch", "ribbon.map", "column 2"):
+        Ribbon((CRYSTAL, low))
+    thick = replace(CRYSTAL, thickness=1.4 * MM)
+    with refusing(GeometryError, "mismatch", "ribbon.map", "thickness"):
+        Ribbon((CRYSTAL, CRYSTAL, thick))
+    comb = named("honeycomb", THIN, TALL)
+    with refusing(GeometryError, "mismatch", "ribbon.map", "column 2"):
+        Ribbon((comb, named("kagome", pillar=THIN)))
+    wide = replace(PLAIN, lattice=Lattice.rectangular(8 * MM, 7 * MM))
+    with refusing(GeometryError, "mismatch", "ribbon.map"):
+        Ribbon((CRYSTAL, wide), (1, 0))
+
+
+@pytest.mark.parametrize("along", [(0, 0), (2, 0), (2, 4)])
+def test_a_period_is_a_shortest_one(along):
+    with refusing(GeometryError, "out-of-range", "ribbon.along"):
+        Ribbon((CRYSTAL,) * 2, along)
+
+
+def test_one_column_is_no_ribbon():
+    with refusing(GeometryError, "out-of-range", "ribbon.map"):
+        Ribbon((CRYSTAL,))

@@ -1,0 +1,143 @@
+"""[ribbon] in a study file: what it says, and what is refused."""
+
+import pytest
+
+from five_parts import assert_told
+from haptonic.analyses import ribbon
+from haptonic.analyses.analysis import NoOptions
+from haptonic.errors import HaptonicError
+from haptonic.study import loads
+
+STUDY = """
+carrier = "57 kHz"
+material = "aluminium-2017a"
+[cell]
+lattice = "square"
+pitch = "7 mm"
+thickness = "1.5 mm"
+[cell.pillar]
+diameter = "3.5 mm"
+height = "14.7 mm"
+"""
+RIBBON = """
+[ribbon]
+map = "ooo1111ooo"
+rows = 20
+[ribbon.tiles]
+o = "lattice"
+1 = "guide"
+[ribbon.widths]
+guide = "8 mm"
+"""
+COMB = """
+material = "aluminium-2017a"
+[cell]
+lattice = "honeycomb"
+pitch = "12 mm"
+thickness = "1.5 mm"
+[[cell.site]]
+pillar = { diameter = "5 mm", height = "3.3 mm" }
+[[cell.site]]
+pillar = { diameter = "5 mm", height = "2.7 mm" }
+[ribbon]
+map = "aaabbb"
+tiles = { a = "lattice", b = "mirrored" }
+[[ribbon.cell]]
+name = "mirrored"
+change = { "cell.site[1].pillar.height" = "2.7 mm", "cell.site[2].pillar.height" = "3.3 mm" }
+"""
+
+
+def made(text):
+    study = loads(text)
+    return study.ribbon_settings.ribbon(study.cell)
+
+
+def test_a_map_is_columns_of_cells_side_by_side():
+    found = made(STUDY + RIBBON)
+    assert [cell.pillar is None for cell in found.columns] == [letter == "1" for letter in "ooo1111ooo"]
+    assert len({id(cell) for cell in found.columns}) == 2, "equal columns are one object"
+    assert found.columns[4].lattice.a1 == (8e-3, 0.0)
+    assert found.guide == (3, 4, 5, 6)
+    assert found.period == pytest.approx(7e-3)
+    assert found.origins[-1] - found.origins[0] == pytest.approx([6 * 7e-3 + 4 * 8e-3 - 7e-3, 0.0])
+
+
+def test_pillars_of_sites_may_be_exchanged_beyond_an_edge():
+    found = made(COMB)
+    heights = [[one.height for one in cell.pillars] for cell in (found.columns[0], found.columns[-1])]
+    assert heights[0] == heights[1][::-1] == [3.3e-3, 2.7e-3]
+    assert found.guide == (2, 3), "on either side of where they meet"
+    assert not found.has_plain_guide
+
+
+def test_a_study_with_a_ribbon_is_written_and_read_back():
+    study = loads(STUDY + RIBBON)
+    assert loads(study.to_toml()) == study
+    assert "ribbon" in study.inputs()
+    assert "ribbon" not in loads(STUDY).inputs()
+
+
+def test_a_sweep_is_about_the_lattice_alone():
+    """As it leaves the plate out, whose tiles some of the designs would not fit either."""
+    further = '[[ribbon.cell]]\nname = "wide"\nchange = { "cell.pillar.diameter" = "6 mm" }\n'
+    text = changed(('"ooo1111ooo"', '"ooo1111oow"'), ('1 = "guide"', '1 = "guide"\nw = "wide"')) + further
+    sweep = '[[sweep]]\nvary = "cell.pitch"\nfrom = "5 mm"\nto = "7 mm"\nsteps = 3\n'
+    study = loads(text + sweep)
+    (designs,) = (study.designs(one) for one in study.sweep_settings)
+    assert [one.ribbon_settings for one in designs] == [None] * 3
+
+
+def changed(*pairs, text=STUDY + RIBBON):
+    for old, new in pairs:
+        assert old in text
+        text = text.replace(old, new)
+    return text
+
+
+@pytest.mark.parametrize(
+    ("text", "code", "argument", "words"),
+    [
+        (changed(("ooo1111ooo", "ooooo"), ('1 = "guide"', ""), ('guide = "8 mm"', "")), "conflict",
+         "ribbon.map", "nothing in them guides a wave"),
+        (changed(("ooo1111ooo", "ooo11x1ooo")), "unknown", "ribbon.map", "[ribbon.tiles] does not say"),
+        (changed(("ooo1111ooo", "ooo1..1ooo")), "malformed", "ribbon.map", "one line"),
+        (changed(('"ooo1111ooo"', '"""\nooo\n111\n"""')), "malformed", "ribbon.map", "[plate] takes maps"),
+        (changed(('"ooo1111ooo"', '""')), "malformed", "ribbon.map", "the map is empty"),
+        (changed(("ooo1111ooo", "1"), ('o = "lattice"', "")), "out-of-range",
+         "ribbon.map", "side by side"),
+        (changed(('guide = "8 mm"', 'lattice = "8 mm"')), "unknown",
+         "ribbon.widths.lattice", "its own pitch"),
+        (changed(('guide = "8 mm"', 'giude = "8 mm"')), "unknown", "ribbon.widths.giude", 'write "guide"'),
+        (changed(("rows = 20", "rows = 20\nalong = [0, 1.5]")), "malformed", "ribbon.along", "whole"),
+        (changed(("rows = 20", "rows = 20\nalong = [0, 2]"), ('guide = "8 mm"', "")), "out-of-range",
+         "ribbon.along", "without a common divisor"),
+        (changed(("rows = 20", "rows = 20\nalong = [1, 1]")), "unsupported",
+         "ribbon.widths.guide", "no rectangles"),
+        (changed(("rows = 20", 'lowest = "60 kHz"\nhighest = "50 kHz"')), "conflict",
+         "ribbon.highest", "60 kHz"),
+        (changed(('"ooo1111ooo"', '"ooo1111oof"'), ('1 = "guide"', '1 = "guide"\nf = "low"'))
+         + '[[ribbon.cell]]\nname = "low"\nchange = { "cell.pitch" = "6 mm" }\n', "mismatch",
+         "ribbon.map", "column 10"),
+        (changed(('"ooo1111ooo"', '"ooo1111oof"'), ('1 = "guide"', '1 = "guide"\nf = "low"'))
+         + '[[ribbon.cell]]\nname = "low"\nchange = { "cell.site[2].pillar.height" = "6 mm" }\n', "unknown",
+         "change", "this study does not give it"),
+        (changed(("rows = 20", "rows = 20"))
+         + '[[ribbon.cell]]\nname = "low"\nchange = { "cell.pillar.height" = "6 mm" }\n', "unknown",
+         "ribbon.cell[1].name", "no column is of this lattice"),
+        (changed(("[cell.pillar]\n", ""), ('diameter = "3.5 mm"\n', ""), ('height = "14.7 mm"\n', "")),
+         "conflict", "ribbon.tiles.o", "plain plate"),
+        (changed(("12 mm", "12 mm"), ('"cell.site[1].pillar.height" = "2.7 mm"', '"cell.pitch" = "13 mm"'),
+                 text=COMB), "mismatch", "ribbon.map", "column 4"),
+    ],
+)  # fmt: skip
+def test_what_is_no_ribbon_is_refused_in_five_parts(text, code, argument, words):
+    with pytest.raises(HaptonicError) as caught:
+        loads(text)
+    assert_told(caught.value, words, code=code, argument=argument)
+
+
+def test_a_study_without_a_ribbon_says_how_to_write_one():
+    with pytest.raises(HaptonicError) as caught:
+        ribbon.check(loads(STUDY), NoOptions())
+    assert_told(caught.value, "[ribbon.tiles]", code="missing", argument="ribbon")

@@ -1,0 +1,117 @@
+"""Pages of the site that are notebooks: cells run, pictures have words, reference values their source."""
+
+from __future__ import annotations
+
+import ast
+import json
+import re
+from pathlib import Path
+
+import pytest
+
+from haptonic.plots.style import Drawing
+
+DOCS = Path(__file__).parents[1] / "docs"
+NOTEBOOKS = {
+    page.stem: page.read_text("utf-8")
+    for page in sorted(DOCS.glob("*.md"))
+    if "file_format: mystnb" in page.read_text("utf-8")
+}
+CELL = re.compile(r"^```\{code-cell\} python\n(?:---\n(.*?)---\n)?(.*?)^```$", re.DOTALL | re.MULTILINE)
+
+
+def cells(name: str) -> list[tuple[str, str]]:
+    """(options, code) of each."""
+    return [match.groups("") for match in CELL.finditer(NOTEBOOKS[name])]
+
+
+def run(name: str, codes: list[str]) -> dict[str, object]:
+    """All of them in one namespace, as a notebook does; a picture must be shown without magic."""
+    space: dict[str, object] = {}
+    for code in codes:
+        tree = ast.parse(code)
+        shown = ast.Expression(tree.body.pop().value) if isinstance(tree.body[-1], ast.Expr) else None
+        exec(compile(tree, name, "exec"), space)
+        if shown is not None:
+            value = eval(compile(shown, name, "eval"), space)
+            assert not hasattr(value, "savefig") or isinstance(value, Drawing), name
+    return space
+
+
+@pytest.fixture(autouse=True)
+def _elsewhere(tmp_path, monkeypatch):
+    monkeypatch.setenv("HAPTONIC_STORE", str(tmp_path / "store"))
+    monkeypatch.chdir(tmp_path)
+
+
+def test_the_first_steps_of_the_afternoon(capsys):
+    text = NOTEBOOKS["afternoon"].split("## 3.")[0]
+    space = run("afternoon", [match[2] for match in CELL.finditer(text)])
+    assert space["bands"].gaps[0].holds(46e3)
+    assert "1 % apart on average" in space["beside"].summary()[0]
+    assert "12 mm: 42.2 to 49.5 kHz, holds the carrier: True" in capsys.readouterr().out
+
+
+def test_the_first_page_says_what_its_code_gives():
+    text = (DOCS / "index.md").read_text("utf-8")
+    (code,) = re.findall(r"```python\n(.*?)```", text, re.DOTALL)
+    said = re.search(r"^\*(.*)\*$", text, re.MULTILINE)[1]
+    space = run("index", [code.replace("study.bands()", "bands = study.bands()")])
+    assert space["bands"].summary()[0] == said
+
+
+def test_every_layer_by_itself(capsys):
+    run("library", [code for _, code in cells("library")])
+    said = capsys.readouterr().out
+    assert "complete gap from 52.5 to 60.2 kHz" in said
+    assert "280 points, 61 lines, simulated" in said
+    assert "friction differs" in said
+
+
+@pytest.mark.nightly
+@pytest.mark.parametrize("name", ["afternoon", "gallery"])
+@pytest.mark.filterwarnings("ignore::haptonic.HaptonicWarning")
+def test_every_cell(name):
+    assert run(name, [code for _, code in cells(name)])
+
+
+def test_differences_on_the_page_of_validation_are_within_what_is_told():
+    space = run("validation", [code for _, code in cells("validation")])
+    assert len(space["rows"]) == 6
+    for what, where, _, away, told in space["rows"]:
+        assert float(away) < (float(told) if told else 4e-4), (what, where)
+
+
+def test_reference_values_on_the_page_of_validation_are_those_of_the_tests():
+    found = {}
+    for _, code in cells("validation"):
+        for line in ast.parse(code).body:
+            if (
+                isinstance(line, ast.Assign)
+                and line.targets[0].id.isupper()
+                and line.targets[0].id != "PHASES"
+            ):
+                found[line.targets[0].id] = ast.literal_eval(line.value)
+    data = {
+        name: json.loads((DOCS.parent / "tests/data" / f"{name}.json").read_text("utf-8"))
+        for name in ("reference_cell", "empty_lattice", "simply_supported_plate")
+    }
+    cell, waves = data["reference_cell"], data["empty_lattice"]["points"]
+    assert found["CELL"] == {here: cell[there][:10] for here, there in zip("ΓXM", "GXM", strict=True)}
+    for here, there in (("Γ", "Gamma"), ("middle of Γ-X", "G-X mid")):
+        assert found["PLATE_WAVES"][here] == [wave["hz"] for wave in waves[there]][:11]
+    assert found["THICK_PLATE"] == [mode["hz"] for mode in data["simply_supported_plate"]["modes"]]
+
+
+def test_the_gallery_is_one():
+    assert sum("alt:" in options for options, _ in cells("gallery")) >= 15
+
+
+@pytest.mark.parametrize("name", NOTEBOOKS)
+def test_every_picture_has_words_of_its_own(name):
+    pictures = [
+        (options, code) for options, code in cells(name) if re.search(r"plot\([^\n]*\)\Z", code.strip())
+    ]
+    words = [re.search(r"alt: (.*)", options)[1] for options, _ in pictures]
+    assert all(len(one) > 40 for one in words), "what would somebody miss who does not see it?"
+    assert len(set(words)) == len(words)
