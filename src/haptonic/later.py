@@ -42,9 +42,7 @@ else:
         """Stands for a module; `importlib.util.LazyLoader` would be loaded by the next ``import`` of it."""
 
         def __getattr__(self, name: str) -> Any:
-            found = getattr(import_module(self.__name__), name)
-            setattr(self, name, found)  # asked once
-            return found
+            return getattr(import_module(self.__name__), name)
 
     h5py, jinja2, pandas = _Later("h5py"), _Later("jinja2"), _Later("pandas")
     psutil, xarray = _Later("psutil"), _Later("xarray")

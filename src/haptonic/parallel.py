@@ -44,6 +44,19 @@ def threads() -> int:
     return max(1, int(wanted)) if wanted.isdigit() else cores()
 
 
+@contextmanager
+def one_thread() -> Iterator[None]:
+    """Linear algebra without threads of its own: ours do more, and most matrices are too small for any.
+
+    A limit holds for libraries that are loaded, and SciPy brings its own, which is loaded when first used: a
+    first answer had a thread more than the next, and differed in its seventh digit.
+    """
+    import scipy.linalg  # noqa: F401
+
+    with threadpool_limits(1):
+        yield
+
+
 def each(work: Callable[[Item], Result], items: Iterable[Item]) -> list[Result]:
     """Results of all items in their order, from threads of our own; linear algebra inside has one each.
 
@@ -53,7 +66,7 @@ def each(work: Callable[[Item], Result], items: Iterable[Item]) -> list[Result]:
     """
     every = list(items)
     workers = min(threads(), len(every))
-    with threadpool_limits(1):
+    with one_thread():
         return list(streamed(work, every, workers if workers > 1 else 0, len(every)))
 
 

@@ -51,7 +51,7 @@ def test_plain_thin_plates_bend_as_kirchhoff_says(thickness, along, across):
 @given(st.floats(1e-5, 0.9))
 def test_a_refusal_by_cost_names_what_was_reached(reached):
     with pytest.raises(ResourceError) as caught:
-        check_cost(thin_cell(0.01, 0.5), LADDER[3], 2e-3, 0.0, reached)
+        check_cost(thin_cell(0.01, 0.5), LADDER[4], 2e-3, 0.0, reached)
     allowed = caught.value.allowed.split()[0]
     assert reached <= float(allowed) * (1 + 1e-12) <= 1.2 * reached
 

@@ -7,7 +7,6 @@ from dataclasses import asdict
 from typing import Any
 
 import numpy as np
-from threadpoolctl import threadpool_limits
 
 from haptonic.arrays import Array
 from haptonic.bloch.character import NAMES, characters
@@ -21,13 +20,14 @@ from haptonic.bloch.zone import zone_surface
 from haptonic.cell import UnitCell
 from haptonic.gate import declared
 from haptonic.later import xarray as xr
+from haptonic.parallel import one_thread
 from haptonic.superelement import TiledMesh
 
 SURFACE_DIVISIONS = 24  # of the irreducible zone's sides, for contours and the density of states
 DENSITY_BINS = 200
 
 
-@threadpool_limits.wrap(limits=1)  # these matrices are too small for threads inside the linear algebra
+@one_thread()
 def bands_dataset(
     cell: UnitCell, settings: BandSettings, *, surface: bool = False, modes_at: str | None = None
 ) -> xr.Dataset:
@@ -82,7 +82,7 @@ def bands_dataset(
     return dataset
 
 
-@threadpool_limits.wrap(limits=1)
+@one_thread()
 def gaps_dataset(cell: UnitCell, settings: BandSettings, *, above: int | None = None) -> xr.Dataset:
     """The complete gaps of a cell alone: one design of a sweep.
 

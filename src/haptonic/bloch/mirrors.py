@@ -7,7 +7,6 @@ from dataclasses import dataclass
 from functools import lru_cache
 
 import numpy as np
-from threadpoolctl import threadpool_limits
 
 from haptonic.arrays import Array, Complex
 from haptonic.bloch.evanescent import Slab, bloch_waves, decibels
@@ -18,7 +17,7 @@ from haptonic.cell import UnitCell
 from haptonic.errors import StudyError
 from haptonic.gate import WORD
 from haptonic.later import xarray as xr
-from haptonic.parallel import each
+from haptonic.parallel import each, one_thread
 from haptonic.superelement import Superelement, condense
 
 PHASES = np.linspace(0.0, np.pi, 5)  # along the rows, at which the decay is followed
@@ -46,7 +45,7 @@ class Incidence:
     loss_factor: float
 
 
-@threadpool_limits.wrap(limits=1)
+@one_thread()
 def mirror_dataset(superelement: Superelement, frequency: Array, incidence: Incidence) -> xr.Dataset:
     """Complex band structure and transmission at some frequencies.
 

@@ -9,7 +9,6 @@ from dataclasses import dataclass, replace
 from functools import cached_property
 
 import numpy as np
-from threadpoolctl import threadpool_limits
 
 from haptonic.arrays import Array, Bools, Complex, Fields
 from haptonic.bloch.centred import CentredPencil, PhasedPencil, RealPencil, lattice_pencil
@@ -30,6 +29,7 @@ from haptonic.cell import Period, UnitCell
 from haptonic.cell.plan import USUAL_BANDS
 from haptonic.errors import ResourceError
 from haptonic.later import linalg as la
+from haptonic.parallel import one_thread
 from haptonic.superelement import Tiling, definite, on_each
 
 TRAINING_DIVISIONS = (2, 4, 8)  # of the zone's sides, for the wavevectors that span the small basis
@@ -191,7 +191,7 @@ class BlochModel:
 
         # these matrices are too small for threads inside the linear algebra; both models share the threads
         # that symmetry classes are given to, the larger one first
-        with threadpool_limits(1), ThreadPoolExecutor(1) as aside:
+        with one_thread(), ThreadPoolExecutor(1) as aside:
             coarse = aside.submit(lowered)
             whole = Tiling.condensed(cell, resolution.plans(cell), steps, block, measured=measured)
             return cls(cell, resolution, count, ReducedCell.of(whole, count, goal), coarse.result())

@@ -7,7 +7,6 @@ from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
-from threadpoolctl import threadpool_limits
 
 from haptonic.arrays import Array
 from haptonic.bloch.gaps import ZoneSampling
@@ -16,6 +15,7 @@ from haptonic.bloch.pencil import eigenpairs
 from haptonic.bloch.resolution import Resolution
 from haptonic.cell import UnitCell
 from haptonic.design.sensitivity import eigenvalue_derivatives
+from haptonic.parallel import one_thread
 from haptonic.superelement import TiledMesh, Tiling
 
 QUICK = Resolution(3, 1)  # frequencies a few tenths of a percent high, all of them alike
@@ -41,7 +41,7 @@ def edges_of(cell: UnitCell, count: int) -> Array:
     They are those of a few wavevectors. The foot of the pillar is kept: a row of designs that differ in
     height only has to make it once.
     """
-    with threadpool_limits(1):
+    with one_thread():
         tiling = Tiling.condensed(cell, QUICK.plans(cell), QUICK.steps, QUICK.block, measured=False)
         pencil = ReducedCell.of(tiling, count, np.inf).pencil
         wavevectors, _ = cell.zone.triangles(GLANCE_DIVISIONS)
@@ -64,7 +64,7 @@ class QuickDesign:
     @classmethod
     def of(cls, cell: UnitCell, count: int) -> QuickDesign:
         """Compute ``count`` bands of a cell."""
-        with threadpool_limits(1):
+        with one_thread():
             shared = TiledMesh.of(cell, QUICK.plans(cell))
             tiling = shared.condensed(QUICK.steps, QUICK.block, measured=False)
             reduced = ReducedCell.of(tiling, count, np.inf)

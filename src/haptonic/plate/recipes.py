@@ -8,12 +8,11 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.polynomial.legendre import leggauss
-from threadpoolctl import threadpool_limits
 
 from haptonic.arrays import Array
 from haptonic.cell import MeshPlan, UnitCell
 from haptonic.lattice import Lattice
-from haptonic.parallel import threads
+from haptonic.parallel import one_thread, threads
 from haptonic.plate.blocks import Attached
 from haptonic.plate.body import Body, BodyOrders, body, body_of_cell
 from haptonic.plate.bonds import Bonded
@@ -136,7 +135,7 @@ def tiles_of(
         [recipe.closed for recipe in plain],
         plain,
     ]
-    with threadpool_limits(1), ThreadPoolExecutor(threads()) as pool:
+    with one_thread(), ThreadPoolExecutor(threads()) as pool:
         attached = {
             recipe: pool.submit(_attached_tile, plate, recipe, highest, fineness, bonds)
             for recipe in recipes if recipe.attached

@@ -8,7 +8,6 @@ from dataclasses import asdict, dataclass
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from threadpoolctl import threadpool_limits
 
 from haptonic import plots
 from haptonic.bloch import Gap
@@ -22,6 +21,7 @@ from haptonic.bloch.settings import BandSettings, WaveguideSettings
 from haptonic.cell import UnitCell
 from haptonic.errors import StudyError
 from haptonic.later import xarray as xr
+from haptonic.parallel import one_thread
 from haptonic.results.common import stamped
 from haptonic.results.plain import split
 from haptonic.results.result import Result, figure
@@ -119,7 +119,7 @@ class Guides(Result):
         return {"waveguides": found, "nearest": found[self.strips.index(self.best)]}
 
 
-@threadpool_limits.wrap(limits=1)  # these matrices are too small for threads inside the linear algebra
+@one_thread()
 def compute_guides(
     cell: UnitCell,
     settings: BandSettings,

@@ -9,7 +9,6 @@ from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from threadpoolctl import threadpool_limits
 
 from haptonic import plots
 from haptonic.arrays import Array
@@ -34,6 +33,7 @@ from haptonic.errors import StudyError
 from haptonic.gate import WORD
 from haptonic.jobs import Task
 from haptonic.later import xarray as xr
+from haptonic.parallel import one_thread
 from haptonic.results.common import stamped
 from haptonic.results.plain import plain, split
 from haptonic.results.result import Result, figure
@@ -183,7 +183,7 @@ def _decibels(share: xr.DataArray) -> xr.DataArray:
     return xr.DataArray(-10 * np.log10(share.clip(min=LEAST_SHARE))).assign_attrs(units="dB")
 
 
-@threadpool_limits.wrap(limits=1)  # these matrices are too small for threads inside the linear algebra
+@one_thread()
 def compute_layers(
     cell: UnitCell,
     settings: BandSettings,

@@ -8,7 +8,6 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from threadpoolctl import threadpool_limits
 
 from haptonic import plots
 from haptonic.arrays import Array
@@ -21,6 +20,7 @@ from haptonic.cell import Ribbon, UnitCell
 from haptonic.errors import StudyError
 from haptonic.gate import declared
 from haptonic.later import xarray as xr
+from haptonic.parallel import one_thread
 from haptonic.plots.text import khz
 from haptonic.results.common import stamped
 from haptonic.results.result import Result, figure
@@ -135,7 +135,7 @@ class RibbonWaves(Result):
         return {"guided": found[[name for name in found if found[name].dims == ("mode",)]]}
 
 
-@threadpool_limits.wrap(limits=1)  # these matrices are too small for threads inside the linear algebra
+@one_thread()
 def compute_ribbon(
     ribbon: Ribbon,
     names: Sequence[str],

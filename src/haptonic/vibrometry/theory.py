@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import numpy as np
-from threadpoolctl import threadpool_limits
 
 from haptonic.arrays import Array
 from haptonic.bloch import Gap
@@ -16,6 +15,7 @@ from haptonic.bloch.settings import BandSettings
 from haptonic.errors import StudyError
 from haptonic.gate import WORD
 from haptonic.later import xarray as xr
+from haptonic.parallel import one_thread
 from haptonic.plate.layout import Layout
 from haptonic.vibrometry.guides import Guiding, Mirror
 
@@ -27,7 +27,7 @@ REACH = (0.9, 1.04)  # of the flexural wave's wavenumber in the gap, within whic
 INSET = 1e-3  # of the gap's width, kept away from its edges
 
 
-@threadpool_limits.wrap(limits=1)  # these matrices are too small for threads inside the linear algebra
+@one_thread()
 def computed_waves(
     layout: Layout,
     settings: BandSettings,
