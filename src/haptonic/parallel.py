@@ -14,6 +14,7 @@ from collections.abc import Callable, Generator, Iterable, Iterator, Mapping
 from concurrent.futures import FIRST_COMPLETED, Future, ProcessPoolExecutor, ThreadPoolExecutor, wait
 from concurrent.futures.process import BrokenProcessPool
 from contextlib import ExitStack, contextmanager, suppress
+from importlib import import_module
 from multiprocessing import resource_tracker
 from typing import TypeVar
 
@@ -51,8 +52,7 @@ def one_thread() -> Iterator[None]:
     A limit holds for libraries that are loaded, and SciPy brings its own, which is loaded when first used: a
     first answer had a thread more than the next, and differed in its seventh digit.
     """
-    import scipy.linalg  # noqa: F401
-
+    import_module("scipy.linalg")
     with threadpool_limits(1):
         yield
 

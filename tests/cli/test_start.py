@@ -42,7 +42,9 @@ def squeezed(text: str) -> str:
 
 
 class TestTemplates:
-    @pytest.mark.parametrize("name", TEMPLATES)
+    @pytest.mark.parametrize(
+        "name", [pytest.param(name, marks=[pytest.mark.nightly] * (name == "edge")) for name in TEMPLATES]
+    )  # a ribbon of honeycombs takes a minute
     def test_its_first_command_answers(self, inside, tmp_path, name):
         """As written by `haptonic new`, then on a coarse mesh."""
         path = tmp_path / "mine.toml"

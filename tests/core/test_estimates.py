@@ -15,6 +15,7 @@ from haptonic.bloch.pencil import eigenpairs
 from haptonic.bloch.resolution import LADDER, starting_rung
 from haptonic.bloch.settings import BandSettings
 from haptonic.cell import MeshPlan, Pillar, UnitCell
+from haptonic.cell.pillar import Step
 from haptonic.lattice import Lattice
 from haptonic.materials import material
 from haptonic.superelement import Tiling, condense_by_parts
@@ -94,6 +95,17 @@ def test_polynomials_along_a_tapered_pillar_are_not_what_limits_a_mesh(number):
     assert (np.abs(here - there) < estimate / 3).all()
 
 
+@pytest.mark.nightly
+def test_more_layers_along_a_stepped_pillar_change_next_to_nothing():
+    """Those next to the edges are short; with a long one below the step 6e-4 were left in every band."""
+    pillar = Pillar(1e-3, 12e-3, step=Step(0.6e-3, 6e-3))
+    cell = UnitCell(Lattice.square(5e-3), 1e-3, material("steel"), pillar)
+    plan = Resolution(4, 1).plan(cell)
+    more = replace(plan, pillar_layers=plan.pillar_layers + 4, step_layers=plan.step_layers + 4)
+    here, there = (hertz(cell, way, 10) for way in (plan, more))
+    assert (np.abs(here / there - 1)[there > REST * there.max()] < 1e-4).all()
+
+
 @given(st.lists(st.tuples(st.floats(1, 2), st.floats(0, 0.3), st.floats(0, 1)), min_size=2, max_size=8))
 def test_a_band_is_the_mode_of_its_rank(modes):
     """Modes that are each within their error give bands that are, also where they change places."""
@@ -151,9 +163,9 @@ def assert_the_truth_is_within(question: Drawn, model: BlochModel | None = None)
 
 
 @pytest.mark.nightly
-@pytest.mark.parametrize(("number", "order"), [(5, 3), (22, 4), (77, 3), (88, 3)])
+@pytest.mark.parametrize(("number", "order"), [(5, 3), (22, 4), (77, 3), (88, 3), (1004, 4)])
 def test_estimates_hold_of_a_first_mesh(number, order):
-    """A coarser accuracy would have been answered by it; of these designs it told 0.3 to 0.7 of the error."""
+    """A coarser accuracy would have been answered by it; of these designs it told 0.3 to 0.8 of the error."""
     question = drawn(57, number)
     first = BlochModel.of(question.cell, Resolution(order, 1), question.count, measured=False)
     assert_the_truth_is_within(question, first)

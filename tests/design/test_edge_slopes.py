@@ -20,6 +20,7 @@ def band_frequency(cell, kappa, number):
     return float(np.sqrt(eigenpairs(pencil, kappa, number)[0][-1])) / (2 * np.pi)
 
 
+@pytest.mark.nightly
 def test_slopes_are_differences_of_the_bands_even_if_the_gap_is_from_a_coarse_mesh():
     """On this mesh the lower edge lies 2 kHz too high, nearer to nothing than to another band."""
     cell = reference_study().cell

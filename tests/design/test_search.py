@@ -122,7 +122,7 @@ class TestLimits:
         plate = replace(CELL, pillar=None)
         assert brief_of(plate, {"cell.pitch": (5 * MM, 9 * MM)}).limits(np.array([0.5])) == {}
 
-    @settings(max_examples=300)
+    @settings(max_examples=150)
     @given(st.lists(st.floats(0, 1), min_size=9, max_size=9), st.sampled_from(sorted(LATTICES)))
     def test_what_meets_the_limits_is_a_body(self, share, lattice):
         """Whatever the optimiser may try can be meshed."""
@@ -372,7 +372,8 @@ def drawn(seed):
     return replace(brief, cell=brief.at(brief.feasible(rng.random(2))))
 
 
-@pytest.mark.parametrize("seed", [3, pytest.param(4, marks=pytest.mark.nightly)])
+@pytest.mark.nightly
+@pytest.mark.parametrize("seed", [3, 4])
 def test_a_search_is_at_least_as_good_as_a_scan(cheap, seed, kept):
     """The benchmark ``search_finds_what_is_there`` draws twenty."""
     brief = drawn(seed)
@@ -433,6 +434,7 @@ class TestWhatCannotBeComputed:
         monkeypatch.setattr(tasks, "gap_dataset", too_large)
         return tried
 
+    @pytest.mark.nightly
     def test_one_is_left_out_and_named(self, cheap, monkeypatch, kept):
         tried = self.refusing(monkeypatch, lambda tried: len(tried) == 1)
         found = searched(

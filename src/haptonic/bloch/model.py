@@ -253,7 +253,8 @@ class BlochModel:
     def mesh_error(self) -> float:
         """The same without what the interior leaves out: more of it would not mend this.
 
-        Lower orders have as short an interior, so a band's distance to them hardly holds any of it.
+        Lower orders have as short an interior: a band's distance to them hardly holds any of it, once what is
+        left out is trusted.
         """
         return self._worst[1]
 
