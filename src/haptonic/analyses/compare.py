@@ -52,10 +52,9 @@ def check(study: None, options: CompareOptions) -> None:
             else "describe the cell in a study: `haptonic new`",
         )
     if kind_of(options.second) == "table":
-        read_numbers(options.second)
-        if (
-            kind_of(options.first) == "study"
-        ):  # what the table does not say is asked before bands are computed
+        if kind_of(options.first) != "study":
+            read_numbers(options.second)
+        else:  # what the table does not say is asked before bands are computed
             path = load_as(options.first, Description).cell.zone.path(FINE)
             corners = path.distance[list(path.corners)]
             of_table(options.second, tuple(path.labels), corners, options.wavevector, options.frequency_unit)

@@ -9,7 +9,7 @@ import numpy as np
 
 from haptonic.arrays import Array, Ints
 from haptonic.bloch.model import BlochModel
-from haptonic.bloch.pencil import eigenpairs
+from haptonic.bloch.pencil import eigenpairs, hertz
 from haptonic.bloch.tracking import Diagram
 from haptonic.errors import StudyError
 from haptonic.units import Hertz, format_quantity
@@ -86,7 +86,7 @@ class ZoneSampling:
     def _add(self, kappa: Array) -> int:
         values, modes = eigenpairs(self.model.fine.pencil, kappa, self.model.count)
         self.kappa.append(kappa)
-        self.frequency.append(np.sqrt(np.maximum(values, 0.0)) / (2 * np.pi))
+        self.frequency.append(hertz(values))
         self.slope.append(np.nan_to_num(self.model.gradient(kappa, modes)))
         return len(self.kappa) - 1
 

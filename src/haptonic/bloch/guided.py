@@ -50,12 +50,9 @@ def decay(ribbon: Ribbon, energy: Array) -> Array:
     if not guide:
         return np.full(len(energy), np.nan)
     found = np.full((2, len(energy)), np.nan)
-    sides = range(min(guide) - 1, -1, -1), range(max(guide) + 1, len(ribbon.columns))
-    if ribbon.has_plain_guide:
-        away = sides
-    else:  # an edge between two crystals: its own columns are the first rows
-        away = range(min(guide), -1, -1), range(max(guide), len(ribbon.columns))
-    for side, columns in enumerate(away):
+    beside = int(ribbon.has_plain_guide)  # of an edge between two crystals its own columns are the first rows
+    sides = range(min(guide) - beside, -1, -1), range(max(guide) + beside, len(ribbon.columns))
+    for side, columns in enumerate(sides):
         rows = np.array(columns, dtype=int)[:-1]
         rows = rows[1:] if len(rows) >= NEAR_AND_FAR else rows
         if len(rows) < 2:

@@ -10,12 +10,11 @@ from functools import cached_property
 
 import numpy as np
 
-from haptonic.arrays import Array, Bools, Complex, Fields
+from haptonic.arrays import Array, Complex, Fields
 from haptonic.bloch.centred import CentredPencil, PhasedPencil, RealPencil, lattice_pencil
-from haptonic.bloch.pencil import Evaluated, Pencil, eigenpairs
+from haptonic.bloch.pencil import Evaluated, Pencil, eigenpairs, hertz
 from haptonic.bloch.resolution import (
     LADDER,
-    SHARED,
     Resolution,
     check_cost,
     check_memory,
@@ -25,7 +24,7 @@ from haptonic.bloch.resolution import (
 )
 from haptonic.bloch.settings import BandSettings
 from haptonic.brillouin import IrreducibleZone
-from haptonic.cell import Period, UnitCell
+from haptonic.cell import UnitCell
 from haptonic.cell.plan import USUAL_BANDS
 from haptonic.errors import ResourceError
 from haptonic.later import linalg as la
@@ -198,17 +197,17 @@ class BlochModel:
 
     def frequencies(self, kappa: Array) -> Array:
         """(count,) Hz at the phases (2,), without anything else."""
-        return _hertz(eigenpairs(self.fine.pencil, kappa, self.count)[0])
+        return hertz(eigenpairs(self.fine.pencil, kappa, self.count)[0])
 
     def solve(self, kappa: Array, spare: int = 0) -> Solution:
         """Modes and error estimates at the phases (2,); ``spare`` more than the bands asked for."""
         count = self.count + spare
         values, modes = eigenpairs(self.fine.pencil, kappa, count + ABOVE)
         fields = self.fine.expanded(modes, kappa)
-        frequency = _hertz(values)
-        distance = np.abs(_hertz(eigenpairs(self.coarse, kappa, count + ABOVE)[0]) - frequency)
+        frequency = hertz(values)
+        distance = np.abs(hertz(eigenpairs(self.coarse, kappa, count + ABOVE)[0]) - frequency)
         moving = frequency > REST * self.highest
-        error = remaining_error(self.resolution, self.cell, frequency, distance, moving)
+        error = self.resolution.estimate(self.cell, frequency, distance, moving)
         error += self._lost(values, fields) + frequency * self.fine.projection_error
         error += self.fine.rounding / (8 * np.pi**2 * np.maximum(frequency, REST * self.highest))
         error = _ranked(frequency, error)
@@ -216,8 +215,7 @@ class BlochModel:
 
     def _lost(self, values: Array, fields: Complex) -> Array:
         """(k,) Hz by which the interior fields that were left out would lower each of k modes."""
-        left_out = np.abs(on_each(self.fine.tiling.truncation, fields))
-        return np.asarray(0.5 * FIRST_ORDER * values * left_out * _hertz(values))
+        return interior_error(values, on_each(self.fine.tiling.truncation, fields))
 
     @cached_property
     def truncation(self) -> float:
@@ -226,7 +224,7 @@ class BlochModel:
         for kappa in self.cell.zone.corner_phases.values():
             values, modes = eigenpairs(self.fine.pencil, kappa, self.count)
             moving = values > (2 * np.pi * REST * self.highest) ** 2
-            frequency = _hertz(values)
+            frequency = hertz(values)
             lost = _ranked(frequency, self._lost(values, self.fine.expanded(modes, kappa)))
             worst = max(worst, float((lost[moving] / frequency[moving]).max(initial=0.0)))
         return worst
@@ -271,7 +269,7 @@ class BlochModel:
         """
         K, _ = self.fine.pencil.at(kappa)
         values = on_each(K, modes)
-        frequency = _hertz(values)
+        frequency = hertz(values)
         slopes = np.empty((len(values), 2))
         for direction in range(2):
             dK, dM = self.fine.pencil.slope(kappa, direction)
@@ -282,22 +280,12 @@ class BlochModel:
         return slopes
 
 
-def remaining_error(
-    resolution: Resolution, period: Period, frequency: Array, distance: Array, moving: Bools
-) -> Array:
-    """(k,) Hz that the mesh leaves of frequencies (k,), from their distance to the next lower orders.
+def interior_error(values: Array, left_out: Array) -> Array:
+    """(k,) Hz by which what the interior leaves out would lower modes of eigenvalues (k,), to first order.
 
-    moving : which of them are no rigid motion
+    left_out : (k,) the form of the truncation on each mode
     """
-    # a band may come out alike in both by chance, hence a share of what others are apart
-    relative = np.divide(distance, frequency, out=np.zeros_like(distance), where=moving)
-    error = resolution.remaining(period) * (distance + SHARED * relative[moving].mean() * frequency)
-    return np.asarray(error + resolution.unresolved(period) * distance * relative)
-
-
-def _hertz(values: Array) -> Array:
-    """Frequencies, Hz, from eigenvalues omega^2 that rounding may have left slightly negative."""
-    return np.sqrt(np.maximum(values, 0.0)) / (2 * np.pi)
+    return np.asarray(0.5 * FIRST_ORDER * values * np.abs(left_out) * hertz(values))
 
 
 def _ranked(frequency: Array, error: Array) -> Array:
@@ -345,16 +333,16 @@ def candidate_models(
             else:
                 check_memory(cell, tried)
             model = BlochModel.of(cell, tried, count, **what)
+            trusted = model.truncation <= TRUSTED_TRUNCATION
             given_up = resolution is not None and grown == MOST_GROWTH
-            if model.truncation <= TRUSTED_TRUNCATION or given_up:
+            if trusted or given_up:
                 yield model
                 reached = min(reached, model.worst_error)
             # a mesh is judged by what a trusted interior leaves of its error, and left where that is too much
-            trusted = model.truncation <= TRUSTED_TRUNCATION
-            enough = model.truncation <= TRUNCATION_SHARE * accuracy
+            enough = trusted and model.truncation <= TRUNCATION_SHARE * accuracy
             too_coarse = trusted and resolution is None and model.mesh_error > accuracy
-            grown += not (trusted and enough)
-            if grown > MOST_GROWTH or (trusted and enough) or too_coarse:
+            grown += not enough
+            if enough or too_coarse or grown > MOST_GROWTH:
                 break
             tried = tried.grown()
     raise ResourceError.inaccurate(

@@ -154,6 +154,11 @@ SHIFT = 1e-8
 
 
 @definite()
+def hertz(values: Array) -> Array:
+    """Frequencies, Hz, from eigenvalues omega^2 that rounding may have left slightly negative."""
+    return np.sqrt(np.maximum(values, 0.0)) / (2 * np.pi)
+
+
 def eigenpairs(pencil: Evaluated, kappa: Array, count: int) -> tuple[Array, Fields]:
     """The ``count`` lowest eigenvalues omega^2, (rad/s)^2, and modes (n, count) of unit mass.
 

@@ -6,6 +6,9 @@ import math
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
+import numpy as np
+
+from haptonic.arrays import Array, Bools
 from haptonic.cell import MeshPlan, Period, Pillar, TileShape, UnitCell
 from haptonic.cell.plan import THIN_PLATE, USUAL_BANDS
 from haptonic.errors import GeometryError, ResourceError
@@ -119,6 +122,16 @@ class Resolution:
         was 0.013 from order 4 needed 0.27 of it at order 5, one that was 0.029 from order 3 0.58 at order 4.
         """
         return 0.0 if cell.has_pillars else UNRESOLVED
+
+    def estimate(self, cell: Period, frequency: Array, distance: Array, moving: Bools) -> Array:
+        """(k,) Hz, errors of frequencies (k,) by the mesh, from their distance to the next lower orders.
+
+        moving : which of them are no rigid motion
+        """
+        # a band may come out alike in both by chance, hence a share of what others are apart
+        relative = np.divide(distance, frequency, out=np.zeros_like(distance), where=moving)
+        error = self.remaining(cell) * (distance + SHARED * relative[moving].mean() * frequency)
+        return np.asarray(error + self.unresolved(cell) * distance * relative)
 
     def memory(self, cell: Period) -> float:
         """Estimate of the peak memory, bytes, set to be a little above what orders 3 to 6 were seen to take.

@@ -14,8 +14,8 @@ import numpy as np
 
 from haptonic.arrays import Array, Complex, Ints
 from haptonic.bloch.chain import BlockChain, eigenpairs_within
-from haptonic.bloch.model import FIRST_ORDER, BlochModel, remaining_error
-from haptonic.bloch.pencil import Periodic
+from haptonic.bloch.model import BlochModel, interior_error
+from haptonic.bloch.pencil import Periodic, hertz
 from haptonic.bloch.resolution import Resolution
 from haptonic.cell import Ribbon
 from haptonic.later import sparse as sp
@@ -159,20 +159,19 @@ class RibbonModel:
     def frequencies(self, kappa: float, low: float, high: float) -> Array:
         """(k,) Hz of all modes between two frequencies, without anything else."""
         _, values, _ = eigenpairs_within(*self.fine.at(kappa), *_squares(low, high))
-        return _hertz(values)
+        return hertz(values)
 
     def solve(self, kappa: float, low: float, high: float) -> RibbonModes:
         """All modes between two frequencies (Hz) at a phase (rad) along the ribbon."""
         below, values, modes = eigenpairs_within(*self.fine.at(kappa), *_squares(low, high))
-        frequency, fields = _hertz(values), self.fine.expanded(modes, kappa)
+        frequency, fields = hertz(values), self.fine.expanded(modes, kappa)
         if not len(frequency):
             none = np.empty(0)
             return RibbonModes(kappa, none, none, none, fields, np.empty((0, len(self.ribbon.columns))))
         distance = np.abs(self._lower(kappa, low, high, below, len(frequency)) - frequency)
         every = np.ones(len(frequency), dtype=bool)
-        error = remaining_error(self.resolution, self.ribbon, frequency, distance, every)
-        lost = np.abs(self._summed("truncation", fields).sum(axis=1))
-        error += 0.5 * FIRST_ORDER * values * lost * frequency
+        error = self.resolution.estimate(self.ribbon, frequency, distance, every)
+        error += interior_error(values, self._summed("truncation", fields).sum(axis=1))
         stiffer, heavier = self.fine.at(kappa, slope=True)
         slope = np.einsum("nk,nk->k", modes.conj(), stiffer.times(modes)).real
         slope -= values * np.einsum("nk,nk->k", modes.conj(), heavier.times(modes)).real
@@ -187,7 +186,7 @@ class RibbonModel:
             ends = _squares(max(1 - below_low, LEAST) * low, (1 + above_high) * high)
             first, values, _ = eigenpairs_within(*pencil, *ends)
             if first <= below and first + len(values) >= below + count:
-                return _hertz(values[below - first : below - first + count])
+                return hertz(values[below - first : below - first + count])
             below_low *= 2 if first > below else 1
             above_high *= 2 if first + len(values) < below + count else 1
 
@@ -205,10 +204,6 @@ class RibbonModel:
 
 def _squares(low: float, high: float) -> tuple[float, float]:
     return (2 * np.pi * low) ** 2, (2 * np.pi * high) ** 2
-
-
-def _hertz(values: Array) -> Array:
-    return np.sqrt(values) / (2 * np.pi)
 
 
 def bulk_bands(model: BlochModel, ribbon: Ribbon, kappa: Sequence[float]) -> Array:

@@ -8,7 +8,7 @@ import numpy as np
 
 from haptonic.arrays import Array, Ints
 from haptonic.bloch.model import BlochModel
-from haptonic.bloch.pencil import eigenpairs
+from haptonic.bloch.pencil import eigenpairs, hertz
 from haptonic.brillouin import IrreducibleZone
 from haptonic.lattice import HALF_TURN, PointGroup
 
@@ -63,5 +63,5 @@ def zone_surface(model: BlochModel, divisions: int) -> ZoneSurface:
     """Sample the irreducible zone on a regular triangulation."""
     kappa, triangles = model.cell.zone.triangles(divisions)
     values = np.stack([eigenpairs(model.fine.pencil, point, model.count)[0] for point in kappa])
-    frequency = np.sqrt(np.maximum(values, 0.0)) / (2 * np.pi)
+    frequency = hertz(values)
     return ZoneSurface(model.cell.zone, model.cell.point_group, kappa, triangles, frequency)

@@ -126,7 +126,7 @@ class MeshPlan:
         neck = (THIN_NECK if thin else WIDE_NECK) / _neck(cell, cell.pillar)
         smooth = 4 if order == 3 else order
         turn = (smooth + 2) * max(1.0, neck) * (SHORT_WAVES if thin else 1.0)
-        around, blocks = _divided(round(turn) + more) if more else (round(turn), 1)
+        around, blocks = _around(turn, more)
         layers = _layers_along(cell.pillar)
         rings = max(foot_rings, 1) if cell.pillar.fillet else foot_rings  # the arc is an edge of elements
         bridging = bridges(cell, rings)
@@ -162,11 +162,9 @@ class MeshPlan:
         """
         layers = _layers_along(pillar)
         neck = _neck(cell, pillar, 0.5 * cell.inradius)
-        around, blocks = (order + 2) * SHEET_WAVES * max(1.0, SHEET_NECK / neck), 1
-        if shorter:
-            around, blocks = _divided(round(around + shorter))
+        around, blocks = _around((order + 2) * SHEET_WAVES * max(1.0, SHEET_NECK / neck), shorter)
         return cls(
-            round(around),
+            around,
             foot_rings,
             layers[0],
             layers[1] if pillar.step else 0,
@@ -309,6 +307,11 @@ def _waves(cell: TileShape, bands: float) -> float:
     As many flexural waves fit into a circle about Gamma whose area is that of as many zones.
     """
     return math.sqrt(bands / math.pi * cell.elongation)
+
+
+def _around(turn: float, more: float) -> tuple[int, int]:
+    """Order and number of elements around a quarter turn that needs ``turn`` orders, and more for bands."""
+    return _divided(round(turn + more)) if more else (round(turn), 1)
 
 
 def _divided(order: int) -> tuple[int, int]:

@@ -11,7 +11,7 @@ import numpy as np
 
 from haptonic import __version__
 from haptonic.bloch import bloch_pencil
-from haptonic.bloch.pencil import eigenpairs
+from haptonic.bloch.pencil import eigenpairs, hertz
 from haptonic.cell import MeshPlan, UnitCell
 from haptonic.later import psutil
 from haptonic.lattice import Lattice
@@ -70,6 +70,6 @@ def shear_wave_error() -> float:
     cell = UnitCell(Lattice.square(7e-3), 1.5e-3, material)
     kappa = np.array([0.5 * np.pi, 0.0])
     pencil = bloch_pencil(Tiling.single(condense(cell, MeshPlan(4, 0, 0), measured=False)))
-    frequencies = np.sqrt(np.maximum(eigenpairs(pencil, kappa, 6)[0], 0.0)) / (2 * np.pi)
+    frequencies = hertz(eigenpairs(pencil, kappa, 6)[0])
     exact = material.shear_speed * float(kappa[0]) / (2 * np.pi * cell.lattice.pitch)
     return float(np.abs(frequencies / exact - 1.0).min())

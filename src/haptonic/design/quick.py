@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from haptonic.arrays import Array
 from haptonic.bloch.gaps import ZoneSampling
 from haptonic.bloch.model import BlochModel, ReducedCell
-from haptonic.bloch.pencil import eigenpairs
+from haptonic.bloch.pencil import eigenpairs, hertz
 from haptonic.bloch.resolution import Resolution
 from haptonic.cell import UnitCell
 from haptonic.design.sensitivity import eigenvalue_derivatives
@@ -46,7 +46,7 @@ def edges_of(cell: UnitCell, count: int) -> Array:
         pencil = ReducedCell.of(tiling, count, np.inf).pencil
         wavevectors, _ = cell.zone.triangles(GLANCE_DIVISIONS)
         values = np.array([eigenpairs(pencil, kappa, count)[0] for kappa in wavevectors])
-    frequency = np.sqrt(np.maximum(values, 0.0)) / (2 * np.pi)
+    frequency = hertz(values)
     return np.stack([frequency[:, :-1].max(axis=0), frequency[:, 1:].min(axis=0)])
 
 
