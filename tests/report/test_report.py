@@ -103,7 +103,7 @@ def empty_pictures(monkeypatch):
 def undrawn_mirror(monkeypatch):
     """The pictures of a mirror stay empty: the tests of its words need none."""
     for name in ("layers", "decay", "guide"):
-        monkeypatch.setattr(f"haptonic.plots.{name}", lambda *_: Figure())
+        monkeypatch.setattr(f"haptonic.plots.{name}", lambda *_, **__: Figure())
 
 
 @pytest.fixture(scope="module")
