@@ -7,7 +7,7 @@ import json
 from haptonic.bloch import Gap, gaps_of
 from haptonic.later import xarray as xr
 from haptonic.plots.text import khz
-from haptonic.report.chapter import Absent, Chapter, Results
+from haptonic.report.chapter import Absent, Chapter, Finding, Results
 
 
 def chapter(results: Results) -> Chapter | Absent:
@@ -33,7 +33,10 @@ def chapter(results: Results) -> Chapter | Absent:
             "A bound after ± holds the error of the mesh, of the reduced model and of the sampling. Samples "
             "are the wavevectors that a gap rests on.",
         ),
-        findings=(*bands.summary()[:-1], *_about_carrier(complete, carrier)),
+        findings=tuple(
+            Finding(text, "dispersion")
+            for text in [*bands.summary()[:-1], *_about_carrier(complete, carrier)]
+        ),
         pictures=results.pictures(bands, words),
         tables=tuple(bands.tables()),
     )
