@@ -9,6 +9,7 @@ from functools import cached_property
 import numpy as np
 
 from haptonic.arrays import Array, Ints
+from haptonic.cell.directed import Directed, check_along
 from haptonic.cell.geometry import UnitCell
 from haptonic.cell.tile import FreeEdge, PlacedTile
 from haptonic.errors import GeometryError
@@ -18,7 +19,7 @@ LEAST_COLUMNS = 2
 
 
 @dataclass(frozen=True, eq=False)
-class Ribbon:
+class Ribbon(Directed):
     """One period of a ribbon, as computed with.
 
     columns : the cell of each column, equal ones one object; plain plate is a cell without pillars
@@ -41,16 +42,7 @@ class Ribbon:
                 cause="a single column has no neighbour that a wave could be guided by",
                 next_step="write the letters of all columns, such as ooo1111ooo",
             )
-        if math.gcd(*self.along) != 1:
-            raise GeometryError.out_of_range(
-                argument="ribbon.along",
-                given=f"{list(self.along)}",
-                allowed="two whole numbers without a common divisor",
-                cause="the ribbon repeats after a part of that"
-                if any(self.along)
-                else "that is no direction",
-                next_step="write along = [0, 1] for the second translation of the lattice",
-            )
+        check_along(self.along, "ribbon", "the ribbon")
         first = self.columns[0]
         for number, one in enumerate(self.columns[1:], start=2):
             self._check_meets(first, one, number)
@@ -81,16 +73,9 @@ class Ribbon:
                 next_step="change sizes of pillars only, or of the pitch across the ribbon",
             )
 
-    @cached_property
-    def across(self) -> tuple[int, int]:
-        """How many translations lead from a column to the next, to the right: the shortest way."""
-        m, n = self.along
-        vectors = self.columns[0].lattice.vectors
-        x, y = _bezout(m, n)  # m x + n y = 1
-        step = np.array([y, -x])  # of determinant n y + m x = 1 with (m, n)
-        span, period = step @ vectors, np.array(self.along) @ vectors
-        found = step - round(float(span @ period / (period @ period)) - SAME) * np.array(self.along)
-        return int(found[0]), int(found[1])
+    @property
+    def translations(self) -> Array:
+        return self.columns[0].lattice.vectors
 
     @cached_property
     def steps(self) -> Array:
@@ -102,22 +87,6 @@ class Ribbon:
         """(columns, 2) of the columns' cells, the first one's at the origin, m."""
         ways = 0.5 * (self.steps[1:] + self.steps[:-1])
         return np.concatenate([np.zeros((1, 2)), np.cumsum(ways, axis=0)])
-
-    @property
-    def vectors(self) -> Array:
-        """(1, 2) the period, m."""
-        return np.array([self.along]) @ self.columns[0].lattice.vectors
-
-    @property
-    def period(self) -> float:
-        """m."""
-        return float(np.linalg.norm(self.vectors[0]))
-
-    @cached_property
-    def turn(self) -> Array:
-        """(2, 2) to axes in which the period lies along y."""
-        x, y = self.vectors[0] / self.period
-        return np.array([[y, -x], [x, y]])
 
     @cached_property
     def tiles(self) -> tuple[PlacedTile, ...]:
@@ -179,16 +148,3 @@ class Ribbon:
     def has_plain_guide(self) -> bool:
         """Whether the guide is plain plate, and not the edge of a crystal."""
         return any(not self.columns[number].has_pillars for number in self.guide)
-
-    def phases(self, along: float, across: Array) -> Array:
-        """(n, 2) phases (k.a1, k.a2) of a crystal from those along (rad) and across (n,) the ribbon."""
-        both = np.column_stack([np.full(len(across), along), across])
-        return np.asarray(np.linalg.solve(np.array([self.along, self.across], dtype=float), both.T).T)
-
-
-def _bezout(m: int, n: int) -> tuple[int, int]:
-    """(x, y) with m x + n y = 1, for numbers without a common divisor (extended Euclid)."""
-    if n == 0:
-        return m, 0  # m is 1 or -1
-    x, y = _bezout(n, m % n)
-    return y, x - (m // n) * y
