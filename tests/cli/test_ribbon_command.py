@@ -50,7 +50,7 @@ def test_all_modes_are_in_the_file_with_what_they_are(ran):
     _, folder = ran
     data = xr.load_dataset(folder / "ribbon.nc", engine="h5netcdf")
     assert data["wavevector_phase"].values == pytest.approx((np.arange(4) + 0.5) * np.pi / 4)
-    assert data["column_share"].sum("column").values == pytest.approx(np.ones(data.sizes["mode"]))
+    assert data["cell_share"].sum(["line", "column"]).values == pytest.approx(np.ones(data.sizes["mode"]))
     assert (data["frequency_error"] > 0).all()
     held = data["guided"].values.astype(bool)
     assert (data["in_gap"].values[held] == 1).all()

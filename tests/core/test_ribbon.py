@@ -14,9 +14,11 @@ from strategies import ALUMINIUM, reference_cell
 from test_sites import TALL, THIN, named
 
 from five_parts import refusing
+from haptonic.bloch.centred import CentredPencil
 from haptonic.bloch.chain import BlockChain, counted, eigenpairs_within
 from haptonic.bloch.guided import decay, harmonics, in_gap, outermost, within
 from haptonic.bloch.model import BlochModel
+from haptonic.bloch.pencil import eigenpairs
 from haptonic.bloch.resolution import Resolution
 from haptonic.bloch.ribbon import RibbonModel, RibbonModes, bulk_bands
 from haptonic.bloch.rows import CondensedRows, attenuation
@@ -24,6 +26,7 @@ from haptonic.cell import Pillar, Ribbon, Site, UnitCell
 from haptonic.errors import GeometryError
 from haptonic.lattice import Lattice
 from haptonic.materials import elasticity_tensor
+from haptonic.superelement import Tiling
 
 MM = 1e-3
 COARSE = Resolution(2, 1)
@@ -121,7 +124,7 @@ def test_the_prototypes_guide_holds_one_mode_without_nodal_lines_at_17_intervals
         within(found.energy, model.ribbon.guide),
         within(found.energy, outermost(model.ribbon)),
     )
-    assert found.energy.sum(axis=1) == pytest.approx([1.0], rel=1e-9), "unit mass"
+    assert found.energy.sum(axis=(1, 2)) == pytest.approx([1.0], rel=1e-9), "unit mass"
     assert share > 0.95
     assert edges < 1e-4
     wavenumber, across = harmonics(model.ribbon, model.fine, found)
@@ -237,6 +240,71 @@ def test_an_edge_between_mirrored_honeycombs_holds_a_wave_that_crosses_the_gap()
     assert (slope < 0).all()
     assert frequency[0] > low + 0.8 * (high - low)
     assert frequency[-1] < low + 0.3 * (high - low)
+
+
+# --- a defect -----------------------------------------------------------------------------------------------
+
+LOWER = replace(CRYSTAL, pillar=replace(CRYSTAL.pillar, height=0.95 * CRYSTAL.pillar.height))
+
+
+def around(defect: UnitCell, columns: int, lines: int) -> Ribbon:
+    """One other cell in the middle of a crystal."""
+    line, half = (CRYSTAL,) * columns, columns // 2
+    middle = (CRYSTAL,) * half + (defect,) + (CRYSTAL,) * half
+    lowest, *more = (middle if number == lines // 2 else line for number in range(lines))
+    return Ribbon(lowest, more=tuple(more))
+
+
+@pytest.mark.parametrize("lines", [2, 3])
+def test_equal_lines_have_the_waves_of_one_at_as_many_phases(lines):
+    line = (CRYSTAL, CRYSTAL.without_pillar(), CRYSTAL)
+    single = RibbonModel.of(Ribbon(line), COARSE)
+    several = RibbonModel.of(Ribbon(line, more=(line,) * (lines - 1)), COARSE)
+    phases = (0.6 + 2 * np.pi * np.arange(lines)) / lines
+    expected = np.sort(np.concatenate([single.frequencies(one, 54e3, 61e3) for one in phases]))
+    found = several.solve(0.6, 54e3, 61e3)
+    assert len(expected) > 1
+    assert found.frequency == pytest.approx(expected, rel=1e-9)
+    assert found.energy.sum(axis=(1, 2)) == pytest.approx(np.ones(len(expected)), rel=1e-9)
+    assert found.energy[:, 0] == pytest.approx(found.energy[:, -1], abs=1e-6), "alike in each line"
+    assert several.ribbon.kind == "guide", "it does not change along the ribbon"
+
+
+def test_a_pillar_a_twentieth_too_short_holds_the_same_wave_in_a_crystal_without_edges():
+    """As one site of nine it is repeated in both directions: no free edges, and another solver."""
+    model = RibbonModel.of(around(LOWER, 5, 3), COARSE)
+    assert model.ribbon.kind == "defect"
+    assert np.argwhere(model.ribbon.guide).tolist() == [[1, 2]]
+    found = [model.solve(kappa, 53.4e3, 53.8e3) for kappa in (0.0, np.pi)]
+    assert [len(one.frequency) for one in found] == [1, 1]
+    held = np.concatenate([one.frequency for one in found])
+    assert np.concatenate([within(one.energy, model.ribbon.guide) for one in found]).min() > 0.97
+    assert np.ptp(held) < 2e-4 * held.mean(), "copies three cells apart hardly feel each other"
+    thirds = [0.0, 1 / 3, 2 / 3]
+    site = tuple(
+        Site(at=(x, y), pillar=LOWER.pillar if x == y == 0 else CRYSTAL.pillar)
+        for x in thirds
+        for y in thirds
+    )
+    cell = UnitCell(Lattice.square(21 * MM), CRYSTAL.thickness, ALUMINIUM, site=site)
+    tiling = Tiling.condensed(cell, COARSE.plans(cell), COARSE.steps, COARSE.block, measured=False)
+    values, _ = eigenpairs(CentredPencil.of(tiling), np.zeros(2), 60)
+    nearest = np.abs(np.sqrt(np.abs(values)) / (2 * np.pi) - held.mean()).min()
+    assert nearest < 2e-4 * held.mean()
+
+
+def test_what_holds_waves_is_told_from_the_crystals_around():
+    plain = CRYSTAL.without_pillar()
+    line = (CRYSTAL,) * 3
+    changed = Ribbon((CRYSTAL, LOWER, CRYSTAL))
+    assert changed.kind == "guide", "a column of other pillars"
+    assert changed.crystals == (CRYSTAL,)
+    assert Ribbon((CRYSTAL, LOWER)).kind == "edge"
+    assert Ribbon((CRYSTAL, LOWER)).guide.all()
+    missing = Ribbon(line, more=((CRYSTAL, plain, CRYSTAL), line))
+    assert missing.kind == "defect"
+    assert np.argwhere(missing.guide).tolist() == [[1, 1]]
+    assert not Ribbon(line, more=((LOWER,) * 3,)).guide.any(), "a line across is no guide along"
 
 
 # --- all modes, and no others -------------------------------------------------------------------------------

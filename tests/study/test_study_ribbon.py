@@ -1,5 +1,6 @@
 """[ribbon] in a study file: what it says, and what is refused."""
 
+import numpy as np
 import pytest
 
 from five_parts import assert_told
@@ -29,6 +30,17 @@ o = "lattice"
 [ribbon.widths]
 guide = "8 mm"
 """
+DEFECT = """
+[ribbon]
+map = '''
+ooo
+o1o
+'''
+tiles = { o = "lattice", 1 = "short" }
+[[ribbon.cell]]
+name = "short"
+change = { "cell.pillar.height" = "14 mm" }
+"""
 COMB = """
 material = "aluminium-2017a"
 [cell]
@@ -55,20 +67,31 @@ def made(text):
 
 def test_a_map_is_columns_of_cells_side_by_side():
     found = made(STUDY + RIBBON)
-    assert [cell.pillar is None for cell in found.columns] == [letter == "1" for letter in "ooo1111ooo"]
-    assert len({id(cell) for cell in found.columns}) == 2, "equal columns are one object"
-    assert found.columns[4].lattice.a1 == (8e-3, 0.0)
-    assert found.guide == (3, 4, 5, 6)
+    assert [cell.pillar is None for cell in found.first] == [letter == "1" for letter in "ooo1111ooo"]
+    assert len({id(cell) for cell in found.first}) == 2, "equal columns are one object"
+    assert found.first[4].lattice.a1 == (8e-3, 0.0)
+    assert np.argwhere(found.guide).tolist() == [[0, 3], [0, 4], [0, 5], [0, 6]]
     assert found.period == pytest.approx(7e-3)
     assert found.origins[-1] - found.origins[0] == pytest.approx([6 * 7e-3 + 4 * 8e-3 - 7e-3, 0.0])
 
 
 def test_pillars_of_sites_may_be_exchanged_beyond_an_edge():
     found = made(COMB)
-    heights = [[one.height for one in cell.pillars] for cell in (found.columns[0], found.columns[-1])]
+    heights = [[one.height for one in cell.pillars] for cell in (found.first[0], found.first[-1])]
     assert heights[0] == heights[1][::-1] == [3.3e-3, 2.7e-3]
-    assert found.guide == (2, 3), "on either side of where they meet"
-    assert not found.has_plain_guide
+    assert np.flatnonzero(found.guide).tolist() == [2, 3], "on either side of where they meet"
+    assert found.kind == "edge"
+
+
+def test_several_lines_are_read_from_the_bottom_up():
+    study = loads(STUDY + DEFECT)
+    found = study.ribbon_settings.ribbon(study.cell)
+    assert found.kind == "defect"
+    assert np.argwhere(found.guide).tolist() == [[0, 1]], "the last line of the map is the lowest"
+    assert study.ribbon_settings.names == [["lattice", "short", "lattice"], ["lattice"] * 3]
+    assert found.period == pytest.approx(14e-3)
+    assert study.ribbon_settings.wavevectors < loads(STUDY + RIBBON).ribbon_settings.wavevectors
+    assert loads(study.to_toml()) == study
 
 
 def test_a_study_with_a_ribbon_is_written_and_read_back():
@@ -101,8 +124,13 @@ def changed(*pairs, text=STUDY + RIBBON):
         (changed(("ooo1111ooo", "ooooo"), ('1 = "guide"', ""), ('guide = "8 mm"', "")), "conflict",
          "ribbon.map", "nothing in them guides a wave"),
         (changed(("ooo1111ooo", "ooo11x1ooo")), "unknown", "ribbon.map", "[ribbon.tiles] does not say"),
-        (changed(("ooo1111ooo", "ooo1..1ooo")), "malformed", "ribbon.map", "one line"),
-        (changed(('"ooo1111ooo"', '"""\nooo\n111\n"""')), "malformed", "ribbon.map", "[plate] takes maps"),
+        (changed(("ooo1111ooo", "ooo1..1ooo")), "malformed", "ribbon.map", "no holes"),
+        (changed(('"ooo1111ooo"', '"""' + 12 * "ooo1111ooo\n" + 'o11"""')), "malformed", "ribbon.map", "13"),
+        (changed(('"ooo1111ooo"', '"""' + 13 * "ooo1111ooo\n" + '"""')), "malformed",
+         "ribbon.map", "13 x 10"),
+        (changed(('"ooo1111ooo"', '"""\nooo\no1o\n"""')), "conflict", "ribbon.rows", "several lines"),
+        (changed(("ooo\no1o", "ooo\n111"), text=STUDY + DEFECT), "conflict",
+         "ribbon.map", "the crystal around"),
         (changed(('"ooo1111ooo"', '""')), "malformed", "ribbon.map", "the map is empty"),
         (changed(("ooo1111ooo", "1"), ('o = "lattice"', "")), "out-of-range",
          "ribbon.map", "side by side"),

@@ -84,9 +84,9 @@ def ribbon(study: Description, options: Any) -> Cost:
     section = study.ribbon_settings
     assert section is not None
     made = section.ribbon(study.cell)
-    tiles = max(len(cell.tiles) for cell in made.columns)
-    each = Cost(COLUMN * tiles**2 * len(made.columns) + BULK * len(made.crystals))
-    return meshes(study).times(max(1, len(made.crystals))) + each.times(section.rows or section.points)
+    tiles = max(len(cell.tiles) for cell in made.cells) * len(made.lines)
+    each = Cost(COLUMN * tiles**2 * len(made.first) + BULK * len(made.crystals) * len(made.lines))
+    return meshes(study).times(max(1, len(made.cells))) + each.times(section.rows or section.wavevectors)
 
 
 def design(study: Description, options: Any) -> Cost:

@@ -37,9 +37,9 @@ def compute(study: Description, options: NoOptions, runner: Runner) -> RibbonWav
     asked = _needed(study)
     found: RibbonWaves = compute_ribbon(
         asked.ribbon(study.cell),
-        [asked.tiles[letter] for letter in asked.map],
+        asked.names,
         study.bands_settings,
-        points=asked.points,
+        points=asked.wavevectors,
         rows=asked.rows,
         between=(asked.lowest, asked.highest),
         carrier=study.carrier,

@@ -15,15 +15,16 @@ STILL = 0.05  # of the largest amplitude across the guide, below which its sign 
 NEAR_AND_FAR = 5  # rows from which the first one, which fading waves of all kinds reach, may be left out
 
 
-def within(share: Array, columns: tuple[int, ...]) -> Array:
-    """(k,) share of the energy (k, columns) in some columns."""
-    return np.asarray(share[:, list(columns)].sum(axis=1) / share.sum(axis=1))
+def within(energy: Array, cells: Bools) -> Array:
+    """(k,) share of the energy (k, lines, columns) in some cells (lines, columns)."""
+    return np.asarray(energy[:, cells].sum(axis=1) / energy.sum(axis=(1, 2)))
 
 
-def outermost(ribbon: Ribbon) -> tuple[int, ...]:
-    """The first and the last column, if they are no guide: their free edges hold waves of their own."""
-    ends = (0, len(ribbon.columns) - 1)
-    return tuple(number for number in ends if number not in ribbon.guide)
+def outermost(ribbon: Ribbon) -> Bools:
+    """(lines, columns) the first and the last column without a guide: free edges hold waves of their own."""
+    ends = np.zeros_like(ribbon.guide)
+    ends[:, [0, -1]] = True
+    return np.asarray(ends & ~ribbon.guide)
 
 
 def in_gap(modes: RibbonModes, bulk: Array) -> Bools:
@@ -41,17 +42,18 @@ def in_gap(modes: RibbonModes, bulk: Array) -> Bools:
 
 
 def decay(ribbon: Ribbon, energy: Array) -> Array:
-    """(k,) dB per row by which modes of given energy (k, columns) fade away from the guide.
+    """(k,) dB per row by which modes of given energy (k, lines, columns) fade across, away from the guide.
 
-    By least squares over the rows on each side, without the outermost, where the free edge throws waves
+    By least squares over the columns on each side, without the outermost, where the free edge throws waves
     back; the slower side counts. NaN where there are not two rows to compare.
     """
-    guide = ribbon.guide
-    if not guide:
+    guide = np.flatnonzero(ribbon.guide.any(axis=0))
+    if not len(guide):
         return np.full(len(energy), np.nan)
+    energy = energy.sum(axis=1)
     found = np.full((2, len(energy)), np.nan)
-    beside = int(ribbon.has_plain_guide)  # of an edge between two crystals its own columns are the first rows
-    sides = range(min(guide) - beside, -1, -1), range(max(guide) + beside, len(ribbon.columns))
+    beside = int(ribbon.kind != "edge")  # of an edge between two crystals its own columns are the first rows
+    sides = range(min(guide) - beside, -1, -1), range(max(guide) + beside, energy.shape[1])
     for side, columns in enumerate(sides):
         rows = np.array(columns, dtype=int)[:-1]
         rows = rows[1:] if len(rows) >= NEAR_AND_FAR else rows
@@ -70,11 +72,13 @@ def harmonics(ribbon: Ribbon, pencil: RibbonPencil, modes: RibbonModes) -> tuple
 
     Along lines of the flat face that lie along the ribbon, sides of tiles, a mode is split into
     ``exp(i (kappa + 2 pi h) y / period)``; that with the largest amplitude counts. NaN where tiles have no
-    sides along the ribbon.
+    sides along the ribbon, and for several lines: what changes along the ribbon has no wavenumber.
     """
+    if ribbon.more:
+        return np.full(len(modes.frequency), np.nan), np.full(len(modes.frequency), np.nan)
     joint = pencil.tiling.joint
     sizes = np.diff(joint.ends, prepend=0)
-    places = np.flatnonzero(np.repeat(np.isin(ribbon.column_of_tile, ribbon.guide), sizes))
+    places = np.flatnonzero(np.repeat(ribbon.guide[0, ribbon.place_of_tile[1]], sizes))
     at = joint.position[places] @ ribbon.turn.T
     motion = modes.fields[joint.unknowns[0, places, 2]]
     close = 1e-6 * ribbon.period
@@ -97,7 +101,7 @@ def harmonics(ribbon: Ribbon, pencil: RibbonPencil, modes: RibbonModes) -> tuple
     phase = np.take_along_axis(across, np.abs(across).argmax(axis=0)[None], axis=0)
     size = (across * np.exp(-1j * np.angle(phase))).real / np.maximum(np.abs(phase), 1e-300)
     lines_across = np.full(size.shape[1], np.nan)
-    for number, one in enumerate(size.T if ribbon.has_plain_guide else []):
+    for number, one in enumerate(size.T if ribbon.kind == "guide" else []):
         signs = np.sign(one[np.abs(one) > STILL])
         lines_across[number] = (np.diff(signs) != 0).sum()
     return wavenumber, lines_across

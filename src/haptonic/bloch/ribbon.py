@@ -45,8 +45,8 @@ class RibbonPencil:
     def of(cls, ribbon: Ribbon, tiling: Tiling) -> RibbonPencil:
         """A free unknown goes to the block of the first column that has it."""
         periodic = Periodic.of(tiling)
-        column = np.full(len(periodic.free), len(ribbon.columns))
-        for own, number in zip(tiling.own, ribbon.column_of_tile, strict=True):
+        column = np.full(len(periodic.free), len(ribbon.first))
+        for own, number in zip(tiling.own, ribbon.place_of_tile[1], strict=True):
             np.minimum.at(column, periodic.number[own], number)
         block = column // ribbon.reach
         order = np.argsort(block, kind="stable")
@@ -122,7 +122,7 @@ class RibbonModes:
     kappa : rad; frequency, error : (k,) Hz; the error bounds the distance to the exact frequency
     slope : (k,) derivatives of the frequency with respect to the phase, Hz/rad
     fields : (t + m, k) unknowns of the tiling, unit mass
-    energy : (k, columns) share of each column in the energy
+    energy : (k, lines, columns) share of each cell in the energy
     """
 
     kappa: float
@@ -167,11 +167,11 @@ class RibbonModel:
         frequency, fields = hertz(values), self.fine.expanded(modes, kappa)
         if not len(frequency):
             none = np.empty(0)
-            return RibbonModes(kappa, none, none, none, fields, np.empty((0, len(self.ribbon.columns))))
+            return RibbonModes(kappa, none, none, none, fields, np.empty((0, *self.ribbon.guide.shape)))
         distance = np.abs(self._lower(kappa, low, high, below, len(frequency)) - frequency)
         every = np.ones(len(frequency), dtype=bool)
         error = self.resolution.estimate(self.ribbon, frequency, distance, every)
-        error += interior_error(values, self._summed("truncation", fields).sum(axis=1))
+        error += interior_error(values, self._summed("truncation", fields).sum(axis=(1, 2)))
         stiffer, heavier = self.fine.at(kappa, slope=True)
         slope = np.einsum("nk,nk->k", modes.conj(), stiffer.times(modes)).real
         slope -= values * np.einsum("nk,nk->k", modes.conj(), heavier.times(modes)).real
@@ -191,15 +191,18 @@ class RibbonModel:
             above_high *= 2 if first + len(values) < below + count else 1
 
     def _summed(self, form: str, fields: Complex) -> Array:
-        """(k, columns) what the tiles' forms are on fields (t + m, k), by column."""
+        """(k, lines, columns) what the tiles' forms are on fields (t + m, k), by cell."""
         tiling = self.fine.tiling
-        found = np.zeros((len(self.ribbon.columns), fields.shape[1]))
-        for number, (own, column) in enumerate(zip(tiling.own, self.ribbon.column_of_tile, strict=True)):
+        found = np.zeros((*self.ribbon.guide.shape, fields.shape[1]))
+        places = self.ribbon.place_of_tile.T
+        for number, (own, (line, column)) in enumerate(zip(tiling.own, places, strict=True)):
             tile = tiling.tiles[number]
             mine = fields[own]
             trace = tiling.joint.turned(number, mine[: tile.trace_size], back=True)
-            found[column] += on_each(getattr(tile, form), np.concatenate([trace, mine[tile.trace_size :]]))
-        return found.T
+            found[line, column] += on_each(
+                getattr(tile, form), np.concatenate([trace, mine[tile.trace_size :]])
+            )
+        return np.moveaxis(found, -1, 0)
 
 
 def _squares(low: float, high: float) -> tuple[float, float]:

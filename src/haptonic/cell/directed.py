@@ -20,7 +20,7 @@ Along = tuple[Translations, Translations]  # as a study gives it
 class Directed:
     """What repeats along a direction of a lattice.
 
-    along : how many of the lattice's two translations a period is; next to each other they may be 0 and 1
+    along : how many of the lattice's two translations lead on; next to each other they may be 0 and 1
     """
 
     along: tuple[int, int]
@@ -36,24 +36,29 @@ class Directed:
         m, n = self.along
         x, y = _bezout(m, n)  # m x + n y = 1
         step = np.array([y, -x])  # of determinant n y + m x = 1 with (m, n)
-        span, period = step @ self.translations, self.vectors[0]
+        span, period = step @ self.translations, self.way
         found = step - round(float(span @ period / (period @ period)) - SAME) * np.array(self.along)
         return int(found[0]), int(found[1])
 
     @property
+    def way(self) -> Array:
+        """(2,) m, after which the lattice repeats."""
+        return np.asarray(np.array(self.along) @ self.translations)
+
+    @property
     def vectors(self) -> Array:
         """(1, 2) the period, m."""
-        return np.array([self.along]) @ self.translations
+        return np.asarray(self.way[None])
 
     @property
     def period(self) -> float:
         """m."""
-        return float(np.linalg.norm(self.vectors[0]))
+        return float(np.linalg.norm(self.vectors))
 
     @cached_property
     def turn(self) -> Array:
         """(2, 2) to axes in which the period lies along y."""
-        x, y = self.vectors[0] / self.period
+        x, y = self.way / np.linalg.norm(self.way)
         return np.array([[y, -x], [x, y]])
 
     def phases(self, along: float, across: Array) -> Array:

@@ -1,14 +1,19 @@
-"""A ribbon: cells side by side in one direction, repeated along another; its outermost edges are free."""
+"""A ribbon: cells side by side in one direction, repeated along another; its outermost edges are free.
+
+One line of cells is a guide, or the edge between two crystals. Several lines that are alike but for a cell
+are a crystal with a defect; the copies that the repetition makes of it are as far apart as there are lines.
+"""
 
 from __future__ import annotations
 
 import math
 from dataclasses import dataclass
 from functools import cached_property
+from typing import Literal
 
 import numpy as np
 
-from haptonic.arrays import Array, Ints
+from haptonic.arrays import Array, Bools, Ints
 from haptonic.cell.directed import Directed, check_along
 from haptonic.cell.geometry import UnitCell
 from haptonic.cell.tile import FreeEdge, PlacedTile
@@ -16,42 +21,49 @@ from haptonic.errors import GeometryError
 from haptonic.lattice import SAME
 
 LEAST_COLUMNS = 2
+Line = tuple[UnitCell, ...]
+RibbonKind = Literal["guide", "defect", "edge"]
 
 
 @dataclass(frozen=True, eq=False)
 class Ribbon(Directed):
     """One period of a ribbon, as computed with.
 
-    columns : the cell of each column, equal ones one object; plain plate is a cell without pillars
-    along : how many of its cell's two translations the period is; next to each other they may be 0 and 1
+    first : cells of the first line, from left to right, equal ones one object; plain plate is a cell without
+        pillars
+    along : how many of its cell's two translations lead from a line to the next
+    more : further lines, in the order in which they follow along the ribbon
 
     Raises
     ------
-    GeometryError : a single column, a period that is no shortest one, or columns that do not fit together
+    GeometryError : a single column, no shortest way from line to line, or cells that do not fit together
     """
 
-    columns: tuple[UnitCell, ...]
+    first: Line
     along: tuple[int, int] = (0, 1)
+    more: tuple[Line, ...] = ()
 
     def __post_init__(self) -> None:
-        if len(self.columns) < LEAST_COLUMNS:
+        if len(self.first) < LEAST_COLUMNS:
             raise GeometryError.out_of_range(
                 argument="ribbon.map",
-                given=f"{len(self.columns)} column",
+                given=f"{len(self.first)} column",
                 allowed=f"at least {LEAST_COLUMNS}, side by side",
                 cause="a single column has no neighbour that a wave could be guided by",
                 next_step="write the letters of all columns, such as ooo1111ooo",
             )
         check_along(self.along, "ribbon", "the ribbon")
-        first = self.columns[0]
-        for number, one in enumerate(self.columns[1:], start=2):
-            self._check_meets(first, one, number)
+        for column, top in enumerate(self.first):
+            self._check_meets(self.first[0], top, column + 1, self.along == (0, 1))
+            for line in self.more:
+                assert len(line) == len(self.first), "lines of several lengths"
+                self._check_meets(top, line[column], column + 1, False)
 
-    def _check_meets(self, first: UnitCell, one: UnitCell, number: int) -> None:
+    def _check_meets(self, first: UnitCell, one: UnitCell, number: int, may_differ: bool) -> None:
+        """Refuse a cell of a column whose sides do not meet those of another cell; of rectangles the width
+        across the ribbon may differ."""
         close = SAME * first.lattice.pitch
-        free = self.along == (0, 1) and all(
-            cell.is_simple and cell.lattice.is_rectangular for cell in (first, one)
-        )
+        free = may_differ and all(cell.is_simple and cell.lattice.is_rectangular for cell in (first, one))
         wanted, found = (
             (cell.lattice.vectors[1:] if free else cell.lattice.vectors) for cell in (first, one)
         )
@@ -75,46 +87,61 @@ class Ribbon(Directed):
 
     @property
     def translations(self) -> Array:
-        return self.columns[0].lattice.vectors
+        return self.first[0].lattice.vectors
 
     @cached_property
     def steps(self) -> Array:
         """(columns, 2) translation across each column, m."""
-        return np.array([np.array(self.across) @ cell.lattice.vectors for cell in self.columns])
+        return np.array([np.array(self.across) @ cell.lattice.vectors for cell in self.first])
 
     @cached_property
     def origins(self) -> Array:
-        """(columns, 2) of the columns' cells, the first one's at the origin, m."""
+        """(columns, 2) of the first line's cells, the first one's at the origin, m."""
         ways = 0.5 * (self.steps[1:] + self.steps[:-1])
         return np.concatenate([np.zeros((1, 2)), np.cumsum(ways, axis=0)])
 
-    @cached_property
-    def tiles(self) -> tuple[PlacedTile, ...]:
-        """Of all columns, from left to right."""
-        return tuple(
-            PlacedTile(one.tile, one.turn, one.position + origin)
-            for cell, origin in zip(self.columns, self.origins, strict=True)
-            for one in cell.tiles
-        )
+    @property
+    def lines(self) -> tuple[Line, ...]:
+        """All of one period."""
+        return (self.first, *self.more)
+
+    @property
+    def vectors(self) -> Array:
+        """(1, 2) the period, m."""
+        return np.asarray(len(self.lines) * self.way[None])
 
     @cached_property
-    def column_of_tile(self) -> Ints:
-        """(tiles,) number of the column that each belongs to."""
-        return np.repeat(np.arange(len(self.columns)), [len(cell.tiles) for cell in self.columns])
+    def _placed(self) -> tuple[tuple[PlacedTile, int, int], ...]:
+        """All tiles with the line and the column of each, column by column from left to right."""
+        return tuple(
+            (PlacedTile(one.tile, one.turn, one.position + origin + line * self.way), line, column)
+            for column, origin in enumerate(self.origins)
+            for line, cells in enumerate(self.lines)
+            for one in cells[column].tiles
+        )
+
+    @property
+    def tiles(self) -> tuple[PlacedTile, ...]:
+        return tuple(tile for tile, _, _ in self._placed)
+
+    @cached_property
+    def place_of_tile(self) -> Ints:
+        """(2, tiles) line and column of each."""
+        return np.array([(line, column) for _, line, column in self._placed]).T
 
     @cached_property
     def reach(self) -> int:
         """How many columns away the farthest tiles are that touch one."""
         normal = self.turn[0]
-        corners = [one.tile.corners @ one.turn[:2, :2].T + one.position for one in self.columns[0].tiles]
+        corners = [one.tile.corners @ one.turn[:2, :2].T + one.position for one in self.first[0].tiles]
         wide = float(np.ptp(np.concatenate(corners) @ normal))
         return math.floor(wide / float(self.steps[0] @ normal) + SAME)
 
     @property
     def free_edges(self) -> tuple[FreeEdge, ...]:
         """To the left of the first columns, and to the right of the last ones."""
-        starts = np.searchsorted(self.column_of_tile, np.arange(len(self.columns) + 1))
-        last = len(self.columns) - 1
+        starts = np.searchsorted(self.place_of_tile[1], np.arange(len(self.first) + 1))
+        last = len(self.first) - 1
         found = []
         for number, step in enumerate(self.steps):
             for ways in range(1, self.reach + 1):
@@ -124,27 +151,57 @@ class Ribbon(Directed):
         return tuple(found)
 
     @property
+    def cells(self) -> tuple[UnitCell, ...]:
+        """Those that differ, each once, in the order of lines and columns."""
+        return tuple({id(cell): cell for line in self.lines for cell in line}.values())
+
+    @property
     def area(self) -> float:
-        """Of the smallest column, m^2."""
-        return min(cell.area for cell in self.columns)
+        """Of the smallest cell, m^2."""
+        return min(cell.area for cell in self.cells)
 
     @property
     def has_pillars(self) -> bool:
-        return any(cell.has_pillars for cell in self.columns)
+        return any(cell.has_pillars for cell in self.cells)
 
-    @property
+    @cached_property
     def crystals(self) -> tuple[UnitCell, ...]:
-        """The cells with pillars, each once, from left to right."""
-        return tuple({id(cell): cell for cell in self.columns if cell.has_pillars}.values())
+        """The cells with pillars that the first and the last column consist of, else all, each once."""
+        ends = {id(line[end]): line[end] for end in (0, -1) for line in self.lines}
+        return tuple(cell for cell in ends.values() if cell.has_pillars) or tuple(
+            cell for cell in self.cells if cell.has_pillars
+        )
+
+    @cached_property
+    def _others(self) -> Bools:
+        """(lines, columns) plain cells, and those of no crystal."""
+        known = [id(cell) for cell in self.crystals]
+        return np.array([[id(cell) not in known for cell in line] for line in self.lines])
+
+    @cached_property
+    def guide(self) -> Bools:
+        """(lines, columns) cells that may hold waves.
+
+        They are plain ones and those of no crystal; else, where two crystals meet, those beside each other.
+        """
+        if self._others.any():
+            return self._others
+        number = np.array([[self.crystals.index(cell) for cell in line] for line in self.lines])
+        meet = number[:, 1:] != number[:, :-1]
+        none = np.zeros((len(number), 1), dtype=bool)
+        return np.asarray(np.hstack([none, meet]) | np.hstack([meet, none]))
 
     @property
-    def guide(self) -> tuple[int, ...]:
-        """Columns that may guide waves: the plain ones, else those beside each other of two crystals."""
-        plain = [number for number, cell in enumerate(self.columns) if not cell.has_pillars]
-        meet = [n for n in range(1, len(self.columns)) if self.columns[n] is not self.columns[n - 1]]
-        return tuple(plain or sorted({number for n in meet for number in (n - 1, n)}))
+    def kind(self) -> RibbonKind:
+        """What may hold waves: a guide; a defect, which changes along the ribbon; an edge of two crystals."""
+        if not self._others.any():
+            return "edge"
+        return "defect" if (self._others != self._others[0]).any() else "guide"
 
-    @property
-    def has_plain_guide(self) -> bool:
-        """Whether the guide is plain plate, and not the edge of a crystal."""
-        return any(not self.columns[number].has_pillars for number in self.guide)
+    def phases(self, along: float, across: Array) -> Array:
+        """(lines n, 2) phases (k.a1, k.a2) of a crystal from those along (rad) and across (n,) the ribbon.
+
+        A period of several lines has waves of as many phases from line to line.
+        """
+        per_line = (along + 2 * np.pi * np.arange(len(self.lines))) / len(self.lines)
+        return np.concatenate([Directed.phases(self, float(one), across) for one in per_line])

@@ -50,7 +50,7 @@ def projected(dataset: xr.Dataset) -> Figure:
     lines.set_array(dataset["guide_share"].values[order])
     lines.set_clim(0.0, 1.0)
     axes.add_collection(lines)
-    figure.colorbar(lines, ax=axes, label="share of energy in the guide or at the edge (dimensionless)")
+    figure.colorbar(lines, ax=axes, label=f"share of energy in the {dataset.attrs['kind']} (dimensionless)")
     carrier = dataset.attrs.get("carrier_hz")
     if carrier is not None and low < carrier / 1e3 < high:
         axes.axhline(carrier / 1e3, color=style.CARRIER, ls=style.DASHED, lw=1.1, gid="carrier")
@@ -73,7 +73,8 @@ def ribbon_field(dataset: xr.Dataset) -> Figure:
     field = dataset["field_real"].values + 1j * dataset["field_imag"].values
     turn, period = float(dataset["field_phase"]), 1e3 * float(dataset.attrs["period"])
     wide = float(np.ptp(points[:, 0]))
-    periods = min(MOST_PERIODS, max(2, round(LONG * wide / period)))
+    least = 1 if dataset.attrs["kind"] == "defect" else 2
+    periods = min(MOST_PERIODS, max(least, round(LONG * wide / period)))
     long = float(np.ptp(points[:, 1])) + (periods - 1) * period
     figure = style.blank(min(17.0, 3.2 + (style.WIDTH - 4.5) * wide / long))
     axes = figure.add_subplot(aspect="equal")

@@ -1,4 +1,4 @@
-"""Waves along a ribbon: its projected bands, and the modes that its guide or edge holds."""
+"""Waves along a ribbon: its projected bands, and the modes that its guide, its edge or a defect holds."""
 
 from __future__ import annotations
 
@@ -46,6 +46,7 @@ COLUMNS = (
     Column("in the guide", form=".3f", of="guide_share"),
     Column("decay", form=".1f"),
 )
+ALONG = ("wavenumber", "across", "intervals along", "group velocity")  # what a defect's modes have not
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -88,7 +89,7 @@ class RibbonWaves(Result):
         best = self.best
         if best is None:
             return [f"The ribbon holds no wave between the bulk bands {where}."]
-        kind = "The guide" if self.dataset.attrs["has_plain"] else "The edge"
+        kind = f"The {self.dataset.attrs['kind']}"
         intervals = float(best["intervals"])
         across = float(best["nodal_lines"])
         name = f"{across:.0f}x{intervals:.0f}, " if np.isfinite(intervals) and np.isfinite(across) else ""
@@ -96,13 +97,36 @@ class RibbonWaves(Result):
         near, speed, inside = (float(best[name]) for name in ("frequency", "group_velocity", "guide_share"))
         fades = f", and it fades by {fading:.1f} dB per row" if np.isfinite(fading) else ""
         return [
-            f"{kind} holds {found.sizes['mode']} modes between the bulk bands {where}, at "
+            self._of_defect(where)
+            or f"{kind} holds {found.sizes['mode']} modes between the bulk bands {where}, at "
             f"{self.dataset.sizes['wavevector']} wavevectors.",
             f"Nearest to {self.target / 1e3:.4g} kHz: "
             f"{khz(near, float(best['frequency_error']))} kHz ({name}phase "
             f"{float(best['phase_share']):.3f} pi per period): {inside:.0%} of its energy "
             f"is there{fades}; group velocity {speed:.0f} m/s.",
+            *self._of_copies(near),
         ]
+
+    def _of_defect(self, where: str) -> str:
+        """Modes that have most of their energy in a defect, where copies of it are in phase."""
+        found = self.guided
+        most = (found["phase"].values == 0) & (found["guide_share"].values >= MOST)
+        if self.dataset.attrs["kind"] != "defect" or not most.any():
+            return ""
+        at = ", ".join(f"{one / 1e3:.2f}" for one in found["frequency"].values[most])
+        return f"The defect holds {at} kHz between the bulk bands {where}, with most of their energy in it."
+
+    def _of_copies(self, near: float) -> list[str]:
+        """What the repetition of a defect whose mode is at a frequency (Hz) changes, and what damps it."""
+        lines = self.dataset.sizes["line"]
+        if self.dataset.attrs["kind"] != "defect":
+            return []
+        found = self.guided
+        apart = np.abs(found["frequency"].values - near)
+        nearest = [apart[found["phase"].values == phase].min() for phase in np.unique(found["phase"].values)]
+        loss = self.dataset.attrs["loss_factor"]
+        damped = f"; the plate's material damps it to a quality of {1 / loss:.0f}" if loss else ""
+        return [f"Copies of it {lines} cells apart move it by {max(nearest) / 1e3:.2g} kHz{damped}."]
 
     def tables(self) -> list[Table]:
         found = self.guided
@@ -111,7 +135,8 @@ class RibbonWaves(Result):
         what = f"resonances of a guide {rows} cells long with free ends" if rows else "modes that are held"
         left = found.sizes["mode"] - len(near)
         more = f"; {left} farther from {self.target / 1e3:.4g} kHz are in the file" if left else ""
-        return [Table.of(f"{what}{more}", found.isel(mode=near), "mode", COLUMNS)]
+        columns = [one for one in COLUMNS if one.name not in ALONG or self.dataset.attrs["kind"] != "defect"]
+        return [Table.of(f"{what}{more}", found.isel(mode=near), "mode", columns)]
 
     @figure(
         "ribbon",
@@ -138,7 +163,7 @@ class RibbonWaves(Result):
 @one_thread()
 def compute_ribbon(
     ribbon: Ribbon,
-    names: Sequence[str],
+    names: Sequence[Sequence[str]],
     settings: BandSettings,
     *,
     points: int,
@@ -152,7 +177,8 @@ def compute_ribbon(
 
     Parameters
     ----------
-    names : of the columns; points : wavevectors from 0 to pi per period, unless rows are given
+    names : of the cells, a list for each line
+    points : wavevectors from 0 to pi per period, unless rows are given
     rows : length in cells, whose resonances are told: at a free end a wave gains a quarter of an interval
     between : Hz, ends of the range of frequencies, those that were given
     inputs : plain values of what was asked, for the result's attributes
@@ -162,7 +188,7 @@ def compute_ribbon(
     StudyError : nothing says where to look for modes
     """
     crystals = ribbon.crystals
-    models = [bloch_model(cell, settings) for cell in crystals or ribbon.columns[:1]]
+    models = [bloch_model(cell, settings) for cell in crystals or ribbon.first[:1]]
     resolution = max(
         (one.resolution for one in models), key=lambda one: (one.order, one.foot_rings, one.steps)
     )
@@ -181,7 +207,8 @@ def compute_ribbon(
         "range_hz": [low, high],
         "rows": rows or 0,
         "period": ribbon.period,
-        "has_plain": int(ribbon.has_plain_guide),
+        "kind": ribbon.kind,
+        "loss_factor": ribbon.first[0].material.loss_factor,
         "unknowns": len(model.fine.order),
         "mesh": json.dumps([resolution.order, resolution.foot_rings]),
     } | ({"carrier_hz": carrier} if carrier is not None else {})
@@ -240,7 +267,7 @@ def _modes_dataset(
     ribbon = model.ribbon
     pieces = []
     for number, modes in enumerate(found):
-        share = modes.energy / modes.energy.sum(axis=1, keepdims=True)
+        share = modes.energy / modes.energy.sum(axis=(1, 2), keepdims=True)
         inside, there = within(modes.energy, ribbon.guide), in_gap(modes, bulk[:, number])
         wavenumber, across = harmonics(ribbon, model.fine, modes)
         pieces.append({
@@ -249,7 +276,7 @@ def _modes_dataset(
             "frequency_error": modes.error,
             "group_velocity": 2 * np.pi * ribbon.period * modes.slope,
             "guide_share": inside,
-            "column_share": share,
+            "cell_share": share,
             "in_gap": there.astype(np.int8),
             "guided": (there & (inside > within(modes.energy, outermost(ribbon)))).astype(np.int8),
             "decay": np.where(there, decay(ribbon, modes.energy), np.nan),
@@ -258,9 +285,8 @@ def _modes_dataset(
             "intervals": wavenumber * (rows or np.nan) * ribbon.period / np.pi - 0.5,
         })  # fmt: skip
     joined = {name: np.concatenate([one[name] for one in pieces]) for name in pieces[0]}
-    dataset = xr.Dataset(
-        {name: (("mode", "column") if values.ndim > 1 else "mode", values) for name, values in joined.items()}
-    )
+    of_cells = ("mode", "line", "column")
+    dataset = xr.Dataset({name: (of_cells[: values.ndim], values) for name, values in joined.items()})
     dataset["phase_share"] = dataset["phase"] / np.pi
     words = {
         "phase": ("rad", "phase of the wave from one period of the ribbon to the next"),
@@ -268,8 +294,11 @@ def _modes_dataset(
         "frequency": ("Hz", "frequency"),
         "frequency_error": ("Hz", "bound of the frequency's error"),
         "group_velocity": ("m/s", "group velocity along the ribbon"),
-        "guide_share": ("1", "share of energy in the guide, or in the columns on either side of an edge"),
-        "column_share": ("1", "share of energy in each column"),
+        "guide_share": (
+            "1",
+            "share of energy in the guide or defect, or in the cells on either side of an edge",
+        ),
+        "cell_share": ("1", "share of energy in each cell, lines from the bottom up"),
         "in_gap": ("1", "1 between the bulk bands at this phase"),
         "guided": ("1", "1 if so, and more energy is in the guide than in the outermost columns"),
         "decay": ("dB/row", "decay of the energy away from the guide"),
@@ -282,13 +311,13 @@ def _modes_dataset(
     return declared(
         dataset,
         decay="a mode within a bulk band, or fewer than two rows to compare",
-        wavenumber="tiles without sides along the ribbon",
-        nodal_lines="an edge between crystals, or tiles without sides along the ribbon",
+        wavenumber="tiles without sides along the ribbon, or several lines of cells",
+        nodal_lines="no guide of one line, or tiles without sides along the ribbon",
         intervals="no length in cells was given, or tiles without sides along the ribbon",
     )
 
 
-def _bulk_dataset(ribbon: Ribbon, kappa: Array, bulk: Array, names: Sequence[str]) -> xr.Dataset:
+def _bulk_dataset(ribbon: Ribbon, kappa: Array, bulk: Array, names: Sequence[Sequence[str]]) -> xr.Dataset:
     edges = ("crystal", "wavevector", "bulk_band")
     dataset = xr.Dataset(
         {
@@ -301,7 +330,7 @@ def _bulk_dataset(ribbon: Ribbon, kappa: Array, bulk: Array, names: Sequence[str
             "bulk_upper": (edges, bulk[..., 1], {"units": "Hz", "long_name": "upper edge of a bulk band"}),
         }
     )
-    return dataset.assign_coords(column=[f"{number} {name}" for number, name in enumerate(names, start=1)])
+    return dataset.assign_coords(cell_name=(("line", "column"), np.array(names)))
 
 
 def _field_dataset(model: RibbonModel, chosen: xr.Dataset, found: Sequence[RibbonModes]) -> xr.Dataset:

@@ -17,6 +17,8 @@ from haptonic.study.plating import lattices
 from haptonic.units import format_quantity
 
 MOST_COLUMNS = 200
+MOST_CELLS = 120  # of several lines: with more the blocks of a column take minutes at every wavevector
+POINTS, POINTS_OF_LINES = 21, 3
 TABLE = "[ribbon.tiles]"
 
 
@@ -24,8 +26,9 @@ TABLE = "[ribbon.tiles]"
 class RibbonSettings:
     """Cells side by side, repeated without end along the other direction; the outermost edges are free."""
 
-    map: Annotated[str, Field(max_length=1000, strict=True)] = needed(
-        "A letter for each column, from left to right, such as ooooo1111ooooo."
+    map: Annotated[str, Field(max_length=4000, strict=True)] = needed(
+        "A letter for each column, from left to right, such as ooooo1111ooooo; several lines with one letter "
+        "changed are a crystal with a defect."
     )
     rows: Annotated[int, Field(ge=1, le=1000, strict=True)] | None = setting(
         None,
@@ -53,28 +56,42 @@ class RibbonSettings:
     highest: Frequency | None = setting(
         None, "That modes are sought at; else somewhat above the gap.", title="Highest frequency"
     )
-    points: Annotated[int, Field(ge=2, le=1000, strict=True)] = setting(
-        21, "Along the ribbon, where it has no length in cells.", title="Wavevectors"
+    points: Annotated[int, Field(ge=2, le=1000, strict=True)] | None = setting(
+        None,
+        f"Along the ribbon, if rows are not given; else {POINTS}, of several lines {POINTS_OF_LINES}.",
+        title="Wavevectors",
     )
 
     @field_validator("map")
     @classmethod
-    def _line(cls, text: str) -> str:
-        lines = drawn(text).split()
-        if len(lines) > 1 or NOTHING in lines[0] or len(lines[0]) > MOST_COLUMNS:
+    def _lines(cls, text: str) -> str:
+        found = drawn(text)
+        lines = found.split()
+        most = MOST_COLUMNS if len(lines) == 1 else MOST_CELLS
+        if NOTHING in found or len(lines) * len(lines[0]) > most:
             raise problem(
                 "malformed",
-                f"{len(lines)} lines" if len(lines) > 1 else shown(lines[0]),
-                f'one line of at most {MOST_COLUMNS} letters, none of them "{NOTHING}"',
-                "a ribbon repeats its one line without end, and has no holes",
-                "write one line such as ooooo1111ooooo; [plate] takes maps of several lines",
+                shown(NOTHING) if NOTHING in found else f"{len(lines)} x {len(lines[0])} letters",
+                f"one line of at most {MOST_COLUMNS} letters, or several of {MOST_CELLS} in all; none is "
+                f'"{NOTHING}"',
+                "a ribbon has no holes" if NOTHING in found else "all cells of a period are joined at once",
+                "write one line such as ooooo1111ooooo, or fewer lines around a defect",
             )
-        return lines[0]
+        return found if len(lines) > 1 else lines[0]
 
     def __post_init__(self) -> None:
         ascending(self.lowest, self.highest, "range")
         whole(self.along, "a ribbon")
-        check_letters([self.map], self.tiles, TABLE)
+        check_letters(self.lines, self.tiles, TABLE)
+        if self.rows is not None and len(self.lines) > 1:
+            raise problem(
+                "conflict",
+                str(self.rows),
+                "a length in cells of a ribbon of one line",
+                "the map has several lines, which repeat as a whole",
+                "leave rows out, or write a map of one line",
+                at="rows",
+            )
         known = {LATTICE, *(one.name for one in self.cell)}
         plain = [name for name in self.tiles.values() if name not in known]
         for name in self.widths:
@@ -100,7 +117,7 @@ class RibbonSettings:
                     f'add a letter = "{one.name}" to {TABLE}, or remove it',
                     at=f"cell[{number}].name",
                 )
-        if not plain and len(set(self.map)) == 1:
+        if not plain and len(set("".join(self.lines))) == 1:
             raise problem(
                 "conflict",
                 shown(self.map),
@@ -109,6 +126,21 @@ class RibbonSettings:
                 'write a map such as ooooo1111ooooo, and 1 = "guide" in [ribbon.tiles]',
                 at="map",
             )
+
+    @property
+    def lines(self) -> list[str]:
+        """Of the map, the topmost first."""
+        return self.map.split()
+
+    @property
+    def names(self) -> list[list[str]]:
+        """Of all cells, line by line, the lowest first."""
+        return [[self.tiles[letter] for letter in line] for line in reversed(self.lines)]
+
+    @property
+    def wavevectors(self) -> int:
+        """Along the ribbon, where it has no length in cells."""
+        return self.points or (POINTS if len(self.lines) == 1 else POINTS_OF_LINES)
 
     @property
     def period(self) -> tuple[int, int]:
@@ -120,7 +152,7 @@ class RibbonSettings:
 
         Parameters
         ----------
-        own : the cell that columns of the name "lattice" hold
+        own : the cell that those of the name "lattice" hold
 
         Raises
         ------
@@ -138,7 +170,17 @@ class RibbonSettings:
                 )
             if name not in kinds:
                 kinds[name] = self._plain(own, name)
-        return Ribbon(tuple(kinds[self.tiles[letter]] for letter in self.map), self.period)
+        first, *more = (tuple(kinds[name] for name in line) for line in self.names)
+        ribbon = Ribbon(first, self.period, tuple(more))
+        if not ribbon.guide.any():
+            raise StudyError.conflict(
+                argument="ribbon.map",
+                given=shown(" / ".join(self.lines)),
+                allowed="cells between the outermost columns that differ from these",
+                cause="every cell is one that a column at the edge has, and no two of them meet in a line",
+                next_step="keep the first and the last column for the crystal around",
+            )
+        return ribbon
 
     def _plain(self, own: UnitCell, name: str) -> UnitCell:
         """A column of plain plate: the cell without its pillars, or a rectangle of another width."""
