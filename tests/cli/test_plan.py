@@ -80,7 +80,6 @@ class TestPlan:
     @pytest.mark.parametrize(
         ("command", "name"),
         [
-            ("layers", "triangular-mirror"),
             ("waveguide", "triangular-mirror"),
             ("design", "touchpad"),
             ("tolerance", "touchpad"),

@@ -9,7 +9,7 @@ import pytest
 
 from haptonic.bloch import Gap
 from haptonic.bloch.guide import strip_mode
-from haptonic.bloch.mirrors import condensed_cell
+from haptonic.bloch.mirrors import condensed_rows
 from haptonic.bloch.model import bloch_model
 from haptonic.store import Store
 from haptonic.study import loads
@@ -88,9 +88,9 @@ class TestWaves:
         assert (np.diff(at) > 0).all()
         cell = next(iter(layout.cells.values()))
         resolution = bloch_model(cell, study.bands_settings).resolution
-        superelement = condensed_cell(cell, resolution)
+        rows = condensed_rows(cell, resolution)
         mode = strip_mode(
-            superelement, width=32e-3, length=17.5 * np.pi / wavenumber[0], intervals=17, nodal_lines=0,
+            rows, width=32e-3, length=17.5 * np.pi / wavenumber[0], intervals=17, nodal_lines=0,
             between=(2 * np.pi * gap.lower, 2 * np.pi * gap.upper),
         )  # fmt: skip
         assert mode.omega / (2 * np.pi) == pytest.approx(at[0], rel=1e-9)

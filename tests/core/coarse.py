@@ -4,6 +4,7 @@ from functools import cache
 
 from strategies import reference_cell
 
+from haptonic.bloch.rows import CondensedRows
 from haptonic.cell import MeshPlan
 from haptonic.superelement import Superelement, condense
 
@@ -20,3 +21,9 @@ def plain() -> Superelement:
     order = lattice().mesh.topology.plan.order
     plan = MeshPlan(order, 0, 0, outward=3, upward=lattice().levels - 1)
     return condense(reference_cell().without_pillar(), plan, measured=False)
+
+
+@cache
+def rows(*, pillars: bool = True) -> CondensedRows:
+    """Of the one or the other, along y."""
+    return CondensedRows.single(lattice() if pillars else plain())

@@ -13,18 +13,18 @@ from haptonic.bloch.centred import CentredPencil
 from haptonic.bloch.evanescent import (
     FaceStiffness,
     Slab,
-    attenuation,
     bloch_waves,
     decibels,
     energy_flux,
 )
 from haptonic.bloch.pencil import eigenpairs
+from haptonic.bloch.rows import CondensedRows, attenuation
 from haptonic.cell import MeshPlan, Pillar, UnitCell
 from haptonic.lattice import Lattice
 from haptonic.superelement import Tiling, condense
 
 RECTANGULAR = UnitCell(Lattice.rectangular(8e-3, 6e-3), 2e-3, ALUMINIUM, Pillar(2.4e-3, 9e-3))
-CELLS = {"square": (reference_cell(), 0), "rectangular": (RECTANGULAR, 1)}
+CELLS = {"square": (reference_cell(), (0, 1)), "rectangular": (RECTANGULAR, (1, 0))}
 polarised = pytest.mark.parametrize("polarisation", SPEED)
 KILOHERTZ = 2e3 * np.pi
 
@@ -35,9 +35,13 @@ def superelement(name: str):
     return condense(cell, MeshPlan.suited(cell, 3, 1), measured=False)
 
 
+def rows(name: str, along: tuple[int, int] | None = None) -> CondensedRows:
+    return CondensedRows.single(superelement(name), along or CELLS[name][1])
+
+
 @cache
 def slab(name: str, phase: float) -> Slab:
-    return Slab.of(superelement(name), phase, CELLS[name][1])
+    return rows(name).slab(phase)
 
 
 def waves(name: str, phase: float, omega: float):
@@ -81,10 +85,9 @@ def test_a_rod_carries_one_wave_each_way(phase, impedance):
 @pytest.mark.parametrize("name", CELLS)
 def test_a_wave_that_propagates_belongs_to_a_band(name, kilohertz, phase):
     omega = kilohertz * KILOHERTZ
-    full, direction = CentredPencil.of(Tiling.single(superelement(name))), CELLS[name][1]
+    full = CentredPencil.of(Tiling.single(superelement(name)))
     for side in waves(name, phase, omega):
-        for exponent in side.exponent[side.propagates]:
-            kappa = np.insert([phase], direction, exponent.imag)
+        for kappa in rows(name).rows.phases(phase, side.exponent[side.propagates].imag):
             bands = np.sqrt(np.abs(eigenpairs(full, kappa, 30)[0]))
             assert np.abs(bands / omega - 1).min() < 1e-9
 
@@ -92,10 +95,10 @@ def test_a_wave_that_propagates_belongs_to_a_band(name, kilohertz, phase):
 @pytest.mark.parametrize(("along", "phase"), [(0.7, 0.0), (1.3, 0.8), (-2.0, 2.5), (3.0, np.pi)])
 @pytest.mark.parametrize("name", CELLS)
 def test_every_band_has_its_wave_which_goes_where_the_band_rises(name, along, phase):
-    full, direction = CentredPencil.of(Tiling.single(superelement(name))), CELLS[name][1]
+    full = CentredPencil.of(Tiling.single(superelement(name)))
+    across = along + np.array([-1e-4, 0.0, 1e-4])
     behind, bands, ahead = (
-        np.sqrt(eigenpairs(full, np.insert([phase], direction, along + step), 8)[0])
-        for step in (-1e-4, 0.0, 1e-4)
+        np.sqrt(eigenpairs(full, kappa, 8)[0]) for kappa in rows(name).rows.phases(phase, across)
     )
     for omega, slope in zip(bands, ahead - behind, strict=True):
         right, left = waves(name, phase, float(omega))
@@ -108,7 +111,7 @@ def test_every_band_has_its_wave_which_goes_where_the_band_rises(name, along, ph
 @given(phase=st.floats(-3.1, 3.1), kilohertz=st.floats(15.0, 160.0))
 def test_waves_carry_unit_energies_independently_and_come_in_pairs(phase, kilohertz):
     omega = kilohertz * KILOHERTZ
-    face = Slab.of(superelement("square"), phase).at(omega)
+    face = slab("square", phase).at(omega)
     right, left = bloch_waves(face, omega)
     assert len(right) == len(left) == face.size
     moving = [w.chosen(np.flatnonzero(w.propagates)) for w in (right, left)]
@@ -133,7 +136,7 @@ def test_waves_with_the_same_multiplier_are_told_apart_by_their_energy():
 @given(phase=st.floats(-3.1, 3.1), kilohertz=st.floats(15.0, 160.0))
 def test_the_forces_are_those_of_the_slab(phase, kilohertz):
     omega = kilohertz * KILOHERTZ
-    face = Slab.of(superelement("square"), phase).at(omega)
+    face = slab("square", phase).at(omega)
     scale = np.abs(face.LL).max()
     for side, far in zip(bloch_waves(face, omega), (1, -1), strict=True):
         u, step = side.displacement, np.exp(side.exponent * far)  # fades, whichever side it goes to
@@ -147,26 +150,25 @@ def test_the_forces_are_those_of_the_slab(phase, kilohertz):
 
 def test_the_gap_of_the_reference_cell_attenuates_and_its_bands_do_not():
     omega, phases = np.array([45.0, 56.0, 59.0, 61.5]) * KILOHERTZ, np.array([0.0, -0.7, 0.7, 2.75])
-    found = attenuation(superelement("square"), omega, phases)
+    found = attenuation(rows("square"), omega, phases)
     assert found.shape == (4, 4)
     assert (found[1:3] > 1.0).all()
     assert found[0] == pytest.approx(np.zeros(4))
     assert found[3, 0] == 0.0
     assert found[:, 1] == pytest.approx(found[:, 2], rel=1e-6)  # the mirror along the faces
-    other = attenuation(superelement("square"), omega, phases, direction=1)
+    other = attenuation(rows("square", (1, 0)), omega, phases)
     assert other == pytest.approx(found, rel=2e-3)  # interiors are not quite the same along both axes
-    lossy = attenuation(superelement("square"), omega, phases, loss_factor=1e-3)
+    lossy = attenuation(rows("square"), omega, phases, loss_factor=1e-3)
     assert (lossy > 0).all()
     assert lossy[1:3] == pytest.approx(found[1:3], rel=1e-2)
 
 
 def test_attenuation_is_along_the_translation_that_was_asked_for():
     omega, phase, found = 20.0 * KILOHERTZ, 2.5, []
-    for direction in (0, 1):
-        right, _ = bloch_waves(Slab.of(superelement("rectangular"), phase, direction).at(omega), omega)
-        found.append(
-            attenuation(superelement("rectangular"), np.array([omega]), np.array([phase]), direction)
-        )
+    for along in ((0, 1), (1, 0)):
+        here = rows("rectangular", along)
+        right, _ = bloch_waves(here.slab(phase).at(omega), omega)
+        found.append(attenuation(here, np.array([omega]), np.array([phase])))
         assert found[-1].item() == pytest.approx(decibels(right), rel=1e-9)
     assert found[0] > 1.1 * found[1] > 0
 

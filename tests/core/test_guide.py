@@ -5,19 +5,20 @@ from functools import cache
 
 import numpy as np
 import pytest
-from coarse import lattice, plain
+from coarse import rows
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from strategies import reference_cell
 
 from five_parts import refusing
-from haptonic.bloch.evanescent import Slab, bloch_waves
+from haptonic.bloch.evanescent import bloch_waves
 from haptonic.bloch.guide import Guide, GuidedMode, Wall, _root, strip_mode
 from haptonic.bloch.layers import Interface, stacked
+from haptonic.bloch.rows import CondensedRows
 from haptonic.cell import MeshPlan
 from haptonic.errors import StudyError
 from haptonic.lattice import Lattice
-from haptonic.superelement import Superelement, condense
+from haptonic.superelement import condense
 
 KILOHERTZ = 2e3 * np.pi
 PITCH, WIDTH, LENGTH = 7e-3, 32e-3, 140e-3
@@ -27,7 +28,7 @@ ALONG = 17.5 * np.pi / LENGTH
 
 @cache
 def guide(along: float = ALONG) -> Guide:
-    return Guide.of(lattice(), along)
+    return Guide.of(rows(), along)
 
 
 @settings(max_examples=10)
@@ -47,7 +48,7 @@ def test_a_closed_wall_throws_back_all_and_seems_to_hold_the_plate_behind_it(kil
 def test_a_guided_mode_is_a_resonance_of_plain_cells_between_lattices(cells, nodal_lines):
     """By counting frequencies passed, without any wave of a plate (Wittrick and Williams 1971)."""
     mode = guide().mode(cells * PITCH, nodal_lines, GAP)
-    slabs = [Slab.of(element, ALONG * PITCH) for element in (lattice(), plain())]
+    slabs = [rows(pillars=pillars).slab(ALONG * PITCH) for pillars in (True, False)]
 
     def negative(omega: float) -> int:
         walls, strip = (slab.at(omega) for slab in slabs)
@@ -98,9 +99,9 @@ def test_the_width_of_a_mode_and_its_frequency_are_one_relation(nodal_lines):
     assert width + 2 * wall.fixed_line == pytest.approx((nodal_lines + 1) * np.pi / wall.wavenumber, rel=1e-3)
 
 
-def prototype(intervals: int, ends: str = "free", mirrors: Superelement | None = None) -> GuidedMode:
+def prototype(intervals: int, ends: str = "free", mirrors: CondensedRows | None = None) -> GuidedMode:
     return strip_mode(
-        mirrors or lattice(),
+        mirrors or rows(),
         width=WIDTH,
         length=LENGTH,
         intervals=intervals,
@@ -121,9 +122,9 @@ def test_the_prototype_resonates_where_a_model_of_the_whole_plate_does(intervals
 
 def test_ends_closed_by_the_mirror_hold_the_plate_at_normal_incidence():
     cell = replace(reference_cell(), lattice=Lattice.rectangular(PITCH, 6.8e-3))
-    narrow = condense(cell, MeshPlan.suited(cell, 3, 1), measured=False)
+    narrow = CondensedRows.single(condense(cell, MeshPlan.suited(cell, 3, 1), measured=False))
     mode = prototype(16, "mirror", narrow)
-    end = Wall.of(Interface.of(narrow, 0.0, 1), mode.omega)
+    end = Wall.of(Interface.of(narrow.crossed(), 0.0), mode.omega)
     assert mode.wavenumber * (LENGTH + 2 * end.fixed_line) == pytest.approx(18 * np.pi, rel=1e-9)
     assert Guide.of(narrow, mode.wavenumber).mode(WIDTH, 0, GAP).omega == pytest.approx(mode.omega)
 
@@ -136,13 +137,13 @@ def test_a_jump_is_no_root():
 
 def test_there_is_no_guide_where_other_waves_propagate():
     with refusing(StudyError, "no-answer", "waveguide.mode"):
-        Guide.of(lattice(), 50.0).mode(WIDTH, 0, GAP)
+        Guide.of(rows(), 50.0).mode(WIDTH, 0, GAP)
     with refusing(StudyError, "no-answer", "waveguide.mode"):
-        Guide.of(lattice(), 50.0).width(58.0 * KILOHERTZ, 0)
+        Guide.of(rows(), 50.0).width(58.0 * KILOHERTZ, 0)
 
 
 def test_there_is_no_mode_where_the_lattice_lets_waves_in_or_bending_waves_fade():
-    leaky = Guide.of(lattice(), 14.5 * np.pi / LENGTH)
+    leaky = Guide.of(rows(), 14.5 * np.pi / LENGTH)
     assert not leaky.wall(49.5 * KILOHERTZ).closed
     for refused in (
         lambda: leaky.width(49.5 * KILOHERTZ, 0),

@@ -5,16 +5,18 @@ from itertools import islice
 
 import numpy as np
 import pytest
-from coarse import lattice, plain
+from coarse import lattice
+from coarse import rows as coarse_rows
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from rods import LAMINATE, SPEED, half_space, laminate, medium, rod
 from strategies import ALUMINIUM, reference_cell
 
 from five_parts import refusing
-from haptonic.bloch.evanescent import Slab, bloch_waves, decibels
+from haptonic.bloch.evanescent import bloch_waves, decibels
 from haptonic.bloch.layers import OUTGOING, Interface, reflected_by, scattered, stacked
 from haptonic.bloch.plate_waves import FAMILIES
+from haptonic.bloch.rows import CondensedRows
 from haptonic.cell import MeshPlan, Pillar, UnitCell
 from haptonic.errors import StudyError
 from haptonic.lattice import Lattice
@@ -37,9 +39,13 @@ def superelement(name: str):
     return condense(cell, MeshPlan.suited(cell, 5 if name == "plain" else 3, 1), measured=False)
 
 
+def rows(name: str, along: tuple[int, int] = (0, 1)) -> CondensedRows:
+    return CondensedRows.single(superelement(name), along)
+
+
 @cache
-def interface(k_y: float, name: str = "reference", direction: int = 0) -> Interface:
-    return Interface.of(superelement(name), k_y, direction)
+def interface(k_y: float, name: str = "reference", along: tuple[int, int] = (0, 1)) -> Interface:
+    return Interface.of(rows(name, along), k_y)
 
 
 @pytest.mark.parametrize("polarisation", SPEED)
@@ -113,7 +119,7 @@ def test_waves_from_above_and_from_below_do_the_same():
 @pytest.mark.parametrize(("family", "angle"), [("A0", 0.0), ("A0", 0.7), ("S0", 0.5), ("SH0", -0.5)])
 def test_cells_without_pillars_let_everything_through(family, angle):
     omega = 58.8 * KILOHERTZ
-    plain = Interface.met_by(superelement("plain"), omega, family, angle)
+    plain = Interface.met_by(rows("plain"), omega, family, angle)
     found = plain.scattering(omega, 3, (family,))
     assert found.transmitted[:, 0, OUTGOING.index(family)] == pytest.approx(np.ones(3), abs=1e-6)
 
@@ -124,7 +130,7 @@ def test_half_plates_may_as_well_be_made_of_plain_cells(kilohertz, k_y):
     """Whole faces against restricted ones, waves of cells against waves of a plate: a route of its own."""
     omega, here = kilohertz * KILOHERTZ, interface(k_y)
     expected = here.scattering(omega, 2, FAMILIES)
-    cells = bloch_waves(Slab.of(plain(), k_y * here.period).at(omega), omega)
+    cells = bloch_waves(coarse_rows(pillars=False).slab(k_y * here.period).at(omega), omega)
     number = []
     for side, known in zip(cells, here.plate_waves(omega), strict=True):
         turns = [np.exp(1j * known.wavenumber[known.label.index(f)] * here.period) for f in FAMILIES]
@@ -187,8 +193,8 @@ def test_a_little_loss_takes_in_proportion():
 @pytest.mark.parametrize("k_y", [0.0, OBLIQUE])
 def test_either_translation_can_be_crossed(k_y):
     omega = 50.0 * KILOHERTZ
-    one = interface(k_y, "wide", 1).scattering(omega, 3, FAMILIES)
-    other = interface(k_y, "deep", 0).scattering(omega, 3, FAMILIES)
+    one = interface(k_y, "wide", (1, 0)).scattering(omega, 3, FAMILIES)
+    other = interface(k_y, "deep", (0, 1)).scattering(omega, 3, FAMILIES)
     assert one.transmitted == pytest.approx(other.transmitted, abs=2e-3)
     assert one.reflected == pytest.approx(other.reflected, abs=2e-3)
     assert one.transmitted.std() > 0.1
@@ -199,7 +205,7 @@ def test_either_translation_can_be_crossed(k_y):
 def test_an_interface_repeats_with_the_reciprocal_lattice(k_y):
     """With the harmonics named anew, the same waves of the plate meet the same lattice."""
     omega, step = 56.0 * KILOHERTZ, 2 * np.pi / 7e-3
-    here, there = (Interface.of(superelement("reference"), k) for k in (k_y, k_y + step))
+    here, there = (Interface.of(rows("reference"), k) for k in (k_y, k_y + step))
     assert np.sort(there.tangential) == pytest.approx(np.sort(here.tangential), abs=1e-6)
     assert there.tangential[0] == pytest.approx(here.tangential[0] + step)
     first, second = (i.mirror(omega) for i in (here, there))
@@ -213,18 +219,18 @@ def test_an_interface_repeats_with_the_reciprocal_lattice(k_y):
 @pytest.mark.parametrize("angle", [-0.7, 0.0, 1.2])
 def test_the_angle_sets_the_wavenumber_along_the_layers(angle):
     omega = 50.0 * KILOHERTZ
-    met = Interface.met_by(superelement("reference"), omega, "SH0", angle)
+    met = Interface.met_by(rows("reference"), omega, "SH0", angle)
     assert met.tangential[0] == pytest.approx(omega / ALUMINIUM.shear_speed * np.sin(angle), rel=1e-9)
 
 
 @pytest.mark.parametrize("angle", [0.5 * np.pi, 2.0, -1.6, np.nan])
 def test_a_wave_that_does_not_come_is_refused(angle):
     with refusing(StudyError, "out-of-range", "layers.angle"):
-        Interface.met_by(superelement("reference"), 50.0 * KILOHERTZ, "A0", angle)
+        Interface.met_by(rows("reference"), 50.0 * KILOHERTZ, "A0", angle)
 
 
 def test_what_cannot_be_scattered_is_refused():
-    reference, omega = superelement("reference"), 50.0 * KILOHERTZ
+    reference, omega = rows("reference"), 50.0 * KILOHERTZ
     with pytest.raises(StudyError, match="S1 at 50 kHz"):
         Interface.met_by(reference, omega, "S1", 0.0)
     steep = Interface.met_by(reference, omega, "A0", 1.2)

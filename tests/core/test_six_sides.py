@@ -12,7 +12,6 @@ from truth import plain_plate
 
 from five_parts import refusing
 from haptonic.bloch.centred import lattice_pencil
-from haptonic.bloch.evanescent import Slab
 from haptonic.bloch.model import BlochModel
 from haptonic.bloch.pencil import eigenpairs
 from haptonic.bloch.resolution import Resolution
@@ -24,7 +23,7 @@ from haptonic.errors import GeometryError, HaptonicError
 from haptonic.lattice import Lattice
 from haptonic.materials import OrthotropicMaterial
 from haptonic.study import loads
-from haptonic.superelement import Tiling, condense, repeated
+from haptonic.superelement import Tiling, repeated
 
 PITCH = 7e-3
 PLY = OrthotropicMaterial("ply", 40e9, 10e9, 9e9, 3e9, 2.5e9, 4e9, 3.1e9, 4.3e9, 5.7e9, density=1500.0)
@@ -176,9 +175,7 @@ def test_a_material_with_two_mirrors_leaves_a_larger_zone():
         assert (np.abs(solution.frequency - plain_plate(plain, kappa, 8)) <= solution.error).all()
 
 
-def test_rows_and_square_pillars_are_refused():
-    with refusing(GeometryError, "unsupported", "cell.lattice"):
-        Slab.of(condense(CELL, MeshPlan.suited(CELL, 2, 1), measured=False), 0.0)
+def test_square_pillars_are_refused():
     with refusing(GeometryError, "unsupported", "cell.pillar.section"):
         UnitCell(LATTICE, 1.5e-3, ALUMINIUM, Pillar(3e-3, 5e-3, section="square"))
 

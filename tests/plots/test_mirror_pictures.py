@@ -64,7 +64,7 @@ def test_axes_name_what_they_show_with_its_unit(drawn, name):
         assert axes.get_ylabel() or axes is not panels[0]
         for label in filter(None, (axes.get_xlabel(), axes.get_ylabel())):
             unit = label[label.rindex("(") + 1 : label.rindex(")")]
-            assert unit in {"kHz", "dB", "dB per cell", "mm", "dimensionless"}, label
+            assert unit in {"kHz", "dB", "dB per row", "mm", "dimensionless"}, label
 
 
 @pytest.mark.parametrize("name", ["decay, usual", "layers, twenty rows of one wave", "guide"])

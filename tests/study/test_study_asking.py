@@ -60,6 +60,7 @@ class TestRefusals:
         ),
         "grazing incidence": ('[layers]\nangle = "90 deg"', "layers.angle", ["below "]),
         "angle without a unit": ("[layers]\nangle = 30", "layers.angle", ["unit is missing"]),
+        "half a row's direction": ("[layers]\nalong = [0, 1.5]", "layers.along", ["whole"]),
         "too many rows": ("[layers]\ncount = 21", "layers.count", ["at least 1 and at most 20"]),
         "mode of another form": ('[waveguide]\nmode = "17"', "waveguide.mode", ["'17'"]),
         "mode as a number": ("[waveguide]\nmode = 17", "waveguide.mode", ["not a text"]),

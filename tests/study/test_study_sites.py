@@ -8,7 +8,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from five_parts import assert_told
-from haptonic.analyses import design, export, layers, waveguide
+from haptonic.analyses import design, export, waveguide
 from haptonic.cell import Pillar, Site, Step, UnitCell
 from haptonic.design.parameters import values_of
 from haptonic.errors import GeometryError, HaptonicError
@@ -214,10 +214,9 @@ PLATE = "\n[plate]\nmap = '''\noo\noo\n'''\nloss_factor = 1e-3\n[plate.tiles]\no
 
 @pytest.mark.parametrize("text", [STUDY + UNEQUAL, STUDY.replace("honeycomb", "lieb") + EQUAL, SQUARE + FREE])
 def test_what_knows_single_pillars_only_says_so(text):
-    """Rows, guides, searches, drawings, plates."""
+    """Guides, searches, drawings, plates."""
     study = loads(text + MANY)
     asked = [
-        lambda: layers.ANALYSIS.check(study, layers.ANALYSIS.options()),
         lambda: waveguide.ANALYSIS.check(study, waveguide.ANALYSIS.options()),
         lambda: design.brief(study),
         lambda: export.check(study, replace(export.ExportOptions(), drawing=True)),

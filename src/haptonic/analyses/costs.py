@@ -10,8 +10,10 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from haptonic.analyses.needs import has_mirror, has_plate
+from haptonic.analyses.needs import has_mirror, has_plate, has_waveguide, mesh_of_rows
 from haptonic.bloch.resolution import started
+from haptonic.bloch.rows import face_size
+from haptonic.cell import Rows
 from haptonic.plate.forecast import foreseen
 from haptonic.results.cost import BASE, Cost
 from haptonic.study.loading import load_as
@@ -24,7 +26,7 @@ DIAGRAM, PER_WAVEVECTOR = 2.5, 0.02  # s, of names, shapes and counts; of ten ba
 SURFACE = 6.0  # s, of the whole zone
 QUICK_DESIGN = 0.25  # s of a design that a search sees; twenty drawn searches took 0.15 to 0.4
 REFINED = 6  # designs that a search computes as exactly as asked for
-MIRROR = 0.035  # s of a row at a frequency
+MIRROR, SQUARE_FACE = 0.035, 72  # s of a row at a frequency, where so many unknowns are on a face
 GUIDES, SAMPLE = 2.0, 0.6  # s, of a design beside the study's own
 COLUMN, BULK = 0.17, 0.2  # s of a column of a ribbon at a wavevector, where it has one tile; of a crystal
 REPORT = 30.0  # s, of pictures and of the twins of a scan and of trials
@@ -67,7 +69,9 @@ def sweep(study: Description, options: Any) -> Cost:
 def layers(study: Description, options: Any) -> Cost:
     """Of a mirror's spectra."""
     settings = study.layers_settings
-    return gaps(study) + Cost(MIRROR * settings.count * settings.points)
+    on_face = face_size(Rows(study.cell, settings.direction), mesh_of_rows(study))
+    each = MIRROR * (on_face / SQUARE_FACE) ** 2.5
+    return gaps(study) + Cost(each * settings.count * settings.points)
 
 
 def waveguide(study: Description, options: Any) -> Cost:
@@ -180,7 +184,7 @@ FORECASTS = {
     "sweep": Forecast(sweep, lambda study: study.sweep_settings),
     "reproduce": Forecast(reproduce),
     "layers": Forecast(layers, has_mirror),
-    "waveguide": Forecast(waveguide, has_mirror),
+    "waveguide": Forecast(waveguide, has_waveguide),
     "ribbon": Forecast(ribbon, lambda study: study.ribbon_settings),
     "design": Forecast(design, lambda study: study.carrier and study.design_settings.vary),
     "tolerance": Forecast(tolerance, lambda study: study.carrier and study.tolerance_settings.of),

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from haptonic.bloch import Gap
 from haptonic.bloch.gaps import gap_at
-from haptonic.bloch.resolution import Resolution, check_memory
+from haptonic.bloch.resolution import Resolution, check_memory, started
 from haptonic.errors import StudyError
 from haptonic.plate import Fineness, Plate
 from haptonic.plate.reduction import BLOCK, STEPS
@@ -28,12 +28,6 @@ def need_carrier(study: Description) -> float:
             next_step='add carrier = "60 kHz" at the top of the study',
         )
     return study.carrier
-
-
-def need_rows(study: Description, what: str) -> None:
-    """Raise HaptonicError unless the study can have a mirror at its carrier, made of rows of cells."""
-    need_carrier(study)
-    study.cell.check_simple(what)
 
 
 def response_settings(study: Description) -> ResponseSettings:
@@ -69,9 +63,19 @@ def gap_of_plate(study: Description, plate: Plate, carrier: float, runner: Runne
 
 def has_mirror(study: Description) -> bool:
     """Whether a mirror can be asked for: there is a carrier, and something that reflects."""
+    return study.carrier is not None and study.cell.has_pillars
+
+
+def mesh_of_rows(study: Description) -> Resolution:
+    """The mesh that rows of the study's cell are tried with first."""
+    settings = study.bands_settings
+    return settings.resolution or started(study.cell, settings.count, settings.accuracy)[0]
+
+
+def has_waveguide(study: Description) -> bool:
+    """Whether a waveguide between two mirrors can be asked for."""
     cell = study.cell
-    fits = cell.is_simple and cell.lattice.is_rectangular
-    return study.carrier is not None and cell.pillar is not None and fits
+    return has_mirror(study) and cell.is_simple and cell.lattice.is_rectangular
 
 
 def has_plate(study: Description) -> bool:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from haptonic.analyses.analysis import Analysis, option
-from haptonic.analyses.needs import has_mirror, need_carrier, need_rows
+from haptonic.analyses.needs import has_waveguide, need_carrier
 from haptonic.bloch.settings import WaveguideSettings
 from haptonic.errors import StudyError, shown
 from haptonic.fields import remade
@@ -28,7 +28,8 @@ def chosen_settings(study: Description, options: WaveguideOptions) -> WaveguideS
     ------
     HaptonicError : no carrier, no rows, or a mode that is not written like ``0x17``
     """
-    need_rows(study, "a waveguide")
+    need_carrier(study)
+    study.cell.check_simple("a waveguide", ", or ask `haptonic ribbon`, which knows guides on every lattice")
     own = study.waveguide_settings
     if options.mode is None:
         return own
@@ -66,7 +67,7 @@ ANALYSIS = Analysis(
     name="waveguide",
     result=Guides,
     compute=compute,
-    reported=lambda study: WaveguideOptions() if has_mirror(study) else None,
+    reported=lambda study: WaveguideOptions() if has_waveguide(study) else None,
     options=WaveguideOptions,
     check=chosen_settings,
 )

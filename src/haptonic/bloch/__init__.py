@@ -1,15 +1,16 @@
 """Bands, gaps and modes of the infinite lattice, all from one small pencil of matrices."""
 
 from haptonic.bloch.bands import bands_dataset, gaps_dataset, gaps_of, mode_shapes
-from haptonic.bloch.evanescent import attenuation
 from haptonic.bloch.gaps import Gap
 from haptonic.bloch.layers import Interface
 from haptonic.bloch.model import BlochModel, bloch_model
 from haptonic.bloch.pencil import Pencil, bloch_pencil
 from haptonic.bloch.resolution import Resolution
+from haptonic.bloch.rows import CondensedRows, attenuation
 
 __all__ = [
     "BlochModel",
+    "CondensedRows",
     "Gap",
     "Interface",
     "Pencil",

@@ -1,12 +1,13 @@
 """Waves at a given frequency, those that die out included: the complex band structure k(omega).
 
-Seen along one translation a cell is a slab between two faces. A wave multiplies what happens on its left
-face by a complex number lambda on the right one; within a gap no |lambda| is 1 and the waves fade. All
-that is below the slab of a cell takes plain face matrices, whatever they were made from.
+Seen across them a few rows of cells are a slab between two faces. A wave multiplies what happens on its left
+face by a complex number lambda on the right one; within a gap no |lambda| is 1 and the waves fade. All that
+is below such a slab takes plain face matrices, whatever they were made from.
 """
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -14,14 +15,15 @@ import numpy as np
 from numpy.typing import NDArray
 
 from haptonic.arrays import Array, Bools, Complex, Ints
-from haptonic.cell import UnitCell
 from haptonic.later import csgraph
 from haptonic.later import linalg as la
-from haptonic.superelement import Superelement, repeated
+from haptonic.later import sparse as sp
+from haptonic.superelement import Tiling, steps_between
 
 SHIFT = 1.2 * np.exp(0.9j)  # multiplier about which the waves are sought, off the unit circle
 ON_CIRCLE = 1e-7  # real part of an exponent below which a wave counts as propagating
 COINCIDENT = 1e-6  # distance below which two multipliers count as the same
+BETWEEN = 2  # places on neither of two faces
 SMALLEST = 1e-200  # stands for a multiplier, or a shifted inverse, that is zero
 
 
@@ -64,87 +66,88 @@ class FaceStiffness:
         return FaceStiffness(*(adjoint @ block @ basis for block in (self.LL, self.LR, self.RL, self.RR)))
 
 
-def row_cell(superelement: Superelement) -> UnitCell:
-    """The cell that rows consist of.
-
-    Raises
-    ------
-    GeometryError : several sites, or a lattice without right angles
-    """
-    cell = superelement.cell
-    assert isinstance(cell, UnitCell), "a tile by itself has no rows"
-    cell.check_simple("a row of cells")
-    return cell
-
-
 @dataclass(frozen=True)
 class Slab:
-    """A cell between two of its lateral faces, at a fixed phase along them.
+    """A piece of plate between two faces, one period of it at a fixed phase along them.
 
-    Boundary unknowns: the left face, the right face (n each), then what lies between them on the two
-    other faces. Each face has unknowns (level, place, component); the place at its far end is the image of
-    the first one and not counted.
+    Boundary unknowns: the left face, the right face (n each), then what lies between them. Each face has
+    unknowns (level, place, component), without the images of places a period on.
 
-    stiffness, mass : (b, b) on the boundary; coupling : (b, m) mass between it and the cell's modes
-    poles : (m,) eigenvalues of these modes, (rad/s)^2
+    stiffness, lossless : (b, b) on the boundary, of what has losses and of what has none
+    mass : (b, b); coupling : (b, m) mass between it and the modes of the tiles
+    poles : (m,) eigenvalues of these modes, (rad/s)^2; lossy : (m,) which of them have losses
     size : n, unknowns of a face
-    positions : (positions,) positions along the face, from its first corner, m
     """
 
     stiffness: Complex
+    lossless: Complex
     mass: Complex
     coupling: Complex
     poles: Array
+    lossy: Bools
     size: int
-    positions: Array
 
     @classmethod
-    def of(cls, superelement: Superelement, phase: float, direction: int = 0) -> Slab:
-        """The cell seen along translation ``direction``, at the phase (rad) along the other one.
+    def of(cls, tiling: Tiling, phase: float, left: Array, right: Array, lossy: Sequence[bool]) -> Slab:
+        """A tiling that is repeated once, at the phase (rad) of its period.
 
-        Raises
-        ------
-        GeometryError : a lattice without right angles
+        left, right : (n, 2) places of the faces, m, in one order; lossy : which tiles have losses
         """
-        lattice = row_cell(superelement).lattice
-        topology, levels = superelement.mesh.topology, superelement.levels
-        master, shift = repeated(superelement.mesh.points[topology.rim[0], :2], lattice.vectors)
-        position = superelement.mesh.points[topology.rim[0], 1 - direction]
-        face = np.unique(master[shift[:, direction] == 1])
-        face = face[np.argsort(position[face])]
-        size = 3 * levels * len(face)
-        column = np.empty((levels, len(master), 3), dtype=np.int64)
-        for group, first in ((face, 0), (np.setdiff1d(master, face), 2 * size)):
-            numbers = first + np.arange(3 * levels * len(group)).reshape(levels, -1, 3)
-            slot = np.empty(len(master), dtype=np.int64)
-            slot[group] = np.arange(len(group))
-            member = np.isin(master, group)
-            column[:, member] = numbers[:, slot[master[member]]]
-        column += size * shift[:, direction, None]
-        turn = np.broadcast_to(np.exp(1j * phase * shift[:, 1 - direction, None]), column.shape)
+        joint, levels = tiling.joint, tiling.joint.levels
+        free, own = np.unique(joint.master, return_inverse=True)
+        kind, slot, shift = np.full(len(free), BETWEEN), np.zeros_like(free), np.zeros_like(free)
+        for number, face in enumerate((left, right)):
+            whole, same = steps_between(joint.position[free], face, joint.period.vectors)
+            assert (same.sum(axis=0) == 1).all(), "a place of a face that no tile has, or several have"
+            place, slots = np.nonzero(same)
+            kind[place], slot[place], shift[place] = number, slots, whole[place, slots, 0]
+        between = kind == BETWEEN
+        assert (np.bincount(own)[between] > 1).all(), "sides of tiles that meet no other, and no face"
+        slot[between] = np.arange(between.sum())
+        size = 3 * levels * len(left)
+        on_level = 3 * np.where(between, between.sum(), len(left))
+        first = (size * kind + 3 * slot)[own][:, None] + np.arange(3)
+        column = first + np.arange(levels)[:, None, None] * on_level[own][:, None]
+        turn = np.exp(1j * phase * (joint.shift[:, 0] + shift[own]))
 
-        traces = superelement.trace_size
-        spread: Complex = np.zeros((traces, column.max() + 1), dtype=complex)
-        spread[np.arange(traces), column.ravel()] = turn.ravel()
-        fold = spread.conj().T
-        K, M = superelement.stiffness, superelement.mass
+        total = 2 * size + 3 * levels * int(between.sum())
+        stiffness, lossless, mass = np.zeros((3, total, total), dtype=complex)
+        coupling, poles = [], []
+        starts = np.concatenate([[0], joint.ends])
+        for number, tile in enumerate(tiling.tiles):
+            traces, places = tile.trace_size, slice(starts[number], starts[number + 1])
+            rows, at = np.unique(column[:, places], return_inverse=True)
+            factor = np.broadcast_to(turn[places, None], (levels, len(turn[places]), 3)).ravel()
+            spread = sp.csr_array((factor, (np.arange(traces), at.ravel())), shape=(traces, len(rows)))
+            fold = spread.conj().T
+            K, M = (joint.form(number, form, traces) for form in (tile.stiffness, tile.mass))
+            elastic = stiffness if lossy[number] else lossless
+            elastic[np.ix_(rows, rows)] += fold @ K[:traces, :traces] @ spread
+            mass[np.ix_(rows, rows)] += fold @ M[:traces, :traces] @ spread
+            to_modes = np.zeros((total, tile.size - traces), dtype=complex)
+            to_modes[rows] = fold @ M[:traces, traces:]
+            coupling.append(to_modes)
+            poles.append(np.diag(K)[traces:])
+        counts = [len(one) for one in poles]
         return cls(
-            stiffness=np.asarray(fold @ K[:traces, :traces] @ spread, dtype=complex),
-            mass=np.asarray(fold @ M[:traces, :traces] @ spread, dtype=complex),
-            coupling=np.asarray(fold @ M[:traces, traces:], dtype=complex),
-            poles=np.diag(K)[traces:],
-            size=size,
-            positions=position[face] - position[face[0]],
+            stiffness,
+            lossless,
+            mass,
+            np.hstack(coupling),
+            np.concatenate(poles),
+            np.repeat(np.asarray(lossy, dtype=bool), counts),
+            size,
         )
 
     def at(self, omega: float, loss_factor: float = 0.0) -> FaceStiffness:
         """Dynamic stiffness at omega (rad/s), nothing but the faces kept.
 
-        All of the stiffness is ``1 + i loss_factor`` times the real one.
+        The stiffness of what has losses is ``1 + i loss_factor`` times the real one.
         """
         loss = 1 + 1j * loss_factor
-        answer = (omega**4 / (loss * self.poles - omega**2))[:, None] * self.coupling.conj().T
-        whole = loss * self.stiffness - omega**2 * self.mass - self.coupling @ answer
+        poles = np.where(self.lossy, loss, 1.0) * self.poles
+        answer = (omega**4 / (poles - omega**2))[:, None] * self.coupling.conj().T
+        whole = loss * self.stiffness + self.lossless - omega**2 * self.mass - self.coupling @ answer
         faces, inner = slice(2 * self.size), slice(2 * self.size, None)
         follow = la.solve(whole[inner, inner], whole[inner, faces])
         return FaceStiffness.of(whole[faces, faces] - whole[faces, inner] @ follow)
@@ -248,25 +251,6 @@ def bloch_waves(slab: FaceStiffness, omega: float) -> tuple[Waves, Waves]:
     return directed(np.log(multiplier), u, force, omega)
 
 
-def attenuation(
-    superelement: Superelement, omega: Array, phases: Array, direction: int = 0, loss_factor: float = 0.0
-) -> Array:
-    """(frequencies, phases) decay of the farthest-reaching wave, dB per cell; 0 where a wave propagates.
-
-    Parameters
-    ----------
-    omega : (frequencies,) rad/s; phases : (phases,) along the faces, rad
-    direction : number of the translation along which waves fade
-    """
-    found = np.empty((len(omega), len(phases)))
-    for column, phase in enumerate(phases):
-        slab = Slab.of(superelement, float(phase), direction)
-        for row, at in enumerate(omega):
-            right, _ = bloch_waves(slab.at(float(at), loss_factor), float(at))
-            found[row, column] = decibels(right)
-    return found
-
-
 def decibels(right: Waves) -> float:
-    """Decay per cell of the wave to the right that reaches farthest, dB; 0 if it propagates."""
+    """Decay from face to face of the wave to the right that reaches farthest, dB; 0 if it propagates."""
     return 0.0 if right.propagates[0] else float(-20 / np.log(10) * right.exponent[0].real)

@@ -16,9 +16,9 @@ import scipy
 from haptonic.arrays import Array, Complex
 from haptonic.bloch.layers import Interface
 from haptonic.bloch.plate_waves import PlateWaves
+from haptonic.bloch.rows import CondensedRows
 from haptonic.errors import StudyError
 from haptonic.later import linalg as la
-from haptonic.superelement import Superelement
 
 Ends = Literal["free", "mirror"]
 
@@ -50,7 +50,7 @@ class Wall:
         leads = np.flatnonzero(right.labelled(LEAD) & (right.harmonic == 0))
         if not len(leads):
             return None
-        images = replace(mirror, outgoing=right.mirrored(interface.plate.normal))
+        images = replace(mirror, outgoing=right.mirrored(interface.plate.axes[0]))
         closed = not mirror.lattice.propagates.any()
         return cls(right, images.reflection(), int(leads[0]), closed)
 
@@ -143,9 +143,9 @@ class Guide:
     interface: Interface
 
     @classmethod
-    def of(cls, superelement: Superelement, wavenumber: float, direction: int = 0) -> Guide:
-        """Mirrors across translation ``direction``, waves of a wavenumber (rad/m) along the other one."""
-        return cls(Interface.of(superelement, wavenumber, direction))
+    def of(cls, rows: CondensedRows, wavenumber: float) -> Guide:
+        """Waves of a wavenumber (rad/m) along rows."""
+        return cls(Interface.of(rows, wavenumber))
 
     def width(self, omega: float, nodal_lines: int) -> float:
         """Width (m) of the strip that has a mode at omega (rad/s) with so many nodal lines across.
@@ -200,9 +200,7 @@ class Guide:
         return wall
 
 
-def along_strip(
-    superelement: Superelement, omega: float, length: float, intervals: int, ends: Ends, direction: int = 0
-) -> float:
+def along_strip(rows: CondensedRows, omega: float, length: float, intervals: int, ends: Ends) -> float:
     """Wavenumber (rad/m) along a strip of a length (m) with so many intervals between its nodal lines.
 
     Both ends are approximate. A free end throws flexural waves back like the end of a long beam, so that
@@ -212,18 +210,17 @@ def along_strip(
 
     Parameters
     ----------
-    omega : rad/s, at which a lattice at the ends is looked at
-    direction : number of the translation across the strip
+    rows : on either side of the strip; omega : rad/s, at which a lattice at the ends is looked at
     """
     if ends == "free":
         return (intervals + 0.5) * np.pi / length
-    end = Wall.of(Interface.of(superelement, 0.0, 1 - direction), omega)
+    end = Wall.of(Interface.of(rows.crossed(), 0.0), omega)
     assert end is not None, "at normal incidence the flexural wave always propagates"
     return float((intervals + 2) * np.pi / (length + 2 * end.fixed_line))
 
 
 def strip_mode(
-    superelement: Superelement,
+    rows: CondensedRows,
     *,
     width: float,
     length: float,
@@ -231,17 +228,15 @@ def strip_mode(
     nodal_lines: int,
     between: tuple[float, float],
     ends: Ends = "free",
-    direction: int = 0,
 ) -> GuidedMode:
     """Mode of a strip of finite length with so many intervals between its nodal lines along it.
 
     Parameters
     ----------
-    width, length : of the strip, m
+    rows : on either side of the strip; width, length : of the strip, m
     intervals, nodal_lines : along and across the strip
     between : angular frequencies to look in, rad/s
     ends : see `along_strip`
-    direction : number of the translation across the strip
 
     Raises
     ------
@@ -249,8 +244,7 @@ def strip_mode(
     """
 
     def guide_at(omega: float) -> Guide:
-        along = along_strip(superelement, omega, length, intervals, ends, direction)
-        return Guide.of(superelement, along, direction)
+        return Guide.of(rows, along_strip(rows, omega, length, intervals, ends))
 
     if ends == "free":
         return guide_at(between[0]).mode(width, nodal_lines, between)

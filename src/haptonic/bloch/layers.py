@@ -7,28 +7,38 @@ lattice's forces act on these by their work: whatever the truncation, no energy 
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 import numpy as np
 
 from haptonic.arrays import Array, Complex, Ints
-from haptonic.bloch.evanescent import FaceStiffness, Slab, Waves, bloch_waves, row_cell
+from haptonic.bloch.evanescent import FaceStiffness, Slab, Waves, bloch_waves
 from haptonic.bloch.plate_waves import FAMILIES, HIGHER, PlainPlate, PlateWaves
+from haptonic.bloch.rows import CondensedRows
 from haptonic.errors import StudyError
 from haptonic.later import linalg as la
-from haptonic.superelement import Superelement
 
 OUTGOING = (*FAMILIES, HIGHER)  # kinds of waves that carry energy away
 
 
-def stacked(layer: FaceStiffness, count: int) -> Iterator[FaceStiffness]:
-    """One layer, two layers, ... up to ``count``, by Schur complements: nothing grows with their number."""
-    whole = layer
-    yield whole
-    for _ in range(count - 1):
-        whole = whole.followed_by(layer)
-        yield whole
+def stacked(
+    layer: FaceStiffness,
+    count: int,
+    parts: Sequence[FaceStiffness] = (),
+    before: FaceStiffness | None = None,
+) -> Iterator[FaceStiffness]:
+    """One layer, two layers, ... up to ``count``, by Schur complements: nothing grows with their number.
+
+    Where a ``layer`` is several of them, ``parts`` are one, two, ... fewer than that. On their left there may
+    be something else ``before`` them.
+    """
+    blocks, whole = (*parts, layer), before
+    for number in range(count):
+        block = blocks[number % len(blocks)]
+        found = block if whole is None else whole.followed_by(block)
+        whole = found if block is layer else whole
+        yield found
 
 
 def scattered(
@@ -86,54 +96,59 @@ class Scattering:
         """(N, i) transmitted energy of all kinds, dB below the incident one."""
         return np.asarray(-10 * np.log10(self.transmitted.sum(axis=-1)))
 
+    def of(self, family: str) -> Scattering:
+        """Of one incident wave alone."""
+        own = [self.incident.index(family)]
+        return Scattering((family,), self.layers, self.reflected[:, own], self.transmitted[:, own])
+
 
 @dataclass(frozen=True)
 class Interface:
     """A line along which a lattice meets a plain plate, at a fixed tangential wavenumber.
 
-    slab : a layer of the lattice; plate : the plain plate
+    slab : rows of the lattice; parts : the same with 1, 2, ... fewer rows, plain plate in place of the rest
+    ends : plain plate between the line and the slab, and behind it, where the rows' faces are no planes
+    plate : the plain plate
     tangential : (h,) wavenumbers of the harmonics, the given one first, rad/m; an odd number of them, not
-        more than the face has places
+        more than the line has places
     period : along the line, m
-    trace : (n, p) motion of the face that each unknown (harmonic, level, component) of the plate gives
+    trace : (n, p) motion of the line that each unknown (harmonic, level, component) of the plate gives
     """
 
     slab: Slab
+    parts: tuple[Slab, ...]
+    ends: tuple[Slab, ...]
     plate: PlainPlate
     tangential: Array
     period: float
     trace: Complex
 
     @classmethod
-    def of(cls, superelement: Superelement, wavenumber: float, direction: int = 0) -> Interface:
-        """Faces across translation ``direction``, at a tangential wavenumber (rad/m).
+    def of(cls, rows: CondensedRows, wavenumber: float) -> Interface:
+        """Along rows, at a tangential wavenumber (rad/m).
 
         Raises
         ------
         StudyError : waves too short for the places of a face
-        GeometryError : a lattice without right angles
         """
-        cell = row_cell(superelement)
-        vectors = cell.lattice.vectors
-        period = float(np.linalg.norm(vectors[1 - direction]))
-        slab = Slab.of(superelement, wavenumber * period, direction)
-        reach = (len(slab.positions) - 1) // 2
+        period = rows.rows.period
+        *parts, slab = rows.slabs(wavenumber * period)
+        ends = rows.ends(wavenumber * period)
+        position = (rows.line - rows.line[0]) @ rows.rows.turn[1]
+        reach = (rows.harmonics - 1) // 2
         zone = round(wavenumber * period / (2 * np.pi))
         if abs(zone) > reach:
             raise _too_short(wavenumber, (2 * reach + 1) * np.pi / period)
         orders = np.arange(-reach, reach + 1) - zone
         orders = orders[np.argsort(np.abs(orders), kind="stable")]
         tangential = np.asarray(wavenumber + 2 * np.pi / period * orders, dtype=float)
-        levels = superelement.levels
-        turning = np.exp(1j * np.outer(slab.positions, tangential))
-        trace = np.einsum("pm,lj,cd->lpcmjd", turning, np.eye(levels), np.eye(3))
-        plate = PlainPlate.of(cell, levels, direction)
-        return cls(slab, plate, tangential, period, trace.reshape(slab.size, -1))
+        turning = np.exp(1j * np.outer(position, tangential))
+        trace = np.einsum("pm,lj,cd->lpcmjd", turning, np.eye(rows.levels), np.eye(3))
+        trace = trace.reshape(slab.size, -1)
+        return cls(slab, tuple(parts), ends, plain_plate(rows), tangential, period, trace)
 
     @classmethod
-    def met_by(
-        cls, superelement: Superelement, omega: float, family: str, angle: float, direction: int = 0
-    ) -> Interface:
+    def met_by(cls, rows: CondensedRows, omega: float, family: str, angle: float) -> Interface:
         """The interface as an incident wave meets it at an angle (rad) from the normal, at omega (rad/s).
 
         Raises
@@ -148,15 +163,19 @@ class Interface:
                 cause="such a wave does not come towards the layers",
                 next_step="give a smaller angle",
             )
-        plate = PlainPlate.of(row_cell(superelement), superelement.levels, direction)
-        k = plate.wavenumber(omega, angle, family)
+        k = plain_plate(rows).wavenumber(omega, angle, family)
         if k is None:
             raise _no_such_wave(family, omega)
-        return cls.of(superelement, k * np.sin(angle), direction)
+        return cls.of(rows, k * np.sin(angle))
 
     def plate_waves(self, omega: float) -> tuple[PlateWaves, PlateWaves]:
         """Waves of the plate to the right and to the left, on its unknowns."""
         return self.plate.waves(omega, self.tangential, self.period)
+
+    def incoming(self, omega: float) -> tuple[str, ...]:
+        """Families of the plate's waves that come with the interface's own wavenumber."""
+        right, _ = self.plate_waves(omega)
+        return tuple(one for one in FAMILIES if (right.labelled(one) & (right.harmonic == 0)).any())
 
     def scattering(
         self, omega: float, layers: int, incident: tuple[str, ...], loss_factor: float = 0.0
@@ -183,10 +202,12 @@ class Interface:
         right, left = self.plate_waves(omega)
         chosen = np.array([self._number(right, family, omega) for family in incident])
         incoming = right.waves.chosen(chosen)
-        lattice = self.slab.at(omega, loss_factor)
+        lattice, *parts = (one.at(omega, loss_factor) for one in (self.slab, *self.parts))
+        ends = [one.at(omega) for one in self.ends]
         shares = np.array([
             [_shares(r, left), _shares(t, right)]
-            for whole in stacked(lattice, layers)
+            for rows in stacked(lattice, layers, parts, ends[0] if ends else None)
+            for whole in [rows.followed_by(ends[1]) if ends else rows]
             for r, t in [scattered(whole.projected(self.trace), incoming, left.waves, right.waves)]
         ])  # fmt: skip
         return Scattering(incident, np.arange(1, layers + 1), shares[:, 0], shares[:, 1])
@@ -194,7 +215,13 @@ class Interface:
     def mirror(self, omega: float, loss_factor: float = 0.0) -> HalfSpace:
         """The half-infinite lattice on the right of the interface."""
         lattice, _ = bloch_waves(self.slab.at(omega, loss_factor), omega)
-        return HalfSpace(*self.plate_waves(omega), lattice, self.trace)
+        impedance, motion = lattice.impedance(), self.trace
+        if self.ends:
+            before = self.ends[0].at(omega)
+            follows = -la.solve(before.RR + impedance, before.RL)
+            impedance, motion = before.LL + before.LR @ follows, follows @ motion
+        impedance = self.trace.conj().T @ impedance @ self.trace
+        return HalfSpace(*self.plate_waves(omega), lattice, impedance, motion)
 
     def _number(self, right: PlateWaves, family: str, omega: float) -> int:
         """Which of the waves is the one of a family with the interface's own wavenumber."""
@@ -210,23 +237,29 @@ class HalfSpace:
 
     incoming, outgoing : the plate's waves to the right and to the left, p of each
     lattice : the n waves of the lattice to the right
-    trace : (n, p) motion of the lattice's face that the plate's unknowns give
+    impedance : (p, p) force per displacement on the plate's unknowns
+    motion : (n, p) of the lattice's face that these give
     """
 
     incoming: PlateWaves
     outgoing: PlateWaves
     lattice: Waves
-    trace: Complex
+    impedance: Complex
+    motion: Complex
 
     def reflection(self) -> Complex:
         """(p, p) amplitudes of outgoing waves for unit incoming ones, fading ones included."""
-        impedance = self.trace.conj().T @ self.lattice.impedance() @ self.trace
-        return reflected_by(impedance, self.incoming.waves, self.outgoing.waves)
+        return reflected_by(self.impedance, self.incoming.waves, self.outgoing.waves)
 
     def transmission(self, reflection: Complex) -> Complex:
         """(n, p) amplitudes of the lattice's waves that go with a reflection."""
         motion = self.incoming.waves.displacement + self.outgoing.waves.displacement @ reflection
-        return np.asarray(la.solve(self.lattice.displacement, self.trace @ motion))
+        return np.asarray(la.solve(self.lattice.displacement, self.motion @ motion))
+
+
+def plain_plate(rows: CondensedRows) -> PlainPlate:
+    """The plate before and behind rows, its axes across and along them."""
+    return PlainPlate.of(rows.rows.cell, rows.levels, rows.rows.turn)
 
 
 def _shares(amplitudes: Complex, waves: PlateWaves) -> Array:

@@ -9,16 +9,16 @@ from functools import lru_cache
 import numpy as np
 
 from haptonic.arrays import Array, Complex
-from haptonic.bloch.evanescent import Slab, bloch_waves, decibels
+from haptonic.bloch.evanescent import bloch_waves
 from haptonic.bloch.layers import OUTGOING, Interface, Scattering
 from haptonic.bloch.plate_waves import FAMILIES
 from haptonic.bloch.resolution import Resolution
+from haptonic.bloch.rows import CondensedRows
 from haptonic.cell import UnitCell
 from haptonic.errors import StudyError
 from haptonic.gate import WORD
 from haptonic.later import xarray as xr
 from haptonic.parallel import each, one_thread
-from haptonic.superelement import Superelement, condense
 
 PHASES = np.linspace(0.0, np.pi, 5)  # along the rows, at which the decay is followed
 SHOWN_WAVES = 8  # of each frequency in the complex band structure: those that reach farthest
@@ -27,9 +27,9 @@ GOALS = (20.0, 40.0, 60.0)  # dB
 
 
 @lru_cache(maxsize=2)
-def condensed_cell(cell: UnitCell, resolution: Resolution) -> Superelement:
-    """The superelement of a cell; kept for the next task of a worker."""
-    return condense(cell, resolution.plan(cell), resolution.steps, block=resolution.block, measured=False)
+def condensed_rows(cell: UnitCell, resolution: Resolution, along: tuple[int, int] = (0, 1)) -> CondensedRows:
+    """Rows of a cell; kept for the next task of a worker."""
+    return CondensedRows.of(cell, resolution, along)
 
 
 @dataclass(frozen=True)
@@ -46,29 +46,28 @@ class Incidence:
 
 
 @one_thread()
-def mirror_dataset(superelement: Superelement, frequency: Array, incidence: Incidence) -> xr.Dataset:
+def mirror_dataset(rows: CondensedRows, frequency: Array, incidence: Incidence) -> xr.Dataset:
     """Complex band structure and transmission at some frequencies.
 
     Returns
     -------
     dataset with dimensions ``frequency`` (Hz), ``wave``, ``phase``, ``rows``, ``incident`` and ``outgoing``:
-    ``kappa`` complex phases per cell of the waves to the right at normal incidence (as real and imaginary
-    part), ``attenuation`` (dB per cell) of the one that reaches farthest for each phase along the rows,
+    ``kappa`` complex phases per row of the waves to the right at normal incidence (as real and imaginary
+    part), ``attenuation`` (dB per row) of the one that reaches farthest for each phase along the rows,
     ``reflected`` and ``transmitted`` energies as shares of the incident one, NaN where the incident wave does
     not propagate
     """
-    slabs = [Slab.of(superelement, float(phase)) for phase in PHASES]
-    normal = Interface.of(superelement, 0.0)
+    slabs = [rows.slab(float(phase)) for phase in PHASES]
+    normal = Interface.of(rows, 0.0)
 
     def one(at: float) -> tuple[Complex, Array, Array]:
         omega = 2 * np.pi * at
         waves = [bloch_waves(slab.at(omega), omega)[0] for slab in slabs]
         shares = np.full((2, incidence.layers, len(FAMILIES), len(OUTGOING)), np.nan)
-        for number, family in enumerate(FAMILIES):
-            found = scattering_at(superelement, at, family, incidence, normal)
-            if found is not None:
-                shares[:, :, number] = found.reflected[:, 0], found.transmitted[:, 0]
-        return -1j * waves[0].exponent[:SHOWN_WAVES], np.array([decibels(right) for right in waves]), shares
+        for family, found in scattering_at(rows, at, incidence, normal).items():
+            shares[:, :, FAMILIES.index(family)] = found.reflected[:, 0], found.transmitted[:, 0]
+        exponents = rows.exponents(waves[0], float(PHASES[0]))[:SHOWN_WAVES]
+        return -1j * exponents, np.array([rows.decay(right) for right in waves]), shares
 
     columns = zip(*each(one, frequency.tolist()), strict=True)
     kappa, attenuation, energy = (np.array(column) for column in columns)
@@ -76,11 +75,11 @@ def mirror_dataset(superelement: Superelement, frequency: Array, incidence: Inci
     by_rows = ("frequency", "rows", "incident", "outgoing")
     return xr.Dataset(
         {
-            "kappa_real": (("frequency", "wave"), kappa.real, _words("rad", "phase per cell, real part")),
+            "kappa_real": (("frequency", "wave"), kappa.real, _words("rad", "phase per row, real part")),
             "kappa_imag": (("frequency", "wave"), kappa.imag, _words("rad", "the same, imaginary part")),
             "attenuation": (
                 ("frequency", "phase"), attenuation,
-                _words("dB", "decay per cell of the wave that reaches farthest"),
+                _words("dB", "decay per row of the wave that reaches farthest"),
             ),
             "reflected": (by_rows, shares[0], _of_incident()),
             "transmitted": (by_rows, shares[1], _of_incident()),
@@ -104,27 +103,27 @@ def _words(unit: str, title: str) -> dict[str, str]:
 
 
 def scattering_at(
-    superelement: Superelement,
-    frequency: float,
-    family: str,
-    incidence: Incidence,
-    normal: Interface | None = None,
-) -> Scattering | None:
-    """What happens to one incident wave at one frequency (Hz); None if it does not propagate at this angle.
+    rows: CondensedRows, frequency: float, incidence: Incidence, normal: Interface | None = None
+) -> dict[str, Scattering]:
+    """What happens to each kind of incident wave at one frequency (Hz), if it propagates at this angle.
 
     ``normal`` is the interface at normal incidence, if it is there already.
     """
     omega = 2 * np.pi * frequency
-    try:
-        if normal is not None and incidence.angle == 0:
-            interface = normal
-        else:
-            interface = Interface.met_by(superelement, omega, family, incidence.angle)
-        return interface.scattering(omega, incidence.layers, (family,), incidence.loss_factor)
-    except StudyError as error:
-        if error.argument != "layers.incident":
-            raise
-        return None
+    if incidence.angle == 0:
+        normal = normal or Interface.of(rows, 0.0)
+        there = normal.incoming(omega)
+        found = normal.scattering(omega, incidence.layers, there, incidence.loss_factor)
+        return {family: found.of(family) for family in there}
+    each_by = {}
+    for family in FAMILIES:
+        try:
+            interface = Interface.met_by(rows, omega, family, incidence.angle)
+            each_by[family] = interface.scattering(omega, incidence.layers, (family,), incidence.loss_factor)
+        except StudyError as error:
+            if error.argument != "layers.incident":
+                raise
+    return each_by
 
 
 def first_reaching(insulation: Sequence[float] | Array, goal: float) -> int | None:

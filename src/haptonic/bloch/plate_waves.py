@@ -45,16 +45,19 @@ class PlateWaves:
         """(w,) True for the waves with a label."""
         return np.array([label == name for label in self.label])
 
-    def mirrored(self, normal: int) -> PlateWaves:
-        """Their images, wave by wave, in a mirror across axis ``normal``: waves to the other side."""
-        sign = np.ones(3)
-        sign[normal] = -1
-        turn = np.tile(sign, len(self.waves.displacement) // 3)[:, None]
+    def mirrored(self, normal: Array) -> PlateWaves:
+        """Their images, wave by wave, in a mirror across an axis (2,): waves to the other side."""
+        mirror = np.eye(3)
+        mirror[:2, :2] -= 2 * np.outer(normal, normal)
+
+        def image_of(rows: Complex) -> Complex:
+            return np.asarray(mirror @ rows.reshape(-1, 3, len(self))).reshape(rows.shape)
+
         image = replace(
             self.waves,
             exponent=-self.waves.exponent,
-            displacement=turn * self.waves.displacement,
-            force=-turn * self.waves.force,
+            displacement=image_of(self.waves.displacement),
+            force=-image_of(self.waves.force),
         )
         return replace(self, waves=image, wavenumber=-self.wavenumber)
 
@@ -66,21 +69,22 @@ class PlainPlate:
     With displacement ``U exp(i (k_0 x_normal + k_1 x_tangential))`` the dynamic stiffness is
     ``k_a k_b gradient_ab + i k_a (crossed_a^T - crossed_a) + still - omega^2 mass``.
 
-    normal : number of the axis along which waves are followed
+    axes : (2, 2) of the normal, along which waves are followed, and of the tangential, in the plate's plane
     gradient : (2, 2, q, q); crossed : (2, q, q) slope through the thickness seen by a gradient
     still : (q, q); mass : (q, q)
     """
 
     thickness: float
-    normal: int
+    axes: Array
     gradient: Array
     crossed: Array
     still: Array
     mass: Array
 
     @classmethod
-    def of(cls, cell: UnitCell, levels: int, normal: int = 0) -> PlainPlate:
-        """The plate of a cell without its pillar, on as many levels as a trace has."""
+    def of(cls, cell: UnitCell, levels: int, axes: Array | None = None) -> PlainPlate:
+        """The plate of a cell without its pillar, on as many levels as a trace has; by default along x."""
+        axes = np.eye(2) if axes is None else axes
         points, _, derivative = lobatto(levels - 1)
         at, weight = leggauss(levels)
         value = interpolation(points, at)
@@ -89,12 +93,13 @@ class PlainPlate:
         overlap: Array = half * (value.T * weight) @ value
         bending: Array = (slope.T * weight) @ slope / half
         tensor = elasticity_tensor(cell.material.stiffness)
-        axes = (normal, 1 - normal)
+        stretched = np.einsum("ai,bj,cidj->abcd", axes, axes, tensor[:, :2, :, :2])
+        sheared = np.einsum("ai,cid->acd", axes, tensor[:, :2, :, 2])
         return cls(
             thickness=cell.thickness,
-            normal=normal,
-            gradient=np.array([[np.kron(overlap, tensor[:, a, :, b]) for b in axes] for a in axes]),
-            crossed=np.array([np.kron((value.T * weight) @ slope, tensor[:, a, :, 2]) for a in axes]),
+            axes=axes,
+            gradient=np.array([[np.kron(overlap, one) for one in row] for row in stretched]),
+            crossed=np.array([np.kron((value.T * weight) @ slope, one) for one in sheared]),
             still=np.asarray(np.kron(bending, tensor[:, 2, :, 2]), dtype=float),
             mass=np.asarray(cell.material.density * np.kron(overlap, np.eye(3)), dtype=float),
         )
@@ -159,7 +164,7 @@ class PlainPlate:
         field = profiles.reshape(-1, 3, profiles.shape[1])
         mirrored = field[::-1] * np.array([1.0, 1.0, -1.0])[:, None]
         symmetric = (field.conj() * mirrored).sum(axis=(0, 1)).real > 0
-        in_plane = field[:, [self.normal, 1 - self.normal]]
+        in_plane = np.einsum("ai,liw->law", self.axes, field[:, :2])
         along = np.linalg.norm(np.einsum("lcw,wc->lw", in_plane, wavevectors), axis=0)
         crossing = wavevectors[:, ::-1] * np.array([-1.0, 1.0])
         across = np.linalg.norm(np.einsum("lcw,wc->lw", in_plane, crossing), axis=0)

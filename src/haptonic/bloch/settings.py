@@ -11,6 +11,7 @@ from pydantic import Field
 
 from haptonic.bloch.guide import Ends
 from haptonic.bloch.resolution import LADDER, LEAST_ORDER, Resolution, starting_rung
+from haptonic.cell.directed import Along, whole
 from haptonic.errors import StudyError
 from haptonic.fields import TOP, Frequency, Length, Quantity, ascending, described, setting
 from haptonic.units import format_quantity
@@ -78,12 +79,23 @@ class LayersSettings:
     points: Annotated[int, Field(ge=2, le=5000, strict=True)] = setting(
         161, "In the spectrum, both ends included.", title="Frequencies"
     )
+    along: Along = setting(
+        (0.0, 1.0),
+        "How many of the lattice's two translations a row repeats after; [0, 1] is along y in rectangles.",
+        title="Direction of the rows",
+    )
     angle: Annotated[float, Quantity("rad", at_least=0.0, below=0.5 * math.pi, typical=(0.0, 1.5))] = setting(
         0.0, "Between the incident wave and the normal of the rows.", title="Angle of incidence"
     )
 
     def __post_init__(self) -> None:
         ascending(self.lowest, self.highest, "spectrum")
+        whole(self.along, "a row")
+
+    @property
+    def direction(self) -> tuple[int, int]:
+        """Whole translations of the lattice, after which a row repeats."""
+        return whole(self.along, "a row")
 
     def frequencies(self, carrier: float) -> NDArray[np.float64]:
         """(points,) of the spectrum around a carrier, Hz.

@@ -5,11 +5,13 @@ from haptonic.cell.mesh import HexMesh, mesh_cell
 from haptonic.cell.pillar import Pillar, Step
 from haptonic.cell.plan import MeshPlan
 from haptonic.cell.ribbon import Ribbon
+from haptonic.cell.rows import Filler, Rows
 from haptonic.cell.sites import Site
 from haptonic.cell.tile import FreeEdge, Period, PlacedTile, TileShape
 from haptonic.cell.topology import Topology
 
 __all__ = [
+    "Filler",
     "FreeEdge",
     "HexMesh",
     "MeshPlan",
@@ -17,6 +19,7 @@ __all__ = [
     "Pillar",
     "PlacedTile",
     "Ribbon",
+    "Rows",
     "Site",
     "Step",
     "TileShape",

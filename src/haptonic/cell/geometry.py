@@ -164,12 +164,15 @@ class UnitCell(TileShape):
         """(sides, 2) what lies nearer to each site than to any other, about the site, m."""
         return polygons(self.shares, self.lattice.vectors)
 
-    def check_simple(self, what: str) -> None:
-        """Raise GeometryError unless there is one site, and translations along x and y; ``what`` needs it."""
-        self.check_one_site(what)
-        self.lattice.check_rectangular(what)
+    def check_simple(self, what: str, instead: str = "") -> None:
+        """Raise GeometryError unless there is one site, and translations along x and y; ``what`` needs it.
 
-    def check_one_site(self, what: str) -> None:
+        ``instead`` is what else one may do.
+        """
+        self.check_one_site(what, instead)
+        self.lattice.check_rectangular(what, instead)
+
+    def check_one_site(self, what: str, instead: str = "") -> None:
         """Raise GeometryError unless there is one site, in the middle; ``what`` needs it."""
         if not self.is_simple:
             raise GeometryError.unsupported(
@@ -177,8 +180,8 @@ class UnitCell(TileShape):
                 given=f"{len(self.shares)} sites" if self.site else self.lattice.name,
                 allowed=f"a cell of one site in its middle for {what}",
                 cause=f"{what} knows cells with a single pillar only; those with several have bands, gaps, "
-                "ribbons, sweeps, slopes, tolerances and outlines",
-                next_step='write lattice = "square" or "rectangular", and leave [[cell.site]] out',
+                "mirrors, ribbons, sweeps, slopes, tolerances and outlines",
+                next_step=f'write lattice = "square" or "rectangular", and leave [[cell.site]] out{instead}',
             )
 
     @property

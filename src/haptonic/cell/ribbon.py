@@ -14,6 +14,7 @@ from typing import Literal
 import numpy as np
 
 from haptonic.arrays import Array, Bools, Ints
+from haptonic.cell.directed import Directed, check_along
 from haptonic.cell.geometry import UnitCell
 from haptonic.cell.tile import FreeEdge, PlacedTile
 from haptonic.errors import GeometryError
@@ -25,7 +26,7 @@ RibbonKind = Literal["guide", "defect", "edge"]
 
 
 @dataclass(frozen=True, eq=False)
-class Ribbon:
+class Ribbon(Directed):
     """One period of a ribbon, as computed with.
 
     first : cells of the first line, from left to right, equal ones one object; plain plate is a cell without
@@ -51,16 +52,7 @@ class Ribbon:
                 cause="a single column has no neighbour that a wave could be guided by",
                 next_step="write the letters of all columns, such as ooo1111ooo",
             )
-        if math.gcd(*self.along) != 1:
-            raise GeometryError.out_of_range(
-                argument="ribbon.along",
-                given=f"{list(self.along)}",
-                allowed="two whole numbers without a common divisor",
-                cause="the ribbon repeats after a part of that"
-                if any(self.along)
-                else "that is no direction",
-                next_step="write along = [0, 1] for the second translation of the lattice",
-            )
+        check_along(self.along, "ribbon", "the ribbon")
         for column, top in enumerate(self.first):
             self._check_meets(self.first[0], top, column + 1, self.along == (0, 1))
             for line in self.more:
@@ -93,16 +85,9 @@ class Ribbon:
                 next_step="change sizes of pillars only, or of the pitch across the ribbon",
             )
 
-    @cached_property
-    def across(self) -> tuple[int, int]:
-        """How many translations lead from a column to the next, to the right: the shortest way."""
-        m, n = self.along
-        vectors = self.first[0].lattice.vectors
-        x, y = _bezout(m, n)  # m x + n y = 1
-        step = np.array([y, -x])  # of determinant n y + m x = 1 with (m, n)
-        span, period = step @ vectors, np.array(self.along) @ vectors
-        found = step - round(float(span @ period / (period @ period)) - SAME) * np.array(self.along)
-        return int(found[0]), int(found[1])
+    @property
+    def translations(self) -> Array:
+        return self.first[0].lattice.vectors
 
     @cached_property
     def steps(self) -> Array:
@@ -121,25 +106,9 @@ class Ribbon:
         return (self.first, *self.more)
 
     @property
-    def way(self) -> Array:
-        """(2,) translation from a line to the next, m."""
-        return np.asarray(np.array(self.along) @ self.first[0].lattice.vectors)
-
-    @property
     def vectors(self) -> Array:
         """(1, 2) the period, m."""
         return np.asarray(len(self.lines) * self.way[None])
-
-    @property
-    def period(self) -> float:
-        """m."""
-        return float(np.linalg.norm(self.vectors))
-
-    @cached_property
-    def turn(self) -> Array:
-        """(2, 2) to axes in which the period lies along y."""
-        x, y = self.way / np.linalg.norm(self.way)
-        return np.array([[y, -x], [x, y]])
 
     @cached_property
     def _placed(self) -> tuple[tuple[PlacedTile, int, int], ...]:
@@ -235,13 +204,4 @@ class Ribbon:
         A period of several lines has waves of as many phases from line to line.
         """
         per_line = (along + 2 * np.pi * np.arange(len(self.lines))) / len(self.lines)
-        both = np.column_stack([np.repeat(per_line, len(across)), np.tile(across, len(per_line))])
-        return np.asarray(np.linalg.solve(np.array([self.along, self.across], dtype=float), both.T).T)
-
-
-def _bezout(m: int, n: int) -> tuple[int, int]:
-    """(x, y) with m x + n y = 1, for numbers without a common divisor (extended Euclid)."""
-    if n == 0:
-        return m, 0  # m is 1 or -1
-    x, y = _bezout(n, m % n)
-    return y, x - (m // n) * y
+        return np.concatenate([Directed.phases(self, float(one), across) for one in per_line])

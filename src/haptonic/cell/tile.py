@@ -155,11 +155,11 @@ class PlacedTile:
 @dataclass(frozen=True, eq=False)
 class FreeEdge:
     """Where a period has no neighbour: of tiles first, ..., beyond - 1, the sides that meet their own images
-    a step (2,) away, m."""
+    a step (2,) away, m; of any without a step."""
 
     first: int
     beyond: int
-    step: Array
+    step: Array | None
 
 
 class Period(Protocol):

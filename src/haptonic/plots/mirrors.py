@@ -17,7 +17,7 @@ from haptonic.plots.stage import Stage, stage
 from haptonic.plots.text import in_pi
 
 FLAT = 1e-6  # rad, imaginary part of a phase below which a wave propagates
-DEEPEST = 1.2 * np.pi  # rad per cell, imaginary part up to which waves are shown
+DEEPEST = 1.2 * np.pi  # rad per row, imaginary part up to which waves are shown
 FLOOR = -100.0  # dB
 ROOM = 0.025  # of the axis beyond zero and the end, so that what lies on them can be seen
 FAMILIES = ("A0", "S0", "SH0")
@@ -25,7 +25,7 @@ FAMILIES = ("A0", "S0", "SH0")
 
 @style.drawn
 def decay(dataset: xr.Dataset) -> Figure:
-    """Complex band structure at normal incidence, and the decay per cell for several phases along the rows.
+    """Complex band structure at normal incidence, and the decay per row for several phases along the rows.
 
     Parameters
     ----------
@@ -57,7 +57,7 @@ def decay(dataset: xr.Dataset) -> Figure:
     for (colour, dashes), column in zip(looks, range(dataset.sizes["phase"]), strict=False):
         label = f"decay, phase {in_pi(float(dataset['phase'][column]))} along the rows"
         depth.plot(dataset["attenuation"].values[:, column], frequency, color=colour, ls=dashes, label=label)
-    depth.set_xlabel("decay (dB per cell)")
+    depth.set_xlabel("decay (dB per row)")
     deepest = max(float(np.nanmax(dataset["attenuation"].values)), 1.0)
     depth.set_xlim(-ROOM * deepest, (1 + ROOM) * deepest)
     handles: list[Artist] = [

@@ -11,12 +11,13 @@ import numpy as np
 
 from haptonic import plots
 from haptonic.bloch import Gap
-from haptonic.bloch.evanescent import bloch_waves, decibels
+from haptonic.bloch.evanescent import bloch_waves
 from haptonic.bloch.gaps import need_gap_at
 from haptonic.bloch.guide import Guide, GuidedMode, Wall, along_strip, strip_mode
 from haptonic.bloch.layers import Interface
 from haptonic.bloch.model import bloch_model
 from haptonic.bloch.plate_waves import PlainPlate
+from haptonic.bloch.rows import CondensedRows
 from haptonic.bloch.settings import BandSettings, WaveguideSettings
 from haptonic.cell import UnitCell
 from haptonic.errors import StudyError
@@ -27,7 +28,6 @@ from haptonic.results.plain import split
 from haptonic.results.result import Result, figure
 from haptonic.results.runner import Runner
 from haptonic.results.table import Column, Table
-from haptonic.superelement import Superelement
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -141,10 +141,11 @@ def compute_guides(
     StudyError : no complete gap around the carrier, or no such waveguide
     """
     gap = need_gap_at(runner.gaps(cell, settings), carrier)
-    (superelement,) = bloch_model(cell, settings).fine.tiling.tiles
+    (tile,) = bloch_model(cell, settings).fine.tiling.tiles
+    lattice = CondensedRows.single(tile)
     across, along = waveguide.nodal_lines
     period = float(np.linalg.norm(cell.lattice.vectors[1]))
-    plate = PlainPlate.of(cell, superelement.levels)
+    plate = PlainPlate.of(cell, lattice.levels)
     wavenumber = plate.wavenumber(2 * np.pi * carrier, 0.0, "A0")
     assert wavenumber is not None
     shortest = max(1, int((along + 0.5) * np.pi / (wavenumber * period)))
@@ -152,7 +153,7 @@ def compute_guides(
     strips, refusal = [], None
     for count in lengths:
         try:
-            strips.append(_strip(superelement, gap, carrier, waveguide, count, period))
+            strips.append(_strip(lattice, gap, carrier, waveguide, count, period))
         except StudyError as error:
             refusal = error
     if not strips:
@@ -160,7 +161,7 @@ def compute_guides(
         raise refusal
     dataset = _dataset(strips).assign_attrs(
         carrier_hz=carrier, mode=f"{across}x{along}", ends=waveguide.ends,
-        mesh=json.dumps(asdict(superelement.mesh.topology.plan)),
+        mesh=json.dumps(asdict(lattice.plan)),
     )  # fmt: skip
     return Guides(carrier, gap, across, along, waveguide.ends, tuple(strips), stamped(dataset, inputs))
 
@@ -183,7 +184,7 @@ def _dataset(strips: Sequence[Strip]) -> xr.Dataset:
 
 
 def _strip(
-    superelement: Superelement,
+    lattice: CondensedRows,
     gap: Gap,
     carrier: float,
     waveguide: WaveguideSettings,
@@ -193,17 +194,17 @@ def _strip(
     omega, length = 2 * np.pi * carrier, rows * period
     (across, along), width, ends = waveguide.nodal_lines, waveguide.width, waveguide.ends
     if width is None:
-        wavenumber = along_strip(superelement, omega, length, along, ends)
-        found = Guide.of(superelement, wavenumber).mode_at(omega, across)
+        wavenumber = along_strip(lattice, omega, length, along, ends)
+        found = Guide.of(lattice, wavenumber).mode_at(omega, across)
     else:
         inside = INSET * (gap.upper - gap.lower)
         between = 2 * np.pi * (gap.lower + inside), 2 * np.pi * (gap.upper - inside)
         found = strip_mode(
-            superelement, width=width, length=length, intervals=along, nodal_lines=across, between=between,
+            lattice, width=width, length=length, intervals=along, nodal_lines=across, between=between,
             ends=ends,
         )  # fmt: skip
-    interface = Interface.of(superelement, found.wavenumber)
+    interface = Interface.of(lattice, found.wavenumber)
     wall = Wall.of(interface, found.omega)
     assert wall is not None
     into_lattice, _ = bloch_waves(interface.slab.at(found.omega), found.omega)
-    return Strip(rows, length, found, wall.fixed_line, decibels(into_lattice))
+    return Strip(rows, length, found, wall.fixed_line, lattice.decay(into_lattice))

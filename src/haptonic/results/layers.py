@@ -13,20 +13,21 @@ import numpy as np
 from haptonic import plots
 from haptonic.arrays import Array
 from haptonic.bloch import Gap, Resolution
-from haptonic.bloch.evanescent import Slab, bloch_waves, decibels
+from haptonic.bloch.evanescent import bloch_waves
 from haptonic.bloch.gaps import gap_at, widest_gap
 from haptonic.bloch.layers import OUTGOING, Scattering
 from haptonic.bloch.mirrors import (
     GOALS,
     MOST_ROWS,
     Incidence,
-    condensed_cell,
+    condensed_rows,
     first_reaching,
     mirror_dataset,
     scattering_at,
 )
 from haptonic.bloch.model import bloch_model
 from haptonic.bloch.plate_waves import FAMILIES
+from haptonic.bloch.rows import CondensedRows
 from haptonic.bloch.settings import BandSettings, LayersSettings
 from haptonic.cell import UnitCell
 from haptonic.errors import StudyError
@@ -39,7 +40,6 @@ from haptonic.results.plain import plain, split
 from haptonic.results.result import Result, figure
 from haptonic.results.runner import Runner
 from haptonic.results.table import Column, Table
-from haptonic.superelement import Superelement
 from haptonic.units import format_quantity
 
 if TYPE_CHECKING:
@@ -116,7 +116,7 @@ class Layers(Result):
 
     @figure(
         "decay",
-        "Simulated complex band structure across the rows (left, middle), and decay per cell of the wave "
+        "Simulated complex band structure across the rows (left, middle), and decay per row of the wave "
         "that reaches farthest, for several phases along the rows (right).",
     )
     def _decay(self) -> Figure:
@@ -206,7 +206,7 @@ def compute_layers(
     StudyError : ends of the spectrum in the wrong order, a cell without a pillar, or no
         wave propagates towards the rows at the carrier
     """
-    if cell.pillar is None:
+    if not cell.has_pillars:
         raise StudyError.missing(
             argument="cell.pillar",
             allowed="a cell with a pillar",
@@ -219,38 +219,36 @@ def compute_layers(
     gap = gap_at(gaps, carrier) or widest_gap(gaps)
     resolution = bloch_model(cell, settings).resolution
     chunks = np.array_split(frequencies, -(-len(frequencies) // CHUNK))
-    fixed = {"incidence": incidence, "cell": cell, "resolution": resolution}
+    along = layers.direction
+    fixed = {"incidence": incidence, "cell": cell, "resolution": resolution, "along": along}
     tasks = [
-        Task({"kind": "mirror", "frequency": chunk, **fixed}, (cell, resolution, chunk, incidence))
+        Task({"kind": "mirror", "frequency": chunk, **fixed}, (cell, resolution, along, chunk, incidence))
         for chunk in chunks
     ]
     pieces = runner.run(_chunk_dataset, tasks, 1)
     spectrum = xr.concat(pieces, "frequency", data_vars="minimal", coords="minimal")
-    superelement = condensed_cell(cell, resolution)
-    found = _at_carrier(superelement, carrier, incidence)
-    lossless = _at_carrier(superelement, carrier, replace(incidence, loss_factor=0.0))
+    rows = condensed_rows(cell, resolution, along)
+    found = _at_carrier(rows, carrier, incidence)
+    lossless = _at_carrier(rows, carrier, replace(incidence, loss_factor=0.0))
     dataset = spectrum.merge(_carrier_dataset(found))
     omega = 2 * np.pi * carrier
-    waves, _ = bloch_waves(Slab.of(superelement, 0.0).at(omega), omega)
+    waves, _ = bloch_waves(rows.slab(0.0).at(omega), omega)
     dataset.attrs = {
         "carrier_hz": carrier,
-        "carrier_attenuation_db": decibels(waves),
+        "carrier_attenuation_db": rows.decay(waves),
         "energy_balance": max(float(np.abs(one.dissipated).max()) for one in lossless.values()),
         "angle": incidence.angle,
+        "along": list(along),
         "loss_factor": incidence.loss_factor,
         "gap": [gap.lower, gap.upper] if gap else [],
-        "mesh": json.dumps(asdict(superelement.mesh.topology.plan)),
+        "mesh": json.dumps(asdict(rows.plan)),
     }
     return Layers(gap, stamped(dataset, inputs))
 
 
-def _at_carrier(superelement: Superelement, carrier: float, incidence: Incidence) -> dict[str, Scattering]:
+def _at_carrier(rows: CondensedRows, carrier: float, incidence: Incidence) -> dict[str, Scattering]:
     """Energies for many rows at the carrier, by family of the incident wave."""
-    found = {}
-    for family in FAMILIES:
-        one = scattering_at(superelement, carrier, family, replace(incidence, layers=MOST_ROWS))
-        if one is not None:
-            found[family] = one
+    found = scattering_at(rows, carrier, replace(incidence, layers=MOST_ROWS))
     if not found:
         raise StudyError.no_answer(
             argument="layers.angle",
@@ -275,8 +273,10 @@ def _carrier_dataset(found: Mapping[str, Scattering]) -> xr.Dataset:
     return xr.Dataset(arrays, coords=coords)
 
 
-def _chunk_dataset(argument: tuple[UnitCell, Resolution, Array, Incidence]) -> xr.Dataset:
+def _chunk_dataset(
+    argument: tuple[UnitCell, Resolution, tuple[int, int], Array, Incidence],
+) -> xr.Dataset:
     """Spectra at a few frequencies; what a worker is given to do."""
-    cell, resolution, frequency, incidence = argument
-    found: xr.Dataset = mirror_dataset(condensed_cell(cell, resolution), frequency, incidence)
+    cell, resolution, along, frequency, incidence = argument
+    found: xr.Dataset = mirror_dataset(condensed_rows(cell, resolution, along), frequency, incidence)
     return found

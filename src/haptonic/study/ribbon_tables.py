@@ -7,8 +7,9 @@ from typing import Annotated
 from pydantic import Field, field_validator
 
 from haptonic.cell import Ribbon, UnitCell
+from haptonic.cell.directed import Along, whole
 from haptonic.errors import StudyError, nearest, shown
-from haptonic.fields import Entries, Frequency, Name, Quantity, ascending, described, needed, problem, setting
+from haptonic.fields import Entries, Frequency, Name, ascending, described, needed, problem, setting
 from haptonic.lattice import Lattice
 from haptonic.study.plate_map import NOTHING, check_letters, drawn
 from haptonic.study.plate_tables import LATTICE, LatticeSettings, TileSize
@@ -19,7 +20,6 @@ MOST_COLUMNS = 200
 MOST_CELLS = 120  # of several lines: with more the blocks of a column take minutes at every wavevector
 POINTS, POINTS_OF_LINES = 21, 3
 TABLE = "[ribbon.tiles]"
-Translations = Annotated[float, Quantity("", at_least=-20, at_most=20)]
 
 
 @described("ribbon", kw_only=True)
@@ -45,7 +45,7 @@ class RibbonSettings:
     cell: tuple[LatticeSettings, ...] = setting(
         (), "For columns of other names.", title="Further lattices", max_length=20
     )
-    along: tuple[Translations, Translations] = setting(
+    along: Along = setting(
         (0.0, 1.0),
         "How many of the lattice's two translations the ribbon repeats after; [0, 1] is along y.",
         title="Direction",
@@ -81,15 +81,7 @@ class RibbonSettings:
 
     def __post_init__(self) -> None:
         ascending(self.lowest, self.highest, "range")
-        if any(one != round(one) for one in self.along):
-            raise problem(
-                "malformed",
-                f"{list(self.along)}",
-                "two whole numbers, such as [0, 1]",
-                "a ribbon repeats after whole translations",
-                "write along = [0, 1]",
-                at="along",
-            )
+        whole(self.along, "a ribbon")
         check_letters(self.lines, self.tiles, TABLE)
         if self.rows is not None and len(self.lines) > 1:
             raise problem(
@@ -153,7 +145,7 @@ class RibbonSettings:
     @property
     def period(self) -> tuple[int, int]:
         """Whole translations of the lattice, after which it repeats."""
-        return round(self.along[0]), round(self.along[1])
+        return whole(self.along, "a ribbon")
 
     def ribbon(self, own: UnitCell) -> Ribbon:
         """One period of it, as the core computes with it.

@@ -4,7 +4,7 @@ from haptonic.solvers import definite
 from haptonic.superelement.condense import Superelement, condense, condensed, on_each
 from haptonic.superelement.dynamic import DynamicStiffness, dynamic_stiffness
 from haptonic.superelement.folded import FoldedMesh, through_levels
-from haptonic.superelement.joint import Joint, JointImage, repeated
+from haptonic.superelement.joint import Joint, JointImage, repeated, steps_between
 from haptonic.superelement.substructured import condense_by_parts
 from haptonic.superelement.tiling import TiledMesh, Tiling
 from haptonic.superelement.trace import TraceOperation
@@ -25,5 +25,6 @@ __all__ = [
     "dynamic_stiffness",
     "on_each",
     "repeated",
+    "steps_between",
     "through_levels",
 ]

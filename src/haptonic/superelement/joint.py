@@ -28,14 +28,14 @@ def repeated(position: Array, vectors: Array) -> tuple[Ints, Ints]:
     -------
     (n,) the place that counts for each, and (n, d) the integer translation from there
     """
-    whole, same = _steps(position, position, vectors)
+    whole, same = steps_between(position, position, vectors)
     order = len(position) * (-2 * len(position) * whole.sum(axis=2) - whole[..., -1])
     rank = np.where(same, order + np.arange(len(position)), np.inf)
     master = rank.argmin(axis=1)
     return master, whole[np.arange(len(position)), master].astype(np.int64)
 
 
-def _steps(places: Array, others: Array, vectors: Array) -> tuple[Array, NDArray[np.bool_]]:
+def steps_between(places: Array, others: Array, vectors: Array) -> tuple[Array, NDArray[np.bool_]]:
     """(n, m, d) translations from the others to the places, rounded, and (n, m) whether they are whole."""
     steps: Array = places[:, None] - others
     inverse = np.asarray(np.linalg.pinv(vectors), dtype=np.float64)
@@ -76,7 +76,9 @@ class Joint:
         for end in period.free_edges:
             own = slice(starts[end.first], starts[end.beyond])
             there = joint.position[own]
-            alone[own] &= ~_steps(there, there + end.step, period.vectors)[1].any(axis=1)
+            alone[own] &= end.step is not None and ~steps_between(there, there + end.step, period.vectors)[
+                1
+            ].any(axis=1)
         if alone.any():
             raise GeometryError.mismatch(
                 argument="tiles",
@@ -150,7 +152,7 @@ class Joint:
         lattice = self.cell.lattice
         turn = lattice.point_group.turn(operation)
         before = (self.position - mapped.move @ lattice.vectors) @ turn[:2, :2]  # where each comes from
-        whole, same = _steps(before, self.position, lattice.vectors)
+        whole, same = steps_between(before, self.position, lattice.vectors)
         rank = np.where(same, np.abs(whole).sum(axis=2), np.inf)
         source = rank.argmin(axis=1)
         assert np.isfinite(rank.min(axis=1)).all(), "the operation does not leave the rims as they are"

@@ -1,0 +1,219 @@
+"""Rows of a lattice, condensed: slabs of them at any phase along them, and how waves fade across them."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+from functools import cached_property
+
+import numpy as np
+
+from haptonic.arrays import Array, Complex
+from haptonic.bloch.evanescent import Slab, Waves, bloch_waves, decibels
+from haptonic.bloch.resolution import Resolution, meeting
+from haptonic.cell import Filler, MeshPlan, Rows, TileShape, UnitCell
+from haptonic.errors import ResourceError
+from haptonic.superelement import Superelement, Tiling, condense, steps_between
+from haptonic.superelement.tiling import directions
+from haptonic.superelement.trace import trace_levels
+
+MOST_ON_FACE = 1500  # unknowns: a frequency took 45 s with 1200 of them
+
+
+@dataclass(frozen=True, eq=False)
+class CondensedRows:
+    """Rows of a lattice in one direction, and the plain plate that leads from their faces to straight ones.
+
+    A slab consists of as many rows as the farthest that touch each other are apart, `Rows.reach`.
+
+    rows : one slab of the lattice
+    blocks : slabs with 1, 2, ... rows of the lattice, the rest of them plain plate; the last is the lattice's
+    fillers : on the left of the rows and on the right; none where the faces are straight
+    """
+
+    rows: Rows
+    blocks: tuple[tuple[Rows, Tiling], ...]
+    fillers: tuple[tuple[Filler, Tiling], ...]
+
+    @classmethod
+    def of(cls, cell: UnitCell, resolution: Resolution, along: tuple[int, int] = (0, 1)) -> CondensedRows:
+        """Mesh and condense each different tile once.
+
+        Raises
+        ------
+        GeometryError : a direction that is none, or no shortest one
+        """
+        rows = Rows(cell, along)
+        blocks, fillers = _periods(rows)
+        own = list(dict.fromkeys(one.tile for one in cell.tiles))
+        placed = [one for block in blocks for one in block.tiles] + [one for f in fillers for one in f.tiles]
+        plain = [one for one in dict.fromkeys(one.tile for one in placed) if one not in own]
+        plans = meeting([resolution.plan(one, one.area / cell.area) for one in own])
+        plans += tuple(_fitted(resolution.plan(one, one.area / cell.area), plans[0]) for one in plain)
+
+        def made(tile: TileShape, plan: MeshPlan) -> Superelement:
+            size = directions(tile, resolution.block)
+            return condense(tile, plan, resolution.steps, block=size, measured=False)
+
+        return cls._joined(rows, {t: made(t, plan) for t, plan in zip([*own, *plain], plans, strict=True)})
+
+    @classmethod
+    def single(cls, tile: Superelement, along: tuple[int, int] = (0, 1)) -> CondensedRows:
+        """Rows of a tile that is a rectangle along x and y, beside each other."""
+        assert isinstance(tile.cell, UnitCell)
+        return cls._joined(Rows(tile.cell, along), {tile.cell: tile})
+
+    def crossed(self) -> CondensedRows:
+        """Of such a tile along x if these are along y, and the other way about."""
+        (tile,) = self.blocks[-1][1].tiles
+        m, n = self.rows.along
+        return self.single(tile, (n, m))
+
+    @classmethod
+    def _joined(cls, rows: Rows, made: Mapping[TileShape, Superelement]) -> CondensedRows:
+        def joined(one: Rows | Filler) -> Tiling:
+            return Tiling.of(one, one.tiles, [made[placed.tile] for placed in one.tiles])
+
+        blocks, fillers = _periods(rows)
+        return cls(
+            rows, tuple((one, joined(one)) for one in blocks), tuple((one, joined(one)) for one in fillers)
+        )
+
+    @property
+    def levels(self) -> int:
+        """Of the trace through the thickness."""
+        return self.blocks[0][1].joint.levels
+
+    @property
+    def plan(self) -> MeshPlan:
+        """Of the mesh of the first tile."""
+        return self.blocks[0][1].tiles[0].mesh.topology.plan
+
+    @cached_property
+    def face(self) -> Array:
+        """(n, 2) places of the left face of a slab, by their place along it, m."""
+        joint = self.blocks[-1][1].joint
+        places = joint.position[np.unique(joint.master)]
+        _, same = steps_between(places, places - self._wide, self.rows.vectors)
+        return self._ordered(places[same.any(axis=1)])
+
+    @cached_property
+    def line(self) -> Array:
+        """(n, 2) places of the straight line on the left of the rows, by their place along it, m."""
+        if not self.fillers:
+            return self.face
+        filler, tiling = self.fillers[0]
+        places = tiling.joint.position[np.unique(tiling.joint.master)]
+        away = np.abs(places @ self.rows.turn[0] - filler.line)
+        return self._ordered(places[away < 1e-6 * self.rows.cell.lattice.pitch])
+
+    @property
+    def harmonics(self) -> int:
+        """How many tangential wavenumbers the places of the line can follow where they are farthest apart."""
+        wide = np.ptp(self.rows.sides[..., 1], axis=1)
+        return int(len(self.face) / len(wide) * self.rows.period / wide.max() + 1e-6)
+
+    @property
+    def _wide(self) -> Array:
+        """(2,) from face to face of a slab, m."""
+        return np.asarray(self.rows.reach * self.rows.step)
+
+    def _ordered(self, places: Array) -> Array:
+        """Moved into one period, and sorted along it."""
+        along = places @ self.rows.turn[1] / self.rows.period
+        whole = np.floor(along - along.min() + 1e-6)
+        places, along = places - whole[:, None] * self.rows.vectors, along - whole
+        return np.asarray(places[np.argsort(along)])
+
+    def slabs(self, phase: float) -> tuple[Slab, ...]:
+        """Of the blocks, at a phase (rad) along the rows."""
+        return tuple(
+            Slab.of(tiling, phase, self.face, self.face + self._wide, rows.lossy)
+            for rows, tiling in self.blocks
+        )
+
+    def slab(self, phase: float) -> Slab:
+        """Of the lattice alone."""
+        rows, tiling = self.blocks[-1]
+        return Slab.of(tiling, phase, self.face, self.face + self._wide, rows.lossy)
+
+    def ends(self, phase: float) -> tuple[Slab, ...]:
+        """Of the plain plate on the left of the rows and on the right, if there is any."""
+        if not self.fillers:
+            return ()
+        (left, first), (right, last) = self.fillers
+        line = self.line + (right.line - left.line) * self.rows.turn[0]
+        return (
+            Slab.of(first, phase, self.line, self.face, [False] * len(first.tiles)),
+            Slab.of(last, phase, self.face, line, [False] * len(last.tiles)),
+        )
+
+    def decay(self, waves: Waves) -> float:
+        """Of the wave to the right that reaches farthest in slabs, dB per row; 0 if it propagates."""
+        return decibels(waves) / self.rows.reach
+
+    def exponents(self, waves: Waves, phase: float) -> Complex:
+        """(w,) complex exponents from row to row of waves across slabs at a phase along the rows.
+
+        Those of a slab leave several possibilities open; the motion of places that are a row apart on one
+        face says which it is.
+        """
+        reach, rows = self.rows.reach, self.rows
+        if reach == 1:
+            return waves.exponent
+        whole, same = steps_between(self.face, self.face + rows.step, rows.vectors)
+        there, origin = np.nonzero(same)
+        motion = waves.displacement.reshape(self.levels, len(self.face), 3, -1)
+        turn = np.exp(-1j * phase * whole[there, origin, 0])[:, None, None]
+        seen = (motion[:, origin].conj() * motion[:, there] * turn).sum(axis=(0, 1, 2))
+        possible = (waves.exponent[:, None] + 2j * np.pi * np.arange(reach)) / reach
+        away = np.abs(np.exp(1j * possible.imag) - np.exp(1j * np.angle(seen))[:, None])
+        found = np.take_along_axis(possible, away.argmin(axis=1)[:, None], axis=1)[:, 0]
+        return np.asarray(found.real + 1j * np.angle(np.exp(1j * found.imag)))
+
+
+def face_size(rows: Rows, resolution: Resolution) -> int:
+    """Unknowns on a face, with whose cube the time at each frequency grows.
+
+    Raises
+    ------
+    ResourceError : more than anybody waits for
+    """
+    plan = resolution.plans(rows.cell)[0]
+    size = 3 * trace_levels(plan) * plan.side * len(rows.sides)
+    if size > MOST_ON_FACE:
+        raise ResourceError.too_large(
+            argument="layers.along",
+            given=f"{list(rows.along)}",
+            allowed=f"rows whose faces have at most {MOST_ON_FACE} unknowns",
+            cause=f"with this cell and accuracy they would have {size}: such a row repeats only after "
+            f"{rows.period * 1e3:.3g} mm, and touches the {rows.reach} rows beside it",
+            next_step="choose smaller whole numbers, such as [0, 1], or ask for less accuracy",
+        )
+    return size
+
+
+def _fitted(plain: MeshPlan, other: MeshPlan) -> MeshPlan:
+    """The plan of a plain tile with just the nodes on common sides that a tile of another plan has."""
+    levels = trace_levels(other)
+    return replace(plain, blocks=other.blocks, order=other.order, levels=levels, upward=levels - 1)
+
+
+def _periods(rows: Rows) -> tuple[tuple[Rows, ...], tuple[Filler, ...]]:
+    """Slabs with 1, 2, ... rows of the lattice, the last one the rows themselves, and the fillers."""
+    parts = tuple(Rows(rows.cell, rows.along, filled) for filled in range(1, rows.reach))
+    return (*parts, rows), () if rows.is_straight else (Filler(rows, -1), Filler(rows, 1))
+
+
+def attenuation(rows: CondensedRows, omega: Array, phases: Array, loss_factor: float = 0.0) -> Array:
+    """(frequencies, phases) decay of the farthest-reaching wave, dB per row; 0 where a wave propagates.
+
+    omega : (frequencies,) rad/s; phases : (phases,) along the rows, rad
+    """
+    found = np.empty((len(omega), len(phases)))
+    for column, phase in enumerate(phases):
+        slab = rows.slab(float(phase))
+        for number, at in enumerate(omega):
+            right, _ = bloch_waves(slab.at(float(at), loss_factor), float(at))
+            found[number, column] = rows.decay(right)
+    return found

@@ -1,0 +1,101 @@
+"""Directions of a lattice: what repeats along one of them, and what leads across it."""
+
+from __future__ import annotations
+
+import math
+from functools import cached_property
+from typing import Annotated
+
+import numpy as np
+
+from haptonic.arrays import Array
+from haptonic.errors import GeometryError
+from haptonic.fields import Quantity, problem
+from haptonic.lattice import SAME
+
+Translations = Annotated[float, Quantity("", at_least=-20, at_most=20)]
+Along = tuple[Translations, Translations]  # as a study gives it
+
+
+class Directed:
+    """What repeats along a direction of a lattice.
+
+    along : how many of the lattice's two translations lead on; next to each other they may be 0 and 1
+    """
+
+    along: tuple[int, int]
+
+    @property
+    def translations(self) -> Array:
+        """(2, 2) of the lattice, m."""
+        raise NotImplementedError
+
+    @cached_property
+    def across(self) -> tuple[int, int]:
+        """How many translations lead from a column, or a row, to the next, to the right: the shortest way."""
+        m, n = self.along
+        x, y = _bezout(m, n)  # m x + n y = 1
+        step = np.array([y, -x])  # of determinant n y + m x = 1 with (m, n)
+        span, period = step @ self.translations, self.way
+        found = step - round(float(span @ period / (period @ period)) - SAME) * np.array(self.along)
+        return int(found[0]), int(found[1])
+
+    @property
+    def way(self) -> Array:
+        """(2,) m, after which the lattice repeats."""
+        return np.asarray(np.array(self.along) @ self.translations)
+
+    @property
+    def vectors(self) -> Array:
+        """(1, 2) the period, m."""
+        return np.asarray(self.way[None])
+
+    @property
+    def period(self) -> float:
+        """m."""
+        return float(np.linalg.norm(self.vectors))
+
+    @cached_property
+    def turn(self) -> Array:
+        """(2, 2) to axes in which the period lies along y."""
+        x, y = self.way / np.linalg.norm(self.way)
+        return np.array([[y, -x], [x, y]])
+
+    def phases(self, along: float, across: Array) -> Array:
+        """(n, 2) phases (k.a1, k.a2) from those of the period (rad) and of the way across (n,)."""
+        both = np.column_stack([np.full(len(across), along), across])
+        return np.asarray(np.linalg.solve(np.array([self.along, self.across], dtype=float), both.T).T)
+
+
+def check_along(along: tuple[int, int], table: str, what: str) -> None:
+    """Raise GeometryError unless a period is a shortest one; ``what`` has it, in a table of the study."""
+    if math.gcd(*along) != 1:
+        raise GeometryError.out_of_range(
+            argument=f"{table}.along",
+            given=f"{list(along)}",
+            allowed="two whole numbers without a common divisor",
+            cause=f"{what} repeats after a part of that" if any(along) else "that is no direction",
+            next_step="write along = [0, 1] for the second translation of the lattice",
+        )
+
+
+def whole(along: tuple[float, float], what: str) -> tuple[int, int]:
+    """A direction that a study gives, as whole numbers; raises its problem if it has others."""
+    if any(one != round(one) for one in along):
+        raise problem(
+            "malformed",
+            f"{list(along)}",
+            "two whole numbers, such as [0, 1]",
+            f"{what} repeats after whole translations",
+            "write along = [0, 1]",
+            at="along",
+        )
+    return round(along[0]), round(along[1])
+
+
+def _bezout(m: int, n: int) -> tuple[int, int]:
+    """(x, y) with m x + n y = 1, for numbers without a common divisor (extended Euclid)."""
+    if n == 0:
+        return m, 0  # m is 1 or -1
+    x, y = _bezout(n, m % n)
+    return y, x - (m // n) * y

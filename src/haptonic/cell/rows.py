@@ -1,0 +1,197 @@
+"""Rows of a lattice as a piece of plate between two equal faces, and plain plate that leads to straight ones.
+
+Sites belong to a row by their place across it. So each side of a tile on a face has neighbours of a tile
+farther left and one farther right, and lies between them: a face never turns back, and a trapezoid of plain
+plate fits between each of its sides and a straight line.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+
+from haptonic.arrays import Array, Bools
+from haptonic.cell.directed import Directed, check_along
+from haptonic.cell.geometry import UnitCell
+from haptonic.cell.sites import placed_tiles
+from haptonic.cell.tile import FreeEdge, PlacedTile
+from haptonic.lattice import SAME
+
+MEET = 1e-6  # of the pitch: corners of two tiles that are one
+MARGIN = 0.5  # of a face's longest side as seen along the rows: from its farthest point to the straight line
+
+
+@dataclass(frozen=True, eq=False)
+class Rows(Directed):
+    """One period of rows side by side, as many as the farthest that touch each other are apart.
+
+    filled : how many of them, from the left, are the lattice's; the rest is plain plate. 0 means all
+
+    Raises
+    ------
+    GeometryError : a period that is no shortest one
+    """
+
+    cell: UnitCell
+    along: tuple[int, int] = (0, 1)
+    filled: int = 0
+
+    def __post_init__(self) -> None:
+        check_along(self.along, "layers", "a row")
+
+    @property
+    def translations(self) -> Array:
+        return self.cell.lattice.vectors
+
+    @cached_property
+    def step(self) -> Array:
+        """(2,) from a row to the next, m."""
+        return np.asarray(np.array(self.across) @ self.translations)
+
+    @cached_property
+    def _moves(self) -> Array:
+        """(sites, 2) that bring the sites of a cell into one row, m.
+
+        A row begins behind the widest space between sites, seen across it.
+        """
+        basis = np.array([self.along, self.across], dtype=float)
+        ways = (self.cell.shares @ np.linalg.inv(basis))[:, 1]
+        own = (ways + SAME) % 1.0 - SAME
+        ordered = np.sort(own)
+        start = ordered[np.round(ordered - np.roll(ordered - [*[0.0] * (len(own) - 1), 1.0], 1), 9).argmax()]
+        moves = np.round(start + (own - start + SAME) % 1.0 - SAME - ways)
+        return np.asarray(moves[:, None] * self.step)
+
+    def _row(self, cell: UnitCell, number: int) -> list[PlacedTile]:
+        return [
+            PlacedTile(one.tile, one.turn, one.position + move + number * self.step)
+            for one, move in zip(cell.tiles, self._moves, strict=True)
+        ]
+
+    def _apart(self, corners: Array) -> tuple[Array, Bools]:
+        """(n, n) rows from each corner to each other one, and whether these are a whole number of them."""
+        steps = corners[:, None] - corners
+        basis = np.array([self.vectors[0], self.step])
+        found = np.round(steps @ np.linalg.inv(basis))
+        apart = np.linalg.norm(steps - found @ basis, axis=2)
+        return found[..., 1], np.asarray(apart < MEET * self.cell.lattice.pitch)
+
+    @cached_property
+    def reach(self) -> int:
+        """How many rows away the farthest tiles are that touch one."""
+        rows, same = self._apart(_corners(self._row(self.cell, 0)))
+        return int(rows[same].max())
+
+    @cached_property
+    def tiles(self) -> tuple[PlacedTile, ...]:
+        """Of all rows, from left to right."""
+        plain = self.cell.without_pillar() if self.filled else self.cell
+        cells = [self.cell if n < self.filled else plain for n in range(self.reach)]
+        return tuple(one for n, cell in enumerate(cells) for one in self._row(cell, n))
+
+    @property
+    def lossy(self) -> list[bool]:
+        """Of each tile, whether it belongs to the lattice."""
+        filled, sites = self.filled or self.reach, len(self.cell.tiles)
+        return [True] * filled * sites + [False] * (self.reach - filled) * sites
+
+    @cached_property
+    def face(self) -> Array:
+        """(s, 2) corners of the left face within a period, from one end to the other, m.
+
+        The right face is the same, `reach` steps on.
+        """
+        corners = _corners(self.tiles)
+        rows, same = self._apart(corners)
+        found = corners[(same & (rows == -self.reach)).any(axis=1)]
+        along = found @ self.turn[1] / self.period
+        whole = np.floor(along + MEET)
+        found, along = found - whole[:, None] * self.vectors, along - whole
+        order = np.argsort(along)
+        found, along = found[order], along[order]
+        return np.asarray(found[np.diff(along, prepend=along[0] - 1.0) > MEET])
+
+    @property
+    def sides(self) -> Array:
+        """(s, 2, 2) the sides of the left face, from corner to corner, in axes (across, along), m."""
+        ends = np.concatenate([self.face, self.face[:1] + self.vectors]) @ self.turn.T
+        return np.stack([ends[:-1], ends[1:]], axis=1)
+
+    @property
+    def is_straight(self) -> bool:
+        """Whether the faces are planes."""
+        return float(np.ptp(self.sides[..., 0])) < MEET * self.cell.lattice.pitch
+
+    @property
+    def free_edges(self) -> tuple[FreeEdge, ...]:
+        """The two faces."""
+        return tuple(FreeEdge(0, len(self.tiles), way * self.reach * self.step) for way in (-1, 1))
+
+    @property
+    def area(self) -> float:
+        """Of a cell, m^2."""
+        return self.cell.area
+
+    @property
+    def has_pillars(self) -> bool:
+        return self.cell.has_pillars
+
+
+@dataclass(frozen=True, eq=False)
+class Filler:
+    """Plain plate between a straight line and the left face of rows: a trapezoid for each of its sides.
+
+    way : -1 if it lies on the left of the face, 1 on the right
+    """
+
+    rows: Rows
+    way: int
+
+    @cached_property
+    def line(self) -> float:
+        """Place of the straight line across the rows, m."""
+        sides = self.rows.sides
+        margin = MARGIN * float(np.ptp(sides[..., 1], axis=1).max())
+        return float((self.way * sides[..., 0]).max() + margin) * self.way
+
+    @cached_property
+    def tiles(self) -> tuple[PlacedTile, ...]:
+        """From one end of the period to the other."""
+        cell, outlines = self.rows.cell, []
+        for low, high in self.rows.sides:
+            corners = [low, high, [self.line, high[1]], [self.line, low[1]]]
+            outlines.append(np.array(corners[:: -self.way]) @ self.rows.turn)
+        places = [one.mean(axis=0) for one in outlines]
+        return placed_tiles(
+            np.array(places),
+            [one - place for one, place in zip(outlines, places, strict=True)],
+            [None] * len(places),
+            (cell.thickness, cell.material),
+            None,
+        )
+
+    @property
+    def vectors(self) -> Array:
+        """(1, 2) the period, m."""
+        return self.rows.vectors
+
+    @property
+    def free_edges(self) -> tuple[FreeEdge, ...]:
+        """The line and the face."""
+        return (FreeEdge(0, len(self.tiles), None),)
+
+    @property
+    def area(self) -> float:
+        """Of a cell, m^2."""
+        return self.rows.area
+
+    @property
+    def has_pillars(self) -> bool:
+        return False
+
+
+def _corners(tiles: tuple[PlacedTile, ...] | list[PlacedTile]) -> Array:
+    """(n, 2) of all tiles, m."""
+    return np.concatenate([one.tile.corners @ one.turn[:2, :2].T + one.position for one in tiles])
