@@ -1,7 +1,19 @@
+from .cell import Pillar, UnitCell
 from .errors import HaptonicError, HaptonicWarning
+from .lattice import Lattice
 from .study import Study, load
 from .vibrometry import read_scan
 
 __version__: str
 
-__all__ = ["HaptonicError", "HaptonicWarning", "Study", "__version__", "load", "read_scan"]
+__all__ = [
+    "HaptonicError",
+    "HaptonicWarning",
+    "Lattice",
+    "Pillar",
+    "Study",
+    "UnitCell",
+    "__version__",
+    "load",
+    "read_scan",
+]

@@ -24,6 +24,20 @@ _OTHERS = re.compile(r"[^A-Za-z0-9_-]+")
 # devices of Windows, whatever follows a point
 _RESERVED = re.compile(r"(?i)con|prn|aux|nul|com[0-9]|lpt[0-9]")
 _FORMULA = re.compile(r"'*[=+\-@\t\r]")
+_SIGNS = {
+    "±": "pm", "\N{MULTIPLICATION SIGN}": "times", "°": "circ", "µ": "mu", "π": "pi", "κ": "kappa",
+    "ω": "omega", "Γ": "Gamma", "Ω": "Omega", "≤": "le", "≥": "ge", "→": "to",
+}  # fmt: skip
+_POWERS = dict(zip("⁻⁰¹²³⁴⁵⁶⁷⁸⁹", "-0123456789", strict=True))
+_IN_LATEX = str.maketrans(
+    {letter: f"\\{letter}" for letter in "&%$#_{}"}
+    | {"\\": r"\textbackslash{}", "~": r"\textasciitilde{}", "^": r"\textasciicircum{}", "\u200b": ""}
+    | {letter: f"${letter}$" for letter in "<>|"}
+    | {"\N{MINUS SIGN}": "$-$"}
+    | {letter: f"$\\{name}$" for letter, name in _SIGNS.items()}
+    | {letter: f"$_{k}$" for k, letter in enumerate("₀₁₂₃₄₅₆₇₈₉")}
+    | {letter: f"$^{power}$" for letter, power in _POWERS.items()}
+)
 _NUMBER = re.compile(r"[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?")
 
 
@@ -65,6 +79,11 @@ def cell(value: object) -> object:
     if isinstance(value, str) and _FORMULA.match(value) and not _NUMBER.fullmatch(value.lstrip("'")):
         return f"'{value}"
     return value
+
+
+def latex(text: str) -> str:
+    """A text for LaTeX, which prints it as it is: no letter of it is a command, none needs a package."""
+    return visible(text).translate(_IN_LATEX)
 
 
 def from_cell(text: str) -> str:

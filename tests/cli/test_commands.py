@@ -241,3 +241,13 @@ def test_reproduce_ends_with_a_report(haptonic, study, tmp_path):
 )
 def test_counts_in_words(checked, missed, said):
     assert said in counted(checked, missed)
+
+
+def test_tables_as_latex_are_all_that_is_printed(inside, study, tmp_path):
+    quick = study()
+    done = inside("bands", quick, "--out", tmp_path / "out", "--tables-as", "latex")
+    assert done.code == 0
+    assert done.out.startswith("\\begin{table}")
+    assert done.out.endswith("\\end{table}\n")
+    assert (tmp_path / "out" / "dispersion.svg").is_file()
+    assert_five_parts(inside("bands", quick, "--tables-as", "latx"), 'write "latex"', code="unknown")

@@ -11,9 +11,13 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from five_parts import assert_five_parts, refused
+from haptonic.analyses import compare, named
 from haptonic.channels.numbers import read_numbers
 from haptonic.errors import ChannelError
 from haptonic.results.compare import Comparison, of_dataset, of_table, path_in
+from haptonic.results.runner import Runner
+from haptonic.store import Store
+from haptonic.study.loading import load_as
 from quick import QUICK_CELL
 
 CORNERS = (0.0, 450.0, 900.0, 1536.0)  # rad/m
@@ -268,3 +272,26 @@ class TestCommand:
         asked = ["compare", self.folder / "one.toml", table, "--wavevector", "segments"]
         assert_five_parts(inside(*asked), "--frequency-unit")
         assert_five_parts(inside(*asked[:3], "--wavevector", "share"), "first column")
+
+
+def test_a_study_is_read_once(tmp_path, monkeypatch):
+    """And before the bands, so that what is wrong with either is said at once."""
+    study, table = tmp_path / "a.toml", tmp_path / "b.csv"
+    study.write_text(QUICK_CELL)
+    table.write_text("share,f1 (kHz),f2 (kHz)\n0,1,2\n1,3,4\n")
+    read = []
+    monkeypatch.setattr(compare, "load_as", lambda path, kind: read.append(path) or load_as(path, kind))
+    named("compare").run(
+        None, Runner(Store(tmp_path / "store")), {"first": study, "second": table, "wavevector": "share"}
+    )
+    assert read == [study]
+
+
+def test_what_is_wrong_with_the_second_study_is_said_before_the_first_is_computed(tmp_path, monkeypatch):
+    for name, text in (("a.toml", QUICK_CELL), ("b.toml", "[cell]\n")):
+        (tmp_path / name).write_text(text)
+    monkeypatch.setattr(compare, "compute_bands", lambda *_, **__: pytest.fail("bands were computed"))
+    asked = {"first": tmp_path / "a.toml", "second": tmp_path / "b.toml"}
+    refused(
+        lambda: named("compare").run(None, Runner(Store(tmp_path / "store")), asked), argument="cell.pitch"
+    )

@@ -68,7 +68,7 @@ class TestAddedAnalysis:
             r'<img src="data:image/png;base64,[^"]{100,}" alt="Simulated numbers."', result._repr_html_()
         )
         assert result.to_dataframe()["way (m)"].tolist() == [0.0, 3e-3]
-        assert result.tables()[0].to_csv().splitlines()[0] == "number,way (m)"
+        assert result.tables()[0].written("csv").splitlines()[0] == "number,way (m)"
         assert loaded.run("toy", number=5).number == 5
         assert "toy" in dir(loaded)
 

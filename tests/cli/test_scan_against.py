@@ -67,7 +67,7 @@ def empty_pictures(monkeypatch):
             (folder / f"{name}.{kind}").touch()
 
     monkeypatch.setattr("haptonic.plots.save", save)
-    monkeypatch.setattr("haptonic.plots.animated", lambda path, *_, **__: path.touch())
+    monkeypatch.setattr("haptonic.plots.animated", lambda *_, **__: b"")
 
 
 @pytest.mark.usefixtures("empty_pictures")

@@ -2,13 +2,18 @@
 
 from __future__ import annotations
 
+import csv
 import io
+import re
+from html.parser import HTMLParser
 
-from hypothesis import given
+from hypothesis import example, given
 from hypothesis import strategies as st
 from rich.cells import cell_len
 
+from five_parts import refused
 from haptonic.cli.console import Voice
+from haptonic.names import from_cell
 from haptonic.results.table import Table
 from hostile import names
 
@@ -45,3 +50,53 @@ def test_every_cell_is_shown_whole(table: Table, width: int) -> None:
     told = [unfolded("".join(one)) for one in zip(table.head, *texts, strict=True)]
     assert [sorted(one) for one in shown] == [sorted(one) for one in told]
     assert max(map(cell_len, voice.out.file.getvalue().splitlines()[1:])) <= width
+
+
+@given(tables())
+@example(Table("bars", ("a|b", "c"), [("x|y", "z\\|")]))
+def test_a_table_is_the_same_in_every_form(table: Table) -> None:
+    """Each form is read again by the rules of its own language."""
+    shown = [table.head, *table.texts]
+    (head, *rows) = csv.reader(io.StringIO(table.written("csv"), newline=""))
+    assert len(rows) == len(table.rows)
+    assert not rows or [from_cell(name) for name in head] == list(dict.fromkeys(table.head))
+
+    lines = table.written("markdown").split("\n")
+    written = [re.split(r"(?<!\\)(?:\\\\)*\|", line)[1:-1] for line in lines if line.startswith("|")]
+    assert [len(cells) for cells in written] == [len(table.head)] * (len(table.rows) + 2)
+
+    body = table.written("latex").split("\\hline\n")[1:-1]
+    written = [line.removesuffix(" \\\\").split(" & ") for part in body for line in part.split("\n") if line]
+    assert [len(cells) for cells in written] == [len(cells) for cells in shown]
+    for cells, texts in zip(written, shown, strict=True):
+        for cell, text in zip(cells, texts, strict=True):
+            bare = re.sub(r"\\[%&_$#{}]|\\text[a-z]+\{\}|\$[^$]*\$", "", cell)
+            assert not set(bare) & set("%&_$#{}\\^~<>|"), (cell, text)
+
+    reader = Cells()
+    reader.feed(table.written("html"))
+    assert reader.cells == [cell for cells in shown for cell in cells]
+
+
+class Cells(HTMLParser):
+    """What stands in the cells of a table."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.cells: list[str] = []
+        self.inside = False
+
+    def handle_starttag(self, tag, attrs):
+        self.inside = tag in ("td", "th")
+        self.cells += [""] * self.inside
+
+    def handle_endtag(self, tag):
+        self.inside = False
+
+    def handle_data(self, data):
+        if self.inside:
+            self.cells[-1] += data
+
+
+def test_a_form_that_does_not_exist_is_refused_with_the_nearest():
+    refused(lambda: Table("a", ("b",), ()).written("latx"), 'write "latex"', code="unknown")

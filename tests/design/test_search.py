@@ -448,6 +448,7 @@ class TestWhatCannotBeComputed:
         assert left["values"]["cell.pillar.height"] == pytest.approx(tried[0][0].pillar.height, abs=1e-6)
         assert found.to_json()["left_out"] == [left]
 
+    @pytest.mark.nightly  # 20 s; the next one tells the rest
     def test_if_none_can_be_the_best_is_told_all_the_same(self, cheap, monkeypatch, kept):
         self.refusing(monkeypatch, lambda _: True)
         with pytest.raises(ResourceError, match="37 GB") as refusal:

@@ -97,13 +97,14 @@ def study_with(**changes: object) -> Study:
 def empty_pictures(monkeypatch):
     """Pictures are drawn but not rendered, which takes most of the time of a page."""
     monkeypatch.setattr("haptonic.plots.rendered", lambda figure, kind: b"<svg/>")
+    monkeypatch.setattr("haptonic.plots.moving_modes", lambda dataset: b"")
 
 
 @pytest.fixture
 def undrawn_mirror(monkeypatch):
     """The pictures of a mirror stay empty: the tests of its words need none."""
     for name in ("layers", "decay", "guide"):
-        monkeypatch.setattr(f"haptonic.plots.{name}", lambda *_: Figure())
+        monkeypatch.setattr(f"haptonic.plots.{name}", lambda *_, **__: Figure())
 
 
 @pytest.fixture(scope="module")
@@ -127,20 +128,47 @@ class TestOneFile:
 
     def test_pictures_hold_all_of_themselves_and_have_words_in_their_place(self, whole):
         images = read(whole).of("img")
-        assert len(images) == 9
+        assert len(images) == 10
+        moving = [image for image in images if image["src"].startswith("data:image/webp;base64,UklGR")]
+        assert len(moving) == 1
         for image in images:
             assert len(image["alt"]) > 30
             kind, content = image["src"].split(",", 1)
+            if image in moving:
+                continue
             assert kind == "data:image/svg+xml;base64"
             svg = base64.b64decode(content).decode()
             assert not re.findall(r'href="(?!#|data:)', svg)
+
+    def test_findings_lead_to_the_picture_that_shows_them(self, whole):
+        figures = dict(re.findall(r'<figure id="([^"]*)">.*?<figcaption>(.*?)</figcaption>', whole, re.S))
+        assert list(figures) == [f"picture-{k}" for k in range(1, 10)]
+        said = {text: re.findall(r'<a href="#([^"]*)">(.*?)</a>', text)
+                for text in re.findall(r"<li>(.*?)</li>", whole.split("</nav>")[1])}  # fmt: skip
+        for text, links in said.items():
+            for anchor, words in links:
+                assert figures[anchor].startswith(f"<strong>{words}.</strong>")
+            shown = "dispersion" if "omplete gap from" in text else "energy" if "energy" in text else ""
+            assert not shown or shown in figures[links[0][0]], text
+
+    def test_a_picture_that_moves_can_be_held_and_is_still_where_motion_is_unwanted(self, whole):
+        reader = read(whole)
+        (hold,) = reader.of("input")
+        assert hold["type"] == "checkbox"
+        assert hold["id"] in [label.get("for") for label in reader.of("label")]
+        style = re.search(r"<style>(.*?)</style>", whole, re.S)[1]
+        always, wanted = style.split("@media screen and (prefers-reduced-motion: no-preference) {")
+        assert ".pace, .moves { display: none; }" in always
+        assert ".moves" not in always.replace(".pace, .moves { display: none; }", "")
+        assert ".pace:not(:has(:checked)) ~ .still { display: none; }" in wanted.split("\n}")[0]
 
     def test_every_entry_of_the_contents_leads_somewhere_once(self, whole):
         reader = read(whole)
         identifiers = [attributes["id"] for _, attributes in reader.tags if "id" in attributes]
         assert len(set(identifiers)) == len(identifiers)
         targets = [link["href"].removeprefix("#") for link in reader.of("a")]
-        assert targets == ["dispersion", "modes", "sweeps", "mirror", "comparison", "appendix"]
+        chapters = [one for one in targets if not one.startswith("picture-")]
+        assert chapters == ["dispersion", "modes", "sweeps", "mirror", "comparison", "appendix"]
         assert set(targets) <= set(identifiers)
 
     def test_it_names_its_language_and_fits_a_phone(self, whole):
@@ -207,7 +235,7 @@ class TestChaptersLeftOut:
 
     def test_without_the_whole_zone_its_pictures_are_left_out(self):
         bands = reference_bands().drop_vars(["zone_frequency"])
-        assert len(read(page(results(bands=bands))).of("img")) == 4
+        assert len(read(page(results(bands=bands))).of("img")) == 5
 
     def test_a_study_without_references_is_not_compared(self):
         text = read(page(results(references=None, sweeps=()))).text
@@ -219,12 +247,12 @@ class TestChaptersLeftOut:
     def test_without_a_mirror_its_chapter_is_left_out_and_the_head_says_so(self):
         reader = read(page(results()))
         assert "mirror" not in [link["href"].removeprefix("#") for link in reader.of("a")]
-        assert len(reader.of("img")) == 6
+        assert len(reader.of("img")) == 7
         assert "Left out: Mirror, because it was not computed in this run." in reader.text
 
     def test_without_a_waveguide_nothing_is_said_of_one(self):
         reader = read(page(mirrored(waveguide=None, references=None)))
-        assert len(reader.of("img")) == 8
+        assert len(reader.of("img")) == 9
         assert "mirror" in [link["href"].removeprefix("#") for link in reader.of("a")]
         chapter = reader.text[reader.text.index("A plane wave of the plate") :]
         assert "waveguide" not in chapter[: chapter.index("Appendix")]
@@ -249,7 +277,7 @@ class TestWords:
         text = read(whole).text
         assert "All results on this page are simulated" in text
         for caption in re.findall(r"<figcaption>(.*?)</figcaption>", whole):
-            assert caption.startswith("Simulated")
+            assert re.match(r"<strong>Figure \d+\.</strong> Simulated", caption)
 
     def test_numbers_follow_the_results(self, whole):
         """Frequencies doubled: no number of the first report's gap may be left, but the paper's own."""

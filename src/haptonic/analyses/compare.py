@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import cached_property
 from pathlib import Path
 
 from haptonic.analyses.analysis import Analysis, option
@@ -31,6 +32,12 @@ class CompareOptions:
     )
     frequency_unit: str | None = option(None, "Of the table, if it does not say it.", metavar="UNIT")
 
+    @cached_property
+    def studies(self) -> dict[Path, Description]:
+        """Those of the two that are studies, each read once."""
+        paths = dict.fromkeys(path for path in (self.first, self.second) if kind_of(path) == "study")
+        return {path: load_as(path, Description) for path in paths}
+
 
 def kind_of(path: Path) -> str:
     """ "study", "result" or "table"."""
@@ -52,10 +59,10 @@ def check(study: None, options: CompareOptions) -> None:
             else "describe the cell in a study: `haptonic new`",
         )
     if kind_of(options.second) == "table":
-        if kind_of(options.first) != "study":
+        if options.first not in options.studies:
             read_numbers(options.second)
         else:  # what the table does not say is asked before bands are computed
-            path = load_as(options.first, Description).cell.zone.path(FINE)
+            path = options.studies[options.first].cell.zone.path(FINE)
             corners = path.distance[list(path.corners)]
             of_table(options.second, tuple(path.labels), corners, options.wavevector, options.frequency_unit)
 
@@ -69,12 +76,12 @@ def compute(study: None, options: CompareOptions, runner: Runner) -> Comparison:
     ChannelError : a table that cannot be read, or of which nobody says the units
     """
     names = _names(options.first, options.second)
-    own = bands_of(options.first, runner)
+    own = bands_of(options.first, options.studies.get(options.first), runner)
     first = of_dataset(names[0], own)
     if kind_of(options.second) == "table":
         theirs = of_table(options.second, *path_in(own), options.wavevector, options.frequency_unit)
         return Comparison(first, theirs)
-    second = of_dataset(names[1], bands_of(options.second, runner))
+    second = of_dataset(names[1], bands_of(options.second, options.studies.get(options.second), runner))
     if first.labels != second.labels:
         raise StudyError.mismatch(
             argument="SECOND",
@@ -86,11 +93,10 @@ def compute(study: None, options: CompareOptions, runner: Runner) -> Comparison:
     return Comparison(first, second, {path: key.unit for path, key in table(Description).items()})
 
 
-def bands_of(path: Path, runner: Runner) -> xr.Dataset:
+def bands_of(path: Path, study: Description | None, runner: Runner) -> xr.Dataset:
     """Of a study, computed now at more wavevectors than a diagram needs; of a result, as they are."""
-    if kind_of(path) == "result":
+    if study is None:
         return of_file(path / RESULT if path.is_dir() else path)
-    study = load_as(path, Description)
     settings = study.bands_settings
     found = compute_bands(
         study.cell,

@@ -62,6 +62,11 @@ class Voice:
         if not self.machine:
             self.out.print(content)
 
+    def print(self, text: str) -> None:
+        """Give a person text that another program reads, as it is; silent for machines."""
+        if not self.machine:
+            sys.stdout.write(text)
+
     def say(self, text: str) -> None:
         """Tell a person what is going on, beside the answer; silent for machines."""
         if not self.machine:

@@ -20,7 +20,7 @@ from haptonic.results.common import refuse_taken
 from haptonic.results.cost import LONG
 from haptonic.results.result import Result, taken
 from haptonic.results.runner import Runner
-from haptonic.results.table import Table
+from haptonic.results.table import FORMS, Table, check_form
 from haptonic.store import Store
 from haptonic.study import load
 
@@ -36,8 +36,15 @@ SHARED: dict[str, Any] = {
     ],
     "json": Json,
     "tables": Annotated[bool, typer.Option("--tables", help="Print all tables, however long they are.")],
+    "tables_as": Annotated[
+        str | None,
+        typer.Option(
+            "--tables-as", metavar="FORM", help=f"Print all tables and nothing else, as {' or '.join(FORMS)}."
+        ),
+    ],
     "overwrite": Annotated[bool, typer.Option("--overwrite", help="Replace files of an earlier run.")],
 }
+TEXTS = ("out", "tables_as")  # of these; the others are on or off
 WORKERS = Annotated[
     int, typer.Option("--workers", metavar="N", help="Worker processes on this machine; 0 works in this one.")
 ]
@@ -56,7 +63,7 @@ def command(analysis: Analysis) -> Callable[..., None]:
         answered(analysis, given)
 
     own, last = parameters(analysis), inspect.Parameter.KEYWORD_ONLY
-    shared = [inspect.Parameter(n, last, default=None if n == "out" else False, annotation=kind)
+    shared = [inspect.Parameter(n, last, default=None if n in TEXTS else False, annotation=kind)
               for n, kind in SHARED.items()]  # fmt: skip
     if analysis.name in COSTS:
         shared.append(inspect.Parameter("dry_run", last, default=False, annotation=DRY_RUN))
@@ -132,7 +139,9 @@ def answered(analysis: Analysis, given: dict[str, Any]) -> None:
 def once(analysis: Analysis, given: dict[str, Any], voice: Voice) -> None:
     """Load, look whether it can end well, compute, write, say what was found."""
     rest = dict(given)
-    out, json, tables, overwrite = (rest.pop(name) for name in SHARED)
+    out, json, tables, form, overwrite = (rest.pop(name) for name in SHARED)
+    if form is not None:
+        check_form(form)
     workers, scheduler = rest.pop("workers", 0), rest.pop("scheduler", None)
     file, dry = rest.pop("study_file", None), rest.pop("dry_run", False)
     options = analysis.chosen({name: value for name, value in rest.items() if value is not None})
@@ -154,16 +163,21 @@ def once(analysis: Analysis, given: dict[str, Any], voice: Voice) -> None:
         result = analysis.compute(study, options, runner)
         if folder:
             result.write(folder, overwrite=overwrite, progress=progress)
-    show(result, voice, every=tables)
     located = result.located(folder) if folder else {}
-    if folder and folder.is_dir():  # a plan of a lattice has no picture
-        voice.tell(f"files: {located.get('report', folder)}")
+    if form is None:
+        show(result, voice, every=tables)
+        if folder and folder.is_dir():  # a plan of a lattice has no picture
+            voice.tell(f"files: {located.get('report', folder)}")
+    else:
+        voice.print("\n".join(table.written(form) for table in result.tables()))
+    for text in result.remarks():
+        voice.warn(text)
     if json:
         voice.answer(result.to_json() | located)
 
 
 def show(result: Result, voice: Voice, *, every: bool) -> None:
-    """The answer in sentences, then its tables while they fit a screen, then what may be wrong.
+    """The answer in sentences, then its tables while they fit a screen.
 
     ``every`` : all of them; else what is beyond is named, so that the answer stays in sight
     """
@@ -181,8 +195,6 @@ def show(result: Result, voice: Voice, *, every: bool) -> None:
     kept += [f"{table.title} ({len(table.rows)})" for table in left]
     if kept:
         voice.tell(f"more with --tables: {', '.join(kept)}")
-    for text in result.remarks():
-        voice.warn(text)
 
 
 def folder_for(about: Path, out: Path | None, json: bool, ending: str) -> Path | None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import base64
+from collections.abc import Callable
 from dataclasses import dataclass
 from importlib.resources import files
 from typing import TYPE_CHECKING, Literal
@@ -16,11 +17,19 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, eq=False)
 class Picture:
-    """A figure with the sentence below it and the words that stand for it where it cannot be seen."""
+    """A figure with the sentence below it and the words that stand for it where it cannot be seen.
+
+    name : by which findings of its chapter refer to it
+    moving : gives the same in motion, as WebP
+    number : in the order of the page
+    """
 
     figure: Figure
     caption: str
     alternative: str
+    name: str = ""
+    moving: Callable[[], bytes] | None = None
+    number: int = 0
 
 
 def filled(template: str, **values: object) -> str:
@@ -29,11 +38,16 @@ def filled(template: str, **values: object) -> str:
         autoescape=True, undefined=jinja2.StrictUndefined, trim_blocks=True, lstrip_blocks=True
     )
     environment.filters["embedded"] = embedded
+    environment.filters["webp"] = lambda content: address(content, "webp")
     text = files("haptonic.pages").joinpath(template).read_text("utf-8")
     return environment.from_string(text).render(**values)
 
 
 def embedded(figure: Figure, kind: Literal["svg", "png"] = "svg") -> str:
     """The figure as an address that holds all of it."""
-    form = "svg+xml" if kind == "svg" else kind
-    return f"data:image/{form};base64,{base64.b64encode(plots.rendered(figure, kind)).decode()}"
+    return address(plots.rendered(figure, kind), "svg+xml" if kind == "svg" else kind)
+
+
+def address(content: bytes, form: str) -> str:
+    """A picture of this form as an address that holds all of it."""
+    return f"data:image/{form};base64,{base64.b64encode(content).decode()}"

@@ -7,12 +7,14 @@ from .friction import conditions as conditions
 from .friction import reductions as reductions
 from .friction import trial_sheet as trial_sheet
 from .mapped import animated as animated
+from .mapped import map_at as map_at
 from .mapped import maps as maps
 from .mapped import maps_compared as maps_compared
 from .mirrors import decay as decay
 from .mirrors import guide as guide
 from .mirrors import layers as layers
 from .modes import mode_shapes as mode_shapes
+from .modes import moving_modes as moving_modes
 from .overlays import compared as compared
 from .planning import power as power
 from .plates import plate_plan as plate_plan
@@ -28,6 +30,7 @@ from .scans import wave_map as wave_map
 from .spectra import contrast_spectrum as contrast_spectrum
 from .spectra import impedance_spectrum as impedance_spectrum
 from .spectra import velocity_spectrum as velocity_spectrum
+from .stage import checked as checked
 from .style import rendered as rendered
 from .style import save as save
 from .sweeps import sweep as sweep

@@ -12,6 +12,7 @@ from matplotlib.figure import Figure
 from haptonic.arrays import Array, Ints
 from haptonic.later import xarray as xr
 from haptonic.plots import style
+from haptonic.plots.stage import stage
 from haptonic.plots.text import khz
 
 MARK_EVERY = 5  # wavevectors between two markers on a curve
@@ -40,7 +41,9 @@ RIGID = "rigid body"
 
 
 @style.drawn
-def dispersion(dataset: xr.Dataset, carrier_hz: float | None = None, title: str = "") -> Figure:
+def dispersion(
+    dataset: xr.Dataset, carrier_hz: float | None = None, title: str = "", *, ax: Axes | None = None
+) -> Figure:
     """Every mode along the path, coloured by what it is; complete gaps shaded, the carrier dashed.
 
     A branch is followed by character, not by rank: where a mode changes its nature along a branch, the colour
@@ -51,8 +54,8 @@ def dispersion(dataset: xr.Dataset, carrier_hz: float | None = None, title: str 
     dataset : from `haptonic.bloch.bands_dataset`
     carrier_hz : drive frequency, Hz
     """
-    figure = style.blank(11.5)
-    axes = figure.add_subplot()
+    on = stage(ax, 11.5)
+    axes = on.axes
     distance = dataset["distance"].values
     frequency = dataset["frequency"].values / 1e3
     axes.set_xlim(distance[0], distance[-1])
@@ -60,14 +63,14 @@ def dispersion(dataset: xr.Dataset, carrier_hz: float | None = None, title: str 
     for lower, upper, _, _ in complete_gaps(dataset):
         axes.axhspan(lower / 1e3, upper / 1e3, facecolor=style.GAP, edgecolor="none", zorder=0, gid="gap")
     present = _draw_branches(axes, dataset, distance, frequency)
-    mark_corners(axes, dataset)
+    mark_corners(axes, dataset, brief=not on.own)
     axes.set_ylabel("frequency (kHz)")
     if title:
         axes.set_title(title, parse_math=False)
     for name in present:
         stroke = CURVE_STYLES[name]
         axes.plot([], [], color=stroke.colour, ls=stroke.dashes, marker=stroke.marker, ms=3.5, label=name)
-    figure.legend(loc="outside lower center", ncols=min(3, max(1, len(present))), handlelength=3.4)
+    on.legend(ncols=min(3, max(1, len(present))), handlelength=3.4)
     labels = [(centre, text, style.GAP_EDGE) for centre, text in _gap_labels(dataset)]
     if carrier_hz is not None:
         if carrier_hz / 1e3 > axes.get_ylim()[1]:
@@ -75,7 +78,7 @@ def dispersion(dataset: xr.Dataset, carrier_hz: float | None = None, title: str 
         axes.axhline(carrier_hz / 1e3, color=style.CARRIER, ls=style.DASHED, lw=1.1, gid="carrier", zorder=4)
         labels.append((carrier_hz / 1e3, f"carrier\n{carrier_hz / 1e3:g} kHz", style.CARRIER))
     style.label_right(axes, labels, lines=3)
-    return figure
+    return on.figure
 
 
 def complete_gaps(dataset: xr.Dataset) -> list[tuple[float, float, float, float]]:
@@ -96,7 +99,7 @@ def _gap_labels(dataset: xr.Dataset) -> list[tuple[float, str]]:
     ]
 
 
-def mark_corners(axes: Axes, dataset: xr.Dataset) -> None:
+def mark_corners(axes: Axes, dataset: xr.Dataset, *, brief: bool = False) -> None:
     """Name the corners of the irreducible zone below the axes, with a line at each."""
     corners = json.loads(dataset.attrs["path_corners"])
     places = dataset["distance"].values[corners]
@@ -104,7 +107,8 @@ def mark_corners(axes: Axes, dataset: xr.Dataset) -> None:
         axes.axvline(place, color=style.PALE_INK, lw=0.6, zorder=1)
     axes.set_xticks(places, json.loads(dataset.attrs["path_labels"]))
     longest = float(dataset["distance"][-1]) / 1e3
-    axes.set_xlabel(f"wavevector along the edge of the irreducible zone ({longest:.3g} rad/mm in all)")
+    along = "" if brief else " along the edge of the irreducible zone"
+    axes.set_xlabel(f"wavevector{along} ({longest:.3g} rad/mm in all)")
 
 
 def _draw_branches(axes: Axes, dataset: xr.Dataset, distance: Array, frequency: Array) -> list[str]:

@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 import numpy as np
+from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.ticker import MaxNLocator
 
 from haptonic.later import xarray as xr
 from haptonic.plots import style
+from haptonic.plots.stage import stage
 
 STAGES = {
     "look": ("starts", style.PALE_INK, "o"),
@@ -43,11 +45,11 @@ def search(dataset: xr.Dataset) -> Figure:
                  label=f"carrier {carrier / 1e3:g} kHz", gid="carrier")  # fmt: skip
     gaps.set_ylabel("frequency (kHz)")
     margins.axhline(0.0, color=style.CARRIER, ls=style.DASHED, lw=1.1)
-    for stage, (label, colour, marker) in STAGES.items():
-        own = dataset["stage"].values == stage
+    for name, (label, colour, marker) in STAGES.items():
+        own = dataset["stage"].values == name
         if own.any():
             margins.plot(number[own], 100 * dataset["margin"].values[own], marker, color=colour, ms=4,
-                         label=label, gid=stage)  # fmt: skip
+                         label=label, gid=name)  # fmt: skip
     margins.set_ylabel("margin (%)")
     margins.set_xlabel("design, in the order of the search")
     margins.set_xlim(0.25, len(number) + 0.75)
@@ -58,7 +60,7 @@ def search(dataset: xr.Dataset) -> Figure:
 
 
 @style.drawn
-def front(dataset: xr.Dataset) -> Figure:
+def front(dataset: xr.Dataset, *, ax: Axes | None = None) -> Figure:
     """The widest gap around the carrier that each pitch allows.
 
     Parameters
@@ -66,8 +68,8 @@ def front(dataset: xr.Dataset) -> Figure:
     dataset : variables ``pitch``, ``lower``, ``upper``, ``margin`` (design), NaN where no design is allowed;
         attribute ``carrier_hz``
     """
-    figure = style.blank(9.0)
-    axes = figure.add_subplot()
+    on = stage(ax, 9.0)
+    axes = on.axes
     pitch, carrier = dataset["pitch"].values * 1e3, float(dataset.attrs["carrier_hz"]) / 1e3
     lower, upper = dataset["lower"].values / 1e3, dataset["upper"].values / 1e3
     held = dataset["margin"].values > 0
@@ -90,5 +92,5 @@ def front(dataset: xr.Dataset) -> Figure:
     axes.margins(y=0.15)
     axes.set_xlabel("pitch (mm)")
     axes.set_ylabel("frequency (kHz)")
-    figure.legend(loc="outside lower center", ncols=2)
-    return figure
+    on.legend(ncols=2)
+    return on.figure

@@ -18,6 +18,7 @@ from haptonic.plate.layout import Layout
 from haptonic.plots import style
 from haptonic.plots.mapped import ends, outlined
 from haptonic.plots.spectra import LOOKS
+from haptonic.plots.stage import stage
 from haptonic.plots.text import label
 
 PANELS = {"low": "least, within the band", "value": "prediction", "high": "most, within the band"}
@@ -60,7 +61,9 @@ def _draw_friction(axes: Axes, friction: xr.Dataset, end: str, layout: Layout) -
 
 
 @style.drawn
-def reduction_curve(curve: xr.Dataset, drive: float, noticed: float, *, title: str = "") -> Figure:
+def reduction_curve(
+    curve: xr.Dataset, drive: float, noticed: float, *, title: str = "", ax: Axes | None = None
+) -> Figure:
     """Mean reduction of friction over each region against the amplitude of the drive.
 
     Parameters
@@ -68,8 +71,8 @@ def reduction_curve(curve: xr.Dataset, drive: float, noticed: float, *, title: s
     curve : ``value``, ``low`` and ``high`` (region, drive); drive : the one in use, in the curve's units
     noticed : smallest reduction that people notice, as a share
     """
-    figure = style.blank(9.0)
-    axes = figure.add_subplot()
+    on = stage(ax, 9.0)
+    axes = on.axes
     handles: list[Line2D | Patch] = []
     drives, unit = curve["drive"].values, curve["drive"].attrs["units"]
     for name, (colour, dashes) in zip(curve["region"].values.tolist(), cycle(LOOKS), strict=False):
@@ -89,5 +92,5 @@ def reduction_curve(curve: xr.Dataset, drive: float, noticed: float, *, title: s
         xlim=(0, drives[-1]), ylim=(0, 100), title=title, xlabel=f"amplitude of the drive ({unit})",
         ylabel="reduction of friction (%)",
     )  # fmt: skip
-    figure.legend(handles=handles, loc="outside lower center", ncols=3)
-    return figure
+    on.legend(handles, ncols=3)
+    return on.figure

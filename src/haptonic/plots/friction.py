@@ -20,6 +20,7 @@ from haptonic.friction.statistics import IntervalEstimate
 from haptonic.friction.statistics.summary import Condition
 from haptonic.later import xarray as xr
 from haptonic.plots import style
+from haptonic.plots.stage import stage
 from haptonic.plots.text import label
 
 LOOKS = ((style.BLUE, "o"), (style.ORANGE, "s"), (style.GREEN, "^"), (style.PURPLE, "D"), (style.SKY, "v"))
@@ -38,6 +39,7 @@ def conditions(
     driven: str | None,
     published: Mapping[str, float] | None,
     origin: str,
+    ax: Axes | None = None,
 ) -> Figure:
     """Mean friction of every condition with one standard deviation, by participant and of all.
 
@@ -51,8 +53,8 @@ def conditions(
     people = list(dict.fromkeys(one.participant for one in found))
     if len(people) > MOST_PEOPLE + 1:
         people = [EVERYBODY]
-    figure = style.blank(9.0, min(30.0, max(style.WIDTH, 3.0 + 1.6 * len(people) * len(guides) / 2)))
-    axes = figure.subplots()
+    on = stage(ax, 9.0, min(30.0, max(style.WIDTH, 3.0 + 1.6 * len(people) * len(guides) / 2)))
+    axes = on.axes
     bar = 0.8 / (2 * len(guides))
     shown = {(one.participant, one.waveguide, one.actuation): one for one in found}
     drawn = [one for one in found if one.used and one.participant in people]
@@ -87,10 +89,11 @@ def conditions(
         for g, guide in enumerate(guides)
         for side in ("off", "on")
     ]
-    figure.legend(handles=handles, loc="outside lower center", ncols=2)
-    lines = [*_said(reductions, stopped, driven, published)]
-    figure.suptitle("\n".join(lines), fontsize=8.5, x=0.02, ha="left")
-    return figure
+    on.legend(handles, ncols=2)
+    if on.own:
+        lines = [*_said(reductions, stopped, driven, published)]
+        on.figure.suptitle("\n".join(lines), fontsize=8.5, x=0.02, ha="left")
+    return on.figure
 
 
 def _said(
@@ -121,6 +124,7 @@ def reductions(
     own: Mapping[tuple[str, str], IntervalEstimate],
     *,
     origin: str,
+    ax: Axes | None = None,
 ) -> Figure:
     """Reduction of every participant and of the population, with 95 % intervals.
 
@@ -132,8 +136,8 @@ def reductions(
     people = list(dict.fromkeys(name for _, name in own))
     rows = [*people, EVERYBODY]
     named = len(people) <= MOST_NAMED
-    figure = style.blank(4.0 + 0.75 * min(len(rows), MOST_NAMED))
-    axes = figure.subplots()
+    on = stage(ax, 4.0 + 0.75 * min(len(rows), MOST_NAMED))
+    axes = on.axes
     for g, (guide, whole) in enumerate(population.items()):
         colour, marker = LOOKS[g % len(LOOKS)]
         shift = 0.16 * (g - 0.5 * (len(population) - 1))
@@ -157,8 +161,8 @@ def reductions(
     axes.set_ylim(len(rows) - 0.4, -0.6)
     axes.set_xlabel("reduction of friction (%)")
     axes.set_title("reduction with its 95 % interval" + _mark(origin))
-    figure.legend(loc="outside lower center", ncols=3)
-    return figure
+    on.legend(ncols=3)
+    return on.figure
 
 
 @style.drawn

@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-import io
 from collections.abc import Mapping, Sequence
-from pathlib import Path
 
 import numpy as np
 import scipy
@@ -14,19 +12,19 @@ from matplotlib.colors import Normalize
 from matplotlib.figure import Figure
 from matplotlib.image import AxesImage
 from matplotlib.ticker import MaxNLocator
-from PIL import Image
 
 from haptonic.arrays import AnyComplex, Array
 from haptonic.errors import ResponseError
 from haptonic.plate.layout import Layout
 from haptonic.plots import style
+from haptonic.plots.moving import moving
 from haptonic.plots.plates import HALO, region_borders, rows_of
+from haptonic.plots.stage import stage
+from haptonic.plots.text import absolute, driven
 from haptonic.response import FrequencyResponse
-from haptonic.store import refuse_overwrite, write_atomically
 
-FRAMES = 24  # of a cycle
-FRAME_SECONDS = 0.05
-FRAME_DOTS = 110  # per inch
+Gap = tuple[float, float] | None
+
 FINER = 5  # places of a map along a step of points that lie on no grid
 MOST_PLACES = 800  # along either side of such a map
 NEAR = 0.75  # of a step, to which a point is shown: the corner of a square around it
@@ -36,11 +34,13 @@ def maps(
     response: FrequencyResponse,
     frequencies: Sequence[float],
     layout: Layout | None,
-    gap: tuple[float, float] | None,
+    gap: Gap,
+    *,
+    drive: float | None = None,
 ) -> Figure:
     """Normal vibration of the flat face at some frequencies, side by side, as in Fig. 5C of the paper.
 
-    Each map shows the moment at which its largest point is farthest out, and is scaled to that point.
+    Each map shows the moment at which its largest point is farthest out; its colours end at that point.
 
     Parameters
     ----------
@@ -48,8 +48,25 @@ def maps(
     frequencies : one for each map, Hz; the nearest lines are drawn
     layout : its outlines are drawn; without one, the points alone
     gap : edges of the band gap, Hz, or None
+    drive : amplitude of what the response is divided by, if it is known: then the map is what it moves
     """
-    return maps_compared({"": response}, frequencies, layout, gap)
+    return maps_compared({"": response}, frequencies, layout, gap, drive=drive)
+
+
+@style.drawn
+def map_at(
+    response: FrequencyResponse,
+    frequency: float,
+    layout: Layout | None,
+    gap: Gap,
+    *,
+    drive: float | None = None,
+    ax: Axes | None = None,
+) -> Figure:
+    """Normal vibration at one frequency; see `maps`."""
+    on = stage(ax, min(11.0 * _slenderness(response, layout), 16.0) + 4.0, 12.0)
+    _draw_map(on.axes, response.at(frequency), layout, gap, drive)
+    return on.figure
 
 
 @style.drawn
@@ -57,74 +74,44 @@ def maps_compared(
     rows: Mapping[str, FrequencyResponse],
     frequencies: Sequence[float],
     layout: Layout | None,
-    gap: tuple[float, float] | None,
+    gap: Gap,
+    *,
+    drive: float | None = None,
 ) -> Figure:
     """Maps of several responses at the same frequencies, by name one below the other; see `maps`."""
     first = next(iter(rows.values()))
     column = (style.WIDTH - 2.0) / max(len(frequencies), 2)
     tall = min(column * _slenderness(first, layout), 16.0)
-    figure = style.blank(len(rows) * (tall + 0.9) + 2.9)
+    figure = style.blank(len(rows) * (tall + 4.0) + 0.4)
     panels = figure.subplots(len(rows), len(frequencies), sharex=True, sharey=True, squeeze=False)
     for row, (name, response) in zip(panels, rows.items(), strict=True):
         for axes, asked in zip(row, frequencies, strict=True):
-            line = response.at(asked)
-            image = _draw_map(axes, line, layout)
-            title = f"{line.frequency[0] / 1e3:.1f} kHz, {response.dataset.attrs['origin']}"
-            axes.set_title("\n".join(filter(None, [_beside(line.frequency[0], gap), title])), fontsize=9)
+            _draw_map(axes, response.at(asked), layout, gap, drive)
             axes.label_outer()
         row[0].set_ylabel(f"{name}\ny (mm)" if name else "y (mm)")
-    _colour_bar(figure, list(panels.flat), image, first)
     return figure
 
 
 def animated(
-    path: Path,
-    response: FrequencyResponse,
-    frequency: float,
-    layout: Layout | None,
-    *,
-    overwrite: bool = False,
-) -> Path:
-    """Write one cycle of the vibration at a frequency (Hz) as a moving picture, WebP, that repeats for ever.
+    response: FrequencyResponse, frequency: float, layout: Layout | None, *, drive: float | None = None
+) -> bytes:
+    """One cycle of the vibration at a frequency (Hz); see `haptonic.plots.moving`.
 
-    It shows the real part of response times exp(i omega t), in `FRAMES` pictures, over its largest value.
-
-    Raises
-    ------
-    ResourceError : the name is taken and ``overwrite`` is False, or the folder cannot be written
+    It shows the real part of response times exp(i omega t), with a scale as in `maps`.
     """
-    refuse_overwrite(path, overwrite)
+    line = response.at(frequency)
     with style.styled():
-        tall = 6.5 * _slenderness(response, layout)
-        figure = style.blank(min(tall, 16.0) + 4.0, 9.0)
+        figure = style.blank(min(6.5 * _slenderness(response, layout), 16.0) + 4.0, 9.0)
         axes = figure.add_subplot()
-        line = response.at(frequency)
-        image = _draw_map(axes, line, layout)
-        shown = line.frequency[0]
-        cycle = f"; one cycle of {1e6 / shown:.3g} µs" if shown else ""
-        axes.set_title(f"{shown / 1e3:.1f} kHz, {response.dataset.attrs['origin']}{cycle}", fontsize=9)
-        axes.set_ylabel("y (mm)")
-        _colour_bar(figure, [axes], image, response)
-        figure.draw_without_rendering()
-        figure.set_layout_engine("none")  # every frame has the same arrangement
-        shape, frames = _seen(line)[0], []
-        for number in range(FRAMES):
-            image.set_data((shape * np.exp(2j * np.pi * number / FRAMES)).real)
-            stream = io.BytesIO()
-            figure.savefig(stream, format="png", dpi=FRAME_DOTS)
-            frames.append(Image.open(stream).convert("RGB"))
-    write_atomically(
-        path,
-        lambda temporary: frames[0].save(
-            temporary, format="WEBP", save_all=True, append_images=frames[1:],
-            duration=round(1e3 * FRAME_SECONDS), loop=0, quality=80,
-        ),
-    )  # fmt: skip
-    return path
+        image, shape = _draw_map(axes, line, layout, None, drive)
+        if line.frequency[0]:
+            cycle = f"one cycle of {1e6 / line.frequency[0]:.3g} µs"
+            axes.set_title(f"{axes.get_title()}\n{cycle}", fontsize=9)
+        return moving(figure, lambda turn: image.set_data((shape * turn).real))
 
 
 def _seen(line: FrequencyResponse) -> tuple[AnyComplex, tuple[float, float], tuple[float, float]]:
-    """(y, x) normal vibration at one frequency over that of its largest point; its ends along x and y, mm.
+    """(y, x) normal vibration at one frequency, with its largest point farthest out; its ends, mm.
 
     Points that lie on no regular grid, as when a stage was turned, are drawn finer than they lie: every place
     shows its nearest point, and nothing where that is too far.
@@ -136,8 +123,8 @@ def _seen(line: FrequencyResponse) -> tuple[AnyComplex, tuple[float, float], tup
     else:
         shape, x, y = np.asarray(grid.sel(direction="z").values[0]), grid["x"].values, grid["y"].values
     largest = shape.flat[np.nanargmax(np.abs(shape))]
-    scaled = np.asarray(shape / largest if largest else shape)
-    return scaled, ends(1e3 * x), ends(1e3 * y)
+    turned = np.asarray(shape * (np.conj(largest) / abs(largest)) if largest else shape)
+    return turned, ends(1e3 * x), ends(1e3 * y)
 
 
 def _nearest(line: FrequencyResponse) -> tuple[AnyComplex, Array, Array]:
@@ -160,15 +147,35 @@ def _slenderness(response: FrequencyResponse, layout: Layout | None) -> float:
     return float(height / width) if width else 1.0
 
 
-def _draw_map(axes: Axes, line: FrequencyResponse, layout: Layout | None) -> AxesImage:
-    """The vibration at one frequency when its largest point is farthest out, and the regions around it."""
+def _draw_map(
+    axes: Axes, line: FrequencyResponse, layout: Layout | None, gap: Gap, drive: float | None
+) -> tuple[AxesImage, AnyComplex]:
+    """The vibration at one frequency, the regions around it and its scale; the picture and its values."""
     shape, x, y = _seen(line)
+    largest, frequency = float(np.nanmax(np.abs(shape))), float(line.frequency[0])
+    unit, factor = absolute(line.units, largest, drive)
+    shape = np.asarray(factor * shape)
+    most = factor * largest or 1.0
     image = axes.imshow(
-        shape.real, cmap=style.diverging(), norm=Normalize(-1, 1), origin="lower",
+        shape.real, cmap=style.diverging(), norm=Normalize(-most, most), origin="lower",
         extent=(*x, *y), interpolation="nearest", gid="map",
     )  # fmt: skip
     outlined(axes, layout)
-    return image
+    axes.set_ylabel("y (mm)")
+    figure = axes.get_figure(root=True)
+    assert figure is not None
+    bar = figure.colorbar(image, ax=axes, location="bottom", aspect=18, pad=0.03)
+    bar.set_label(f"normal {line.dataset.attrs['quantity']} ({unit})")
+    bar.locator = MaxNLocator(4, symmetric=True)
+    bar.update_ticks()
+    said = [_beside(frequency, gap), f"{frequency / 1e3:.1f} kHz, {line.dataset.attrs['origin']}"]
+    if frequency and line.dataset.attrs["quantity"] == "velocity":
+        moved, times = absolute(line.units.replace("m/s", "m", 1), largest / (2 * np.pi * frequency), drive)
+        said.append(
+            f"up to {largest / (2 * np.pi * frequency) * times:.3g} {moved}{driven(line.units, drive)}"
+        )
+    axes.set_title("\n".join(filter(None, said)), fontsize=9)
+    return image, shape
 
 
 def outlined(axes: Axes, layout: Layout | None) -> None:
@@ -196,13 +203,7 @@ def ends(middles: Array) -> tuple[float, float]:
     return float(middles[0] - 0.5 * step), float(middles[-1] + 0.5 * step)
 
 
-def _colour_bar(figure: Figure, panels: list[Axes], image: AxesImage, response: FrequencyResponse) -> None:
-    bar = figure.colorbar(image, ax=panels, location="bottom", shrink=0.6, aspect=30, pad=0.02)
-    bar.set_label(f"normal {response.dataset.attrs['quantity']} / its maximum (dimensionless)")
-    bar.set_ticks([-1, -0.5, 0, 0.5, 1])
-
-
-def _beside(frequency: float, gap: tuple[float, float] | None) -> str:
+def _beside(frequency: float, gap: Gap) -> str:
     if gap is None:
         return ""
     return "below the gap" if frequency < gap[0] else "above the gap" if frequency > gap[1] else "in the gap"

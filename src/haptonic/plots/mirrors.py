@@ -10,8 +10,10 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from haptonic.arrays import Array
+from haptonic.errors import HaptonicError
 from haptonic.later import xarray as xr
 from haptonic.plots import style
+from haptonic.plots.stage import Stage, stage
 from haptonic.plots.text import in_pi
 
 FLAT = 1e-6  # rad, imaginary part of a phase below which a wave propagates
@@ -69,17 +71,27 @@ def decay(dataset: xr.Dataset) -> Figure:
 
 
 @style.drawn
-def layers(dataset: xr.Dataset) -> Figure:
+def layers(dataset: xr.Dataset, *, incident: str | None = None, ax: Axes | None = None) -> Figure:
     """Transmitted energy against frequency: a panel for each incident wave, a curve for each number of rows.
 
     Parameters
     ----------
     dataset : variable ``transmitted`` (frequency, rows, incident, outgoing); attributes as for `decay`, and
         ``angle`` and ``along``, the translations that a row repeats after
+    incident : the one wave to show; by default all, or on given axes the first
     """
     there = [f for f in FAMILIES if np.isfinite(dataset["transmitted"].sel(incident=f).values).any()]
-    figure = style.blank(3.5 + 4.6 * len(there))
-    panels = np.atleast_1d(figure.subplots(len(there), 1, sharex=True))
+    if incident is not None and incident not in there:
+        cause = "there is no such wave, or it does not propagate at these frequencies"
+        raise HaptonicError.unknown("incident", incident, there, cause)
+    there = [incident] if incident else there[: None if ax is None else 1]
+    height = 3.5 + 4.6 * len(there)
+    panels = (
+        np.atleast_1d(style.blank(height).subplots(len(there), 1, sharex=True))
+        if ax is None
+        else [stage(ax, height).axes]
+    )
+    on = Stage(panels[-1], own=ax is None)
     frequency = dataset["frequency"].values / 1e3
     shades = style.perceptual()(np.linspace(0.75, 0.05, dataset.sizes["rows"]))
     handles: list[Artist] = []
@@ -101,12 +113,14 @@ def layers(dataset: xr.Dataset) -> Figure:
     panels[0].set_title(f"{of_rows}{direction}; all transmitted waves")
     panels[-1].set_xlabel("frequency (kHz)")
     panels[-1].set_xlim(frequency.min(), frequency.max())
-    figure.legend(handles=handles, loc="outside lower center", ncols=4)
-    return figure
+    on.legend(handles, ncols=4)
+    return on.figure
 
 
 @style.drawn
-def guide(position: Array, amplitude: Array, width: float, fixed_line: float) -> Figure:
+def guide(
+    position: Array, amplitude: Array, width: float, fixed_line: float, *, ax: Axes | None = None
+) -> Figure:
     """Amplitude of the guided mode across the strip, between the two lattices.
 
     Parameters
@@ -114,8 +128,8 @@ def guide(position: Array, amplitude: Array, width: float, fixed_line: float) ->
     position : (s,) from the middle of the strip, m; amplitude : (s,) its peak 1
     width : of the strip, m; fixed_line : how far inside the lattices the plate seems to be held, m
     """
-    figure = style.blank(7.5)
-    axes = figure.add_subplot()
+    on = stage(ax, 7.5)
+    axes = on.axes
     edge, line = 500 * width, 1e3 * (0.5 * width + fixed_line)
     reach = max(1.25 * edge, 1.15 * line)
     axes.plot(1e3 * position, amplitude, color=style.BLUE, label="amplitude of the mode")
@@ -128,8 +142,8 @@ def guide(position: Array, amplitude: Array, width: float, fixed_line: float) ->
     axes.set_ylim(0, 1.08)
     axes.set_xlabel("position across the waveguide (mm)")
     axes.set_ylabel("amplitude (dimensionless)")
-    figure.legend(loc="outside lower center", ncols=3)
-    return figure
+    on.legend(ncols=3)
+    return on.figure
 
 
 def _mark(axes: Axes, dataset: xr.Dataset, along: Literal["x", "y"]) -> list[Artist]:

@@ -3,25 +3,33 @@
 from __future__ import annotations
 
 import json
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, replace
 from itertools import pairwise, product
 
 import numpy as np
-from matplotlib.axes import Axes
 from matplotlib.cm import ScalarMappable
-from matplotlib.collections import LineCollection, PolyCollection
+from matplotlib.collections import LineCollection
 from matplotlib.colors import Normalize
 from matplotlib.figure import Figure
+from numpy.typing import NDArray
+from PIL import Image, ImageDraw
 
 from haptonic.arrays import Array, Ints
 from haptonic.later import xarray as xr
 from haptonic.plots import style
+from haptonic.plots.moving import moments, moving
 
 SHOWN = 8  # modes, as in Fig. 4B of the paper
 COLUMNS = 4
+MOMENTS = 12  # of a cycle that are drawn of moving modes
 PIECES = 8  # faces drawn along an element's side, at most
-FINER = 4  # patches of one colour along the side of a face
+FINER = 4  # patches of one colour along the side of a face, at most
+SHADES = 60  # steps of the scale of colours that cannot be told apart side by side
 LARGEST = 0.2  # drawn displacement, as a share of the period
 SHARP = np.cos(np.radians(35))  # faces that meet at a larger angle make an edge of the outline
+SMOOTH = 2  # how much finer along x and y a body is painted than it is shown, so that its edges are smooth
+INKED = 0.65  # of the light of a colour that a line over it leaves
 AZIMUTH, ELEVATION = np.radians(-62), np.radians(20)  # where the camera is
 
 VTK_CORNERS = [(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0), (0, 0, 1), (1, 0, 1), (1, 1, 1), (0, 1, 1)]
@@ -40,6 +48,18 @@ def mode_shapes(dataset: xr.Dataset) -> Figure:
     ----------
     dataset : from `haptonic.bloch.bands_dataset`
     """
+    return _bodies(dataset, (1.0,))[0]
+
+
+def moving_modes(dataset: xr.Dataset) -> bytes:
+    """One cycle of the same modes, all slowed down to one pace; see `haptonic.plots.moving`."""
+    with style.styled():
+        figure, turned = _bodies(dataset, moments(MOMENTS))
+        return moving(figure, turned, MOMENTS)
+
+
+def _bodies(dataset: xr.Dataset, turns: Sequence[complex]) -> tuple[Figure, Callable[[complex], None]]:
+    """The figure, with room for these moments, and what brings its bodies to another moment of the cycle."""
     count = min(SHOWN, dataset.sizes["mode"])
     columns = min(COLUMNS, count)
     position = dataset["node_position"].values * 1e3
@@ -53,8 +73,8 @@ def mode_shapes(dataset: xr.Dataset) -> Figure:
     fields = (dataset["mode_real"].values + 1j * dataset["mode_imag"].values)[:count].astype(complex)
     amounts = np.linalg.norm(fields, axis=2)
     amounts /= amounts.max(axis=1, keepdims=True)
-    moved = [position + swing * field.real for field in fields]
-    seen = np.concatenate([_projected(points)[:, :2] for points in [position, *moved]])
+    reached = [position + swing * (turn * field).real for field in fields for turn in turns]
+    seen = np.concatenate([_projected(points)[:, :2] for points in [position, *reached]])
     low, high = seen.min(axis=0), seen.max(axis=0)
     rows = -(-count // columns)
     column = (style.WIDTH - 1.0) / columns
@@ -70,7 +90,6 @@ def mode_shapes(dataset: xr.Dataset) -> Figure:
         axes.add_collection(
             LineCollection(list(rest), colors=style.PALE_INK, linewidths=0.5, zorder=0, gid="undeformed")
         )
-        _draw_body(axes, moved[k], amounts[k], faces, borders)
         name = names[int(dataset["mode_name"][k])]
         frequency = float(dataset["mode_frequency"][k]) / 1e3
         axes.set_title(f"M{k + 1}  {frequency:.2f} kHz\n{name}", fontsize=8.5)
@@ -80,39 +99,100 @@ def mode_shapes(dataset: xr.Dataset) -> Figure:
         ax=list(panels), location="bottom", shrink=0.5, aspect=35, pad=0.02,
     )  # fmt: skip
     bar.set_label("displacement, relative to its maximum")
-    return figure
+    scale = min((column - 0.2) / (high - low)[0], 7.0 / (high - low)[1]) * style.DOTS_PER_INCH / 2.54
+
+    def bodies(turn: complex) -> list[NDArray[np.uint8]]:
+        return [
+            _painted(_projected(position + swing * (turn * field).real), amount, faces, borders,
+                     Window(low, high, scale))
+            for field, amount in zip(fields, amounts, strict=True)
+        ]  # fmt: skip
+
+    images = [
+        axes.imshow(body, extent=(low[0], high[0], low[1], high[1]), zorder=1, gid="deformed")
+        for axes, body in zip(panels, bodies(1.0), strict=False)
+    ]
+
+    def turned(turn: complex) -> None:
+        for image, body in zip(images, bodies(turn), strict=True):
+            image.set_data(body)
+
+    return figure, turned
 
 
-def _draw_body(axes: Axes, points: Array, amount: Array, faces: Ints, borders: Ints) -> None:
-    """Faces that look at the camera and the borders of the elements, painted from the back to the front."""
-    seen = _projected(points)
+@dataclass(frozen=True)
+class Window:
+    """What is seen of a plane: its lower left and upper right corner, and how many pixels a unit has."""
+
+    low: Array
+    high: Array
+    scale: float
+
+    @property
+    def size(self) -> tuple[int, int]:
+        """Of its picture, pixels."""
+        wide, tall = np.ceil((self.high - self.low) * self.scale).astype(int).tolist()
+        return wide, tall
+
+    def pixels(self, points: Array) -> Array:
+        """Of points (..., 2), from the upper left corner of the picture."""
+        share = (points - self.low) / (self.high - self.low)
+        return np.asarray(np.stack([share[..., 0], 1 - share[..., 1]], axis=-1) * self.size)
+
+
+def _painted(seen: Array, amount: Array, faces: Ints, borders: Ints, window: Window) -> NDArray[np.uint8]:
+    """(y, x, 4) faces that look at the camera and the borders of the elements, from the back to the front.
+
+    It is painted here once, because matplotlib would for every form of a file, and more slowly.
+    """
     corners = seen[faces]
     first, second = corners[:, 2, :2] - corners[:, 0, :2], corners[:, 3, :2] - corners[:, 1, :2]
     front = first[:, 0] * second[:, 1] - first[:, 1] * second[:, 0] > 0
     patches = _finer(np.concatenate([corners[front], amount[faces[front], None]], axis=2))
-    shade = style.perceptual()(patches[..., 3].mean(axis=1))
     used = np.isin(borders, np.unique(faces[front])).all(axis=1)
     lines = seen[borders[used]]
-    # A line is a polygon of no area; it lies on its faces, so it has to come a little nearer than they do.
+    # A line lies on its faces, so it has to come a little nearer than they do.
     lift = 0.02 * np.ptp(seen[:, 1])
-    shapes = [*patches[..., :2], *lines[..., :2]]
     nearness = np.concatenate([patches[..., 2].mean(axis=1), lines[..., 2].mean(axis=1) + lift])
-    ink = np.broadcast_to([0.0, 0.0, 0.0, 0.35], (len(lines), 4))
-    colours = np.concatenate([shade, ink])
-    widths = np.concatenate([np.full(len(shade), 0.3), np.full(len(lines), 0.35)])
-    order = np.argsort(nearness, kind="stable")
-    body = PolyCollection([shapes[i] for i in order], rasterized=True, gid="deformed")
-    body.set(facecolors=colours[order], edgecolors=colours[order], linewidths=widths[order])
-    axes.add_collection(body)
+    shades = style.perceptual()(np.concatenate([patches[..., 3].mean(1), amount[borders[used]].mean(1)]))
+    shades[len(patches) :, :3] *= INKED
+    colours = list(map(tuple, np.rint(255 * shades).astype(int).tolist()))
+    fine = replace(window, scale=SMOOTH * window.scale)
+    shapes = [fine.pixels(one[..., :2]).reshape(len(one), -1).tolist() for one in (patches, lines)]
+    picture = Image.new("RGBA", fine.size, (255, 255, 255, 0))
+    pen = ImageDraw.Draw(picture)
+    for number in np.argsort(nearness, kind="stable").tolist():
+        if number < len(patches):
+            pen.polygon(shapes[0][number], fill=colours[number])
+        else:
+            pen.line(shapes[1][number - len(patches)], fill=colours[number], width=SMOOTH)
+    return np.asarray(Image.fromarray(_whole(np.array(picture))).reduce(SMOOTH))
+
+
+def _whole(pixels: NDArray[np.uint8]) -> NDArray[np.uint8]:
+    """(y, x, 4) with the single pixels filled that polygons with a common side leave out between them."""
+    there = pixels[..., 3] > 0
+    beside = there[:-2, 1:-1] & there[2:, 1:-1] | there[1:-1, :-2] & there[1:-1, 2:]
+    y, x = np.nonzero(~there[1:-1, 1:-1] & beside)
+    above = there[y, x + 1]
+    pixels[y + 1, x + 1] = pixels[np.where(above, y, y + 1), np.where(above, x + 1, x)]
+    return pixels
 
 
 def _finer(corners: Array) -> Array:
-    """(n FINER^2, 4, c) quadrilaterals that fill those with these corners (n, 4, c), bilinearly:
-    colours change in steps too small to be seen."""
-    u, v = np.meshgrid(*[np.linspace(0, 1, FINER + 1)] * 2, indexing="ij")
-    shares = np.stack([(1 - u) * (1 - v), u * (1 - v), u * v, (1 - u) * v], axis=-1)
-    around = np.stack([shares[:-1, :-1], shares[1:, :-1], shares[1:, 1:], shares[:-1, 1:]], axis=2)
-    return np.asarray(np.einsum("ijkl,nlc->nijkc", around, corners)).reshape(-1, 4, corners.shape[2])
+    """(m, 4, c) quadrilaterals that fill those with these corners (n, 4, c), bilinearly.
+
+    Each is parted until its last component, the colour, changes too little in a part to be seen.
+    """
+    parts = np.clip(np.ceil(SHADES * np.ptp(corners[..., -1], axis=1)), 1, FINER).astype(int)
+    found = []
+    for count in np.unique(parts):
+        u, v = np.meshgrid(*[np.linspace(0, 1, count + 1)] * 2, indexing="ij")
+        shares = np.stack([(1 - u) * (1 - v), u * (1 - v), u * v, (1 - u) * v], axis=-1)
+        around = np.stack([shares[:-1, :-1], shares[1:, :-1], shares[1:, 1:], shares[:-1, 1:]], axis=2)
+        filled = np.einsum("ijkl,nlc->nijkc", around, corners[parts == count])
+        found.append(filled.reshape(-1, 4, corners.shape[2]))
+    return np.concatenate(found)
 
 
 def _projected(points: Array) -> Array:

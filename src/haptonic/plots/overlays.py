@@ -5,10 +5,12 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 import numpy as np
+from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from haptonic.arrays import Array
 from haptonic.plots import style
+from haptonic.plots.stage import stage
 from haptonic.plots.text import label
 
 Bands = tuple[str, Array, Array, Sequence[tuple[float, float]]]
@@ -20,7 +22,9 @@ CROSS = 3.5  # points
 
 
 @style.drawn
-def compared(sides: Sequence[Bands], labels: Sequence[str], *, crosses: bool = False) -> Figure:
+def compared(
+    sides: Sequence[Bands], labels: Sequence[str], *, crosses: bool = False, ax: Axes | None = None
+) -> Figure:
     """Two sets of bands along one path, the second dashed or as crosses; their complete gaps hatched.
 
     Parameters
@@ -30,8 +34,8 @@ def compared(sides: Sequence[Bands], labels: Sequence[str], *, crosses: bool = F
     labels : of the corners of the path, which positions count from 0
     crosses : whether the second is drawn at its wavevectors only
     """
-    figure = style.blank(11.5)
-    axes = figure.add_subplot()
+    on = stage(ax, 11.5)
+    axes = on.axes
     handles = []
     for number, (name, position, frequency, gaps) in enumerate(sides):
         colour, dashes = COLOURS[number], DASHES[number]
@@ -67,7 +71,8 @@ def compared(sides: Sequence[Bands], labels: Sequence[str], *, crosses: bool = F
     axes.set_xticks(list(corners), labels)
     axes.set_xlim(0, len(labels) - 1)
     axes.set_ylim(0, 1.03 * max(float(np.nanmax(frequency)) for _, _, frequency, _ in sides) / 1e3)
-    axes.set_xlabel("wavevector along the edge of the irreducible zone; all sides are drawn equally long")
+    along = " along the edge of the irreducible zone; all sides are drawn equally long"
+    axes.set_xlabel("wavevector" + along * on.own)
     axes.set_ylabel("frequency (kHz)")
-    figure.legend(handles=handles, loc="outside lower center", ncols=2)
-    return figure
+    on.legend(handles, ncols=2)
+    return on.figure

@@ -2,18 +2,20 @@
 
 from __future__ import annotations
 
+from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.ticker import MaxNLocator
 
 from haptonic.later import xarray as xr
 from haptonic.plots import style
+from haptonic.plots.stage import stage
 from haptonic.plots.text import label
 
 SIDES = ((style.BLUE, "o"), (style.ORANGE, "s"))
 
 
 @style.drawn
-def power(dataset: xr.Dataset, participants: int) -> Figure:
+def power(dataset: xr.Dataset, participants: int, *, ax: Axes | None = None) -> Figure:
     """Power against participants, for the reduction assumed on each waveguide.
 
     Parameters
@@ -22,8 +24,8 @@ def power(dataset: xr.Dataset, participants: int) -> Figure:
         (waveguide); attributes ``wanted``, ``level`` and ``tests``; coordinate ``trials``
     participants : of the plan, marked
     """
-    figure = style.blank(9.0)
-    axes = figure.subplots()
+    on = stage(ax, 9.0)
+    axes = on.axes
     wanted = 100 * float(dataset.attrs["wanted"])
     for row, (colour, marker) in zip(range(dataset.sizes["waveguide"]), SIDES, strict=True):
         one = dataset.isel(waveguide=row)
@@ -43,5 +45,5 @@ def power(dataset: xr.Dataset, participants: int) -> Figure:
     axes.set_ylabel("chance of showing it (%)")
     level, tests = 100 * float(dataset.attrs["level"]), int(dataset.attrs["tests"])
     axes.set_title(f"Simulated: paired t-test over participants, {tests} tests at {level:g} % together")
-    figure.legend(loc="outside lower center", ncols=2)
-    return figure
+    on.legend(ncols=2)
+    return on.figure

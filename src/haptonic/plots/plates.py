@@ -19,6 +19,7 @@ from haptonic.plate.holding import Hold, Support
 from haptonic.plate.layout import Layout, Side
 from haptonic.plate.parts import Plate
 from haptonic.plots import style
+from haptonic.plots.stage import stage
 
 Tile = tuple[int, int]
 Segment = tuple[tuple[float, float], tuple[float, float]]  # mm
@@ -34,15 +35,15 @@ HOLDS: dict[Hold, tuple[str, str, style.Dashes]] = {
 
 
 @style.drawn
-def plate_plan(plate: Plate, visited: Array | None = None) -> Figure:
+def plate_plan(plate: Plate, visited: Array | None = None, *, ax: Axes | None = None) -> Figure:
     """The plate seen from above: lattices with their pillars, regions, supports, drives, a finger.
 
     visited : (point, 2) of a scan in the order of its stage, m; its way is drawn too
     """
     layout = plate.layout
     ratio = (layout.y[-1] - layout.y[0]) / (layout.x[-1] - layout.x[0])
-    figure = style.blank(min(max(11.5 * ratio, 3.0), 18.0) + 3.5)
-    axes = figure.add_subplot()
+    on = stage(ax, min(max(11.5 * ratio, 3.0), 18.0) + 3.5)
+    axes = on.axes
     handles = [*_draw_tiles(axes, layout), *_draw_supports(axes, plate), *_draw_parts(axes, plate)]
     if visited is not None:
         handles += _draw_way(axes, 1e3 * visited)
@@ -61,8 +62,8 @@ def plate_plan(plate: Plate, visited: Array | None = None) -> Figure:
         xlabel="x (mm)",
         ylabel="y (mm)",
     )
-    figure.legend(handles=handles, loc="outside lower center", ncols=3)
-    return figure
+    on.legend(handles, ncols=3)
+    return on.figure
 
 
 def rows_of(layout: Layout, name: str) -> Iterator[tuple[float, float, float]]:

@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import numpy as np
+from matplotlib.axes import Axes
 from matplotlib.collections import LineCollection
 from matplotlib.figure import Figure
 from matplotlib.tri import Triangulation
 
 from haptonic.later import xarray as xr
 from haptonic.plots import style
+from haptonic.plots.stage import stage
 
 LONG, MOST_PERIODS = 1.5, 30  # of a drawn field: its length over its width, and the most periods of it
 FADED = 0.12  # opacity of a bulk band's shade: where bands overlap it is darker
@@ -16,7 +18,7 @@ DIRECTIONS = ("across the ribbon", "along the ribbon", "normal to the plate")
 
 
 @style.drawn
-def projected(dataset: xr.Dataset) -> Figure:
+def projected(dataset: xr.Dataset, *, ax: Axes | None = None) -> Figure:
     """Frequency against phase along the ribbon: bulk bands shaded, modes as dashes along their slope.
 
     Above the last bulk band that was computed all is shaded.
@@ -25,8 +27,8 @@ def projected(dataset: xr.Dataset) -> Figure:
     ----------
     dataset : from `haptonic.results.ribbon`
     """
-    figure = style.blank(11.5)
-    axes = figure.add_subplot()
+    on = stage(ax, 11.5)
+    axes = on.axes
     low, high = np.array(dataset.attrs["range_hz"]) / 1e3
     phase = dataset["wavevector_phase"].values / np.pi
     lower, upper = (dataset[f"bulk_{end}"].values / 1e3 for end in ("lower", "upper"))
@@ -50,7 +52,9 @@ def projected(dataset: xr.Dataset) -> Figure:
     lines.set_array(dataset["guide_share"].values[order])
     lines.set_clim(0.0, 1.0)
     axes.add_collection(lines)
-    figure.colorbar(lines, ax=axes, label=f"share of energy in the {dataset.attrs['kind']} (dimensionless)")
+    on.figure.colorbar(
+        lines, ax=axes, label=f"share of energy in the {dataset.attrs['kind']} (dimensionless)"
+    )
     carrier = dataset.attrs.get("carrier_hz")
     if carrier is not None and low < carrier / 1e3 < high:
         axes.axhline(carrier / 1e3, color=style.CARRIER, ls=style.DASHED, lw=1.1, gid="carrier")
@@ -58,11 +62,11 @@ def projected(dataset: xr.Dataset) -> Figure:
     axes.set_ylim(low, high)
     axes.set_xlabel("phase along the ribbon / π (dimensionless)")
     axes.set_ylabel("frequency (kHz)")
-    return figure
+    return on.figure
 
 
 @style.drawn
-def ribbon_field(dataset: xr.Dataset) -> Figure:
+def ribbon_field(dataset: xr.Dataset, *, ax: Axes | None = None) -> Figure:
     """The field of one mode over a few periods of the ribbon, which runs from left to right here.
 
     Parameters
@@ -76,8 +80,9 @@ def ribbon_field(dataset: xr.Dataset) -> Figure:
     least = 1 if dataset.attrs["kind"] == "defect" else 2
     periods = min(MOST_PERIODS, max(least, round(LONG * wide / period)))
     long = float(np.ptp(points[:, 1])) + (periods - 1) * period
-    figure = style.blank(min(17.0, 3.2 + (style.WIDTH - 4.5) * wide / long))
-    axes = figure.add_subplot(aspect="equal")
+    on = stage(ax, min(17.0, 3.2 + (style.WIDTH - 4.5) * wide / long))
+    axes = on.axes
+    axes.set_aspect("equal")
     drawn = None
     for number in range(periods):
         there = Triangulation(points[:, 1] + number * period, points[:, 0], dataset["field_triangle"].values)
@@ -90,5 +95,5 @@ def ribbon_field(dataset: xr.Dataset) -> Figure:
     axes.set_ylabel("position across (mm)")
     what = DIRECTIONS[int(dataset["field_component"])]
     axes.set_title(f"{float(dataset['field_frequency']) / 1e3:.2f} kHz, phase {turn / np.pi:.3f} π; {what}")
-    figure.colorbar(drawn, ax=axes, label="displacement (dimensionless)")
-    return figure
+    on.figure.colorbar(drawn, ax=axes, label="displacement (dimensionless)")
+    return on.figure

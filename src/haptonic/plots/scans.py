@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from matplotlib.artist import Artist
+from matplotlib.axes import Axes
 from matplotlib.colors import LogNorm
 from matplotlib.figure import Figure
 
@@ -14,7 +15,8 @@ from haptonic.arrays import Array
 from haptonic.later import xarray as xr
 from haptonic.plots import style
 from haptonic.plots.spectra import curves, finished, shaded
-from haptonic.plots.text import in_pi
+from haptonic.plots.stage import stage
+from haptonic.plots.text import absolute, in_pi
 
 if TYPE_CHECKING:
     from haptonic.vibrometry import Drive, LatticeGap, MeasuredGap, Quality
@@ -54,15 +56,18 @@ def drive_signal(signal: Drive) -> Figure:
 
 
 @style.drawn
-def average_response(frequency: Array, amplitude: Array, *, units: str, origin: str) -> Figure:
+def average_response(
+    frequency: Array, amplitude: Array, *, units: str, origin: str, ax: Axes | None = None
+) -> Figure:
     """Root mean square over all points of a scan against frequency."""
-    figure = style.blank(7.0)
-    axes = figure.add_subplot()
-    axes.plot(frequency / 1e3, np.where(amplitude > 0, amplitude, np.nan), color=style.BLUE, lw=0.9)
+    on = stage(ax, 7.0)
+    axes = on.axes
+    unit, factor = absolute(units, float(amplitude.max()), None)
+    axes.plot(frequency / 1e3, np.where(amplitude > 0, factor * amplitude, np.nan), color=style.BLUE, lw=0.9)
     style.logarithmic(axes)
-    axes.set(xlabel="frequency (kHz)", ylabel=f"rms over all points ({units})", title=origin,
+    axes.set(xlabel="frequency (kHz)", ylabel=f"rms over all points ({unit})", title=origin,
              xlim=(frequency[0] / 1e3, frequency[-1] / 1e3))  # fmt: skip
-    return figure
+    return on.figure
 
 
 @style.drawn
@@ -73,10 +78,11 @@ def measured_contrast(
     computed: tuple[float, float] | None,
     *,
     origin: str,
+    ax: Axes | None = None,
 ) -> Figure:
     """Contrasts of a scan (dB; NaN where noise hides it) and the range in which the region stands out."""
-    figure = style.blank(8.6)
-    axes = figure.add_subplot()
+    on = stage(ax, 8.6)
+    axes = on.axes
     handles = curves(axes, frequency, contrasts, width=0.9)
     axes.axhline(0, color=style.INK, lw=0.7, zorder=1)
     handles += shaded(axes, frequency, computed, "computed gap")
@@ -90,8 +96,9 @@ def measured_contrast(
         )
         handles.append(line)
     axes.set_ylabel("contrast (dB)")
-    finished(figure, axes, frequency, handles, origin)
-    return figure
+    finished(axes, frequency, origin)
+    on.legend(handles, ncols=2)
+    return on.figure
 
 
 @style.drawn
@@ -101,16 +108,17 @@ def decay_map(
     computed: tuple[float, float] | None,
     *,
     origin: str,
+    ax: Axes | None = None,
 ) -> Figure:
     """How waves of a phase fade from row to row of a lattice (dB per cell), and the edges told by it."""
-    figure = style.blank(9.5)
-    axes = figure.add_subplot()
+    on = stage(ax, 9.5)
+    axes = on.axes
     shown = fades[:: max(1, fades.sizes["frequency"] // ROWS)]
     mesh = axes.pcolormesh(
         shown["phase"].values / np.pi, shown["frequency"].values / 1e3, shown.values,
         cmap=style.perceptual(), vmin=0, vmax=STRONG, shading="nearest", rasterized=True,
     )  # fmt: skip
-    figure.colorbar(mesh, ax=axes, label="fading (dB/cell); white: noise hides it", extend="max")
+    on.figure.colorbar(mesh, ax=axes, label="fading (dB/cell); white: noise hides it", extend="max")
     handles: list[Artist] = []
     for number, border in enumerate(computed or ()):
         line = axes.axhline(border / 1e3, color=style.RED, ls=style.DASHED, lw=1.2)
@@ -126,8 +134,8 @@ def decay_map(
             handles.append(line)
     axes.set(xlabel="phase from cell to cell along the rows (π)", ylabel="frequency (kHz)", title=origin)
     if handles:
-        figure.legend(handles=handles, loc="outside lower center", ncols=2)
-    return figure
+        on.legend(handles, ncols=2)
+    return on.figure
 
 
 @style.drawn
@@ -138,6 +146,7 @@ def wave_map(
     *,
     region: str,
     origin: str,
+    ax: Axes | None = None,
 ) -> Figure:
     """Amplitude against wavenumber and frequency along a guide; computed dispersion on top.
 
@@ -147,8 +156,8 @@ def wave_map(
     plain : frequency (Hz) and wavenumber (rad/m) of the flexural wave of the plate
     guided : the same of the guide's mode without nodal lines along it
     """
-    figure = style.blank(10.5)
-    axes = figure.add_subplot()
+    on = stage(ax, 10.5)
+    axes = on.axes
     starts = np.unique(np.linspace(0, waves.sizes["frequency"], ROWS, endpoint=False).astype(int))
     amplitude = np.maximum.reduceat(waves.values / waves.values.max(), starts, axis=0)
     frequency, wavenumber = waves["frequency"].values[starts] / 1e3, waves["wavenumber"].values / 1e3
@@ -169,24 +178,29 @@ def wave_map(
     axes.set(xlabel=f"wavenumber along {region} (rad/mm)", ylabel="frequency (kHz)",
              xlim=(wavenumber[0], wavenumber[-1]), ylim=(frequency[0], frequency[-1]),
              title=f"{region}, {origin}")  # fmt: skip
-    figure.colorbar(
+    on.figure.colorbar(
         image, ax=axes, label="amplitude / its maximum (dimensionless)", format=style.PowersOfTen()
     )
     if drawn:
-        legend = figure.legend(handles=drawn, loc="outside lower center", ncols=2, title="computed")
+        legend = on.legend(drawn, ncols=2, title="computed")
         legend.get_frame().set(facecolor="#5a5a5a", alpha=1.0, visible=True)
         for text in (legend.get_title(), *legend.get_texts()):
             text.set_color("white")
-    return figure
+    return on.figure
 
 
 @style.drawn
 def measured_decay(
-    decay: xr.Dataset, computed: xr.Dataset | None, gap: tuple[float, float] | None, *, origin: str
+    decay: xr.Dataset,
+    computed: xr.Dataset | None,
+    gap: tuple[float, float] | None,
+    *,
+    origin: str,
+    ax: Axes | None = None,
 ) -> Figure:
     """Decay through a lattice in dB per cell against frequency, beside the computed evanescent waves."""
-    figure = style.blank(8.6)
-    axes = figure.add_subplot()
+    on = stage(ax, 8.6)
+    axes = on.axes
     lines = decay["frequency"].values / 1e3
     confidence = float(decay.attrs["confidence"])
     handles: list[Artist] = [
@@ -207,16 +221,16 @@ def measured_decay(
                                     label="computed gap"))  # fmt: skip
     axes.axhline(0, color=style.INK, lw=0.7, zorder=1)
     axes.set(xlabel="frequency (kHz)", ylabel="decay (dB per cell)", title=origin, xlim=(lines[0], lines[-1]))
-    figure.legend(handles=handles, loc="outside lower center", ncols=2)
-    return figure
+    on.legend(handles, ncols=2)
+    return on.figure
 
 
 @style.drawn
-def point_quality(points: Array, quality: Quality, *, origin: str) -> Figure:
+def point_quality(points: Array, quality: Quality, *, origin: str, ax: Axes | None = None) -> Figure:
     """Median coherence of every point of a scan, and the points with flags."""
     width, height = np.maximum(np.ptp(points, axis=0), 1e-9)
-    figure = style.blank(min(max(9.0 * height / width, 4.0), 16.0) + 3.5, 13.0)
-    axes = figure.add_subplot()
+    on = stage(ax, min(max(9.0 * height / width, 4.0), 16.0) + 3.5, 13.0)
+    axes = on.axes
     known = np.isfinite(quality.coherence)
     x, y = 1e3 * points.T
     # squares that touch, in points of type squared
@@ -227,7 +241,7 @@ def point_quality(points: Array, quality: Quality, *, origin: str) -> Figure:
             x[known], y[known], area, quality.coherence[known], marker="s", linewidths=0,
             cmap=style.perceptual(), vmin=least, vmax=1, rasterized=True,
         )  # fmt: skip
-        figure.colorbar(image, ax=axes, label="median coherence (dimensionless)")
+        on.figure.colorbar(image, ax=axes, label="median coherence (dimensionless)")
     else:
         axes.scatter(x, y, area, marker="s", linewidths=0, color=style.PALE_INK, rasterized=True)
     for flag, (colour, marker) in BAD.items():
@@ -238,5 +252,5 @@ def point_quality(points: Array, quality: Quality, *, origin: str) -> Figure:
                          label=f"{flag} ({here.sum()})", **edge)  # type: ignore[arg-type]  # fmt: skip
     axes.set(aspect="equal", xlabel="x (mm)", ylabel="y (mm)", title=f"quality of the points, {origin}")
     if quality.flagged().any():
-        figure.legend(loc="outside lower center", ncols=4)
-    return figure
+        on.legend(ncols=4)
+    return on.figure

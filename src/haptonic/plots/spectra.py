@@ -13,7 +13,8 @@ from matplotlib.figure import Figure
 
 from haptonic.arrays import AnyComplex, Array
 from haptonic.plots import style
-from haptonic.plots.text import label
+from haptonic.plots.stage import stage
+from haptonic.plots.text import absolute, driven, label
 
 Gap = tuple[float, float] | None
 Looks = Sequence[tuple[str, Any]]
@@ -30,7 +31,12 @@ LOOKS = tuple(
 
 @style.drawn
 def contrast_spectrum(
-    frequency: Array, contrast: Mapping[str, Array], gap: Gap, *, origin: str = ""
+    frequency: Array,
+    contrast: Mapping[str, Array],
+    gap: Gap,
+    *,
+    origin: str = "",
+    ax: Axes | None = None,
 ) -> Figure:
     """By how much one region vibrates more than another one, against frequency.
 
@@ -41,18 +47,26 @@ def contrast_spectrum(
     gap : edges of the band gap, Hz, or None
     origin : of the data, "simulated" or "measured", the title
     """
-    figure = style.blank(_height(len(contrast)))
-    axes = figure.add_subplot()
+    on = stage(ax, _height(len(contrast)))
+    axes = on.axes
     handles = curves(axes, frequency, contrast)
     axes.axhline(0, color=style.INK, lw=0.7, zorder=1, gid="zero")
     axes.set_ylabel("contrast (dB)")
-    finished(figure, axes, frequency, [*handles, *shaded(axes, frequency, gap)], origin)
-    return figure
+    finished(axes, frequency, origin)
+    on.legend([*handles, *shaded(axes, frequency, gap)], ncols=2)
+    return on.figure
 
 
 @style.drawn
 def velocity_spectrum(
-    frequency: Array, velocity: Mapping[str, Array], gap: Gap, *, units: str = "m/s/V", origin: str = ""
+    frequency: Array,
+    velocity: Mapping[str, Array],
+    gap: Gap,
+    *,
+    units: str = "m/s/V",
+    drive: float | None = None,
+    origin: str = "",
+    ax: Axes | None = None,
 ) -> Figure:
     """Root-mean-square velocity of regions against frequency, on a logarithmic scale.
 
@@ -60,17 +74,21 @@ def velocity_spectrum(
     ----------
     frequency : (frequency,) Hz
     velocity : name of each region and its values (frequency,), in ``units``; zeros are not drawn
+    drive : amplitude of what the velocity is divided by, if it is known
     gap : edges of the band gap, Hz, or None
     origin : of the data, "simulated" or "measured", the title
     """
-    figure = style.blank(_height(len(velocity)))
-    axes = figure.add_subplot()
-    positive = {name: np.where(values > 0, values, np.nan) for name, values in velocity.items()}
+    on = stage(ax, _height(len(velocity)))
+    axes = on.axes
+    largest = max((float(values.max()) for values in velocity.values()), default=0.0)
+    unit, factor = absolute(units, largest, drive)
+    positive = {name: np.where(values > 0, factor * values, np.nan) for name, values in velocity.items()}
     handles = curves(axes, frequency, positive)
     style.logarithmic(axes)
-    axes.set_ylabel(f"rms normal velocity of the region\n({units})")
-    finished(figure, axes, frequency, [*handles, *shaded(axes, frequency, gap)], origin)
-    return figure
+    axes.set_ylabel(f"rms normal velocity of the region\n({unit}){driven(units, drive)}")
+    finished(axes, frequency, origin)
+    on.legend([*handles, *shaded(axes, frequency, gap)], ncols=2)
+    return on.figure
 
 
 @style.drawn
@@ -100,7 +118,9 @@ def impedance_spectrum(frequency: Array, impedance: AnyComplex, gap: Gap, *, ori
     phase.set_ylim(*((-100, 100) if passive else (-190, 190)))
     phase.set_yticks([-90, -45, 0, 45, 90] if passive else [-180, -90, 0, 90, 180])
     shades = [shaded(axes, frequency, gap) for axes in (magnitude, phase)]
-    finished(figure, phase, frequency, [*handles, *shades[0]], origin)
+    finished(phase, frequency)
+    magnitude.set_title(origin)
+    figure.legend(handles=[*handles, *shades[0]], loc="outside lower center", ncols=2)
     return figure
 
 
@@ -131,9 +151,8 @@ def shaded(axes: Axes, frequency: Array, gap: Gap, name: str = "band gap") -> li
     return [shade]
 
 
-def finished(figure: Figure, axes: Axes, frequency: Array, handles: list[Artist], origin: str = "") -> None:
-    """Title, the axis of frequencies, and the legend."""
-    figure.axes[0].set_title(origin)
+def finished(axes: Axes, frequency: Array, title: str = "") -> None:
+    """Title and the axis of frequencies."""
+    axes.set_title(title)
     axes.set_xlabel("frequency (kHz)")
     axes.set_xlim(frequency[0] / 1e3, frequency[-1] / 1e3)
-    figure.legend(handles=handles, loc="outside lower center", ncols=2)

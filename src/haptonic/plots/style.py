@@ -15,8 +15,11 @@ import matplotlib as mpl
 from matplotlib.axes import Axes
 from matplotlib.colors import Colormap
 from matplotlib.figure import Figure
-from matplotlib.ticker import LogFormatterSciNotation
+from matplotlib.font_manager import FontProperties
+from matplotlib.text import Text
+from matplotlib.ticker import FuncFormatter, LogFormatterSciNotation
 
+from haptonic.names import latex
 from haptonic.paths import inside, target
 from haptonic.store import refuse_overwrite, write_atomically
 
@@ -82,16 +85,45 @@ def styled() -> Iterator[None]:
 
 
 def drawn(make: Callable[P, Figure]) -> Callable[P, Figure]:
-    """Make a figure in the common style."""
+    """Make a figure in the common style, and arrange its parts; on axes of somebody else, in their style."""
 
     @wraps(make)
     def inside(*args: P.args, **kwargs: P.kwargs) -> Figure:
+        ax = kwargs.get("ax")
+        if isinstance(ax, Axes) and ax.get_figure() is not None:
+            with mpl.rc_context({"text.parse_math": False}), _safe_in_latex(ax):  # see _STYLE
+                return make(*args, **kwargs)
         with styled():
             figure = make(*args, **kwargs)
-            figure.draw_without_rendering()  # ticks and their labels are made late: make them in this style
+            arrange(figure)  # ticks and their labels are made late: make them in this style
             return figure
 
     return inside
+
+
+@contextmanager
+def _safe_in_latex(axes: Axes) -> Iterator[None]:
+    """Where LaTeX sets the type, keep it from reading commands in the texts that the block writes."""
+    before = {id(text): text.get_text() for text in axes.findobj(Text)}
+    yield
+    if not mpl.rcParams["text.usetex"]:
+        return
+    for text in axes.findobj(Text):
+        assert isinstance(text, Text)
+        if text.get_text() != before.get(id(text), ""):
+            text.set_text(latex(text.get_text()))
+    for axis in (axes.xaxis, axes.yaxis):
+        own = axis.get_major_formatter()
+        if isinstance(own, FuncFormatter | PowersOfTen):  # names of places, or our powers of ten
+            axis.set_major_formatter(FuncFormatter(lambda x, pos, own=own: latex(own(x, pos))))
+
+
+def arrange(figure: Figure) -> None:
+    """Give the parts of a figure their places; they keep them in whatever it is written as."""
+    engine = figure.get_layout_engine()
+    if engine is not None:
+        engine.execute(figure)
+    figure.stale = False
 
 
 class Drawing(Figure):
@@ -162,8 +194,16 @@ def rendered(figure: Figure, kind: str) -> bytes:
     """The figure as the bytes of a file of this kind, ``svg`` or ``png``."""
     stream = io.BytesIO()
     with styled():
-        metadata = {"Date": None} if kind == "svg" else None
-        figure.savefig(stream, format=kind, dpi=DOTS_PER_INCH, metadata=metadata)
+        if figure.stale:
+            arrange(figure)
+        engine = figure.get_layout_engine()
+        figure.set_layout_engine(None)  # with one, every file is arranged anew, twice
+        try:
+            metadata = {"Date": None} if kind == "svg" else None
+            figure.savefig(stream, format=kind, dpi=DOTS_PER_INCH, metadata=metadata)
+        finally:
+            figure.set_layout_engine(engine)
+            figure.stale = False  # another resolution moved nothing
     return stream.getvalue()
 
 
@@ -199,10 +239,10 @@ def _half(members: Sequence[int], apart: float) -> float:
 def label_right(axes: Axes, labels: Sequence[tuple[float, str, str]], lines: int = 1) -> None:
     """Write (height in data units, text, colour) to the right of the axes, moved apart where needed."""
     low, high = axes.get_ylim()
-    figure = axes.get_figure()
-    assert isinstance(figure, Figure)
-    tall = axes.get_position().height * figure.get_figheight() * 72  # points
-    apart = 1.35 * lines * float(mpl.rcParams["legend.fontsize"]) / tall * (high - low)
+    figure = axes.get_figure(root=True)
+    assert figure is not None
+    size = FontProperties(size=mpl.rcParams["legend.fontsize"]).get_size_in_points()
+    apart = 1.35 * lines * size / (72 * axes.bbox.height / figure.dpi) * (high - low)
     margin = 0.5 * apart
     heights = [height for height, _, _ in labels]
     for (height, text, colour), place in zip(
@@ -217,7 +257,7 @@ def label_right(axes: Axes, labels: Sequence[tuple[float, str, str]], lines: int
             va="center",
             ha="left",
             color=colour,
-            fontsize=mpl.rcParams["legend.fontsize"],
+            fontsize=size,
             arrowprops={"arrowstyle": "-", "color": colour, "lw": 0.7, "shrinkA": 1, "shrinkB": 0},
             annotation_clip=False,
         )

@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 from haptonic.arrays import Array
 from haptonic.later import xarray as xr
 from haptonic.plots import style
+from haptonic.plots.stage import stage
 from haptonic.plots.text import readable, scaled_unit
 
 BAR = 0.8  # width of a bar, as a share of the step
@@ -25,7 +26,7 @@ CURVES = {
 
 
 @style.drawn
-def sweep(dataset: xr.Dataset) -> Figure:
+def sweep(dataset: xr.Dataset, *, ax: Axes | None = None) -> Figure:
     """Complete gaps as bars, one column for each design.
 
     A gap that is not wider than the errors of its edges is drawn pale and hatched. Above the highest band
@@ -37,8 +38,8 @@ def sweep(dataset: xr.Dataset) -> Figure:
         where there is none), ``searched_up_to`` (step), ``euler_bernoulli`` and ``timoshenko`` (step,
         resonance); attributes ``expression`` and, if known, ``own_value`` and ``carrier_hz``
     """
-    figure = style.blank(10.5)
-    axes = figure.add_subplot()
+    on = stage(ax, 10.5)
+    axes = on.axes
     unit, factor = scaled_unit(dataset["value"].attrs["units"])
     value = dataset["value"].values * factor
     half = 0.5 * float(np.abs(np.diff(value)).min())
@@ -65,9 +66,9 @@ def sweep(dataset: xr.Dataset) -> Figure:
         names.append((carrier / 1e3, f"carrier {carrier / 1e3:g} kHz", style.CARRIER))
     axes.set_xlabel(f"{readable(dataset.attrs['expression'])} ({unit})", parse_math=False)
     axes.set_ylabel("frequency (kHz)")
-    figure.legend(handles=handles, loc="outside lower center", ncols=2, handlelength=2.6)
+    on.legend(handles, ncols=2, handlelength=2.6)
     style.label_right(axes, [name for name in names if name[0] <= axes.get_ylim()[1]])
-    return figure
+    return on.figure
 
 
 def _draw_gaps(axes: Axes, dataset: xr.Dataset, value: Array, width: float) -> list[Artist]:

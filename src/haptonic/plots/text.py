@@ -7,6 +7,7 @@ import re
 
 from haptonic.names import visible
 
+_PREFIXED = {0: "", 3: "m", 6: "µ", 9: "n", 12: "p"}  # by the power of ten that they take away
 _SCALED = {"m": ("mm", 1e3), "Hz": ("kHz", 1e-3), "Pa": ("GPa", 1e-9)}
 _PROPERLY = {
     "material.youngs_modulus": "Young's modulus",
@@ -53,6 +54,26 @@ def scaled_unit(unit: str) -> tuple[str, float]:
     if unit in ("", "1"):
         return "dimensionless", 1.0
     return _SCALED.get(unit, (unit, 1.0))
+
+
+def absolute(units: str, largest: float, drive: float | None) -> tuple[str, float]:
+    """The unit in which a vibration is drawn, and what to multiply SI values by.
+
+    Parameters
+    ----------
+    units : of a response, such as "m/s/V"; largest : its largest value in these
+    drive : amplitude of what it is divided by, if it is known: then the vibration itself is drawn
+    """
+    moving = "m/s" if units.startswith("m/s") else "m"
+    factor = 1.0 if drive is None else drive
+    power = next((power for power in _PREFIXED if largest * factor * 10.0**power >= 1), max(_PREFIXED))
+    beyond = units.removeprefix(moving) if drive is None else ""
+    return f"{_PREFIXED[power]}{moving}{beyond}", factor * 10.0**power
+
+
+def driven(units: str, drive: float | None) -> str:
+    """Of a response with these units, the amplitude of its drive in words; empty where it is not known."""
+    return "" if drive is None else f" at {drive:g} {units.rpartition('/')[2]}"
 
 
 def in_pi(phase: float) -> str:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 import numpy as np
+from matplotlib.axes import Axes
 from matplotlib.collections import LineCollection
 from matplotlib.colors import Normalize
 from matplotlib.figure import Figure
@@ -16,6 +17,7 @@ from haptonic.plate.layout import Layout
 from haptonic.plots import style
 from haptonic.plots.plates import region_borders
 from haptonic.plots.spectra import curves, finished
+from haptonic.plots.stage import stage
 from haptonic.updating.agreement import Agreement
 
 MOST_NUMBERS = 16  # shapes along either side, beyond which the numbers of a matrix are not written
@@ -50,19 +52,20 @@ def before_after(
         curves(axes, frequency, levels, LOOKS)
         axes.axhline(0, color=style.PALE_INK, lw=0.6, zorder=1)
         axes.set_ylabel(f"{pair}\n(dB)")
-    finished(figure, panels[-1], frequency, handles)
+    finished(panels[-1], frequency)
+    figure.legend(handles=handles, loc="outside lower center", ncols=2)
     return figure
 
 
 @style.drawn
-def mac_matrix(of: Agreement, *, measured: str, computed: str) -> Figure:
+def mac_matrix(of: Agreement, *, measured: str, computed: str, ax: Axes | None = None) -> Figure:
     """Criterion (MAC) of every measured shape with every computed one; pairs have a frame.
 
     measured, computed : what the axes are called
     """
     rows, columns = of.mac.shape
-    figure = style.blank(min(3.6 + 0.62 * rows, 16.0) + 1.6, min(max(5.6 + 0.75 * columns, 9.0), 19.0))
-    axes = figure.add_subplot()
+    on = stage(ax, min(3.6 + 0.62 * rows, 16.0) + 1.6, min(max(5.6 + 0.75 * columns, 9.0), 19.0))
+    axes = on.axes
     image = axes.imshow(of.mac, cmap=style.perceptual(), norm=Normalize(0, 1), aspect="auto", gid="mac")
     if max(rows, columns) <= MOST_NUMBERS:
         for i in range(rows):
@@ -83,8 +86,8 @@ def mac_matrix(of: Agreement, *, measured: str, computed: str) -> Figure:
     axes.set_xlabel(f"{computed} (kHz)")
     axes.set_ylabel(f"{measured} (kHz)")
     axes.set_title(f"MAC of {of.measured.how}; pairs framed")
-    figure.colorbar(image, ax=axes, label="MAC (dimensionless)")
-    return figure
+    on.figure.colorbar(image, ax=axes, label="MAC (dimensionless)")
+    return on.figure
 
 
 @style.drawn

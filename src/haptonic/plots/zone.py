@@ -16,6 +16,7 @@ from haptonic.later import xarray as xr
 from haptonic.lattice import Lattice, PointGroup
 from haptonic.plots import style
 from haptonic.plots.bands import complete_gaps
+from haptonic.plots.stage import stage
 from haptonic.plots.text import khz
 
 LEVELS = 9
@@ -74,14 +75,14 @@ def _contours(figure: Figure, axes: Axes, surface: ZoneSurface, band: int) -> No
 
 
 @style.drawn
-def density_of_states(dataset: xr.Dataset) -> Figure:
+def density_of_states(dataset: xr.Dataset, *, ax: Axes | None = None) -> Figure:
     """States per cell and kHz against frequency; complete gaps shaded.
 
     Above the lowest frequency of the highest band, states of bands that were not computed are missing: that
     range is grey.
     """
-    figure = style.blank(7.5)
-    axes = figure.add_subplot()
+    on = stage(ax, 7.5)
+    axes = on.axes
     middle = dataset["density_frequency"].values / 1e3
     density = dataset["density_of_states"].values * 1e3
     edges = np.linspace(0, middle[0] + middle[-1], len(middle) + 1)
@@ -101,8 +102,8 @@ def density_of_states(dataset: xr.Dataset) -> Figure:
     axes.stairs(density, edges, color=style.BLUE, lw=0.9, zorder=3, gid="density")
     axes.set_xlabel("frequency (kHz)")
     axes.set_ylabel("density of states\n(states per cell and kHz)")
-    figure.legend(loc="outside lower center", ncols=1)
-    return figure
+    on.legend(ncols=1)
+    return on.figure
 
 
 def _telling_bands(dataset: xr.Dataset) -> tuple[int, ...]:

@@ -1,5 +1,6 @@
 from .chapter import Absent as Absent
 from .chapter import Chapter as Chapter
+from .chapter import Finding as Finding
 from .chapter import Picture as Picture
 from .chapter import Results as Results
 from .chapter import Table as Table

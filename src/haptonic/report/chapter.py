@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from datetime import datetime
-from typing import TypeVar
+from typing import Self, TypeVar
 
 from haptonic.friction.statistics import Alarms
 from haptonic.later import xarray as xr
@@ -68,9 +68,21 @@ class Results:
         """
         figures = result.figures
         return tuple(
-            Picture(figures[name], figures.captions[name] + self.where(name), words[name])
+            Picture(figures[name], figures.captions[name] + self.where(name), words[name], name)
             for name in figures if name in words
         )  # fmt: skip
+
+
+class Finding(str):
+    """A sentence, and the name of the picture of its chapter that shows it."""
+
+    picture: str
+
+    def __new__(cls, text: str, picture: str) -> Self:
+        """Make one."""
+        made = super().__new__(cls, text)
+        made.picture = picture
+        return made
 
 
 @dataclass(frozen=True, eq=False)
@@ -84,6 +96,11 @@ class Chapter:
     pictures: tuple[Picture, ...] = ()
     tables: tuple[Table, ...] = ()
 
+    def shown(self, finding: str) -> Picture | None:
+        """The picture that shows a finding, if one does."""
+        name = finding.picture if isinstance(finding, Finding) else ""
+        return next((one for one in self.pictures if name and one.name == name), None)
+
 
 @dataclass(frozen=True)
 class Absent:
@@ -93,4 +110,4 @@ class Absent:
     reason: str
 
 
-__all__ = ["Absent", "Chapter", "Picture", "Results", "Table"]
+__all__ = ["Absent", "Chapter", "Finding", "Picture", "Results", "Table"]

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 import json
 import platform
 from dataclasses import replace
@@ -48,7 +49,7 @@ def page(results: Results) -> str:
         TEMPLATE,
         study=results.study,
         facts=_key_numbers(results),
-        chapters=chapters,
+        chapters=_numbered(chapters),
         absent=[one for one in made if isinstance(one, Absent)],
         appendix=_appendix(results),
         version=version("haptonic"),
@@ -59,6 +60,15 @@ def _with_remarks(chapter: Chapter, results: Results) -> Chapter:
     """With what the references say to it."""
     said = results.references.remarks(chapter.identifier) if results.references else []
     return replace(chapter, findings=(*chapter.findings, *said))
+
+
+def _numbered(chapters: list[Chapter]) -> list[Chapter]:
+    """With the pictures counted through the page."""
+    count = itertools.count(1)
+    return [
+        replace(one, pictures=tuple(replace(picture, number=next(count)) for picture in one.pictures))
+        for one in chapters
+    ]
 
 
 def _key_numbers(results: Results) -> list[tuple[str, str]]:

@@ -24,6 +24,7 @@ from haptonic.results.table import Column, Table, Uncertain
 from haptonic.store import Store
 
 if TYPE_CHECKING:
+    from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
 
@@ -89,9 +90,9 @@ class Bands(Result):
         "Simulated dispersion along the edge of the irreducible zone. Colour, dashes and markers tell what "
         "moves; a curve changes its colour where the mode changes its nature. Complete gaps are shaded.",
     )
-    def _dispersion(self) -> Figure:
+    def _dispersion(self, *, ax: Axes | None = None) -> Figure:
         """Dispersion diagram with the complete gaps and the carrier."""
-        return plots.dispersion(self.dataset, carrier_hz=self.dataset.attrs.get("carrier_hz"))
+        return plots.dispersion(self.dataset, self.dataset.attrs.get("carrier_hz"), ax=ax)
 
     @figure(
         "modes",
@@ -115,8 +116,8 @@ class Bands(Result):
         "Simulated density of states of the infinite lattice, from the bands over the whole zone.",
         when=_over_the_zone,
     )
-    def _density_of_states(self) -> Figure:
-        return plots.density_of_states(self.dataset)
+    def _density_of_states(self, *, ax: Axes | None = None) -> Figure:
+        return plots.density_of_states(self.dataset, ax=ax)
 
     @file("gaps.csv")
     def _write_gaps(self, path: Path) -> None:

@@ -25,6 +25,7 @@ from haptonic.results.result import Result, figure, file
 from haptonic.results.table import Table
 
 if TYPE_CHECKING:
+    from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
 PARTS = ("mean", "sd")
@@ -83,19 +84,19 @@ class FrictionResult(Result):
         path.write_text(quality(self), encoding="utf-8")
 
     @figure("conditions", "{Origin} friction of the conditions, mean and one standard deviation over trials.")
-    def _conditions(self) -> Figure:
+    def _conditions(self, *, ax: Axes | None = None) -> Figure:
         found = self.found
         return plots.conditions(
             found.conditions, found.reductions, found.stopped, driven=found.driven,
-            published=self.published or None, origin=self.origin,
+            published=self.published or None, origin=self.origin, ax=ax,
         )  # fmt: skip
 
     @figure(
         "reductions",
         "{Origin} reductions with 95 % intervals: of people in general, and of each participant.",
     )
-    def _reductions(self) -> Figure:
-        return plots.reductions(self.found.reductions, self.found.own, origin=self.origin)
+    def _reductions(self, *, ax: Axes | None = None) -> Figure:
+        return plots.reductions(self.found.reductions, self.found.own, origin=self.origin, ax=ax)
 
     def summary(self) -> list[str]:
         return reported(self)

@@ -30,6 +30,7 @@ from haptonic.results.runner import Runner
 from haptonic.results.table import Column, Table
 
 if TYPE_CHECKING:
+    from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
 INSET = 1e-3  # of the gap's width, kept away from its edges
@@ -110,9 +111,9 @@ class Guides(Result):
         return [Table.of(title, self.dataset, "waveguide", COLUMNS, [self.strips.index(self.best)])]
 
     @figure("waveguide", "Simulated mode across the waveguide.")
-    def _across(self) -> Figure:
-        best = self.best
-        return plots.guide(best.mode.position, best.mode.amplitude, best.mode.width, best.fixed_line)
+    def _across(self, *, ax: Axes | None = None) -> Figure:
+        best, mode = self.best, self.best.mode
+        return plots.guide(mode.position, mode.amplitude, mode.width, best.fixed_line, ax=ax)
 
     def facts(self) -> dict[str, Any]:
         found = split(self.dataset, "waveguide")

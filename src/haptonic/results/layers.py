@@ -43,6 +43,7 @@ from haptonic.results.table import Column, Table
 from haptonic.units import format_quantity
 
 if TYPE_CHECKING:
+    from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
 
@@ -112,8 +113,8 @@ class Layers(Result):
         return float(self.dataset.attrs["carrier_hz"])
 
     @figure("layers", "Simulated energy that rows of cells let through between two plain plates.")
-    def _layers(self) -> Figure:
-        return plots.layers(self.dataset)
+    def _layers(self, *, incident: str | None = None, ax: Axes | None = None) -> Figure:
+        return plots.layers(self.dataset, incident=incident, ax=ax)
 
     @figure(
         "decay",

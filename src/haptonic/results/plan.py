@@ -19,6 +19,7 @@ from haptonic.results.table import Cell, Column, Table
 from haptonic.units import format_quantity
 
 if TYPE_CHECKING:
+    from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
 
@@ -130,9 +131,9 @@ class StudyPlan(Result):
     @figure(
         "plan", "The plate seen from the face with the pillars, as the study describes it.", when=_has_plate
     )
-    def _plan(self) -> Figure:
+    def _plan(self, *, ax: Axes | None = None) -> Figure:
         assert self.plate is not None
-        return plots.plate_plan(self.plate)
+        return plots.plate_plan(self.plate, ax=ax)
 
 
 def _counted(number: int, what: str) -> str:

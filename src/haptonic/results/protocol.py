@@ -23,6 +23,7 @@ from haptonic.results.table import Table
 from haptonic.units import In
 
 if TYPE_CHECKING:
+    from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
 
@@ -154,8 +155,8 @@ class TrialPlan(Result):
         return [Table(title, ("participant", *numbers), rows)]
 
     @figure("power", "Power against participants.")
-    def _power(self) -> Figure:
-        return plots.power(self.dataset, self.participants)
+    def _power(self, *, ax: Axes | None = None) -> Figure:
+        return plots.power(self.dataset, self.participants, ax=ax)
 
     @file(NAME)
     def _write_list(self, path: Path) -> None:

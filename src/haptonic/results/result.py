@@ -13,10 +13,12 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from fnmatch import fnmatchcase
 from functools import partial
+from inspect import signature
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, ClassVar
+from typing import TYPE_CHECKING, Any, ClassVar, overload
 
 from haptonic import plots
+from haptonic.errors import HaptonicError
 from haptonic.pages import embedded
 from haptonic.paths import target
 from haptonic.progress import Progress, silent
@@ -28,6 +30,7 @@ from haptonic.store import whole_set
 if TYPE_CHECKING:
     import pandas as pd
     import xarray as xr
+    from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
 KINDS = ("svg", "png")  # of files of a picture
@@ -85,7 +88,7 @@ class _Marked:
 class Figures(Mapping[str, "Figure"]):
     """Pictures by name; each is drawn when it is asked for."""
 
-    def __init__(self, drawers: Mapping[str, Callable[[], Figure]], captions: Mapping[str, str]) -> None:
+    def __init__(self, drawers: Mapping[str, Callable[..., Figure]], captions: Mapping[str, str]) -> None:
         self._drawers, self.captions = dict(drawers), dict(captions)
 
     def __getitem__(self, name: str) -> Figure:
@@ -99,6 +102,34 @@ class Figures(Mapping[str, "Figure"]):
 
     def __repr__(self) -> str:
         return f"<pictures: {', '.join(self)}>"
+
+    def drawn(self, name: str | None, how: Mapping[str, Any]) -> Figure:
+        """A picture, the first by default, with what may be chosen of it.
+
+        Raises
+        ------
+        HaptonicError : there is none, none of this name, or this one knows no such choice
+        """
+        asked = next(iter(self._drawers), "any") if name is None else name
+        if asked not in self._drawers:
+            cause = "the name is misspelt, or this result has nothing to draw there"
+            raise HaptonicError.unknown("name of the picture", asked, self._drawers, cause)
+        draw = self._drawers[asked]
+        known = signature(draw).parameters
+        for choice in how:
+            if choice not in known:
+                alone = "it has several systems of axes" if choice == "ax" else "it knows no such choice"
+                others = [
+                    one for one, draws in self._drawers.items() if choice in signature(draws).parameters
+                ]
+                raise HaptonicError.unsupported(
+                    argument=choice,
+                    given=f"{choice} for the picture {asked}",
+                    allowed=f"{choice} for {', '.join(others)}" if others else f"no {choice} for this result",
+                    cause=alone,
+                    next_step=f'plot("{others[0]}", {choice}=...)' if others else f"leave {choice} out",
+                )
+        return draw(**how)
 
 
 class Result:
@@ -164,9 +195,29 @@ class Result:
             found |= part.of(self)
         return found
 
-    def plot(self, name: str | None = None) -> Figure:
-        """One picture; the first of them by default."""
-        return self.figures[next(iter(self.figures)) if name is None else name]
+    @overload
+    def plot(self, name: str | None = None, *, ax: Axes, **how: Any) -> Axes: ...
+
+    @overload
+    def plot(self, name: str | None = None, *, ax: None = None, **how: Any) -> Figure: ...
+
+    def plot(self, name: str | None = None, *, ax: Axes | None = None, **how: Any) -> Figure | Axes:
+        """One picture; the first of them by default.
+
+        Parameters
+        ----------
+        ax : of a figure of one's own, to draw on; size, type and colours of what is not data are then that
+            figure's, and the axes are given back. For pictures with one system of axes.
+        how : what may be chosen of a picture, such as ``frequency`` (Hz) of a map
+
+        Raises
+        ------
+        HaptonicError : no such picture or choice, or axes that cannot be drawn on
+        """
+        if ax is None:
+            return self.figures.drawn(name, how)
+        self.figures.drawn(name, {"ax": plots.checked(ax), **how})
+        return ax
 
     def to_dataframe(self) -> pd.DataFrame:
         """The first table as raw values in SI units."""
@@ -212,7 +263,7 @@ class Result:
 
     def _repr_html_(self) -> str:
         said = "".join(f"<p>{html.escape(sentence)}</p>" for sentence in self.summary())
-        return said + "".join(table.to_html() for table in self.tables()) + self._thumbnail()
+        return said + "".join(table.written("html") for table in self.tables()) + self._thumbnail()
 
     def _thumbnail(self) -> str:
         """The first picture, small."""

@@ -29,6 +29,7 @@ from haptonic.results.table import Column, Table
 from haptonic.units import format_quantity
 
 if TYPE_CHECKING:
+    from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
 Range = tuple[float, float]
@@ -144,16 +145,16 @@ class RibbonWaves(Result):
         "across; dashes are modes of the ribbon, their slope the group velocity, their colour the share of "
         "energy in the guide or at the edge.",
     )
-    def _projected(self) -> Figure:
-        return plots.projected(self.dataset)
+    def _projected(self, *, ax: Axes | None = None) -> Figure:
+        return plots.projected(self.dataset, ax=ax)
 
     @figure(
         "field",
         "Simulated field of one mode that is held, on the flat face, at the moment when it is largest.",
         when=lambda result: "field_real" in result.dataset,
     )
-    def _field(self) -> Figure:
-        return plots.ribbon_field(self.dataset)
+    def _field(self, *, ax: Axes | None = None) -> Figure:
+        return plots.ribbon_field(self.dataset, ax=ax)
 
     def facts(self) -> dict[str, Any]:
         found = self.guided

@@ -18,6 +18,7 @@ from haptonic.results.table import Cell, Column, Table
 from haptonic.units import format_quantity
 
 if TYPE_CHECKING:
+    from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
 
@@ -28,9 +29,9 @@ class Sweep:
     dataset: xr.Dataset
     failed: dict[int, dict[str, str]]
 
-    def plot(self) -> Figure:
+    def drawn(self, *, ax: Axes | None = None) -> Figure:
         """Gaps against the swept value, with the pillar's own resonances."""
-        return plots.sweep(self.dataset)
+        return plots.sweep(self.dataset, ax=ax)
 
     def gaps_at(self, step: int) -> list[dict[str, Any]]:
         """The gaps of one design as plain values."""
@@ -124,7 +125,7 @@ class Sweeps(Result):
 
     @figure("sweep_*")
     def _drawn(self) -> dict[str, Callable[[], Figure]]:
-        return {f"sweep_{k}": one.plot for k, one in enumerate(self.rows, start=1)}
+        return {f"sweep_{k}": one.drawn for k, one in enumerate(self.rows, start=1)}
 
     @file("sweep_*.nc")
     def _written(self) -> dict[str, Writer]:

@@ -2,17 +2,17 @@
 
 from __future__ import annotations
 
-import csv
 import html
 import math
-from collections.abc import Iterator, Sequence
+import re
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from functools import cache
-from io import StringIO
 
+from haptonic import names
+from haptonic.errors import HaptonicError
 from haptonic.later import pandas as pd
 from haptonic.later import xarray as xr
-from haptonic.names import cell as safe
 from haptonic.units import to_si
 
 NOTHING = "-"  # stands for what is not there
@@ -194,29 +194,94 @@ class Table:
                     record[name] = cell
         return record
 
-    def to_csv(self) -> str:
-        """Raw values in SI units, comma-separated; texts that a spreadsheet would compute are made safe."""
-        records = [self._record(row) for row in self.rows]
-        names = list(dict.fromkeys(name for record in records for name in record))
-        stream = StringIO()
-        writer = csv.writer(stream, lineterminator="\n")
-        writer.writerow([safe(name) for name in names])
-        writer.writerows([[safe(record.get(name, "")) for name in names] for record in records])
-        return stream.getvalue()
+    def written(self, form: str) -> str:
+        """The table as text of a form, see `FORMS`; CSV has raw values in SI units, others what people read.
 
-    def to_markdown(self) -> str:
-        """For a page of docs or a thread."""
-        rows = [self.head, tuple("---" for _ in self.columns), *self.texts]
-        lines = ["| " + " | ".join(text.replace("|", "\\|") for text in row) + " |" for row in rows]
-        return "\n".join([f"**{self.title}**", "", *lines])
-
-    def to_html(self) -> str:
-        """For a notebook."""
-        head = "".join(f"<th>{html.escape(name)}</th>" for name in self.head)
-        body = "".join(
-            "<tr>" + "".join(f"<td>{html.escape(text)}</td>" for text in row) + "</tr>" for row in self.texts
+        Raises
+        ------
+        HaptonicError : there is no such form
+        """
+        check_form(form)
+        one = FORMS[form]
+        if one.raw:
+            records = [self._record(row) for row in self.rows]
+            head = tuple(dict.fromkeys(name for record in records for name in record))
+            rows = [tuple(record.get(name) for name in head) for record in records]
+        else:
+            head, rows = self.head, list[tuple[object, ...]](self.texts)
+        numeric = [bool(self.rows) and not isinstance(cell, str) for cell in (self.rows or (head,))[0]]
+        return one.frame.format(
+            title=one.safe(self.title),
+            columns="".join("r" if number else "l" for number in numeric),
+            head=one.head.line(map(one.safe, head)),
+            rule=one.row.line("---" for _ in head),
+            body="".join(one.row.line(map(one.safe, row)) for row in rows),
         )
-        return f"<table><caption>{html.escape(self.title)}</caption><tr>{head}</tr>{body}</table>"
+
+
+@dataclass(frozen=True)
+class Line:
+    """What stands before, between and behind the cells of a row."""
+
+    before: str
+    between: str
+    behind: str
+
+    def line(self, cells: Iterable[str]) -> str:
+        """A row of texts that are safe."""
+        return f"{self.before}{self.between.join(cells)}{self.behind}"
+
+
+@dataclass(frozen=True)
+class Form:
+    """How tables are written.
+
+    safe : what becomes of a value so that it says nothing but itself
+    head, row : how cells are joined
+    frame : all of it: ``title``, ``columns`` ("l" for words, "r" for numbers), ``head``, ``rule``, ``body``
+    raw : whether cells are raw values, not what people read
+    """
+
+    safe: Callable[[object], str]
+    head: Line
+    row: Line
+    frame: str
+    raw: bool = False
+
+
+def _in_csv(value: object) -> str:
+    text = "" if value is None else str(names.cell(value))
+    return f'"{text.replace(chr(34), 2 * chr(34))}"' if set(text) & set(',"\r\n') else text
+
+
+BARS = Line("| ", " | ", " |\n")
+AMPERSANDS = Line("", " & ", " \\\\\n")
+COMMAS = Line("", ",", "\n")
+FORMS = {
+    "csv": Form(_in_csv, COMMAS, COMMAS, "{head}{body}", raw=True),
+    "html": Form(
+        lambda text: html.escape(str(text)),
+        Line("<tr><th>", "</th><th>", "</th></tr>"),
+        Line("<tr><td>", "</td><td>", "</td></tr>"),
+        "<table><caption>{title}</caption>{head}{body}</table>",
+    ),
+    "latex": Form(
+        lambda text: names.latex(str(text)),
+        AMPERSANDS,
+        AMPERSANDS,
+        "\\begin{{table}}\n\\caption{{{title}}}\n\\begin{{tabular}}{{{columns}}}\n\\hline\n{head}\\hline\n{body}"
+        "\\hline\n\\end{{tabular}}\n\\end{{table}}\n",
+    ),
+    "markdown": Form(
+        lambda text: re.sub(r"([\\|])", r"\\\1", str(text)), BARS, BARS, "**{title}**\n\n{head}{rule}{body}"
+    ),
+}
+
+
+def check_form(form: object) -> None:
+    """Raise HaptonicError if tables are not written in a form."""
+    if form not in FORMS:
+        raise HaptonicError.unknown("form of a table", form, FORMS, "tables are not written in this form")
 
 
 @cache

@@ -27,6 +27,7 @@ from haptonic.updating.fit import Fit
 from haptonic.vibrometry.maps.gap import MeasuredGap
 
 if TYPE_CHECKING:
+    from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
 MOST_ROWS = 40  # pairs that a table shows
@@ -127,9 +128,9 @@ class Verdict(Result):
         return plots.frac_maps(self.measured.points, frac, layout, measured=self.labels[MEASURED])
 
     @figure("mac", "Agreement of shapes.", when=_has_mac)
-    def _mac(self) -> Figure:
+    def _mac(self, *, ax: Axes | None = None) -> Figure:
         last, labels = self.agreements[self.last], self.labels
-        return plots.mac_matrix(last, measured=labels[MEASURED], computed=labels[self.last])
+        return plots.mac_matrix(last, measured=labels[MEASURED], computed=labels[self.last], ax=ax)
 
     @file("verdict.json")
     def _write_json(self, path: Path) -> None:

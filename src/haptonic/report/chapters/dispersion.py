@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 import json
+from functools import partial
 
 from haptonic.bloch import Gap, gaps_of
 from haptonic.later import xarray as xr
 from haptonic.plots.text import khz
-from haptonic.report.chapter import Absent, Chapter, Results
+from haptonic.report.chapter import Absent, Chapter, Finding, Results
 
 
 def chapter(results: Results) -> Chapter | Absent:
@@ -17,6 +18,8 @@ def chapter(results: Results) -> Chapter | Absent:
     told = "; ".join(f"complete gap {gap_text(gap)}" for gap in complete) or "no complete gap"
     second = "the band below the widest complete gap" if complete else "the second band"
     empty = f"; it is zero in the complete gap from {gap_text(complete[0])}" if complete else ""
+    *gaps, counted, _ = bands.summary()
+    drawn = partial(Finding, picture="dispersion")
     words = {
         "dispersion": f"Band diagram: {results.bands.sizes['band']} bands along "
         f"{'-'.join(along(results.bands))}; {told}.",
@@ -33,7 +36,7 @@ def chapter(results: Results) -> Chapter | Absent:
             "A bound after ± holds the error of the mesh, of the reduced model and of the sampling. Samples "
             "are the wavevectors that a gap rests on.",
         ),
-        findings=(*bands.summary()[:-1], *_about_carrier(complete, carrier)),
+        findings=(*map(drawn, gaps), counted, *map(drawn, _about_carrier(complete, carrier))),
         pictures=results.pictures(bands, words),
         tables=tuple(bands.tables()),
     )

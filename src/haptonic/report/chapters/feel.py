@@ -6,7 +6,7 @@ import math
 
 from haptonic.friction.lubrication import CUE_THRESHOLD, WEBER_FRACTION, explained
 from haptonic.friction.phrases import change
-from haptonic.report.chapter import Absent, Chapter, Results, Table
+from haptonic.report.chapter import Absent, Chapter, Finding, Results, Table
 from haptonic.results.feel.value import Feel
 
 TITLE = "What a finger feels"
@@ -42,9 +42,12 @@ def chapter(results: Results) -> Chapter | Absent:
 
 
 def _findings(result: Feel) -> list[str]:
-    said = [
-        f"{name}{' (driven)' if name == result.driven else ''}: {change(felt.value, felt.low, felt.high)}; "
-        f"{_noticed(result, name)}."
+    said: list[str] = [
+        Finding(
+            f"{name}{' (driven)' if name == result.driven else ''}: "
+            f"{change(felt.value, felt.low, felt.high)}; {_noticed(result, name)}.",
+            "reduction",
+        )
         for name, felt in result.reductions().items()
     ]
     mode = result.loaded.attrs["mode_hz"]

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from haptonic.report.chapter import Absent, Chapter, Results
+from haptonic.report.chapter import Absent, Chapter, Finding, Results
 from haptonic.results.guides import Guides
 from haptonic.results.layers import Layers
 
@@ -45,29 +45,31 @@ def chapter(results: Results) -> Chapter | Absent:
 
 
 def _findings(layers: Layers, guides: Guides | None) -> list[str]:
-    carrier, rows, said = layers.carrier, ROWS, []
+    carrier, rows = layers.carrier, ROWS
+    said: list[str] = []
     if "A0" in layers.families:
         seen = layers.at_carrier.sel(incident="A0", rows=rows)
         total, same = float(seen["insulation"]), float(seen["same_wave"])
         verdict = "almost" if total >= ALMOST_TOTAL else "not"
-        said.append(
+        told = (
             f"At the carrier, {carrier / 1e3:g} kHz, three rows let {10 ** (-total / 10):.1%} of the energy "
             f"of a flexural wave (A0) at this angle through, {total:.1f} dB: {verdict} total reflection. "
             f"What passes as the same kind of wave is {same:.1f} dB below the incident one; the rest of what "
             "passes was turned into other waves."
         )
+        said.append(Finding(told, "layers"))
         frequency, insulation = _best_in_gap(layers, rows)
         if frequency:
-            said.append(
-                f"Within the gap three rows stop most at {frequency / 1e3:.1f} kHz: {insulation:.0f} dB."
-            )
+            told = f"Within the gap three rows stop most at {frequency / 1e3:.1f} kHz: {insulation:.0f} dB."
+            said.append(Finding(told, "layers"))
     if guides is not None:
         best, three = guides.best, rows * guides.best.decay
         along = np.degrees(np.arcsin(min(1.0, best.mode.wavenumber / _free_wavenumber(guides))))
-        said.append(
+        told = (
             f"The waves of the waveguide's mode meet the rows at {along:.0f}° from the normal. For them the "
             f"lattice fades by {best.decay:.1f} dB per row, about {three:.0f} dB in three."
         )
+        said.append(Finding(told, "decay"))
     return said
 
 

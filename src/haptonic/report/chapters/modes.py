@@ -2,6 +2,10 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+from functools import partial
+
+from haptonic import plots
 from haptonic.plots.modes import SHOWN
 from haptonic.plots.text import khz
 from haptonic.report.chapter import Absent, Chapter, Results, Table
@@ -24,6 +28,8 @@ def chapter(results: Results) -> Chapter | Absent:
         f"In {' and '.join(twisted)} the pillar turns about its axis. A displacement that is drawn larger "
         "than it is moves every point along the tangent, so the pillar looks wider than it becomes.",
     )
+    listed = ", ".join(f"{number} {name} at {frequency} kHz" for number, frequency, name in rows)
+    words = f"Deformed unit cells, one for each mode: {listed}."
     return Chapter(
         title="Mode shapes",
         identifier="modes",
@@ -33,13 +39,9 @@ def chapter(results: Results) -> Chapter | Absent:
             "than half, else of the plate.",
             *(note if twisted else ()),
         ),
-        pictures=results.pictures(
-            results.parts["bands"],
-            {
-                "modes": "Deformed unit cells, one for each mode: "
-                + ", ".join(f"{number} {name} at {frequency} kHz" for number, frequency, name in rows)
-                + "."
-            },
+        pictures=tuple(
+            replace(picture, moving=partial(plots.moving_modes, data))
+            for picture in results.pictures(results.parts["bands"], {"modes": words})
         ),
         tables=(Table(f"Modes at the {where}.", ("Mode", "Frequency (kHz)", "Name"), rows),),
     )

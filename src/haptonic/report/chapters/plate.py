@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+from functools import partial
+
+from haptonic import plots
 from haptonic.later import xarray as xr
-from haptonic.report.chapter import Absent, Chapter, Results
+from haptonic.report.chapter import Absent, Chapter, Finding, Picture, Results
 from haptonic.results.plain import split
 from haptonic.results.plate.tables import lines_table, modes_table
 from haptonic.results.plate.value import ERRORS, PlateResult
@@ -36,10 +39,23 @@ def chapter(results: Results) -> Chapter | Absent:
             f"plate: {result.plate.loss_factor:g}, assumed.",
         ),
         findings=tuple(_findings(result)),
-        pictures=results.pictures(result, words),
+        pictures=(*results.pictures(result, words), _swinging(result)),
         tables=tuple(
             one.labelled("simulated") for one in (lines_table(result), modes_table(_nearest(result)))
         ),
+    )
+
+
+def _swinging(result: PlateResult) -> Picture:
+    """The plate in motion, where its driven region resonates in the gap."""
+    shown, layout, drive = result.marked, result.plate.layout, result.drive
+    frequency = f"{result.resonance / 1e3:.2f} kHz"
+    return Picture(
+        plots.map_at(shown, result.resonance, layout, None, drive=drive),
+        f"Simulated normal velocity of the flat face at {frequency}, in motion where motion is wanted.",
+        f"Map of the plate at {frequency}, red and blue taking turns.",
+        "carrier",
+        partial(plots.animated, shown, result.resonance, layout, drive=drive),
     )
 
 
@@ -49,7 +65,7 @@ def _in_words(line: xr.Dataset) -> str:
 
 
 def _findings(result: PlateResult) -> list[str]:
-    said = []
+    said: list[str] = []
     gap = result.gap
     for line in split(result.maps, "frequency"):
         frequency = float(line["frequency"])
@@ -58,7 +74,8 @@ def _findings(result: PlateResult) -> list[str]:
             verdict = "the vibration stays there" if level >= LOCALISED else (
                 "the whole plate vibrates" if level < EVERYWHERE else "part of it goes elsewhere"
             )  # fmt: skip
-            said.append(f"{name} at {frequency / 1e3:.2f} kHz, {where} the gap: {level:.1f} dB; {verdict}.")
+            told = f"{name} at {frequency / 1e3:.2f} kHz, {where} the gap: {level:.1f} dB; {verdict}."
+            said.append(Finding(told, "maps"))
     named = [
         (str(mode["name"].values), float(mode["frequency"]))
         for mode in (result.modes.isel(mode=k) for k in range(result.modes.sizes["mode"]))

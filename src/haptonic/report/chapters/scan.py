@@ -6,7 +6,7 @@ import numpy as np
 
 from haptonic import plots
 from haptonic.errors import HaptonicError
-from haptonic.report.chapter import Absent, Chapter, Picture, Results, Table
+from haptonic.report.chapter import Absent, Chapter, Finding, Picture, Results, Table
 from haptonic.results.plate.value import PlateResult
 from haptonic.results.scan import ScanResult
 from haptonic.results.table import Column
@@ -86,11 +86,12 @@ def _everywhere(plate: PlateResult, scan: ScanResult) -> list[str]:
         if not given.any():
             return [f"{name} is given at no line: noise leaves too little of it."]
         worst = int(np.nanargmax(off))
-        return [
+        told = (
             f"{name} is given at {given.sum()} of {len(off)} lines, where noise leaves enough of it, and is "
             f"within {CLOSE:g} dB of the plate's at {(off < CLOSE).sum()} of them; it is worst at "
             f"{plate.response.frequency[worst] / 1e3:.3g} kHz, by {off[worst]:.2f} dB."
-        ]
+        )
+        return [Finding(told, "contrast")]
     return []
 
 

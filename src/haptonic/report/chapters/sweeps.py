@@ -8,7 +8,7 @@ from haptonic import plots
 from haptonic.later import xarray as xr
 from haptonic.plots.sweeps import SUBSCRIPTED
 from haptonic.plots.text import minus, readable, scaled_unit
-from haptonic.report.chapter import Absent, Chapter, Picture, Results, Table
+from haptonic.report.chapter import Absent, Chapter, Finding, Picture, Results, Table
 from haptonic.report.trend import trend_of
 
 TITLE = "Sweeps"
@@ -21,7 +21,11 @@ def chapter(results: Results) -> Chapter | Absent:
         return Absent(TITLE, "the study describes none")
     if not results.sweeps:
         return Absent(TITLE, "they were not computed in this run")
-    said = [sentence for sweep in results.sweeps for sentence in _findings(sweep)]
+    said = [
+        Finding(sentence, f"sweep_{k}")
+        for k, sweep in enumerate(results.sweeps, start=1)
+        for sentence in _findings(sweep)
+    ]
     rows = tuple(row for sweep in results.sweeps for row in _fit_rows(sweep))
     head = ("Along", "Designs", "Upper edge", "Lower edge", "Timoshenko", "Equation (3)")
     fits = Table(
@@ -43,13 +47,14 @@ def chapter(results: Results) -> Chapter | Absent:
         ),
         findings=tuple(said),
         pictures=tuple(
-            _picture(sweep, results.where(f"sweep_{k}")) for k, sweep in enumerate(results.sweeps, start=1)
+            _picture(sweep, name := f"sweep_{k}", results.where(name))
+            for k, sweep in enumerate(results.sweeps, start=1)
         ),
         tables=(fits,) if rows else (),
     )
 
 
-def _picture(sweep: xr.Dataset, where: str) -> Picture:
+def _picture(sweep: xr.Dataset, called: str, where: str) -> Picture:
     expression = sweep.attrs["expression"]
     name = readable(expression)
     unit, factor = scaled_unit(sweep["value"].attrs["units"])
@@ -60,6 +65,7 @@ def _picture(sweep: xr.Dataset, where: str) -> Picture:
         plots.sweep(sweep),
         f"Simulated complete gaps against {name}.{where}",
         f"Complete gaps of {sweep.sizes['step']} designs, {name} from {span}; {count} of them have a gap.",
+        called,
     )
 
 

@@ -7,7 +7,7 @@ from collections.abc import Mapping
 
 from haptonic.friction.phrases import averages, change
 from haptonic.friction.statistics import IntervalEstimate, Test
-from haptonic.report.chapter import Absent, Chapter, Results, Table
+from haptonic.report.chapter import Absent, Chapter, Finding, Results, Table
 from haptonic.results.friction import FrictionResult
 
 TITLE = "Friction trials"
@@ -39,7 +39,11 @@ def chapter(results: Results) -> Chapter | Absent:
             f"{trials} trials of {people} participants, {left_out} of them left out by declared rules.",
             *([averages()] if found.equivalences else []),
         ),
-        findings=(*_reductions(result, published), *found.conclusions, *_alarms(results, people)),
+        findings=(
+            *(Finding(text, "reductions") for text in _reductions(result, published)),
+            *(Finding(text, "conditions") for text in found.conclusions),
+            *_alarms(results, people),
+        ),
         pictures=results.pictures(result, WORDS),
         tables=(_tests(found.tests, origin),),
     )  # fmt: skip

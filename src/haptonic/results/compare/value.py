@@ -18,6 +18,7 @@ from haptonic.results.table import Cell, Column, Table
 from haptonic.units import format_quantity
 
 if TYPE_CHECKING:
+    from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
 
@@ -183,7 +184,7 @@ class Comparison(Result):
         }
 
     @figure("compare", "Two sets of bands along the edge of the irreducible zone, and their complete gaps.")
-    def _drawn(self) -> Figure:
+    def _drawn(self, *, ax: Axes | None = None) -> Figure:
         sides = (self.first, self.second)
         return plots.compared(
             [
@@ -192,6 +193,7 @@ class Comparison(Result):
             ],
             self.first.labels,
             crosses=not self.second.ours,
+            ax=ax,
         )
 
 

@@ -26,6 +26,7 @@ from haptonic.results.table import Column, Table
 from haptonic.units import format_quantity
 
 if TYPE_CHECKING:
+    from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
 TITLES = {
@@ -101,9 +102,9 @@ class Design(Result):
         return plots.search(self.dataset)
 
     @figure("front", "The widest gap against the pitch.", when=_has_front)
-    def _front(self) -> Figure:
+    def _front(self, *, ax: Axes | None = None) -> Figure:
         assert self.front is not None
-        return plots.front(self.front)
+        return plots.front(self.front, ax=ax)
 
     @file("front.nc", when=_has_front)
     def _write_front(self, path: Path) -> None:

@@ -39,6 +39,7 @@ from haptonic.results.table import Column, Table
 from haptonic.units import format_quantity
 
 if TYPE_CHECKING:
+    from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
 
@@ -300,9 +301,9 @@ class Feel(Result):
         "reduction",
         "Simulated reduction of friction, averaged over each region, against the amplitude of the drive.",
     )
-    def _reduction(self) -> Figure:
+    def _reduction(self, *, ax: Axes | None = None) -> Figure:
         title = f"{self.frequency / 1e3:.2f} kHz, simulated"
-        return plots.reduction_curve(self.curve, self.drive, WEBER_FRACTION, title=title)
+        return plots.reduction_curve(self.curve, self.drive, WEBER_FRACTION, title=title, ax=ax)
 
     def summary(self) -> list[str]:
         drive = format_quantity(self.drive, self.unit)

@@ -17,7 +17,7 @@ from haptonic.later import xarray as xr
 from haptonic.names import file_parts
 from haptonic.plate import Plate
 from haptonic.plate.levels import below_finger, compared, contrasts
-from haptonic.plate.sampling import driven_region, resonance_of
+from haptonic.plate.sampling import driven_region, reference_of, resonance_of
 from haptonic.response import FrequencyResponse, rms, write
 from haptonic.results.common import write_netcdf
 from haptonic.results.plain import along, split
@@ -27,6 +27,7 @@ from haptonic.results.table import Table
 from haptonic.vtu import write_body
 
 if TYPE_CHECKING:
+    from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
 
@@ -93,25 +94,37 @@ class PlateResult(Result):
         return str(self.response.dataset.attrs["origin"])
 
     @figure("plan", "Simulated plate: its pillars, regions, actuators and supports.")
-    def _plan(self) -> Figure:
-        return plots.plate_plan(self.plate)
+    def _plan(self, *, ax: Axes | None = None) -> Figure:
+        return plots.plate_plan(self.plate, ax=ax)
 
-    @figure("maps", "Simulated normal velocity of the flat face, each map scaled to its largest point.")
-    def _maps(self) -> Figure:
-        frequency = self.marked.frequency.tolist()
-        return plots.maps(self.marked, frequency, self.plate.layout, self._gap_edges)
+    @property
+    def drive(self) -> float:
+        """Amplitude of the first drive, for which pictures are drawn, in the unit of the reference."""
+        return reference_of(self.plate)[1]
+
+    @figure("maps", "Simulated normal velocity of the flat face, each map with a scale of its own.")
+    def _maps(self, *, frequency: float | None = None, ax: Axes | None = None) -> Figure:
+        layout, gap, drive = self.plate.layout, self._gap_edges, self.drive
+        shown, lines = self.marked, self.marked.frequency.tolist()
+        if frequency is not None:
+            shown, lines = self.response, [frequency]
+        if ax is not None:
+            return plots.map_at(shown, frequency or self.resonance, layout, gap, drive=drive, ax=ax)
+        return plots.maps(shown, lines, layout, gap, drive=drive)
 
     @figure("velocity", "Simulated velocity of the regions.", when=_has_spectrum)
-    def _velocity(self) -> Figure:
+    def _velocity(self, *, ax: Axes | None = None) -> Figure:
         levels = {name: level.values for name, level in self.levels.items()}
         return plots.velocity_spectrum(
-            self.response.frequency, levels, self._gap_edges, units=self.response.units, origin=self._origin
-        )
+            self.response.frequency, levels, self._gap_edges, units=self.response.units, drive=self.drive,
+            origin=self._origin, ax=ax,
+        )  # fmt: skip
 
     @figure("contrast", "Simulated contrast of the driven region.", when=_compares)
-    def _contrast(self) -> Figure:
+    def _contrast(self, *, ax: Axes | None = None) -> Figure:
         curves = {name: level.values for name, level in self.contrasts(self.response).items()}
-        return plots.contrast_spectrum(self.response.frequency, curves, self._gap_edges, origin=self._origin)
+        lines = self.response.frequency
+        return plots.contrast_spectrum(lines, curves, self._gap_edges, origin=self._origin, ax=ax)
 
     @figure("impedance-*", "Simulated electrical impedance of an actuator.", when=_has_spectrum)
     def _impedances(self) -> dict[str, Callable[[], Figure]]:
@@ -141,7 +154,8 @@ class PlateResult(Result):
 
     @file("carrier.webp")
     def _animate(self, path: Path) -> None:
-        plots.animated(path, self.marked, self.resonance, self.plate.layout, overwrite=True)
+        content = plots.animated(self.marked, self.resonance, self.plate.layout, drive=self.drive)
+        path.write_bytes(content)
 
     def summary(self) -> list[str]:
         line = self.maps.sel(frequency=self.resonance)

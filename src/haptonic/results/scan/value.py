@@ -33,6 +33,7 @@ from haptonic.vibrometry.guides import Guiding, Mirror, guides_of
 from haptonic.vibrometry.theory import guided
 
 if TYPE_CHECKING:
+    from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
 SHOWN = ("average", "rms", "contrast", "decay", "low", "high")  # of the data, at the operating shapes
@@ -129,34 +130,38 @@ class ScanResult(Result):
         return "z" in self.response.dataset["direction"].values
 
     @figure("average", "{Origin} velocity averaged over all points.")
-    def _average(self) -> Figure:
+    def _average(self, *, ax: Axes | None = None) -> Figure:
         average = self.data["average"].values
         return plots.average_response(
-            self.response.frequency, average, units=self.response.units, origin=self.origin
+            self.response.frequency, average, units=self.response.units, origin=self.origin, ax=ax
         )
 
     @figure("quality", "{Origin} quality of every point.")
-    def _quality(self) -> Figure:
-        return plots.point_quality(self.response.points, self.quality, origin=self.origin)
+    def _quality(self, *, ax: Axes | None = None) -> Figure:
+        return plots.point_quality(self.response.points, self.quality, origin=self.origin, ax=ax)
 
     @figure("maps", "{Origin} normal velocity, each map scaled to its largest point.", when=_mapped)
-    def _maps(self) -> Figure:
-        return plots.maps(self.response, self.shapes, self.layout, self._edges)
+    def _maps(self, *, frequency: float | None = None, ax: Axes | None = None) -> Figure:
+        if ax is not None:
+            return plots.map_at(self.response, frequency or self.loudest, self.layout, self._edges, ax=ax)
+        shapes = self.shapes if frequency is None else (frequency,)
+        return plots.maps(self.response, shapes, self.layout, self._edges)
 
     @figure("velocity", "{Origin} velocity of the regions.", when=_has("rms"))
-    def _velocity(self) -> Figure:
+    def _velocity(self, *, ax: Axes | None = None) -> Figure:
         levels = {name: level.values for name, level in split(self.data.get("rms"), "region").items()}
         return plots.velocity_spectrum(
-            self.response.frequency, levels, self._edges, units=self.response.units, origin=self.origin
-        )
+            self.response.frequency, levels, self._edges, units=self.response.units, origin=self.origin,
+            ax=ax,
+        )  # fmt: skip
 
     @figure(
         "contrast", "{Origin} contrast of the driven region, and where it is high.", when=_has("contrast")
     )
-    def _contrast(self) -> Figure:
+    def _contrast(self, *, ax: Axes | None = None) -> Figure:
         curves = {name: level.values for name, level in self.contrasts.items()}
         return plots.measured_contrast(
-            self.response.frequency, curves, self.measured, self._edges, origin=self.origin
+            self.response.frequency, curves, self.measured, self._edges, origin=self.origin, ax=ax
         )
 
     @figure("waves-*", "{Origin} waves along a guide.", when=_has("waves"))
@@ -169,21 +174,21 @@ class ScanResult(Result):
             if one.region in seen
         }
 
-    def _waves_along(self, guide: Guiding) -> Figure:
+    def _waves_along(self, guide: Guiding, *, ax: Axes | None = None) -> Figure:
         seen, plain, mode = waves_of(self.data, guide.region), None, None
         if self.waves is not None:
             plain = self.waves["frequency"].values, self.waves["wavenumber"].values
             mode = guided(self.waves, guide)
-        return plots.wave_map(seen, plain, mode, region=guide.region, origin=self.origin)
+        return plots.wave_map(seen, plain, mode, region=guide.region, origin=self.origin, ax=ax)
 
     @figure("fading", "{Origin} fading of waves from row to row of the lattice.", when=_has("fading"))
-    def _fading_map(self) -> Figure:
-        return plots.decay_map(self.data["fading"], self.lattice, self._edges, origin=self.origin)
+    def _fading_map(self, *, ax: Axes | None = None) -> Figure:
+        return plots.decay_map(self.data["fading"], self.lattice, self._edges, origin=self.origin, ax=ax)
 
     @figure("decay", "{Origin} decay into the lattice.", when=_has("decay"))
-    def _decay(self) -> Figure:
+    def _decay(self, *, ax: Axes | None = None) -> Figure:
         assert self.decay is not None
-        return plots.measured_decay(self.decay, self._fading, self._edges, origin=self.origin)
+        return plots.measured_decay(self.decay, self._fading, self._edges, origin=self.origin, ax=ax)
 
     @file("response.nc")
     def _write_response(self, path: Path) -> None:
@@ -195,7 +200,7 @@ class ScanResult(Result):
 
     @file("shape.webp", when=_mapped)
     def _animate(self, path: Path) -> None:
-        plots.animated(path, self.response, self.loudest, self.layout, overwrite=True)
+        path.write_bytes(plots.animated(self.response, self.loudest, self.layout))
 
     @classmethod
     def names(cls, options: Any = None) -> list[str]:

@@ -24,6 +24,7 @@ from haptonic.vibrometry.curves import Curve, Point, assemble
 from haptonic.vibrometry.readers.tables import Mapped
 
 GEOMETRY = "geometry.csv"
+MOST_NAMED = 3  # folders, in a message
 COLUMNS = {
     "frequency": ("frequency", "freq", "f"),
     "real": ("real", "re"),
@@ -60,6 +61,28 @@ def read_folder(path: Path, how: Mapped, notes: Notebook, origin: Origin, title:
     return assemble(curves, places, notes, origin=origin, title=title, inputs={"folder": path.name})
 
 
+def _without_points(path: Path) -> ScanError:
+    """What to say of a folder that is no scan, but perhaps holds one."""
+    cause, next_step = (
+        "another folder was chosen, or the coordinates were not exported",
+        f"write {GEOMETRY}: a header file,x,y and one line for each file, in m",
+    )
+    if not any(path.glob("*.csv")):
+        for name in (GEOMETRY, "*.csv"):
+            below = sorted({file.parent for depth in ("*/", "*/*/") for file in path.glob(depth + name)})
+            if below:
+                cause = f"CSV files lie in {', '.join(map(str, below[:MOST_NAMED]))}, not in {path} itself"
+                next_step = f"give that folder: {below[0]}"
+                break
+    return ScanError.missing(
+        argument="folder of a scan",
+        given=f"{path}: no {GEOMETRY}",
+        allowed=f"a folder with one CSV file for each point and {GEOMETRY} with the columns file, x, y",
+        cause=cause,
+        next_step=next_step,
+    )
+
+
 class _UnfitError(Exception):
     """A file of a point cannot be used; the text says why."""
 
@@ -70,13 +93,7 @@ def _geometry(
     """Places and files of the points by name, and whether they are simulated."""
     table = path / GEOMETRY
     if not table.is_file():
-        raise ScanError.missing(
-            argument="folder of a scan",
-            given=f"{path}: no {GEOMETRY}",
-            allowed=f"a folder with one CSV file for each point and {GEOMETRY} with the columns file, x, y",
-            cause="another folder was chosen, or the coordinates were not exported",
-            next_step=f"write {GEOMETRY}: a header file,x,y and one line for each file, in m",
-        )
+        raise _without_points(path)
     places: dict[str, Point] = {}
     files: dict[str, Path] = {}
     simulated = False

@@ -1,0 +1,84 @@
+"""Where a picture with one system of axes is drawn: in a figure of our own, or on axes of somebody else's."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any
+
+from matplotlib.artist import Artist
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+from matplotlib.legend import Legend
+
+from haptonic.errors import HaptonicError, shown
+from haptonic.plots import style
+
+
+@dataclass(frozen=True)
+class Stage:
+    """One system of axes.
+
+    own : whether the figure is ours, with room for a legend below the axes and a head above them
+    """
+
+    axes: Axes
+    own: bool
+
+    @property
+    def figure(self) -> Figure:
+        """The figure that the axes belong to."""
+        found = self.axes.get_figure(root=True)
+        assert found is not None
+        return found
+
+    def legend(self, handles: Sequence[Artist] | None = None, **look: Any) -> Legend:
+        """Explain the handles, or all that has a label: below our own axes, within those of somebody else."""
+        known = self.axes.get_legend_handles_labels()[0] if handles is None else list(handles)
+        if self.own:
+            return self.figure.legend(handles=known, loc="outside lower center", **look)
+        return self.axes.legend(handles=known, **{**look, "ncols": 1})
+
+
+def stage(ax: Axes | None, height: float, width: float = style.WIDTH, **how: Any) -> Stage:
+    """The axes that were given, or new ones in a figure of a size in cm; ``how`` is for these.
+
+    Raises
+    ------
+    HaptonicError : see `checked`
+    """
+    if ax is not None:
+        return Stage(checked(ax), own=False)
+    return Stage(style.blank(height, width).add_subplot(**how), own=True)
+
+
+def checked(ax: object) -> Axes:
+    """Axes that a picture can be drawn on.
+
+    Raises
+    ------
+    HaptonicError : something else, axes in space or around a pole, or some that no figure has any more
+    """
+    said, cause, step = "", "it is something else", "figure, ax = matplotlib.pyplot.subplots(), then ax=ax"
+    if isinstance(ax, Axes):
+        if ax.name != "rectilinear":
+            said = f"{ax.name} axes"
+            cause = "these have other directions than to the right and upwards"
+        elif ax.get_figure() is None:
+            said = "axes that belong to no figure"
+            cause = "they were removed from it, or it was cleared"
+        else:
+            return ax
+    elif isinstance(ax, Figure):
+        cause, step = "a figure may hold many axes, or none", "ax=figure.add_subplot(), or one of figure.axes"
+    elif hasattr(ax, "get_major_ticks"):
+        cause, step = "an axis is one edge of the axes, with its ticks", "ax=axis.axes"
+    elif hasattr(ax, "__len__") and not isinstance(ax, str):
+        cause, step = "subplots(rows, columns) gives several axes", "choose one of them: ax=axes[0]"
+    raise HaptonicError.malformed(
+        argument="ax",
+        given=said or shown(ax),
+        allowed="one matplotlib.axes.Axes in a plane, or nothing for a figure of its own",
+        cause=cause,
+        next_step=step,
+    )

@@ -1,0 +1,158 @@
+"""Pictures with one system of axes, drawn on axes of somebody else."""
+
+from __future__ import annotations
+
+import inspect
+import re
+from functools import partial
+
+import matplotlib as mpl
+import numpy as np
+import pytest
+import test_designs
+import test_mirror_pictures
+import test_plate_pictures
+import test_verdict_pictures
+from matplotlib.axes import Axes
+from matplotlib.colors import to_hex
+from matplotlib.figure import Figure
+from matplotlib.text import Text
+
+from five_parts import refused
+from haptonic import plots
+from haptonic.results.bands import Bands
+from made_up import made_up_sweep, reference_bands, reference_guides, reference_layers
+
+MODULES = (test_designs, test_mirror_pictures, test_plate_pictures, test_verdict_pictures)
+SEVERAL = re.compile("decay|tolerance|.*search|impedance|maps|before|no contrast|frac|guide, real")
+PICTURES = {
+    "dispersion": lambda: plots.dispersion(reference_bands(), carrier_hz=60e3),
+    "density": lambda: plots.density_of_states(reference_bands()),
+    "sweep": lambda: plots.sweep(made_up_sweep()),
+    "map": lambda: plots.map_at(test_plate_pictures.vibration(), 58.8e3, None, None, drive=60.0),
+} | {name: draw for module in MODULES for name, draw in module.PICTURES.items() if not SEVERAL.match(name)}
+ALONE = [name for name in plots.__all__ if "ax" in inspect.signature(getattr(plots, name)).parameters]
+ALONE.remove("checked")
+
+
+def on(axes: Axes, draw, monkeypatch) -> Figure:
+    """Draw as always, but on these axes."""
+    with monkeypatch.context() as patch:
+        for one in ALONE:
+            patch.setattr(plots, one, partial(getattr(plots, one), ax=axes))
+        return draw()
+
+
+def drawn_in(axes: Axes) -> list[str]:
+    return [str(one) for one in axes.get_children()]
+
+
+@pytest.mark.parametrize("name", PICTURES)
+def test_a_picture_keeps_to_its_axes_and_to_their_style(name, monkeypatch):
+    with mpl.rc_context({"axes.labelsize": 13, "axes.edgecolor": "#123456"}):
+        figure = Figure(layout="constrained")
+        given, other = figure.subplots(1, 2)
+        before = drawn_in(other)
+        assert on(given, PICTURES[name], monkeypatch) is figure
+        figure.canvas.draw()
+    assert drawn_in(other) == before
+    assert not figure.legends
+    assert given.get_xlabel()
+    assert given.xaxis.label.get_fontsize() == 13
+    assert to_hex(given.spines["left"].get_edgecolor()) == "#123456"
+
+
+def test_what_is_drawn_is_the_same(monkeypatch):
+    own = plots.sweep(made_up_sweep()).axes[0]
+    given = Figure().add_subplot()
+    on(given, PICTURES["sweep"], monkeypatch)
+    for ours, theirs in zip(own.lines, given.lines, strict=True):
+        assert np.array_equal(ours.get_xydata(), theirs.get_xydata(), equal_nan=True)
+    labels = [text.get_text() for text in given.get_legend().get_texts()]
+    assert labels == [text.get_text() for text in own.get_figure().legends[0].get_texts()]
+
+
+def test_results_give_back_the_axes():
+    left, right = Figure().subplots(1, 2)
+    bands = Bands(reference_bands())
+    assert bands.plot(ax=left) is left
+    assert bands.plot("density_of_states", ax=right) is right
+    assert "states" in right.get_ylabel()
+    axes = Figure().add_subplot()
+    assert reference_guides().plot(ax=axes) is axes
+    assert reference_layers().plot("layers", ax=axes, incident="S0") is axes
+    assert axes.get_ylabel().startswith("S0")
+
+
+def test_one_wave_of_several_can_be_asked_for():
+    assert [axes.get_ylabel()[:3] for axes in reference_layers().plot(incident="SH0").axes] == ["SH0"]
+    refused(lambda: reference_layers().plot(incident="SH1"), "SH0", code="unknown", argument="incident")
+
+
+def test_names_with_dollars_and_lines_are_texts_on_anybody_s_axes():
+    axes = Figure().add_subplot()
+    plots.contrast_spectrum(np.arange(3.0), {"a $ over $ b_": np.zeros(3)}, None, ax=axes)
+    axes.get_figure().canvas.draw()
+    assert "a $ over $ b_" in [text.get_text() for text in axes.findobj(Text)]
+    assert not axes.get_legend().get_texts()[0].get_parse_math()
+
+
+@pytest.mark.parametrize("name", PICTURES)
+def test_latex_reads_no_command_in_what_is_written(name, monkeypatch):
+    """By the rule of TeX itself: no special character that is neither escaped nor part of a formula."""
+    with mpl.rc_context({"text.usetex": True}):
+        axes = Figure().add_subplot()
+        axes.set_title("mine: $x$")
+        on(axes, PICTURES[name], monkeypatch)
+        figure = axes.get_figure()
+        said = [text.get_text() for one in figure.axes for text in one.findobj(Text)]
+        for one in (axes.xaxis, axes.yaxis):
+            said += [str(one.get_major_formatter()(place, 0)) for place in one.get_majorticklocs()]
+    assert said
+    for text in said:
+        bare = re.sub(r"\\[%&_$#{}]|\\text[a-z]+\{\}|\$[^$]*\$", "", text)
+        assert bare.isascii(), text
+        assert not set(bare) & set("%&_$#{}\\^~<>|"), text
+
+
+def removed() -> Axes:
+    axes = Figure().add_subplot()
+    axes.remove()
+    return axes
+
+
+NO_AXES = {
+    "nothing but a word": ("ax", "something else"),
+    "a number": (1, "something else"),
+    "the result": (Bands, "something else"),
+    "a figure": (Figure(), "a figure may hold many"),
+    "an axis": (Figure().add_subplot().xaxis, "an axis is one edge"),
+    "several axes": (Figure().subplots(1, 2), "several axes"),
+    "a list of axes": (list(Figure().subplots(1, 2)), "several axes"),
+    "axes in space": (Figure().add_subplot(projection="3d"), "other directions"),
+    "axes around a pole": (Figure().add_subplot(projection="polar"), "other directions"),
+    "axes that were removed": (removed(), "removed"),
+}
+
+
+@pytest.mark.parametrize("what", NO_AXES)
+@pytest.mark.parametrize("picture", ["dispersion", "modes"])
+def test_an_axis_that_is_no_axis(what, picture):
+    given, cause = NO_AXES[what]
+    asked = [lambda: Bands(reference_bands()).plot(picture, ax=given)]
+    asked += [lambda: plots.dispersion(reference_bands(), ax=given)]
+    for one in asked:
+        refused(one, cause, code="malformed", argument="ax")
+
+
+@pytest.mark.parametrize(
+    ("asked", "code", "argument", "words"),
+    [
+        (("modes", {"ax": Figure().add_subplot()}), "unsupported", "ax", "dispersion, density_of_states"),
+        (("dispersion", {"frequency": 1.0}), "unsupported", "frequency", "no frequency for this result"),
+        (("dispersions", {}), "unknown", "name of the picture", 'write "dispersion"'),
+    ],
+)
+def test_what_a_picture_cannot_be_asked_for(asked, code, argument, words):
+    name, how = asked
+    refused(lambda: Bands(reference_bands()).plot(name, **how), words, code=code, argument=argument)
