@@ -25,7 +25,6 @@ from haptonic.bloch.resolution import (
 from haptonic.bloch.settings import BandSettings
 from haptonic.brillouin import IrreducibleZone
 from haptonic.cell import UnitCell
-from haptonic.cell.plan import USUAL_BANDS
 from haptonic.errors import ResourceError
 from haptonic.later import linalg as la
 from haptonic.parallel import one_thread
