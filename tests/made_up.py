@@ -178,7 +178,7 @@ def made_up_mirror(rows: int = 6, families: tuple[str, ...] = FAMILIES, **attrs:
             "frequency": frequency, "phase": PHASES, "rows": np.arange(1, rows + 1),
             "incident": list(FAMILIES), "outgoing": list(OUTGOING),
         },
-        attrs={"carrier_hz": 58e3, "gap": [50e3, 60e3], "angle": 0.0} | attrs,
+        attrs={"carrier_hz": 58e3, "gap": [50e3, 60e3], "angle": 0.0, "along": [0, 1]} | attrs,
     )  # fmt: skip
 
 

@@ -195,6 +195,11 @@ class TestLayers:
         assert drawn["layers, usual"].axes[0].get_title().startswith("normal incidence")
         assert "incident at 28.6° from the normal" in drawn["layers, oblique"].axes[0].get_title()
 
+    def test_the_direction_of_the_rows_is_named_unless_it_is_the_usual_one(self, drawn):
+        assert "along" not in drawn["layers, usual"].axes[0].get_title()
+        other = plots.layers(made_up_mirror(along=np.array([1, -1])))
+        assert other.axes[0].get_title().startswith("rows along [1, -1], normal incidence")
+
 
 class TestGuide:
     def test_the_mode_ends_where_the_lattice_begins(self, drawn):

@@ -334,7 +334,7 @@ class TestWriting:
         study = Study(
             material=solid,
             cell=cell,
-            layers={"lowest": data.draw(st.floats(1, 1e4)), "angle": data.draw(st.floats(0, 1.5))},
+            layers={"lowest": data.draw(st.floats(1, 1e4)), "angle": data.draw(st.floats(-1.5, 1.5))},
             waveguide={"width": data.draw(st.none() | st.floats(1e-9, 1e3))},
             design={"vary": rows, "tool": data.draw(st.none() | st.floats(1e-9, 1e3))},
             tolerance={"of": spreads, "margin": data.draw(st.floats(0, 1e9))},

@@ -17,7 +17,9 @@ from haptonic.superelement import Superelement, Tiling, condense, steps_between
 from haptonic.superelement.tiling import directions
 from haptonic.superelement.trace import trace_levels
 
-MOST_ON_FACE = 1500  # unknowns: a frequency took 45 s with 1200 of them
+# Bytes for each pair of unknowns on a face: three complex forms on two and a half times as many, for each
+# number of rows that a slab may have. With 2.5 GB a frequency takes some minutes already.
+PER_PAIR, MOST_MEMORY = 300, 2.5e9
 
 
 @dataclass(frozen=True, eq=False)
@@ -172,25 +174,26 @@ class CondensedRows:
         return np.asarray(found.real + 1j * np.angle(np.exp(1j * found.imag)))
 
 
-def face_size(rows: Rows, resolution: Resolution) -> int:
-    """Unknowns on a face, with whose cube the time at each frequency grows.
+def rows_need(rows: Rows, resolution: Resolution) -> tuple[int, float]:
+    """Unknowns on a face, with whose cube the time at each frequency grows, and memory, bytes.
 
     Raises
     ------
-    ResourceError : more than anybody waits for
+    ResourceError : slabs that need more memory than `MOST_MEMORY`
     """
     plan = resolution.plans(rows.cell)[0]
     size = 3 * trace_levels(plan) * plan.side * len(rows.sides)
-    if size > MOST_ON_FACE:
+    memory = PER_PAIR * rows.reach * size**2
+    if memory > MOST_MEMORY:
         raise ResourceError.too_large(
             argument="layers.along",
             given=f"{list(rows.along)}",
-            allowed=f"rows whose faces have at most {MOST_ON_FACE} unknowns",
-            cause=f"with this cell and accuracy they would have {size}: such a row repeats only after "
+            allowed=f"rows for which {MOST_MEMORY / 1e9:g} GB are enough",
+            cause=f"about {memory / 1e9:.2g} GB would be needed: such a row repeats only after "
             f"{rows.period * 1e3:.3g} mm, and touches the {rows.reach} rows beside it",
             next_step="choose smaller whole numbers, such as [0, 1], or ask for less accuracy",
         )
-    return size
+    return size, memory
 
 
 def _fitted(plain: MeshPlan, other: MeshPlan) -> MeshPlan:

@@ -18,6 +18,7 @@ from haptonic.units import format_quantity
 
 CARRIER = Quantity("Hz", at_least=1.0, at_most=1e9, typical=(10e3, 1e6))
 LOWEST, HIGHEST = 0.6, 1.4  # of the carrier: ends of a spectrum where none are given
+OF_INCIDENCE = Quantity("rad", above=-0.5 * math.pi, below=0.5 * math.pi, typical=(-1.5, 1.5))
 COARSEST = 0.1  # accuracy: bands that are less exact tell nothing of gaps
 
 
@@ -84,8 +85,10 @@ class LayersSettings:
         "How many of the lattice's two translations a row repeats after; [0, 1] is along y in rectangles.",
         title="Direction of the rows",
     )
-    angle: Annotated[float, Quantity("rad", at_least=0.0, below=0.5 * math.pi, typical=(0.0, 1.5))] = setting(
-        0.0, "Between the incident wave and the normal of the rows.", title="Angle of incidence"
+    angle: Annotated[float, OF_INCIDENCE] = setting(
+        0.0,
+        "Between the incident wave and the normal of the rows; above zero towards their direction.",
+        title="Angle of incidence",
     )
 
     def __post_init__(self) -> None:

@@ -77,7 +77,7 @@ def layers(dataset: xr.Dataset, *, incident: str | None = None, ax: Axes | None 
     Parameters
     ----------
     dataset : variable ``transmitted`` (frequency, rows, incident, outgoing); attributes as for `decay`, and
-        ``angle``
+        ``angle`` and ``along``, the translations that a row repeats after
     incident : the one wave to show; by default all, or on given axes the first
     """
     there = [f for f in FAMILIES if np.isfinite(dataset["transmitted"].sel(incident=f).values).any()]
@@ -108,7 +108,9 @@ def layers(dataset: xr.Dataset, *, incident: str | None = None, ax: Axes | None 
         axes.set_ylabel(f"{family}: transmitted (dB)")
     angle = np.degrees(float(dataset.attrs["angle"]))
     direction = "normal incidence" if angle == 0 else f"incident at {angle:.3g}° from the normal"
-    panels[0].set_title(f"{direction}; all transmitted waves")
+    along = [int(one) for one in dataset.attrs["along"]]
+    of_rows = "" if along == [0, 1] else f"rows along {along}, "
+    panels[0].set_title(f"{of_rows}{direction}; all transmitted waves")
     panels[-1].set_xlabel("frequency (kHz)")
     panels[-1].set_xlim(frequency.min(), frequency.max())
     on.legend(handles, ncols=4)

@@ -67,9 +67,11 @@ class Layers(Result):
 
     @property
     def incidence(self) -> str:
-        """The angle of incidence in words."""
+        """The angle of incidence in words, and the direction of the rows unless it is the usual one."""
         angle = np.degrees(float(self.dataset.attrs["angle"]))
-        return "at normal incidence" if angle == 0 else f"at {angle:.3g}° from the normal"
+        along = [int(one) for one in self.dataset.attrs["along"]]
+        rows = "" if along == [0, 1] else f" of rows along {along}"
+        return f"at normal incidence{rows}" if angle == 0 else f"at {angle:.3g}° from the normal{rows}"
 
     @property
     def families(self) -> list[str]:
