@@ -260,6 +260,17 @@ def test_the_empty_lattice_folds_rayleigh_lamb_and_shear_waves():
         assert found[exact > 0] == pytest.approx(exact[exact > 0], rel=1e-4)
 
 
+def test_what_tells_the_errors_holds_between_the_wavevectors_it_was_made_from():
+    """Its small basis, once unchecked, was 1.6 % off here: the tenth band was told 1.4 %, and is 0.003 %."""
+    cell = UnitCell(Lattice.square(4.6e-3), 0.25e-3, ALUMINIUM)
+    model = BlochModel.of(cell, Resolution(5, 1), 10)
+    used = model.resolution
+    lower = Tiling.condensed(cell, used.lowered(cell), used.steps, used.block, measured=False)
+    kappa = np.full(2, np.pi / 3)
+    small, whole = (eigenpairs(one, kappa, 10)[0] for one in (model.coarse, bloch_pencil(lower)))
+    assert (np.sqrt(small / whole) - 1).max() < used.projection_goal
+
+
 def test_estimates_bound_the_error_against_exact_waves():
     for point in EMPTY_POINTS:
         exact, kappa = folded_waves(point)
