@@ -116,7 +116,7 @@ class Workshop(Result):
 
 
 def check(study: Description, options: ExportOptions) -> None:
-    """Refuse impossible numbers of cells, and files that this cell cannot have, before anything is computed."""
+    """Refuse impossible numbers of cells, and files that this cell cannot have."""
     in_mm(study.cell, options.columns, options.rows)
     if "stl" in options.kinds:
         study.cell.check_one_site(TRIANGLES)
