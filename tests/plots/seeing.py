@@ -2,10 +2,15 @@
 
 from __future__ import annotations
 
+import io
 from itertools import combinations
 
+import numpy as np
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
+from PIL import Image
+
+from haptonic.plots import rendered
 
 
 def artists(figure: Figure, gid: str) -> list:
@@ -33,7 +38,10 @@ def shown_texts(figure: Figure) -> list:
 
 
 def assert_readable(figure: Figure) -> None:
-    """No text lies on another one or leaves the picture."""
+    """No text lies on another one or leaves the picture, neither here nor in what is written."""
+    pixels = np.asarray(Image.open(io.BytesIO(rendered(figure, "png"))).convert("L"))
+    assert (pixels[[0, -1]] == 255).all(), "something reaches the upper or lower border"
+    assert (pixels[:, [0, -1]] == 255).all(), "something reaches the left or right border"
     texts = shown_texts(figure)
     assert len(texts) > 5
     width, height = figure.canvas.get_width_height()

@@ -32,7 +32,7 @@ def iso_frequency(dataset: xr.Dataset, bands: tuple[int, ...] = ()) -> Figure:
     bands : numbers, counted from 1; by default the first band and the one below the widest complete gap
     """
     chosen = bands or _telling_bands(dataset)
-    figure = style.blank(9.0, style.WIDTH if len(chosen) > 1 else 0.55 * style.WIDTH)
+    figure = style.blank(9.6, style.WIDTH if len(chosen) > 1 else 0.55 * style.WIDTH)
     surface = _surface(dataset)
     panels = figure.subplots(1, len(chosen), squeeze=False)[0]
     for axes, band in zip(panels, chosen, strict=True):

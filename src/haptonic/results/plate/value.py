@@ -161,11 +161,12 @@ class PlateResult(Result):
         line = self.maps.sel(frequency=self.resonance)
         levels = [f"{name} by {level:.1f} dB" for name, level in split(line.get("contrast"), "pair").items()]
         said = f"At {self.resonance / 1e3:.3f} kHz {self.driven} vibrates more: {'; '.join(levels)}."
+        basis = int(self.lines.attrs["basis"])
+        found = f" on {basis} vectors" if basis else ", each line solved by itself"
         return [
             *([said] if levels else []),
             f"Largest solver's error of the field at any line: {float(self.lines['solver_error'].max()):.1e} "
-            f"(a bound), of {self.lines.attrs['unknowns']} unknowns on {self.lines.attrs['basis']} vectors. "
-            f"{ERRORS} Simulated.",
+            f"(a bound), of {self.lines.attrs['unknowns']} unknowns{found}. {ERRORS} Simulated.",
         ]
 
     def remarks(self) -> list[str]:
