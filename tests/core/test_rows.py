@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from strategies import ALUMINIUM, lattices
-from test_sites import THIN, named, placed
+from strategies import ALUMINIUM
+from test_sites import THIN, named, placed, sites
 
 from five_parts import refusing
 from haptonic.bloch.centred import lattice_pencil
@@ -60,18 +60,18 @@ def shares(here: CondensedRows, kilohertz: float, k_y: float, count: int, incide
 # --- faces --------------------------------------------------------------------------------------------------
 
 
-@settings(max_examples=60)
-@given(data=st.data())
-def test_faces_never_turn_back_and_trapezoids_fit_between_them_and_a_straight_line(data):
-    cell = UnitCell(data.draw(lattices()), 1 * MM, ALUMINIUM)
-    along = data.draw(st.sampled_from(DIRECTIONS))
+@settings(max_examples=60, deadline=None)
+@given(cell=sites(), along=st.sampled_from(DIRECTIONS))
+def test_faces_never_turn_back_and_trapezoids_fit_between_them_and_a_straight_line(cell, along):
     found = Rows(cell, along)
-    sides, period = found.sides, found.period
+    sides, period, wide = found.sides, found.period, float(found.step @ found.turn[0])
     assert (sides[:, 1, 1] > sides[:, 0, 1]).all()
     assert np.ptp(sides[..., 1]) == pytest.approx(period)
     assert sides[1:, 0] == pytest.approx(sides[:-1, 1])
-    wide = float(found.step @ found.turn[0])
     assert wide * period == pytest.approx(cell.area)
+    of_one = [one.position @ found.turn[0] for one in found.tiles[: len(cell.tiles)]]
+    assert np.ptp(of_one) < wide, "sites of a row have their place in it"
+    assert sum(one.tile.area for one in found.tiles) == pytest.approx(found.reach * cell.area)
     if not found.is_straight:
         left, right = (Filler(found, way) for way in (-1, 1))
         areas = [sum(one.tile.area for one in filler.tiles) for filler in (left, right)]

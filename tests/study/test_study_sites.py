@@ -228,3 +228,16 @@ def test_what_knows_single_pillars_only_says_so(text):
             ask()
         assert_told(caught.value, "one site")
     export.check(study, replace(export.ExportOptions(), dxf=True, step=True))
+
+
+def test_what_knows_rectangles_only_says_so_before_anything_is_computed():
+    study = loads(STUDY.replace("honeycomb", "triangular") + EQUAL)
+    asked = {
+        "square": lambda: export.check(study, replace(export.ExportOptions(), drawing=True)),
+        "haptonic ribbon": lambda: waveguide.ANALYSIS.check(study, waveguide.ANALYSIS.options()),
+    }
+    for words, ask in asked.items():
+        with pytest.raises(HaptonicError) as caught:
+            ask()
+        assert_told(caught.value, words, code="unsupported", argument="cell.lattice")
+    export.check(study, replace(export.ExportOptions(), stl=True))

@@ -116,11 +116,12 @@ class Workshop(Result):
 
 
 def check(study: Description, options: ExportOptions) -> None:
-    """Refuse impossible numbers of cells before anything is computed."""
+    """Refuse impossible numbers of cells, and files that this cell cannot have."""
     in_mm(study.cell, options.columns, options.rows)
-    for kind, what in (("stl", TRIANGLES), ("drawing", "the drawing")):
-        if kind in options.kinds:
-            study.cell.check_one_site(what)
+    if "stl" in options.kinds:
+        study.cell.check_one_site(TRIANGLES)
+    if "drawing" in options.kinds:
+        study.cell.check_simple("the drawing")
 
 
 def compute(study: Description, options: ExportOptions, runner: Runner) -> Workshop:
