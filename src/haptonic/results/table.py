@@ -233,7 +233,7 @@ class Line:
 
 
 @dataclass(frozen=True)
-class Form:
+class Markup:
     """How tables are written.
 
     safe : what becomes of a value so that it says nothing but itself
@@ -258,21 +258,21 @@ BARS = Line("| ", " | ", " |\n")
 AMPERSANDS = Line("", " & ", " \\\\\n")
 COMMAS = Line("", ",", "\n")
 FORMS = {
-    "csv": Form(_in_csv, COMMAS, COMMAS, "{head}{body}", raw=True),
-    "html": Form(
+    "csv": Markup(_in_csv, COMMAS, COMMAS, "{head}{body}", raw=True),
+    "html": Markup(
         lambda text: html.escape(str(text)),
         Line("<tr><th>", "</th><th>", "</th></tr>"),
         Line("<tr><td>", "</td><td>", "</td></tr>"),
         "<table><caption>{title}</caption>{head}{body}</table>",
     ),
-    "latex": Form(
+    "latex": Markup(
         lambda text: names.latex(str(text)),
         AMPERSANDS,
         AMPERSANDS,
         "\\begin{{table}}\n\\caption{{{title}}}\n\\begin{{tabular}}{{{columns}}}\n\\hline\n{head}\\hline\n{body}"
         "\\hline\n\\end{{tabular}}\n\\end{{table}}\n",
     ),
-    "markdown": Form(
+    "markdown": Markup(
         lambda text: re.sub(r"([\\|])", r"\\\1", str(text)), BARS, BARS, "**{title}**\n\n{head}{rule}{body}"
     ),
 }
