@@ -39,7 +39,7 @@ STOUT_FROM = 1000  # numbers of designs of a class apart: stout pillars on thin 
 MESHES = {1e-2: ((4, 1), (5, 1), (6, 2)), 2e-3: ((4, 1), (5, 2), (6, 2)), 0.0: ((5, 1), (6, 2), (7, 3))}
 STEPS, BLOCK, MORE = 3, 24, 8  # of their interior spaces: directions of a block, and how many more each has
 ENOUGH = 0.2  # share of the accuracy that a reference's uncertainty may be
-WHOLE, LARGEST = 60_000, 210_000  # unknowns that are condensed whole, and at all: 230,000 take 4 GB
+WHOLE, LARGEST = 60_000, 400_000  # unknowns that are condensed whole, and at all: 230,000 take 4 GB
 # Polynomials through a plain plate: these, and as many more as its shortest wave has radians in it.
 # More would only round: of seventeen in a plate of 0.04 pitches the lowest band was 1.2e-4 off.
 PLATE_LEVELS, ROUNDING = 7, 2 * np.finfo(float).eps
