@@ -8,6 +8,7 @@ import xarray as xr
 
 from quick import QUICK_CELL
 
+FINER = QUICK_CELL.replace("order = 2", "order = 3").replace("foot_rings = 0", "foot_rings = 1")
 RIBBON = """
 [ribbon]
 map = "ooo111oo"
@@ -29,8 +30,7 @@ FILES = {"ribbon.nc", "ribbon.svg", "ribbon.png", "field.svg", "field.png"}
 def ran(haptonic, tmp_path_factory):
     """What the command says to machines, and the folder that it writes."""
     folder = tmp_path_factory.mktemp("ribbon")
-    study = QUICK_CELL.replace("order = 2", "order = 3").replace("foot_rings = 0", "foot_rings = 1") + RIBBON
-    (folder / "guide.toml").write_text(study, "utf-8")
+    (folder / "guide.toml").write_text(FINER + RIBBON, "utf-8")
     told = haptonic("ribbon", folder / "guide.toml", "--json", "--out", folder / "out")
     assert told.code == 0, told.err
     return json.loads(told.out), folder / "out"
@@ -44,6 +44,49 @@ def test_ribbon_writes_its_files_and_says_what_is_held(ran):
         assert words in said, said
     names = {"frequency_hz", "frequency_error_hz", "group_velocity_m_per_s", "decay_db_per_row"}
     assert names <= set(told["guided"])
+
+
+DEFECT = """
+[ribbon]
+map = '''
+ooo
+olo
+ooo
+'''
+lowest = "54.9 kHz"
+highest = "55.6 kHz"
+points = 2
+
+[ribbon.tiles]
+o = "lattice"
+l = "lower"
+
+[[ribbon.cell]]
+name = "lower"
+change = { "cell.pillar.height" = "13.5 mm" }
+"""
+
+
+def test_a_defect_is_told_by_its_frequencies_its_copies_and_its_damping(haptonic, tmp_path):
+    study = FINER.replace("aluminium-paper", "aluminium-2017a") + DEFECT  # paper's aluminium has no loss
+    (tmp_path / "defect.toml").write_text(study, "utf-8")
+    told = haptonic("ribbon", tmp_path / "defect.toml", "--tables", "--out", tmp_path / "out")
+    assert told.code == 0, told.err
+    data = xr.load_dataset(tmp_path / "out" / "ribbon.nc", engine="h5netcdf")
+    assert data["cell_share"].sizes == {"mode": data.sizes["mode"], "line": 3, "column": 3}
+    inside = (data["phase"] == 0) & (data["guided"] == 1) & (data["guide_share"] >= 0.5)
+    assert inside.any()
+    assert data["cell_share"].values[inside, 1, 1] == pytest.approx(data["guide_share"].values[inside])
+    said = " ".join(told.out.split())
+    for frequency in data["frequency"].values[inside]:
+        assert f"{frequency / 1e3:.2f}" in said
+    for words in (
+        "The defect holds",
+        "Copies of it 3 cells apart",
+        f"quality of {1 / data.attrs['loss_factor']:.0f}",
+    ):
+        assert words in said, said
+    assert "wavenumber" not in said, "what changes along the ribbon has none"
 
 
 def test_all_modes_are_in_the_file_with_what_they_are(ran):

@@ -10,11 +10,9 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from haptonic.analyses.needs import has_mirror, has_plate, has_waveguide, mesh_of_rows
+from haptonic.analyses.needs import has_mirror, has_plate, has_waveguide, need_rows
 from haptonic.bloch.mirrors import MOST_ROWS
 from haptonic.bloch.resolution import started
-from haptonic.bloch.rows import rows_need
-from haptonic.cell import Rows
 from haptonic.plate.forecast import foreseen
 from haptonic.results.cost import BASE, Cost
 from haptonic.study.loading import load_as
@@ -70,7 +68,7 @@ def sweep(study: Description, options: Any) -> Cost:
 def layers(study: Description, options: Any) -> Cost:
     """Of a mirror's spectra."""
     settings = study.layers_settings
-    on_face, memory = rows_need(Rows(study.cell, settings.direction), mesh_of_rows(study))
+    on_face, memory = need_rows(study)
     each = MIRROR * (on_face / SQUARE_FACE) ** 2.5
     return gaps(study) + Cost(each * (settings.count * settings.points + MOST_ROWS), BASE + memory)
 

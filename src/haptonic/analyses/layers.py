@@ -3,9 +3,7 @@
 from __future__ import annotations
 
 from haptonic.analyses.analysis import KEPT, Analysis, NoOptions
-from haptonic.analyses.needs import has_mirror, mesh_of_rows, need_carrier
-from haptonic.bloch.rows import rows_need
-from haptonic.cell import Rows
+from haptonic.analyses.needs import has_mirror, need_carrier, need_rows
 from haptonic.results.layers import Layers, compute_layers
 from haptonic.results.runner import Runner
 from haptonic.study.schema import Description
@@ -14,7 +12,7 @@ from haptonic.study.schema import Description
 def check(study: Description, options: NoOptions) -> None:
     """Refuse a study without a carrier, and rows in a direction that is none or costs too much."""
     need_carrier(study)
-    rows_need(Rows(study.cell, study.layers_settings.direction), mesh_of_rows(study))
+    need_rows(study)
 
 
 def compute(study: Description, options: NoOptions, runner: Runner) -> Layers:

@@ -5,6 +5,8 @@ from __future__ import annotations
 from haptonic.bloch import Gap
 from haptonic.bloch.gaps import gap_at
 from haptonic.bloch.resolution import Resolution, check_memory, started
+from haptonic.bloch.rows import rows_need
+from haptonic.cell import Rows
 from haptonic.errors import StudyError
 from haptonic.plate import Fineness, Plate
 from haptonic.plate.reduction import BLOCK, STEPS
@@ -66,10 +68,11 @@ def has_mirror(study: Description) -> bool:
     return study.carrier is not None and study.cell.has_pillars
 
 
-def mesh_of_rows(study: Description) -> Resolution:
-    """The mesh that rows of the study's cell are tried with first."""
+def need_rows(study: Description) -> tuple[int, float]:
+    """What the rows of a study's mirror take on the mesh that is tried first; see `rows_need`."""
     settings = study.bands_settings
-    return settings.resolution or started(study.cell, settings.count, settings.accuracy)[0]
+    first = settings.resolution or started(study.cell, settings.count, settings.accuracy)[0]
+    return rows_need(Rows(study.cell, study.layers_settings.direction), first)
 
 
 def has_waveguide(study: Description) -> bool:

@@ -12,6 +12,7 @@ from haptonic.arrays import Array, Complex
 from haptonic.bloch.evanescent import Slab, Waves, bloch_waves, decibels
 from haptonic.bloch.resolution import Resolution, meeting
 from haptonic.cell import Filler, MeshPlan, Rows, TileShape, UnitCell
+from haptonic.cell.tile import MEET
 from haptonic.errors import ResourceError
 from haptonic.superelement import Superelement, Tiling, condense, steps_between
 from haptonic.superelement.tiling import directions
@@ -107,7 +108,7 @@ class CondensedRows:
         filler, tiling = self.fillers[0]
         places = tiling.joint.position[np.unique(tiling.joint.master)]
         away = np.abs(places @ self.rows.turn[0] - filler.line)
-        return self._ordered(places[away < 1e-6 * self.rows.cell.lattice.pitch])
+        return self._ordered(places[away < MEET * self.rows.cell.lattice.pitch])
 
     @property
     def harmonics(self) -> int:
@@ -123,20 +124,20 @@ class CondensedRows:
     def _ordered(self, places: Array) -> Array:
         """Moved into one period, and sorted along it."""
         along = places @ self.rows.turn[1] / self.rows.period
-        whole = np.floor(along - along.min() + 1e-6)
+        whole = np.floor(along - along.min() + MEET)
         places, along = places - whole[:, None] * self.rows.vectors, along - whole
         return np.asarray(places[np.argsort(along)])
 
     def slabs(self, phase: float) -> tuple[Slab, ...]:
         """Of the blocks, at a phase (rad) along the rows."""
-        return tuple(
-            Slab.of(tiling, phase, self.face, self.face + self._wide, rows.lossy)
-            for rows, tiling in self.blocks
-        )
+        return tuple(self._slab(number, phase) for number in range(len(self.blocks)))
 
     def slab(self, phase: float) -> Slab:
         """Of the lattice alone."""
-        rows, tiling = self.blocks[-1]
+        return self._slab(-1, phase)
+
+    def _slab(self, number: int, phase: float) -> Slab:
+        rows, tiling = self.blocks[number]
         return Slab.of(tiling, phase, self.face, self.face + self._wide, rows.lossy)
 
     def ends(self, phase: float) -> tuple[Slab, ...]:

@@ -133,8 +133,8 @@ class Ribbon(Directed):
     def reach(self) -> int:
         """How many columns away the farthest tiles are that touch one."""
         normal = self.turn[0]
-        corners = [one.tile.corners @ one.turn[:2, :2].T + one.position for one in self.first[0].tiles]
-        wide = float(np.ptp(np.concatenate(corners) @ normal))
+        corners = np.concatenate([one.corners for one in self.first[0].tiles])
+        wide = float(np.ptp(corners @ normal))
         return math.floor(wide / float(self.steps[0] @ normal) + SAME)
 
     @property

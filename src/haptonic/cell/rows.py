@@ -16,10 +16,9 @@ from haptonic.arrays import Array, Bools
 from haptonic.cell.directed import Directed, check_along
 from haptonic.cell.geometry import UnitCell
 from haptonic.cell.sites import placed_tiles
-from haptonic.cell.tile import FreeEdge, PlacedTile
+from haptonic.cell.tile import MEET, FreeEdge, PlacedTile
 from haptonic.lattice import SAME
 
-MEET = 1e-6  # of the pitch: corners of two tiles that are one
 MARGIN = 0.5  # of a face's longest side as seen along the rows: from its farthest point to the straight line
 
 
@@ -194,4 +193,4 @@ class Filler:
 
 def _corners(tiles: tuple[PlacedTile, ...] | list[PlacedTile]) -> Array:
     """(n, 2) of all tiles, m."""
-    return np.concatenate([one.tile.corners @ one.turn[:2, :2].T + one.position for one in tiles])
+    return np.concatenate([one.corners for one in tiles])

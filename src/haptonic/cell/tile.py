@@ -19,6 +19,7 @@ from haptonic.materials import Material, is_symmetry
 Sides = tuple[int, int]  # where a turn or mirror of a polygon takes its first two sides
 
 HALF_TURNED = np.diag([-1.0, -1.0, 1.0])  # about the normal
+MEET = 1e-6  # of the pitch: places of two tiles that are one
 SHEET = 0.08  # thickness, in half pitches, below which a plate is thin
 SHEET_CLEARANCE = 3.0  # and so narrow a neck, in thicknesses, that it is none
 
@@ -146,6 +147,11 @@ class PlacedTile:
     @property
     def is_turned(self) -> bool:
         return not np.array_equal(self.turn, np.eye(3))
+
+    @property
+    def corners(self) -> Array:
+        """(n, 2) of the tile in its place, m."""
+        return np.asarray(self.tile.corners @ self.turn[:2, :2].T + self.position)
 
     def points(self, own: Array) -> Array:
         """(n, 3) points of the cell from those of the tile, m."""

@@ -143,7 +143,7 @@ class RibbonSettings:
         return self.points or (POINTS if len(self.lines) == 1 else POINTS_OF_LINES)
 
     @property
-    def period(self) -> tuple[int, int]:
+    def direction(self) -> tuple[int, int]:
         """Whole translations of the lattice, after which it repeats."""
         return whole(self.along, "a ribbon")
 
@@ -171,7 +171,7 @@ class RibbonSettings:
             if name not in kinds:
                 kinds[name] = self._plain(own, name)
         first, *more = (tuple(kinds[name] for name in line) for line in self.names)
-        ribbon = Ribbon(first, self.period, tuple(more))
+        ribbon = Ribbon(first, self.direction, tuple(more))
         if not ribbon.guide.any():
             raise StudyError.conflict(
                 argument="ribbon.map",
@@ -186,7 +186,7 @@ class RibbonSettings:
         """A column of plain plate: the cell without its pillars, or a rectangle of another width."""
         if name not in self.widths:
             return own.without_pillar()
-        if not (own.is_simple and own.lattice.is_rectangular) or self.period != (0, 1):
+        if not (own.is_simple and own.lattice.is_rectangular) or self.direction != (0, 1):
             raise StudyError.unsupported(
                 argument=f"ribbon.widths.{name}",
                 given=format_quantity(self.widths[name], "m"),

@@ -11,11 +11,9 @@ from numpy.typing import NDArray
 
 from haptonic.arrays import Array, Fields, Ints
 from haptonic.cell import Period, PlacedTile, UnitCell
-from haptonic.cell.tile import HALF_TURNED
+from haptonic.cell.tile import HALF_TURNED, MEET
 from haptonic.errors import GeometryError
 from haptonic.lattice import HALF_TURN, Operation
-
-MEET = 1e-6  # of the pitch: places of two rims that are one
 
 
 def repeated(position: Array, vectors: Array) -> tuple[Ints, Ints]:
