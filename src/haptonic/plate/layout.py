@@ -6,12 +6,13 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from functools import cached_property
 from types import MappingProxyType
 from typing import Literal
 
 import numpy as np
 
-from haptonic.cell import UnitCell
+from haptonic.cell import Pillar, UnitCell
 from haptonic.materials import Material
 
 Side = Literal["left", "right", "bottom", "top"]
@@ -102,11 +103,22 @@ class Layout:
         tiles = self.of(name)
         return self.x[min(j for _, j in tiles)], self.y[min(i for i, _ in tiles)]
 
+    @cached_property
+    def standing(self) -> tuple[tuple[float, float, Pillar], ...]:
+        """Every pillar of the plate with the place (x, y) of its axis, m; row by row from the lower left."""
+        found = []
+        for i, row in enumerate(self.tiles):
+            for j, name in enumerate(row):
+                pillar = self.cells[name].pillar if name and name in self.cells else None
+                if pillar is not None:
+                    left, bottom, right, top = self.bounds((i, j))
+                    found.append((0.5 * (left + right), 0.5 * (bottom + top), pillar))
+        return tuple(found)
+
     @property
     def pillars(self) -> int:
         """How many pillars stand on the plate."""
-        standing = {name for name, cell in self.cells.items() if cell.pillar is not None}
-        return sum(tile in standing for row in self.tiles for tile in row)
+        return len(self.standing)
 
 
 def _met(lines: tuple[float, ...], low: float, high: float) -> range:

@@ -109,13 +109,13 @@ def _draw_tiles(axes: Axes, layout: Layout) -> list[Artist]:
     for i, j in sorted(_plate_tiles(layout)):
         x, y = 1e3 * layout.x[j], 1e3 * layout.y[i]
         width, height = 1e3 * layout.x[j + 1] - x, 1e3 * layout.y[i + 1] - y
-        cell = layout.cells.get(str(layout.tiles[i][j]))
-        shades[REGION if cell is None else LATTICE].append(Rectangle((x, y), width, height))
-        if cell is not None and cell.pillar is not None:
-            middle, half = (x + 0.5 * width, y + 0.5 * height), 1e3 * cell.pillar.radius
-            corner = (middle[0] - half, middle[1] - half)
-            square = cell.pillar.section == "square"
-            pillars.append(Rectangle(corner, 2 * half, 2 * half) if square else Circle(middle, half))
+        shade = LATTICE if layout.tiles[i][j] in layout.cells else REGION
+        shades[shade].append(Rectangle((x, y), width, height))
+    for across, up, pillar in layout.standing:
+        middle, half = (1e3 * across, 1e3 * up), 1e3 * pillar.radius
+        corner = (middle[0] - half, middle[1] - half)
+        square = pillar.section == "square"
+        pillars.append(Rectangle(corner, 2 * half, 2 * half) if square else Circle(middle, half))
     for shade, tiles in shades.items():
         axes.add_collection(PatchCollection(tiles, facecolor=shade, edgecolor="white", linewidth=0.4))
     axes.add_collection(
