@@ -25,7 +25,7 @@ from haptonic.bloch import gaps_of
 from haptonic.cli.app import app
 from haptonic.results import Runner
 from haptonic.store import Store
-from haptonic.workshop import cell_drawing, drawing
+from haptonic.workshop import Part, drawing, part_drawing
 
 SWEEP = """
 [[sweep]]
@@ -272,8 +272,9 @@ class TestTolerance:
         assert height[0] == pytest.approx(14.7)
         assert height[1].get("dimtp") == height[1].get("dimtm") == pytest.approx(1e3 * wanted.expected)
         texts = " ".join(
-            text.get_text() for text in cell_drawing(package.load(path).cell, "", tolerances=shown[0])
-            .figure().findobj(Text))  # fmt: skip
+            text.get_text() for text in part_drawing(
+                Part.piece(package.load(path).cell), "", tolerances=shown[0]
+            ).figure().findobj(Text))  # fmt: skip
         assert f"14.700 ±{1e3 * shown[0]['cell.pillar.height']:.3f}" in texts
 
     def test_it_refuses_to_overwrite_before_computing(self, here, asking, tmp_path, monkeypatch):
@@ -336,6 +337,29 @@ class TestExport:
         assert here("export", study(), "--stl", "--overwrite", "--columns", 2).code == 0
         assert (folder / "quick.stl").stat().st_size > 1.5 * single
 
+    def test_the_whole_plate_of_a_study_or_a_piece_of_its_lattice(self, here, plated, tmp_path):
+        """Without numbers of cells, the plate; its tiles, pillars and patch are those of the map."""
+        made = {}
+        for name, more in {"plate": [], "piece": ["--columns", 2]}.items():
+            out = tmp_path / name
+            ran = here("export", plated(), "--dxf", "--stl", "--out", out, "--json", *more)
+            assert ran.code == 0, ran.err
+            made[name] = json.loads(ran.out)
+            space = ezdxf.readfile(out / "quick.dxf").modelspace()
+            assert len(space.query('CIRCLE[layer=="PILLAR"]')) == made[name]["pillars"]
+            assert len(space.query('*[layer=="PATCH"]')) == (name == "plate")
+        assert made["plate"]["whole_plate"]
+        assert made["plate"]["pillars"] == 4
+        assert made["plate"]["size_m"] == pytest.approx([28e-3, 14e-3])
+        assert not made["piece"]["whole_plate"]
+        assert made["piece"]["pillars"] == 2
+        assert made["piece"]["size_m"] == pytest.approx([14e-3, 7e-3])
+
+    def test_a_plate_with_too_many_pillars(self, here, plated, tmp_path):
+        ran = here("export", plated(("rows = 2\nloss", "rows = 1000\nloss")), "--out", tmp_path / "out")
+        assert_five_parts(ran, "2000 pillars", "--columns", code="too-large", argument="export")
+        assert not (tmp_path / "out").exists()
+
     def test_nothing_is_written_if_one_name_is_taken(self, here, study, tmp_path):
         folder = tmp_path / "out"
         folder.mkdir()
@@ -387,9 +411,9 @@ class TestExport:
         """In the drawing, on the terminal if some were asked for, and to machines."""
         found = SimpleNamespace(loosest=0.0, plate=0.42)
         monkeypatch.setattr("haptonic.analyses.tolerance.compute", lambda *_: found)
-        figures, draw = [], drawing.cell_drawing
+        figures, draw = [], drawing.part_drawing
         monkeypatch.setattr(
-            drawing, "cell_drawing", lambda *a, **o: figures.append(draw(*a, **o)) or figures[-1]
+            drawing, "part_drawing", lambda *a, **o: figures.append(draw(*a, **o)) or figures[-1]
         )
         for machine in ([], ["--json"]):
             out = tmp_path / f"files{len(machine)}"

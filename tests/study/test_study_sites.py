@@ -220,14 +220,13 @@ def test_what_knows_single_pillars_only_says_so(text):
         lambda: waveguide.ANALYSIS.check(study, waveguide.ANALYSIS.options()),
         lambda: design.brief(study),
         lambda: export.check(study, replace(export.ExportOptions(), drawing=True)),
-        lambda: export.check(study, replace(export.ExportOptions(), stl=True)),
         lambda: loads(text + PLATE),
     ]
     for ask in asked:
         with pytest.raises(HaptonicError) as caught:
             ask()
         assert_told(caught.value, "one site")
-    export.check(study, replace(export.ExportOptions(), dxf=True, step=True))
+    export.check(study, replace(export.ExportOptions(), dxf=True, step=True, stl=True))
 
 
 def test_what_knows_rectangles_only_says_so_before_anything_is_computed():

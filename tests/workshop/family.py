@@ -7,7 +7,9 @@ import numpy as np
 
 from haptonic.cell import Pillar, Step, UnitCell
 from haptonic.lattice import Lattice
-from haptonic.materials import IsotropicMaterial
+from haptonic.materials import IsotropicMaterial, material
+from haptonic.plate.layout import Layout
+from haptonic.plate.parts import Actuator, Bond, Plate
 
 MM = 1e-3
 METAL = IsotropicMaterial(70e9, 0.33, 2700.0, 0.001, name="metal")
@@ -65,3 +67,30 @@ def is_watertight(triangles) -> bool:
     edges = np.concatenate([triangles[:, [k, (k + 1) % 3]] for k in range(3)])
     directed = set(map(tuple, edges.tolist()))
     return len(directed) == len(edges) and all((b, a) in directed for a, b in directed)
+
+
+SLIM = Pillar(2 * MM, 8 * MM, "square", fillet=0.4 * MM, step=Step(1.5 * MM, 5 * MM))
+OWN = cell(Pillar(3 * MM, 9 * MM, fillet=0.3 * MM, draft=0.01), RECTANGLE)
+LATTICES = {"lattice": OWN, "slim": cell(SLIM, RECTANGLE), "tall": cell(Pillar(3.5 * MM, 11 * MM), RECTANGLE)}
+
+
+def plate(rows: str, actuators: tuple[Actuator, ...] = (), kind: type[Layout] = Layout) -> Plate:
+    """A map: o, s and t are tiles of lattices, digits those of regions, a point is none; rows from above."""
+    names = {"o": "lattice", "s": "slim", "t": "tall", ".": None}
+    tiles = tuple(tuple(names.get(c, c) for c in row) for row in reversed(rows.split()))
+    x, y = (
+        tuple(side * k for k in range(n + 1)) for side, n in ((7 * MM, len(tiles[0])), (9 * MM, len(tiles)))
+    )
+    used = {name for row in tiles for name in row}
+    cells = {name: one for name, one in LATTICES.items() if name in used}
+    return Plate(kind(tiles, x, y, cells, 1.5 * MM, METAL), (), actuators)
+
+
+GLUE = Bond(50e-6, material("silver-epoxy"))
+PATCH = Actuator("A1", (24.5 * MM, 4 * MM), (6 * MM, 5 * MM, 0.5 * MM), material("pzt-5a"), GLUE)
+PLATES = {
+    "touchpad": plate("ooo1111ooo2222ooo " * 6, (PATCH,)),
+    "hole and cut corner": plate("ooo1ss. ooo1sst oo..sst ooo1sst", (PATCH,)),
+    "plain": plate("11 11"),
+    "long": plate("o" * 40),
+}

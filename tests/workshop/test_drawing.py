@@ -10,7 +10,7 @@ from itertools import combinations
 import ezdxf
 import numpy as np
 import pytest
-from family import EXTREME, FAMILY, METAL, MM, RECTANGLE, cell
+from family import EXTREME, FAMILY, LATTICES, METAL, MM, OWN, PLATES, RECTANGLE, cell
 from hypothesis import example, given, settings
 from hypothesis import strategies as st
 from matplotlib.font_manager import FontProperties
@@ -21,7 +21,7 @@ from haptonic.cell import Pillar, Step, UnitCell
 from haptonic.errors import GeometryError, ResourceError, StudyError
 from haptonic.lattice import Lattice
 from haptonic.names import visible
-from haptonic.workshop import cell_drawing, surface, write_drawing
+from haptonic.workshop import Part, part_drawing, surface, write_drawing
 from haptonic.workshop.dimensions import dimensions_of
 from haptonic.workshop.dxf import outlines
 from haptonic.workshop.sheet import POINT, Sheet
@@ -41,7 +41,11 @@ def toleranced(the_cell):
 
 @cache
 def sheet_of(name):
-    return cell_drawing(ALL[name], "A plate with a title", 12, 8, tolerances=toleranced(ALL[name]))
+    if name in PLATES:
+        return part_drawing(Part.whole(PLATES[name], OWN), "A plate with a title", tolerances=toleranced(OWN))
+    return part_drawing(
+        Part.piece(ALL[name], 12, 8), "A plate with a title", tolerances=toleranced(ALL[name])
+    )
 
 
 def written(entity):
@@ -90,15 +94,16 @@ def crossing(box, lines):
     return lines[(enter < leave) & ~misses]
 
 
-@pytest.mark.parametrize("name", ALL)
+@pytest.mark.parametrize("name", [*ALL, *PLATES])
 def test_no_text_lies_on_another_or_on_a_line_or_leaves_the_frame(name):
     figure = sheet_of(name).figure()
     texts = [(text.get_text(), ink(text)) for text in figure.axes[0].texts]
-    assert len(texts) > 40
+    assert len(texts) > 30
+    right, top = (side - 10 for side in sheet_of(name).size)
     lines = stretches(figure)
     for text, (x0, y0, x1, y1) in texts:
-        assert 10 < x0 < x1 < 287, text
-        assert 10 < y0 < y1 < 200, text
+        assert 10 < x0 < x1 < right, text
+        assert 10 < y0 < y1 < top, text
         assert not len(crossing((x0, y0, x1, y1), lines)), (text, crossing((x0, y0, x1, y1), lines))
     for (one, a), (other, b) in combinations(texts, 2):
         assert a[2] <= b[0] or b[2] <= a[0] or a[3] <= b[1] or b[3] <= a[1], (one, other)
@@ -142,7 +147,9 @@ def test_every_dimension_is_measured_and_given_with_its_tolerance(name, tmp_path
 
 
 def test_the_words_beside_the_views():
-    sheet = cell_drawing(STEPPED, "Plate", 2, 3, tolerances={"cell.pillar.diameter": 2e-5}, date=None)
+    sheet = part_drawing(
+        Part.piece(STEPPED, 2, 3), "Plate", tolerances={"cell.pillar.diameter": 2e-5}, date=None
+    )
     found = words(sheet)
     for text in (
         "⌀3.500 ±0.020", "⌀2", "(⌀1.721)", "R0.5", "draft 2°", "5", "9", "1.5", "7",
@@ -153,7 +160,7 @@ def test_the_words_beside_the_views():
     notes = " ".join(found)
     assert "tool radius at most 1.75." in notes
     assert "corner radius, 0.5." in notes
-    assert "2026-02-03" in words(cell_drawing(STEPPED, "Plate", date=datetime.date(2026, 2, 3)))
+    assert "2026-02-03" in words(part_drawing(Part.piece(STEPPED), "Plate", date=datetime.date(2026, 2, 3)))
     assert not re.search(r"\d{4}-\d\d-\d\d", notes)
 
 
@@ -187,8 +194,43 @@ def test_the_views_are_to_scale(name):
     assert len(model.query('*[layer=="PILLAR"]')) == (96 if pillar else 0)
 
 
+class TestWholePlate:
+    def test_the_lists_tell_number_and_sizes_of_every_kind_and_the_patches(self):
+        found = words(sheet_of("hole and cut corner"))
+        for text in (
+            "⌀3.000 ±0.020", "9.000 ±0.020", "R0.300 ±0.020", "0.57° ±0.25°", "7.000 ±0.020, 9.000 ±0.020",
+            "3", "□2", "□1.5", "R0.4", "5", "8", "⌀3.5", "11", "7, 9", "A1", "24.5, 4", "6, 5",
+            "0.5, pzt-5a, glue 0.05", "ISO 2768-m", "Section of a pillar A   5 : 1", "36", "49", "22",
+            "49 \N{MULTIPLICATION SIGN} 36",
+        ):  # fmt: skip
+            assert text in found, text
+
+    def test_the_plan_is_to_scale_and_dimensions_measure_the_outline(self):
+        sheet = sheet_of("hole and cut corner")
+        window = sheet.space.query("VIEWPORT")[-1].dxf
+        scale = scale_of(sheet, "Plate")
+        assert (window.width, window.height) == pytest.approx((49 * scale + 1, 36 * scale + 1))
+        assert tuple(window.view_center_point)[:2] == pytest.approx((24.5, 18))
+        measured = [
+            round(d.get_measurement() * d.override().get("dimlfac"), 6)
+            for d in sheet.space.query("DIMENSION")
+        ]
+        # chains along x and y through the hole and the cut corner, then the sizes over all
+        for length, times in {14: 3, 7: 1, 9: 4, 36: 1, 49: 1}.items():
+            assert measured.count(length) >= times, (length, measured)
+
+    def test_tolerances_belong_to_the_studys_own_pillar(self):
+        other = part_drawing(Part.whole(PLATES["plain"], cell(None, RECTANGLE)), "Plain")
+        assert not any("±" in word for word in words(other))
+        assert "0" in words(other)  # pillars
+        strange = part_drawing(
+            Part.whole(PLATES["long"], LATTICES["slim"]), "Long", tolerances={"cell.pillar.height": 5e-5}
+        )
+        assert not any("±" in word for word in words(strange))
+
+
 def test_a_single_cell_has_no_plan_of_a_plate():
-    sheet = cell_drawing(STEPPED, "Plate")
+    sheet = part_drawing(Part.piece(STEPPED), "Plate")
     assert not any(word.startswith("Plate, ") for word in words(sheet))
     assert len(sheet.space.query("VIEWPORT")) == 1  # the sheet's own
 
@@ -197,7 +239,7 @@ class TestWhatIsSeen:
     """Lengths of a block's edges as an eye in the direction (1, -1, 1) sees them."""
 
     def seen(self, body):
-        skin = surface(body)
+        skin = surface(Part.piece(body))
         lines = np.array(seen_edges(skin.points, skin.cells_dict["triangle"], (1, -1, 1)))
         return lines, np.linalg.norm(lines[:, 1] - lines[:, 0], axis=1)
 
@@ -218,7 +260,7 @@ class TestWhatIsSeen:
 
 
 def test_a_fine_tolerance_is_not_shown_as_zero():
-    found = words(cell_drawing(STEPPED, "Plate", tolerances={"cell.thickness": 2e-7}))
+    found = words(part_drawing(Part.piece(STEPPED), "Plate", tolerances={"cell.thickness": 2e-7}))
     assert "1.5000 ±0.0002" in found
 
 
@@ -233,17 +275,17 @@ def test_a_fine_tolerance_is_not_shown_as_zero():
 )
 def test_tolerances_that_mean_nothing_are_refused(tolerances, message):
     with pytest.raises(StudyError, match=message):
-        cell_drawing(STEPPED, "Plate", tolerances=tolerances)
+        part_drawing(Part.piece(STEPPED), "Plate", tolerances=tolerances)
 
 
 def test_a_cell_that_is_no_rectangle_is_refused():
     oblique = Lattice.oblique(7 * MM, 7.5 * MM, 1.3)
     with refusing(GeometryError, "unsupported", "cell.lattice"):
-        cell_drawing(UnitCell(oblique, 1.5 * MM, METAL), "Plate")
+        part_drawing(Part.piece(UnitCell(oblique, 1.5 * MM, METAL)), "Plate")
 
 
 def test_long_names_stay_in_their_boxes():
-    figure = cell_drawing(cell(None), "A very long title " * 10).figure()
+    figure = part_drawing(Part.piece(cell(None)), "A very long title " * 10).figure()
     (title,) = [text for text in figure.axes[0].texts if text.get_text().startswith("A very long")]
     assert title.get_text().endswith("…")
     assert ink(title)[2] < 265  # before the symbol of projection
@@ -257,7 +299,7 @@ def test_long_names_stay_in_their_boxes():
 @example("^")
 def test_a_title_means_itself_and_breaks_nothing(title):
     """Carets, per cent signs, backslashes and ends of line are codes of DXF, the dollar of mathtext."""
-    sheet = Sheet.of(outlines(cell(None).scaled(1e3), 1, 1))
+    sheet = Sheet.of(outlines(Part.piece(cell(None))))
     sheet.text((20, 20), title)
     sheet.notes((20, 100), [title], 200)
     stream = io.StringIO()
@@ -276,7 +318,7 @@ def test_a_title_means_itself_and_breaks_nothing(title):
 
 
 def test_the_pdf_is_one_a4_page_and_the_same_every_time(tmp_path):
-    one, other = (write_drawing(tmp_path / f"{name}.pdf", STEPPED, "Plate") for name in "ab")
+    one, other = (write_drawing(tmp_path / f"{name}.pdf", Part.piece(STEPPED), "Plate") for name in "ab")
     content = one.read_bytes()
     assert content == other.read_bytes()
     assert content.startswith(b"%PDF")
@@ -285,13 +327,15 @@ def test_the_pdf_is_one_a4_page_and_the_same_every_time(tmp_path):
     assert [float(side) / 72 * 25.4 for side in box.groups()] == pytest.approx([297, 210], abs=0.1)
     assert b"CreationDate" not in content
     assert re.search(rb"/BaseFont /\w*\+?DejaVuSans\b", content)  # text is text
-    dated = write_drawing(tmp_path / "c.pdf", STEPPED, "Plate", date=datetime.date(2026, 2, 3))
+    dated = write_drawing(tmp_path / "c.pdf", Part.piece(STEPPED), "Plate", date=datetime.date(2026, 2, 3))
     assert b"CreationDate (D:20260203" in dated.read_bytes()
 
 
 @pytest.mark.parametrize(("kind", "start"), [("dxf", b"  0\n"), ("svg", b"<?xml"), ("png", b"\x89PNG")])
 def test_the_ending_of_the_path_chooses_the_kind(kind, start, tmp_path):
-    one, other = (write_drawing(tmp_path / f"{name}.{kind}", STEPPED, "Plate", 2, 3) for name in "ab")
+    one, other = (
+        write_drawing(tmp_path / f"{name}.{kind}", Part.piece(STEPPED, 2, 3), "Plate") for name in "ab"
+    )
     assert one.read_bytes() == other.read_bytes()
     assert one.read_bytes().startswith(start)
 
@@ -300,7 +344,7 @@ def test_a_file_is_not_replaced_unasked(tmp_path):
     path = tmp_path / "a.pdf"
     path.write_text("mine")
     with refusing(ResourceError, "repeated", "output file"):
-        write_drawing(path, STEPPED, "Plate")
+        write_drawing(path, Part.piece(STEPPED), "Plate")
     assert path.read_text() == "mine"
-    write_drawing(path, STEPPED, "Plate", overwrite=True)
+    write_drawing(path, Part.piece(STEPPED), "Plate", overwrite=True)
     assert path.read_bytes().startswith(b"%PDF")

@@ -29,8 +29,8 @@ NAMES = {
     "design": "The cell whose gap holds the carrier with the widest margin, within the study's [design].",
     "tolerance": "The chance that the gap holds the carrier, the size that matters most, and the loosest "
     "tolerances.",
-    "export": "Files for the workshop; all of them if none is named. The drawing has the tolerances found, "
-    "or says why not.",
+    "export": "Files for the workshop, of the plate or a piece of lattice; all of them if none is named. The "
+    "drawing has the tolerances found, or says why not.",
     "plate": "How the finite plate vibrates: response, localisation, energies, impedance, modes.",
     "feel": "What a finger feels of the plate: a map of friction, reductions, whether they are noticed.",
     "chirp": "The drive of a scan as WAV, CSV and HDF5, and the points in the order of the stage.",

@@ -10,6 +10,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
+from haptonic.analyses.export import ExportOptions
 from haptonic.analyses.needs import has_mirror, has_plate, has_waveguide, need_rows
 from haptonic.bloch.mirrors import MOST_ROWS
 from haptonic.bloch.resolution import started
@@ -33,6 +34,12 @@ DRIVE = 2.0  # s, of a drive's files and pictures
 POWER = 3.0  # s, of simulated experiments
 FILM, STROKE = 3.0, 0.006  # s, of load sharing; of a stroke that is made up and written
 FILES = 3.0  # s, of outlines, solids and the drawing of a cell
+PER_FACE, PER_PAIR, BYTES_OF_FACE = (
+    1e-3,
+    1.5e-7,
+    6e4,
+)  # s, s and B of a solid with so many faces, and of two of them
+DRAWN = 0.04  # s, of a pillar on the drawing of a plate
 RECORDED = 0.01  # s, of a point that is made up and written
 ANALYSED, BYTE_OF_SCAN = 4.0, 5e-8  # s, of maps and pictures; of a byte that is read and estimated
 TESTED, BYTE_OF_TRIALS = 4.0, 6e-8  # s, of statistics and pictures; of a byte that is read and filtered
@@ -122,9 +129,15 @@ def reproduce(study: Description, options: Any) -> Cost:
 
 def export(study: Description, options: Any) -> Cost:
     """Of the files; of the tolerances in a drawing where the study gives spreads."""
-    drawn = options is None or "drawing" in options.kinds
-    found = drawn and study.carrier and study.tolerance_settings.of
-    return Cost(FILES) + (tolerance(study, None) if found else Cost(0.0))
+    asked = options or ExportOptions()
+    part, total = asked.part(study), Cost(FILES)
+    if "step" in asked.kinds:
+        total += Cost(PER_FACE * part.faces + PER_PAIR * part.faces**2, BASE + BYTES_OF_FACE * part.faces)
+    if "drawing" in asked.kinds:
+        total += Cost(DRAWN * part.pillars)
+        if study.carrier and study.tolerance_settings.of:
+            total += tolerance(study, None)
+    return total
 
 
 def simulate_friction(study: Description, options: Any) -> Cost:

@@ -16,7 +16,8 @@ from haptonic.results.result import Result
 from haptonic.results.runner import Runner
 from haptonic.results.tolerance import percent
 from haptonic.study.schema import Description
-from haptonic.workshop.shape import TRIANGLES, dimensions_of, in_mm
+from haptonic.workshop.part import Part
+from haptonic.workshop.shape import MM, dimensions_of
 
 KINDS = ("step", "dxf", "stl", "drawing")
 
@@ -29,13 +30,28 @@ class ExportOptions:
     dxf: bool = option(False, "Outlines seen from above.")
     stl: bool = option(False, "Surface as triangles.")
     drawing: bool = option(False, "Dimensioned drawing (PDF, DXF).")
-    columns: int = option(1, "Cells along x.", metavar="N")
-    rows: int = option(1, "Cells along y.", metavar="N")
+    columns: int | None = option(
+        None, "A piece of lattice with so many cells along x; without --columns and --rows the study's whole "
+        "plate, or one cell if it has none.", metavar="N",
+    )  # fmt: skip
+    rows: int | None = option(None, "And along y.", metavar="N")
 
     @property
     def kinds(self) -> list[str]:
         """Of files that are asked for."""
         return [kind for kind in KINDS if getattr(self, kind)] or list(KINDS)
+
+    def part(self, study: Description) -> Part:
+        """What is made.
+
+        Raises
+        ------
+        GeometryError : an impossible number of cells, or a plate that cannot be made
+        """
+        if study.finite_plate is not None and self.columns is None and self.rows is None:
+            return Part.whole(study.mounted_plate(), study.cell)
+        columns, rows = (1 if number is None else number for number in (self.columns, self.rows))
+        return Part.piece(study.cell, columns, rows)
 
     def names(self, stem: str) -> list[str]:
         """Of the files."""
@@ -46,15 +62,16 @@ class ExportOptions:
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Workshop(Result):
-    """A piece of plate as files for the workshop.
+    """A plate, or a piece of lattice, as files for the workshop.
 
-    cell, study, stem : what is made, the title of its study, and the beginning of the files' names
+    part, cell, study, stem : what is made, the study's cell and title, and the beginning of the files' names
     tolerances : half-widths (SI) of the sizes in the drawing; why_none : why there are none, if so
     wants_tolerances : whether the study asks for tolerances
     """
 
     title = "Files for the workshop"
 
+    part: Part
     cell: UnitCell
     study: str
     stem: str
@@ -82,46 +99,50 @@ class Workshop(Result):
         return (options or ExportOptions()).names("STUDY")
 
     def put(self, draft: Path, *_: object) -> None:
-        asked = self.options
         solids = {"dxf": workshop.write_dxf, "stl": workshop.write_stl}
-        for name in asked.names(self.stem):
+        for name in self.options.names(self.stem):
             path, kind = draft / name, name.rpartition(".")[2]
             if name in (f"{self.stem}.pdf", f"{self.stem}-drawing.dxf"):
                 workshop.write_drawing(
-                    path, self.cell, self.study, asked.columns, asked.rows,
+                    path, self.part, self.study,
                     tolerances=self.tolerances, why_none=self.why_none, date=date.today(),
                 )  # fmt: skip
             elif kind == "step":
-                workshop.write_step(path, self.cell, asked.columns, asked.rows, title=self.study)
+                workshop.write_step(path, self.part, title=self.study)
             else:
-                solids[kind](path, self.cell, asked.columns, asked.rows)
+                solids[kind](path, self.part)
 
     def summary(self) -> list[str]:
-        return [f"written: {name}" for name in self.options.names(self.stem)]
+        what, aside = "the whole plate", "; regions and patches are marked, and no part of the solid"
+        if self.part.count is not None:
+            what, aside = "a piece of lattice, {} x {} cells".format(*self.part.count), ""
+        sizes = " x ".join(f"{side:.4g}" for side in self.part.size)
+        return [
+            f"made: {what}, {sizes} mm, with {self.part.pillars} pillars{aside}",
+            f"written: {', '.join(self.options.names(self.stem))}",
+        ]
 
     def remarks(self) -> list[str]:
-        return (
-            [f"the drawing has no tolerances: {self.why_none}"]
-            if self.why_none and self.wants_tolerances
-            else []
-        )
+        if not (self.why_none and self.wants_tolerances):
+            return []
+        return [f"the drawing has no tolerances: {self.why_none}"]
 
     def facts(self) -> dict[str, Any]:
+        made = {"whole_plate": self.part.count is None, "size_m": [side / MM for side in self.part.size],
+                "pillars": self.part.pillars}  # fmt: skip
         if "drawing" not in self.options.kinds:
-            return {}
-        return {"tolerances": self.tolerances, "why_no_tolerances": self.why_none or None}
+            return made
+        return made | {"tolerances": self.tolerances, "why_no_tolerances": self.why_none or None}
 
     def located(self, folder: Path) -> dict[str, Any]:
         return {"files": [str(folder / name) for name in self.options.names(self.stem)]}
 
 
 def check(study: Description, options: ExportOptions) -> None:
-    """Refuse impossible numbers of cells, and files that this cell cannot have."""
-    in_mm(study.cell, options.columns, options.rows)
-    if "stl" in options.kinds:
-        study.cell.check_one_site(TRIANGLES)
-    if "drawing" in options.kinds:
-        study.cell.check_simple("the drawing")
+    """Refuse what cannot be made, and a drawing that this cell cannot have."""
+    part = options.part(study)
+    if "drawing" in options.kinds and part.count is not None:
+        study.cell.check_simple("the drawing of a piece of lattice")
 
 
 def compute(study: Description, options: ExportOptions, runner: Runner) -> Workshop:
@@ -131,7 +152,7 @@ def compute(study: Description, options: ExportOptions, runner: Runner) -> Works
         found = drawn_tolerances(study, runner)
     stem = "cell" if runner.about is None else runner.about.stem
     asked = bool(study.tolerance_settings.of)
-    return Workshop(study.cell, study.title, stem, options, *found, asked)
+    return Workshop(options.part(study), study.cell, study.title, stem, options, *found, asked)
 
 
 def drawn_tolerances(study: Description, runner: Runner) -> tuple[dict[str, float], str]:

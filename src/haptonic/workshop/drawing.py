@@ -1,6 +1,7 @@
-"""A dimensioned drawing of a plate on a sheet A4: views of one cell, where the cells lie, notes, title block.
+"""A dimensioned drawing of a part: a piece of lattice on A4 by the views of one cell, a whole plate on A3 by
+its plan, a section and a list of its pillars; notes and a title block.
 
-It is a DXF document: the plate's outlines in model space, the sheet in paper space. PDF, SVG and PNG are
+It is a DXF document: the part's outlines in model space, the sheet in paper space. PDF, SVG and PNG are
 pictures of that sheet.
 """
 
@@ -12,105 +13,176 @@ from collections.abc import Mapping
 from pathlib import Path
 
 import matplotlib as mpl
+import numpy as np
+from scipy.spatial import cKDTree
 
-from haptonic.cell import UnitCell
-from haptonic.plots.style import DOTS_PER_INCH, styled
+from haptonic.plots.style import DOTS_PER_INCH, spread, styled
 from haptonic.store import refuse_overwrite, write_atomically
 from haptonic.workshop.dimensions import checked_tolerances, number
 from haptonic.workshop.dxf import outlines, reproducible
-from haptonic.workshop.shape import PillarShape, in_mm
-from haptonic.workshop.sheet import A4, SIZE, SMALL, Sheet, shortened
+from haptonic.workshop.lists import draw_lists, letter
+from haptonic.workshop.part import Part
+from haptonic.workshop.shape import MM, PillarShape
+from haptonic.workshop.sheet import A3, A4, APART, SIZE, SMALL, Sheet, View, shortened, text_width
 from haptonic.workshop.views import Box, draw_isometric, draw_plan, draw_plate, draw_section
 
 TIMES = "\N{MULTIPLICATION SIGN}"
 GENERAL = "ISO 2768-m"  # for dimensions without a tolerance of their own: medium, which a mill keeps unasked
 FRAME = 10.0  # mm
-BLOCK: Box = (107.0, FRAME, A4[0] - FRAME, 46.0)  # title block
+BLOCK = (180.0, 36.0)  # size of the title block, mm
+# on A4, of a piece
 PLAN: Box = (12.0, 117.0, 110.0, 198.0)
 PLATE: Box = (12.0, 50.0, 110.0, 115.0)
 SECTION: Box = (110.0, 48.0, 226.0, 198.0)
 ISOMETRIC: Box = (226.0, 48.0, 285.0, 198.0)
+# on A3, of a whole plate
+WIDE_PLAN: Box = (12.0, 112.0, 250.0, 285.0)
+LISTS: Box = (14.0, 48.0, 272.0, 108.0)
+WIDE_SECTION: Box = (250.0, 136.0, 408.0, 285.0)
+WIDE_ISOMETRIC: Box = (275.0, 48.0, 408.0, 136.0)
 
 
-def cell_drawing(
-    cell: UnitCell,
+def part_drawing(
+    part: Part,
     title: str,
-    columns: int = 1,
-    rows: int = 1,
     *,
     tolerances: Mapping[str, float] | None = None,
     why_none: str = "",
     date: datetime.date | None = None,
 ) -> Sheet:
-    """One cell of a plate of ``columns`` x ``rows``, and the plate, as a technical drawing to scale on A4.
+    """A part as a technical drawing to scale.
 
     Parameters
     ----------
     tolerances : half-widths by the dimension's name in a study, such as ``cell.pillar.diameter``: m, or rad
         for the draft; they are shown as ``3.500 ±0.020``
     why_none : said in the notes if there are no tolerances
-    date : shown in the title block; without one, the same cell is the same file at any time
+    date : shown in the title block; without one, the same part is the same file at any time
 
     Raises
     ------
-    GeometryError : a number of columns or rows that is not a positive integer, or a cell that is not a
-        rectangle
+    GeometryError : a piece whose cell is not a rectangle
     StudyError : a tolerance of what the cell does not have, or one that is not positive
     """
-    tolerances = checked_tolerances(cell, tolerances or {})
-    scaled = in_mm(cell, columns, rows)
-    scaled.check_simple("the drawing")
+    tolerances = checked_tolerances(part.cell.scaled(1 / MM), tolerances or {})
     with reproducible():
-        sheet = Sheet.of(outlines(scaled, columns, rows))
-        left, bottom, right, top = FRAME, FRAME, A4[0] - FRAME, A4[1] - FRAME
+        sheet = Sheet.of(outlines(part), A4 if part.count else A3)
+        left, bottom, right, top = FRAME, FRAME, sheet.size[0] - FRAME, sheet.size[1] - FRAME
         sheet.line([(left, bottom), (right, bottom), (right, top), (left, top)], close=True)
-        alone = columns * rows == 1
-        plan = (*PLAN[:1], PLATE[1], *PLAN[2:]) if alone else PLAN
-        draw_plan(sheet, plan, scaled, tolerances, alone)
-        if not alone:
-            draw_plate(sheet, PLATE, scaled, columns, rows)
-        section = draw_section(sheet, SECTION, scaled, tolerances, alone)
-        draw_isometric(sheet, ISOMETRIC, scaled)
-        volume = cell.lattice.area * cell.thickness + (cell.pillar.volume if cell.pillar else 0.0)
-        sides = (columns * cell.lattice.a1[0], rows * cell.lattice.a2[1])
+        view, numbers = (_piece if part.count else _plate)(sheet, part, tolerances)
         _title_block(sheet, title, {
-            "MATERIAL": cell.material.name,
-            "MASS": f"{1e3 * columns * rows * volume * cell.material.density:.3g} g",
-            "PLATE": f" {TIMES} ".join(number(side) for side in sides),
-            "NUMBER OF CELLS": "1" if alone else f"{columns} {TIMES} {rows} = {columns * rows}",
+            "MATERIAL": part.cell.material.name,
+            "MASS": f"{1e3 * part.volume / MM**3 * part.cell.material.density:.3g} g",
+            "PLATE": f" {TIMES} ".join(number(side / MM) for side in part.size),
+            **numbers,
             "GENERAL TOLERANCES": GENERAL,
             "UNITS": "dimensions in mm",
-            "SCALE": str(section),
+            "SCALE": str(view),
             "DATE": date.isoformat() if date else "",
         })  # fmt: skip
-        notes = _advice(cell)
+        notes = _advice(part)
         if not tolerances:
             notes.insert(0, f"No dimension has a tolerance of its own{why_none and ': '}{why_none}.")
-        sheet.notes((FRAME + 3, BLOCK[3] - 1), notes, BLOCK[0] - FRAME - 8)
+        width = sheet.size[0] - BLOCK[0] - 2 * FRAME - 8
+        sheet.notes((FRAME + 3, FRAME + BLOCK[1] - 1), notes, width)
     return sheet
+
+
+def _piece(sheet: Sheet, part: Part, tolerances: Mapping[str, float]) -> tuple[View, dict[str, str]]:
+    """Views of one cell, and where the cells lie; the view whose scale is that of the sheet, and numbers."""
+    assert part.count is not None
+    cell, (columns, rows) = part.cell, part.count
+    cell.check_simple("the drawing of a piece of lattice")
+    alone = columns * rows == 1
+    draw_plan(sheet, (*PLAN[:1], PLATE[1], *PLAN[2:]) if alone else PLAN, cell, tolerances, alone)
+    if not alone:
+        draw_plate(sheet, PLATE, part, f"Plate, {columns} {TIMES} {rows} cells")
+    size = (float(cell.lattice.a1[0]), cell.thickness)
+    section = draw_section(sheet, SECTION, size, cell.pillar, tolerances, alone)
+    draw_isometric(sheet, ISOMETRIC, Part.piece(cell.scaled(1 / MM)))
+    return section, {"NUMBER OF CELLS": "1" if alone else f"{columns} {TIMES} {rows} = {columns * rows}"}
+
+
+def _plate(sheet: Sheet, part: Part, tolerances: Mapping[str, float]) -> tuple[View, dict[str, str]]:
+    """The same of a whole plate: its plan, a section, how it looks, and its lists."""
+    plan = draw_plate(sheet, WIDE_PLAN, part, "Plate")
+    _name_marks(sheet, plan, part)
+    pillar, _ = part.standing[0] if part.standing else (None, None)
+    thickness = part.cell.thickness
+    width = min(2 * part.cell.inradius, min(part.size))
+    if pillar is not None:
+        width = max(width, 3 * PillarShape.of(pillar).widest)
+        if len(part.standing) > 1:
+            _name_kinds(sheet, plan, part)
+    own = (
+        tolerances
+        if pillar == part.cell.pillar
+        else {k: v for k, v in tolerances.items() if "pillar" not in k}
+    )
+    draw_section(
+        sheet, WIDE_SECTION, (width, thickness), pillar, own, False,
+        f"Section of a pillar {letter(0)}" if len(part.standing) > 1 else "Section of a pillar",
+    )  # fmt: skip
+    draw_isometric(sheet, WIDE_ISOMETRIC, part)
+    draw_lists(sheet, LISTS, part, tolerances)
+    return plan, {"NUMBER OF PILLARS": str(part.pillars)}
+
+
+def _name_marks(sheet: Sheet, view: View, part: Part) -> None:
+    """Write the names of regions and patches into them, where there is room."""
+    taken: list[Box] = []
+    for mark in sorted(part.marks, key=lambda one: one.layer):  # patches come first: they lie on regions
+        low, high = (view.place(*end(mark.line, axis=0)) for end in (np.min, np.max))
+        if mark.layer == "PATCH":
+            taken.append((*low, *high))
+        width, x = text_width(mark.name) + 2, 0.5 * (low[0] + high[0])
+        for share in (0.5, 0.75, 0.25, 0.9, 0.1):
+            y = low[1] + share * (high[1] - low[1])
+            box = (x - 0.5 * width, y - SIZE, x + 0.5 * width, y + SIZE)
+            others = taken[:-1] if mark.layer == "PATCH" else taken
+            fits = low[0] < box[0] and box[2] < high[0] and low[1] < box[1] and box[3] < high[1]
+            if fits and not any(_meet(box, other) for other in others):
+                sheet.text((x, y - 0.5 * SIZE), mark.name, align="CENTER")
+                taken.append(box)
+                break
+
+
+def _meet(one: Box, other: Box) -> bool:
+    return one[0] < other[2] and other[0] < one[2] and one[1] < other[3] and other[1] < one[3]
+
+
+def _name_kinds(sheet: Sheet, view: View, part: Part) -> None:
+    """Point to the rightmost pillar of each kind, with its letter."""
+    edge = view.place(*part.corners[1])[0]
+    tips = []
+    for pillar, places in part.standing:
+        x, y = places[np.lexsort((places[:, 1], places[:, 0]))[-1]]
+        tips.append(view.place(float(x) + PillarShape.of(pillar).foot, float(y)))
+    low, high = (view.place(*corner)[1] for corner in part.corners)
+    lines = spread([tip[1] for tip in tips], APART, low, max(high, low + APART * len(tips)))
+    for k, (tip, y) in enumerate(zip(tips, lines, strict=True)):
+        sheet.leader(tip, (edge + 5, y), letter(k), 1)
 
 
 def write_drawing(
     path: Path,
-    cell: UnitCell,
+    part: Part,
     title: str,
-    columns: int = 1,
-    rows: int = 1,
     *,
     tolerances: Mapping[str, float] | None = None,
     why_none: str = "",
     date: datetime.date | None = None,
     overwrite: bool = False,
 ) -> Path:
-    """Write `cell_drawing` as a PDF of one page; as DXF, SVG or PNG if the path ends so.
+    """Write `part_drawing` as a PDF of one page; as DXF, SVG or PNG if the path ends so.
 
     Raises
     ------
-    GeometryError, StudyError : as `cell_drawing`
+    GeometryError, StudyError : as `part_drawing`
     ResourceError : the file exists and ``overwrite`` is False, or it cannot be written
     """
     refuse_overwrite(path, overwrite)
-    sheet = cell_drawing(cell, title, columns, rows, tolerances=tolerances, why_none=why_none, date=date)
+    sheet = part_drawing(part, title, tolerances=tolerances, why_none=why_none, date=date)
     kind = path.suffix[1:].lower()
     with reproducible(), styled():
         mpl.rcParams["pdf.fonttype"] = 42  # text stays text: it can be searched and copied
@@ -131,7 +203,8 @@ def write_drawing(
 
 
 def _title_block(sheet: Sheet, title: str, fields: Mapping[str, str]) -> None:
-    left, bottom, right, top = BLOCK
+    left, bottom = sheet.size[0] - FRAME - BLOCK[0], FRAME
+    right, top = left + BLOCK[0], bottom + BLOCK[1]
     row, column = (top - bottom) / 3, (right - left) / 4
     sheet.line([(left, bottom), (left, top), (right, top)])
     for k in (1, 2):
@@ -158,26 +231,47 @@ def _first_angle(sheet: Sheet, x: float, y: float) -> None:
     sheet.line([(x + 5, y - 4), (x + 5, y + 4)], "AXIS")
 
 
-def _advice(cell: UnitCell) -> list[str]:
-    """What somebody who makes the plate has to know beside its dimensions; lengths in m."""
+def _advice(part: Part) -> list[str]:
+    """What somebody who makes the part has to know beside its dimensions."""
     notes = ["The face at the bottom of the section is touched: keep it flat, no marks, no chamfer."]
-    pillar = cell.pillar
-    if pillar is None:
-        return notes
-    body = PillarShape.of(pillar)
-    room = cell.inradius - body.widest
-    notes.append(
-        f"Between two pillars, side to side, {number(2 * room, 3)}: tool radius at most {number(room, 3)}."
-    )
-    if body.arc is None:
-        notes.append("No fillet at the foot: tool with a sharp corner.")
-    else:
+    bodies = [PillarShape.of(pillar) for pillar, _ in part.standing]
+    room = _room(part, bodies)
+    if room is not None:
         notes.append(
-            f"Fillet radius is the tool's corner radius, {number(body.arc.radius)}. "
-            f"The {body.form.width} at the foot is that of the side continued to the plate."
+            f"Between two pillars, side to side, {number(2 * room / MM, 3)}: tool radius at most "
+            f"{number(room / MM, 3)}."
         )
-    if not body.is_free_above(*body.side[0].tolist()):
+    arcs = sorted({(body.arc.radius, body.form.width) for body in bodies if body.arc})
+    if any(body.arc is None for body in bodies):
+        notes.append("No fillet at the foot: tool with a sharp corner.")
+    for radius, width in arcs:
+        notes.append(
+            f"Fillet radius is the tool's corner radius, {number(radius / MM)}. "
+            f"The {width} at the foot is that of the side continued to the plate."
+        )
+    if not all(body.is_free_above(*body.side[0].tolist()) for body in bodies):
         notes.append("Undercut: the pillar becomes wider towards its top.")
-    if body.form.corners and body.arc is not None:
+    if any(body.form.corners and body.arc is not None for body in bodies):
         notes.append("The fillets of neighbouring sides meet in a mitre.")
+    if part.count is None:
+        notes.append(
+            "Places count from the lower left corner; the DXF file has all axes (CENTRE) and edges (PLATE)."
+        )
+        notes.append(
+            "Thin outlines in the plan are plain regions and glued patches, for reference: no edges."
+        )
     return notes
+
+
+def _room(part: Part, bodies: list[PillarShape]) -> float | None:
+    """Half the narrowest gap between two pillars; of corners that face each other at most that."""
+    if part.count is not None:
+        return part.cell.inradius - bodies[0].widest if bodies else None
+    gaps = []
+    for k, (_, places) in enumerate(part.standing):
+        for other, (_, others) in enumerate(part.standing[: k + 1]):
+            around = bool(bodies[k].form.corners or bodies[other].form.corners)
+            near = cKDTree(others).query(places, k=min(2, len(others)), p=np.inf if around else 2)[0]
+            near = near.reshape(len(places), -1)[:, -1 if other == k else 0]
+            gaps.append(near[near > 0].min(initial=np.inf) - bodies[k].widest - bodies[other].widest)
+    return 0.5 * min(gaps) if gaps and np.isfinite(min(gaps)) else None

@@ -11,36 +11,35 @@ from ezdxf.document import Drawing
 from ezdxf.layouts import BaseLayout
 
 from haptonic.arrays import Array
-from haptonic.cell import UnitCell
 from haptonic.store import refuse_overwrite, write_atomically
-from haptonic.workshop.shape import Form, PillarShape, corner_grid, in_mm, plate_outline, standing
+from haptonic.workshop.part import Part
+from haptonic.workshop.shape import Form, PillarShape
 
 MILLIMETRES = 4  # code of the header variable $INSUNITS
 MARK = 0.1  # half the length of a centre mark, in diameters of the pillar
 
 # layer: colour of AutoCAD's table, and how wide its lines are plotted, hundredths of a millimetre
 LAYERS = {
-    "PLATE": (7, 50), "CELL": (8, 9), "PILLAR": (1, 18), "FILLET": (3, 9), "STEP": (5, 9), "CENTRE": (2, 9)
+    "PLATE": (7, 50), "CELL": (8, 9), "REGION": (8, 9), "PATCH": (6, 18),
+    "PILLAR": (1, 18), "FILLET": (3, 9), "STEP": (5, 9), "CENTRE": (2, 9),
 }  # fmt: skip
 
 
-def write_dxf(
-    path: Path, cell: UnitCell, columns: int = 1, rows: int = 1, *, overwrite: bool = False
-) -> Path:
-    """Write the outlines of a plate of ``columns`` x ``rows`` cells; the same plate is the same file.
+def write_dxf(path: Path, part: Part, *, overwrite: bool = False) -> Path:
+    """Write the outlines of a part; the same part is the same file.
 
-    Layers: PLATE its outline, CELL the borders of its cells, PILLAR the pillars at their foot without the
-    fillet, FILLET where fillets meet the plate, STEP the pillars above their step, CENTRE a cross on each
-    axis. A layer without content is left out.
+    Layers: PLATE its edge and the edges of its holes, PILLAR the pillars at their foot without the fillet,
+    FILLET where fillets meet the plate, STEP the pillars above their step, CENTRE a cross on each axis. For
+    reference: CELL the borders of cells, REGION those of plain plate, PATCH those of what is glued on. A
+    layer without content is left out.
 
     Raises
     ------
-    GeometryError : a number of columns or rows that is not a positive integer
     ResourceError : the file exists and ``overwrite`` is False, or it cannot be written
     """
     refuse_overwrite(path, overwrite)
     with reproducible():
-        write_atomically(path, outlines(in_mm(cell, columns, rows), columns, rows).saveas)
+        write_atomically(path, outlines(part).saveas)
     return path
 
 
@@ -55,16 +54,16 @@ def reproducible() -> Iterator[None]:
         ezdxf.options.write_fixed_meta_data_for_testing = before
 
 
-def outlines(cell: UnitCell, columns: int, rows: int) -> Drawing:
-    """A document with the outlines of a plate, from a cell in mm, in its model space."""
+def outlines(part: Part) -> Drawing:
+    """A document with the outlines of a part in its model space."""
     document = ezdxf.new("R2010", units=MILLIMETRES)
     space = document.modelspace()
-    outline = plate_outline(cell, columns, rows).tolist()
-    space.add_lwpolyline(outline, close=True, dxfattribs={"layer": "PLATE"})
-    corners = corner_grid(cell, columns, rows)
-    for line in [*corners, *corners.swapaxes(0, 1)]:  # whole lines: two cells share their border
-        space.add_line(line[0].tolist(), line[-1].tolist(), dxfattribs={"layer": "CELL"})
-    for pillar, places in standing(cell, columns, rows):
+    for mark in part.marks:  # first: edges lie on top of them
+        line, closed = mark.line.tolist(), bool((mark.line[0] == mark.line[-1]).all())
+        space.add_lwpolyline(line[: len(line) - closed], close=closed, dxfattribs={"layer": mark.layer})
+    for loop in part.outline:
+        space.add_lwpolyline(loop.tolist(), close=True, dxfattribs={"layer": "PLATE"})
+    for pillar, places in part.standing:
         body, arm = PillarShape.of(pillar), MARK * pillar.diameter
         for x, y in places.tolist():
             for layer, half_width in body.outlines.items():

@@ -1,9 +1,8 @@
-"""What every file of a workshop derives from: the plate, its pillars and the numbers that make them.
+"""What every file of a workshop derives from: the shape of a pillar and the numbers that make a cell.
 
-A plate of ``columns`` x ``rows`` cells is centred on the origin; its columns follow the lattice's first
-translation. Files are in millimetres, so lengths here are too (`in_mm`). A place on a pillar is (half-width,
-height above the plate's top). A new number of the cell is added here, to `PillarShape.of` and
-`dimensions_of`; a new section is a row of `FORMS`: the files follow.
+Lengths are in the unit of what they are taken from, millimetres for a `Part`. A place on a pillar is
+(half-width, height above the plate's top). A new number of the cell is added here, to `PillarShape.of` and
+`dimensions`; a new section is a row of `FORMS`: the files follow.
 """
 
 from __future__ import annotations
@@ -19,11 +18,9 @@ import numpy as np
 from haptonic.arrays import Array
 from haptonic.cell import Pillar, UnitCell
 from haptonic.cell.pillar import Fillet, Section
-from haptonic.errors import GeometryError
 
 Place = tuple[float, float]
 
-TRIANGLES = "a surface of triangles"
 MM = 1e3  # mm in a metre
 
 
@@ -40,10 +37,13 @@ class Form:
     width: str
     corners: tuple[Place, ...] = ()
 
-    def polygon(self, count: int) -> Array:
-        """(n, 2) its corners; of a circle, ``count`` points on it."""
-        angle = 2 * math.pi * np.arange(count) / count
-        return np.array(self.corners or np.stack([np.cos(angle), np.sin(angle)], axis=1), dtype=float)
+    def polygon(self, count: int, pieces: int = 1) -> Array:
+        """(n, 2) its corners, each side in so many pieces; of a circle, ``count`` points on it."""
+        if not self.corners:
+            angle = 2 * math.pi * np.arange(count) / count
+            return np.stack([np.cos(angle), np.sin(angle)], axis=1)
+        start, share = np.array(self.corners, dtype=float)[:, None], np.arange(pieces)[:, None] / pieces
+        return np.asarray((start + share * (np.roll(start, -1, axis=0) - start)).reshape(-1, 2))
 
     def normals(self) -> list[float]:
         """Directions of one of each two opposite sides, rad."""
@@ -132,13 +132,19 @@ class Dimension:
 
 def dimensions(cell: UnitCell) -> list[Dimension]:
     """Every dimension of a cell, in the cell's unit of length and radians."""
+    return [*sides(cell), *heights(cell.thickness, cell.pillar)]
+
+
+def sides(cell: UnitCell) -> list[Dimension]:
+    """Of the lattice."""
     across, deep = (math.hypot(*side) for side in (cell.lattice.a1, cell.lattice.a2))
-    found = [
-        Dimension("cell.pitch", across, "across"),
-        Dimension("cell.pitch" if cell.lattice.name == "square" else "cell.pitch_y", deep, "deep"),
-        Dimension("cell.thickness", cell.thickness, "left", low=-cell.thickness),
-    ]
-    pillar = cell.pillar
+    second = "cell.pitch" if cell.lattice.name == "square" else "cell.pitch_y"
+    return [Dimension("cell.pitch", across, "across"), Dimension(second, deep, "deep")]
+
+
+def heights(thickness: float, pillar: Pillar | None) -> list[Dimension]:
+    """Of a section through plate and pillar."""
+    found = [Dimension("cell.thickness", thickness, "left", low=-thickness)]
     if pillar is None:
         return found
     body, at = PillarShape.of(pillar), "cell.pillar."
@@ -164,80 +170,3 @@ def dimensions(cell: UnitCell) -> list[Dimension]:
 def dimensions_of(cell: UnitCell) -> dict[str, float]:
     """Name and value (m, rad) of every dimension that makes this cell."""
     return {one.name: one.value for one in dimensions(cell) if one.name}
-
-
-def in_mm(cell: UnitCell, columns: int, rows: int) -> UnitCell:
-    """The cell with its lengths in mm.
-
-    Raises
-    ------
-    GeometryError : a number of columns or rows that is not a positive integer
-    """
-    for name, number in (("columns", columns), ("rows", rows)):
-        if isinstance(number, bool) or not isinstance(number, int) or number < 1:
-            raise GeometryError.out_of_range(
-                argument=name,
-                given=number,
-                allowed="a positive integer",
-                cause="the plate's length was given in place of the number of its cells",
-                next_step="count the cells along that side, and give their number",
-            )
-    assert np.linalg.det(cell.lattice.vectors) > 0, "a1, a2 turn anticlockwise"
-    return cell.scaled(MM)
-
-
-def corner_grid(cell: UnitCell, columns: int, rows: int) -> Array:
-    """(columns + 1, rows + 1, 2) corners of the cells of a plate."""
-    i, j = np.meshgrid(np.arange(columns + 1) - columns / 2, np.arange(rows + 1) - rows / 2, indexing="ij")
-    return np.asarray(np.stack([i, j], axis=-1) @ cell.lattice.vectors)
-
-
-def centres(cell: UnitCell, columns: int, rows: int) -> Array:
-    """(columns * rows, 2) centres of the cells of a plate, column by column."""
-    corners = corner_grid(cell, columns, rows)
-    return np.asarray(0.5 * (corners[:-1, :-1] + corners[1:, 1:]).reshape(-1, 2))
-
-
-def standing(cell: UnitCell, columns: int, rows: int) -> list[tuple[Pillar, Array]]:
-    """Pillars of a plate, each with the (n, 2) places where it stands.
-
-    A cell of several sites is cut where there is most room between them.
-
-    Raises
-    ------
-    GeometryError : a pillar that reaches beyond the edge of the plate, wherever the cell is cut
-    """
-    if cell.is_simple:
-        return [(cell.pillar, centres(cell, columns, rows))] if cell.pillar else []
-    starts = [_widest_gap(along) for along in cell.shares.T]
-    first = corner_grid(cell, columns, rows)[:-1, :-1].reshape(-1, 2)
-    across = np.linalg.inv(cell.lattice.vectors)  # its columns are normal to the sides
-    found = []
-    for share, pillar in zip((cell.shares - starts) % 1.0, cell.pillars, strict=True):
-        if pillar is None:
-            continue
-        room = np.minimum(share, 1 - share) / np.linalg.norm(across, axis=0)
-        if room.min() < pillar.widest:
-            raise GeometryError.conflict(
-                argument="cell.site",
-                given=f"a pillar {2 * pillar.widest:.4g} mm wide, {room.min():.4g} mm from the plate's edge",
-                allowed="pillars that stand on the plate with their whole foot",
-                cause="the sites leave no room for a straight cut between them",
-                next_step="describe the same lattice by a larger cell, or draw the plate by hand",
-            )
-        found.append((pillar, np.asarray(first + share @ cell.lattice.vectors)))
-    return found
-
-
-def _widest_gap(shares: Array) -> float:
-    """The middle of the widest gap between some shares of a translation, from 0 to 1."""
-    edges = np.sort(shares)
-    gaps = np.diff(np.append(edges, edges[0] + 1.0))
-    widest = int(np.argmax(np.round(gaps, 9)))
-    return float((edges[widest] + 0.5 * gaps[widest]) % 1.0)
-
-
-def plate_outline(cell: UnitCell, columns: int, rows: int) -> Array:
-    """(4, 2) corners of a plate, anticlockwise from the lower left one."""
-    corners = corner_grid(cell, columns, rows)
-    return np.array([corners[0, 0], corners[-1, 0], corners[-1, -1], corners[0, -1]])

@@ -1,4 +1,4 @@
-"""A sheet A4 in the paper space of a DXF document: lines, dimensions, leaders and text; and its picture.
+"""A sheet in the paper space of a DXF document: lines, dimensions, leaders and text; and its picture.
 
 ezdxf draws the dimensions (its DIMENSION entities keep what they measure and their tolerances) and the
 picture. Three things stay ours. ezdxf guesses the width of a dimension's text, so the shelf under it would be
@@ -41,6 +41,7 @@ from haptonic.names import visible
 from haptonic.plots.style import CENTIMETRE, drawn, spread
 
 A4 = (297.0, 210.0)  # mm, landscape
+A3 = (420.0, 297.0)
 POINT = 25.4 / 72  # mm
 
 SIZE = 2.5  # mm, height of capitals (ISO 3098)
@@ -93,9 +94,10 @@ class Sheet:
 
     document: Drawing
     space: Paperspace
+    size: Place = A4
 
     @classmethod
-    def of(cls, document: Drawing) -> Sheet:
+    def of(cls, document: Drawing, size: Place = A4) -> Sheet:
         """An empty sheet for a document, with its layers and styles."""
         if not fonts.font_manager.has_font(FONT) or not fonts.font_manager.has_font(BOLD):
             fonts.font_manager.scan_folder(Path(mpl.get_data_path()) / "fonts" / "ttf")
@@ -113,12 +115,15 @@ class Sheet:
         })  # fmt: skip
         document.layouts.rename("Layout1", "Drawing")
         space = document.paperspace("Drawing")
-        space.page_setup(size=(297, 210), margins=(0, 0, 0, 0), units="mm")
-        return cls(document, space)
+        space.page_setup(size=size, margins=(0, 0, 0, 0), units="mm")
+        return cls(document, space, size)
 
     def line(self, points: Sequence[Place] | Array, layer: str = "OUTLINE", *, close: bool = False) -> None:
         places = [(float(x), float(y)) for x, y in points]
-        self.space.add_lwpolyline(places, close=close, dxfattribs={"layer": layer})
+        if len(places) == 2:
+            self.space.add_line(places[0], places[1], dxfattribs={"layer": layer})
+        else:
+            self.space.add_lwpolyline(places, close=close, dxfattribs={"layer": layer})
 
     def text(
         self,
@@ -198,10 +203,10 @@ class Sheet:
         self.text((min(label[0], end[0]), label[1] + DESCENT), text)
 
     def window(
-        self, view: View, centre: Place, size: tuple[float, float], without: Sequence[str] = ()
+        self, view: View, centre: Place, size: Place, about: Place, without: Sequence[str] = ()
     ) -> None:
-        """What lies about the origin of model space, at a view's scale, ``without`` some layers."""
-        window = self.space.add_viewport(centre, size, (0, 0), size[1] / view.scale)
+        """What lies ``about`` a place in model space, at a view's scale, ``without`` some layers."""
+        window = self.space.add_viewport(centre, size, about, size[1] / view.scale)
         window.dxf.layer = "Defpoints"  # which is not plotted: no border
         window.frozen_layers = list(without)
 
@@ -215,7 +220,7 @@ class Sheet:
     @drawn
     def figure(self) -> Figure:
         """The sheet as a picture, to scale."""
-        figure = Figure(figsize=(A4[0] * 0.1 * CENTIMETRE, A4[1] * 0.1 * CENTIMETRE))
+        figure = Figure(figsize=(self.size[0] * 0.1 * CENTIMETRE, self.size[1] * 0.1 * CENTIMETRE))
         axes = figure.add_axes((0, 0, 1, 1))
         settings = Configuration(
             color_policy=ColorPolicy.BLACK, background_policy=BackgroundPolicy.WHITE,
@@ -227,8 +232,8 @@ class Sheet:
             UniversalFrontend(RenderContext(self.document), _Pipeline(axes), settings).draw_layout(self.space)
         finally:
             random.setstate(state)
-        axes.set_xlim(0, A4[0])
-        axes.set_ylim(0, A4[1])
+        axes.set_xlim(0, self.size[0])
+        axes.set_ylim(0, self.size[1])
         return figure
 
 

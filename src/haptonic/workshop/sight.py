@@ -58,12 +58,20 @@ def _edges(triangles: Ints) -> Ints:
 
 def _hidden(points: Array, triangles: Array, margin: float) -> NDArray[np.bool_]:
     """Whether some triangle, which turns to the eye, lies before a point by more than ``margin``."""
-    hidden = np.zeros(len(points), dtype=bool)
-    for a, b, c in triangles:
-        u, v, away = b - a, c - a, points - a
+    order = np.argsort(points[:, 0])
+    points, hidden = points[order], np.zeros(len(points), dtype=bool)
+    first = np.searchsorted(points[:, 0], triangles[..., 0].min(axis=1) - margin)
+    last = np.searchsorted(points[:, 0], triangles[..., 0].max(axis=1) + margin)
+    bottom, top = triangles[..., 1].min(axis=1) - margin, triangles[..., 1].max(axis=1) + margin
+    for k, (a, b, c) in enumerate(triangles):
+        near = points[first[k] : last[k]]
+        beside = np.flatnonzero(
+            ~hidden[first[k] : last[k]] & (near[:, 1] > bottom[k]) & (near[:, 1] < top[k])
+        )
+        u, v, away = b - a, c - a, near[beside] - a
         area = u[0] * v[1] - u[1] * v[0]
         along = (away[:, 0] * v[1] - away[:, 1] * v[0]) / area
         across = (u[0] * away[:, 1] - u[1] * away[:, 0]) / area
         inside = (along > -1e-9) & (across > -1e-9) & (along + across < 1 + 1e-9)
-        hidden |= inside & (along * u[2] + across * v[2] - away[:, 2] > margin)
-    return hidden
+        hidden[first[k] + beside[inside & (along * u[2] + across * v[2] - away[:, 2] > margin)]] = True
+    return hidden[np.argsort(order)]

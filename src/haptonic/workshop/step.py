@@ -15,47 +15,43 @@ from typing import Any
 
 import numpy as np
 
-from haptonic.cell import UnitCell
+from haptonic.arrays import Array
 from haptonic.errors import ResourceError
 from haptonic.store import refuse_overwrite, write_atomically
-from haptonic.workshop.shape import MM, PillarShape, in_mm, plate_outline, standing
+from haptonic.workshop.part import Part
+from haptonic.workshop.shape import MM, PillarShape
 
 # OpenCascade, as NETGEN calls it, puts its own name where the product's and the author's belong.
 _HEADER = re.compile(r"FILE_NAME\(.*?\);", re.DOTALL)
 _PRODUCT = re.compile(r"PRODUCT\('[^']*',\s*'[^']*',")
 
 
-def solid(cell: UnitCell, columns: int = 1, rows: int = 1) -> Any:
+def solid(part: Part) -> Any:
     """The plate with its pillars as one OpenCascade solid, in mm; its flat face lies at z = 0.
 
     Raises
     ------
-    GeometryError : a number of columns or rows that is not a positive integer
     ResourceError : OpenCascade is missing
     """
-    cell = in_mm(cell, columns, rows)
-    occ = _occ()
-    corners = [occ.Pnt(x, y, 0.0) for x, y in plate_outline(cell, columns, rows)]
-    edges = [occ.Segment(a, b) for a, b in pairwise([*corners, corners[0]])]
-    plate = occ.Prism(occ.Face(occ.Wire(edges)), occ.Vec(0.0, 0.0, cell.thickness))
-    pillars = [
-        _pillar(occ, PillarShape.of(pillar)).Move(occ.Vec(x, y, cell.thickness))
-        for pillar, places in standing(cell, columns, rows)
-        for x, y in places
-    ]
+    occ, thickness = _occ(), part.cell.thickness
+
+    def filled(loop: Array) -> Any:
+        corners = [occ.Pnt(x, y, 0.0) for x, y in loop]
+        return occ.Face(occ.Wire([occ.Segment(a, b) for a, b in pairwise([*corners, corners[0]])]))
+
+    edge, *holes = part.outline
+    face = filled(edge)
+    for hole in holes:
+        face = face - filled(hole[::-1])
+    plate, pillars = occ.Prism(face, occ.Vec(0.0, 0.0, thickness)), []
+    for pillar, places in part.standing:
+        body = _pillar(occ, PillarShape.of(pillar))
+        pillars += [body.Move(occ.Vec(x, y, thickness)) for x, y in places]
     return plate + occ.Compound(pillars) if pillars else plate
 
 
-def write_step(
-    path: Path,
-    cell: UnitCell,
-    columns: int = 1,
-    rows: int = 1,
-    *,
-    title: str = "Plate",
-    overwrite: bool = False,
-) -> Path:
-    """Write the plate of ``columns`` x ``rows`` cells as a STEP file in mm; the same plate is the same file.
+def write_step(path: Path, part: Part, *, title: str = "Plate", overwrite: bool = False) -> Path:
+    """Write a part as a STEP file in mm; the same part is the same file.
 
     Parameters
     ----------
@@ -63,11 +59,10 @@ def write_step(
 
     Raises
     ------
-    GeometryError : a number of columns or rows that is not a positive integer
     ResourceError : OpenCascade is missing, the file exists and ``overwrite`` is False, or writing it fails
     """
     refuse_overwrite(path, overwrite)
-    shape, name = solid(cell, columns, rows), _quoted(title)
+    shape, name = solid(part), _quoted(title)
     header = f"FILE_NAME({name},'1970-01-01T00:00:00',(''),(''),'Open CASCADE','haptonic','');"
 
     def write(temporary: Path) -> None:

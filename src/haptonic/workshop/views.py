@@ -1,19 +1,20 @@
-"""The views of a drawing: plan and section of one cell, how it looks, and where the cells of a plate lie."""
+"""The views of a drawing: plan and section of one cell, how a part looks, and its plan."""
 
 from __future__ import annotations
 
-import math
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from itertools import pairwise
 from typing import Literal
 
 import numpy as np
 
-from haptonic.cell import UnitCell
+from haptonic.arrays import Array
+from haptonic.cell import Pillar, UnitCell
 from haptonic.workshop.dimensions import style_of, text_of
 from haptonic.workshop.dxf import MARK, add_outline
-from haptonic.workshop.shape import MM, Dimension, PillarShape, dimensions
+from haptonic.workshop.part import Part
+from haptonic.workshop.shape import MM, Dimension, PillarShape, heights, sides
 from haptonic.workshop.sheet import APART, ARROW, SHELF, SIZE, Sheet, View, text_width
 from haptonic.workshop.sight import seen_edges
 from haptonic.workshop.stl import surface
@@ -25,10 +26,11 @@ TOUCH = "touch face, keep flat"
 ISOMETRIC = (1.0, -1.0, 1.0)  # from the body to the eye
 
 SCALES = [step * 10.0**power for power in range(3, -4, -1) for step in (5, 2, 1)]  # ISO 5455
+FACET = 0.01  # mm on the paper between a curve and its facets, which nobody sees in the isometric view
+COARSEST = 0.017  # of the narrowest width: facets that meet at 30 degrees, so that no edge is seen there
 LANE = 8.0  # mm between a view and its first dimension line
 LEGIBLE = 1.0  # mm on the paper; smaller outlines are left out of the plan of the plate
 NEXT = 7.0  # mm between two dimension lines
-CHORD = 0.001  # of the narrowest width: facets that nobody sees in the isometric view
 
 
 def fitting(width: float, height: float, box: Box, room: Box) -> View:
@@ -57,7 +59,7 @@ def draw_plan(sheet: Sheet, box: Box, cell: UnitCell, tolerances: Mapping[str, f
         sheet.line([(end, centre[1]), (end, centre[1] + 4)], "THIN")
         sheet.arrow((end, centre[1] + 6), 90)
         sheet.text((end + out * 3, centre[1] - 0.5 * SIZE), "A", align="CENTER", bold=True)
-    across, deep = (style_of(one, tolerances.get(one.name or "")) for one in dimensions(cell)[:2])
+    across, deep = (style_of(one, tolerances.get(one.name or "")) for one in sides(cell))
     sheet.dimension(view, (corners[0], corners[1]), low - 9, across)
     lane = left - 14
     shelf = (lane - SHELF, centre[1])
@@ -66,26 +68,35 @@ def draw_plan(sheet: Sheet, box: Box, cell: UnitCell, tolerances: Mapping[str, f
 
 
 def draw_section(
-    sheet: Sheet, box: Box, cell: UnitCell, tolerances: Mapping[str, float], alone: bool
+    sheet: Sheet,
+    box: Box,
+    size: tuple[float, float],
+    pillar: Pillar | None,
+    tolerances: Mapping[str, float],
+    alone: bool,
+    name: str = "A-A",
 ) -> View:
-    """Draw the section A-A of a cell (lengths in mm); ``alone``: its sides are edges of the plate."""
-    body = PillarShape.of(cell.pillar) if cell.pillar else None
-    width, total = cell.lattice.a1[0], cell.thickness + (body.height if body else 0.0)
-    whole = fitting(width, total, box, (36.0, 17.0, 41.0, 33.0))
-    view = View(whole.place(0, cell.thickness), whole.scale)  # heights count from the plate's top
-    section = _Section(sheet, view, 0.5 * width, cell, body, tolerances)
+    """Draw the section through a pillar and the plate around it, which is so wide and thick; lengths in mm.
+
+    ``alone``: its sides are edges of the plate.
+    """
+    body, (width, thickness) = PillarShape.of(pillar) if pillar else None, size
+    whole = fitting(width, thickness + (body.height if body else 0.0), box, (36.0, 17.0, 41.0, 33.0))
+    view = View(whole.place(0, thickness), whole.scale)  # heights count from the plate's top
+    section = _Section(sheet, view, 0.5 * width, thickness, body, heights(thickness, pillar), tolerances)
     section.draw_body(alone)
     section.draw_left(box[3])
     if body is not None:
         section.draw_widths(body, section.draw_right(body))
-    _title(sheet, box, f"A-A   {view}")
+    _title(sheet, box, f"{name}   {view}")
     return view
 
 
-def draw_isometric(sheet: Sheet, box: Box, cell: UnitCell) -> None:
-    """Draw one cell (lengths in mm) as it looks from above, as large as there is room for."""
-    size = min(cell.lattice.pitch, 2 * cell.pillar.narrowest if cell.pillar else math.inf)
-    skin = surface(cell.scaled(1 / MM), chord=CHORD * size / MM)
+def draw_isometric(sheet: Sheet, box: Box, part: Part) -> None:
+    """Draw a part as it looks from above, as large as there is room for."""
+    narrowest = min([part.cell.lattice.pitch, *(2 * pillar.narrowest for pillar, _ in part.standing)])
+    about = (box[2] - box[0]) / sum(part.size)  # the scale, up to the square root of 2
+    skin = surface(part, chord=min(FACET / about, COARSEST * narrowest) / MM)
     edges = MM * np.array(seen_edges(skin.points, skin.cells_dict["triangle"], ISOMETRIC))
     low, high = edges.min(axis=(0, 1)), edges.max(axis=(0, 1))
     corners = np.array([box[:2], (box[2], box[3] - 14)])
@@ -96,39 +107,68 @@ def draw_isometric(sheet: Sheet, box: Box, cell: UnitCell) -> None:
     _title(sheet, box, "Isometric")
 
 
-def draw_plate(sheet: Sheet, box: Box, cell: UnitCell, columns: int, rows: int) -> None:
-    """Show the outlines in model space, so far as they are large enough: where the cells of the plate lie."""
-    width, depth = columns * cell.lattice.a1[0], rows * cell.lattice.a2[1]
-    view = fitting(width, depth, box, (22.0, 12.0, 4.0, 8.0))
-    (left, low), (right, high) = view.place(-0.5 * width, 0), view.place(0.5 * width, depth)
-    widths = {"CELL": min(cell.lattice.a1[0], cell.lattice.a2[1])}
-    if cell.pillar is not None:
-        body = PillarShape.of(cell.pillar)
-        widths |= {layer: 2 * half_width for layer, half_width in body.outlines.items()}
-        widths["CENTRE"] = 2 * MARK * cell.pillar.diameter
+def draw_plate(sheet: Sheet, box: Box, part: Part, name: str) -> View:
+    """Show the outlines in model space, so far as they are large enough, and dimension the plate's edges.
+
+    The origin of the view is that of the part.
+    """
+    corner, (width, depth) = part.corners[0], part.size
+    further = [2 * LANE if len(_lines(part, upright)) > 2 else 0.0 for upright in (True, False)]
+    fitted = fitting(width, depth, box, (22.0 + further[0], 12.0 + 0.5 * further[1], 4.0, 8.0))
+    view = View(fitted.place(-0.5 * width - corner[0], -corner[1]), fitted.scale)
+    (left, low), (right, high) = (view.place(*place) for place in part.corners)
+    widths = {"CELL": float(np.linalg.norm(part.cell.lattice.vectors, axis=1).min())}
+    for pillar, _ in part.standing:
+        outlines = {layer: 2 * half for layer, half in PillarShape.of(pillar).outlines.items()}
+        for layer, size in {**outlines, "CENTRE": 2 * MARK * pillar.diameter}.items():
+            widths[layer] = min(size, widths.get(layer, size))
     small = [layer for layer, size in widths.items() if view.scale * size < LEGIBLE]
-    sheet.window(view, (view.origin[0], 0.5 * (low + high)), (right - left + 1, high - low + 1), small)
-    style = {"dimdec": 4, "dimzin": 8}
-    sheet.dimension(view, ((left, low), (right, low)), low - 8, style)
-    shelf = (left - 8 - SHELF, 0.5 * (low + high))
-    sheet.dimension(view, ((left, low), (left, high)), left - 8, style, upright=True, shelf=shelf)
-    name = f"Plate, {columns} \N{MULTIPLICATION SIGN} {rows} cells   {view}"
-    _title(sheet, (*box[:3], min(box[3], high + 11)), name)
+    centre, about = (0.5 * (left + right), 0.5 * (low + high)), 0.5 * (part.corners[0] + part.corners[1])
+    sheet.window(view, centre, (right - left + 1, high - low + 1), (float(about[0]), float(about[1])), small)
+    for upright in (False, True):
+        _draw_sizes(sheet, view, part, upright)
+    _title(sheet, (*box[:3], min(box[3], high + 11)), f"{name}   {view}")
+    return view
+
+
+def _lines(part: Part, upright: bool) -> Array:
+    """Where edges of the plate lie, its holes' too: along x, or along y."""
+    return np.unique(np.concatenate(part.outline)[:, int(upright)].round(9))
+
+
+def _draw_sizes(sheet: Sheet, view: View, part: Part, upright: bool) -> None:
+    """Dimension the plate over all, and its edges one after the other where texts have room."""
+    style, lines = {"dimdec": 4, "dimzin": 8}, _lines(part, upright)
+    low = view.place(*part.corners[0])
+    beside, lane = (low[0], low[0] - LANE) if upright else (low[1], low[1] - LANE)
+    steps, paper = np.diff(lines), view.scale * np.diff(lines)
+    needed = [APART if upright else text_width(f"{step:.4g}") + 3 * ARROW for step in steps]
+    chains = [lines[[0, -1]]]
+    if len(lines) > 2 and (paper >= needed).all():
+        chains.insert(0, lines)
+    for chain in chains:
+        ends = [view.place(at, at)[upright] for at in chain]
+        for one, other in pairwise(ends):
+            places = ((beside, one), (beside, other)) if upright else ((one, beside), (other, beside))
+            shelf = (lane - SHELF, 0.5 * (one + other)) if upright else None
+            sheet.dimension(view, places, lane, style, upright=upright, shelf=shelf)
+        lane -= 2 * LANE if upright else LANE
 
 
 @dataclass(frozen=True)
 class _Section:
-    """A section on its way to the sheet; ``half`` is half the cell's width, mm."""
+    """A section on its way to the sheet; ``half`` is half its width, mm."""
 
     sheet: Sheet
     view: View
     half: float
-    cell: UnitCell
+    thickness: float
     body: PillarShape | None
+    dimensions: Sequence[Dimension]
     tolerances: Mapping[str, float]
 
     def shown(self, kind: str) -> list[Dimension]:
-        return [one for one in dimensions(self.cell) if one.kind == kind]
+        return [one for one in self.dimensions if one.kind == kind]
 
     def half_width(self, height: float) -> float:
         """Where an extension line to the side begins."""
@@ -141,7 +181,7 @@ class _Section:
         if self.body is not None:
             right = self.body.flank(60)
             top = np.concatenate([top[:1], right, right[::-1] * [-1, 1], top[1:]])
-        low = -self.cell.thickness
+        low = -self.thickness
         bottom = np.array([[-self.half, low], [self.half, low]])
         top, bottom = (self.view.origin + self.view.scale * points for points in (top, bottom))
         self.sheet.hatch(np.concatenate([top, bottom]))
@@ -169,13 +209,13 @@ class _Section:
         return 0.5 * (low[1] + high[1]), draw
 
     def draw_left(self, ceiling: float) -> None:
-        edge, face = self.view.place(-self.half, -self.cell.thickness)
+        edge, face = self.view.place(-self.half, -self.thickness)
         labels = [self.height(one, edge - LANE, -1) for one in self.shown("left")]
         self.sheet.beside(labels, face + 0.5, ceiling)
 
     def draw_right(self, body: PillarShape) -> float:
         """Radii, heights, angles, and what cannot be dimensioned from above; the height they stay below."""
-        column, face = self.view.place(self.half, -self.cell.thickness)
+        column, face = self.view.place(self.half, -self.thickness)
         column += LANE
         labels = [self.height(one, column, 1) for one in self.shown("right")]
         column += SHELF
@@ -213,7 +253,7 @@ class _Section:
             upright = body.side[np.isclose(body.side[:, 0], one.place[0]), 1]
             start = max(upright, default=body.side[0, 1])  # extension lines begin where the body leaves them
             self.width(body, one, start, ceiling + 5 + NEXT * k, beyond)
-        face = self.view.place(0, -self.cell.thickness)[1]
+        face = self.view.place(0, -self.thickness)[1]
         for one in self.shown("width"):
             if one.place[1] <= 0 and one not in free:
                 self.width(body, one, 0.0, face - LANE - 2, self.view.place(one.place[0], 0)[0])

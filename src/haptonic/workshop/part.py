@@ -1,0 +1,255 @@
+"""What a workshop makes: the outline of a plate, and every pillar with the place where it stands.
+
+A piece of lattice and the whole plate of a study are the same kind of value; all files are written from it.
+Files are in millimetres, so lengths here are too.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Literal
+
+import numpy as np
+
+from haptonic.arrays import Array
+from haptonic.cell import Pillar, UnitCell
+from haptonic.errors import GeometryError
+from haptonic.plate.layout import STEPS, Layout, Tile
+from haptonic.plate.parts import Actuator, Plate
+from haptonic.workshop.shape import MM, PillarShape
+
+MOST_PILLARS = (
+    1500  # 900 square, stepped ones take 49 s and 0.9 GB as STEP, more than in proportion to their number
+)
+
+
+@dataclass(frozen=True)
+class Mark:
+    """A line that is no edge of the part, shown for reference.
+
+    line : (n, 2) its corners; the first one again at the end of a closed one
+    name, note : what it stands for, and what is to be known of it
+    """
+
+    layer: Literal["CELL", "REGION", "PATCH"]
+    line: Array
+    name: str = ""
+    note: str = ""
+
+
+@dataclass(frozen=True)
+class Part:
+    """A plate with its pillars; its flat face lies at z = 0. Lengths in mm.
+
+    outline : closed loops of (n, 2) corners with the plate to their left: its edge, which runs anticlockwise,
+        then its holes
+    standing : each kind of pillar with the (n, 2) places of its axes
+    cell : the study's own, to whose dimensions names and tolerances belong
+    count : columns and rows of cells of a piece of lattice; none of a plate that is made whole
+    """
+
+    outline: tuple[Array, ...]
+    standing: tuple[tuple[Pillar, Array], ...]
+    cell: UnitCell
+    marks: tuple[Mark, ...]
+    count: tuple[int, int] | None = None
+
+    @classmethod
+    def piece(cls, cell: UnitCell, columns: int = 1, rows: int = 1) -> Part:
+        """``columns`` x ``rows`` cells about the origin; columns follow the lattice's first translation.
+
+        A cell of several sites is cut where there is most room between them.
+
+        Raises
+        ------
+        GeometryError : a number of columns or rows that is not a positive integer, too many pillars, or one
+            that reaches beyond the edge of the plate wherever the cell is cut
+        """
+        for name, number in (("columns", columns), ("rows", rows)):
+            if isinstance(number, bool) or not isinstance(number, int) or number < 1:
+                raise GeometryError.out_of_range(
+                    argument=name,
+                    given=number,
+                    allowed="a positive integer",
+                    cause="the plate's length was given in place of the number of its cells",
+                    next_step="count the cells along that side, and give their number",
+                )
+        _check_number(columns * rows * sum(map(bool, cell.pillars)))
+        cell = cell.scaled(MM)
+        assert np.linalg.det(cell.lattice.vectors) > 0, "a1, a2 turn anticlockwise"
+        i, j = np.meshgrid(
+            np.arange(columns + 1) - columns / 2, np.arange(rows + 1) - rows / 2, indexing="ij"
+        )
+        corners = np.asarray(np.stack([i, j], axis=-1) @ cell.lattice.vectors)  # (columns + 1, rows + 1, 2)
+        # whole lines: two cells share their border
+        borders = [line[[0, -1]] for line in [*corners, *corners.swapaxes(0, 1)]]
+        first, standing = corners[:-1, :-1].reshape(-1, 2), []
+        for share, pillar in zip(_cut(cell), cell.pillars, strict=True):
+            if pillar is not None:
+                standing.append((pillar, np.asarray(first + share @ cell.lattice.vectors)))
+        outline = np.array([corners[0, 0], corners[-1, 0], corners[-1, -1], corners[0, -1]])
+        marks = tuple(Mark("CELL", border) for border in borders)
+        return cls((outline,), tuple(standing), cell, marks, (columns, rows))
+
+    @classmethod
+    def whole(cls, plate: Plate, cell: UnitCell) -> Part:
+        """The whole plate of a study; the origin is the lower left corner of its map.
+
+        Regions and patches are marks. ``cell`` is the study's own.
+
+        Raises
+        ------
+        GeometryError : too many pillars, or tiles that touch at a corner and not beside it
+        """
+        layout = plate.layout
+        _check_number(layout.pillars)
+        kinds: dict[Pillar, list[tuple[float, float]]] = {}
+        for x, y, pillar in layout.standing:
+            kinds.setdefault(pillar, []).append((x, y))
+        own = cell.pillar  # comes first: it is the one with tolerances
+        standing = tuple(
+            (pillar.scaled(MM), MM * np.array(kinds[pillar]))
+            for pillar in sorted(kinds, key=lambda one: (one != own, -len(kinds[one])))
+        )
+        marks = [
+            Mark("REGION", np.concatenate([loop, loop[:1]]), name)
+            for name in layout.regions
+            for loop in _loops(layout, {name})
+        ]
+        marks += [_patch(one) for one in plate.actuators]
+        made = {name for row in layout.tiles for name in row if name is not None}
+        return cls(_loops(layout, made, whole=True), standing, cell.scaled(MM), tuple(marks))
+
+    @cached_property
+    def corners(self) -> tuple[Array, Array]:
+        """Lower left and upper right of the smallest rectangle around it."""
+        every = np.concatenate(self.outline)
+        return every.min(axis=0), every.max(axis=0)
+
+    @property
+    def size(self) -> tuple[float, float]:
+        """Of that rectangle."""
+        low, high = self.corners
+        return float(high[0] - low[0]), float(high[1] - low[1])
+
+    @property
+    def pillars(self) -> int:
+        """How many stand on it."""
+        return sum(len(places) for _, places in self.standing)
+
+    @property
+    def faces(self) -> int:
+        """How many smooth surfaces its pillars have, which decides what a solid costs."""
+        bodies = [(PillarShape.of(pillar), len(places)) for pillar, places in self.standing]
+        around = [len(body.form.corners) or 1 for body, _ in bodies]
+        return sum(
+            number * (1 + sides * (len(body.side) - (body.arc is None)))
+            for sides, (body, number) in zip(around, bodies, strict=True)
+        )
+
+    @property
+    def volume(self) -> float:
+        """Of plate and pillars, mm^3."""
+        area = sum(_area(loop) for loop in self.outline)
+        return area * self.cell.thickness + sum(len(places) * one.volume for one, places in self.standing)
+
+
+def _check_number(pillars: int) -> None:
+    if pillars > MOST_PILLARS:
+        raise GeometryError.too_large(
+            argument="export",
+            given=f"{pillars} pillars",
+            allowed=f"at most {MOST_PILLARS}",
+            cause="a solid with every one of them would take too much time and memory",
+            next_step="export a piece of it: --columns 10 --rows 10, and let the workshop repeat it",
+        )
+
+
+def _cut(cell: UnitCell) -> Array:
+    """(n, 2) places of a cell's sites in shares of the translations, so that all stand in one piece."""
+    if cell.is_simple:
+        return np.array([[0.5, 0.5]])
+    shares = (cell.shares - [_widest_gap(along) for along in cell.shares.T]) % 1.0
+    across = np.linalg.inv(cell.lattice.vectors)  # its columns are normal to the sides
+    for share, pillar in zip(shares, cell.pillars, strict=True):
+        room = (np.minimum(share, 1 - share) / np.linalg.norm(across, axis=0)).min()
+        if pillar is not None and room < pillar.widest:
+            raise GeometryError.conflict(
+                argument="cell.site",
+                given=f"a pillar {2 * pillar.widest:.4g} mm wide, {room:.4g} mm from the plate's edge",
+                allowed="pillars that stand on the plate with their whole foot",
+                cause="the sites leave no room for a straight cut between them",
+                next_step="describe the same lattice by a larger cell, or draw the plate by hand",
+            )
+    return np.asarray(shares)
+
+
+def _widest_gap(shares: Array) -> float:
+    """The middle of the widest gap between some shares of a translation, from 0 to 1."""
+    edges = np.sort(shares)
+    gaps = np.diff(np.append(edges, edges[0] + 1.0))
+    widest = int(np.argmax(np.round(gaps, 9)))
+    return float((edges[widest] + 0.5 * gaps[widest]) % 1.0)
+
+
+def _patch(one: Actuator) -> Mark:
+    centre, (width, depth, thickness) = np.array(one.centre), one.size
+    arms = 0.5 * np.array([width, depth]) * [[-1, -1], [1, -1], [1, 1], [-1, 1], [-1, -1]]
+    bond = f", glue {MM * one.bond.thickness:.4g}" if one.bond else ""
+    return Mark("PATCH", MM * (centre + arms), one.name, f"{MM * thickness:.4g}, {one.material.name}{bond}")
+
+
+def _loops(layout: Layout, names: set[str], *, whole: bool = False) -> tuple[Array, ...]:
+    """Closed loops (mm) with all tiles of these names to their left, the longest first.
+
+    Raises
+    ------
+    GeometryError : ``whole``, and two tiles touch at a corner only
+    """
+    around = [STEPS["bottom"], STEPS["right"], STEPS["top"], STEPS["left"]]
+    after: dict[Tile, list[Tile]] = {}  # where sides of tiles lead from a crossing (row, column) of lines
+    for i, j in (tile for name in names for tile in layout.of(name)):
+        round_it = [(i, j), (i, j + 1), (i + 1, j + 1), (i + 1, j)]
+        for k, (down, along) in enumerate(around):
+            if layout.at((i + down, j + along)) not in names:
+                after.setdefault(round_it[k], []).append(round_it[(k + 1) % 4])
+    crossed = [at for at, ends in after.items() if len(ends) > 1]
+    if whole and crossed:
+        i, j = crossed[0]
+        place = f"({MM * layout.x[j]:.4g}, {MM * layout.y[i]:.4g}) mm"
+        raise GeometryError.unsupported(
+            argument="plate.map",
+            given=f"two tiles that touch at a corner only, at {place}",
+            allowed="a plate whose tiles meet at their sides",
+            cause="a solid is not whole where its edges meet in a line",
+            next_step="add or leave out a tile there, or export a piece: --columns 10 --rows 10",
+        )
+    loops = []
+    while after:
+        loop, came = [min(after)], (0, 0)
+        while not (came != (0, 0) and loop[-1] == loop[0]):
+            i, j = loop[-1]
+            ends = after[i, j]
+            # where two loops cross, a turn to the left leads around the same tile
+            ends.sort(key=lambda end: came[1] * (end[0] - i) - came[0] * (end[1] - j))
+            end = ends.pop()
+            if not ends:
+                del after[i, j]
+            came = (end[0] - i, end[1] - j)
+            loop.append(end)
+        loops.append(np.array([(MM * layout.x[j], MM * layout.y[i]) for i, j in _bends(loop[:-1])]))
+    return tuple(sorted(loops, key=lambda loop: -float(np.ptp(loop, axis=0).sum())))
+
+
+def _bends(loop: list[Tile]) -> list[Tile]:
+    """Where a closed loop of steps changes its direction."""
+    before, beyond = loop[-1:] + loop[:-1], loop[1:] + loop[:1]
+    places = zip(before, loop, beyond, strict=True)
+    return [b for a, b, c in places if (b[0] - a[0], b[1] - a[1]) != (c[0] - b[0], c[1] - b[1])]
+
+
+def _area(loop: Array) -> float:
+    """Of what a loop encloses to its left; negative around a hole."""
+    after = np.roll(loop, -1, axis=0)
+    return 0.5 * float(np.sum(loop[:, 0] * after[:, 1] - loop[:, 1] * after[:, 0]))
