@@ -6,7 +6,7 @@ import ezdxf
 import numpy as np
 import pytest
 from family import LATTICES, METAL, MM, OWN, PATCH, PLATES, RECTANGLE, cell, enclosed, is_watertight, plate
-from hypothesis import assume, given, settings
+from hypothesis import assume, example, given, settings
 from hypothesis import strategies as st
 
 from five_parts import refusing
@@ -76,6 +76,8 @@ def check_surface(made, layout):
 
 @settings(max_examples=25, deadline=None)
 @given(maps())
+@example(["11.", "1.1", "111"])
+@example(["oo..oo", "o.11.o", "oo..oo", "oooooo"])
 def test_every_map_is_a_watertight_surface_of_its_volume_or_is_refused(lines):
     mounted = plate(" ".join(lines))
     if crossed(lines):
