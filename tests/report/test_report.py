@@ -373,8 +373,8 @@ class TestComparison:
         assert [row[1:] for row in lower.rows] == [("50.00 kHz", "+0.00 %"), ("51.00 kHz", "+2.00 %")]
         assert upper.rows[0][1:] == ("-", "-")
 
-    def test_remarks_and_figures_reach_their_chapters(self):
-        text = read(page(mirrored())).text
+    def test_remarks_and_figures_reach_their_chapters(self, whole, empty_pictures, undrawn_mirror):
+        text = read(whole).text
         assert "That three rows are enough the paper says without details." in text
         assert "(Fig. 4A of the paper)" in text
         without = read(page(mirrored(references=None))).text
