@@ -7,6 +7,7 @@ the file, checks, help, labels and the written file follow from these declaratio
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
+from functools import cached_property
 from typing import Annotated, Any, Self
 
 from haptonic.bloch.settings import CARRIER, BandSettings, LayersSettings, WaveguideSettings
@@ -187,7 +188,11 @@ class Description:
 
     def parameters(self) -> dict[str, float]:
         """Value of every numeric parameter that this study gives, by path and in SI units."""
-        known = numeric_parameters()
+        return dict(self._parameters)
+
+    @cached_property
+    def _parameters(self) -> dict[str, float]:
+        known = numeric_parameters()  # a study with sweeps asks at every step
         return {path: value for path, value in numbers(self, names=True).items() if path in known}
 
     def absent_parameters(self) -> dict[str, str]:
@@ -195,7 +200,7 @@ class Description:
         built_in = "the material is a built-in one; give its constants in a [material] table to vary them"
         return {
             path: built_in if path.startswith("material.") else "this study does not give it"
-            for path in numeric_parameters().keys() - self.parameters().keys()
+            for path in numeric_parameters().keys() - self._parameters.keys()
         }
 
     def with_parameter(self, path: str, value: float) -> Self:
