@@ -143,6 +143,14 @@ class TestOthers:
         outline, drawing = (inside(*asked, kind).json for kind in ("--dxf", "--drawing"))
         assert outline["processor_s"] < drawing["processor_s"]
 
+    def test_a_plate_with_more_pillars_costs_more_to_export(self, inside, file):
+        text, told = file("touchpad"), []
+        for rows in (20, 60):
+            text.write_text(text.read_text("utf-8").replace("rows = 20 ", f"rows = {rows} "), "utf-8")
+            told.append(inside("export", text, "--step", "--dry-run", "--json").json)
+        assert told[0]["processor_s"] < told[1]["processor_s"]
+        assert told[0]["memory_b"] < told[1]["memory_b"]
+
     def test_every_analysis_that_computes_has_a_forecast(self):
         assert set(COSTS) == set(NAMES) - {"plan", "compare"}
 

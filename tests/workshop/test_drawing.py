@@ -223,6 +223,7 @@ class TestWholePlate:
         other = part_drawing(Part.whole(PLATES["plain"], cell(None, RECTANGLE)), "Plain")
         assert not any("±" in word for word in words(other))
         assert "0" in words(other)  # pillars
+        assert "Section   10 : 1" in words(other)
         strange = part_drawing(
             Part.whole(PLATES["long"], LATTICES["slim"]), "Long", tolerances={"cell.pillar.height": 5e-5}
         )

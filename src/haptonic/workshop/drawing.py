@@ -107,22 +107,18 @@ def _plate(sheet: Sheet, part: Part, tolerances: Mapping[str, float]) -> tuple[V
     """The same of a whole plate: its plan, a section, how it looks, and its lists."""
     plan = draw_plate(sheet, WIDE_PLAN, part, "Plate")
     _name_marks(sheet, plan, part)
-    pillar, _ = part.standing[0] if part.standing else (None, None)
-    thickness = part.cell.thickness
-    width = min(2 * part.cell.inradius, min(part.size))
+    several = len(part.standing) > 1
+    if several:
+        _name_kinds(sheet, plan, part)
+    pillar = part.standing[0][0] if part.standing else None
+    width, name = min(part.cell.lattice.pitch, *part.size), "Section"
     if pillar is not None:
         width = max(width, 3 * PillarShape.of(pillar).widest)
-        if len(part.standing) > 1:
-            _name_kinds(sheet, plan, part)
-    own = (
-        tolerances
-        if pillar == part.cell.pillar
-        else {k: v for k, v in tolerances.items() if "pillar" not in k}
-    )
-    draw_section(
-        sheet, WIDE_SECTION, (width, thickness), pillar, own, False,
-        f"Section of a pillar {letter(0)}" if len(part.standing) > 1 else "Section of a pillar",
-    )  # fmt: skip
+        name += f" of a pillar{several * ' A'}"
+    own = dict(tolerances)
+    if pillar != part.cell.pillar:  # those of the study's own pillar are not its
+        own = {path: half_width for path, half_width in own.items() if "pillar" not in path}
+    draw_section(sheet, WIDE_SECTION, (width, part.cell.thickness), pillar, own, False, name)
     draw_isometric(sheet, WIDE_ISOMETRIC, part)
     draw_lists(sheet, LISTS, part, tolerances)
     return plan, {"NUMBER OF PILLARS": str(part.pillars)}
