@@ -116,9 +116,10 @@ class Workshop(Result):
         what, aside = "the whole plate", "; regions and patches are marked, and no part of the solid"
         if self.part.count is not None:
             what, aside = "a piece of lattice, {} x {} cells".format(*self.part.count), ""
+        pillars = f"{self.part.pillars} pillar{'s' * (self.part.pillars != 1)}"
         sizes = " x ".join(f"{side:.4g}" for side in self.part.size)
         return [
-            f"made: {what}, {sizes} mm, with {self.part.pillars} pillars{aside}",
+            f"made: {what}, {sizes} mm, with {pillars}{aside}",
             f"written: {', '.join(self.options.names(self.stem))}",
         ]
 

@@ -169,20 +169,16 @@ class UnitCell(TileShape):
 
         ``instead`` is what else one may do.
         """
-        self.check_one_site(what, instead)
-        self.lattice.check_rectangular(what, instead)
-
-    def check_one_site(self, what: str, instead: str = "") -> None:
-        """Raise GeometryError unless there is one site, in the middle; ``what`` needs it."""
         if not self.is_simple:
             raise GeometryError.unsupported(
                 argument="cell.site" if self.site else "cell.lattice",
                 given=f"{len(self.shares)} sites" if self.site else self.lattice.name,
                 allowed=f"a cell of one site in its middle for {what}",
                 cause=f"{what} knows cells with a single pillar only; those with several have bands, gaps, "
-                "mirrors, ribbons, sweeps, slopes, tolerances and outlines",
+                "mirrors, ribbons, sweeps, slopes, tolerances, outlines and solids",
                 next_step=f'write lattice = "square" or "rectangular", and leave [[cell.site]] out{instead}',
             )
+        self.lattice.check_rectangular(what, instead)
 
     @property
     def vectors(self) -> Array:
