@@ -68,19 +68,22 @@ class Full:
         return sp.csr_array(sp.vstack(rows))
 
 
-def _single(layout, tile, cell_order, rings, plain_order):
-    """A cell of the lattice, or a tile of plain plate."""
-    left, bottom, right, top = layout.bounds(tile)
-    name = layout.at(tile)
-    if name in layout.cells:
-        cell, plan = layout.cells[name], MeshPlan.suited(layout.cells[name], cell_order, rings)
+def _single(layout, block, cell_order, rings, plain_order):
+    """A brick of a lattice, or a tile of plain plate."""
+    (left, *_, right), (bottom, *_, top) = layout.lines(block)
+    laid = layout.bricks.get(block.tiles[0])
+    if laid is not None:
+        tile = layout.brick(layout.at(block.tiles[0]), laid.number)
+        shares = np.concatenate([(np.array(own) - own[0]) / np.ptp(own) for own in layout.lines(block)])
+        fits = (n for n in range(1, 5) if np.abs(n * shares - np.round(n * shares)).max() < 1e-6)
+        plan = MeshPlan.suited(tile, cell_order, rings).divided(next(fits), cell_order + 2)
     else:
         lattice = Lattice.rectangular(right - left, top - bottom)
-        cell, plan = UnitCell(lattice, layout.thickness, layout.material), None
-        plan = MeshPlan.suited(cell, plain_order, 0)
-    mesh = mesh_cell(cell, plan)
+        tile = UnitCell(lattice, layout.thickness, layout.material)
+        plan = MeshPlan.suited(tile, plain_order, 0)
+    mesh = mesh_cell(tile, plan)
     K, mass = assembled(mesh, layout.material)
-    points = mesh.points + np.array([(left + right) / 2, (bottom + top) / 2, 0.0])
+    points = mesh.points + np.array([left, bottom, 0.0]) - np.append(tile.corners[0], 0.0)
     box = np.array([left, bottom]), np.array([right, top])
     return Piece(points, {PLATE: K}, mass, flat_faces(mesh), box, {}, {})
 
@@ -110,9 +113,9 @@ def full(plate, cell_order, rings, plain_order):
         (x, y), (width, height, _) = actuator.centre, actuator.size
         taken = layout.under((x - width / 2, y - height / 2, x + width / 2, y + height / 2))
         pieces.append(_with_patch(layout, actuator, taken, plain_order + 1, plain_order))
-    for i, j in np.ndindex(layout.rows, layout.columns):
-        if layout.at((i, j)) is not None and (i, j) not in taken:
-            pieces.append(_single(layout, (i, j), cell_order, rings, plain_order))
+    for block in layout.blocks:
+        if block.tiles[0] not in taken:
+            pieces.append(_single(layout, block, cell_order, rings, plain_order))
     glue = _Glue(layout, cell_order + 2, cell_order)
     count = 0
     raw = []
@@ -196,10 +199,9 @@ class _Glue:
         for node in rim:
             across, lines = (0, self.layout.y) if on_x[node] else (1, self.layout.x)
             place, fixed = piece.points[node, 1 - across], piece.points[node, across]
-            k = int(np.clip(np.searchsorted(lines, place, side="right") - 1, 0, len(lines) - 2))
             # of a corner of the box: the edge on the side of the mesh
-            if place > high[1 - across] - close:
-                k = int(np.searchsorted(lines, place - 1e-6)) - 1
+            inwards = np.clip(place, low[1 - across] + 1e-6, high[1 - across] - 1e-6)
+            k = int(np.searchsorted(lines, inwards, side="right")) - 1
             start, end = np.full(2, fixed), np.full(2, fixed)
             start[1 - across], end[1 - across] = lines[k], lines[k + 1]
             share = (place - lines[k]) / (lines[k + 1] - lines[k])

@@ -21,10 +21,10 @@ from haptonic.plate.direct import direct_answer
 from haptonic.plate.holding import Support
 from haptonic.plate.keys import FINGER, PLATE, SUPPORTS, bond, ceramic, dielectric, electric
 from haptonic.plate.krylov import Basis, chains
+from haptonic.plate.layout import Block
 from haptonic.plate.model import PlateModel, impedance, sunflower
 from haptonic.plate.modes import modes_between
 from haptonic.plate.parts import Finger, Force, Plate
-from haptonic.plate.skeleton import Block
 from haptonic.plate.sweep import MOST_DIRECT, Band, _forces
 from haptonic.plate.vibration import ReducedPlate, amplification
 

@@ -14,9 +14,10 @@ from whole import answered, forms, foundations, lossless
 from haptonic.cell.quadrature import lobatto
 from haptonic.plate import model as model_module
 from haptonic.plate.holding import Support
+from haptonic.plate.layout import Block
 from haptonic.plate.model import PlateModel
 from haptonic.plate.parts import Force, Plate
-from haptonic.plate.skeleton import Block, Skeleton, TraceOrders
+from haptonic.plate.skeleton import Skeleton, TraceOrders
 from haptonic.plate.supports import CLAMPED, supported
 
 HZ = 2 * np.pi
@@ -131,6 +132,19 @@ def test_corners_are_held_on_their_length_from_the_corners_of_the_map():
     _, (clamp,) = supported(places, [Support("corners", "clamped", length=3e-3)])
     stiff = CLAMPED * ALUMINIUM.stiffness[0, 0] / THICKNESS
     assert clamp.stiffness.toarray() == pytest.approx(foundation.stiffness.toarray() * stiff / 1e9)
+
+
+def test_a_corner_may_be_held_across_several_tiles():
+    places = skeleton("ppp ppp ppp")
+    length = 1.4 * PITCH
+    held, (foundation,) = supported(places, [Support("corners", "spring", length=length, stiffness=1e9)])
+    assert not len(held)
+    energy = rigid(places).T @ (foundation.stiffness @ rigid(places))
+    assert energy[2, 2] == pytest.approx(1e9 * 8 * length * THICKNESS, rel=1e-9)
+    # turned about the x axis: y squared and z squared over the held faces
+    end, start = 3 * PITCH, 3 * PITCH - length
+    squared = (2 * end**2 * length + 2 * length**3 / 3 + 2 * (end**3 - start**3) / 3) * THICKNESS
+    assert energy[3, 3] == pytest.approx(1e9 * (squared + 8 * length * THICKNESS**3 / 3), rel=1e-9)
 
 
 def test_a_corner_as_long_as_its_edge_is_held_for_good():

@@ -57,6 +57,15 @@ ASKS = {
 MEMORY = SimpleNamespace(total=24e9, available=20e9)
 
 
+@pytest.fixture(scope="module", autouse=True)
+def imported() -> None:
+    """What the first question of a process imports is no part of its answer."""
+    study = loads(STUDY.format(line="ooo1", rows=4, grid=1e-9))
+    for ask in ASKS.values():
+        with pytest.raises(ResourceError):
+            ask(study)
+
+
 @pytest.mark.parametrize("asked", ASKS)
 @settings(max_examples=25, deadline=None)
 @given(grid=st.sampled_from([1e-9, 1e-7, 1e-5, 2e-3]), rows=st.integers(3, 220), columns=st.integers(3, 220))

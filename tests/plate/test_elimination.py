@@ -5,7 +5,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from haptonic.plate.elimination import elimination_order
-from haptonic.plate.skeleton import Block, TraceOrders, traced
+from haptonic.plate.layout import Block
+from haptonic.plate.skeleton import TraceOrders, traced
 
 
 def entries(size, blocks, order):

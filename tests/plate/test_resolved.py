@@ -13,12 +13,13 @@ from haptonic.cell import MeshPlan, UnitCell
 from haptonic.errors import HaptonicError
 from haptonic.lattice import Lattice
 from haptonic.plate.holding import Support
+from haptonic.plate.layout import Block
 from haptonic.plate.model import PlateModel
 from haptonic.plate.parts import Plate
 from haptonic.plate.recipes import Fineness
 from haptonic.plate.reduction import cell_tile
 from haptonic.plate.resolved import _bending, highest_resolved
-from haptonic.plate.skeleton import Block, numbered
+from haptonic.plate.skeleton import numbered
 
 HZ = 2 * np.pi
 EDGE = 8e-3
@@ -52,7 +53,7 @@ def nearest(fineness, frequency):
     """Of the waves that a tile has at the wavenumber of the bending wave, the one nearest to it, Hz."""
     wavenumber = plain_plate().wavenumber(HZ * frequency, 0.0, "A0")
     cell, orders = UnitCell(Lattice.square(EDGE), THICKNESS, ALUMINIUM), fineness.trace
-    tile = cell_tile(cell, MeshPlan.suited(cell, fineness.plain, 0), orders, frequency)
+    tile = cell_tile(cell, MeshPlan.suited(cell, fineness.plain, 0), ((EDGE,), (EDGE,)), orders, frequency)
     phase = np.exp(1j * wavenumber * EDGE)
     whole = la.block_diag(
         repeated(orders.along, orders.per_node, phase),

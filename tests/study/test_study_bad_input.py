@@ -107,7 +107,6 @@ NOT_NAMED_THERE = {
     "order too low": (("[bands]", "[mesh]\norder = 1\n[bands]"), "mesh.order", ["at least 2 and at most 10"]),
     "too many rings": (("[bands]", "[mesh]\nfoot_rings = 7\n[bands]"), "mesh.foot_rings", ["at most 6"]),
     "unknown lattice": (('"square"', '"sqare"'), "cell.lattice", ['write "square"', '"rectangular"']),
-    "lattice of later": (('"square"', '"triangular"'), "cell.lattice", ['"square" or "rectangular"']),
     "rectangle with one side": (('"square"', '"rectangular"'), "cell.pitch_y", ["left out"]),
     "square with two sides": ((PITCH, PITCH + '\npitch_y = "7 mm"'), "cell.pitch_y", ["without it"]),
     "blank name": (('"aluminium (paper)"', '" "'), "material.name", ["left out"]),

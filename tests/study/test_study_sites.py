@@ -209,18 +209,16 @@ def test_any_sites_make_a_cell_or_are_refused_in_five_parts(places, lattice):
 
 
 MANY = '\n[[design.vary]]\nparameter = "cell.pitch"\nfrom = "6 mm"\nto = "8 mm"\n'
-PLATE = "\n[plate]\nmap = '''\noo\noo\n'''\nloss_factor = 1e-3\n[plate.tiles]\no = \"lattice\"\n"
 
 
 @pytest.mark.parametrize("text", [STUDY + UNEQUAL, STUDY.replace("honeycomb", "lieb") + EQUAL, SQUARE + FREE])
 def test_what_knows_single_pillars_only_says_so(text):
-    """Guides, searches, drawings, plates."""
+    """Guides, searches, drawings."""
     study = loads(text + MANY)
     asked = [
         lambda: waveguide.ANALYSIS.check(study, waveguide.ANALYSIS.options()),
         lambda: design.brief(study),
         lambda: export.check(study, replace(export.ExportOptions(), drawing=True)),
-        lambda: loads(text + PLATE),
     ]
     for ask in asked:
         with pytest.raises(HaptonicError) as caught:

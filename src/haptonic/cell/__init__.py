@@ -1,5 +1,6 @@
 """Unit cells: what they are made of, and their block-structured meshes."""
 
+from haptonic.cell.brickwork import Brickwork
 from haptonic.cell.geometry import UnitCell
 from haptonic.cell.mesh import HexMesh, mesh_cell
 from haptonic.cell.pillar import Pillar, Step
@@ -11,6 +12,7 @@ from haptonic.cell.tile import FreeEdge, Period, PlacedTile, TileShape
 from haptonic.cell.topology import Topology
 
 __all__ = [
+    "Brickwork",
     "Filler",
     "FreeEdge",
     "HexMesh",

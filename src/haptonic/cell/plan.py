@@ -95,6 +95,17 @@ class MeshPlan:
         share = plan.side * 4 / sides / 2
         return replace(plan, sides=sides, blocks=2, order=math.ceil(share) + 1)
 
+    def divided(self, pieces: int, least: int) -> MeshPlan:
+        """The same with elements that end at every so many equal pieces of each side, of an order at least.
+
+        As where a cell has no four sides, a polynomial of one order more than their share is as good along
+        shorter ones.
+        """
+        blocks = math.lcm(self.blocks, pieces)
+        if blocks == self.blocks:
+            return self
+        return replace(self, blocks=blocks, order=max(math.ceil(self.side / blocks) + 1, least))
+
     @classmethod
     def _of_quarters(cls, cell: TileShape, order: int, foot_rings: int, bands: float | None) -> MeshPlan:
         """Plan of similar errors in all directions, its elements not much longer than the pillar is wide.

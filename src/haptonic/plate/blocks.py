@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Hashable
+from itertools import product
 
 import numpy as np
 
 from haptonic.errors import GeometryError
-from haptonic.plate.layout import Layout
+from haptonic.plate.layout import Block, Layout, Tile
 from haptonic.plate.parts import Actuator, Force, Plate
-from haptonic.plate.skeleton import Block
 
 ON_LINE = 1e-6  # of a tile's size, by which the edge of a patch may miss the line that it lies on
 JOINED = (4, 4)  # rows and columns of like tiles that are joined at most
@@ -24,7 +24,7 @@ def blocks_of(plate: Plate) -> dict[Block, tuple[Attached, ...]]:
     wanted: list[tuple[Block, Attached]] = [(_covering(layout, one), one) for one in plate.actuators]
     for force in plate.forces:
         under = _covering(layout, force)
-        singles = [Block((i, i + 1), (j, j + 1)) for i, j in under.tiles if layout.at((i, j)) is not None]
+        singles = dict.fromkeys(layout.block(tile) for tile in under.tiles if layout.at(tile) is not None)
         wanted += [(block, force) for block in ([under] if _is_plain(layout, under) else singles)]
     for block, attached in wanted:
         members: tuple[Attached, ...] = (attached,)
@@ -34,7 +34,7 @@ def blocks_of(plate: Plate) -> dict[Block, tuple[Attached, ...]]:
                 block, members = block.joined(one[0]), (*one[1], *members)
         special.append((block, members))
     for block, members in special:
-        pressed = len(block.tiles) == 1 and all(isinstance(member, Force) for member in members)
+        pressed = layout.block(block.tiles[0]) == block and all(isinstance(one, Force) for one in members)
         if not (pressed or _is_plain(layout, block)):
             raise GeometryError.unsupported(
                 argument="plate",
@@ -67,37 +67,33 @@ def _covering(layout: Layout, attached: Attached) -> Block:
 
 def _is_plain(layout: Layout, block: Block) -> bool:
     """Whether a block holds nothing but plain plate."""
-    return not {layout.at(tile) for tile in block.tiles} & {None, *layout.cells}
+    return all(layout.is_plain(tile) for tile in block.tiles)
 
 
-def _rectangles(layout: Layout, taken: set[tuple[int, int]]) -> list[Block]:
-    """Rectangles of like tiles that cover what is not taken, from the lower left."""
-    left = [
-        (i, j) for i in range(layout.rows) for j in range(layout.columns)
-        if layout.at((i, j)) is not None and (i, j) not in taken
-    ]  # fmt: skip
-    open_tiles = dict.fromkeys(left)
+def _rectangles(layout: Layout, taken: set[Tile]) -> list[Block]:
+    """Rectangles of like bricks, or tiles, that cover what is not taken, from the lower left."""
+    left = dict.fromkeys(block for block in layout.blocks if not taken.intersection(block.tiles))
     found = []
-    while open_tiles:
-        i, j = next(iter(open_tiles))
-        kind = kind_of(layout, (i, j))
+    while left:
+        one = next(iter(left))
+        kind = kind_of(layout, one)
 
-        def fits(tile: tuple[int, int], kind: Hashable = kind) -> bool:
-            return tile in open_tiles and kind_of(layout, tile) == kind
+        def fits(row: int, column: int, one: Block = one, kind: Hashable = kind) -> bool:
+            other = one.moved(row, column)
+            return other in left and kind_of(layout, other) == kind
 
-        wide = high = 1
-        while wide < JOINED[1] and fits((i, j + wide)):
-            wide += 1
-        while high < JOINED[0] and all(fits((i + high, j + k)) for k in range(wide)):
-            high += 1
-        found.append(Block((i, i + high), (j, j + wide)))
-        for tile in found[-1].tiles:
-            del open_tiles[tile]
+        columns = rows = 1
+        while columns < JOINED[1] and fits(0, columns):
+            columns += 1
+        while rows < JOINED[0] and all(fits(rows, column) for column in range(columns)):
+            rows += 1
+        found.append(one.joined(one.moved(rows - 1, columns - 1)))
+        for row, column in product(range(rows), range(columns)):
+            del left[one.moved(row, column)]
     return found
 
 
-def kind_of(layout: Layout, tile: tuple[int, int]) -> Hashable:
-    """What tiles that may be joined have in common: name and size, in thicknesses."""
-    left, bottom, right, top = layout.bounds(tile)
-    sizes = (round((right - left) / layout.thickness, 9), round((top - bottom) / layout.thickness, 9))
-    return layout.at(tile), sizes
+def kind_of(layout: Layout, block: Block) -> Hashable:
+    """What bricks or tiles that may be joined have in common: name, what they hold, sizes."""
+    corner = block.tiles[0]
+    return layout.at(corner), layout.bricks.get(corner), layout.steps(block)

@@ -1,5 +1,5 @@
 """A rectangle of plain plate with the patches that are glued to it, not reduced: stiffness by part, mass,
-drive. Also a patch on its own, and a cell of a lattice.
+drive. Also a patch on its own, and a brick of a lattice.
 """
 
 from __future__ import annotations
@@ -14,7 +14,7 @@ import numpy as np
 from numpy.lib.stride_tricks import sliding_window_view
 
 from haptonic.arrays import Array, Ints
-from haptonic.cell import MeshPlan, UnitCell, mesh_cell
+from haptonic.cell import MeshPlan, TileShape, mesh_cell
 from haptonic.cell.quadrature import lobatto
 from haptonic.elements import element_matrices
 from haptonic.later import sparse as sp
@@ -56,7 +56,7 @@ class Body:
     capacitance : by actuator, of the clamped patch, F
     faces : (k, n1, n2) node numbers of the quadrilaterals on the flat face z = 0, by orders
     rim : nodes on the four lateral sides of the plate, ascending; of a patch alone, on its own sides
-    elements : by part, of a cell by orders, (k, n1, n2, n3) node numbers
+    elements : by part, of a brick by orders, (k, n1, n2, n3) node numbers
     """
 
     points: Array
@@ -114,9 +114,9 @@ def body(
     return _assembled(layers, ceramics)
 
 
-def body_of_cell(cell: UnitCell, plan: MeshPlan, x: tuple[float, float], y: tuple[float, float]) -> Body:
-    """A cell of a lattice between two lines along x and two along y, m."""
-    mesh = mesh_cell(cell, plan)
+def body_of_brick(brick: TileShape, plan: MeshPlan, x: tuple[float, float], y: tuple[float, float]) -> Body:
+    """A rectangle about a pillar between two lines along x and two along y, m."""
+    mesh = mesh_cell(brick, plan)
     points = mesh.points.copy()
     rim = np.zeros(len(points), dtype=bool)
     for axis, (start, end) in enumerate((x, y)):
@@ -128,7 +128,7 @@ def body_of_cell(cell: UnitCell, plan: MeshPlan, x: tuple[float, float], y: tupl
     mass, total = np.zeros(len(mesh.points)), sp.csr_array((3 * len(mesh.points),) * 2)
     families = {PartKey("plate", k): family.nodes for k, family in enumerate(mesh.topology.families)}
     for nodes in families.values():
-        total = total + _elastic(mesh.points, nodes, cell.material, mass)
+        total = total + _elastic(mesh.points, nodes, brick.material, mass)
     return Body(
         points=points,
         stiffness=MappingProxyType({PLATE: total}),

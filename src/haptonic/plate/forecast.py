@@ -26,7 +26,7 @@ def foreseen(plate: Plate, low: float, high: float, *, single: bool = False) -> 
     which the pillars' mass makes a little too few.
     """
     layout = plate.layout
-    tiles = sum(name is not None for row in layout.tiles for name in row)
+    tiles = len(layout.blocks)
     unknowns = PER_TILE * tiles
     if single:
         return FIXED + SINGLE * tiles, FIXED_MEMORY + FACTORS * tiles

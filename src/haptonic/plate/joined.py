@@ -9,8 +9,9 @@ import numpy as np
 from haptonic.arrays import Array, Fields, Ints
 from haptonic.later import linalg as la
 from haptonic.plate.keys import PLATE
+from haptonic.plate.layout import Block
 from haptonic.plate.reduction import few_modes
-from haptonic.plate.skeleton import Block, TraceOrders, traced
+from haptonic.plate.skeleton import TraceOrders, traced
 from haptonic.plate.tile import Inside, Tile, Turned
 
 

@@ -4,26 +4,84 @@ nothing.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
+from fractions import Fraction
 from functools import cached_property
+from itertools import pairwise, product
 from types import MappingProxyType
 from typing import Literal
 
 import numpy as np
 
-from haptonic.cell import Pillar, UnitCell
+from haptonic.cell import Brickwork, Pillar, UnitCell
+from haptonic.cell.brickwork import MOST_PIECES
+from haptonic.cell.tile import SiteTile
+from haptonic.errors import GeometryError
 from haptonic.materials import Material
 
 Side = Literal["left", "right", "bottom", "top"]
 Tile = tuple[int, int]
 Rectangle = tuple[float, float, float, float]
+Steps = tuple[tuple[float, ...], tuple[float, ...]]  # along x and along y, m
 
 STEPS: Mapping[Side, Tile] = MappingProxyType(
     {"left": (0, -1), "right": (0, 1), "bottom": (-1, 0), "top": (1, 0)}
 )
 """(rows, columns) from a tile to its neighbour on that side."""
 CLOSE = 1e-9  # of the smallest tile: lengths that differ by less are equal
+
+
+@dataclass(frozen=True)
+class Block:
+    """A rectangle of tiles that is one body: rows and columns from the first up to, not with, the last."""
+
+    rows: tuple[int, int]
+    columns: tuple[int, int]
+
+    @property
+    def edges(self) -> int:
+        """How many edges of tiles lie on its rim."""
+        return 2 * (self.rows[1] - self.rows[0] + self.columns[1] - self.columns[0])
+
+    def meets(self, other: Block) -> bool:
+        """Whether the two share a tile."""
+        pairs = ((self.rows, other.rows), (self.columns, other.columns))
+        return all(a[0] < b[1] and b[0] < a[1] for a, b in pairs)
+
+    def joined(self, other: Block) -> Block:
+        """The smallest block that holds both."""
+        (r0, r1), (c0, c1) = self.rows, self.columns
+        (s0, s1), (d0, d1) = other.rows, other.columns
+        return Block((min(r0, s0), max(r1, s1)), (min(c0, d0), max(c1, d1)))
+
+    @property
+    def tiles(self) -> list[tuple[int, int]]:
+        """(row, column) of its tiles."""
+        return [(i, j) for i in range(*self.rows) for j in range(*self.columns)]
+
+    @property
+    def shape(self) -> tuple[int, int]:
+        """How many rows and columns of tiles it has."""
+        return self.rows[1] - self.rows[0], self.columns[1] - self.columns[0]
+
+    def moved(self, up: int, right: int) -> Block:
+        """One of the same shape, so many blocks farther."""
+        (high, wide), (row, column) = self.shape, (self.rows[0], self.columns[0])
+        row, column = row + up * high, column + right * wide
+        return Block((row, row + high), (column, column + wide))
+
+
+@dataclass(frozen=True)
+class Laid:
+    """A brick of a lattice on the plate.
+
+    shape : rows and columns of tiles that it covers; number : which one of its lattice's `Brickwork`
+    """
+
+    shape: tuple[int, int]
+    number: int = 0
 
 
 @dataclass(frozen=True)
@@ -36,6 +94,8 @@ class Layout:
     cells : unit cells of the lattices by name; all have the plate's thickness and material
     thickness : of the plate without pillars, m; its flat face lies at z = 0
     material : of plate and pillars
+    bricks : by the lower left one of the tiles that each covers; other tiles of a lattice are plain plate at
+        its border. By default each holds one, as it does where all lattices are rectangles of one pillar
     """
 
     tiles: tuple[tuple[str | None, ...], ...]
@@ -44,11 +104,127 @@ class Layout:
     cells: Mapping[str, UnitCell]
     thickness: float
     material: Material
+    bricks: Mapping[Tile, Laid] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "cells", MappingProxyType(dict(self.cells)))
         assert len(self.tiles) == self.rows
         assert all(len(row) == self.columns for row in self.tiles)
+        standing = [name for name, cell in self.cells.items() if cell.has_pillars]
+        every = self.bricks or {tile: Laid((1, 1)) for name in standing for tile in self.of(name)}
+        object.__setattr__(self, "bricks", MappingProxyType(dict(sorted(every.items()))))
+
+    @classmethod
+    def laid(
+        cls,
+        letters: Sequence[Sequence[str | None]],
+        widths: Sequence[float],
+        heights: Sequence[float],
+        cells: Mapping[str, UnitCell],
+        thickness: float,
+        material: Material,
+    ) -> Layout:
+        """A plate from a coarser map, whose columns and rows have these sizes, m.
+
+        A letter of a lattice is as wide as its period along x and as high as a row of periods. Each row is
+        offset against the one below as the lattice is, the lowest row of the plate by nothing. A brick that
+        would lie on another letter's plate is left out; there is plain plate in its place.
+
+        Raises
+        ------
+        GeometryError : lattices that cannot be laid, see `Brickwork`
+        """
+        works = {name: Brickwork.of(cell) for name, cell in cells.items()}
+        named = [[name for name in works if name in row] for row in letters]
+        cuts = {(name, i): works[name].columns(i) for i, names in enumerate(named) for name in names}
+        across = [
+            {Fraction(0)}.union(*(cuts.get((name or "", i), ()) for i, name in enumerate(column)))
+            for column in zip(*letters, strict=True)
+        ]
+        up = [{Fraction(0)}.union(*(works[name].rows for name in names)) for names in named]
+        # lines are found by their share's number of smallest parts: fractions are slow as keys
+        parts = math.lcm(*(share.denominator for own in (*across, *up) for share in own))
+        x, columns = _lines(widths, across, parts)
+        y, rows = _lines(heights, up, parts)
+        bricks = {}
+        for i, row in enumerate(letters):
+            for name in named[i]:
+                for number, brick in enumerate(works[name].bricks):
+                    left, bottom = (
+                        int(parts * share) for share in (works[name].left(number, i), brick.bottom)
+                    )
+                    over, right = divmod(left + int(parts * brick.width), parts)
+                    above, top = divmod(bottom + int(parts * brick.height), parts)
+                    first = rows[i][bottom]
+                    high = rows[i + above][top] - first
+                    for j, here in enumerate(row):
+                        beyond = right and over and row[j + 1 : j + 2] != row[j : j + 1]
+                        if here == name and not beyond:
+                            start = columns[j][left]
+                            bricks[first, start] = Laid((high, columns[j + over][right] - start), number)
+        tiles = [
+            tuple(name for name, own in zip(row, across, strict=True) for _ in own)
+            for row, own in zip(letters, up, strict=True)
+            for _ in own
+        ]
+        made = cls(tuple(tiles), x, y, cells, thickness, material, bricks)
+        for steps in {made.steps(made.block(at)) for at, one in bricks.items() if one.shape != (1, 1)}:
+            equal_pieces(steps)
+        return made
+
+    @cached_property
+    def _works(self) -> Mapping[str, Brickwork]:
+        return {name: Brickwork.of(cell) for name, cell in self.cells.items()}
+
+    def brick(self, name: str, number: int) -> SiteTile:
+        """The rectangle about its pillar of one of a lattice's bricks."""
+        return self._works[name].bricks[number].tile
+
+    def lines(self, block: Block) -> tuple[tuple[float, ...], tuple[float, ...]]:
+        """Positions of the lines between a block's tiles along x and along y, its ends included, m."""
+        (left, right), (low, top) = block.columns, block.rows
+        return self.x[left : right + 1], self.y[low : top + 1]
+
+    def steps(self, block: Block) -> Steps:
+        """Widths of the columns and heights of the rows of a block, m, without what rounding adds."""
+        across, up = (
+            tuple(self.thickness * round((end - start) / self.thickness, 9) for start, end in pairwise(lines))
+            for lines in self.lines(block)
+        )
+        return across, up
+
+    def block(self, tile: Tile) -> Block:
+        """The brick that a tile belongs to, or the tile itself."""
+        i, j = corner = self._brick_under.get(tile, tile)
+        high, wide = self.bricks[corner].shape if corner in self.bricks else (1, 1)
+        return Block((i, i + high), (j, j + wide))
+
+    @cached_property
+    def _brick_under(self) -> Mapping[Tile, Tile]:
+        return {
+            (i + down, j + along): (i, j)
+            for (i, j), laid in self.bricks.items()
+            for down, along in product(*map(range, laid.shape))
+        }
+
+    @cached_property
+    def blocks(self) -> tuple[Block, ...]:
+        """Every brick, and every tile of plain plate, row by row from the lower left."""
+        there = ((i, j) for i, row in enumerate(self.tiles) for j, name in enumerate(row) if name is not None)
+        return tuple(dict.fromkeys(self.block(tile) for tile in there))
+
+    def is_plain(self, tile: Tile) -> bool:
+        """Whether a tile is there, and holds nothing of a lattice's bricks."""
+        return self.at(tile) is not None and tile not in self._brick_under
+
+    @property
+    def left_out(self) -> int:
+        """How many bricks are missing at the borders of lattices, where they would lie on other plate."""
+        whole = (
+            len(work.bricks) * self.area(name) / (work.period * work.height)
+            for name, work in self._works.items()
+        )
+        return round(sum(whole)) - len(self.bricks)
 
     @property
     def rows(self) -> int:
@@ -107,18 +283,56 @@ class Layout:
     def standing(self) -> tuple[tuple[float, float, Pillar], ...]:
         """Every pillar of the plate with the place (x, y) of its axis, m; row by row from the lower left."""
         found = []
-        for i, row in enumerate(self.tiles):
-            for j, name in enumerate(row):
-                pillar = self.cells[name].pillar if name and name in self.cells else None
-                if pillar is not None:
-                    left, bottom, right, top = self.bounds((i, j))
-                    found.append((0.5 * (left + right), 0.5 * (bottom + top), pillar))
+        for (i, j), laid in self.bricks.items():
+            tile = self.brick(str(self.at((i, j))), laid.number)
+            left, below = tile.corners[0]
+            if tile.pillar is not None:
+                found.append((self.x[j] - float(left), self.y[i] - float(below), tile.pillar))
         return tuple(found)
 
     @property
     def pillars(self) -> int:
         """How many pillars stand on the plate."""
         return len(self.standing)
+
+
+def equal_pieces(steps: Steps) -> int:
+    """Into how many equal pieces a mesh has to divide the sides of a brick to meet all lines between tiles.
+
+    Raises
+    ------
+    GeometryError : no few of them do
+    """
+    shares = [share for along in steps for share in np.cumsum(along) / sum(along)]
+    count = math.lcm(*(Fraction(float(share)).limit_denominator(48).denominator for share in shares))
+    if count > MOST_PIECES:
+        raise GeometryError.unsupported(
+            argument="plate.map",
+            given=f"a lattice with lines between its tiles at {count}ths of a side",
+            allowed=f"lines at a half, at thirds or at quarters (at most {MOST_PIECES} equal pieces)",
+            cause="lines halfway between the pillars of a row do not meet those of the next row, or of "
+            "another lattice in the same columns",
+            next_step="move the sites to places such as 1/2 or 1/4 of the period, or draw lattices in "
+            "columns and rows of their own",
+        )
+    return count
+
+
+def _lines(
+    sizes: Sequence[float], shares: Sequence[set[Fraction]], parts: int
+) -> tuple[tuple[float, ...], list[dict[int, int]]]:
+    """Lines at shares of intervals that follow each other: positions, each rounded once, and numbers.
+
+    These are by interval and by the share, counted in a number of parts; an interval of no width ends them.
+    """
+    start = Fraction(0)
+    lines: list[float] = []
+    numbers: list[dict[int, int]] = []
+    for size, own in zip((*sizes, 0.0), (*shares, {Fraction(0)}), strict=True):
+        numbers.append({int(parts * share): len(lines) + k for k, share in enumerate(sorted(own))})
+        lines += [float(start + share * Fraction(size)) for share in sorted(own)]
+        start += Fraction(size)
+    return tuple(lines), numbers
 
 
 def _met(lines: tuple[float, ...], low: float, high: float) -> range:

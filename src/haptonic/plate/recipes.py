@@ -10,17 +10,17 @@ import numpy as np
 from numpy.polynomial.legendre import leggauss
 
 from haptonic.arrays import Array
-from haptonic.cell import MeshPlan, UnitCell
+from haptonic.cell import MeshPlan, TileShape, UnitCell
 from haptonic.lattice import Lattice
 from haptonic.parallel import one_thread, threads
 from haptonic.plate.blocks import Attached
-from haptonic.plate.body import Body, BodyOrders, body, body_of_cell
+from haptonic.plate.body import Body, BodyOrders, body, body_of_brick
 from haptonic.plate.bonds import Bonded
 from haptonic.plate.joined import joined_tile, opened_tile
-from haptonic.plate.layout import Layout
+from haptonic.plate.layout import Block, Layout, Steps, equal_pieces
 from haptonic.plate.parts import Actuator, Force, Plate
 from haptonic.plate.reduction import block_tile, cell_tile
-from haptonic.plate.skeleton import Block, TraceOrders
+from haptonic.plate.skeleton import TraceOrders
 from haptonic.plate.surface import surface_weights
 from haptonic.plate.tile import Tile
 
@@ -69,14 +69,15 @@ def _spread(force: Force, bounds: tuple[float, float, float, float]) -> tuple[Ar
 class Recipe:
     """How a block's tile is made; the same for blocks that are alike.
 
-    cell : name of a lattice's cell, or None for plain plate; size : of one tile, m
-    shape : rows and columns that are joined
+    brick : name and number of a lattice's brick, or None for plain plate
+    steps : widths and heights of the tiles that a brick covers, or of one tile
+    shape : rows and columns of bricks or tiles that are joined
     attached : what a block of its own carries, else nothing; block : only then
     open_trace : unknowns of the trace that are condensed into the tile, see `haptonic.plate.joined`
     """
 
-    cell: str | None
-    size: tuple[float, float]
+    brick: tuple[str, int] | None
+    steps: Steps
     shape: tuple[int, int]
     attached: tuple[Attached, ...] = ()
     block: Block | None = None
@@ -90,19 +91,30 @@ class Recipe:
         """With the whole trace."""
         return self.of_shape(self.shape)
 
+    @property
+    def size(self) -> tuple[float, float]:
+        """Of one brick or tile, m."""
+        return sum(self.steps[0]), sum(self.steps[1])
+
+    @property
+    def span(self) -> tuple[int, int]:
+        """Rows and columns of tiles that one brick covers."""
+        return len(self.steps[1]), len(self.steps[0])
+
+    @property
+    def is_single(self) -> bool:
+        """Whether nothing is joined."""
+        return self.shape == (1, 1)
+
 
 def recipe_of(
     plate: Plate, block: Block, attached: tuple[Attached, ...], open_trace: tuple[int, ...]
 ) -> Recipe:
-    layout = plate.layout
-    name = layout.at(block.tiles[0])
-    left, bottom, right, top = layout.bounds(block.tiles[0])
-    size = tuple(
-        layout.thickness * round(length / layout.thickness, 9) for length in (right - left, top - bottom)
-    )
-    shape = (block.rows[1] - block.rows[0], block.columns[1] - block.columns[0])
-    cell = name if name in layout.cells else None
-    return Recipe(cell, (size[0], size[1]), shape, attached, block if attached else None, open_trace)
+    layout, corner = plate.layout, block.tiles[0]
+    one, laid = layout.block(corner), layout.bricks.get(corner)
+    brick = None if laid is None else (str(layout.at(corner)), laid.number)
+    shape = block.shape[0] // one.shape[0], block.shape[1] // one.shape[1]
+    return Recipe(brick, layout.steps(one), shape, attached, block if attached else None, open_trace)
 
 
 def tiles_of(
@@ -119,14 +131,14 @@ def tiles_of(
         rows, columns = recipe.shape
         if recipe.open_trace:
             return opened_tile(made[recipe.closed], np.array(recipe.open_trace), highest)
-        if recipe.shape == (1, 1):
+        if recipe.is_single:
             return _single_tile(plate, recipe, highest, fineness)
-        row, width = recipe.of_shape((1, columns)), recipe.size[0] * columns
+        (width, height), (high, wide) = recipe.size, recipe.span
         if rows == 1:
             one = made[recipe.of_shape((1, 1))]
-            return joined_tile(one, recipe.size, recipe.shape, fineness.trace, highest)
-        size = (width, recipe.size[1])
-        return joined_tile(made[row], size, (rows, 1), fineness.trace, highest, (1, columns))
+            return joined_tile(one, recipe.size, recipe.shape, fineness.trace, highest, recipe.span)
+        row, size = made[recipe.of_shape((1, columns))], (width * columns, height)
+        return joined_tile(row, size, (rows, 1), fineness.trace, highest, (high, wide * columns))
 
     plain = [recipe for recipe in recipes if not recipe.attached]
     steps = [
@@ -149,13 +161,18 @@ def tiles_of(
 
 def _single_tile(plate: Plate, recipe: Recipe, highest: float, fineness: Fineness) -> Tile:
     layout = plate.layout
-    if recipe.cell is not None:
-        cell = layout.cells[recipe.cell]
-        plan = MeshPlan.suited(cell, fineness.cell, fineness.rings)
-    else:
-        cell = UnitCell(Lattice.rectangular(*recipe.size), layout.thickness, layout.material)
-        plan = MeshPlan.suited(cell, max(fineness.plain, fineness.along - 1), 0)
-    return cell_tile(cell, plan, fineness.trace, highest)
+    if recipe.brick is None:
+        plain = UnitCell(Lattice.rectangular(*recipe.size), layout.thickness, layout.material)
+        plan = MeshPlan.suited(plain, max(fineness.plain, fineness.along - 1), 0)
+        return cell_tile(plain, plan, recipe.steps, fineness.trace, highest)
+    brick = layout.brick(*recipe.brick)
+    return cell_tile(brick, _plan(brick, recipe, fineness), recipe.steps, fineness.trace, highest)
+
+
+def _plan(brick: TileShape, recipe: Recipe, fineness: Fineness) -> MeshPlan:
+    """Of a brick's mesh, whose elements end where the tiles beside it do, and hold what they share."""
+    plan = MeshPlan.suited(brick, fineness.cell, fineness.rings)
+    return plan.divided(equal_pieces(recipe.steps), fineness.along)
 
 
 def _attached_tile(
@@ -167,15 +184,13 @@ def _attached_tile(
 ) -> Tile:
     layout, block, attached = plate.layout, recipe.block, recipe.attached
     assert block is not None
-    x = layout.x[block.columns[0] : block.columns[1] + 1]
-    y = layout.y[block.rows[0] : block.rows[1] + 1]
+    x, y = layout.lines(block)
     actuators = [one for one in attached if isinstance(one, Actuator)]
-    if recipe.cell is not None:
-        cell = layout.cells[recipe.cell]
-        plan = MeshPlan.suited(cell, fineness.cell, fineness.rings)
-        piece = body_of_cell(cell, plan, (x[0], x[-1]), (y[0], y[-1]))
-    else:
+    if recipe.brick is None:
         piece = _plain_body(layout, x, y, actuators, fineness)
+    else:
+        brick = layout.brick(*recipe.brick)
+        piece = body_of_brick(brick, _plan(brick, recipe, fineness), (x[0], x[-1]), (y[0], y[-1]))
     loads = {}
     for force in attached:
         if isinstance(force, Force):

@@ -8,13 +8,14 @@ from types import MappingProxyType
 import numpy as np
 
 from haptonic.arrays import Array, Ints
-from haptonic.cell import MeshPlan, UnitCell
+from haptonic.cell import MeshPlan, TileShape
 from haptonic.cell.quadrature import lobatto
 from haptonic.later import linalg as la
 from haptonic.later import sparse as sp
 from haptonic.plate.body import Body
 from haptonic.plate.bonds import Bonded
 from haptonic.plate.keys import PLATE
+from haptonic.plate.layout import Steps
 from haptonic.plate.skeleton import TraceOrders, rim_fields
 from haptonic.plate.surface import flat_faces
 from haptonic.plate.tile import OnMesh, Tile
@@ -73,10 +74,13 @@ def few_modes(stiffness: Array, mass: Array, trace: int, loads: Array, highest: 
     return np.asarray(basis @ turn)
 
 
-def cell_tile(cell: UnitCell, plan: MeshPlan, orders: TraceOrders, highest: float) -> Tile:
-    """A cell of a lattice, or plain plate, as a tile for frequencies up to ``highest`` (Hz)."""
-    whole = condense(cell, plan, STEPS, block=BLOCK, measured=False)
-    onto = _onto_rim(plan, whole.levels, orders)
+def cell_tile(shape: TileShape, plan: MeshPlan, steps: Steps, orders: TraceOrders, highest: float) -> Tile:
+    """A brick of a lattice, or plain plate, as a tile for frequencies up to ``highest`` (Hz).
+
+    steps : between the lines that it lies on, m; elements of the plan end at each of them
+    """
+    whole = condense(shape, plan, STEPS, block=BLOCK, measured=False)
+    onto = _onto_rim(plan, steps, whole.levels, orders)
     trace = onto.shape[1]
     basis = la.block_diag(onto, np.eye(whole.size - whole.trace_size))
     stiffness, mass = (basis.T @ form @ basis for form in (whole.stiffness, whole.mass))
@@ -84,7 +88,7 @@ def cell_tile(cell: UnitCell, plan: MeshPlan, orders: TraceOrders, highest: floa
     kept = la.block_diag(np.eye(trace), modes)
     stiffness, mass = (kept.T @ form @ kept for form in (stiffness, mass))
     to_cell = basis @ kept
-    corner = np.append(cell.lattice.vectors.sum(axis=0) / 2, 0.0)
+    corner = np.append(-shape.corners[0], 0.0)
     inside = OnMesh(
         size=len(mass),
         points=whole.mesh.points + corner,
@@ -95,13 +99,21 @@ def cell_tile(cell: UnitCell, plan: MeshPlan, orders: TraceOrders, highest: floa
     return Tile.plain(stiffness, mass, trace, inside)
 
 
-def _onto_rim(plan: MeshPlan, levels: int, orders: TraceOrders) -> Array:
+def _onto_rim(plan: MeshPlan, steps: Steps, levels: int, orders: TraceOrders) -> Array:
     """Trace of a condensed cell (level, place, component) from that of a tile."""
     share = 0.5 * (1 + lobatto(plan.order)[0][:-1])
-    along = ((np.arange(4 * plan.blocks)[:, None] + share) / plan.blocks).ravel()
+    side = ((np.arange(plan.blocks)[:, None] + share) / plan.blocks).ravel()
+    # positions in edges: where sides of the mesh, anticlockwise from the lower left, lie between the lines
+    ends = [np.concatenate([[0.0], np.cumsum(one) / sum(one)]) for one in steps]
+    ends = [*ends, *(1 - end[::-1] for end in ends)]
+    first = np.cumsum([0, *(len(end) - 1 for end in ends)])
+    along = np.concatenate([
+        start + np.interp(side, end, np.arange(len(end)))
+        for start, end in zip(first[:-1], ends, strict=True)
+    ])  # fmt: skip
     height = 0.5 * (1 + lobatto(levels - 1)[0])
     where, up = np.tile(along, levels), np.repeat(height, len(along))
-    return rim_fields(4, orders, where, up)
+    return rim_fields(int(first[-1]), orders, where, up)
 
 
 def block_tile(

@@ -13,7 +13,7 @@ from numpy.polynomial.legendre import legder, legval
 
 from haptonic.arrays import Array, Ints
 from haptonic.cell.quadrature import interpolation, lobatto
-from haptonic.plate.layout import Layout, Side
+from haptonic.plate.layout import Block, Layout, Side
 
 
 @dataclass(frozen=True)
@@ -51,35 +51,6 @@ class TraceOrders:
         """Components of the unknowns of one edge, ordered as in `OuterEdge`."""
         main = np.tile(np.arange(3), self.levels * (self.along + 1))
         return np.concatenate([main, np.tile([0, 1], self.shear + 1 if self.shear else 0)])
-
-
-@dataclass(frozen=True)
-class Block:
-    """A rectangle of tiles that is one body: rows and columns from the first up to, not with, the last."""
-
-    rows: tuple[int, int]
-    columns: tuple[int, int]
-
-    @property
-    def edges(self) -> int:
-        """How many edges of tiles lie on its rim."""
-        return 2 * (self.rows[1] - self.rows[0] + self.columns[1] - self.columns[0])
-
-    def meets(self, other: Block) -> bool:
-        """Whether the two share a tile."""
-        pairs = ((self.rows, other.rows), (self.columns, other.columns))
-        return all(a[0] < b[1] and b[0] < a[1] for a, b in pairs)
-
-    def joined(self, other: Block) -> Block:
-        """The smallest block that holds both."""
-        (r0, r1), (c0, c1) = self.rows, self.columns
-        (s0, s1), (d0, d1) = other.rows, other.columns
-        return Block((min(r0, s0), max(r1, s1)), (min(c0, d0), max(c1, d1)))
-
-    @property
-    def tiles(self) -> list[tuple[int, int]]:
-        """(row, column) of its tiles."""
-        return [(i, j) for i in range(*self.rows) for j in range(*self.columns)]
 
 
 @dataclass(frozen=True)

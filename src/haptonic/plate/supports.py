@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
+from itertools import product
 
 import numpy as np
 from numpy.polynomial.legendre import leggauss
@@ -81,16 +82,22 @@ def _corner_spans(skeleton: Skeleton, support: Support) -> list[tuple[OuterEdge,
     """Held parts, as shares of their length, of the edges next to the corners of the map's rectangle."""
     assert support.length is not None
     layout = skeleton.layout
-    corners = {(x, y) for x in (layout.x[0], layout.x[-1]) for y in (layout.y[0], layout.y[-1])}
+    corners = set(product((layout.x[0], layout.x[-1]), (layout.y[0], layout.y[-1])))
+    reached = {(edge.side, end) for edge in skeleton.outer_edges for end in (edge.start, edge.end)}
     found = []
     for edge in skeleton.outer_edges:
-        share = support.length / edge.length
-        if share > 1 - WHOLE:
-            share = 1.0
-        if edge.start in corners:
-            found.append((edge, (0.0, share)))
-        if edge.end in corners:
-            found.append((edge, (1.0 - share, 1.0)))
+        axis = 0 if edge.side in ("bottom", "top") else 1
+        for corner in corners:
+            if corner[1 - axis] != edge.start[1 - axis] or (edge.side, corner) not in reached:
+                continue
+            ends = np.array([corner[axis], corner[axis] + support.length])
+            if corner[axis] > edge.start[axis]:
+                ends = np.array([corner[axis] - support.length, corner[axis]])
+            share = (ends - edge.start[axis]) / edge.length
+            near = np.round(share)
+            share = np.clip(np.where(np.abs(share - near) < WHOLE, near, share), 0.0, 1.0)
+            if share[1] - share[0] > WHOLE:
+                found.append((edge, (float(share[0]), float(share[1]))))
     return found
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 from itertools import pairwise
@@ -215,19 +216,19 @@ def check_cost(plate: Plate, high: float, *, single: bool = False) -> None:
     high : Hz, up to which there has to be a basis
     single : only this frequency is asked for, which needs no basis
     """
-    names = [name for row in plate.layout.tiles for name in row if name]
+    tiles = len(plate.layout.blocks)
     modes = 0 if single else pillars_modes(plate, high)
-    basis = 8.0 * COPIES * UNKNOWNS * len(names) * BLOCK * LENGTH * modes / MODES
-    needed, there = max(basis, FACTORS * len(names)), psutil.virtual_memory().total
+    basis = 8.0 * COPIES * UNKNOWNS * tiles * BLOCK * LENGTH * modes / MODES
+    needed, there = max(basis, FACTORS * tiles), psutil.virtual_memory().total
     if needed <= there:
         return
     share = np.sqrt(there / needed) if needed == basis else there / needed
-    fits = int(share * len(names))
+    fits = int(share * tiles)
     gigabytes = f"{needed / 1e9:.0f} GB"
     asked = "at" if single else f"with {plate.layout.pillars} pillars, for a basis up to"
     raise ResourceError.too_large(
         argument="plate.map",
-        given=f"{len(names)} tiles {asked} {high / 1e3:.4g} kHz",
+        given=f"{tiles} tiles {asked} {high / 1e3:.4g} kHz",
         allowed=f"about {fits} such tiles in the {there / 1e9:.1f} GB of this machine",
         cause=f"its equations, factorised, need at least {gigabytes}"
         if needed > basis
@@ -240,13 +241,13 @@ def pillars_modes(plate: Plate, high: float) -> int:
     """Modes below a frequency, Hz, at least: those of each pillar as a cantilever that bends in two
     directions on a rigid foot."""
     layout = plate.layout
-    names = [name for row in layout.tiles for name in row]
-    modes = 0
-    for name, cell in layout.cells.items():
-        if cell.pillar is not None and isinstance(cell.material, IsotropicMaterial):
-            below = int((euler_bernoulli(cell.pillar, cell.material) < high).sum())
-            modes += 2 * below * names.count(name)
-    return modes
+    if not isinstance(layout.material, IsotropicMaterial):
+        return 0
+    counts = Counter(pillar for _, _, pillar in layout.standing)
+    return sum(
+        2 * count * int((euler_bernoulli(pillar, layout.material) < high).sum())
+        for pillar, count in counts.items()
+    )
 
 
 def _check_memory(model: PlateModel, low: float, high: float, shifts: int) -> None:

@@ -106,11 +106,10 @@ def _draw_tiles(axes: Axes, layout: Layout) -> list[Artist]:
     """Tiles, pillars and the outlines of regions and plate; what the legend needs."""
     pillars: list[Patch] = []
     shades: dict[str, list[Rectangle]] = {LATTICE: [], REGION: []}
-    for i, j in sorted(_plate_tiles(layout)):
-        x, y = 1e3 * layout.x[j], 1e3 * layout.y[i]
-        width, height = 1e3 * layout.x[j + 1] - x, 1e3 * layout.y[i + 1] - y
-        shade = LATTICE if layout.tiles[i][j] in layout.cells else REGION
-        shades[shade].append(Rectangle((x, y), width, height))
+    for block in layout.blocks:
+        x, y = (1e3 * np.array(lines) for lines in layout.lines(block))
+        shade = LATTICE if layout.at(block.tiles[0]) in layout.cells else REGION
+        shades[shade].append(Rectangle((x[0], y[0]), x[-1] - x[0], y[-1] - y[0]))
     for across, up, pillar in layout.standing:
         middle, half = (1e3 * across, 1e3 * up), 1e3 * pillar.radius
         corner = (middle[0] - half, middle[1] - half)

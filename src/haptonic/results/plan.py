@@ -11,7 +11,7 @@ from haptonic.cell import UnitCell
 from haptonic.design.parameters import values_of
 from haptonic.later import psutil
 from haptonic.later import xarray as xr
-from haptonic.plate import Plate
+from haptonic.plate import Layout, Plate
 from haptonic.results.common import stamped
 from haptonic.results.cost import Cost
 from haptonic.results.result import Result, figure
@@ -73,6 +73,7 @@ class StudyPlan(Result):
                 f"A plate of {width:.4g} x {height:.4g} mm with {layout.pillars} pillars, "
                 f"{_counted(len(layout.regions), 'region')} of plain plate and {_counted(drives, 'drive')}."
             )
+            said += border_in_words(layout)
         return said
 
     @property
@@ -134,6 +135,16 @@ class StudyPlan(Result):
     def _plan(self, *, ax: Axes | None = None) -> Figure:
         assert self.plate is not None
         return plots.plate_plan(self.plate, ax=ax)
+
+
+def border_in_words(layout: Layout) -> list[str]:
+    """What is missing at the borders of lattices, if anything is."""
+    if not layout.left_out:
+        return []
+    return [
+        f"At the borders of the lattice, whose rows are offset, {_counted(layout.left_out, 'pillar')} would "
+        "stand across: plain plate takes their place."
+    ]
 
 
 def _counted(number: int, what: str) -> str:

@@ -3,12 +3,11 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Iterator, Mapping, Sequence
-from fractions import Fraction
-from itertools import accumulate, combinations
+from collections.abc import Iterator, Mapping, Sequence
+from itertools import combinations, product
 from typing import TypeVar
 
-from haptonic.cell import UnitCell
+from haptonic.cell import Brickwork, UnitCell
 from haptonic.errors import HaptonicError, StudyError, shown
 from haptonic.fields import unchecked
 from haptonic.plate.holding import Clamp
@@ -70,27 +69,21 @@ def _layout(section: PlateSettings, own: UnitCell) -> Layout:
         for name, cell in lattices(section.cell, own, "plate.cell")
         if name in section.tiles.values()
     }
-    for cell in cells.values():
-        cell.check_simple("a plate")
     for letter, name in section.tiles.items():
-        if name in cells and cells[name].pillar is None:
+        if name in cells and not cells[name].has_pillars:
             raise _refused(
                 "conflict", f"plate.tiles.{letter}", shown(name), "a lattice whose cell has a pillar",
                 "the cell of this study is plain plate", f'add [cell.pillar], or write {letter} = "plain"',
             )  # fmt: skip
     columns = [{row[j] or "" for row in tiles} for j in range(len(tiles[0]))]
     rows = [{name or "" for name in row} for row in tiles]
-    pitches = {name: (cell.lattice.a1[0], cell.lattice.a2[1]) for name, cell in cells.items()}
-    x = _sizes("column", columns, {name: pitch[0] for name, pitch in pitches.items()}, section.widths,
-               own.lattice.a1[0], "plate.widths")  # fmt: skip
-    y = _sizes("row", rows, {name: pitch[1] for name, pitch in pitches.items()},
-               section.heights, own.lattice.a2[1], "plate.heights")  # fmt: skip
-    return Layout(tiles, _summed(x), _summed(y), cells, own.thickness, own.material)
-
-
-def _summed(sizes: Iterable[float]) -> tuple[float, ...]:
-    """Positions of the lines between tiles, each rounded once."""
-    return tuple(float(line) for line in accumulate(map(Fraction, sizes), initial=Fraction(0)))
+    laid = {name: Brickwork.of(cell) for name, cell in {**cells, "": own}.items()}
+    usual = laid.pop("")
+    widths = _sizes("column", columns, {name: one.period for name, one in laid.items()}, section.widths,
+                    usual.period, "plate.widths")  # fmt: skip
+    heights = _sizes("row", rows, {name: one.height for name, one in laid.items()}, section.heights,
+                     usual.height, "plate.heights")  # fmt: skip
+    return Layout.laid(tiles, [*widths], [*heights], cells, own.thickness, own.material)
 
 
 def lattices(further: Sequence[LatticeSettings], own: UnitCell, table: str) -> Iterator[tuple[str, UnitCell]]:
@@ -161,16 +154,31 @@ def _check_grid(layout: Layout, grid: float) -> None:
 
 
 def _check_corners(clamp: Clamp, layout: Layout) -> None:
-    ends = ((i, j) for i in (0, layout.rows - 1) for j in (0, layout.columns - 1))
-    boxes = [layout.bounds(tile) for tile in ends if layout.at(tile)]
-    room = min((min(right - left, top - bottom) for left, bottom, right, top in boxes), default=0.0)
-    if clamp.corners > room * (1 + CLOSE):
+    """Refuse held parts of the sides beside the corners that meet, or that lie where there is no plate."""
+    (right, top), length = (layout.x[-1], layout.y[-1]), clamp.corners
+    corners = [
+        (x, y)
+        for x, y in product((0.0, right), (0.0, top))
+        if layout.at((0 if y == 0.0 else layout.rows - 1, 0 if x == 0.0 else layout.columns - 1))
+    ]
+    if not corners:
         raise _refused(
-            "out-of-range", "plate.clamp.corners", format_quantity(clamp.corners, "m"),
-            f"at most {format_quantity(room, 'm')}, the shortest side of the tiles at the corners"
-            if boxes else "a plate with a tile at one of the four corners of its map",
-            "the held part would reach beyond the outermost tile" if boxes else "the corners are cut out",
-            "choose a shorter one" if boxes else "remove [plate.clamp], and hold the plate at [plate.edges]",
+            "out-of-range", "plate.clamp.corners", format_quantity(length, "m"),
+            "a plate with a tile at one of the four corners of its map", "the corners are cut out",
+            "remove [plate.clamp], and hold the plate at [plate.edges]",
+        )  # fmt: skip
+    room, thin = 0.5 * min(right, top), 1e-3 * layout.thickness
+    beside = [
+        (max(x - across, 0.0), max(y - up, 0.0), min(x + across, right), min(y + up, top))
+        for (x, y), (across, up) in product(corners, ((length, thin), (thin, length)))
+    ]
+    there = all(layout.at(tile) for box in beside for tile in layout.under(box))
+    if length > room * (1 + CLOSE) or not there:
+        raise _refused(
+            "out-of-range", "plate.clamp.corners", format_quantity(length, "m"),
+            f"at most {format_quantity(room, 'm')}, half of the shorter side, with tiles all along it",
+            "the held parts of a side would meet" if length > room else "a tile beside a corner is not there",
+            "choose a shorter one",
         )  # fmt: skip
 
 

@@ -102,7 +102,8 @@ def _period(layout: Layout, mirror: Mirror) -> float:
 
 
 def _mirrors(layout: Layout, region: str) -> Iterator[Mirror]:
-    """Lattices along the whole of a side of a region's rectangle."""
+    """Lattices along the whole of a side of a region's rectangle, every tile of which holds a pillar."""
+    in_rows = {name for name in layout.cells if all(layout.block(t).tiles == [t] for t in layout.of(name))}
     rows, columns = _span(layout, region)
     if len(layout.of(region)) != len(rows) * len(columns):
         return
@@ -116,9 +117,12 @@ def _mirrors(layout: Layout, region: str) -> Iterator[Mirror]:
             names = {
                 layout.at((i, at) if depth == "x" else (at, i)) for i in (rows if depth == "x" else columns)
             }
-            if len(names) != 1 or not names <= set(layout.cells) or (name is not None and names != {name}):
+            if len(names) != 1 or (name is not None and names != {name}):
                 break
-            (name,) = names
+            (one,) = names
+            if one not in in_rows:
+                break
+            name = one
             number += 1
         if name is None:
             continue

@@ -48,10 +48,10 @@ def computed_waves(
     cell; ``guided_frequency`` and ``guided_wavenumber`` (guide, step), NaN where a guide has no mode
     """
     cell = layout.cells[mirror.name] if mirror else next(iter(layout.cells.values()))
-    widths = sorted({(one.width, one.along) for one in guides if one.lattice == (mirror and mirror.name)})
+    widths = sorted({(one.width, one.along) for one in guides if mirror and one.lattice == mirror.name})
     resolution = bloch_model(cell, settings).resolution
     along_y = condensed_rows(cell, resolution)
-    rows = {"y": along_y, "x": along_y.crossed()}
+    rows = {"y": along_y, "x": along_y.crossed()} if mirror else {}
     plain = PlainPlate.of(cell, along_y.levels)
     low = max(span[0], 1e-3 * span[1])
     frequency = np.linspace(low, span[1], PLAIN)

@@ -1,0 +1,171 @@
+"""Plates that hold lattices whose rows are offset, or of several pillars: laid in bricks."""
+
+from itertools import product
+
+import full
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from small import ALUMINIUM, LOSS, PITCH, THICKNESS
+from test_full_plate import SAME, modes
+from whole import answered
+
+from five_parts import assert_told
+from haptonic.cell import Brickwork, Pillar, UnitCell
+from haptonic.errors import GeometryError
+from haptonic.lattice import Lattice
+from haptonic.plate.holding import Support
+from haptonic.plate.layout import Layout
+from haptonic.plate.model import PlateModel
+from haptonic.plate.parts import Force, Plate
+
+LONG = [pytest.param(one, marks=pytest.mark.nightly) for one in ("thirds", "kagome", "lieb", "honeycomb")]
+THIN, TALL = Pillar(1.5e-3, 9e-3), Pillar(1.7e-3, 11e-3)
+CELLS = {
+    "square": UnitCell(Lattice.square(PITCH), THICKNESS, ALUMINIUM, THIN),
+    "rectangular": UnitCell(Lattice.rectangular(PITCH, 5e-3), THICKNESS, ALUMINIUM, THIN),
+    "triangular": UnitCell(Lattice.triangular(PITCH), THICKNESS, ALUMINIUM, THIN),
+    "centred": UnitCell(Lattice.centred(PITCH, 9e-3), THICKNESS, ALUMINIUM, THIN),
+    "thirds": UnitCell(
+        Lattice.oblique(PITCH, float(np.hypot(PITCH / 3, 6e-3)), float(np.arctan2(6e-3, PITCH / 3))),
+        THICKNESS, ALUMINIUM, THIN,
+    ),
+    "honeycomb": UnitCell(
+        Lattice(lattice="honeycomb", pitch=PITCH), THICKNESS, ALUMINIUM,
+        site=({"pillar": THIN}, {"pillar": TALL}),
+    ),
+    "askew": UnitCell(  # bricks whose pillar is not in the middle, beside lines that are not either
+        Lattice.square(PITCH), THICKNESS, ALUMINIUM,
+        site=({"at": (0.0, 0.0), "pillar": THIN}, {"at": (0.25, 0.4), "pillar": TALL}),
+    ),
+    "kagome": UnitCell(Lattice(lattice="kagome", pitch=PITCH), THICKNESS, ALUMINIUM, THIN),
+    "lieb": UnitCell(Lattice(lattice="lieb", pitch=PITCH), THICKNESS, ALUMINIUM, THIN),
+}  # fmt: skip
+
+
+def laid(text, cell, widths=None):
+    """A plate from letters, the first line on top: "o" the lattice, others plain, "." nothing."""
+    rows = [tuple(None if one == "." else one for one in row) for row in text.split()[::-1]]
+    work = Brickwork.of(cell)
+    widths = [work.period] * len(rows[0])
+    return Layout.laid(rows, widths, [work.height] * len(rows), {"o": cell}, THICKNESS, ALUMINIUM)
+
+
+@pytest.mark.parametrize("name", CELLS)
+def test_pillars_stand_where_the_lattice_has_them_and_bricks_fill_it(name):
+    """Every two pillars differ by a lattice vector and the way from site to site; none is missing inside."""
+    cell = CELLS[name]
+    layout = laid("pppppp pooooo pooooo pooooo pooooo pppppp", cell)
+    vectors, sites = cell.lattice.vectors, cell.shares
+    here = np.array([(x, y) for x, y, _ in layout.standing])
+    numbers = {pillar: [k for k, one in enumerate(cell.pillars) if one == pillar] for pillar in cell.pillars}
+    origin = None
+    for number in numbers[layout.standing[0][2]]:
+        shares = (here - here[0]) @ np.linalg.inv(vectors) + sites[number]
+        fits = [
+            any(np.abs((one - sites[k]) - np.round(one - sites[k])).max() < 1e-6 for k in numbers[pillar])
+            for one, (_, _, pillar) in zip(shares, layout.standing, strict=True)
+        ]
+        if all(fits):
+            origin = here[0] - sites[number] @ vectors
+    assert origin is not None, "one of the sites is where the first pillar stands"
+    # all points of the lattice that are a period away from the border of the lattice's letters
+    work = Brickwork.of(cell)
+    low, high = np.array([2 * work.period, work.height]), np.array([5 * work.period, 5 * work.height])
+    expected = [
+        place
+        for k, m, n in product(range(len(sites)), range(-12, 13), range(-12, 13))
+        if cell.pillars[k] is not None
+        for place in [origin + (sites[k] + (m, n)) @ vectors]
+        if (place > low).all() and (place < high).all()
+    ]
+    away = np.linalg.norm(np.array(expected)[:, None] - here, axis=2).min(axis=1)
+    assert len(expected) >= 10
+    assert away.max() < 1e-9
+    covered = sum(np.ptp(x) * np.ptp(y) for x, y in map(layout.lines, layout.blocks))
+    assert covered == pytest.approx(layout.x[-1] * layout.y[-1])
+    assert layout.left_out == {"square": 0, "rectangular": 0}.get(name, layout.left_out)
+    assert len(layout.standing) + layout.left_out == 20 * sum(one is not None for one in cell.pillars)
+
+
+@pytest.mark.parametrize("name", ["triangular", "askew", *LONG])
+def test_modes_are_those_of_the_meshes_glued_together(name):
+    plate = Plate(
+        laid("ooo" if name == "askew" else "oo oo", CELLS[name]),
+        supports=(Support("left", "clamped"),),
+        loss_factor=LOSS,
+    )
+    exact = full.frequencies(full.full(plate, 2, 0, 3), 10, 10e3, full.quickly_factorised)
+    found = modes(PlateModel.of(plate, 60e3, SAME), 0.99 * exact[0], 1.003 * exact[-1])
+    assert len(found) == len(exact)
+    assert (found > exact * (1 - 1e-8)).all(), "Rayleigh-Ritz never falls below"
+    assert found == pytest.approx(exact, rel=3e-4)
+
+
+@pytest.mark.parametrize("name", ["triangular", pytest.param("askew", marks=pytest.mark.nightly)])
+def test_a_force_on_a_brick_is_answered_as_by_the_meshes(name):
+    layout = laid("oo oo" if name == "triangular" else "oo", CELLS[name])
+    where = (layout.standing[2][0] + 1e-3, layout.standing[2][1] - 1e-3)
+    plate = Plate(
+        layout, supports=(Support("left", "clamped"),), forces=(Force("F", where),), loss_factor=LOSS
+    )
+    whole, model, omega = full.full(plate, 2, 0, 3), PlateModel.of(plate, 40e3, SAME), 2 * np.pi * 17.8e3
+    exact = full.answer_by_iteration(whole, whole.drive["F"], omega)
+    ours = answered(model, {"F": 1.0}, [omega])[:, 0]
+    assert model.drives["F"] @ ours == pytest.approx(whole.drive["F"] @ exact, rel=1e-2)
+    places = np.random.default_rng(4).uniform(0, 1, (40, 2)) * (layout.x[-1], layout.y[-1])
+    seen = whole.observed(places) @ exact
+    assert np.linalg.norm(model.observed(places) @ ours - seen) < 1e-2 * np.linalg.norm(seen)
+
+
+@given(
+    st.sampled_from(["triangular", "honeycomb", "kagome", "lieb", "oblique", "centred"]),
+    st.floats(0.05, 0.6),
+    st.floats(0.4, 2.0),
+    st.floats(0.4, 2.6),
+)
+@settings(max_examples=60, deadline=None)
+def test_any_lattice_is_laid_or_refused_in_five_parts(name, wide, second, angle):
+    further = {"oblique": {"pitch_2": second * PITCH, "angle": angle}, "centred": {"pitch_y": second * PITCH}}
+    try:
+        lattice = Lattice(lattice=name, pitch=PITCH, **further.get(name, {}))
+        cell = UnitCell(lattice, THICKNESS, ALUMINIUM, Pillar(wide * PITCH, 9e-3))
+    except GeometryError:
+        return
+    try:
+        layout = laid("oop ooo", cell)
+    except GeometryError as error:
+        refused = error
+    else:
+        refused = None
+    if refused is not None:
+        assert refused.code in {"unsupported", "out-of-range"}
+        assert_told(refused)
+        return
+    for (x, y, pillar), (corner, laid_there) in zip(layout.standing, layout.bricks.items(), strict=True):
+        (left, *_, right), (low, *_, top) = layout.lines(layout.block(corner))
+        assert min(x - left, right - x, y - low, top - y) > pillar.radius
+        assert layout.brick("o", laid_there.number).area == pytest.approx((right - left) * (top - low))
+
+
+REFUSED = {
+    "rows that lie askew": (
+        Lattice.oblique(PITCH, 0.9 * PITCH, 1.2), (), "cell.lattice", "offset by",
+    ),
+    "a pillar across the line": (Lattice.triangular(PITCH), (), "cell.pillar.diameter", "less than 5.9"),
+    "sites that do not line up": (
+        Lattice.square(PITCH),
+        tuple({"at": at, "pillar": THIN} for at in ((0.0, 0.0), (0.37, 0.5))), "plate.map", "do not meet",
+    ),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("name", REFUSED)
+def test_what_cannot_be_laid_is_refused(name):
+    lattice, sites, argument, words = REFUSED[name]
+    pillar = None if sites else Pillar(0.86 * PITCH if "across" in name else 2e-3, 9e-3)
+    cell = UnitCell(lattice, THICKNESS, ALUMINIUM, pillar, site=sites)
+    with pytest.raises(GeometryError) as caught:
+        laid("oop ooo", cell)
+    assert_told(caught.value, words, argument=argument)
