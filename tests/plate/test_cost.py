@@ -12,7 +12,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from haptonic.bloch.resolution import Resolution
-from haptonic.errors import ResourceError
+from haptonic.errors import HaptonicWarning, ResourceError
 from haptonic.results.plate import compute
 from haptonic.store import Store
 from haptonic.study import loads
@@ -60,7 +60,8 @@ MEMORY = SimpleNamespace(total=24e9, available=20e9)
 @pytest.fixture(scope="module", autouse=True)
 def imported() -> None:
     """What the first question of a process imports is no part of its answer."""
-    study = loads(STUDY.format(line="ooo1", rows=4, grid=1e-9))
+    with pytest.warns(HaptonicWarning, match="unusual"):
+        study = loads(STUDY.format(line="ooo1", rows=4, grid=1e-9))
     for ask in ASKS.values():
         with pytest.raises(ResourceError):
             ask(study)
