@@ -89,6 +89,15 @@ def test_pillars_stand_where_the_lattice_has_them_and_bricks_fill_it(name):
     assert len(layout.standing) + layout.left_out == 20 * sum(one is not None for one in cell.pillars)
 
 
+def test_a_lattice_of_which_nothing_fits_is_plain_plate():
+    """A single letter of an offset row."""
+    layout = laid("ppp opp ppp", CELLS["triangular"])
+    assert not layout.standing
+    assert layout.left_out == 1
+    assert all(layout.is_plain(tile) for tile in layout.of("o"))
+    assert len(PlateModel.of(Plate(layout), 20e3, SAME).assembly.skeleton.blocks) <= len(layout.blocks)
+
+
 @pytest.mark.parametrize("name", ["triangular", "askew", *LONG])
 def test_modes_are_those_of_the_meshes_glued_together(name):
     plate = Plate(

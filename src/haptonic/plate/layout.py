@@ -6,7 +6,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
 from itertools import pairwise, product
@@ -94,8 +94,8 @@ class Layout:
     cells : unit cells of the lattices by name; all have the plate's thickness and material
     thickness : of the plate without pillars, m; its flat face lies at z = 0
     material : of plate and pillars
-    bricks : by the lower left one of the tiles that each covers; other tiles of a lattice are plain plate at
-        its border. By default each holds one, as it does where all lattices are rectangles of one pillar
+    offset : bricks of the lattices by the lower left one of the tiles that each covers; other tiles of a
+        lattice are plain plate at its border. If it is None, every tile of a lattice is a brick
     """
 
     tiles: tuple[tuple[str | None, ...], ...]
@@ -104,15 +104,14 @@ class Layout:
     cells: Mapping[str, UnitCell]
     thickness: float
     material: Material
-    bricks: Mapping[Tile, Laid] = field(default_factory=dict)
+    offset: Mapping[Tile, Laid] | None = None
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "cells", MappingProxyType(dict(self.cells)))
         assert len(self.tiles) == self.rows
         assert all(len(row) == self.columns for row in self.tiles)
-        standing = [name for name, cell in self.cells.items() if cell.has_pillars]
-        every = self.bricks or {tile: Laid((1, 1)) for name in standing for tile in self.of(name)}
-        object.__setattr__(self, "bricks", MappingProxyType(dict(sorted(every.items()))))
+        if self.offset is not None:
+            object.__setattr__(self, "offset", MappingProxyType(dict(self.offset)))
 
     @classmethod
     def laid(
@@ -167,10 +166,20 @@ class Layout:
             for row, own in zip(letters, up, strict=True)
             for _ in own
         ]
-        made = cls(tuple(tiles), x, y, cells, thickness, material, bricks)
+        simple = {len(work.bricks) == 1 and not work.offset for work in works.values()} <= {True}
+        made = cls(tuple(tiles), x, y, cells, thickness, material, None if simple else bricks)
         for steps in {made.steps(made.block(at)) for at, one in bricks.items() if one.shape != (1, 1)}:
             equal_pieces(steps)
         return made
+
+    @cached_property
+    def bricks(self) -> Mapping[Tile, Laid]:
+        """Every brick of a lattice by the lower left one of the tiles that it covers, row by row."""
+        standing = {name for name, cell in self.cells.items() if cell.has_pillars}
+        every = ((i, j) for i, row in enumerate(self.tiles) for j, name in enumerate(row) if name in standing)
+        return dict(
+            sorted((dict.fromkeys(every, Laid((1, 1))) if self.offset is None else self.offset).items())
+        )
 
     @cached_property
     def _works(self) -> Mapping[str, Brickwork]:
