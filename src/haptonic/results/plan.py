@@ -73,7 +73,7 @@ class StudyPlan(Result):
                 f"A plate of {width:.4g} x {height:.4g} mm with {layout.pillars} pillars, "
                 f"{_counted(len(layout.regions), 'region')} of plain plate and {_counted(drives, 'drive')}."
             )
-            said += border_in_words(layout)
+            said += border_text(layout)
         return said
 
     @property
@@ -137,7 +137,7 @@ class StudyPlan(Result):
         return plots.plate_plan(self.plate, ax=ax)
 
 
-def border_in_words(layout: Layout) -> list[str]:
+def border_text(layout: Layout) -> list[str]:
     """What is missing at the borders of lattices, if anything is."""
     if not layout.left_out:
         return []

@@ -8,7 +8,7 @@ from haptonic import plots
 from haptonic.later import xarray as xr
 from haptonic.report.chapter import Absent, Chapter, Finding, Picture, Results
 from haptonic.results.plain import split
-from haptonic.results.plan import border_in_words
+from haptonic.results.plan import border_text
 from haptonic.results.plate.tables import lines_table, modes_table
 from haptonic.results.plate.value import ERRORS, PlateResult
 
@@ -38,7 +38,7 @@ def chapter(results: Results) -> Chapter | Absent:
             "line the answer was put back into the unreduced equations; the largest error of the field that "
             f"this bounds is {float(result.lines['solver_error'].max()):.0e}. {ERRORS} Loss factor of the "
             f"plate: {result.plate.loss_factor:g}, assumed.",
-            *border_in_words(result.plate.layout),
+            *border_text(result.plate.layout),
         ),
         findings=tuple(_findings(result)),
         pictures=(*results.pictures(result, words), _swinging(result)),

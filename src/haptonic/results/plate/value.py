@@ -21,7 +21,7 @@ from haptonic.plate.sampling import driven_region, reference_of, resonance_of
 from haptonic.response import FrequencyResponse, rms, write
 from haptonic.results.common import write_netcdf
 from haptonic.results.plain import along, split
-from haptonic.results.plan import border_in_words
+from haptonic.results.plan import border_text
 from haptonic.results.plate.tables import lines_table, modes_table, power_table
 from haptonic.results.result import Result, figure, file
 from haptonic.results.table import Table
@@ -166,7 +166,7 @@ class PlateResult(Result):
         found = f" on {basis} vectors" if basis else ", each line solved by itself"
         return [
             *([said] if levels else []),
-            *border_in_words(self.plate.layout),
+            *border_text(self.plate.layout),
             f"Largest solver's error of the field at any line: {float(self.lines['solver_error'].max()):.1e} "
             f"(a bound), of {self.lines.attrs['unknowns']} unknowns{found}. {ERRORS} Simulated.",
         ]
