@@ -44,7 +44,7 @@ CELLS = {
 }  # fmt: skip
 
 
-def laid(text, cell, widths=None):
+def laid(text, cell):
     """A plate from letters, the first line on top: "o" the lattice, others plain, "." nothing."""
     rows = [tuple(None if one == "." else one for one in row) for row in text.split()[::-1]]
     work = Brickwork.of(cell)

@@ -34,11 +34,8 @@ DRIVE = 2.0  # s, of a drive's files and pictures
 POWER = 3.0  # s, of simulated experiments
 FILM, STROKE = 3.0, 0.006  # s, of load sharing; of a stroke that is made up and written
 FILES = 3.0  # s, of outlines, solids and the drawing of a cell
-PER_FACE, PER_PAIR, BYTES_OF_FACE = (
-    1e-3,
-    1.5e-7,
-    6e4,
-)  # s, s and B of a solid with so many faces, and of two of them
+PER_FACE, BYTES_OF_FACE = 1e-3, 6e4  # s and B, of a face of a solid
+PER_PAIR = 1.5e-7  # s, of two of them
 DRAWN = 0.04  # s, of a pillar on the drawing of a plate
 RECORDED = 0.01  # s, of a point that is made up and written
 ANALYSED, BYTE_OF_SCAN = 4.0, 5e-8  # s, of maps and pictures; of a byte that is read and estimated

@@ -19,6 +19,7 @@ from haptonic.errors import GeometryError
 from haptonic.lattice import SAME, Lattice
 
 MOST_TRANSLATIONS = 4  # of either kind, that may lead along x to the next pillar of a row
+FINEST = 48  # denominator of a share of a period, up to which it is taken for a fraction
 MOST_PIECES = 4  # of a side of a brick; more would be finer than its mesh
 
 
@@ -102,7 +103,7 @@ class Brickwork:
 
 def _share(value: float) -> Fraction:
     """The fraction that a number nearly is, or the number itself."""
-    near = Fraction(value).limit_denominator(48)
+    near = Fraction(value).limit_denominator(FINEST)
     return near if abs(float(near) - value) < SAME else Fraction(value)
 
 

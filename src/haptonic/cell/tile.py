@@ -24,6 +24,12 @@ SHEET = 0.08  # thickness, in half pitches, below which a plate is thin
 SHEET_CLEARANCE = 3.0  # and so narrow a neck, in thicknesses, that it is none
 
 
+def enclosed(loop: Array) -> float:
+    """Area that a closed line through corners (n, 2) encloses to its left; negative if it runs clockwise."""
+    following = np.roll(loop, -1, axis=0)
+    return float(0.5 * (loop[:, 0] * following[:, 1] - loop[:, 1] * following[:, 0]).sum())
+
+
 class TileShape:
     """What a mesh has to know of a piece of plate; the pillar's axis is the origin.
 
@@ -58,10 +64,7 @@ class TileShape:
     @cached_property
     def area(self) -> float:
         """Of the polygon, m^2."""
-        following = np.roll(self.corners, -1, axis=0)
-        return float(
-            0.5 * (self.corners[:, 0] * following[:, 1] - self.corners[:, 1] * following[:, 0]).sum()
-        )
+        return enclosed(self.corners)
 
     @property
     def clearance(self) -> float:

@@ -41,6 +41,6 @@ def _plate_modes(plate: Plate, high: float) -> float:
     layout, solid = plate.layout, plate.layout.material
     if not isinstance(solid, IsotropicMaterial):
         return 0.0
-    area = sum(layout.area(name) for name in {name for row in layout.tiles for name in row if name})
+    area = sum(layout.area(name) for name in set(layout.there.values()))
     stiffness = solid.youngs_modulus * layout.thickness**2 / (12 * (1 - solid.poisson_ratio**2))
     return area * 2 * math.pi * high * math.sqrt(solid.density / stiffness) / (4 * math.pi)

@@ -16,7 +16,7 @@ from typing import Literal
 import numpy as np
 
 from haptonic.cell import Brickwork, Pillar, UnitCell
-from haptonic.cell.brickwork import MOST_PIECES
+from haptonic.cell.brickwork import FINEST, MOST_PIECES
 from haptonic.cell.tile import SiteTile
 from haptonic.errors import GeometryError
 from haptonic.materials import Material
@@ -43,7 +43,7 @@ class Block:
     @property
     def edges(self) -> int:
         """How many edges of tiles lie on its rim."""
-        return 2 * (self.rows[1] - self.rows[0] + self.columns[1] - self.columns[0])
+        return 2 * sum(self.shape)
 
     def meets(self, other: Block) -> bool:
         """Whether the two share a tile."""
@@ -173,13 +173,18 @@ class Layout:
         return made
 
     @cached_property
+    def there(self) -> Mapping[Tile, str]:
+        """Every tile (row, column) that is there and its name, row by row from the lower left."""
+        every = (((i, j), name) for i, row in enumerate(self.tiles) for j, name in enumerate(row))
+        return {tile: name for tile, name in every if name is not None}
+
+    @cached_property
     def bricks(self) -> Mapping[Tile, Laid]:
         """Every brick of a lattice by the lower left one of the tiles that it covers, row by row."""
         standing = {name for name, cell in self.cells.items() if cell.has_pillars}
-        every = ((i, j) for i, row in enumerate(self.tiles) for j, name in enumerate(row) if name in standing)
-        return dict(
-            sorted((dict.fromkeys(every, Laid((1, 1))) if self.offset is None else self.offset).items())
-        )
+        if self.offset is not None:
+            return dict(sorted(self.offset.items()))
+        return {tile: Laid((1, 1)) for tile, name in self.there.items() if name in standing}
 
     @cached_property
     def _works(self) -> Mapping[str, Brickwork]:
@@ -219,8 +224,7 @@ class Layout:
     @cached_property
     def blocks(self) -> tuple[Block, ...]:
         """Every brick, and every tile of plain plate, row by row from the lower left."""
-        there = ((i, j) for i, row in enumerate(self.tiles) for j, name in enumerate(row) if name is not None)
-        return tuple(dict.fromkeys(self.block(tile) for tile in there))
+        return tuple(dict.fromkeys(self.block(tile) for tile in self.there))
 
     def is_plain(self, tile: Tile) -> bool:
         """Whether a tile is there, and holds nothing of a lattice's bricks."""
@@ -246,14 +250,11 @@ class Layout:
     @property
     def regions(self) -> tuple[str, ...]:
         """Names of the regions of plain plate, in the order of their first tile, from the lower left."""
-        named = (name for row in self.tiles for name in row if name is not None and name not in self.cells)
-        return tuple(dict.fromkeys(named))
+        return tuple(dict.fromkeys(name for name in self.there.values() if name not in self.cells))
 
     def of(self, name: str) -> list[tuple[int, int]]:
         """(row, column) of every tile of that name."""
-        return [
-            (i, j) for i, row in enumerate(self.tiles) for j, tile in enumerate(row) if tile == name
-        ]  # fmt: skip
+        return [tile for tile, own in self.there.items() if own == name]
 
     def at(self, tile: Tile) -> str | None:
         """The name of a tile (row, column); None where there is no plate, as outside the map."""
@@ -263,8 +264,7 @@ class Layout:
     def edge(self, side: Side) -> list[Tile]:
         """Tiles whose face on that side is a side face of the plate."""
         down, along = STEPS[side]
-        every = ((i, j) for i in range(self.rows) for j in range(self.columns))
-        return [(i, j) for i, j in every if self.at((i, j)) and not self.at((i + down, j + along))]
+        return [(i, j) for i, j in self.there if not self.at((i + down, j + along))]
 
     def bounds(self, tile: Tile) -> Rectangle:
         """(left, bottom, right, top) of a tile, m."""
@@ -313,7 +313,7 @@ def equal_pieces(steps: Steps) -> int:
     GeometryError : no few of them do
     """
     shares = [share for along in steps for share in np.cumsum(along) / sum(along)]
-    count = math.lcm(*(Fraction(float(share)).limit_denominator(48).denominator for share in shares))
+    count = math.lcm(*(Fraction(float(share)).limit_denominator(FINEST).denominator for share in shares))
     if count > MOST_PIECES:
         raise GeometryError.unsupported(
             argument="plate.map",

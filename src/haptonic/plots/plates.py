@@ -98,10 +98,6 @@ def region_borders(layout: Layout, name: str) -> list[Segment]:
     return [segment for _, segment in _border(layout, set(layout.of(name)))]
 
 
-def _plate_tiles(layout: Layout) -> set[Tile]:
-    return {(i, j) for i, row in enumerate(layout.tiles) for j, name in enumerate(row) if name is not None}
-
-
 def _draw_tiles(axes: Axes, layout: Layout) -> list[Artist]:
     """Tiles, pillars and the outlines of regions and plate; what the legend needs."""
     pillars: list[Patch] = []
@@ -121,7 +117,7 @@ def _draw_tiles(axes: Axes, layout: Layout) -> list[Artist]:
         PatchCollection(pillars, facecolor="#bdbdbd", edgecolor=style.INK, linewidth=0.5, gid="pillars")
     )
     outlines = [set(layout.of(name)) for name in layout.regions]
-    for tiles_of, width in [*((tiles, 0.8) for tiles in outlines), (_plate_tiles(layout), 1.3)]:
+    for tiles_of, width in [*((tiles, 0.8) for tiles in outlines), (set(layout.there), 1.3)]:
         lines = [segment for _, segment in _border(layout, tiles_of)]
         axes.add_collection(LineCollection(lines, colors=style.INK, linewidths=width))
     handles: list[Artist] = []
@@ -139,7 +135,7 @@ def _draw_tiles(axes: Axes, layout: Layout) -> list[Artist]:
 def _draw_supports(axes: Axes, plate: Plate) -> list[Artist]:
     """The held parts of the outer sides; what the legend needs."""
     handles: dict[Hold, Artist] = {}
-    border = list(_border(plate.layout, _plate_tiles(plate.layout)))
+    border = list(_border(plate.layout, set(plate.layout.there)))
     for support in plate.supports:
         held = [part for side, segment in border for part in _held(support, side, segment, plate.layout)]
         label, colour, dashes = HOLDS[support.hold]

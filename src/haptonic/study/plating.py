@@ -77,8 +77,7 @@ def _layout(section: PlateSettings, own: UnitCell) -> Layout:
             )  # fmt: skip
     columns = [{row[j] or "" for row in tiles} for j in range(len(tiles[0]))]
     rows = [{name or "" for name in row} for row in tiles]
-    laid = {name: Brickwork.of(cell) for name, cell in {**cells, "": own}.items()}
-    usual = laid.pop("")
+    laid, usual = {name: Brickwork.of(cell) for name, cell in cells.items()}, Brickwork.of(own)
     widths = _sizes("column", columns, {name: one.period for name, one in laid.items()}, section.widths,
                     usual.period, "plate.widths")  # fmt: skip
     heights = _sizes("row", rows, {name: one.height for name, one in laid.items()}, section.heights,

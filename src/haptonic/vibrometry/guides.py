@@ -117,12 +117,9 @@ def _mirrors(layout: Layout, region: str) -> Iterator[Mirror]:
             names = {
                 layout.at((i, at) if depth == "x" else (at, i)) for i in (rows if depth == "x" else columns)
             }
-            if len(names) != 1 or (name is not None and names != {name}):
+            if len(names) != 1 or not names <= in_rows or (name is not None and names != {name}):
                 break
-            (one,) = names
-            if one not in in_rows:
-                break
-            name = one
+            (name,) = names
             number += 1
         if name is None:
             continue

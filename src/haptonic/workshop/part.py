@@ -14,14 +14,14 @@ import numpy as np
 
 from haptonic.arrays import Array
 from haptonic.cell import Pillar, UnitCell
+from haptonic.cell.tile import enclosed
 from haptonic.errors import GeometryError
 from haptonic.plate.layout import STEPS, Layout, Tile
 from haptonic.plate.parts import Actuator, Plate
 from haptonic.workshop.shape import MM, PillarShape
 
-MOST_PILLARS = (
-    1500  # 900 square, stepped ones take 49 s and 0.9 GB as STEP, more than in proportion to their number
-)
+# 900 square, stepped ones take 49 s and 0.9 GB as STEP, more than in proportion to their number
+MOST_PILLARS = 1500
 
 
 @dataclass(frozen=True)
@@ -118,8 +118,8 @@ class Part:
             for loop in _loops(layout, {name})
         ]
         marks += [_patch(one) for one in plate.actuators]
-        made = {name for row in layout.tiles for name in row if name is not None}
-        return cls(_loops(layout, made, whole=True), standing, cell.scaled(MM), tuple(marks))
+        made = _loops(layout, set(layout.there.values()), whole=True)
+        return cls(made, standing, cell.scaled(MM), tuple(marks))
 
     @cached_property
     def corners(self) -> tuple[Array, Array]:
@@ -149,9 +149,14 @@ class Part:
         )
 
     @property
+    def narrowest(self) -> float:
+        """Of the lattice's pitch and the widths of its pillars, the smallest."""
+        return min([self.cell.lattice.pitch, *(2 * pillar.narrowest for pillar, _ in self.standing)])
+
+    @property
     def volume(self) -> float:
         """Of plate and pillars, mm^3."""
-        area = sum(_area(loop) for loop in self.outline)
+        area = sum(enclosed(loop) for loop in self.outline)  # holes run the other way
         return area * self.cell.thickness + sum(len(places) * one.volume for one, places in self.standing)
 
 
@@ -247,9 +252,3 @@ def _bends(loop: list[Tile]) -> list[Tile]:
     before, beyond = loop[-1:] + loop[:-1], loop[1:] + loop[:1]
     places = zip(before, loop, beyond, strict=True)
     return [b for a, b, c in places if (b[0] - a[0], b[1] - a[1]) != (c[0] - b[0], c[1] - b[1])]
-
-
-def _area(loop: Array) -> float:
-    """Of what a loop encloses to its left; negative around a hole."""
-    after = np.roll(loop, -1, axis=0)
-    return 0.5 * float(np.sum(loop[:, 0] * after[:, 1] - loop[:, 1] * after[:, 0]))

@@ -41,12 +41,11 @@ def surface(part: Part, *, chord: float = CHORD) -> meshio.Mesh:
     ------
     GeometryError : a useless ``chord``
     """
-    smallest = min([part.cell.lattice.pitch, *(2 * pillar.narrowest for pillar, _ in part.standing)])
-    if not 1e-6 * smallest < chord * MM < 0.1 * smallest:
+    if not 1e-6 * part.narrowest < chord * MM < 0.1 * part.narrowest:
         raise GeometryError.out_of_range(
             argument="chord",
             given=f"{chord} m",
-            allowed=f"between {1e-9 * smallest:.3g} m and {1e-4 * smallest:.3g} m for this cell",
+            allowed=f"between {1e-9 * part.narrowest:.3g} m and {1e-4 * part.narrowest:.3g} m for this cell",
             cause="the triangles would be too many, or the pillar would no longer be recognised",
             next_step="leave it out, or choose a tenth of the workshop's tolerance",
         )

@@ -94,9 +94,8 @@ def draw_section(
 
 def draw_isometric(sheet: Sheet, box: Box, part: Part) -> None:
     """Draw a part as it looks from above, as large as there is room for."""
-    narrowest = min([part.cell.lattice.pitch, *(2 * pillar.narrowest for pillar, _ in part.standing)])
     about = (box[2] - box[0]) / sum(part.size)  # the scale, up to the square root of 2
-    skin = surface(part, chord=min(FACET / about, COARSEST * narrowest) / MM)
+    skin = surface(part, chord=min(FACET / about, COARSEST * part.narrowest) / MM)
     edges = MM * np.array(seen_edges(skin.points, skin.cells_dict["triangle"], ISOMETRIC))
     low, high = edges.min(axis=(0, 1)), edges.max(axis=(0, 1))
     corners = np.array([box[:2], (box[2], box[3] - 14)])
