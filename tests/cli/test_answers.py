@@ -12,8 +12,12 @@ from hypothesis import strategies as st
 
 from haptonic.cli.console import Voice
 from haptonic.cli.running import OF_COMMANDS, SCREEN, SENTENCES, folder_for, show
+from haptonic.results.bands import Bands
 from haptonic.results.table import Table
+from made_up import reference_bands
 
+BANDS = reference_bands()
+LOWER, UPPER = BANDS["gap_lower"].values[0], BANDS["gap_upper"].values[0]  # of the only complete gap, Hz
 tables = st.lists(st.integers(0, 40), max_size=6).map(
     lambda counts: [
         Table(f"table {k}", ("name", "value"), [(f"row-{k}-{n}", "1.5") for n in range(count)])
@@ -91,3 +95,17 @@ def test_a_pipe_gets_no_line_of_a_bar(inside, study, tmp_path):
 def test_the_option_is_every_command_s(inside, study, tmp_path):
     few = inside("sweep", study(("steps = 3", "steps = 30")), "--help").out
     assert "--tables" in few
+
+
+@given(st.floats(1e3, 2e5))
+def test_bands_say_where_the_carrier_lies(carrier):
+    error = max(BANDS["gap_lower_error"].values[0], BANDS["gap_upper_error"].values[0])
+    said = Bands(BANDS.assign_attrs(carrier_hz=carrier)).summary()[1]
+    depth = min(carrier - LOWER, UPPER - carrier)
+    assert ("in the gap" if depth > 0 else "outside of the gap") in said
+    assert (
+        f"{abs(depth) / 1e3:.2f} kHz from its {'lower' if carrier < (LOWER + UPPER) / 2 else 'upper'} edge"
+        in said
+    )
+    assert "error" in said or abs(depth) >= min(error, BANDS["gap_lower_error"].values[0])
+    assert "error" not in said or abs(depth) <= error

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -22,6 +22,7 @@ from haptonic.results.plain import plain
 from haptonic.results.result import Result, figure, file
 from haptonic.results.table import Column, Table, Uncertain
 from haptonic.store import Store
+from haptonic.units import format_quantity
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -61,14 +62,33 @@ class Bands(Result):
             for gap in complete
         ]
         said += [] if complete else ["There is no complete gap among the bands that were computed."]
-        drawn = f"Mode shapes are those at {self.dataset.attrs['modes_at']}."
-        return [*said, counted(**self._counts), drawn]
+        return [*said, *self._carried(complete), counted(**self._counts)]
+
+    def _carried(self, complete: Sequence[Gap]) -> list[str]:
+        """Where the carrier lies beside the edge of a complete gap that matters to it."""
+        carrier = self.dataset.attrs.get("carrier_hz")
+        if carrier is None or not complete:
+            return []
+        ends = [
+            min(
+                (carrier - gap.lower, gap.lower_error, "lower"),
+                (gap.upper - carrier, gap.upper_error, "upper"),
+            )
+            for gap in complete
+        ]
+        inside, error, edge = max(
+            ends
+        )  # of the gap that holds it, else of the nearest one, and then negative
+        place = "in the gap" if inside > 0 else "outside of the gap"
+        doubt = ", less than the error of that edge" if abs(inside) < error else ""
+        said = f"The carrier, {format_quantity(carrier, 'Hz')}, lies {place}"
+        return [f"{said}, {abs(inside) / 1e3:.2f} kHz from its {edge} edge{doubt}."]
 
     def tables(self) -> list[Table]:
         gaps = self.gaps
         columns = (
             "bands", "where", Column("lower", "Hz", "kHz", ".3f"), Column("upper", "Hz", "kHz", ".3f"),
-            Column("width", "Hz", "kHz", ".2f"), Column("samples"),
+            Column("width", "Hz", "kHz", ".2f"),
         )  # fmt: skip
         rows = [
             (
@@ -79,7 +99,6 @@ class Bands(Result):
                 Uncertain(
                     gap.width, gap.lower_error + gap.upper_error, "" if gap.certain else " (uncertain)"
                 ),
-                gap.samples,
             )
             for gap in gaps
         ]

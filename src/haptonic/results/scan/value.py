@@ -238,6 +238,8 @@ class ScanResult(Result):
                 f"; computed {self.gap.lower / 1e3:.2f} to {self.gap.upper / 1e3:.2f} kHz" if self.gap else ""
             )
             lower, upper = (edge or "not determined" for edge in (self.lattice.lower, self.lattice.upper))
+            if self.gap and self.lattice.beside(self.gap.lower, self.gap.upper):
+                computed += ": another range, in which perhaps some waves only fade"
             said.append(f"Gap in the scan: lower edge {lower}, upper edge {upper}{computed}.")
             said += [f"  {text}" for text in self.lattice.reasons]
         if (seen := self.measured) is not None:
