@@ -82,7 +82,8 @@ def layers(study: Description, options: Any) -> Cost:
 
 def waveguide(study: Description, options: Any) -> Cost:
     """Of the guides that are compared."""
-    return gaps(study) + Cost(GUIDES)
+    on_face, memory = need_rows(study, "waveguide")
+    return gaps(study) + Cost(GUIDES * max(1.0, on_face / SQUARE_FACE) ** 2.5, BASE + memory)
 
 
 def ribbon(study: Description, options: Any) -> Cost:
