@@ -62,27 +62,32 @@ class Bands(Result):
             for gap in complete
         ]
         said += [] if complete else ["There is no complete gap among the bands that were computed."]
-        return [*said, *self._carried(complete), counted(**self._counts)]
+        return [*said, *self._about_carrier(complete), counted(**self._counts)]
 
-    def _carried(self, complete: Sequence[Gap]) -> list[str]:
-        """Where the carrier lies beside the edge of a complete gap that matters to it."""
+    def _about_carrier(self, complete: Sequence[Gap]) -> list[str]:
         carrier = self.dataset.attrs.get("carrier_hz")
         if carrier is None or not complete:
             return []
         ends = [
             min(
-                (carrier - gap.lower, gap.lower_error, "lower"),
-                (gap.upper - carrier, gap.upper_error, "upper"),
+                (carrier - gap.lower, "lower", gap.lower_error, gap.width),
+                (gap.upper - carrier, "upper", gap.upper_error, gap.width),
             )
             for gap in complete
         ]
-        inside, error, edge = max(
+        room, edge, error, width = max(
             ends
-        )  # of the gap that holds it, else of the nearest one, and then negative
-        place = "in the gap" if inside > 0 else "outside of the gap"
-        doubt = ", less than the error of that edge" if abs(inside) < error else ""
-        said = f"The carrier, {format_quantity(carrier, 'Hz')}, lies {place}"
-        return [f"{said}, {abs(inside) / 1e3:.2f} kHz from its {edge} edge{doubt}."]
+        )  # of the gap that holds it, else of the nearest one, and negative
+        name, away = f"The carrier, {format_quantity(carrier, 'Hz')},", f"{abs(room) / 1e3:.2g} kHz"
+        if room <= 0:
+            said = f"{name} lies in no complete gap, {away} from the nearest edge"
+            return [f"{said}: at this frequency the lattice lets waves through."]
+        said = f"{name} lies inside the gap, {away} ({room / carrier:.1%}) from its {edge} edge"
+        if room <= error:
+            return [f"{said}, which is within the error of that edge."]
+        if room < 0.1 * width:
+            said += ": close enough for a tolerance of the sizes or of the material to move the edge past it"
+        return [f"{said}."]
 
     def tables(self) -> list[Table]:
         gaps = self.gaps
