@@ -50,9 +50,7 @@ class Directed:
             m, n = _ratio(-second / first)
         else:
             n, m = _ratio(-first / second)
-        found = m, n
-        right = abs(found[0] * first + found[1] * second) <= SAME * self.period**2
-        return found if right else None
+        return (m, n) if abs(m * first + n * second) <= SAME * self.period**2 else None
 
     @property
     def way(self) -> Array:

@@ -181,7 +181,7 @@ class UnitCell(TileShape):
                 given=f"{len(self.shares)} sites" if self.site else self.lattice.name,
                 allowed=f"a cell of one site in its middle for {what}",
                 cause=f"{what} knows cells with a single pillar only; those with several have bands, gaps, "
-                "mirrors, ribbons, sweeps, slopes, tolerances, outlines and solids",
+                "mirrors, guides, ribbons, sweeps, searches, tolerances, outlines and solids",
                 next_step=f'write lattice = "square" or "rectangular", and leave [[cell.site]] out{instead}',
             )
         self.lattice.check_rectangular(what, instead)
