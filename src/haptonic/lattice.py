@@ -252,7 +252,7 @@ class Lattice:
                 given=self.name,
                 allowed=f"square or rectangular for {what}",
                 cause=f"{what} knows cells with four sides along x and y only; others have bands, gaps, "
-                "mirrors, ribbons, sweeps, solids and outlines",
+                "mirrors, guides, ribbons, sweeps, searches, solids and outlines",
                 next_step=f'write lattice = "square" or "rectangular"{instead}',
             )
 

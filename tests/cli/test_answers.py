@@ -10,10 +10,15 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from haptonic.analyses.reproduce import Reproduction
 from haptonic.cli.console import Voice
 from haptonic.cli.running import OF_COMMANDS, SCREEN, SENTENCES, folder_for, show
+from haptonic.results.bands import Bands
 from haptonic.results.table import Table
+from made_up import reference_bands
 
+BANDS = reference_bands()
+LOWER, UPPER = BANDS["gap_lower"].values[0], BANDS["gap_upper"].values[0]  # of the only complete gap, Hz
 tables = st.lists(st.integers(0, 40), max_size=6).map(
     lambda counts: [
         Table(f"table {k}", ("name", "value"), [(f"row-{k}-{n}", "1.5") for n in range(count)])
@@ -91,3 +96,25 @@ def test_a_pipe_gets_no_line_of_a_bar(inside, study, tmp_path):
 def test_the_option_is_every_command_s(inside, study, tmp_path):
     few = inside("sweep", study(("steps = 3", "steps = 30")), "--help").out
     assert "--tables" in few
+
+
+@given(st.floats(1e3, 2e5))
+def test_bands_say_where_the_carrier_lies(carrier):
+    said = Bands(BANDS.assign_attrs(carrier_hz=carrier)).summary()[1]
+    room = min(carrier - LOWER, UPPER - carrier)
+    assert ("lies inside the gap" if room > 0 else "lies in no complete gap") in said
+    assert f"{abs(room) / 1e3:.2g} kHz" in said
+
+
+@pytest.mark.parametrize("others", [(), ("plate",), ("feel", "plate")])
+def test_a_report_says_first_what_each_part_found(others):
+    one = {
+        name: SimpleNamespace(summary=lambda name=name: [f"{name} 1", f"{name} 2"], remarks=lambda: ["but"])
+        for name in others
+    }
+    made = Reproduction({"bands": Bands(BANDS), **one}, None)
+    first = Bands(BANDS).summary()
+    assert made.summary() == (
+        [first[0], *(f"{name} 1" for name in ("plate", "feel") if name in one)] if one else first
+    )
+    assert [text for text in made.remarks() if "but" in text] == [f"{name}: but" for name in others]

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -180,6 +181,44 @@ def test_two_columns_of_the_wavevector_make_a_way(tmp_path):
     side = of_table(path, *path_in(ours()), None, None)
     assert side.position == pytest.approx([0, 1, 2, 3], abs=1e-3)
     assert side.frequency[:, 1] == pytest.approx(dispersion(np.arange(4.0))[:, 1])
+
+
+BESIDE = {
+    "Damping ratio": ("1", 2.5e-4),
+    "Quality factor": ("1", 2000.0),
+    "Angular frequency": ("rad/s", 9e4),
+    "max(w)": ("mm", 3e-3),
+    "phase": ("deg", 12.0),
+}
+
+
+@given(
+    st.permutations(["Eigenfrequency", *BESIDE]), st.sampled_from([("Hz", 1.0), ("kHz", 1e3)]), st.booleans()
+)
+def test_what_is_no_frequency_is_left_out(tmp_path_factory, order, unit, said):
+    """Damping ratios and others, which an evaluation of eigenfrequencies brings along."""
+    path, position = tmp_path_factory.mktemp("export") / "theirs.csv", np.linspace(0, 3, 5)
+    heads = [f"{one} ({BESIDE.get(one, unit)[0]})" for one in order]
+    rows = [
+        [position[k], *(BESIDE[one][1] if one in BESIDE else f / unit[1] for one in order)]
+        for k, line in enumerate(dispersion(position))
+        for f in line
+    ]
+    path.write_text("\n".join([f"% k,{','.join(heads)}", *(",".join(map(str, row)) for row in rows)]))
+    side = of_table(path, *path_in(ours()), "segments", unit[0] if said else None)
+    assert side.frequency == pytest.approx(dispersion(position))
+    assert side.left == tuple(one for one in order if one in BESIDE)
+    assert "Damping ratio" in Comparison(of_dataset("ours", ours()), side).remarks()[0]
+
+
+@pytest.mark.parametrize("moved", [(300.0, -200.0), (-100.0, -400.0), (250.0, 120.0)])
+def test_both_edges_of_a_gap_are_said(moved):
+    """The gap is that above band 2 of a lattice in particular: of the second all bands are moved rigidly."""
+    first = replace(of_dataset("first", ours()), ours=False)
+    shift = np.array([moved[0], moved[0], moved[1], moved[1]])
+    text = Comparison(first, replace(first, frequency=first.frequency + shift)).summary()[1]
+    words = [f"{abs(by) / 1e3:.3g} kHz {'higher' if by > 0 else 'lower'}" for by in moved]
+    assert text == f"The gap between bands 2-3 begins {words[0]} and ends {words[1]}."
 
 
 def test_a_missing_band_is_said(tmp_path):

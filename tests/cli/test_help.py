@@ -41,13 +41,15 @@ def written(name: str) -> Iterator[str]:
 
 
 @pytest.mark.parametrize("name", EVERY)
-def test_no_help_loses_a_word(name):
+def test_no_help_loses_a_word(name, monkeypatch):
     path = name.split()
     seen, listed = helped(app, *path), helped(app, *path[:-1])
     for text in (EVERY[name], *written(name)):
         assert " ".join(text.split()) in seen
     assert EVERY[name] in listed
     assert GROUPS.get(path[0], "") in helped(app)
+    monkeypatch.setattr("typer.rich_utils.MAX_WIDTH", 80)
+    assert "…" not in CliRunner().invoke(app, [*path, "--help"]).output  # a cut word
 
 
 BRACKETS = (

@@ -112,6 +112,8 @@ class TestTemplates:
     def test_names_with_blanks_stand_in_quotes(self, inside, tmp_path):
         path = tmp_path / "sub folder" / "Größe 7.toml"
         told = inside("new", "Two Carriers", path, "--json").json
+        said = inside("new", "Two Carriers", path, "--overwrite").out
+        assert f'\n  haptonic bands "{path}"' in said  # not in the middle of a line that a terminal breaks
         assert told["file"] == str(path)
         assert told["next"][0] == f'haptonic bands "{path}"'
         assert load(path).carrier == 58e3

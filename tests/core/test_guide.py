@@ -99,7 +99,9 @@ def test_the_width_of_a_mode_and_its_frequency_are_one_relation(nodal_lines):
     assert width + 2 * wall.fixed_line == pytest.approx((nodal_lines + 1) * np.pi / wall.wavenumber, rel=1e-3)
 
 
-def prototype(intervals: int, ends: str = "free", mirrors: CondensedRows | None = None) -> GuidedMode:
+def prototype(
+    intervals: int, mirrors: CondensedRows | None = None, closed_by: CondensedRows | None = None
+) -> GuidedMode:
     return strip_mode(
         mirrors or rows(),
         width=WIDTH,
@@ -107,7 +109,7 @@ def prototype(intervals: int, ends: str = "free", mirrors: CondensedRows | None 
         intervals=intervals,
         nodal_lines=0,
         between=GAP,
-        ends=ends,
+        closed_by=closed_by,
     )
 
 
@@ -122,9 +124,10 @@ def test_the_prototype_resonates_where_a_model_of_the_whole_plate_does(intervals
 
 def test_ends_closed_by_the_mirror_hold_the_plate_at_normal_incidence():
     cell = replace(reference_cell(), lattice=Lattice.rectangular(PITCH, 6.8e-3))
-    narrow = CondensedRows.single(condense(cell, MeshPlan.suited(cell, 3, 1), measured=False))
-    mode = prototype(16, "mirror", narrow)
-    end = Wall.of(Interface.of(narrow.crossed(), 0.0), mode.omega)
+    tile = condense(cell, MeshPlan.suited(cell, 3, 1), measured=False)
+    narrow, closed_by = CondensedRows.single(tile), CondensedRows.single(tile, (1, 0))
+    mode = prototype(16, narrow, closed_by)
+    end = Wall.of(Interface.of(closed_by, 0.0), mode.omega)
     assert mode.wavenumber * (LENGTH + 2 * end.fixed_line) == pytest.approx(18 * np.pi, rel=1e-9)
     assert Guide.of(narrow, mode.wavenumber).mode(WIDTH, 0, GAP).omega == pytest.approx(mode.omega)
 

@@ -1,6 +1,7 @@
 """What a finger feels, from amplitudes that are known."""
 
 import math
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -23,6 +24,7 @@ from haptonic.lattice import Lattice
 from haptonic.materials import material
 from haptonic.plate.layout import Layout
 from haptonic.plate.parts import Force, Plate
+from haptonic.plate.sampling import driven_regions
 from haptonic.results.feel.reduction import Reduction
 from haptonic.results.feel.requirements import FAR, requirements
 from haptonic.results.feel.value import Feel
@@ -126,13 +128,27 @@ def test_places_are_those_where_the_whole_finger_lies_on_the_region():
 
 def test_times_and_ratios_are_those_with_a_finger():
     found = made(idle=0.25)
-    assert found.driven == "A"
+    assert found.driven == ("A",)
     assert found.ratio == {"B": pytest.approx(4.0)}
     assert found.quality() == pytest.approx(400)
     assert found.constant == pytest.approx(400 / (math.pi * 58.8e3))
     assert found.rise == pytest.approx(math.log(9) * found.constant)
     margin = found.margins["B"]
     assert margin.stopped == pytest.approx(1 - margin.idle / margin.driven)
+
+
+@pytest.mark.parametrize(
+    ("strengths", "driven"), [((1, 1), ("A", "B")), ((0, 2), ("B",)), ((1, 0), ("A",)), ((0, 0), ("A", "B"))]
+)
+def test_every_region_that_a_drive_moves_is_driven_and_to_be_felt(strengths, driven):
+    forces = [
+        Force(f"F{x}", (x, 14e-3), None, force) for x, force in zip((10e-3, 38e-3), strengths, strict=True)
+    ]
+    assert driven_regions(replace(PLATE, forces=tuple(forces))) == driven
+    demands = requirements(GOOD, driven, FAST, FAST, 56e3, None)[:2]
+    assert [one.what for one in demands] == [
+        f"{name} is {'felt clearly' if name in driven else 'not felt'}" for name in "AB"
+    ]
 
 
 def test_what_is_written_says_what_was_assumed_and_that_it_is_simulated():
@@ -161,7 +177,7 @@ WANTED = FAR * WEBER_FRACTION
     ],
 )
 def test_regions_are_judged_by_their_whole_interval(changes, colours):
-    found = requirements(GOOD | changes, "A", FAST, FAST, 56e3, (52e3, 60e3))
+    found = requirements(GOOD | changes, ("A",), FAST, FAST, 56e3, (52e3, 60e3))
     assert [light.colour for light in found] == colours
 
 
@@ -169,9 +185,9 @@ def test_regions_are_judged_by_their_whole_interval(changes, colours):
     (FAST, FAST, "green"), (SLOW, FAST, "amber"), (SLOW, SLOW, "red"),
 ])  # fmt: skip
 def test_the_time_is_judged_by_both_definitions(rise, constant, colour):
-    assert requirements(GOOD, "A", rise, constant, 56e3, (52e3, 60e3))[2].colour == colour
+    assert requirements(GOOD, ("A",), rise, constant, 56e3, (52e3, 60e3))[2].colour == colour
 
 
 @pytest.mark.parametrize("gap", [None, (52e3, 55e3), (57e3, 60e3)])
 def test_a_drive_outside_of_the_gap_is_red(gap):
-    assert requirements(GOOD, "A", FAST, FAST, 56e3, gap)[3].colour == "red"
+    assert requirements(GOOD, ("A",), FAST, FAST, 56e3, gap)[3].colour == "red"

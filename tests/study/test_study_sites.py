@@ -135,6 +135,7 @@ def test_a_lattice_misspelt_is_refused(name, guess):
     assert_told(caught.value, name, guess)
 
 
+FILLETED = '\n[[design.vary]]\nparameter = "cell.site[2].pillar.fillet"\nfrom = 0\nto = "0.3 mm"\n'
 REFUSED = {
     "too few": (STUDY + UNEQUAL.split("[[cell.site]]\n[")[0], "cell.site", "2, one for each site"),
     "a place of a named one": (
@@ -168,6 +169,9 @@ REFUSED = {
     ),
     "two pillars": (STUDY + UNEQUAL + EQUAL, "cell.pillar", "twice"),
     "unknown key": (STUDY + UNEQUAL.replace("[cell.site.p", "where = 1\n[cell.site.p"), "where", "site"),
+    "a fillet to nothing": (
+        STUDY + UNEQUAL + FILLETED, "design.vary[1].from", "a sharp edge needs another mesh"
+    ),
     "no such site": (STUDY + UNEQUAL + SWEEP.replace("[2]", "[3]"), "sweep[1].vary", "cell.site[3]"),
 }  # fmt: skip
 
@@ -213,17 +217,17 @@ MANY = '\n[[design.vary]]\nparameter = "cell.pitch"\nfrom = "6 mm"\nto = "8 mm"\
 
 @pytest.mark.parametrize("text", [STUDY + UNEQUAL, STUDY.replace("honeycomb", "lieb") + EQUAL, SQUARE + FREE])
 def test_what_knows_single_pillars_only_says_so(text):
-    """Guides, searches, drawings."""
+    """Drawings of a piece; a search and a guide are checked without a word."""
     study = loads(text + MANY)
     asked = [
-        lambda: waveguide.ANALYSIS.check(study, waveguide.ANALYSIS.options()),
-        lambda: design.brief(study),
         lambda: export.check(study, replace(export.ExportOptions(), drawing=True)),
     ]
     for ask in asked:
         with pytest.raises(HaptonicError) as caught:
             ask()
         assert_told(caught.value, "one site")
+    assert design.brief(study).paths == ("cell.pitch",)
+    waveguide.ANALYSIS.check(study, waveguide.ANALYSIS.options())
     export.check(study, replace(export.ExportOptions(), dxf=True, step=True, stl=True))
 
 
@@ -231,10 +235,20 @@ def test_what_knows_rectangles_only_says_so_before_anything_is_computed():
     study = loads(STUDY.replace("honeycomb", "triangular") + EQUAL)
     asked = {
         "square": lambda: export.check(study, replace(export.ExportOptions(), drawing=True)),
-        "haptonic ribbon": lambda: waveguide.ANALYSIS.check(study, waveguide.ANALYSIS.options()),
     }
     for words, ask in asked.items():
         with pytest.raises(HaptonicError) as caught:
             ask()
         assert_told(caught.value, words, code="unsupported", argument="cell.lattice")
     export.check(study, replace(export.ExportOptions(), stl=True))
+
+
+@pytest.mark.parametrize(("along", "code"), [("[2, 2]", "out-of-range"), ("[0.5, 1]", "malformed")])
+def test_a_strip_that_runs_along_no_translation_is_refused(along, code):
+    def asked():
+        study = loads(STUDY + UNEQUAL + f"\n[waveguide]\nalong = {along}\n")
+        waveguide.ANALYSIS.check(study, waveguide.ANALYSIS.options())
+
+    with pytest.raises(HaptonicError) as caught:
+        asked()
+    assert_told(caught.value, code=code, argument="waveguide.along")

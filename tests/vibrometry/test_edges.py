@@ -15,7 +15,9 @@ from haptonic.errors import ScanError
 from haptonic.gate import passed
 from haptonic.response import FrequencyResponse, Reference
 from haptonic.vibrometry import (
+    Edge,
     InMemory,
+    LatticeGap,
     LatticeRows,
     Rectangle,
     TimeScan,
@@ -73,6 +75,23 @@ def field(edges, noise=0.0, averages=0, seed=1, reflected=0.4):
 
 def whole(phase):
     return 52e3, 62e3
+
+
+@pytest.mark.parametrize(
+    ("lower", "upper", "beside"),
+    [
+        (None, Edge(50.4e3, 700.0), True),
+        (None, Edge(54.5e3, 700.0), False),
+        (None, Edge(60e3, 100.0), False),
+        (Edge(66e3, 500.0), None, True),
+        (Edge(66e3, 1500.0), None, False),
+        (Edge(50e3, 500.0), None, False),
+        (Edge(40e3, 100.0), Edge(50e3, 100.0), True),
+        (None, None, False),
+    ],
+)
+def test_a_range_that_has_nothing_in_common_with_55_to_65_khz(lower, upper, beside):
+    assert LatticeGap(lower, upper, ()).beside(55e3, 65e3) == beside
 
 
 class TestEdges:

@@ -14,6 +14,7 @@ from haptonic.analyses.export import ExportOptions
 from haptonic.analyses.needs import has_mirror, has_plate, has_waveguide, need_rows
 from haptonic.bloch.mirrors import MOST_ROWS
 from haptonic.bloch.resolution import started
+from haptonic.design.quick import QUICK
 from haptonic.plate.forecast import foreseen
 from haptonic.results.cost import BASE, Cost
 from haptonic.study.loading import load_as
@@ -24,7 +25,9 @@ FIRST, SECOND = 0.5, 0.25  # of what meshes are foreseen to take at most: the se
 ZONE = 0.2  # s, of the search for gaps
 DIAGRAM, PER_WAVEVECTOR = 2.5, 0.02  # s, of names, shapes and counts; of ten bands
 SURFACE = 6.0  # s, of the whole zone
-QUICK_DESIGN = 0.25  # s of a design that a search sees; twenty drawn searches took 0.15 to 0.4
+# of what one mesh is foreseen to take, for a design that a search sees: twenty drawn searches of squares took
+# 0.15 to 0.4 s, those of honeycomb and kagome cells 1.0 and 0.8 s
+QUICK_DESIGN = 0.19
 REFINED = 6  # designs that a search computes as exactly as asked for
 MIRROR, SQUARE_FACE = 0.035, 72  # s of a row at a frequency, where so many unknowns are on a face
 GUIDES, SAMPLE = 2.0, 0.6  # s, of a design beside the study's own
@@ -79,7 +82,8 @@ def layers(study: Description, options: Any) -> Cost:
 
 def waveguide(study: Description, options: Any) -> Cost:
     """Of the guides that are compared."""
-    return gaps(study) + Cost(GUIDES)
+    on_face, memory = need_rows(study, "waveguide")
+    return gaps(study) + Cost(GUIDES * max(1.0, on_face / SQUARE_FACE) ** 2.5, BASE + memory)
 
 
 def ribbon(study: Description, options: Any) -> Cost:
@@ -96,7 +100,7 @@ def design(study: Description, options: Any) -> Cost:
     """Of a search; more where the carrier is hard to reach."""
     section = study.design_settings
     seen = section.starts + section.climbs * section.steps
-    once = Cost(QUICK_DESIGN * seen) + gaps(study).times(REFINED)
+    once = Cost(QUICK_DESIGN * QUICK.seconds(study.cell) * seen) + gaps(study).times(REFINED)
     return once.times(1 + section.pitches / 2) if getattr(options, "pareto", False) else once
 
 

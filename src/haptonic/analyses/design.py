@@ -52,14 +52,6 @@ def brief(study: Description) -> Brief:
             cause="the study does not say what may change",
             next_step='add [[design.vary]] with parameter = "cell.pillar.height", from and to',
         )
-    if not study.cell.is_simple:
-        raise StudyError.unsupported(
-            argument="cell.site" if study.cell.site else "cell.lattice",
-            given=f"{len(study.cell.shares)} sites",
-            allowed="a cell of one site for a search",
-            cause="the limits of a design are those of a single pillar",
-            next_step="sweep its numbers, which haptonic sweep does, or search a cell of one site",
-        )
     if section.limits.finger_force is not None and not isinstance(study.cell.material, IsotropicMaterial):
         raise StudyError.unsupported(
             argument="design.finger_force",

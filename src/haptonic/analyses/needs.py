@@ -7,6 +7,7 @@ from haptonic.bloch.gaps import gap_at
 from haptonic.bloch.resolution import Resolution, check_memory, started
 from haptonic.bloch.rows import rows_need
 from haptonic.cell import Rows
+from haptonic.cell.directed import check_along
 from haptonic.errors import StudyError
 from haptonic.plate import Fineness, Plate
 from haptonic.plate.reduction import BLOCK, STEPS
@@ -68,11 +69,16 @@ def has_mirror(study: Description) -> bool:
     return study.carrier is not None and study.cell.has_pillars
 
 
-def need_rows(study: Description) -> tuple[int, float]:
-    """What the rows of a study's mirror take on the mesh that is tried first; see `rows_need`."""
+def need_rows(study: Description, table: str = "layers") -> tuple[int, float]:
+    """What the rows of a study's mirror take on the mesh that is tried first; see `rows_need`.
+
+    table : of the study that gives their direction
+    """
     settings = study.bands_settings
     first = settings.resolution or started(study.cell, settings.count, settings.accuracy)[0]
-    return rows_need(Rows(study.cell, study.layers_settings.direction), first)
+    along = (study.layers_settings if table == "layers" else study.waveguide_settings).direction
+    check_along(along, table, "a row")
+    return rows_need(Rows(study.cell, along), first, table)
 
 
 def has_waveguide(study: Description) -> bool:

@@ -113,7 +113,7 @@ class ScanOptions:
     length_unit: str | None = option(None, 'Of coordinates, where it is not the file\'s, such as "mm".')
     frequency_unit: str | None = option(None, 'Of frequencies in files that give none, such as "kHz".')
     variables: Any = option(
-        None, "Names in a MATLAB file: response=FRF,frequency=fkHz,x=Xmm,y=Ymm.", read=names_of,
+        None, "Names in a MATLAB file, such as response=FRF,x=X.", read=names_of,
         metavar="MEANING=NAME,...",
     )  # fmt: skip
     reference: str | None = option(None, 'Name and unit of the reference, such as "A1, V".')

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from haptonic.analyses.analysis import Analysis, option
-from haptonic.analyses.needs import has_waveguide, need_carrier
+from haptonic.analyses.needs import has_waveguide, need_carrier, need_rows
 from haptonic.bloch.settings import WaveguideSettings
 from haptonic.errors import StudyError, shown
 from haptonic.fields import remade
@@ -26,10 +26,10 @@ def chosen_settings(study: Description, options: WaveguideOptions) -> WaveguideS
 
     Raises
     ------
-    HaptonicError : no carrier, no rows, or a mode that is not written like ``0x17``
+    HaptonicError : no carrier, rows that are none or too dear, or a mode that is not written like ``0x17``
     """
     need_carrier(study)
-    study.cell.check_simple("a waveguide", ", or ask `haptonic ribbon`, which knows guides on every lattice")
+    need_rows(study, "waveguide")
     own = study.waveguide_settings
     if options.mode is None:
         return own

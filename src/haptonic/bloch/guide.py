@@ -8,7 +8,6 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass, replace
-from typing import Literal
 
 import numpy as np
 import scipy
@@ -20,8 +19,6 @@ from haptonic.bloch.rows import CondensedRows
 from haptonic.errors import StudyError
 from haptonic.later import linalg as la
 
-Ends = Literal["free", "mirror"]
-
 LEAD = "A0"  # the wave that is guided
 SAMPLES = 401  # of a mode across the strip
 CLOSED = 1e-6  # rad, how well a mode must close on itself
@@ -31,16 +28,20 @@ CLOSED = 1e-6  # rad, how well a mode must close on itself
 class Wall:
     """The lattice on the right as seen from the plate, at one frequency and tangential wavenumber.
 
+    Widths of strips count from where the lattice's face lies on average.
+
     plate : the plate's waves to the right
     reflection : (p, p) amplitudes of their mirror images, to the left, for unit ones that come
     flexural : number of the flexural wave that propagates
     closed : whether no wave enters the lattice
+    setback : from the straight line beyond which there is but plain plate to that place, m
     """
 
     plate: PlateWaves
     reflection: Complex
     flexural: int
     closed: bool
+    setback: float = 0.0
 
     @classmethod
     def of(cls, interface: Interface, omega: float) -> Wall | None:
@@ -52,7 +53,7 @@ class Wall:
             return None
         images = replace(mirror, outgoing=right.mirrored(interface.plate.axes[0]))
         closed = not mirror.lattice.propagates.any()
-        return cls(right, images.reflection(), int(leads[0]), closed)
+        return cls(right, images.reflection(), int(leads[0]), closed, interface.setback)
 
     @property
     def wavenumber(self) -> float:
@@ -61,13 +62,14 @@ class Wall:
 
     @property
     def delay(self) -> float:
-        """Phase (rad) from the interface to the equivalent fixed line and back, from -pi/2 to 3 pi/2."""
-        r = self.reflection[self.flexural, self.flexural]  # -1 if the plate is held at the interface itself
+        """Phase (rad) from the lattice's face to the equivalent fixed line and back, from -pi/2 to 3 pi/2."""
+        r = self.reflection[self.flexural, self.flexural]  # -1 if the plate is held at the line itself
+        r *= np.exp(2j * self.wavenumber * self.setback)
         return float(0.5 * np.pi - np.angle(-1j * r))
 
     @property
     def fixed_line(self) -> float:
-        """How far behind the interface the plate seems to be held, w = 0, m."""
+        """How far behind the lattice's face the plate seems to be held, w = 0, m."""
         return 0.5 * self.delay / self.wavenumber
 
     def phase(self, width: float, nodal_lines: int) -> float:
@@ -79,20 +81,23 @@ class Wall:
         add to the phase. No other wave may propagate.
         """
         round_trip, _ = self._closing(width, nodal_lines)
-        alone = self.reflection[self.flexural, self.flexural] * np.exp(-1j * self.wavenumber * width)
+        plain = width - 2 * self.setback
+        alone = self.reflection[self.flexural, self.flexural] * np.exp(-1j * self.wavenumber * plain)
         return float(self.wavenumber * width + self.delay - np.angle(round_trip / alone))
 
     def across(self, width: float, nodal_lines: int) -> tuple[Array, Array]:
         """Positions (s,) from the middle of the strip, m, and |w| (s,) there on the flat face.
 
-        |w| is the root of the mean square over a period along the strip; its peak is 1.
+        They end where the plate is plain no more, before the edge if that is no straight line. |w| is the
+        root of the mean square over a period along the strip; its peak is 1.
         """
         sign = (-1) ** nodal_lines
         _, others = self._closing(width, nodal_lines)
         amplitudes = np.insert(others, self.flexural, 1.0)
-        position = np.linspace(-0.5 * width, 0.5 * width, SAMPLES)
+        end = 0.5 * width - self.setback
+        position = np.linspace(-end, end, SAMPLES)
         k = 1j * self.plate.wavenumber[:, None]
-        away = np.exp(k * (0.5 * width - position)) + sign * np.exp(k * (0.5 * width + position))
+        away = np.exp(k * (end - position)) + sign * np.exp(k * (end + position))
         harmonics = int(self.plate.harmonic.max()) + 1
         on_face = self.plate.waves.displacement.reshape(harmonics, -1, 3, len(self.plate))[:, 0, 2]
         size = np.linalg.norm(on_face @ (amplitudes[:, None] * away), axis=0)
@@ -104,7 +109,8 @@ class Wall:
         A mode closes on itself where the factor is 1, or -1 if its number of nodal lines is odd.
         """
         sign = (-1) ** nodal_lines
-        passed = sign * self.reflection * np.exp(1j * self.plate.wavenumber * width)
+        plain = width - 2 * self.setback
+        passed = sign * self.reflection * np.exp(1j * self.plate.wavenumber * plain)
         k = self.flexural
         rest = np.delete(np.arange(len(self.plate)), k)
         inner = np.eye(len(rest)) - passed[np.ix_(rest, rest)]
@@ -159,7 +165,9 @@ class Guide:
         if wall is not None and wall.closed:
             guess, reach = (target - wall.delay) / wall.wavenumber, 0.5 * np.pi / wall.wavenumber
             found = _root(
-                lambda width: wall.phase(width, nodal_lines) - target, max(guess - reach, 0.0), guess + reach
+                lambda width: wall.phase(width, nodal_lines) - target,
+                max(guess - reach, 2 * wall.setback),
+                guess + reach,
             )
         if found is None:
             raise _no_mode(nodal_lines, _kilohertz(omega))
@@ -200,21 +208,22 @@ class Guide:
         return wall
 
 
-def along_strip(rows: CondensedRows, omega: float, length: float, intervals: int, ends: Ends) -> float:
+def along_strip(omega: float, length: float, intervals: int, closed_by: CondensedRows | None = None) -> float:
     """Wavenumber (rad/m) along a strip of a length (m) with so many intervals between its nodal lines.
 
     Both ends are approximate. A free end throws flexural waves back like the end of a long beam, so that
-    each end adds a quarter of an interval: ``k L = (intervals + 1/2) pi``. Behind an end that the same
+    each end adds a quarter of an interval: ``k L = (intervals + 1/2) pi``. Behind an end that a
     lattice closes the plate seems to be held as it is at normal incidence, d behind the interface:
     ``k (L + 2 d) = (intervals + 2) pi``; conversion into other waves is left out.
 
     Parameters
     ----------
-    rows : on either side of the strip; omega : rad/s, at which a lattice at the ends is looked at
+    omega : rad/s, at which a lattice at the ends is looked at
+    closed_by : its rows, at right angles to the strip; free ends without any
     """
-    if ends == "free":
+    if closed_by is None:
         return (intervals + 0.5) * np.pi / length
-    end = Wall.of(Interface.of(rows.crossed(), 0.0), omega)
+    end = Wall.of(Interface.of(closed_by, 0.0), omega)
     assert end is not None, "at normal incidence the flexural wave always propagates"
     return float((intervals + 2) * np.pi / (length + 2 * end.fixed_line))
 
@@ -227,7 +236,7 @@ def strip_mode(
     intervals: int,
     nodal_lines: int,
     between: tuple[float, float],
-    ends: Ends = "free",
+    closed_by: CondensedRows | None = None,
 ) -> GuidedMode:
     """Mode of a strip of finite length with so many intervals between its nodal lines along it.
 
@@ -236,17 +245,25 @@ def strip_mode(
     rows : on either side of the strip; width, length : of the strip, m
     intervals, nodal_lines : along and across the strip
     between : angular frequencies to look in, rad/s
-    ends : see `along_strip`
+    closed_by : see `along_strip`
 
     Raises
     ------
-    StudyError : see `Guide.mode`
+    StudyError : see `Guide.mode`; a strip narrower than what straightens the faces beside it
     """
+    if width <= 2 * rows.setback:
+        raise StudyError.out_of_range(
+            argument="waveguide.width",
+            given=f"{width * 1e3:.4g} mm",
+            allowed=f"more than {2 * rows.setback * 1e3:.4g} mm beside these rows",
+            cause="their faces are no straight lines, and less is left of the strip than these take up",
+            next_step="choose a wider strip, or ask `haptonic ribbon`, which takes strips of any width",
+        )
 
     def guide_at(omega: float) -> Guide:
-        return Guide.of(rows, along_strip(rows, omega, length, intervals, ends))
+        return Guide.of(rows, along_strip(omega, length, intervals, closed_by))
 
-    if ends == "free":
+    if closed_by is None:
         return guide_at(between[0]).mode(width, nodal_lines, between)
     return _mode(guide_at, width, nodal_lines, between)
 

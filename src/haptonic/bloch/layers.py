@@ -112,6 +112,7 @@ class Interface:
     tangential : (h,) wavenumbers of the harmonics, the given one first, rad/m; an odd number of them, not
         more than the line has places
     period : along the line, m
+    setback : from the line to where the rows' face lies on average, m
     trace : (n, p) motion of the line that each unknown (harmonic, level, component) of the plate gives
     """
 
@@ -121,6 +122,7 @@ class Interface:
     plate: PlainPlate
     tangential: Array
     period: float
+    setback: float
     trace: Complex
 
     @classmethod
@@ -145,7 +147,7 @@ class Interface:
         turning = np.exp(1j * np.outer(position, tangential))
         trace = np.einsum("pm,lj,cd->lpcmjd", turning, np.eye(rows.levels), np.eye(3))
         trace = trace.reshape(slab.size, -1)
-        return cls(slab, tuple(parts), ends, plain_plate(rows), tangential, period, trace)
+        return cls(slab, tuple(parts), ends, plain_plate(rows), tangential, period, rows.setback, trace)
 
     @classmethod
     def met_by(cls, rows: CondensedRows, omega: float, family: str, angle: float) -> Interface:

@@ -66,12 +66,6 @@ class CondensedRows:
         assert isinstance(tile.cell, UnitCell)
         return cls._joined(Rows(tile.cell, along), {tile.cell: tile})
 
-    def crossed(self) -> CondensedRows:
-        """Of such a tile along x if these are along y, and the other way about."""
-        (tile,) = self.blocks[-1][1].tiles
-        m, n = self.rows.along
-        return self.single(tile, (n, m))
-
     @classmethod
     def _joined(cls, rows: Rows, made: Mapping[TileShape, Superelement]) -> CondensedRows:
         def joined(one: Rows | Filler) -> Tiling:
@@ -109,6 +103,15 @@ class CondensedRows:
         places = tiling.joint.position[np.unique(tiling.joint.master)]
         away = np.abs(places @ self.rows.turn[0] - filler.line)
         return self._ordered(places[away < MEET * self.rows.cell.lattice.pitch])
+
+    @property
+    def setback(self) -> float:
+        """From that line to where the left face of the rows lies on average, m; 0 of a straight one."""
+        if not self.fillers:
+            return 0.0
+        across, along = self.rows.sides[..., 0], self.rows.sides[..., 1]
+        middle = (across.mean(axis=1) * np.abs(np.diff(along, axis=1)[:, 0])).sum() / self.rows.period
+        return float(middle - self.fillers[0][0].line)
 
     @property
     def harmonics(self) -> int:
@@ -175,8 +178,10 @@ class CondensedRows:
         return np.asarray(found.real + 1j * np.angle(np.exp(1j * found.imag)))
 
 
-def rows_need(rows: Rows, resolution: Resolution) -> tuple[int, float]:
+def rows_need(rows: Rows, resolution: Resolution, table: str = "layers") -> tuple[int, float]:
     """Unknowns on a face, with whose cube the time at each frequency grows, and memory, bytes.
+
+    table : of the study that asks for the rows
 
     Raises
     ------
@@ -187,7 +192,7 @@ def rows_need(rows: Rows, resolution: Resolution) -> tuple[int, float]:
     memory = PER_PAIR * rows.reach * size**2
     if memory > MOST_MEMORY:
         raise ResourceError.too_large(
-            argument="layers.along",
+            argument=f"{table}.along",
             given=f"{list(rows.along)}",
             allowed=f"rows for which {MOST_MEMORY / 1e9:g} GB are enough",
             cause=f"about {memory / 1e9:.2g} GB would be needed: such a row repeats only after "

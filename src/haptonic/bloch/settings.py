@@ -3,13 +3,12 @@
 from __future__ import annotations
 
 import math
-from typing import Annotated
+from typing import Annotated, Literal
 
 import numpy as np
 from numpy.typing import NDArray
 from pydantic import Field
 
-from haptonic.bloch.guide import Ends
 from haptonic.bloch.resolution import LADDER, LEAST_ORDER, Resolution, starting_rung
 from haptonic.cell.directed import Along, whole
 from haptonic.errors import StudyError
@@ -134,7 +133,22 @@ class WaveguideSettings:
     rows: Annotated[int, Field(ge=1, le=1000, strict=True)] | None = setting(
         None, "Of the strip; else several are compared.", title="Length in cells"
     )
-    ends: Ends = setting("free", "Of the strip: edges of the plate, or closed by the mirror as well.")
+    ends: Literal["free", "mirror"] = setting(
+        "free", "Of the strip: edges of the plate, or closed by the mirror as well."
+    )
+    along: Along = setting(
+        (0.0, 1.0),
+        "How many of the lattice's two translations the strip runs along; [0, 1] is along y in rectangles.",
+        title="Direction of the strip",
+    )
+
+    def __post_init__(self) -> None:
+        whole(self.along, "a row beside the strip")
+
+    @property
+    def direction(self) -> tuple[int, int]:
+        """Whole translations of the lattice, after which the rows beside the strip repeat."""
+        return whole(self.along, "a row beside the strip")
 
     @property
     def nodal_lines(self) -> tuple[int, int]:

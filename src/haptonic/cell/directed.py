@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from fractions import Fraction
 from functools import cached_property
 from typing import Annotated
 
@@ -14,6 +15,7 @@ from haptonic.fields import Quantity, problem
 from haptonic.lattice import SAME
 
 Translations = Annotated[float, Quantity("", at_least=-20, at_most=20)]
+MOST_CROSSING = 20  # translations, as many as a study may give
 Along = tuple[Translations, Translations]  # as a study gives it
 
 
@@ -40,6 +42,16 @@ class Directed:
         found = step - round(float(span @ period / (period @ period)) - SAME) * np.array(self.along)
         return int(found[0]), int(found[1])
 
+    @cached_property
+    def crossing(self) -> tuple[int, int] | None:
+        """How many translations lead at a right angle to the period; None where no few of them do."""
+        first, second = self.translations @ self.way  # m first + n second = 0 is asked of whole numbers
+        if abs(first) > abs(second):
+            m, n = _ratio(-second / first)
+        else:
+            n, m = _ratio(-first / second)
+        return (m, n) if abs(m * first + n * second) <= SAME * self.period**2 else None
+
     @property
     def way(self) -> Array:
         """(2,) m, after which the lattice repeats."""
@@ -65,6 +77,12 @@ class Directed:
         """(n, 2) phases (k.a1, k.a2) from those of the period (rad) and of the way across (n,)."""
         both = np.column_stack([np.full(len(across), along), across])
         return np.asarray(np.linalg.solve(np.array([self.along, self.across], dtype=float), both.T).T)
+
+
+def _ratio(share: float) -> tuple[int, int]:
+    """Numerator and denominator of a fraction of few parts near a number from -1 to 1."""
+    near = Fraction(float(share)).limit_denominator(MOST_CROSSING)
+    return near.numerator, near.denominator
 
 
 def check_along(along: tuple[int, int], table: str, what: str) -> None:

@@ -22,6 +22,7 @@ from haptonic.cell.sites import (
     check_tiles,
     placed_tiles,
     polygons,
+    shares_of,
     site_map,
     site_tile,
 )
@@ -97,7 +98,8 @@ class UnitCell(TileShape):
                 "put it into the tables of the sites, as [cell.site.pillar], or leave these out",
                 at="pillar",
             )
-        shares = check_shares(self.site, self.lattice.vectors, self.lattice.name)
+        check_shares(self.site, self.lattice.vectors, self.lattice.name)
+        shares = self.shares
         least = 2 * LEAST_CLEARANCE * self.lattice.pitch
         if (pair := apart(shares, self.lattice.vectors, least)) is not None:
             raise problem(
@@ -121,7 +123,7 @@ class UnitCell(TileShape):
         """(n, 2) places of the sites in shares of the translations, empty ones included."""
         if self.is_simple:
             return np.zeros((1, 2))
-        return check_shares(self.site, self.lattice.vectors, self.lattice.name)
+        return shares_of(self.site, self.lattice.vectors, self.lattice.name)
 
     @cached_property
     def pillars(self) -> tuple[Pillar | None, ...]:
@@ -131,6 +133,10 @@ class UnitCell(TileShape):
         named = len(SITES.get(self.lattice.name, ()))
         own = [one.pillar for one in self.site] or [self.pillar] * named
         return (*own, *[None] * (len(self.shares) - len(own)))
+
+    def pillar_path(self, number: int) -> str:
+        """Of the table in a study that gives the pillar of a site, counted from 0."""
+        return f"cell.site[{number + 1}].pillar" if self.site else "cell.pillar"
 
     @property
     def has_pillars(self) -> bool:
@@ -162,7 +168,7 @@ class UnitCell(TileShape):
     @cached_property
     def outlines(self) -> list[Array]:
         """(sides, 2) what lies nearer to each site than to any other, about the site, m."""
-        return polygons(self.shares, self.lattice.vectors)
+        return polygons(self.shares, self.lattice)
 
     def check_simple(self, what: str, instead: str = "") -> None:
         """Raise GeometryError unless there is one site, and translations along x and y; ``what`` needs it.
@@ -175,7 +181,7 @@ class UnitCell(TileShape):
                 given=f"{len(self.shares)} sites" if self.site else self.lattice.name,
                 allowed=f"a cell of one site in its middle for {what}",
                 cause=f"{what} knows cells with a single pillar only; those with several have bands, gaps, "
-                "mirrors, ribbons, sweeps, slopes, tolerances, outlines and solids",
+                "mirrors, guides, ribbons, sweeps, searches, tolerances, outlines and solids",
                 next_step=f'write lattice = "square" or "rectangular", and leave [[cell.site]] out{instead}',
             )
         self.lattice.check_rectangular(what, instead)

@@ -164,10 +164,27 @@ class Pillar:
         return min(ends)
 
     @property
+    def broadest(self) -> float:
+        """Largest half-width, the fillet not counted, m."""
+        return max(self.half_width(z, k) for k, (low, high, _) in enumerate(self.stages) for z in (low, high))
+
+    @property
     def widest(self) -> float:
         """Largest half-width, the fillet counted, m."""
-        ends = [self.half_width(z, k) for k, (low, high, _) in enumerate(self.stages) for z in (low, high)]
-        return max(*ends, self.arc.centre[0] if self.arc else 0.0)
+        return max(self.broadest, self.arc.centre[0] if self.arc else 0.0)
+
+    def gap_to(self, other: Pillar, away: Array) -> float:
+        """Width of the narrowest way between this pillar and others, all alike, m.
+
+        Their axes are ``away`` (n, 2) from its own. Fillets are not counted. Negative where two overlap.
+        """
+        # what touches is a point and a circle about a square, of which either may be but a point, too
+        widths = {"square": 0.0, "round": 0.0}
+        for one in (self, other):
+            widths[one.section] += one.broadest
+        beside = np.abs(away) - widths["square"]
+        apart = np.linalg.norm(np.maximum(beside, 0.0), axis=1) + np.minimum(beside.max(axis=1), 0.0)
+        return float(apart.min() - widths["round"])
 
     @property
     def is_prism(self) -> bool:

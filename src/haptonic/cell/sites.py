@@ -17,7 +17,7 @@ from haptonic.cell.pillar import Pillar
 from haptonic.cell.tile import HALF_TURNED, PlacedTile, SiteTile, TileShape
 from haptonic.errors import GeometryError
 from haptonic.fields import Quantity, described, problem, setting
-from haptonic.lattice import LEAST_SIDE, SAME, Operation, voronoi_cell
+from haptonic.lattice import LEAST_SIDE, SAME, Lattice, Operation
 from haptonic.materials import Material, is_symmetry
 
 SHARE = Quantity("", at_least=0.0, below=1.0)
@@ -110,8 +110,15 @@ def site_map(
     return None
 
 
-def check_shares(sites: Sequence[Site], vectors: Array, lattice: str) -> Array:
-    """(n, 2) shares of the translations, of every site with what stays empty between them.
+def shares_of(sites: Sequence[Site], vectors: Array, lattice: str) -> Array:
+    """(n, 2) shares of the translations, of every site with what stays empty between them."""
+    if lattice in SITES:
+        return np.array(SITES[lattice] + EMPTY.get(lattice, ()))
+    return np.array([one.shares(vectors) for one in sites])
+
+
+def check_shares(sites: Sequence[Site], vectors: Array, lattice: str) -> None:
+    """Refuse places that a study may give and no cell can have.
 
     Raises
     ------
@@ -138,8 +145,7 @@ def check_shares(sites: Sequence[Site], vectors: Array, lattice: str) -> Array:
                     'leave it out, or write lattice = "triangular" or "square"',
                     at=f"site[{number}].{'at' if one.at is not None else 'position'}",
                 )
-        return np.array(named + EMPTY.get(lattice, ()))
-    found: list[Array] = []
+        return
     for number, one in enumerate(sites, start=1):
         if (one.at is None) == (one.position is None):
             raise problem(
@@ -163,21 +169,25 @@ def check_shares(sites: Sequence[Site], vectors: Array, lattice: str) -> Array:
                 "take whole translations off it",
                 at=f"site[{number}].position",
             )
-        found.append(shares)
-    return np.array(found)
 
 
-def polygons(shares: Array, vectors: Array) -> list[Array]:
+def polygons(shares: Array, lattice: Lattice) -> list[Array]:
     """What lies nearer to each site (n, 2) of a lattice than to any other: corners (sides, 2) about it, m."""
-    pitch = float(np.linalg.norm(vectors, axis=1).max())
+    if len(shares) == 1:
+        return [lattice.corners]
+    vectors, pitch = lattice.vectors, float(np.linalg.norm(lattice.vectors, axis=1).max())
     steps = np.array(list(product(range(-2, 3), repeat=2)))
     made = []
-    for own in shares:
-        away = ((shares - own)[:, None] + steps).reshape(-1, 2) @ vectors
-        away = away[np.linalg.norm(away, axis=1) > SAME * pitch]
-        corners = voronoi_cell(vectors)[1]
-        for other in away[np.argsort(np.linalg.norm(away, axis=1))]:
-            corners = _cut(corners, other, SAME * pitch)
+    for number, own in enumerate(shares):
+        corners = lattice.corners  # nearer to the site than to its own images
+        away = ((np.delete(shares, number, axis=0) - own)[:, None] + steps).reshape(-1, 2) @ vectors
+        distance = np.linalg.norm(away, axis=1)
+        for nearest in np.argsort(distance):
+            if distance[nearest] > 2 * np.linalg.norm(corners, axis=1).max():
+                break  # it and all that follow are beyond the polygon
+            if distance[nearest] <= SAME * pitch:
+                continue  # two sites that are one, which a cell refuses
+            corners = _cut(corners, away[nearest], SAME * pitch)
         made.append(
             np.roll(corners, -int(np.lexsort((corners[:, 0], np.round(corners[:, 1], 12)))[0]), axis=0)
         )

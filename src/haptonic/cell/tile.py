@@ -30,6 +30,13 @@ def enclosed(loop: Array) -> float:
     return float(0.5 * (loop[:, 0] * following[:, 1] - loop[:, 1] * following[:, 0]).sum())
 
 
+def inradius(loop: Array) -> float:
+    """Distance from the origin to the nearest side of a polygon (sides, 2), anticlockwise about it."""
+    along = np.roll(loop, -1, axis=0) - loop
+    across = loop[:, 0] * along[:, 1] - loop[:, 1] * along[:, 0]
+    return float((across / np.linalg.norm(along, axis=1)).min())
+
+
 class TileShape:
     """What a mesh has to know of a piece of plate; the pillar's axis is the origin.
 
@@ -57,9 +64,7 @@ class TileShape:
     @cached_property
     def inradius(self) -> float:
         """Distance from the pillar's axis to the nearest side, m."""
-        along = np.roll(self.corners, -1, axis=0) - self.corners
-        across = self.corners[:, 0] * along[:, 1] - self.corners[:, 1] * along[:, 0]
-        return float((across / np.linalg.norm(along, axis=1)).min())
+        return inradius(self.corners)
 
     @cached_property
     def area(self) -> float:

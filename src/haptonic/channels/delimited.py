@@ -1,7 +1,8 @@
 """Text tables (CSV): a line of names, perhaps with units in brackets, and numbers below it.
 
-Columns are parted by commas, semicolons or tabs; below semicolons a decimal comma is read too. Lines that
-begin with "#" are comments; one that says "simulated", or a column ``origin`` that does, marks the file.
+Columns are parted by commas, semicolons or tabs; between the others a decimal comma is read too. Lines that
+begin with "#" are comments, and so is a title above the names; a comment that says "simulated", or a column
+``origin`` that does, marks the file.
 """
 
 from __future__ import annotations
@@ -39,14 +40,16 @@ def read(path: Path, notes: Notebook) -> dict[str, Group]:
     """
     text = text_of(path).replace("\r\n", "\n").replace("\r", "\n")
     lines = text.split("\n", HEAD)[:HEAD]
-    heads = next((line for line in lines if line.strip() and not line.startswith("#")), "")
     comments = " ".join(line.lower() for line in lines if line.startswith("#"))
-    separator = ";" if heads.count(";") > heads.count(",") else "\t" if "\t" in heads else ","
+    above, heads, separator = _names(lines)
+    text = "\n" * above + "\n".join(
+        [*lines[above:], *text.split("\n", HEAD)[HEAD:]]
+    )  # lines keep their numbers
     # spreadsheets write rows of empty cells below a table
     end = text.find("\n", len(text.rstrip(f"{separator} \t\r\n")))
     text = text if end < 0 else text[:end]
     uneven = _uneven_line(path, text, heads, separator)
-    decimal = "," if separator == ";" and re.search(r"[0-9],[0-9]", text) else "."
+    decimal = "," if separator != "," and re.search(r"[0-9],[0-9]", text) else "."
     try:
         # without index_col, a separator behind every row would put each column below the name of the next
         table = pd.read_csv(
@@ -57,7 +60,7 @@ def read(path: Path, notes: Notebook) -> dict[str, Group]:
         raise _no_table(path, "no columns") from error
     except ValueError as error:  # of which pandas' other errors are kinds
         raise _no_table(path, str(error)) from error
-    simulated = SIMULATED in comments or (ORIGIN in table and SIMULATED in set(table[ORIGIN].head(1)))
+    simulated = SIMULATED in comments or (ORIGIN in table and bool((table[ORIGIN] == SIMULATED).any()))
     properties: dict[str, Any] = {ORIGIN: SIMULATED} if simulated else {}
     if uneven is not None:
         properties[UNEVEN] = uneven
@@ -70,6 +73,26 @@ def read(path: Path, notes: Notebook) -> dict[str, Group]:
             values = table[head].to_numpy()
             channels[name] = Channel(name, values.shape, _from(values), unit=unit, streamed=False)
     return {"": Group("", channels, properties)}
+
+
+def heads(path: Path) -> list[str]:
+    """Names of the columns, with what stands in brackets behind them.
+
+    Raises
+    ------
+    ChannelError : bytes that no text has
+    OSError : there is no such file, or it may not be read
+    """
+    _, line, separator = _names(re.split(r"\r\n|\r|\n", text_of(path), maxsplit=HEAD)[:HEAD])
+    return [name.strip(' "') for name in line.split(separator)]
+
+
+def _names(lines: Sequence[str]) -> tuple[int, str, str]:
+    """How many lines stand above that of the names, this line, and what parts its columns."""
+    said = [(k, line) for k, line in enumerate(lines) if line.strip() and not line.startswith("#")]
+    # a title has no columns; where nothing has, there is one column
+    above, names = next((one for one in said if re.search(r"[;,\t]", one[1])), [*said, (0, "")][0])
+    return above, names, ";" if names.count(";") > names.count(",") else "\t" if "\t" in names else ","
 
 
 def _from(values: Samples) -> Any:

@@ -3,14 +3,18 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
+from itertools import product
 
 import numpy as np
 import scipy
 
 from haptonic.arrays import Array
 from haptonic.cell import UnitCell
+from haptonic.cell.geometry import LEAST_CLEARANCE
+from haptonic.cell.sites import MOST_POINTED
+from haptonic.cell.tile import inradius
 from haptonic.design.parameters import values_of
 from haptonic.design.settings import DesignLimits
 from haptonic.errors import StudyError
@@ -82,50 +86,51 @@ class Brief:
 
         Each is a share of a length of the design, so that their sizes compare.
         """
-        own = {**values_of(self.cell), **self.held}
-        own |= dict(zip(self.paths, self.values(share), strict=True))
+        own = {**self.held, **dict(zip(self.paths, self.values(share), strict=True))}
+        cell = with_numbers(self.cell, own, "cell.", checked=False)
         room: dict[str, float] = {}
         if self.allowed.finger_force is not None:
             assert isinstance(self.cell.material, IsotropicMaterial)
-            room["finger"] = own["cell.thickness"] / self.allowed.least_thickness(self.cell.material) - 1
-        if self.cell.pillar is not None:
-            room |= self._of_shape(own) | self._of_tools(own)
+            room["finger"] = cell.thickness / self.allowed.least_thickness(self.cell.material) - 1
+        tables = tables_of(cell)
+        if tables:
+            room |= _of_lattice(cell)
+        for path, numbers in tables.items():
+            found = self._of_pillar(cell, numbers)
+            of = f" of {path.removesuffix('.pillar')}" if len(tables) > 1 else ""
+            room |= {f"{name}{of}": value for name, value in found.items()}
         return room
 
-    def _of_shape(self, own: Mapping[str, float]) -> dict[str, float]:
-        """What makes a body of the pillar, and keeps it on its cell."""
-        cell = with_numbers(self.cell, own, "cell.", checked=False)
-        lattice, pillar = cell.lattice, cell.pillar
+    def _of_pillar(self, cell: UnitCell, numbers: Sequence[int]) -> dict[str, float]:
+        """What makes a body of the pillar on some sites, keeps it on their tiles, and can be cut."""
+        pillar, lattice = cell.pillars[numbers[0]], cell.lattice
         assert pillar is not None
-        pitch = 2 * lattice.inradius  # from side to side where the cell is narrowest
-        below, top = 2 * pillar.half_width(pillar.stages[0][1], 0), 2 * pillar.half_width(pillar.height, -1)
-        at_foot = 2 * pillar.arc.centre[0] if pillar.arc is not None else pillar.diameter
-        upper = 2 * pillar.stages[-1][2]
-        least = max(LEAST_GAP * lattice.pitch, self.allowed.tool or 0.0) / pitch
+        # from side to side of its tile where that is narrowest
+        pitch = 2 * min(inradius(cell.outlines[number]) for number in numbers)
+        ways = [1 - 2 * pillar.broadest / pitch - LEAST_GAP * lattice.pitch / pitch]
+        if self.allowed.tool is not None:
+            ways += [(way - self.allowed.tool) / pitch for way in _ways(cell, numbers)]
+        foot = pillar.arc.centre[0] if pillar.arc is not None else pillar.radius
+        top, upper = 2 * pillar.half_width(pillar.height, -1), 2 * pillar.stages[-1][2]
         room = {
-            "gap between pillars": 1 - max(pillar.diameter, below, top) / pitch - least,
-            "fillet": 1 - at_foot / pitch - LEAST_GAP * lattice.pitch / pitch,
+            "gap between pillars": min(ways),
+            "fillet": 1 - 2 * foot / pitch - LEAST_GAP * lattice.pitch / pitch,
             "tip": min(upper, top) / pillar.diameter - LEAST_TIP,
         }
-        if math.isfinite(lattice.shortest_side):
-            room["side of the cell"] = lattice.shortest_side - LEAST_SIDE
         if pillar.arc is not None:
             room["height of the fillet"] = (
                 0.75 - pillar.fillet * (1 - math.sin(pillar.draft)) / pillar.stages[0][1]
             )
+        thinnest = pillar.diameter
         if pillar.step is not None:
+            below = 2 * pillar.half_width(pillar.step.height, 0)
             room["step's height"] = 0.95 - pillar.step.height / pillar.height
             room["step's width"] = (0.93 * below - upper) / pillar.diameter
-        return room
-
-    def _of_tools(self, own: Mapping[str, float]) -> dict[str, float]:
-        """What the workshop can cut."""
-        height, room = own["cell.pillar.height"], {}
-        thinnest = min(own["cell.pillar.diameter"], own.get("cell.pillar.step.diameter", np.inf))
+            thinnest = min(thinnest, pillar.step.diameter)
         if self.allowed.slenderness is not None:
-            room["slenderness"] = 1 - height / (self.allowed.slenderness * thinnest)
+            room["slenderness"] = 1 - pillar.height / (self.allowed.slenderness * thinnest)
         if self.allowed.reach is not None:
-            room["reach of the tool"] = 1 - height / self.allowed.reach
+            room["reach of the tool"] = 1 - pillar.height / self.allowed.reach
         return room
 
     def allows(self, share: Array) -> bool:
@@ -168,3 +173,42 @@ class Brief:
             ],
         )
         return np.asarray(np.clip(result.x[:count], 0.0, 1.0))
+
+
+def tables_of(cell: UnitCell) -> dict[str, list[int]]:
+    """Numbers, from 0, of the sites whose pillar a table of the study gives, by the table's path."""
+    found: dict[str, list[int]] = {}
+    for number, pillar in enumerate(cell.pillars):
+        if pillar is not None:
+            found.setdefault(cell.pillar_path(number), []).append(number)
+    return found
+
+
+def _of_lattice(cell: UnitCell) -> dict[str, float]:
+    """What keeps the tiles of the sites such that they can be meshed."""
+    room = {}
+    if math.isfinite(cell.lattice.shortest_side):
+        room["side of the cell"] = cell.lattice.shortest_side - LEAST_SIDE
+    if len(cell.outlines) > 1:
+        within = np.array([inradius(one) for one in cell.outlines])
+        sides = [np.linalg.norm(one - np.roll(one, 1, axis=0), axis=1).min() for one in cell.outlines]
+        corners = [np.linalg.norm(one, axis=1).max() for one in cell.outlines]
+        room["side of a tile"] = float((sides / within).min() - LEAST_SIDE)
+        room["corner of a tile"] = float(1 - (corners / within).max() / MOST_POINTED)
+        room["distance of the sites"] = float(within.min() / cell.lattice.pitch - LEAST_CLEARANCE)
+    placed = [one.shares(cell.vectors) for one in cell.site if one.position is not None]
+    # shares of exactly nothing stay so
+    beside = [share for one in placed if one is not None for share in one if share]
+    if beside:
+        room["sites within the cell"] = float(min(min(share, 1 - share) for share in beside))
+    return room
+
+
+def _ways(cell: UnitCell, numbers: Sequence[int]) -> Iterator[float]:
+    """Widths of the ways between the pillars of some sites and their neighbours, m."""
+    steps = np.array(list(product((-1, 0, 1), repeat=2)))
+    for number, (beside, other) in product(numbers, enumerate(cell.pillars)):
+        pillar = cell.pillars[number]
+        if pillar is not None and other is not None:
+            away = (cell.shares[beside] - cell.shares[number] + steps) @ cell.vectors
+            yield pillar.gap_to(other, away[away.any(axis=1)])

@@ -16,8 +16,13 @@ UNITS = ByPattern({
 })  # fmt: skip
 """Every number of a cell that its bands depend on, and its SI unit; the material's come last."""
 
-FILLET = "cell.pillar.fillet"
-"""Its radius may vary, but not to zero: a sharp edge needs another mesh."""
+PILLAR = ".pillar."
+HEIGHT = ".pillar.height"
+FILLET = ".pillar.fillet"
+"""In paths of the numbers of a pillar, be it of all sites or of one.
+
+A fillet's radius may vary, but not to zero: a sharp edge needs another mesh.
+"""
 
 
 @described("")
@@ -41,10 +46,9 @@ def values_of(cell: UnitCell) -> dict[str, float]:
     A sharp edge cannot be varied into a fillet; nor can an absent step.
     """
     found = cell.numbers()
-    sharp = {"cell.": cell.pillar} | {f"cell.site[{n}].": one.pillar for n, one in enumerate(cell.site, 1)}
-    for place, pillar in sharp.items():
+    for number, pillar in enumerate(cell.pillars):
         if pillar is not None and not pillar.fillet:
-            del found[f"{place}pillar.fillet"]
+            found.pop(f"{cell.pillar_path(number)}.fillet", None)
     order = list(UNITS)
     known = [path for path in found if path in UNITS]
     return {path: found[path] for path in sorted(known, key=lambda path: order.index(pattern_of(path)))}

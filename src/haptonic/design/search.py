@@ -20,9 +20,9 @@ import scipy
 
 from haptonic.arrays import Array
 from haptonic.design.brief import Brief
+from haptonic.design.parameters import HEIGHT
 from haptonic.design.quick import CRITICAL, QuickDesign, Side, edges_of
 
-HEIGHT = "cell.pillar.height"
 COLUMN = 6  # heights of a foot that are looked at: each costs a third of a new foot
 LINES = 64  # heights from which those are chosen
 BETWEEN = 12  # heights for which edges are interpolated between two that were looked at
@@ -68,7 +68,7 @@ def promise(lower: Array, upper: Array, pull: float) -> Array:
 
 @dataclass(frozen=True)
 class HeightRow:
-    """Edges of designs that differ in the pillar's height only, or of a single design.
+    """Edges of designs that differ in the pillars' heights only, or of a single design.
 
     shares : (designs, parameters); edges : (designs, 2, bands - 1) Hz, as of `edges_of`
     """
@@ -118,11 +118,11 @@ def spread(brief: Brief, count: int, own: Array | None = None) -> list[Array]:
     own = brief.feasible(brief.share(brief.cell)) if own is None else own
     if count == 1 or not brief.paths:
         return [own[None]]
-    if brief.paths == (HEIGHT,):
+    if len(brief.paths) == 1 and _heights(brief):
         return [_column(brief, own, count)]
     found = [_column(brief, own, min(COLUMN, count - 1))]
     left = max(count - len(found[0]), 0)
-    for share in _drawn(brief, -(-left // (COLUMN if HEIGHT in brief.paths else 1))):
+    for share in _drawn(brief, -(-left // (COLUMN if _heights(brief) else 1))):
         column = _column(brief, share, min(left, COLUMN), own=False)
         found.append(column)
         left -= len(column)
@@ -141,24 +141,35 @@ def _drawn(brief: Brief, count: int) -> Iterator[Array]:
     yield from filter(brief.allows, map(brief.feasible, tried[: count - found]))
 
 
+def _heights(brief: Brief) -> list[int]:
+    """Which of the parameters are heights of pillars."""
+    return [row for row, path in enumerate(brief.paths) if path.endswith(HEIGHT)]
+
+
 def _allowed(brief: Brief, share: Array) -> list[Array]:
-    """The place itself, or all allowed heights upon the same foot, lowest first; nothing if none is."""
-    if HEIGHT not in brief.paths:
+    """The place itself, or all allowed heights upon the same feet, lowest first; nothing if none is.
+
+    Heights of several pillars grow in proportion.
+    """
+    rows = _heights(brief)
+    if not rows:
         return [share] if brief.allows(share) else []
-    low, high = brief.bounds[HEIGHT]
-    lines = np.repeat(share[None], LINES, axis=0)
-    lines[:, brief.paths.index(HEIGHT)] = (np.geomspace(low, high, LINES) - low) / (high - low)
-    return [line for line in lines if brief.allows(line)]
+    (low, high), own = brief.box[rows].T, np.array(brief.values(share))[rows]
+    lines, factors = (
+        np.repeat(share[None], LINES, axis=0),
+        np.geomspace(max(low / own), min(high / own), LINES),
+    )
+    lines[:, rows] = (factors[:, None] * own - low) / (high - low)
+    return [line for line in np.clip(lines, 0.0, 1.0) if brief.allows(line)]
 
 
 def _column(brief: Brief, share: Array, count: int, *, own: bool = True) -> Array:
-    """Some allowed designs with the foot of one place, that place itself among them if it is asked for."""
-    allowed = _allowed(brief, share)
-    if HEIGHT not in brief.paths or not allowed:
+    """Some allowed designs with the feet of one place, that place itself among them if it is asked for."""
+    allowed, rows = _allowed(brief, share), _heights(brief)
+    if not rows or not allowed:
         return share[None]
-    row = brief.paths.index(HEIGHT)
     found = [allowed[i] for i in sorted(set(np.linspace(0, len(allowed) - 1, count).round().astype(int)))]
-    return np.array(sorted(found + [share] * own, key=lambda place: float(place[row])))
+    return np.array(sorted(found + [share] * own, key=lambda place: float(place[rows[0]])))
 
 
 def starts_of(columns: Sequence[HeightRow], carrier: float) -> list[Visited]:

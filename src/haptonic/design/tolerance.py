@@ -22,9 +22,8 @@ from pydantic import Field
 
 from haptonic.arrays import Array
 from haptonic.cell import UnitCell
-from haptonic.design.parameters import OfCell, values_of
+from haptonic.design.parameters import PILLAR, OfCell, values_of
 from haptonic.fields import Quantity, described, needed, once, problem, setting
-from haptonic.fields.keys import pattern_of
 from haptonic.units import format_quantity
 
 CUT = 3.0  # standard deviations at which normal spreads are cut off
@@ -56,9 +55,7 @@ class Spread(OfCell):
                 "give a positive one, or leave it out",
                 at="spread",
             )
-        if self.per == "pillar" and not pattern_of(self.parameter).startswith(
-            ("cell.pillar.", "cell.site[].pillar.")
-        ):
+        if self.per == "pillar" and PILLAR not in self.parameter:
             raise problem(
                 "conflict",
                 self.parameter,

@@ -28,11 +28,17 @@ def drives_of(plate: Plate) -> list[Actuator | Force]:
     return [*plate.actuators, *plate.forces]
 
 
+def driven_regions(plate: Plate) -> tuple[str, ...]:
+    """Regions of plain plate that carry an actuator or a force with an amplitude, actuators first."""
+    layout, drives = plate.layout, drives_of(plate)
+    moving = [drive for drive in drives if drive.amplitude] or drives
+    names = [layout.at(layout.under((*one.centre, *one.centre))[0]) for one in moving]
+    return tuple(dict.fromkeys(name for name in names if name is not None and name not in layout.cells))
+
+
 def driven_region(plate: Plate) -> str | None:
-    """The region of plain plate that carries the first actuator, or else the first force."""
-    layout = plate.layout
-    names = [layout.at(layout.under((*first.centre, *first.centre))[0]) for first in drives_of(plate)]
-    return next((name for name in names if name is not None and name not in layout.cells), None)
+    """The first of them: that of the actuator, or else force, to which a response refers."""
+    return next(iter(driven_regions(plate)), None)
 
 
 def reference_of(plate: Plate) -> tuple[Reference, float]:

@@ -21,7 +21,11 @@ from haptonic.plots.spectra import LOOKS
 from haptonic.plots.stage import stage
 from haptonic.plots.text import label
 
-PANELS = {"low": "least, within the band", "value": "prediction", "high": "most, within the band"}
+PANELS = {
+    "low": "least friction that is plausible",
+    "value": "prediction",
+    "high": "most friction that is plausible",
+}
 
 
 @style.drawn

@@ -23,12 +23,13 @@ MOST_DECIMALS = 6
 def khz(frequency: float, error: float) -> str:
     """``52.51 ± 0.05``: kHz, from a frequency and the bound of its error in Hz.
 
-    The bound is rounded up to one digit, the value to the same decimals.
+    The bound is rounded up to one digit, to two where the first is a 1; the value has the same decimals.
     """
     bound = error / 1e3
     if not (math.isfinite(bound) and bound > 0):
         return f"{frequency / 1e3:.3f}"
     power = math.floor(math.log10(bound) + 1e-9)
+    power -= bound < 2 * 10.0**power  # of 1.02, one digit would make twice as much
     digit = math.ceil(bound / 10.0**power - 1e-9)
     if digit == 10:
         digit, power = 1, power + 1

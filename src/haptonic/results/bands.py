@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -22,6 +22,7 @@ from haptonic.results.plain import plain
 from haptonic.results.result import Result, figure, file
 from haptonic.results.table import Column, Table, Uncertain
 from haptonic.store import Store
+from haptonic.units import format_quantity
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -61,14 +62,38 @@ class Bands(Result):
             for gap in complete
         ]
         said += [] if complete else ["There is no complete gap among the bands that were computed."]
-        drawn = f"Mode shapes are those at {self.dataset.attrs['modes_at']}."
-        return [*said, counted(**self._counts), drawn]
+        return [*said, *self._about_carrier(complete), counted(**self._counts)]
+
+    def _about_carrier(self, complete: Sequence[Gap]) -> list[str]:
+        carrier = self.dataset.attrs.get("carrier_hz")
+        if carrier is None or not complete:
+            return []
+        ends = [
+            min(
+                (carrier - gap.lower, "lower", gap.lower_error, gap.width),
+                (gap.upper - carrier, "upper", gap.upper_error, gap.width),
+            )
+            for gap in complete
+        ]
+        room, edge, error, width = max(
+            ends
+        )  # of the gap that holds it, else of the nearest one, and negative
+        name, away = f"The carrier, {format_quantity(carrier, 'Hz')},", f"{abs(room) / 1e3:.2g} kHz"
+        if room <= 0:
+            said = f"{name} lies in no complete gap, {away} from the nearest edge"
+            return [f"{said}: at this frequency the lattice lets waves through."]
+        said = f"{name} lies inside the gap, {away} ({room / carrier:.1%}) from its {edge} edge"
+        if room <= error:
+            return [f"{said}, which is within the error of that edge."]
+        if room < 0.1 * width:
+            said += ": close enough for a tolerance of the sizes or of the material to move the edge past it"
+        return [f"{said}."]
 
     def tables(self) -> list[Table]:
         gaps = self.gaps
         columns = (
             "bands", "where", Column("lower", "Hz", "kHz", ".3f"), Column("upper", "Hz", "kHz", ".3f"),
-            Column("width", "Hz", "kHz", ".2f"), Column("samples"),
+            Column("width", "Hz", "kHz", ".2f"),
         )  # fmt: skip
         rows = [
             (
@@ -79,7 +104,6 @@ class Bands(Result):
                 Uncertain(
                     gap.width, gap.lower_error + gap.upper_error, "" if gap.certain else " (uncertain)"
                 ),
-                gap.samples,
             )
             for gap in gaps
         ]

@@ -14,9 +14,9 @@ from haptonic.bloch import Gap
 from haptonic.bloch.evanescent import bloch_waves
 from haptonic.bloch.gaps import need_gap_at
 from haptonic.bloch.guide import Guide, GuidedMode, Wall, along_strip, strip_mode
-from haptonic.bloch.layers import Interface
+from haptonic.bloch.layers import Interface, plain_plate
+from haptonic.bloch.mirrors import condensed_rows
 from haptonic.bloch.model import bloch_model
-from haptonic.bloch.plate_waves import PlainPlate
 from haptonic.bloch.rows import CondensedRows
 from haptonic.bloch.settings import BandSettings, WaveguideSettings
 from haptonic.cell import UnitCell
@@ -141,19 +141,21 @@ def compute_guides(
     StudyError : no complete gap around the carrier, or no such waveguide
     """
     gap = need_gap_at(runner.gaps(cell, settings), carrier)
-    (tile,) = bloch_model(cell, settings).fine.tiling.tiles
-    lattice = CondensedRows.single(tile)
+    resolution = bloch_model(cell, settings).resolution
+    lattice = condensed_rows(cell, resolution, waveguide.direction)
+    closed_by = None
+    if waveguide.ends == "mirror":
+        closed_by = condensed_rows(cell, resolution, _crossing(lattice))
     across, along = waveguide.nodal_lines
-    period = float(np.linalg.norm(cell.lattice.vectors[1]))
-    plate = PlainPlate.of(cell, lattice.levels)
-    wavenumber = plate.wavenumber(2 * np.pi * carrier, 0.0, "A0")
+    period = lattice.rows.period
+    wavenumber = plain_plate(lattice).wavenumber(2 * np.pi * carrier, 0.0, "A0")
     assert wavenumber is not None
     shortest = max(1, int((along + 0.5) * np.pi / (wavenumber * period)))
     lengths = [waveguide.rows] if waveguide.rows else range(shortest, shortest + MOST_LENGTHS + 1)
     strips, refusal = [], None
     for count in lengths:
         try:
-            strips.append(_strip(lattice, gap, carrier, waveguide, count, period))
+            strips.append(_strip(lattice, gap, carrier, waveguide, count, closed_by))
         except StudyError as error:
             refusal = error
     if not strips:
@@ -164,6 +166,20 @@ def compute_guides(
         mesh=json.dumps(asdict(lattice.plan)),
     )  # fmt: skip
     return Guides(carrier, gap, across, along, waveguide.ends, tuple(strips), stamped(dataset, inputs))
+
+
+def _crossing(lattice: CondensedRows) -> tuple[int, int]:
+    """The direction of the rows that close a strip; raises StudyError where there are none."""
+    found = lattice.rows.crossing
+    if found is None:
+        raise StudyError.unsupported(
+            argument="waveguide.ends",
+            given="mirror",
+            allowed="a lattice that has rows at right angles to the strip, or free ends",
+            cause=f"no few translations lead at a right angle to {list(lattice.rows.along)}",
+            next_step='write ends = "free", or another direction along',
+        )
+    return found
 
 
 def _dataset(strips: Sequence[Strip]) -> xr.Dataset:
@@ -189,19 +205,19 @@ def _strip(
     carrier: float,
     waveguide: WaveguideSettings,
     rows: int,
-    period: float,
+    closed_by: CondensedRows | None,
 ) -> Strip:
-    omega, length = 2 * np.pi * carrier, rows * period
-    (across, along), width, ends = waveguide.nodal_lines, waveguide.width, waveguide.ends
+    omega, length = 2 * np.pi * carrier, rows * lattice.rows.period
+    (across, along), width = waveguide.nodal_lines, waveguide.width
     if width is None:
-        wavenumber = along_strip(lattice, omega, length, along, ends)
+        wavenumber = along_strip(omega, length, along, closed_by)
         found = Guide.of(lattice, wavenumber).mode_at(omega, across)
     else:
         inside = INSET * (gap.upper - gap.lower)
         between = 2 * np.pi * (gap.lower + inside), 2 * np.pi * (gap.upper - inside)
         found = strip_mode(
             lattice, width=width, length=length, intervals=along, nodal_lines=across, between=between,
-            ends=ends,
+            closed_by=closed_by,
         )  # fmt: skip
     interface = Interface.of(lattice, found.wavenumber)
     wall = Wall.of(interface, found.omega)

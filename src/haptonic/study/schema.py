@@ -165,7 +165,7 @@ class Description:
                         format_quantity(value, one.unit), f"{path} has to be {quantity.limits}",
                         "designs there would not be possible", "choose a narrower range", at=f"{at}.{name}",
                     )  # fmt: skip
-            if path == FILLET and one.low == 0:
+            if path.endswith(FILLET) and one.low == 0:
                 raise problem(
                     "out-of-range",
                     "0 m", "more than zero", "a sharp edge needs another mesh than any fillet",

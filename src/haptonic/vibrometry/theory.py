@@ -51,7 +51,7 @@ def computed_waves(
     widths = sorted({(one.width, one.along) for one in guides if mirror and one.lattice == mirror.name})
     resolution = bloch_model(cell, settings).resolution
     along_y = condensed_rows(cell, resolution)
-    rows = {"y": along_y, "x": along_y.crossed()} if mirror else {}
+    rows = {"y": along_y, "x": condensed_rows(cell, resolution, (1, 0))} if mirror else {}
     plain = PlainPlate.of(cell, along_y.levels)
     low = max(span[0], 1e-3 * span[1])
     frequency = np.linspace(low, span[1], PLAIN)

@@ -59,7 +59,8 @@ def run(template: First = None, file: Second = None, overwrite: Over = False, js
         text = adapted(known[name], path)
         write_atomically(path, lambda draft: draft.write_text(text, "utf-8"))
         first = commands(text)[0]
-        voice.tell(f"written: {path}, from the template {name}. Next: {first}")
+        voice.tell(f"written: {path}, from the template {name}. Next:")
+        voice.tell(f"  {first}")  # a line of its own, to be copied
         voice.answer({"file": str(path), "template": name, "next": commands(text)})
 
 

@@ -13,12 +13,12 @@ from haptonic.report.chapter import Absent, Chapter, Finding, Results
 
 def chapter(results: Results) -> Chapter | Absent:
     """Dispersion along the edge of the irreducible zone, and what the whole zone adds."""
-    bands, carrier = results.parts["bands"], results.study.carrier
+    bands = results.parts["bands"]
     complete = [gap for gap in gaps_of(results.bands) if gap.complete]
     told = "; ".join(f"complete gap {gap_text(gap)}" for gap in complete) or "no complete gap"
     second = "the band below the widest complete gap" if complete else "the second band"
     empty = f"; it is zero in the complete gap from {gap_text(complete[0])}" if complete else ""
-    *gaps, counted, _ = bands.summary()
+    *said, counted = bands.summary()
     drawn = partial(Finding, picture="dispersion")
     words = {
         "dispersion": f"Band diagram: {results.bands.sizes['band']} bands along "
@@ -33,10 +33,9 @@ def chapter(results: Results) -> Chapter | Absent:
             "The bands are those of one unit cell with Floquet-Bloch phases on its sides. A gap is called "
             "complete only after the whole irreducible zone was sampled, more finely near the gap's edges; "
             "the other gaps hold for the wavevectors of one segment only.",
-            "A bound after ± holds the error of the mesh, of the reduced model and of the sampling. Samples "
-            "are the wavevectors that a gap rests on.",
+            "A bound after ± holds the error of the mesh, of the reduced model and of the sampling.",
         ),
-        findings=(*map(drawn, gaps), counted, *map(drawn, _about_carrier(complete, carrier))),
+        findings=(*map(drawn, said), counted),
         pictures=results.pictures(bands, words),
         tables=tuple(bands.tables()),
     )
@@ -50,23 +49,3 @@ def along(data: xr.Dataset) -> list[str]:
 def gap_text(gap: Gap) -> str:
     """``52.51 ± 0.05 to 60.21 ± 0.06 kHz``."""
     return f"{khz(gap.lower, gap.lower_error)} to {khz(gap.upper, gap.upper_error)} kHz"
-
-
-def _about_carrier(complete: list[Gap], carrier: float | None) -> list[str]:
-    if carrier is None or not complete:
-        return []
-    name = f"The carrier, {carrier / 1e3:g} kHz,"
-    holding = [gap for gap in complete if gap.lower < carrier < gap.upper]
-    if not holding:
-        return [f"{name} lies in no complete gap: at this frequency the lattice lets waves through."]
-    gap = holding[0]
-    below, above = carrier - gap.lower, gap.upper - carrier
-    edge, room, error = (
-        ("lower", below, gap.lower_error) if below < above else ("upper", above, gap.upper_error)
-    )
-    said = f"{name} lies inside the gap, {room / 1e3:.2g} kHz ({room / carrier:.1%}) from its {edge} edge"
-    if room <= error:
-        return [f"{said}, which is within the error of that edge."]
-    if room < 0.1 * gap.width:
-        said += ": close enough for a tolerance of the sizes or of the material to move the edge past it"
-    return [f"{said}."]

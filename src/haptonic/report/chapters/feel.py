@@ -44,7 +44,7 @@ def chapter(results: Results) -> Chapter | Absent:
 def _findings(result: Feel) -> list[str]:
     said: list[str] = [
         Finding(
-            f"{name}{' (driven)' if name == result.driven else ''}: "
+            f"{name}{' (driven)' if name in result.driven else ''}: "
             f"{change(felt.value, felt.low, felt.high)}; {_noticed(result, name)}.",
             "reduction",
         )
@@ -91,10 +91,10 @@ def _inversion(results: Results, result: Feel) -> list[str]:
 def _published(results: Results, result: Feel) -> tuple[Table, ...]:
     """Reductions beside those that were measured."""
     known = results.references.friction if results.references else {}
-    if result.driven is None or not {"driven", "idle"} <= known.keys():
+    if not result.driven or not {"driven", "idle"} <= known.keys():
         return ()
     rows = [
-        (name, str(one), _percent(known["driven" if name == result.driven else "idle"]))
+        (name, str(one), _percent(known["driven" if name in result.driven else "idle"]))
         for name, one in result.reductions().items()
     ]
     head = ("region", "predicted, with its interval", "measured")

@@ -103,7 +103,13 @@ def _gaps(plate: PlateResult, scan: ScanResult) -> Table:
         )
     if scan.lattice:
         edges = (scan.lattice.lower, scan.lattice.upper)
-        rows.append(("lattice, simulated scan", *(str(edge or "not determined") for edge in edges)))
+        other = plate.gap is not None and scan.lattice.beside(plate.gap.lower, plate.gap.upper)
+        rows.append(
+            (
+                "lattice, simulated scan" + ": another range, of some waves perhaps" * other,
+                *(str(edge or "not determined") for edge in edges),
+            )
+        )
     try:
         rows.append(("high contrast, computed plate", *_edges(contrast_range(plate.response, plate.plate))))
     except HaptonicError as error:

@@ -41,6 +41,7 @@ class BandSet:
     labels : of the corners; length : of the path, rad/m
     gaps : complete ones, known of ours
     inputs : plain values of the study, of ours; ours : whether haptonic computed it
+    left : columns of a table that hold no frequencies, as it calls them
     """
 
     name: str
@@ -50,6 +51,7 @@ class BandSet:
     gaps: tuple[Gap, ...]
     inputs: Mapping[str, Any]
     ours: bool = True
+    left: tuple[str, ...] = ()
 
     def at(self, position: Array) -> Array:
         """(position, band) Hz, linear between the wavevectors; NaN beyond them."""
@@ -129,7 +131,7 @@ def of_table(
     numbers = read_numbers(path)
     said = numbers.units[0].replace(" ", "")
     unit = wavevector or (said if said in WAVEVECTORS else "")
-    axis, columns = _axis(path, numbers)
+    axis, first = _axis(path, numbers)
     if unit not in WAVEVECTORS:
         raise ChannelError.missing(
             argument="--wavevector",
@@ -141,7 +143,8 @@ def of_table(
             "count its corners from 0",
         )
     position = _position(path, axis, unit, corners)
-    values = numbers.values[:, columns] * _in_hertz(path, numbers, columns, frequency_unit)
+    in_hertz = _in_hertz(path, numbers, first, frequency_unit)
+    values = numbers.values[:, list(in_hertz)] * list(in_hertz.values())
     rows = [np.sort(values[axis == one].ravel()) for one in np.unique(axis)]
     frequency = np.full((len(rows), max(map(len, rows))), np.nan)
     for row, found in zip(frequency, rows, strict=True):
@@ -154,11 +157,12 @@ def of_table(
         (),
         {},
         ours=False,
+        left=tuple(name for k, name in enumerate(numbers.names[first:], first) if k not in in_hertz),
     )
 
 
-def _axis(path: Path, numbers: Numbers) -> tuple[Array, slice]:
-    """The wavevector of every row, and which columns hold frequencies; of k_x and k_y, the way along them."""
+def _axis(path: Path, numbers: Numbers) -> tuple[Array, int]:
+    """The wavevector of every row, and the first column behind it; of k_x and k_y, the way along them."""
     two = len(numbers.names) > 2 and numbers.names[1].lower().replace("_", "") == "ky"
     axis = numbers.values[:, 0]
     if two:
@@ -174,7 +178,7 @@ def _axis(path: Path, numbers: Numbers) -> tuple[Array, slice]:
             cause="it is not the wavevector, or the rows are sorted by something else",
             next_step="export the wavevector first, and sort the rows by it",
         )
-    return axis, slice(2 if two else 1, None)
+    return axis, 2 if two else 1
 
 
 def _likely(axis: Array, corners: Array) -> str:
@@ -200,15 +204,22 @@ def _position(path: Path, axis: Array, unit: str, corners: Array) -> Array:
     return np.asarray(np.interp(axis / end * corners[-1], corners, np.arange(last + 1.0)))
 
 
-def _in_hertz(path: Path, numbers: Numbers, columns: slice, given: str | None) -> float:
-    units = {unit for unit in numbers.units[columns] if unit}
-    unit = given or (units.pop() if len(units) == 1 else "")
-    if not unit:
+def _in_hertz(path: Path, numbers: Numbers, first: int, given: str | None) -> dict[int, float]:
+    """One of each column of frequencies in Hz, by its number.
+
+    Where units tell frequencies from others, such as the damping ratios and angular frequencies beside them,
+    only these are taken.
+    """
+    units = dict(enumerate(numbers.units[first:], first))
+    named = {unit for unit in units.values() if unit.lower().endswith("hz")}
+    taken = {k: unit for k, unit in units.items() if unit in named or not unit} if named else units
+    usual = given or (named.pop() if len(named) == 1 else "")
+    if not usual and not all(unit in named for unit in taken.values()):
         raise ChannelError.missing(
             argument="--frequency-unit",
-            given=", ".join(sorted(units)) or "nothing",
+            given=", ".join(sorted(filter(None, set(taken.values())))) or "nothing",
             allowed="Hz, kHz, MHz, ...",
-            cause=f"the columns of {path.name} have no unit, or several",
+            cause=f"columns of {path.name} have no unit, or none of a frequency",
             next_step="say it: --frequency-unit kHz",
         )
-    return to_si(f"1 {unit}", "Hz", "--frequency-unit")
+    return {k: to_si(f"1 {given or unit or usual}", "Hz", "--frequency-unit") for k, unit in taken.items()}

@@ -83,12 +83,10 @@ class Comparison(Result):
         ]
         moved = [row for row in self._gap_rows() if None not in row[1:5]]
         if moved:
-            bands, low, _, new, _ = max(moved, key=lambda row: float(row[2]) - float(row[1]))  # type: ignore[arg-type]
-            shift = float(new) - float(low)  # type: ignore[arg-type]
-            word = "higher" if shift > 0 else "lower"
-            said.append(
-                f"The lower edge of the gap between bands {bands} lies {abs(shift) / 1e3:.3g} kHz {word}."
-            )
+            bands, low, high, *new = max(moved, key=lambda row: float(row[2]) - float(row[1]))  # type: ignore[arg-type]
+            shifts = [float(to) - float(was) for was, to in zip((low, high), new, strict=True)]  # type: ignore[arg-type]
+            first, last = (f"{abs(one) / 1e3:.3g} kHz {'higher' if one > 0 else 'lower'}" for one in shifts)
+            said.append(f"The gap between bands {bands} begins {first} and ends {last}.")
         changed = list(self._changed())
         if 0 < len(changed) <= FEW:
             said.append(
@@ -168,6 +166,10 @@ class Comparison(Result):
             said.append(
                 f"band {far[0]} and others are more than {OTHER_BAND:.0%} apart: a band may be missing "
                 "in one of the two, or a unit or a size may differ"
+            )
+        if self.second.left:
+            said.append(
+                f"{self.second.name} also has {', '.join(self.second.left)}: no frequencies, left out"
             )
         if len(self.first.position) < len(self.second.position):
             said.append(

@@ -9,6 +9,7 @@ from dataclasses import asdict
 import numpy as np
 
 from haptonic.design.brief import Brief
+from haptonic.design.parameters import PILLAR, UNITS
 from haptonic.design.quick import QUICK
 from haptonic.gate import declared
 from haptonic.jobs import Task
@@ -28,7 +29,7 @@ def compute_front(
     briefs = {pitch: brief.fixed("cell.pitch", pitch) for pitch in pitches}
     for pitch, held in briefs.items():
         scale = pitch / best["cell.pitch"]
-        scaled = np.array([best[p] * (scale if p.startswith("cell.pillar") else 1.0) for p in held.paths])
+        scaled = np.array([best[p] * (scale if PILLAR in p and UNITS[p] == "m" else 1.0) for p in held.paths])
         low, high = held.box.T
         share = held.feasible(np.clip((scaled - low) / (high - low), 0.0, 1.0))
         if held.allows(share):

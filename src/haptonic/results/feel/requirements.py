@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping
 from dataclasses import dataclass
 from typing import Literal
 
@@ -24,7 +24,7 @@ class Requirement:
 
 def requirements(
     reductions: Mapping[str, Reduction],
-    driven: str | None,
+    driven: Collection[str],
     rise: float,
     constant: float,
     frequency: float,
@@ -34,11 +34,12 @@ def requirements(
 
     Parameters
     ----------
+    driven : regions that a drive is to make slippery; the others are to stay as they are
     rise, constant : 10 to 90 % rise time and time constant with a finger on the driven region, s
     frequency, gap : of the drive, and the edges of the gap around the carrier, Hz
     """
     found = [
-        _driven(name, felt) if name == driven else _idle(name, felt) for name, felt in reductions.items()
+        _driven(name, felt) if name in driven else _idle(name, felt) for name, felt in reductions.items()
     ]
     return [*found, _time(rise, constant), _in_gap(frequency, gap)]
 

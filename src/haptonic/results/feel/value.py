@@ -29,7 +29,7 @@ from haptonic.friction.phrases import change
 from haptonic.gate import declared
 from haptonic.later import xarray as xr
 from haptonic.plate import Plate
-from haptonic.plate.sampling import driven_region
+from haptonic.plate.sampling import driven_regions
 from haptonic.response import Reference
 from haptonic.results.feel.reduction import Reduction
 from haptonic.results.feel.requirements import Requirement, requirements
@@ -106,9 +106,9 @@ class Feel(Result):
         return Reference.parse(str(self.loaded.attrs["reference"])).unit
 
     @property
-    def driven(self) -> str | None:
-        """The region of plain plate that carries the drive."""
-        return driven_region(self.plate)
+    def driven(self) -> tuple[str, ...]:
+        """The regions of plain plate that carry a drive, that of the first one first."""
+        return driven_regions(self.plate)
 
     @property
     def regions(self) -> tuple[str, ...]:
@@ -214,8 +214,8 @@ class Feel(Result):
         return self.drive * float(self.loaded["amplitude"].sel(load=load).values[self.below(region)].mean())
 
     def quality(self, load: str = "value") -> float:
-        """Median quality factor of the mode that answers most, a finger being on the driven region."""
-        where = self.below(self.driven) if self.driven else np.ones(self.loaded.sizes["point"], dtype=bool)
+        """Median quality factor of the mode that answers most, a finger being on the first driven region."""
+        where = self.below(self.driven[0]) if self.driven else np.ones(self.loaded.sizes["point"], dtype=bool)
         return float(np.median(self.loaded["quality"].sel(load=load).values[where]))
 
     @property
@@ -230,21 +230,21 @@ class Feel(Result):
 
     @property
     def ratio(self) -> dict[str, float]:
-        """Amplitude below a finger on the driven region over that on every other one."""
-        if self.driven is None:
+        """Amplitude below a finger on the first driven region over that on every one without a drive."""
+        if not self.driven:
             return {}
-        most = self.amplitude(self.driven)
-        return {name: most / self.amplitude(name) for name in self.regions if name != self.driven}
+        most = self.amplitude(self.driven[0])
+        return {name: most / self.amplitude(name) for name in self.regions if name not in self.driven}
 
     @property
     def margins(self) -> dict[str, Margin]:
-        """The driven region beside every other one."""
-        if self.driven is None:
+        """The first driven region beside every one without a drive."""
+        if not self.driven:
             return {}
         found = self.reductions()
         return {
-            name: Margin(found[self.driven].value, found[name].value)
-            for name in self.regions if name != self.driven
+            name: Margin(found[self.driven[0]].value, found[name].value)
+            for name in self.regions if name not in self.driven
         }  # fmt: skip
 
     @property
@@ -308,7 +308,7 @@ class Feel(Result):
     def summary(self) -> list[str]:
         drive = format_quantity(self.drive, self.unit)
         felt = "; ".join(
-            f"{name}{' (driven)' if name == self.driven else ''}: {change(one.value, one.low, one.high)}"
+            f"{name}{' (driven)' if name in self.driven else ''}: {change(one.value, one.low, one.high)}"
             for name, one in self.reductions().items()
         )
         said = [f"At {self.frequency / 1e3:.2f} kHz and {drive}, {felt}."]
@@ -340,7 +340,7 @@ class Feel(Result):
             self.by_region,
             "region",
             COLUMNS,
-            [number for number, name in enumerate(self.regions) if name == self.driven],
+            [number for number, name in enumerate(self.regions) if name in self.driven],
         )
         demands = [(f"{MARKS[one.colour]} {one.colour}", one.what, one.reason) for one in self.requirements]
         return [

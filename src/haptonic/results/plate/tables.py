@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from haptonic.later import xarray as xr
+from haptonic.plate.sampling import reference_of
 from haptonic.results.table import Cell, Column, Table
 
 if TYPE_CHECKING:
@@ -40,14 +41,14 @@ def lines_table(result: PlateResult) -> Table:
 def power_table(result: PlateResult) -> Table:
     """Where the power goes at the resonance of the map in the gap."""
     line = result.maps.sel(frequency=result.resonance)
-    given, lost = float(line["given"]), line["dissipated"]
+    given, lost, (reference, _) = float(line["given"]), line["dissipated"], reference_of(result.plate)
     rows: list[tuple[Cell, ...]] = [
         (name, power, power / given)
         for name, power in zip(lost["loss"].values.tolist(), lost.values.tolist(), strict=True) if power
     ]  # fmt: skip
     rows.append(("given by the drives", given, 1.0))
     return Table(
-        f"power at {result.resonance / 1e3:.3f} kHz, per unit squared",
+        f"power at {result.resonance / 1e3:.3f} kHz for 1 {reference.unit} at {reference.name}",
         ("part", Column("power", "W", form=".3g"), Column("share", "", "%", ".1f")),
         rows,
         [len(rows) - 1],

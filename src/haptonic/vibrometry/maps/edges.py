@@ -71,6 +71,12 @@ class LatticeGap:
     upper: Edge | None
     reasons: tuple[str, ...]
 
+    def beside(self, lower: float, upper: float) -> bool:
+        """Whether an edge that was found shows that it has nothing in common with another range, Hz."""
+        return (self.upper is not None and self.upper.frequency + self.upper.error < lower) or (
+            self.lower is not None and self.lower.frequency - self.lower.error > upper
+        )
+
 
 def decay_along(response: FrequencyResponse, strips: Sequence[LatticeRows]) -> xr.DataArray:
     """By how much waves of a phase fade from row to row, whatever is reflected.

@@ -1,23 +1,24 @@
 """A folder with one CSV file for each point, and a table of the points.
 
-``geometry.csv`` has the columns ``file, x, y`` (in m, or as asked). A file of a point has a header line with
-its columns: ``frequency, real, imaginary`` and perhaps ``coherence``, or ``frequency, amplitude, phase_deg``.
-Units may follow in brackets: ``real (mm/s/V)``. A column ``origin`` in ``geometry.csv`` may say "simulated".
+``geometry.csv``, or the one table of another name that has them, has the columns ``file, x, y`` (in m, or as
+asked). A file of a point has a header line with its columns: ``frequency, real, imaginary`` and perhaps
+``coherence``, or ``frequency, amplitude, phase_deg``. Units may follow in brackets: ``real (mm/s/V)``,
+``x [mm]``. A column ``origin`` in the table of the points may say "simulated".
 """
 
 from __future__ import annotations
 
-import csv
-import io
 import re
+from collections.abc import Iterable, Mapping
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 
 from haptonic.arrays import Array
 from haptonic.channels import Channel, Notebook, delimited
 from haptonic.channels.labels import label_of, ratio_of
-from haptonic.channels.signals import ORIGIN, SIMULATED, Origin
+from haptonic.channels.signals import SIMULATED, Origin
 from haptonic.errors import ChannelError, ScanError
 from haptonic.response import FrequencyResponse, Reference
 from haptonic.vibrometry.curves import Curve, Point, assemble
@@ -25,6 +26,7 @@ from haptonic.vibrometry.readers.tables import Mapped
 
 GEOMETRY = "geometry.csv"
 MOST_NAMED = 3  # folders, in a message
+PLACES = {"file": ("file", "filename", "file name", "name", "point"), "x": ("x",), "y": ("y",)}
 COLUMNS = {
     "frequency": ("frequency", "freq", "f"),
     "real": ("real", "re"),
@@ -42,7 +44,8 @@ def read_folder(path: Path, how: Mapped, notes: Notebook, origin: Origin, title:
     ------
     ScanError : there is no table of the points, or no point can be used
     """
-    places, files, simulated = _geometry(path, how.length_unit, notes)
+    table = _table_of_points(path, notes)
+    places, files, simulated = _geometry(path, table, how.length_unit, notes)
     curves: list[Curve] = []
     for name, file in files.items():
         try:
@@ -53,10 +56,10 @@ def read_folder(path: Path, how: Mapped, notes: Notebook, origin: Origin, title:
             notes.drop(f"file {file.name}", str(error))
         except ChannelError as error:
             notes.drop(f"file {file.name}", error.given)
-    known = {file.name for file in files.values()} | {GEOMETRY}
+    known = {file.name for file in files.values()} | {table.name}
     for file in sorted(path.glob("*.csv")):
         if file.name not in known:
-            notes.drop(f"file {file.name}", f"it is not in {GEOMETRY}")
+            notes.drop(f"file {file.name}", f"it is not in {table.name}")
     origin = SIMULATED if simulated else origin
     return assemble(curves, places, notes, origin=origin, title=title, inputs={"folder": path.name})
 
@@ -65,7 +68,7 @@ def _without_points(path: Path) -> ScanError:
     """What to say of a folder that is no scan, but perhaps holds one."""
     cause, next_step = (
         "another folder was chosen, or the coordinates were not exported",
-        f"write {GEOMETRY}: a header file,x,y and one line for each file, in m",
+        f"write {GEOMETRY}: a header file,x,y and one line for each file, in m; or x [mm],y [mm]",
     )
     if not any(path.glob("*.csv")):
         for name in (GEOMETRY, "*.csv"):
@@ -83,59 +86,90 @@ def _without_points(path: Path) -> ScanError:
     )
 
 
+def _without_columns(table: Path, found: Iterable[str], missing: Iterable[str]) -> ScanError:
+    return ScanError.missing(
+        argument=f"{table.name} of a scan",
+        given=f"columns {', '.join(found) or 'without names'}",
+        allowed="the columns file, x, y, parted by commas, semicolons or tabs",
+        cause=f"no column is called {' or '.join(sorted(missing))}",
+        next_step=f"name them in the first line of {table.name}: file,x,y",
+    )
+
+
 class _UnfitError(Exception):
     """A file of a point cannot be used; the text says why."""
 
 
+def _table_of_points(path: Path, notes: Notebook) -> Path:
+    """``geometry.csv``, or the only other table with names of files, x and y."""
+    if (path / GEOMETRY).is_file():
+        return path / GEOMETRY
+    named = []
+    for file in sorted(path.glob("*.csv")):
+        try:
+            if _meant(dict.fromkeys(delimited.heads(file)), PLACES).keys() == PLACES.keys():
+                named.append(file)
+        except (ChannelError, OSError):
+            continue  # what is wrong with it is said when it is read as a point
+    if len(named) != 1:
+        raise _without_points(path)
+    notes.remark(f"{named[0].name} was taken as the table of the points")
+    return named[0]
+
+
+def _meant(found: Mapping[str, Any], known: Mapping[str, tuple[str, ...]]) -> dict[str, Any]:
+    """What belongs to the columns of a table, by what they mean; a unit behind a name is none of it."""
+    # a unit whose bracket is not closed is none, and no reason to lose the column
+    plain = {re.split(r"[\[(]", head)[0].strip().lower(): one for head, one in found.items()}
+    return {
+        meaning: next(plain[head] for head in heads if head in plain)
+        for meaning, heads in known.items()
+        if not plain.keys().isdisjoint(heads)
+    }
+
+
 def _geometry(
-    path: Path, length_unit: float, notes: Notebook
+    path: Path, table: Path, length_unit: float, notes: Notebook
 ) -> tuple[dict[str, Point], dict[str, Path], bool]:
     """Places and files of the points by name, and whether they are simulated."""
-    table = path / GEOMETRY
-    if not table.is_file():
-        raise _without_points(path)
     places: dict[str, Point] = {}
     files: dict[str, Path] = {}
-    simulated = False
     try:
-        text = io.StringIO(delimited.text_of(table), newline="")
-        rows = list(csv.DictReader(text, skipinitialspace=True))
-    except (ChannelError, csv.Error) as error:
+        group = delimited.read(table, notes)[""]
+    except ChannelError as error:
         raise ScanError.unreadable(
-            argument=f"{GEOMETRY} of a scan",
-            given=f"{table}: {error.given if isinstance(error, ChannelError) else error}",
+            argument=f"{table.name} of a scan",
+            given=f"{table}: {error.given}",
             allowed="a table in UTF-8 with the columns file, x, y",
             cause="the file is no text, or of another encoding",
             next_step="save it again as CSV in UTF-8",
         ) from error
-    for number, row in enumerate(rows, start=2):
-        name = (row.get("file") or "").strip()
-        simulated |= row.get(ORIGIN) == SIMULATED
+    columns = _meant(group.channels, PLACES)
+    if missing := PLACES.keys() - columns.keys():
+        raise _without_columns(table, group.channels, missing)
+    units = {axis: label_of(columns[axis].unit) for axis in "xy"}
+    scale = {axis: one.factor if one.unit == "m" else length_unit for axis, one in units.items()}
+    for number, row in enumerate(zip(*(np.asarray(columns[one]) for one in PLACES), strict=True), start=2):
+        name = str(row[0]).strip()
         try:
-            place = Point(*(length_unit * float(row.get(axis) or "nan") for axis in "xy"))
+            place = Point(scale["x"] * float(row[1]), scale["y"] * float(row[2]))
         except ValueError:
             place = Point(np.nan, np.nan)
-        if not name or Path(name).name != name:
-            notes.drop(f"line {number} of {GEOMETRY}", "no name of a file in this folder")
+        if name in ("", "nan") or Path(name).name != name:
+            notes.drop(f"line {number} of {table.name}", "no name of a file in this folder")
         elif name in files:
-            notes.drop(f"line {number} of {GEOMETRY}", f"{name} a second time; the first line is used")
+            notes.drop(f"line {number} of {table.name}", f"{name} a second time; the first line is used")
         elif not np.isfinite([place.x, place.y]).all():
             notes.drop(f"point {name}", "no coordinates: x or y is not a number")
             files[name] = path / name
         else:
             places[name], files[name] = place, path / name
-    return places, {name: file for name, file in files.items() if name in places}, simulated
+    return places, {name: file for name, file in files.items() if name in places}, group.simulated
 
 
 def _curves(name: str, file: Path, how: Mapped, notes: Notebook) -> list[Curve]:
     group = delimited.read(file, notes)[""]
-    # a unit whose bracket is not closed is none, and no reason to lose the column
-    found = {re.split(r"[\[(]", head)[0].strip().lower(): one for head, one in group.channels.items()}
-    columns = {
-        meaning: next(found[head] for head in heads if head in found)
-        for meaning, heads in COLUMNS.items()
-        if not found.keys().isdisjoint(heads)
-    }
+    columns = _meant(group.channels, COLUMNS)
     if "frequency" not in columns or not ({"real", "imaginary"} <= columns.keys()
                                           or {"amplitude", "phase"} <= columns.keys()):  # fmt: skip
         raise _UnfitError("no columns frequency, real, imaginary (or amplitude, phase_deg)")
