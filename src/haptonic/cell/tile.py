@@ -20,7 +20,8 @@ Sides = tuple[int, int]  # where a turn or mirror of a polygon takes its first t
 
 HALF_TURNED = np.diag([-1.0, -1.0, 1.0])  # about the normal
 MEET = 1e-6  # of the pitch: places of two tiles that are one
-SHEET = 0.08  # thickness, in half pitches, below which a plate is thin
+THIN = 0.16  # thickness, in half pitches, below which elements beside a pillar bend like a plate's
+SHEET = 0.08  # and below which it may be a sheet
 SHEET_CLEARANCE = 3.0  # and so narrow a neck, in thicknesses, that it is none
 
 
@@ -79,7 +80,7 @@ class TileShape:
     @property
     def is_thin(self) -> bool:
         """Whether the plate is so thin for its pitch that many of its waves lie below those of its pillar."""
-        return self.thickness < SHEET * self.inradius
+        return self.thickness < THIN * self.inradius
 
     @property
     def is_sheet(self) -> bool:
@@ -89,7 +90,7 @@ class TileShape:
         through it. With a fillet the foot's rings follow the arc, and there it is none.
         """
         wide = SHEET_CLEARANCE * self.thickness < self.clearance
-        return self.is_thin and wide and not (self.pillar and self.pillar.fillet)
+        return self.thickness < SHEET * self.inradius and wide and not (self.pillar and self.pillar.fillet)
 
     @property
     def is_upright(self) -> bool:
