@@ -10,6 +10,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from haptonic.analyses.reproduce import Reproduction
 from haptonic.cli.console import Voice
 from haptonic.cli.running import OF_COMMANDS, SCREEN, SENTENCES, folder_for, show
 from haptonic.results.bands import Bands
@@ -103,3 +104,17 @@ def test_bands_say_where_the_carrier_lies(carrier):
     room = min(carrier - LOWER, UPPER - carrier)
     assert ("lies inside the gap" if room > 0 else "lies in no complete gap") in said
     assert f"{abs(room) / 1e3:.2g} kHz" in said
+
+
+@pytest.mark.parametrize("others", [(), ("plate",), ("feel", "plate")])
+def test_a_report_says_first_what_each_part_found(others):
+    one = {
+        name: SimpleNamespace(summary=lambda name=name: [f"{name} 1", f"{name} 2"], remarks=lambda: ["but"])
+        for name in others
+    }
+    made = Reproduction({"bands": Bands(BANDS), **one}, None)
+    first = Bands(BANDS).summary()
+    assert made.summary() == (
+        [first[0], *(f"{name} 1" for name in ("plate", "feel") if name in one)] if one else first
+    )
+    assert [text for text in made.remarks() if "but" in text] == [f"{name}: but" for name in others]

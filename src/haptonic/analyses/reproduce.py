@@ -85,13 +85,15 @@ class Reproduction(Result):
         report.write_report(self.results, draft / "report.html")
 
     def summary(self) -> list[str]:
-        return self.bands.summary()
+        """The bands; of a plate the first sentence of each part, the others are in the report."""
+        said = [self.parts[name].summary()[0] for name in ("plate", "feel") if name in self.parts]
+        return [self.bands.summary()[0], *said] if said else self.bands.summary()
 
     def tables(self) -> list[Table]:
         return self.bands.tables()
 
     def remarks(self) -> list[str]:
-        return [text for one in self.parts.values() for text in one.remarks()]
+        return [f"{name}: {text}" for name, one in self.parts.items() for text in one.remarks()]
 
     def facts(self) -> dict[str, Any]:
         sweeps = self.parts.get("sweep")

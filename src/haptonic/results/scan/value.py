@@ -218,21 +218,14 @@ class ScanResult(Result):
             shutil.rmtree(self.state, ignore_errors=True)
 
     def summary(self) -> list[str]:
-        """What was read, how it was registered, the gap in it."""
+        """What was read, how well a model fits, the gap in it; then how it was read and registered."""
         flags = ", ".join(f"{count} {flag}" for flag, count in self.flags.items() if count)
         low, high = (f"{self.response.frequency[end] / 1e3:.4g}" for end in (0, -1))
         said = [
             f"{len(self.response.points)} points ({flags or 'none flagged'}), {len(self.response.frequency)} "
             f"lines from {low} to {high} kHz, {self.origin}."
         ]
-        if not self.report.complete or self.report.remarks:
-            said.append(str(self.report))
-        if (found := self.registration) is not None:
-            x, y = 1e3 * found.shift
-            said.append(
-                f"Registered: scale {found.scale:.5f}, turned by {np.degrees(found.angle):.3f}°, shifted by "
-                f"{x:.3f} and {y:.3f} mm; misfit {found.misfit * 1e3:.3f} mm."
-            )
+        said += self.verdict.summary() if self.verdict else []
         if self.lattice is not None:
             computed = (
                 f"; computed {self.gap.lower / 1e3:.2f} to {self.gap.upper / 1e3:.2f} kHz" if self.gap else ""
@@ -247,7 +240,15 @@ class ScanResult(Result):
                 f"The driven region stands out from the lattice from {seen.lower / 1e3:.2f} ± "
                 f"{seen.lower_error / 1e3:.2f} to {seen.upper / 1e3:.2f} ± {seen.upper_error / 1e3:.2f} kHz."
             )
-        return said + (self.verdict.summary() if self.verdict else [])
+        if not self.report.complete or self.report.remarks:
+            said.append(str(self.report))
+        if (found := self.registration) is not None:
+            x, y = 1e3 * found.shift
+            said.append(
+                f"Registered: scale {found.scale:.5f}, turned by {np.degrees(found.angle):.3f}°, shifted by "
+                f"{x:.3f} and {y:.3f} mm; misfit {found.misfit * 1e3:.3f} mm."
+            )
+        return said
 
     def remarks(self) -> list[str]:
         return list(self.undetermined)
