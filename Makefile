@@ -16,7 +16,7 @@ test: $(VENV)/ready-test
 	OMP_NUM_THREADS=1 $(BIN)/pytest -n $(CORES) --dist worksteal -m "not nightly"
 
 nightly: $(VENV)/ready-test
-	OMP_NUM_THREADS=$(CORES) $(BIN)/pytest -m nightly --hypothesis-profile=anew
+	OMP_NUM_THREADS=$(CORES) $(BIN)/pytest -m "nightly or hypothesis" --hypothesis-profile=anew
 
 # A selection of the tests with the oldest packages that pyproject.toml allows.
 lowest: $(VENV)/ready-dist

@@ -99,18 +99,31 @@ def test_a_mesh_resolves_the_waves_of_the_bands_that_are_asked_for(thickness):
     assert found[exact > REST * exact.max()] == pytest.approx(exact[exact > REST * exact.max()], rel=2e-3)
 
 
+def share_of_estimate(cell, resolution: Resolution, **finer: int) -> np.ndarray:
+    """What some of a mesh's orders change when they are raised to ``finer``, over the estimates."""
+    plan = resolution.plan(cell)
+    here, there = (hertz(cell, way, 10) for way in (plan, replace(plan, **finer)))
+    model = BlochModel.of(cell, resolution, 10, measured=False, many=False)
+    return np.abs(here - there) / [model.solve(kappa).error for kappa in SEEN]
+
+
 @pytest.mark.nightly
 @pytest.mark.parametrize("number", [3, 11, 19, 13])
 def test_polynomials_along_a_tapered_pillar_are_not_what_limits_a_mesh(number):
-    """Three orders more along z alone change less than a third of the estimate."""
+    """Three orders more along z alone change less than half of the estimate."""
     cell, resolution = drawn(SEED, number).cell, Resolution(3, 1)
     assert cell.pillar.draft
+    along = resolution.plan(cell).along + 3
+    assert (share_of_estimate(cell, resolution, along=along) < 1 / 2).all()
+
+
+@pytest.mark.parametrize("number", [0, pytest.param(1015, marks=pytest.mark.nightly)])
+def test_what_the_order_around_a_pillar_leaves_is_told(number):
+    """Fields of one parity within a quarter turn gain nothing from every other order."""
+    cell, resolution = drawn(131, number).cell, Resolution(4, 1, 3)
     plan = resolution.plan(cell)
-    ways = (plan, replace(plan, along=plan.along + 3))
-    here, there = (hertz(cell, way, 10) for way in ways)
-    model = BlochModel.of(cell, resolution, 10, measured=False, many=False)
-    estimate = np.array([model.solve(kappa).error for kappa in SEEN])
-    assert (np.abs(here - there) < estimate / 3).all()
+    assert plan.blocks == 1
+    assert (share_of_estimate(cell, resolution, order=plan.order + 2) < 1 / 2).all()
 
 
 @pytest.mark.nightly

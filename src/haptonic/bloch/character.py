@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from haptonic.arrays import Array, Complex
+from haptonic.arrays import Array, Bools, Complex
 from haptonic.superelement import Tiling, on_each
 
 NAMES = (
@@ -70,16 +70,23 @@ def characters(tiling: Tiling, fields: Complex) -> Character:
         most = motions.sum(axis=1).argmax(axis=0)
         bending = BENDING + np.minimum(nodes[most, np.arange(len(most))], 3)
         of_pillar = np.choose(kind, [bending, np.full_like(kind, TRACTION), np.full_like(kind, TORSION)])
-        leads = (in_pillar > PILLAR_LEADS) & ~_carried(tiling, fields, kinetic, in_pillar)
-        name = np.where(leads, of_pillar, name)
+        rising = sum(one.rising(fields) for one in measures.sections)
+        unstretched = (kind == 1) & (rising > 0.5 * motions.sum(axis=0)[1])
+        carried = _carried(tiling, fields, kinetic, in_pillar, unstretched)
+        name = np.where((in_pillar > PILLAR_LEADS) & ~carried, of_pillar, name)
     return Character(vertical, pillar_strain, in_pillar, np.where(moving, name, RIGID))
 
 
-def _carried(tiling: Tiling, fields: Complex, kinetic: Array, in_pillar: Array) -> NDArray[np.bool_]:
-    """(k,) whether the pillars move as the plate does below them, and little against their feet."""
+def _carried(tiling: Tiling, fields: Complex, kinetic: Array, in_pillar: Array, unstretched: Bools) -> Bools:
+    """(k,) whether the pillars move as the plate does below them, and little against their feet.
+
+    unstretched : (k,) whether they mostly rise and sink with their feet; tall ones tilt as well, and move
+        against their feet though the plate carries them
+    """
     assert tiling.measures is not None
     sections, cell = tiling.measures.sections, tiling.cell
     plate = cell.material.density * cell.lattice.area * cell.thickness
     of_plate = (1.0 - in_pillar) * kinetic
     as_fast = in_pillar * kinetic / sum(one.mass.sum() for one in sections) < CARRIED * of_plate / plate
-    return np.asarray(as_fast & (sum(one.against_foot(fields) for one in sections) < of_plate))
+    still = sum(one.against_foot(fields) for one in sections) < of_plate
+    return np.asarray(as_fast & (unstretched | still))

@@ -191,6 +191,11 @@ class MeshPlan:
     def lowered(self, cell: TileShape) -> MeshPlan:
         """The same blocks with orders one lower, to tell the error by.
 
+        From order 4 on a single element around a quarter turn loses two: a field that is even about its
+        middle gains nothing from an odd order, one that is odd nothing from an even one. With one order fewer
+        a band that was 0.4 % off was told 0.1 %, with two 1.6 %. At order 3 the edge leaves more than the
+        order around does, and four orders of six resolve too little of ten bands to tell anything by.
+
         With a single thin ring the order along z stays through the plate and, where the pillar is a prism,
         along it: what the foot leaves is most of the error then, the thin layer sees it, and thicker elements
         of lower order would err by far more. A pillar with draft or a step is meshed along z up to its top,
@@ -200,9 +205,10 @@ class MeshPlan:
         ungraded = cell.pillar is not None and cell.pillar.step is not None and not self.step_rings
         foot_leads = self.foot_rings == 1 and cell.pillar is not None and not ungraded
         meshed_up = cell.pillar is not None and not cell.pillar.is_prism
+        fewer = 2 if cell.pillar is not None and self.blocks == 1 and self.thin > 3 else 1
         return replace(
             self,
-            order=max(self.order - 1, 1),
+            order=max(self.order - fewer, 1),
             outward=max(self.outward - 1, 1),
             upward=self.upward if foot_leads and not cell.is_sheet else max(self.upward - 1, 1),
             along=self.along if foot_leads and not meshed_up else max(self.along - 1, 1),

@@ -28,14 +28,19 @@ class PillarSections:
     inertia: Array
     motion: Array
 
-    def energies(self, fields: NDArray[np.complex128]) -> tuple[Array, Array, Array]:
-        """Shares of the pillar's kinetic energy: (k,) each of bending, axial and twisting motion.
+    def energies(self, fields: NDArray[np.complex128]) -> Array:
+        """Kinetic energies (3, k) of the pillar's bending, axial and twisting motion.
 
         ``fields`` is (t + m, k); the result is in kg m^2, as ``u* M u``.
         """
         moved = np.abs(self.motion @ fields) ** 2
         along = np.einsum("csk,s->ck", moved[:3], 1.0 / self.mass)
-        return along[0] + along[1], along[2], np.einsum("sk,s->k", moved[3], 1.0 / self.inertia)
+        return np.stack([along[0] + along[1], along[2], np.einsum("sk,s->k", moved[3], 1.0 / self.inertia)])
+
+    def rising(self, fields: NDArray[np.complex128]) -> Array:
+        """Kinetic energy (k,) of a pillar that only rises and sinks as its foot does, in kg m^2."""
+        foot = np.abs(self.motion[2, 0] @ fields) / self.mass[0]
+        return np.asarray(self.mass.sum() * foot**2)
 
     def against_foot(self, fields: NDArray[np.complex128]) -> Array:
         """Kinetic energy (k,) of the pillar as its foot sees it, of all its motions, in kg m^2."""
