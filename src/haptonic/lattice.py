@@ -244,18 +244,6 @@ class Lattice:
         """Whether the translations lie along x and y."""
         return max(abs(self.a1[1]), abs(self.a2[0])) <= SAME * self.pitch
 
-    def check_rectangular(self, what: str, instead: str = "") -> None:
-        """Raise GeometryError unless the translations lie along x and y; ``what`` needs it."""
-        if not self.is_rectangular:
-            raise GeometryError.unsupported(
-                argument="cell.lattice",
-                given=self.name,
-                allowed=f"square or rectangular for {what}",
-                cause=f"{what} knows cells with four sides along x and y only; others have bands, gaps, "
-                "mirrors, guides, ribbons, sweeps, searches, solids and outlines",
-                next_step=f'write lattice = "square" or "rectangular"{instead}',
-            )
-
     def scaled(self, factor: float) -> Lattice:
         """The same lattice with all periods multiplied by ``factor``."""
         periods = {name: getattr(self, name) for name in ("pitch", "pitch_y", "pitch_2")}

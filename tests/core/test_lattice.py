@@ -113,22 +113,3 @@ def test_a_rectangle_has_four_sides_and_four_operations_or_is_refused(pitch, rat
     assert lattice.corners == pytest.approx(
         0.5 * np.array([(-1, -1), (1, -1), (1, 1), (-1, 1)]) * [pitch, ratio * pitch], rel=1e-9
     )
-
-
-@pytest.mark.parametrize(
-    ("lattice", "lies"),
-    [
-        (Lattice.square(7e-3), True),
-        (Lattice.rectangular(7e-3, 5e-3), True),
-        (Lattice.oblique(7e-3, 5e-3, np.pi / 3), False),
-        (Lattice.centred(7e-3, 5e-3), False),
-        (Lattice.triangular(7e-3), False),
-    ],
-)
-def test_rows_plates_and_drawings_need_translations_along_x_and_y(lattice, lies):
-    if lies:
-        lattice.check_rectangular("a plate")
-        return
-    with pytest.raises(GeometryError) as caught:
-        lattice.check_rectangular("a plate")
-    assert caught.value.argument == "cell.lattice"

@@ -1,7 +1,5 @@
 """Sites in a study file: what they say, and what is refused."""
 
-from dataclasses import replace
-
 import numpy as np
 import pytest
 from hypothesis import given, settings
@@ -216,31 +214,11 @@ MANY = '\n[[design.vary]]\nparameter = "cell.pitch"\nfrom = "6 mm"\nto = "8 mm"\
 
 
 @pytest.mark.parametrize("text", [STUDY + UNEQUAL, STUDY.replace("honeycomb", "lieb") + EQUAL, SQUARE + FREE])
-def test_what_knows_single_pillars_only_says_so(text):
-    """Drawings of a piece; a search and a guide are checked without a word."""
+def test_searches_guides_and_files_know_sites(text):
     study = loads(text + MANY)
-    asked = [
-        lambda: export.check(study, replace(export.ExportOptions(), drawing=True)),
-    ]
-    for ask in asked:
-        with pytest.raises(HaptonicError) as caught:
-            ask()
-        assert_told(caught.value, "one site")
     assert design.brief(study).paths == ("cell.pitch",)
     waveguide.ANALYSIS.check(study, waveguide.ANALYSIS.options())
-    export.check(study, replace(export.ExportOptions(), dxf=True, step=True, stl=True))
-
-
-def test_what_knows_rectangles_only_says_so_before_anything_is_computed():
-    study = loads(STUDY.replace("honeycomb", "triangular") + EQUAL)
-    asked = {
-        "square": lambda: export.check(study, replace(export.ExportOptions(), drawing=True)),
-    }
-    for words, ask in asked.items():
-        with pytest.raises(HaptonicError) as caught:
-            ask()
-        assert_told(caught.value, words, code="unsupported", argument="cell.lattice")
-    export.check(study, replace(export.ExportOptions(), stl=True))
+    export.check(study, export.ExportOptions())
 
 
 @pytest.mark.parametrize(("along", "code"), [("[2, 2]", "out-of-range"), ("[0.5, 1]", "malformed")])

@@ -17,8 +17,8 @@ from matplotlib.font_manager import FontProperties
 from matplotlib.textpath import TextPath
 
 from five_parts import refusing
-from haptonic.cell import Pillar, Step, UnitCell
-from haptonic.errors import GeometryError, ResourceError, StudyError
+from haptonic.cell import Pillar, Site, Step, UnitCell
+from haptonic.errors import ResourceError, StudyError
 from haptonic.lattice import Lattice
 from haptonic.names import visible
 from haptonic.workshop import Part, part_drawing, surface, write_drawing
@@ -39,8 +39,23 @@ def toleranced(the_cell):
     }
 
 
+THIN, WIDE = Pillar(2 * MM, 4 * MM), Pillar(1.8 * MM, 5 * MM, fillet=0.3 * MM)
+OTHERS = {
+    "honeycomb": UnitCell(
+        Lattice(lattice="honeycomb", pitch=7 * MM),
+        1.5 * MM,
+        METAL,
+        site=(Site(pillar=THIN), Site(pillar=WIDE)),
+    ),
+    "oblique": UnitCell(Lattice.oblique(7 * MM, 7.5 * MM, 1.3), 1.5 * MM, METAL, WIDE),
+}
+
+
 @cache
 def sheet_of(name):
+    if name in OTHERS:
+        part = Part.piece(OTHERS[name], 4, 3)
+        return part_drawing(part, "A plate with a title", tolerances=toleranced(OTHERS[name]))
     if name in PLATES:
         return part_drawing(Part.whole(PLATES[name], OWN), "A plate with a title", tolerances=toleranced(OWN))
     return part_drawing(
@@ -94,7 +109,7 @@ def crossing(box, lines):
     return lines[(enter < leave) & ~misses]
 
 
-@pytest.mark.parametrize("name", [*ALL, *PLATES])
+@pytest.mark.parametrize("name", [*ALL, *PLATES, *OTHERS])
 def test_no_text_lies_on_another_or_on_a_line_or_leaves_the_frame(name):
     figure = sheet_of(name).figure()
     texts = [(text.get_text(), ink(text)) for text in figure.axes[0].texts]
@@ -279,10 +294,31 @@ def test_tolerances_that_mean_nothing_are_refused(tolerances, message):
         part_drawing(Part.piece(STEPPED), "Plate", tolerances=tolerances)
 
 
-def test_a_cell_that_is_no_rectangle_is_refused():
-    oblique = Lattice.oblique(7 * MM, 7.5 * MM, 1.3)
-    with refusing(GeometryError, "unsupported", "cell.lattice"):
-        part_drawing(Part.piece(UnitCell(oblique, 1.5 * MM, METAL)), "Plate")
+def test_a_piece_of_other_cells_has_a_plan_with_every_pillar_and_lists_of_their_kinds():
+    sheet = sheet_of("honeycomb")
+    model, found = sheet.document.modelspace(), words(sheet)
+    assert len(model.query('*[layer=="PILLAR"]')) == 24
+    window, scale = sheet.space.query("VIEWPORT")[-1].dxf, scale_of(sheet, "Plate")
+    assert (window.width, window.height) == pytest.approx((38.5 * scale + 1, 21 * 0.75**0.5 * scale + 1))
+    for text in (
+        "A", "B", "12", "⌀2.000 ±0.020", "⌀1.800 ±0.020", "5.000 ±0.020", "R0.300 ±0.020",
+        "7.000 ±0.020, 12.1243", "4 \N{MULTIPLICATION SIGN} 3 = 12", "Section of a pillar A   10 : 1",
+    ):  # fmt: skip
+        assert text in found, text
+    way = 7 / 3**0.5 - 1.9  # between axes of neighbours, less half the sum of their diameters
+    assert any(f"side to side, {way:.3f}: tool radius at most {way / 2:.3f}" in word for word in found)
+    assert any("repeat after (7, 0) and (3.5, 6.062)" in word for word in found)
+
+
+def test_a_tolerance_is_that_of_the_table_which_gives_the_pillar():
+    part = Part.piece(OTHERS["honeycomb"], 2, 2)
+    found = words(part_drawing(part, "Plate", tolerances={"cell.site[2].pillar.height": 2e-5}))
+    assert "5.000 ±0.020" in found
+    assert "4" in found
+    with pytest.raises(StudyError, match=r"cell\.site"):
+        part_drawing(part, "Plate", tolerances={"cell.pillar.height": 2e-5})
+    assert set(dimensions_of(OTHERS["oblique"])) >= {"cell.pitch", "cell.pitch_2", "cell.angle"}
+    assert "cell.pitch_y" not in dimensions_of(OTHERS["honeycomb"])
 
 
 def test_long_names_stay_in_their_boxes():

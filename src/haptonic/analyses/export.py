@@ -140,10 +140,8 @@ class Workshop(Result):
 
 
 def check(study: Description, options: ExportOptions) -> None:
-    """Refuse what cannot be made, and a drawing that this cell cannot have."""
-    part = options.part(study)
-    if "drawing" in options.kinds and part.count is not None:
-        study.cell.check_simple("the drawing of a piece of lattice")
+    """Refuse what cannot be made."""
+    options.part(study)
 
 
 def compute(study: Description, options: ExportOptions, runner: Runner) -> Workshop:

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import replace
 from functools import cached_property
+from itertools import product
 from typing import Annotated
 
 import numpy as np
@@ -138,6 +139,15 @@ class UnitCell(TileShape):
         """Of the table in a study that gives the pillar of a site, counted from 0."""
         return f"cell.site[{number + 1}].pillar" if self.site else "cell.pillar"
 
+    def ways(self, numbers: Iterable[int]) -> Iterator[float]:
+        """Widths of the ways between the pillars of some sites and their neighbours, m."""
+        steps = np.array(list(product((-1, 0, 1), repeat=2)))
+        for number, (beside, other) in product(numbers, enumerate(self.pillars)):
+            pillar = self.pillars[number]
+            if pillar is not None and other is not None:
+                away = (self.shares[beside] - self.shares[number] + steps) @ self.vectors
+                yield pillar.gap_to(other, away[away.any(axis=1)])
+
     @property
     def has_pillars(self) -> bool:
         """Whether anything stands on the plate."""
@@ -169,22 +179,6 @@ class UnitCell(TileShape):
     def outlines(self) -> list[Array]:
         """(sides, 2) what lies nearer to each site than to any other, about the site, m."""
         return polygons(self.shares, self.lattice)
-
-    def check_simple(self, what: str, instead: str = "") -> None:
-        """Raise GeometryError unless there is one site, and translations along x and y; ``what`` needs it.
-
-        ``instead`` is what else one may do.
-        """
-        if not self.is_simple:
-            raise GeometryError.unsupported(
-                argument="cell.site" if self.site else "cell.lattice",
-                given=f"{len(self.shares)} sites" if self.site else self.lattice.name,
-                allowed=f"a cell of one site in its middle for {what}",
-                cause=f"{what} knows cells with a single pillar only; those with several have bands, gaps, "
-                "mirrors, guides, ribbons, sweeps, searches, tolerances, outlines and solids",
-                next_step=f'write lattice = "square" or "rectangular", and leave [[cell.site]] out{instead}',
-            )
-        self.lattice.check_rectangular(what, instead)
 
     @property
     def vectors(self) -> Array:

@@ -3,9 +3,8 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
-from itertools import product
 
 import numpy as np
 import scipy
@@ -109,7 +108,7 @@ class Brief:
         pitch = 2 * min(inradius(cell.outlines[number]) for number in numbers)
         ways = [1 - 2 * pillar.broadest / pitch - LEAST_GAP * lattice.pitch / pitch]
         if self.allowed.tool is not None:
-            ways += [(way - self.allowed.tool) / pitch for way in _ways(cell, numbers)]
+            ways += [(way - self.allowed.tool) / pitch for way in cell.ways(numbers)]
         foot = pillar.arc.centre[0] if pillar.arc is not None else pillar.radius
         top, upper = 2 * pillar.half_width(pillar.height, -1), 2 * pillar.stages[-1][2]
         room = {
@@ -202,13 +201,3 @@ def _of_lattice(cell: UnitCell) -> dict[str, float]:
     if beside:
         room["sites within the cell"] = float(min(min(share, 1 - share) for share in beside))
     return room
-
-
-def _ways(cell: UnitCell, numbers: Sequence[int]) -> Iterator[float]:
-    """Widths of the ways between the pillars of some sites and their neighbours, m."""
-    steps = np.array(list(product((-1, 0, 1), repeat=2)))
-    for number, (beside, other) in product(numbers, enumerate(cell.pillars)):
-        pillar = cell.pillars[number]
-        if pillar is not None and other is not None:
-            away = (cell.shares[beside] - cell.shares[number] + steps) @ cell.vectors
-            yield pillar.gap_to(other, away[away.any(axis=1)])

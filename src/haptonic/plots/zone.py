@@ -48,7 +48,8 @@ def _contours(figure: Figure, axes: Axes, surface: ZoneSurface, band: int) -> No
     values = frequency / 1e3
     levels = MaxNLocator(LEVELS).tick_values(values.min(), values.max())
     plane = Triangulation(k[:, 0], k[:, 1], triangles)
-    filled = axes.tricontourf(plane, values, levels=levels, cmap=style.perceptual(), gid="frequency")
+    filled = axes.tricontourf(plane, values, levels=levels, cmap=style.perceptual())
+    filled.set_gid("frequency")  # as an argument it is not taken before matplotlib 3.11
     axes.tricontour(plane, values, levels=levels, colors="white", linewidths=0.6)
     bar = figure.colorbar(filled, ax=axes, location="bottom", aspect=25, pad=0.03)
     bar.set_label("frequency (kHz)")

@@ -61,15 +61,15 @@ def part_drawing(
 
     Raises
     ------
-    GeometryError : a piece whose cell is not a rectangle
     StudyError : a tolerance of what the cell does not have, or one that is not positive
     """
     tolerances = checked_tolerances(part.cell.scaled(1 / MM), tolerances or {})
     with reproducible():
-        sheet = Sheet.of(outlines(part), A4 if part.count else A3)
+        by_cell = part.count is not None and part.cell.is_simple and part.cell.is_upright
+        sheet = Sheet.of(outlines(part), A4 if by_cell else A3)
         left, bottom, right, top = FRAME, FRAME, sheet.size[0] - FRAME, sheet.size[1] - FRAME
         sheet.line([(left, bottom), (right, bottom), (right, top), (left, top)], close=True)
-        view, numbers = (_piece if part.count else _plate)(sheet, part, tolerances)
+        view, numbers = (_piece if by_cell else _plate)(sheet, part, tolerances)
         _title_block(sheet, title, {
             "MATERIAL": part.cell.material.name,
             "MASS": f"{1e3 * part.volume / MM**3 * part.cell.material.density:.3g} g",
@@ -92,7 +92,6 @@ def _piece(sheet: Sheet, part: Part, tolerances: Mapping[str, float]) -> tuple[V
     """Views of one cell, and where the cells lie; the view whose scale is that of the sheet, and numbers."""
     assert part.count is not None
     cell, (columns, rows) = part.cell, part.count
-    cell.check_simple("the drawing of a piece of lattice")
     alone = columns * rows == 1
     draw_plan(sheet, (*PLAN[:1], PLATE[1], *PLAN[2:]) if alone else PLAN, cell, tolerances, alone)
     if not alone:
@@ -100,11 +99,19 @@ def _piece(sheet: Sheet, part: Part, tolerances: Mapping[str, float]) -> tuple[V
     size = (float(cell.lattice.a1[0]), cell.thickness)
     section = draw_section(sheet, SECTION, size, cell.pillar, tolerances, alone)
     draw_isometric(sheet, ISOMETRIC, Part.piece(cell.scaled(1 / MM)))
-    return section, {"NUMBER OF CELLS": "1" if alone else f"{columns} {TIMES} {rows} = {columns * rows}"}
+    return section, _number_of_cells(part)
+
+
+def _number_of_cells(part: Part) -> dict[str, str]:
+    if part.count is None:
+        return {"NUMBER OF PILLARS": str(part.pillars)}
+    columns, rows = part.count
+    alone = columns * rows == 1
+    return {"NUMBER OF CELLS": "1" if alone else f"{columns} {TIMES} {rows} = {columns * rows}"}
 
 
 def _plate(sheet: Sheet, part: Part, tolerances: Mapping[str, float]) -> tuple[View, dict[str, str]]:
-    """The same of a whole plate: its plan, a section, how it looks, and its lists."""
+    """The same of a whole plate, or of other cells: its plan, a section, how it looks, and its lists."""
     plan = draw_plate(sheet, WIDE_PLAN, part, "Plate")
     _name_marks(sheet, plan, part)
     several = len(part.standing) > 1
@@ -115,19 +122,19 @@ def _plate(sheet: Sheet, part: Part, tolerances: Mapping[str, float]) -> tuple[V
     if pillar is not None:
         width = max(width, 3 * PillarShape.of(pillar).widest)
         name += f" of a pillar{several * ' A'}"
-    own = dict(tolerances)
-    if pillar != part.cell.pillar:  # those of the study's own pillar are not its
-        own = {path: half_width for path, half_width in own.items() if "pillar" not in path}
-    draw_section(sheet, WIDE_SECTION, (width, part.cell.thickness), pillar, own, False, name)
+    table = (pillar and part.table(pillar)) or "pillar"  # of another lattice: nothing there has tolerances
+    size = (width, part.cell.thickness)
+    draw_section(sheet, WIDE_SECTION, size, pillar, tolerances, False, name, table)
     draw_isometric(sheet, WIDE_ISOMETRIC, part)
     draw_lists(sheet, LISTS, part, tolerances)
-    return plan, {"NUMBER OF PILLARS": str(part.pillars)}
+    return plan, _number_of_cells(part)
 
 
 def _name_marks(sheet: Sheet, view: View, part: Part) -> None:
     """Write the names of regions and patches into them, where there is room."""
     taken: list[Box] = []
-    for mark in sorted(part.marks, key=lambda one: one.layer):  # patches come first: they lie on regions
+    named = [mark for mark in part.marks if mark.name]
+    for mark in sorted(named, key=lambda one: one.layer):  # patches come first: they lie on regions
         low, high = (view.place(*end(mark.line, axis=0)) for end in (np.min, np.max))
         if mark.layer == "PATCH":
             taken.append((*low, *high))
@@ -249,6 +256,9 @@ def _advice(part: Part) -> list[str]:
         notes.append("Undercut: the pillar becomes wider towards its top.")
     if any(body.form.corners and body.arc is not None for body in bodies):
         notes.append("The fillets of neighbouring sides meet in a mitre.")
+    if part.count is not None and not part.cell.is_simple:
+        steps = " and ".join(f"({x:.4g}, {y:.4g})" for x, y in part.cell.lattice.vectors)
+        notes.append(f"Cells repeat after {steps}; the DXF file has all axes (CENTRE), from the middle on.")
     if part.count is None:
         notes.append(
             "Places count from the lower left corner; the DXF file has all axes (CENTRE) and edges (PLATE)."
@@ -262,7 +272,7 @@ def _advice(part: Part) -> list[str]:
 def _room(part: Part, bodies: list[PillarShape]) -> float | None:
     """Half the narrowest gap between two pillars; of corners that face each other at most that."""
     if part.count is not None:
-        return part.cell.inradius - bodies[0].widest if bodies else None
+        return 0.5 * min(part.cell.ways(range(len(part.cell.pillars)))) if bodies else None
     gaps = []
     for k, (_, places) in enumerate(part.standing):
         for other, (_, others) in enumerate(part.standing[: k + 1]):

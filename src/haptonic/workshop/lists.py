@@ -17,7 +17,7 @@ from haptonic.workshop.views import Box
 
 ROW = 5.0  # mm
 PILLARS = {
-    "PILLAR": 13.0, "NUMBER": 15.0, "WIDTH": 30.0, "HEIGHT": 30.0, "FILLET": 28.0, "STEP, WIDTH": 30.0,
+    "PILLAR": 12.0, "NUMBER": 14.0, "WIDTH": 30.0, "HEIGHT": 30.0, "FILLET": 30.0, "STEP, WIDTH": 30.0,
     "STEP, HEIGHT": 27.0, "DRAFT": 29.0, "APART ALONG x, y": 56.0,
 }  # fmt: skip
 PATCHES = {"PATCH": 39.0, "CENTRE x, y": 48.0, "SIZE ALONG x, y": 48.0, "THICKNESS, MATERIAL": 123.0}
@@ -82,9 +82,10 @@ def _draw(
 
 
 def _sizes(part: Part, pillar: Pillar, tolerances: Mapping[str, float]) -> list[str]:
-    """Texts of the dimensions of a kind; the study's own has the tolerances."""
-    own = tolerances if pillar == part.cell.pillar else {}
-    shown = {one.name: one for one in heights(part.cell.thickness, pillar)}
+    """Texts of the dimensions of a kind; those of the study's own cell have tolerances."""
+    table = part.table(pillar)
+    own, at = (tolerances, table) if table else ({}, "")
+    shown = {one.name: one for one in heights(part.cell.thickness, pillar, at)}
     sign = FORMS[pillar.section].sign
     signs = {
         "diameter": sign,
@@ -95,16 +96,14 @@ def _sizes(part: Part, pillar: Pillar, tolerances: Mapping[str, float]) -> list[
         "draft": "",
     }
     return [
-        text_of(one, own.get(path), sign)
-        if (one := shown.get(path := f"cell.pillar.{name}"))
-        else "\N{EN DASH}"
+        text_of(one, own.get(path), sign) if (one := shown.get(path := f"{at}.{name}")) else "\N{EN DASH}"
         for name, sign in signs.items()
     ]
 
 
 def _apart(part: Part, pillar: Pillar, places: Array, tolerances: Mapping[str, float]) -> str:
     """Smallest distances between axes in one row, and in one column."""
-    own, texts = tolerances if pillar == part.cell.pillar else {}, []
+    own, texts = tolerances if part.table(pillar) else {}, []
     for along, side in zip((0, 1), sides(part.cell), strict=True):
         line = np.round(places, FINEST)  # axes in one line are so up to rounding
         line = line[np.lexsort((line[:, along], line[:, 1 - along]))]

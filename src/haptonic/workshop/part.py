@@ -84,13 +84,14 @@ class Part:
         corners = np.asarray(np.stack([i, j], axis=-1) @ cell.lattice.vectors)  # (columns + 1, rows + 1, 2)
         # whole lines: two cells share their border
         borders = [line[[0, -1]] for line in [*corners, *corners.swapaxes(0, 1)]]
-        first, standing = corners[:-1, :-1].reshape(-1, 2), []
+        first, kinds = corners[:-1, :-1].reshape(-1, 2), dict[Pillar, list[Array]]()
         for share, pillar in zip(_cut(cell), cell.pillars, strict=True):
             if pillar is not None:
-                standing.append((pillar, np.asarray(first + share @ cell.lattice.vectors)))
+                kinds.setdefault(pillar, []).append(first + share @ cell.lattice.vectors)
+        standing = tuple((pillar, np.concatenate(places)) for pillar, places in kinds.items())
         outline = np.array([corners[0, 0], corners[-1, 0], corners[-1, -1], corners[0, -1]])
         marks = tuple(Mark("CELL", border) for border in borders)
-        return cls((outline,), tuple(standing), cell, marks, (columns, rows))
+        return cls((outline,), standing, cell, marks, (columns, rows))
 
     @classmethod
     def whole(cls, plate: Plate, cell: UnitCell) -> Part:
@@ -107,10 +108,10 @@ class Part:
         kinds: dict[Pillar, list[tuple[float, float]]] = {}
         for x, y, pillar in layout.standing:
             kinds.setdefault(pillar, []).append((x, y))
-        own = cell.pillar  # comes first: it is the one with tolerances
+        # the study's own come first: they are those with tolerances
         standing = tuple(
             (pillar.scaled(MM), MM * np.array(kinds[pillar]))
-            for pillar in sorted(kinds, key=lambda one: (one != own, -len(kinds[one])))
+            for pillar in sorted(kinds, key=lambda one: (one not in cell.pillars, -len(kinds[one])))
         )
         marks = [
             Mark("REGION", np.concatenate([loop, loop[:1]]), name)
@@ -126,6 +127,11 @@ class Part:
         """Lower left and upper right of the smallest rectangle around it."""
         every = np.concatenate(self.outline)
         return every.min(axis=0), every.max(axis=0)
+
+    def table(self, pillar: Pillar) -> str | None:
+        """Of the study's cell, that gives a kind of pillar: ``cell.site[2].pillar``; None if none does."""
+        own = self.cell.pillars
+        return self.cell.pillar_path(own.index(pillar)) if pillar in own else None
 
     @property
     def size(self) -> tuple[float, float]:

@@ -132,37 +132,46 @@ class Dimension:
 
 def dimensions(cell: UnitCell) -> list[Dimension]:
     """Every dimension of a cell, in the cell's unit of length and radians."""
-    return [*sides(cell), *heights(cell.thickness, cell.pillar)]
+    found = [*sides(cell), *heights(cell.thickness, None)]
+    if cell.lattice.angle is not None:
+        found.append(Dimension("cell.angle", cell.lattice.angle, "angle"))
+    tables = {cell.pillar_path(number): pillar for number, pillar in enumerate(cell.pillars) if pillar}
+    for at, pillar in tables.items():
+        found += heights(cell.thickness, pillar, at)[1:]
+    return found
 
 
 def sides(cell: UnitCell) -> list[Dimension]:
-    """Of the lattice."""
-    across, deep = (math.hypot(*side) for side in (cell.lattice.a1, cell.lattice.a2))
-    second = "cell.pitch" if cell.lattice.name == "square" else "cell.pitch_y"
-    return [Dimension("cell.pitch", across, "across"), Dimension(second, deep, "deep")]
+    """Of the lattice: its pitch, and the second one or the pitch again."""
+    others = {name: getattr(cell.lattice, name) for name in ("pitch_y", "pitch_2", "pitch")}
+    second = next(name for name, value in others.items() if value is not None)
+    return [
+        Dimension("cell.pitch", cell.lattice.pitch, "across"),
+        Dimension(f"cell.{second}", others[second], "deep"),
+    ]
 
 
-def heights(thickness: float, pillar: Pillar | None) -> list[Dimension]:
-    """Of a section through plate and pillar."""
+def heights(thickness: float, pillar: Pillar | None, at: str = "cell.pillar") -> list[Dimension]:
+    """Of a section through plate and pillar, which a table of the study gives; the thickness first."""
     found = [Dimension("cell.thickness", thickness, "left", low=-thickness)]
     if pillar is None:
         return found
-    body, at = PillarShape.of(pillar), "cell.pillar."
-    found.append(Dimension(f"{at}diameter", pillar.diameter, "width", place=(pillar.radius, 0.0)))
-    found.append(Dimension(f"{at}height", pillar.height, "left", high=pillar.height))
+    body = PillarShape.of(pillar)
+    found.append(Dimension(f"{at}.diameter", pillar.diameter, "width", place=(pillar.radius, 0.0)))
+    found.append(Dimension(f"{at}.height", pillar.height, "left", high=pillar.height))
     if pillar.arc is not None:
         width, height = pillar.arc.at(0.75).tolist()
-        found.append(Dimension(f"{at}fillet", pillar.fillet, "radius", place=(width, height)))
+        found.append(Dimension(f"{at}.fillet", pillar.fillet, "radius", place=(width, height)))
     if pillar.step is not None:
         step = pillar.step
-        found.append(Dimension(f"{at}step.height", step.height, "right", high=step.height))
+        found.append(Dimension(f"{at}.step.height", step.height, "right", high=step.height))
         place = (0.5 * step.diameter, step.height)
-        found.append(Dimension(f"{at}step.diameter", step.diameter, "width", place=place))
+        found.append(Dimension(f"{at}.step.diameter", step.diameter, "width", place=place))
     if pillar.draft:
         top, last = body.side[-1].tolist(), len(pillar.stages) - 1
         height = 0.6 * top[1] + 0.4 * pillar.stages[last][0]
         place = (pillar.half_width(height, last), height)
-        found.append(Dimension(f"{at}draft", pillar.draft, "angle", place=place))
+        found.append(Dimension(f"{at}.draft", pillar.draft, "angle", place=place))
         found.append(Dimension(None, 2 * top[0], "width", place=(top[0], top[1])))
     return found
 

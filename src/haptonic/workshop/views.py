@@ -75,15 +75,18 @@ def draw_section(
     tolerances: Mapping[str, float],
     alone: bool,
     name: str = "A-A",
+    table: str = "cell.pillar",
 ) -> View:
     """Draw the section through a pillar and the plate around it, which is so wide and thick; lengths in mm.
 
-    ``alone``: its sides are edges of the plate.
+    ``alone``: its sides are edges of the plate; ``table`` of the study gives the pillar.
     """
     body, (width, thickness) = PillarShape.of(pillar) if pillar else None, size
     whole = fitting(width, thickness + (body.height if body else 0.0), box, (36.0, 17.0, 41.0, 33.0))
     view = View(whole.place(0, thickness), whole.scale)  # heights count from the plate's top
-    section = _Section(sheet, view, 0.5 * width, thickness, body, heights(thickness, pillar), tolerances)
+    section = _Section(
+        sheet, view, 0.5 * width, thickness, body, heights(thickness, pillar, table), tolerances
+    )
     section.draw_body(alone)
     section.draw_left(box[3])
     if body is not None:
