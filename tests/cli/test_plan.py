@@ -80,7 +80,7 @@ class TestPlan:
     @pytest.mark.parametrize(
         ("command", "name"),
         [
-            ("waveguide", "triangular-mirror"),
+            ("waveguide", "no-carrier"),
             ("design", "touchpad"),
             ("tolerance", "touchpad"),
             ("layers", "no-carrier"),

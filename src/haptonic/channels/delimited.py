@@ -42,9 +42,8 @@ def read(path: Path, notes: Notebook) -> dict[str, Group]:
     lines = text.split("\n", HEAD)[:HEAD]
     comments = " ".join(line.lower() for line in lines if line.startswith("#"))
     above, heads, separator = _names(lines)
-    text = "\n" * above + "\n".join(
-        [*lines[above:], *text.split("\n", HEAD)[HEAD:]]
-    )  # lines keep their numbers
+    below = lines[above:] + text.split("\n", HEAD)[HEAD:]
+    text = "\n" * above + "\n".join(below)  # lines keep their numbers
     # spreadsheets write rows of empty cells below a table
     end = text.find("\n", len(text.rstrip(f"{separator} \t\r\n")))
     text = text if end < 0 else text[:end]

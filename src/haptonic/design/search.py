@@ -155,10 +155,8 @@ def _allowed(brief: Brief, share: Array) -> list[Array]:
     if not rows:
         return [share] if brief.allows(share) else []
     (low, high), own = brief.box[rows].T, np.array(brief.values(share))[rows]
-    lines, factors = (
-        np.repeat(share[None], LINES, axis=0),
-        np.geomspace(max(low / own), min(high / own), LINES),
-    )
+    factors = np.geomspace(max(low / own), min(high / own), LINES)
+    lines = np.repeat(share[None], LINES, axis=0)
     lines[:, rows] = (factors[:, None] * own - low) / (high - low)
     return [line for line in np.clip(lines, 0.0, 1.0) if brief.allows(line)]
 

@@ -75,9 +75,8 @@ class Bands(Result):
             )
             for gap in complete
         ]
-        room, edge, error, width = max(
-            ends
-        )  # of the gap that holds it, else of the nearest one, and negative
+        # of the gap that holds it, else of the nearest one, and negative
+        room, edge, error, width = max(ends)
         name, away = f"The carrier, {format_quantity(carrier, 'Hz')},", f"{abs(room) / 1e3:.2g} kHz"
         if room <= 0:
             said = f"{name} lies in no complete gap, {away} from the nearest edge"
