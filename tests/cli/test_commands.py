@@ -61,14 +61,14 @@ def test_json_is_one_object_and_nothing_is_written_without_out(haptonic, study, 
     assert {path.name for path in tmp_path.iterdir()} == {"quick.toml"}
 
 
-def test_a_second_run_is_taken_from_the_store(haptonic, study, tmp_path):
+def test_a_second_run_is_taken_from_the_store(inside, study, tmp_path):
     store = tmp_path / "store"
     path = study()
-    first = haptonic("sweep", path, "--json", store=store)
+    first = inside("sweep", path, "--json", store=store)
     assert first.code == 0, first.err
     files = {f: f.stat().st_mtime_ns for f in store.rglob("*.nc")}
     assert len(files) == 3
-    second = haptonic("sweep", path, "--json", store=store)
+    second = inside("sweep", path, "--json", store=store)
     assert second.json == first.json
     assert {f: f.stat().st_mtime_ns for f in store.rglob("*.nc")} == files
 
@@ -82,16 +82,16 @@ def test_sweep_answers_every_design(haptonic, study, tmp_path):
     assert data.attrs["own_value"] == 0.5
 
 
-def test_nothing_is_overwritten_without_being_told(haptonic, study, tmp_path):
+def test_nothing_is_overwritten_without_being_told(inside, study, tmp_path):
     out = tmp_path / "out"
     out.mkdir()
     (out / "gaps.csv").write_text("mine")
     assert_five_parts(
-        haptonic("bands", study(), "--out", out), "gaps.csv", code="repeated", argument="output file"
+        inside("bands", study(), "--out", out), "gaps.csv", code="repeated", argument="output file"
     )
     assert (out / "gaps.csv").read_text() == "mine"
     assert [path.name for path in out.iterdir()] == ["gaps.csv"]
-    assert haptonic("bands", study(), "--out", out, "--overwrite").code == 0
+    assert inside("bands", study(), "--out", out, "--overwrite").code == 0
     assert (out / "gaps.csv").read_text() != "mine"
 
 
@@ -111,47 +111,47 @@ def test_nothing_is_overwritten_without_being_told(haptonic, study, tmp_path):
         (("cell.pillar.diameter / cell.pitch", "__import__('os')"), "malformed", "sweep[1].vary", ""),
     ],
 )
-def test_bad_values_are_refused_in_five_parts(haptonic, study, tmp_path, change, code, argument, given):
+def test_bad_values_are_refused_in_five_parts(inside, study, tmp_path, change, code, argument, given):
     out = tmp_path / "out"
-    assert_five_parts(haptonic("bands", study(change), "--out", out), given, code=code, argument=argument)
+    assert_five_parts(inside("bands", study(change), "--out", out), given, code=code, argument=argument)
     assert not out.exists()
 
 
-def test_poisson_ratio_of_one_half_is_refused(haptonic, study):
+def test_poisson_ratio_of_one_half_is_refused(inside, study):
     constants = 'youngs_modulus = "70 GPa"\npoisson_ratio = 0.5\ndensity = "2700 kg/m^3"\n'
     path = study(('material = "aluminium-paper"\n', ""), ("[cell]\n", f"[material]\n{constants}\n[cell]\n"))
-    assert_five_parts(haptonic("bands", path), code="out-of-range", argument="material.poisson_ratio")
+    assert_five_parts(inside("bands", path), code="out-of-range", argument="material.poisson_ratio")
 
 
-def test_an_error_is_one_object_for_machines(haptonic, study):
-    ran = haptonic("bands", study(('"7 mm"', '"7 kHz"')), "--json")
+def test_an_error_is_one_object_for_machines(inside, study):
+    ran = inside("bands", study(('"7 mm"', '"7 kHz"')), "--json")
     assert ran.code == 2
     assert ran.json["error"]["argument"].endswith("cell.pitch")
 
 
-def test_absurd_sizes_warn(haptonic, study):
+def test_absurd_sizes_warn(inside, study):
     changes = [(f'"{size} mm"', f'"{size} m"') for size in ("7", "1.5", "3.5", "14.7")]
-    ran = haptonic("bands", study(*changes), "--json")
+    ran = inside("bands", study(*changes), "--json")
     assert ran.code == 0, ran.err
     assert any("cell.pitch" in text and "typical" in text for text in ran.json["warnings"])
 
 
-def test_accuracy_beyond_the_memory_says_how_much(haptonic, study):
+def test_accuracy_beyond_the_memory_says_how_much(inside, study):
     path = study(("accuracy = 2e-2", "accuracy = 1e-6"), ("[mesh]\norder = 2\nfoot_rings = 0\n", ""))
-    assert_five_parts(haptonic("bands", path), code="too-large", argument="bands.accuracy")
+    assert_five_parts(inside("bands", path), code="too-large", argument="bands.accuracy")
 
 
-def test_unreadable_files_and_folders(haptonic, study, tmp_path):
+def test_unreadable_files_and_folders(inside, study, tmp_path):
     assert_five_parts(
-        haptonic("bands", tmp_path / "none.toml"), "none.toml", code="unreadable", argument="study"
+        inside("bands", tmp_path / "none.toml"), "none.toml", code="unreadable", argument="study"
     )
-    assert_five_parts(haptonic("bands", tmp_path), str(tmp_path))
+    assert_five_parts(inside("bands", tmp_path), str(tmp_path))
     (tmp_path / "binary.toml").write_bytes(bytes(range(256)))
-    assert_five_parts(haptonic("bands", tmp_path / "binary.toml"), code="unreadable", argument="study")
+    assert_five_parts(inside("bands", tmp_path / "binary.toml"), code="unreadable", argument="study")
     blocked = tmp_path / "file"
     blocked.write_text("")
     assert_five_parts(
-        haptonic("bands", study(), "--out", blocked / "below"), code="unwritable", argument="output file"
+        inside("bands", study(), "--out", blocked / "below"), code="unwritable", argument="output file"
     )
 
 
@@ -164,10 +164,10 @@ def test_a_store_that_cannot_be_used_warns_and_stops_nothing(haptonic, study, tm
     assert ran.json["gaps"]
 
 
-def test_a_study_without_sweeps_cannot_be_swept(haptonic, study):
+def test_a_study_without_sweeps_cannot_be_swept(inside, study):
     text = study().read_text()
     path = study((text[text.index("[[sweep]]") :], ""))
-    assert_five_parts(haptonic("sweep", path), code="missing", argument="sweep")
+    assert_five_parts(inside("sweep", path), code="missing", argument="sweep")
 
 
 def test_ctrl_c_keeps_what_was_done(study, tmp_path):
@@ -202,16 +202,16 @@ def test_doctor_checks_the_physics(haptonic):
     assert ran.json["threads"] >= 1
 
 
-def test_keys_come_from_the_schema(haptonic):
-    found = {key["path"]: key for key in haptonic("keys", "--json").json["keys"]}
+def test_keys_come_from_the_schema(inside):
+    found = {key["path"]: key for key in inside("keys", "--json").json["keys"]}
     assert found["cell.pillar.diameter"]["unit"] == "m"
     assert found["bands.accuracy"]["default"] == "0.002"
 
 
-def test_help_and_version(haptonic):
-    assert "reproduce" in haptonic("--help").out
-    assert haptonic("--version").out.startswith("haptonic 0.")
-    assert haptonic("nonsense").code == 2
+def test_help_and_version(inside):
+    assert "reproduce" in inside("--help").out
+    assert inside("--version").out.startswith("haptonic 0.")
+    assert inside("nonsense").code == 2
 
 
 def test_reproduce_ends_with_a_report(haptonic, study, tmp_path):

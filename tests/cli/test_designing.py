@@ -86,10 +86,10 @@ class TestDesign:
         return asking(LIMITS, HEIGHT, PITCH, DENSITY, changes=(FINE, BUILT_IN, ("[cell]\n", CONSTANTS)))
 
     def test_a_design_is_found_written_and_holds_the_carrier(
-        self, haptonic, question, here, tmp_path, store_folder
+        self, inside, question, here, tmp_path, store_folder
     ):
         out = tmp_path / "out"
-        ran = haptonic("design", question, "--pareto", "--json", "--out", out)
+        ran = inside("design", question, "--pareto", "--json", "--out", out)
         assert ran.code == 0, ran.err
         assert len(ran.out.splitlines()) == 1
         answer = ran.json
@@ -221,11 +221,9 @@ class TestDesign:
 
 
 class TestTolerance:
-    def test_chances_and_export_with_the_tolerances_found(
-        self, haptonic, asking, here, tmp_path, monkeypatch
-    ):
+    def test_chances_and_export_with_the_tolerances_found(self, inside, asking, here, tmp_path, monkeypatch):
         path, out = asking(TOLERANCE, changes=(FINE,)), tmp_path / "out"
-        ran = haptonic("tolerance", path, "--json", "--out", out)
+        ran = inside("tolerance", path, "--json", "--out", out)
         assert ran.code == 0, ran.err
         assert len(ran.out.splitlines()) == 1
         answer = ran.json
@@ -327,8 +325,8 @@ class TestTolerance:
 
 
 class TestExport:
-    def test_all_files_unless_some_are_named(self, haptonic, study, tmp_path):
-        ran = haptonic("export", study(), "--out", tmp_path / "all", "--columns", 3, "--rows", 2, "--json")
+    def test_all_files_unless_some_are_named(self, inside, study, tmp_path):
+        ran = inside("export", study(), "--out", tmp_path / "all", "--columns", 3, "--rows", 2, "--json")
         assert ran.code == 0, ran.err
         names = {*(f"quick.{kind}" for kind in ("step", "dxf", "stl", "pdf")), "quick-drawing.dxf"}
         assert {p.name for p in (tmp_path / "all").iterdir()} == names

@@ -22,10 +22,10 @@ TABLES = {"trials.csv", "conditions.csv", "tests.csv"}
 FILES = {"trials.nc", "quality.html"} | TABLES | PICTURES
 
 
-def test_friction_writes_its_files_and_tables(haptonic, inside, tmp_path):
+def test_friction_writes_its_files_and_tables(inside, tmp_path):
     folder = written(tmp_path / "trials", MADE, origin="simulated")
     out = tmp_path / "out"
-    ran = haptonic("friction", folder, "--tables", "--out", out)
+    ran = inside("friction", folder, "--tables", "--out", out)
     assert ran.code == 0, ran.err
     assert {path.name for path in out.iterdir()} == FILES
     for words in (

@@ -38,9 +38,9 @@ def fine(study):
     return lambda *changes: study(*FINE, *changes)
 
 
-def test_layers_writes_its_files_and_tables(haptonic, inside, fine, tmp_path):
+def test_layers_writes_its_files_and_tables(inside, fine, tmp_path):
     out = tmp_path / "out"
-    ran = haptonic("layers", fine(), "--tables", "--out", out)
+    ran = inside("layers", fine(), "--tables", "--out", out)
     assert ran.code == 0, ran.err
     assert {path.name for path in out.iterdir()} == LAYER_FILES
     for words in ("transmitted energy at 60 kHz", "incident A0", "rows needed", "dB per row at the carrier"):
@@ -124,11 +124,11 @@ def test_a_worker_gives_the_same_numbers(haptonic, inside, tiny, tmp_path):
     assert numbers(there.json) == pytest.approx(numbers(here.json), rel=1e-9, abs=1e-12)
 
 
-def test_the_papers_waveguide_resonates_where_a_plate_model_says(haptonic, inside, fine, tmp_path):
+def test_the_papers_waveguide_resonates_where_a_plate_model_says(inside, fine, tmp_path):
     """57.0 kHz and 0.15 of the peak at its edge in an independent finite-element model of the whole plate."""
     out = tmp_path / "out"
     path = fine(PROTOTYPE)
-    ran = haptonic("waveguide", path, "--json", "--out", out)
+    ran = inside("waveguide", path, "--json", "--out", out)
     assert ran.code == 0, ran.err
     assert len(ran.out.splitlines()) == 1
     assert written(path) == {f"out/{name}" for name in GUIDE_FILES}

@@ -23,9 +23,9 @@ FILES = {
 }  # fmt: skip
 
 
-def test_plate_writes_its_files_and_tables(haptonic, inside, plated, tmp_path):
+def test_plate_writes_its_files_and_tables(inside, plated, tmp_path):
     out = tmp_path / "out"
-    ran = haptonic("plate", plated(), "--tables", "--out", out)
+    ran = inside("plate", plated(), "--tables", "--out", out)
     assert ran.code == 0, ran.err
     assert {path.name for path in out.iterdir()} == FILES
     for words in (

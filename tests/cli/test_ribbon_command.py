@@ -67,10 +67,10 @@ change = { "cell.pillar.height" = "13.5 mm" }
 """
 
 
-def test_a_defect_is_told_by_its_frequencies_its_copies_and_its_damping(haptonic, tmp_path):
+def test_a_defect_is_told_by_its_frequencies_its_copies_and_its_damping(inside, tmp_path):
     study = FINER.replace("aluminium-paper", "aluminium-2017a") + DEFECT  # paper's aluminium has no loss
     (tmp_path / "defect.toml").write_text(study, "utf-8")
-    told = haptonic("ribbon", tmp_path / "defect.toml", "--tables", "--out", tmp_path / "out")
+    told = inside("ribbon", tmp_path / "defect.toml", "--tables", "--out", tmp_path / "out")
     assert told.code == 0, told.err
     data = xr.load_dataset(tmp_path / "out" / "ribbon.nc", engine="h5netcdf")
     assert data["cell_share"].sizes == {"mode": data.sizes["mode"], "line": 3, "column": 3}

@@ -114,9 +114,9 @@ def scan(plated, exact, tmp_path):
     return make
 
 
-def test_verdict_finds_the_numbers_and_writes_its_files(haptonic, plated, scan, tmp_path):
+def test_verdict_finds_the_numbers_and_writes_its_files(inside, plated, scan, tmp_path):
     path, out = scan(), tmp_path / "out"
-    ran = haptonic("verdict", path, plated(), "--tables", "--out", out)
+    ran = inside("verdict", path, plated(), "--tables", "--out", out)
     assert ran.code == 0, ran.err
     assert {file.name for file in out.iterdir()} == FILES
     for words in ("numbers fitted", "pairs of", "look independent", "2 points do not lie on the plate",
