@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
-from functools import cached_property
+from functools import cached_property, lru_cache
 
 import numpy as np
 
@@ -54,11 +54,8 @@ class CondensedRows:
         plans = meeting([resolution.plan(one, one.area / cell.area) for one in own])
         plans += tuple(_fitted(resolution.plan(one, one.area / cell.area), plans[0]) for one in plain)
 
-        def made(tile: TileShape, plan: MeshPlan) -> Superelement:
-            size = directions(tile, resolution.block)
-            return condense(tile, plan, resolution.steps, block=size, measured=False)
-
-        return cls._joined(rows, {t: made(t, plan) for t, plan in zip([*own, *plain], plans, strict=True)})
+        made = {t: _condensed(t, plan, resolution) for t, plan in zip([*own, *plain], plans, strict=True)}
+        return cls._joined(rows, made)
 
     @classmethod
     def single(cls, tile: Superelement, along: tuple[int, int] = (0, 1)) -> CondensedRows:
@@ -176,6 +173,13 @@ class CondensedRows:
         away = np.abs(np.exp(1j * possible.imag) - np.exp(1j * np.angle(seen))[:, None])
         found = np.take_along_axis(possible, away.argmin(axis=1)[:, None], axis=1)[:, 0]
         return np.asarray(found.real + 1j * np.angle(np.exp(1j * found.imag)))
+
+
+@lru_cache(maxsize=4)
+def _condensed(tile: TileShape, plan: MeshPlan, resolution: Resolution) -> Superelement:
+    """A tile; kept for rows along another direction, which stand on the same ones."""
+    size = directions(tile, resolution.block)
+    return condense(tile, plan, resolution.steps, block=size, measured=False)
 
 
 def rows_need(rows: Rows, resolution: Resolution, table: str = "layers") -> tuple[int, float]:

@@ -139,6 +139,15 @@ class UnitCell(TileShape):
         """Of the table in a study that gives the pillar of a site, counted from 0."""
         return f"cell.site[{number + 1}].pillar" if self.site else "cell.pillar"
 
+    @property
+    def pillar_tables(self) -> dict[str, list[int]]:
+        """Numbers, from 0, of the sites whose pillar a table of the study gives, by the table's path."""
+        found: dict[str, list[int]] = {}
+        for number, pillar in enumerate(self.pillars):
+            if pillar is not None:
+                found.setdefault(self.pillar_path(number), []).append(number)
+        return found
+
     def ways(self, numbers: Iterable[int]) -> Iterator[float]:
         """Widths of the ways between the pillars of some sites and their neighbours, m."""
         steps = np.array(list(product((-1, 0, 1), repeat=2)))

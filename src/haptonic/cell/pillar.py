@@ -158,15 +158,19 @@ class Pillar:
         return self.section == "round" or not turn[0, 0] * turn[0, 1]
 
     @property
+    def _half_widths(self) -> list[float]:
+        """At both ends of every stage, m."""
+        return [self.half_width(z, k) for k, (low, high, _) in enumerate(self.stages) for z in (low, high)]
+
+    @property
     def narrowest(self) -> float:
         """Smallest half-width, m."""
-        ends = [self.half_width(z, k) for k, (low, high, _) in enumerate(self.stages) for z in (low, high)]
-        return min(ends)
+        return min(self._half_widths)
 
     @property
     def broadest(self) -> float:
         """Largest half-width, the fillet not counted, m."""
-        return max(self.half_width(z, k) for k, (low, high, _) in enumerate(self.stages) for z in (low, high))
+        return max(self._half_widths)
 
     @property
     def widest(self) -> float:

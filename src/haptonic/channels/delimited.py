@@ -41,13 +41,13 @@ def read(path: Path, notes: Notebook) -> dict[str, Group]:
     text = text_of(path).replace("\r\n", "\n").replace("\r", "\n")
     lines = text.split("\n", HEAD)[:HEAD]
     comments = " ".join(line.lower() for line in lines if line.startswith("#"))
-    above, heads, separator = _names(lines)
+    above, names, separator = _names(lines)
     below = lines[above:] + text.split("\n", HEAD)[HEAD:]
     text = "\n" * above + "\n".join(below)  # lines keep their numbers
     # spreadsheets write rows of empty cells below a table
     end = text.find("\n", len(text.rstrip(f"{separator} \t\r\n")))
     text = text if end < 0 else text[:end]
-    uneven = _uneven_line(path, text, heads, separator)
+    uneven = _uneven_line(path, text, names, separator)
     decimal = "," if separator != "," and re.search(r"[0-9],[0-9]", text) else "."
     try:
         # without index_col, a separator behind every row would put each column below the name of the next

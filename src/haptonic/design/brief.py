@@ -91,7 +91,7 @@ class Brief:
         if self.allowed.finger_force is not None:
             assert isinstance(self.cell.material, IsotropicMaterial)
             room["finger"] = cell.thickness / self.allowed.least_thickness(self.cell.material) - 1
-        tables = tables_of(cell)
+        tables = cell.pillar_tables
         if tables:
             room |= _of_lattice(cell)
         for path, numbers in tables.items():
@@ -172,15 +172,6 @@ class Brief:
             ],
         )
         return np.asarray(np.clip(result.x[:count], 0.0, 1.0))
-
-
-def tables_of(cell: UnitCell) -> dict[str, list[int]]:
-    """Numbers, from 0, of the sites whose pillar a table of the study gives, by the table's path."""
-    found: dict[str, list[int]] = {}
-    for number, pillar in enumerate(cell.pillars):
-        if pillar is not None:
-            found.setdefault(cell.pillar_path(number), []).append(number)
-    return found
 
 
 def _of_lattice(cell: UnitCell) -> dict[str, float]:

@@ -10,7 +10,7 @@ from haptonic.bloch.guide import Guide
 from haptonic.bloch.mirrors import condensed_rows
 from haptonic.bloch.model import bloch_model
 from haptonic.bloch.plate_waves import PlainPlate
-from haptonic.bloch.rows import attenuation
+from haptonic.bloch.rows import CondensedRows, attenuation
 from haptonic.bloch.settings import BandSettings
 from haptonic.errors import StudyError
 from haptonic.gate import WORD
@@ -50,9 +50,11 @@ def computed_waves(
     cell = layout.cells[mirror.name] if mirror else next(iter(layout.cells.values()))
     widths = sorted({(one.width, one.along) for one in guides if mirror and one.lattice == mirror.name})
     resolution = bloch_model(cell, settings).resolution
-    along_y = condensed_rows(cell, resolution)
-    rows = {"y": along_y, "x": condensed_rows(cell, resolution, (1, 0))} if mirror else {}
-    plain = PlainPlate.of(cell, along_y.levels)
+
+    def rows(along: str) -> CondensedRows:
+        return condensed_rows(cell, resolution, (1, 0) if along == "x" else (0, 1))
+
+    plain = PlainPlate.of(cell, rows("y").levels)
     low = max(span[0], 1e-3 * span[1])
     frequency = np.linspace(low, span[1], PLAIN)
     wavenumber = [plain.wavenumber(2 * np.pi * f, 0.0, "A0") or np.nan for f in frequency]
@@ -71,7 +73,7 @@ def computed_waves(
             (low, span[1]) if gap is None else (max(low, 0.85 * gap.lower), min(span[1], 1.15 * gap.upper))
         )
         at = np.linspace(*around, FADING)
-        fades = attenuation(rows["y" if mirror.depth == "x" else "x"], 2 * np.pi * at, np.array(PHASES))
+        fades = attenuation(rows("y" if mirror.depth == "x" else "x"), 2 * np.pi * at, np.array(PHASES))
         made["attenuation"] = ("mirror_frequency", "phase"), fades, {"units": "dB/cell"}
         made = made.assign_coords(
             mirror_frequency=("mirror_frequency", at, {"units": "Hz"}), phase=("phase", list(PHASES))
@@ -84,7 +86,7 @@ def computed_waves(
         for row, (width, along) in enumerate(widths):
             for step, k in enumerate(middle * np.linspace(*REACH, STEPS)):
                 try:
-                    mode = Guide.of(rows[along], float(k)).mode(width, 0, between)
+                    mode = Guide.of(rows(along), float(k)).mode(width, 0, between)
                 except StudyError:
                     continue  # at this wavenumber the guide has no mode in the gap
                 found[:, row, step] = mode.omega / (2 * np.pi), k

@@ -135,9 +135,8 @@ def dimensions(cell: UnitCell) -> list[Dimension]:
     found = [*sides(cell), *heights(cell.thickness, None)]
     if cell.lattice.angle is not None:
         found.append(Dimension("cell.angle", cell.lattice.angle, "angle"))
-    tables = {cell.pillar_path(number): pillar for number, pillar in enumerate(cell.pillars) if pillar}
-    for at, pillar in tables.items():
-        found += heights(cell.thickness, pillar, at)[1:]
+    for at, (number, *_) in cell.pillar_tables.items():
+        found += heights(cell.thickness, cell.pillars[number], at)[1:]
     return found
 
 
