@@ -157,14 +157,14 @@ def estimates(record: dict[str, Any]) -> str:
 
     rows = [
         [row["class"], row["designs"], row["answered"], row["refused"], row["too_long"], row["no_reference"],
-         row["frequencies"], row["below_true"], row["beyond_accuracy"], figure(row["least_ratio"], ".2f"),
-         figure(row["median_ratio"], ".1f"), figure(row["median_unsure"], ".2f"),
+         row["frequencies"], row["below_true"], row["short_of_accuracy"], row["beyond_accuracy"],
+         figure(row["least_ratio"], ".2f"), figure(row["median_ratio"], ".1f"), figure(row["median_unsure"], ".2f"),
          figure(row["median_seconds"], ".0f"), figure(row["median_reference_seconds"], ".0f")]
         for row in record["rows"]
     ]  # fmt: skip
     heads = ["class", "designs", "answered", "refused", "too long", "no reference", "frequencies",
-             "estimate below true", "designs beyond the accuracy", "ratio: least", "median of designs",
-             "unsure, median", "seconds, median", "of the reference"]  # fmt: skip
+             "estimate below true", "designs that told less accuracy than asked for", "designs beyond what they told",
+             "ratio: least", "median of designs", "unsure, median", "seconds, median", "of the reference"]  # fmt: skip
     answered = record["rows"][-1]["answered"]
     few = (
         f" Of {record['drawn']} designs drawn {record['refused_at_once']} were refused within 2 s; "

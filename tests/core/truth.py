@@ -1,8 +1,8 @@
 """Cells drawn over all that a study can say, and their frequencies by a route that shares no estimate.
 
 A cell with a pillar is computed on two meshes or more, each finer than the last, until what they differ by is
-little beside the accuracy asked for; that difference is the uncertainty of the last. Both keep an interior
-space of several hundred fields. A plain plate needs no mesh: its waves are Rayleigh's and Lamb's.
+little beside the accuracy asked for; that difference, with what the interior space of several hundred fields
+leaves out, is the uncertainty of the last. A plain plate needs no mesh: its waves are Rayleigh's and Lamb's.
 """
 
 from __future__ import annotations
@@ -16,8 +16,8 @@ import scipy.linalg as la
 from numpy.typing import NDArray
 
 from haptonic.bloch.centred import CentredPencil
-from haptonic.bloch.model import REST
-from haptonic.bloch.pencil import eigenpairs
+from haptonic.bloch.model import REST, interior_error
+from haptonic.bloch.pencil import eigenpairs, hertz
 from haptonic.bloch.plate_waves import PlainPlate
 from haptonic.bloch.resolution import Resolution
 from haptonic.cell import MeshPlan, Pillar, UnitCell
@@ -25,7 +25,7 @@ from haptonic.cell.pillar import Step
 from haptonic.errors import GeometryError
 from haptonic.lattice import Lattice
 from haptonic.materials import IsotropicMaterial, material
-from haptonic.superelement import Tiling, condense, condense_by_parts
+from haptonic.superelement import Tiling, condense, condense_by_parts, on_each
 
 Array = NDArray[np.float64]
 
@@ -37,7 +37,8 @@ KAPPA = np.pi * np.array([(1, 0), (0, 1), (1, 1), (1, 0.5), (0.5, 0.5), (0.6, 0.
 STOUT_FROM = 1000  # numbers of designs of a class apart: stout pillars on thin plates, asked for coarsely
 # order and rings of a reference's meshes, by the least accuracy asked that they are for
 MESHES = {1e-2: ((4, 1), (5, 1), (6, 2)), 2e-3: ((4, 1), (5, 2), (6, 2)), 0.0: ((5, 1), (6, 2), (7, 3))}
-STEPS, BLOCK, MORE = 3, 24, 8  # of their interior spaces: directions of a block, and how many more each has
+# Of their interior spaces: blocks for ten bands, directions of each, and how many more the next mesh has.
+STEPS, BLOCK, MORE = 3, 24, 8
 ENOUGH = 0.2  # share of the accuracy that a reference's uncertainty may be
 WHOLE, LARGEST = 60_000, 400_000  # unknowns that are condensed whole, and at all: 230,000 take 4 GB
 # Polynomials through a plain plate: these, and as many more as its shortest wave has radians in it.
@@ -139,14 +140,14 @@ def truth(question: Drawn) -> Truth | None:
         plan = next((plan for plan in plans if _unknowns(cell, plan) <= LARGEST), None)
         if plan is None:
             break
-        frequency = _computed(cell, plan, count, max(BLOCK, count) + MORE * turn)
+        frequency, lost = _computed(cell, plan, count, MORE * turn)
         if before is not None:
             finer = plan.foot_rings > before[1]
             if cell.pillar.fillet:
                 share = 0.6 if cell.pillar.step is None else 2.0
             else:
                 share = 0.6 if finer else 1.0 if plan.foot_rings > 1 else 2.0
-            uncertainty = share * np.abs(frequency - before[0])
+            uncertainty = share * np.abs(frequency - before[0]) + lost
             found = Truth(frequency, uncertainty, f"order {order}, {plan.foot_rings} rings")
             moving = frequency > REST * frequency.max()
             if (uncertainty <= ENOUGH * question.accuracy * frequency)[moving].all():
@@ -174,11 +175,19 @@ def _unknowns(cell: UnitCell, plan: MeshPlan) -> int:
     return 3 * sum(meshed.level_sizes)
 
 
-def _computed(cell: UnitCell, plan: MeshPlan, count: int, block: int) -> Array:
+def _computed(cell: UnitCell, plan: MeshPlan, count: int, more: int) -> tuple[Array, Array]:
+    """(wavevectors, count) Hz, and by how much what the interior leaves out would lower each, Hz."""
     by = condense if 3 * sum(plan.level_sizes) < WHOLE else condense_by_parts
-    pencil = CentredPencil.of(Tiling.single(by(cell, plan, STEPS, block=block, measured=False)))
-    values = np.array([eigenpairs(pencil, kappa, count)[0] for kappa in wavevectors(cell)])
-    return np.sqrt(np.maximum(values, 0.0)) / (2 * np.pi)
+    used = Resolution(plan.order, plan.foot_rings, STEPS, BLOCK).for_bands(count)
+    tiling = Tiling.single(by(cell, plan, used.steps, block=used.block + more, measured=False))
+    pencil = CentredPencil.of(tiling)
+    found, lost = [], []
+    for kappa in wavevectors(cell):
+        values, modes = eigenpairs(pencil, kappa, count)
+        fields = pencil.periodic.expanded(pencil.free(modes, kappa), kappa)
+        found.append(hertz(values))
+        lost.append(interior_error(values, on_each(tiling.truncation, fields)))
+    return np.array(found), np.array(lost)
 
 
 def plain_plate(cell: UnitCell, kappa: Array, count: int) -> Array:

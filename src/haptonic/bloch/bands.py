@@ -46,9 +46,10 @@ def bands_dataset(
 
     Raises
     ------
-    ResourceError : the accuracy needs more memory than there is
+    ResourceError : no mesh that fits memory and time tells errors below `COARSEST`; where some do and none
+        reaches the accuracy, the best of them answers, and its error is in ``largest_error``
     """
-    model = bloch_model(cell, settings)
+    model = bloch_model(cell, settings, or_best=True)
     path = cell.zone.path(settings.points)
     along = diagram(model, path)
     gaps = complete_gaps(model)
@@ -79,6 +80,8 @@ def bands_dataset(
         "character_names": json.dumps(NAMES),
         "accuracy": settings.accuracy,
     }
+    if settings.resolution is None:  # else the user chose the mesh, whatever it reaches
+        dataset.attrs["largest_error"] = model.worst_error
     return dataset
 
 

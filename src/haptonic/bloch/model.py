@@ -22,7 +22,7 @@ from haptonic.bloch.resolution import (
     check_thickness,
     first_rung,
 )
-from haptonic.bloch.settings import BandSettings
+from haptonic.bloch.settings import COARSEST, BandSettings
 from haptonic.brillouin import IrreducibleZone
 from haptonic.cell import UnitCell
 from haptonic.errors import ResourceError
@@ -258,8 +258,12 @@ class BlochModel:
 
     @cached_property
     def highest(self) -> float:
-        """Frequency of the last band at rest phase, Hz: the yardstick for what is at rest."""
-        return float(self.frequencies(np.zeros(2))[-1])
+        """Of the last band at the corners of the zone, Hz: the yardstick for what is at rest.
+
+        At Gamma alone the last of three bands is at rest itself.
+        """
+        corners = self.cell.zone.corner_phases.values()
+        return max(float(self.frequencies(kappa)[-1]) for kappa in corners)
 
     def gradient(self, kappa: Array, modes: Fields) -> Array:
         """(k, 2) exact derivatives of the frequencies with respect to the phases, Hz/rad.
@@ -354,10 +358,21 @@ def candidate_models(
     )
 
 
-def bloch_model(cell: UnitCell, settings: BandSettings) -> BlochModel:
+def bloch_model(cell: UnitCell, settings: BandSettings, *, or_best: bool = False) -> BlochModel:
     """The cheapest model whose error estimates stay within an accuracy all over the zone.
 
-    Parameters and errors as in `candidate_models`.
+    Parameters and errors as in `candidate_models`. With ``or_best`` the most accurate model that was found
+    answers where none reaches the accuracy, unless even its errors are beyond `COARSEST`.
     """
-    models = candidate_models(cell, settings)
-    return next(m for m in models if settings.resolution or m.worst_error <= settings.accuracy)
+    best: BlochModel | None = None
+    try:
+        for model in candidate_models(cell, settings):
+            if settings.resolution or model.worst_error <= settings.accuracy:
+                return model
+            if best is None or model.worst_error < best.worst_error:
+                best = model
+    except ResourceError:
+        if not or_best or best is None or best.worst_error > COARSEST:
+            raise
+    assert best is not None, "a ladder without a rung"
+    return best

@@ -339,7 +339,7 @@ def check_cost(
     raise ResourceError.too_large(
         argument="bands.accuracy",
         given=f"{accuracy:g}",
-        allowed=f"{_rounded_up(possible):g} or more for this cell and {resolution.bands} bands"
+        allowed=f"{rounded_up(possible):g} or more for this cell and {resolution.bands} bands"
         if possible < math.inf
         else f"at most {fewer} bands for this cell"
         if fewer
@@ -378,10 +378,10 @@ def check_start(cell: UnitCell, count: int, accuracy: float) -> None:
         spent += check_cost(cell, rung, accuracy, spent)
 
 
-def _rounded_up(value: float) -> float:
-    """To two digits, never below it."""
-    unit = 10.0 ** (math.floor(math.log10(value)) - 1)
-    return math.ceil(value / unit) * unit
+def rounded_up(value: float, digits: int = 2) -> float:
+    """The next number of so many digits that is not below ``value``."""
+    unit = 10.0 ** (math.floor(math.log10(value)) - digits + 1)
+    return float(f"{math.ceil(value / unit) * unit:.{digits}g}")
 
 
 def check_thickness(cell: UnitCell) -> None:

@@ -12,6 +12,7 @@ import numpy as np
 
 from haptonic import plots, vtu
 from haptonic.bloch import Gap, bands_dataset, gaps_of
+from haptonic.bloch.resolution import rounded_up
 from haptonic.bloch.settings import BandSettings
 from haptonic.cell import UnitCell
 from haptonic.later import pandas as pd
@@ -63,6 +64,17 @@ class Bands(Result):
         ]
         said += [] if complete else ["There is no complete gap among the bands that were computed."]
         return [*said, *self._about_carrier(complete), counted(**self._counts)]
+
+    def remarks(self) -> list[str]:
+        attrs = self.dataset.attrs
+        largest, asked = attrs.get("largest_error", 0.0), attrs["accuracy"]
+        if largest <= asked:
+            return []
+        return [
+            f"The accuracy asked for, {asked:g}, is not reached: errors go up to {rounded_up(largest):g} of a "
+            f"frequency, and the next finer mesh needs more time or memory than it may take. Each number is "
+            f"shown with its own error; accuracy = {rounded_up(largest):g} asks for no more than this."
+        ]
 
     def _about_carrier(self, complete: Sequence[Gap]) -> list[str]:
         carrier = self.dataset.attrs.get("carrier_hz")

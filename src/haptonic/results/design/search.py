@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-import math
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
@@ -12,6 +11,7 @@ import numpy as np
 
 from haptonic.arrays import Array
 from haptonic.bloch import Gap, gaps_of
+from haptonic.bloch.resolution import rounded_up
 from haptonic.bloch.settings import COARSEST, BandSettings
 from haptonic.design.brief import SLACK, Brief
 from haptonic.design.parameters import UNITS
@@ -196,7 +196,7 @@ class _Search:
             if not found or found[0].gap.relative_error > accuracy:
                 break
             known = accuracy, found[0].gap
-            reached = _upward(found[0].gap.relative_error)
+            reached = rounded_up(found[0].gap.relative_error, 1)
             accuracy = min(max(reached, 2 * self.settings.accuracy), COARSEST)
         return known
 
@@ -245,9 +245,3 @@ def _rounded(brief: Brief, visit: Visited) -> dict[str, float]:
         found = best
     values = valued(found)
     return dict(zip(brief.paths, values.tolist(), strict=True))
-
-
-def _upward(share: float) -> float:
-    """The next number of one digit that is not smaller."""
-    step = 10.0 ** math.floor(math.log10(share))
-    return float(f"{math.ceil(share / step) * step:.1g}")
