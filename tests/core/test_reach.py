@@ -9,13 +9,14 @@ from hypothesis import strategies as st
 from strategies import ALUMINIUM
 from truth import KAPPA, plain_plate
 
-from haptonic.bloch import model, resolution
+from haptonic.bloch import bands_dataset, model, resolution
 from haptonic.bloch.model import BlochModel, ReducedCell, bloch_model
-from haptonic.bloch.resolution import LADDER, check_start, first_rung
-from haptonic.bloch.settings import BandSettings
+from haptonic.bloch.resolution import LADDER, Resolution, check_start, first_rung
+from haptonic.bloch.settings import COARSEST, BandSettings
 from haptonic.cell import Pillar, UnitCell
 from haptonic.errors import ResourceError
 from haptonic.lattice import Lattice
+from haptonic.results.bands import Bands
 from haptonic.superelement import Tiling, condense_by_parts
 
 PITCH = 6e-3
@@ -74,6 +75,28 @@ def test_the_accuracy_that_a_refusal_names_is_answered(thickness, diameter, heig
         patch.setattr(resolution, "LONGEST", 6.0)
         named = float(refusal(cell, 8, 2e-4).allowed.split()[0])
         assert bloch_model(cell, BandSettings(8, accuracy=named)).worst_error <= named
+
+
+def test_what_falls_short_of_an_accuracy_is_answered_and_says_so(monkeypatch):
+    """A minute of work ended in a refusal; now its errors are told, where they still tell of gaps."""
+    monkeypatch.setattr(model, "LADDER", (Resolution(3, 0),))
+    monkeypatch.setattr(model, "first_rung", lambda *_: 0)
+    cell = cell_of(0.3, 0.7, 2.0)
+    answer = Bands(bands_dataset(cell, BandSettings(2, points=8, accuracy=1e-3)))
+    told, data = answer.dataset.attrs["largest_error"], answer.dataset
+    moving = data["frequency"] > 0.1 * data["frequency"].max()
+    seen = float((data["frequency_error"] / data["frequency"]).where(moving).max())
+    assert 1e-3 < seen <= told < COARSEST
+    (said,) = answer.remarks()
+    assert "0.001, is not reached" in said
+    refusal(cell, 2, 1e-3)  # who builds on the bands is not answered
+    assert Bands(data.assign_attrs(accuracy=COARSEST)).remarks() == []
+
+
+@pytest.mark.parametrize("count", [1, 3])
+def test_few_bands_are_told_as_they_are(count):
+    """At rest the last of three is a rigid motion: with it as a yardstick, rest passed for a wave."""
+    assert BlochModel.of(cell_of(0.3, 0.5, 1.0), Resolution(3, 0), count).worst_error < COARSEST
 
 
 @given(st.floats(0.06, 0.2))

@@ -146,7 +146,7 @@ class Resolution:
         # A band may come out alike in both by chance, hence a share of what others are apart. Their mean is
         # too little where few bands are far apart, and the one that is alike is of their kind.
         relative = np.divide(distance, frequency, out=np.zeros_like(distance), where=moving)
-        others = math.sqrt(np.mean(relative[moving] ** 2))
+        others = math.sqrt(np.sum(relative[moving] ** 2) / max(np.count_nonzero(moving), 1))
         error = self.remaining(cell) * (distance + SHARED * others * frequency)
         return np.asarray(error + self.unresolved(cell) * distance * relative)
 

@@ -66,14 +66,15 @@ class Bands(Result):
         return [*said, *self._about_carrier(complete), counted(**self._counts)]
 
     def remarks(self) -> list[str]:
-        attrs = self.dataset.attrs
-        largest, asked = attrs.get("largest_error", 0.0), attrs["accuracy"]
+        asked = self.dataset.attrs["accuracy"]
+        largest = self.dataset.attrs.get("largest_error", asked)
         if largest <= asked:
             return []
+        reached = f"{rounded_up(largest):g}"
         return [
-            f"The accuracy asked for, {asked:g}, is not reached: errors go up to {rounded_up(largest):g} of a "
-            f"frequency, and the next finer mesh needs more time or memory than it may take. Each number is "
-            f"shown with its own error; accuracy = {rounded_up(largest):g} asks for no more than this."
+            f"The accuracy asked for, {asked:g}, is not reached: errors go up to {reached} of a frequency. A "
+            "finer mesh would need more time or memory than it may take. Each number has its own error; "
+            f"accuracy = {reached} asks for no more than this."
         ]
 
     def _about_carrier(self, complete: Sequence[Gap]) -> list[str]:
