@@ -381,7 +381,14 @@ class TestComparison:
         assert "the paper" not in without.replace("[daunizeau-haptics]", "")
 
 
-def test_a_result_that_no_chapter_knows_has_a_plain_one():
+def test_an_accuracy_that_was_not_reached_is_a_finding():
+    bands = reference_bands()
+    for told, said in ((0.0312, True), (0.002, False)):
+        made = dispersion.chapter(results(bands=bands.assign_attrs(largest_error=told, accuracy=2e-3)))
+        assert ("errors go up to 0.032 of a frequency" in str(made.findings[-1])) == said
+
+
+def test_a_result_that_no_chapter_knows_has_a_plain_one(empty_pictures):
     text = read(page(results(toy=Toy(3)))).text
     assert "A toy" in text
     assert "It counts to 3." in text

@@ -35,7 +35,7 @@ def chapter(results: Results) -> Chapter | Absent:
             "the other gaps hold for the wavevectors of one segment only.",
             "A bound after ± holds the error of the mesh, of the reduced model and of the sampling.",
         ),
-        findings=(*map(drawn, said), counted),
+        findings=(*map(drawn, said), counted, *bands.remarks()),
         pictures=results.pictures(bands, words),
         tables=tuple(bands.tables()),
     )
