@@ -12,6 +12,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from matplotlib.figure import Figure
 from typer.testing import CliRunner
 
 from haptonic.cli.app import app
@@ -121,6 +122,24 @@ def inside(store_folder: Path) -> Callable[..., Ran]:
         return Ran(done.exit_code, done.stdout, done.stderr)
 
     return run
+
+
+@pytest.fixture
+def empty_pictures(monkeypatch: pytest.MonkeyPatch) -> dict[str, Figure]:
+    """Pictures are drawn and named but not rendered, which is most of the work of a small question.
+
+    What was drawn is given by name; pictures themselves are tried in ``tests/plots``.
+    """
+    drawn: dict[str, Figure] = {}
+
+    def save(figure: Figure, folder: Path, name: str) -> None:
+        drawn[name] = figure
+        for kind in ("svg", "png"):
+            (folder / f"{name}.{kind}").touch()
+
+    monkeypatch.setattr("haptonic.plots.save", save)
+    monkeypatch.setattr("haptonic.plots.animated", lambda *_, **__: b"")
+    return drawn
 
 
 @pytest.fixture

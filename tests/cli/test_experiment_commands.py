@@ -15,6 +15,8 @@ from five_parts import assert_five_parts
 from haptonic.friction.signals import Label, Record, measured
 from haptonic.study import load
 
+pytestmark = pytest.mark.usefixtures("empty_pictures")
+
 TABLE = "[[sweep]]"
 SMALL = (TABLE, """
 [protocol]

@@ -13,6 +13,8 @@ from haptonic.report import Absent, Chapter, Results
 from haptonic.report.chapters.feel import chapter
 from haptonic.study import load
 
+pytestmark = pytest.mark.usefixtures("empty_pictures")
+
 FILES = {"feel.nc", *(f"{name}.{kind}" for name in ("friction", "reduction") for kind in ("svg", "png"))}
 TOUCH = ("[[sweep]]", '[touch]\nforce = "0.8 N"\nvoltage = "200 V"\n\n[[sweep]]')
 

@@ -11,6 +11,8 @@ import xarray as xr
 
 from five_parts import assert_five_parts
 
+pytestmark = pytest.mark.usefixtures("empty_pictures")
+
 FINE = (("order = 2", "order = 3"), ("foot_rings = 0", "foot_rings = 1"))  # else the gap is not certain
 PROTOTYPE = ("[[sweep]]", '[waveguide]\nmode = "0x17"\nwidth = "32 mm"\nrows = 20\n\n[[sweep]]')
 LAYER_FILES = {"layers.nc", "layers.svg", "layers.png", "decay.svg", "decay.png"}

@@ -16,6 +16,8 @@ from haptonic.results.plate.value import ERRORS
 from haptonic.store import Store
 from haptonic.study import load
 
+pytestmark = pytest.mark.usefixtures("empty_pictures")
+
 PICTURES = ("plan", "maps", "velocity", "contrast", "impedance-A1")
 FILES = {
     "response.nc", "maps.nc", "plate.nc", "modes.nc", "plate.vtu", "carrier.webp",

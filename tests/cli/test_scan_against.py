@@ -58,18 +58,6 @@ def folder(tmp_path_factory, store_folder):
     return out
 
 
-@pytest.fixture
-def empty_pictures(monkeypatch):
-    """Pictures are named but not drawn, which takes most of the time of a scan so small."""
-
-    def save(figure, folder, name):
-        for kind in ("svg", "png"):
-            (folder / f"{name}.{kind}").touch()
-
-    monkeypatch.setattr("haptonic.plots.save", save)
-    monkeypatch.setattr("haptonic.plots.animated", lambda *_, **__: b"")
-
-
 @pytest.mark.usefixtures("empty_pictures")
 def test_one_command_gives_maps_gap_and_verdict(inside, folder, tmp_path):
     out = tmp_path / "out"

@@ -11,6 +11,7 @@ import pytest
 import scipy.io
 import scipy.io.wavfile
 import xarray as xr
+from matplotlib.text import Text
 
 from five_parts import assert_five_parts
 from haptonic.analyses import scanning
@@ -39,7 +40,10 @@ PICTURES = ("average", "maps", "quality", "contrast", "velocity", "decay", "wave
 SCAN = {"response.nc", "scan.nc", "points.csv", "shape.webp",
         *(f"{name}.{kind}" for name in PICTURES for kind in ("svg", "png"))}  # fmt: skip
 
-pytestmark = pytest.mark.filterwarnings("ignore:the period of:haptonic.errors.HaptonicWarning")
+pytestmark = [
+    pytest.mark.filterwarnings("ignore:the period of:haptonic.errors.HaptonicWarning"),
+    pytest.mark.usefixtures("empty_pictures"),
+]
 
 
 @pytest.fixture(scope="module")
@@ -133,7 +137,7 @@ class TestChirp:
         ran = inside("chirp", path, "--json")
         assert any("half the sample rate" in text for text in ran.json["warnings"])
 
-    def test_a_plate_that_a_force_drives_has_a_drive_in_newtons(self, inside, tmp_path):
+    def test_a_plate_that_a_force_drives_has_a_drive_in_newtons(self, inside, tmp_path, empty_pictures):
         start, end = TINY.index("[[plate.actuator]]"), TINY.index("[scan]")
         force = '[[plate.force]]\nname = "F1"\nregion = "WG1"\ncentre = ["7 mm", "9 mm"]\nforce = "2 N"\n\n'
         path, out = tmp_path / "forced.toml", tmp_path / "out"
@@ -146,7 +150,7 @@ class TestChirp:
         assert (notes["unit"], notes["full_scale"]) == ("N", 2.0)
         with h5py.File(out / "drive.h5") as file:
             assert np.abs(file["force"][:]).max() == 2.0
-        assert "force (N)" in (out / "signal.svg").read_text("utf-8")
+        assert "force (N)" in [text.get_text() for text in empty_pictures["signal"].findobj(Text)]
 
     def test_without_a_plate_there_is_no_plan(self, inside, tmp_path):
         path = tmp_path / "cell.toml"

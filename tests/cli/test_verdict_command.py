@@ -16,6 +16,8 @@ from haptonic.response import FrequencyResponse, read, write
 from haptonic.study import load
 from haptonic.updating.parameters import changed
 
+pytestmark = pytest.mark.usefixtures("empty_pictures")
+
 MATERIAL = (
     'material = "aluminium-paper"',
     "material = { youngs_modulus = '70 GPa', poisson_ratio = 0.33, density = '2700 kg/m^3' }",
