@@ -40,7 +40,7 @@ class Profile:
     """Borders between rings (b of them, from the core's to the last before the cell's sides) and layers (l).
 
     width : (b, l) half-widths of the borders between rings where they meet those between layers, m
-    height : (b, l) heights of these corners above the plate's lower face, m; at the cell's sides as for the last b
+    height : (b, l) heights of these corners above z = 0, m; at the cell's sides as for the last b
     ring_shares, layer_shares : where the nodes lie within each ring and each layer, from 0 to 1
     """
 

@@ -1,8 +1,8 @@
 """Folding a mirror-symmetric cell: every field splits into classes that are even or odd in each mirror.
 
 Within a class the values on a quarter of the cell give the whole field, so one problem becomes four of a
-quarter of the size, on one and the same sparsity pattern. Where pillars stand on both faces, the plate's middle
-plane is a mirror as well, and an eighth is enough.
+quarter of the size, on one and the same sparsity pattern. Where pillars stand on both faces, the plate's
+middle plane is a mirror as well, and an eighth is enough.
 """
 
 from __future__ import annotations

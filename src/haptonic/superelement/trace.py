@@ -35,8 +35,8 @@ class FoldedTrace:
     """Trace unknowns of one symmetry class, and how they stand for those of the whole cell.
 
     The whole trace is ordered (level, place on the rim, component). The class has a share of it on the
-    representative places, without the components that it forces to vanish; where the middle plane is a mirror,
-    on the levels from there up.
+    representative places, without the components that it forces to vanish; where the middle plane is a
+    mirror, on the levels from there up.
     """
 
     topology: Topology
