@@ -40,7 +40,7 @@ def plate_of(section: PlateSettings | None, own: UnitCell) -> Plate:
         raise _refused(
             "unsupported", "cell.faces", "both", "one, for a finite plate",
             "its regions are plain below, where the finger and the actuators are",
-            'write faces = "one"; bands, layers, ribbons, waveguides, designs and tolerances have both',
+            'write faces = "one", or leave [plate] out: bands, layers, ribbons and waveguides have both',
         )  # fmt: skip
     layout = _layout(section, own)
     _check_grid(layout, section.response.grid)
