@@ -22,7 +22,7 @@ from haptonic.bloch.gaps import SEARCH_GOAL, complete_gaps
 from haptonic.bloch.model import ReducedCell
 from haptonic.bloch.pencil import eigenpairs
 from haptonic.bloch.settings import BandSettings, MeshSettings
-from haptonic.bloch.symmetry import clusters, mirrors_at, sorted_by_parity
+from haptonic.bloch.symmetry import clusters, mirrors_at, sorted_by_parity, split_groups
 from haptonic.bloch.tracking import group_velocity
 from haptonic.bloch.zone import zone_surface
 from haptonic.cell import MeshPlan, Pillar, UnitCell, mesh_cell
@@ -406,7 +406,8 @@ def path_points():
 
 def parities(mirror, solution):
     trace = solution.fields[: model().fine.tiling.trace_size]
-    return sorted_by_parity(trace, mirror.applied(trace, solution.kappa), clusters(solution.frequency))
+    groups = split_groups(clusters(solution.frequency), model().fine.parity(solution.modes))
+    return sorted_by_parity(trace, mirror.applied(trace, solution.kappa), groups)
 
 
 def test_every_mode_on_the_path_is_even_or_odd():

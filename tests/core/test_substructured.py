@@ -36,11 +36,12 @@ CELLS = {
         UnitCell(Lattice.rectangular(8e-3, 6e-3), 2e-3, PLY, Pillar(2.8e-3, 7e-3, fillet=0.4e-3)),
         (0.4, 3.0),
     ),
+    "both faces": (replace(reference_cell(), faces="both"), (1.1, 2.3)),
 }
 
 
 def pillar_body(material=ALUMINIUM, section="round", degree=3, order=16):
-    return PillarBody(2e-3, LENGTH, RADIUS, section, material, degree, order, kinds=1)
+    return PillarBody(2e-3, LENGTH, RADIUS, section, material, degree, order, kinds=1, faces=1)
 
 
 def free_frequencies(body, count):

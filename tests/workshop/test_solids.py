@@ -3,11 +3,13 @@
 import builtins
 import math
 import re
+from dataclasses import replace
 
 import ezdxf
 import meshio
 import numpy as np
 import pytest
+import scipy
 from family import EXTREME, FAMILY, MM, RECTANGLE, cell, enclosed, is_watertight, volume
 
 from five_parts import refusing
@@ -88,6 +90,28 @@ def test_a_new_form_is_a_row_of_the_table(draft, monkeypatch, tmp_path):
     assert any(
         d.dxf.text == "<>" and "HEX" in str(d.override().get("dimpost")) for d in sheet.query("DIMENSION")
     )
+
+
+@pytest.mark.parametrize(
+    "pillar", ["round draft 2 fillet 0.0005 step True", "square draft -3 fillet 0.0 step False"]
+)
+def test_with_pillars_on_both_faces_the_solids_have_both(pillar, tmp_path):
+    """By volume, and by each body being its own image in the plate's middle plane; drawings are refused."""
+    body = replace(ALL[pillar], faces="both")
+    part = Part.piece(body, 2, 3)
+    exact = 6 * (body.lattice.area * body.thickness + 2 * body.pillar.volume)
+    assert part.pillars == 12
+    assert part.volume * MM**3 == pytest.approx(exact)
+    assert volume_of_step(write_step(tmp_path / "a.step", part)) == pytest.approx(exact, rel=1e-6)
+    skin = surface(part, chord=1e-6)
+    assert is_watertight(skin.cells_dict["triangle"])
+    assert enclosed(skin.points, skin.cells_dict["triangle"]) == pytest.approx(exact, rel=5e-4)
+    image = skin.points * [1, 1, -1] + [0, 0, body.thickness]
+    assert scipy.spatial.cKDTree(skin.points).query(image)[0].max() < 1e-12
+    assert skin.points[:, 2].min() == pytest.approx(-body.pillar.height)
+    for write in (write_dxf, write_drawing):
+        with refusing(GeometryError, "unsupported", "cell.faces"):
+            write(tmp_path / "b.dxf", part, *["Plate"] * (write is write_drawing))
 
 
 def test_a_step_file_without_a_solid_is_refused(tmp_path):

@@ -141,7 +141,9 @@ class Workshop(Result):
 
 def check(study: Description, options: ExportOptions) -> None:
     """Refuse what cannot be made."""
-    options.part(study)
+    part = options.part(study)
+    if {"dxf", "drawing"} & set(options.kinds):
+        part.need_one_face()
 
 
 def compute(study: Description, options: ExportOptions, runner: Runner) -> Workshop:

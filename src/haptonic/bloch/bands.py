@@ -10,7 +10,7 @@ import numpy as np
 
 from haptonic.arrays import Array
 from haptonic.bloch.character import NAMES, characters
-from haptonic.bloch.gaps import Gap, complete_gaps, partial_gaps
+from haptonic.bloch.gaps import Gap, complete_gaps, parity_gaps, partial_gaps
 from haptonic.bloch.model import BlochModel, bloch_model, candidate_models
 from haptonic.bloch.pencil import Periodic
 from haptonic.bloch.settings import BandSettings
@@ -25,6 +25,7 @@ from haptonic.superelement import TiledMesh
 
 SURFACE_DIVISIONS = 24  # of the irreducible zone's sides, for contours and the density of states
 DENSITY_BINS = 200
+MIDDLE = "+1 symmetric, -1 antisymmetric about the plate's middle plane, 0 where that is no mirror"
 
 
 @one_thread()
@@ -54,7 +55,8 @@ def bands_dataset(
     along = diagram(model, path)
     gaps = complete_gaps(model)
     dataset = _diagram_dataset(along)
-    dataset = dataset.merge(_gaps_dataset((*gaps, *partial_gaps(along, gaps))))
+    listed = (*gaps, *parity_gaps(model, gaps), *partial_gaps(along, gaps))
+    dataset = dataset.merge(_gaps_dataset(listed))
     kappa, name = wavevector_at(cell.zone, modes_at or f"{path.labels[1]}-{path.labels[2]}")
     dataset = dataset.merge(mode_shapes(model, kappa))
     if surface:
@@ -125,6 +127,7 @@ def gaps_of(dataset: xr.Dataset) -> tuple[Gap, ...]:
                 complete=bool(row["gap_complete"]),
                 direction=str(row["gap_direction"].item()),
                 samples=int(row["gap_samples"]),
+                waves=row["gap_waves"].item(),
             )
         )
     return tuple(found)
@@ -179,6 +182,7 @@ def mode_shapes(model: BlochModel, kappa: Array) -> xr.Dataset:
             "mode_frequency": ("mode", solution.frequency),
             "mode_error": ("mode", solution.error),
             "mode_name": ("mode", named.name),
+            "mode_parity": ("mode", model.fine.parity(solution.modes)),
             "mode_kappa": ("axis", kappa),
             "mode_real": (("mode", "node", "xyz"), np.moveaxis(turned.real, 2, 0).astype(np.float32)),
             "mode_imag": (("mode", "node", "xyz"), np.moveaxis(turned.imag, 2, 0).astype(np.float32)),
@@ -190,6 +194,7 @@ def mode_shapes(model: BlochModel, kappa: Array) -> xr.Dataset:
         "mode_frequency": ("Hz", "frequency"),
         "mode_error": ("Hz", "bound of the frequency's error"),
         "mode_name": ("1", "character, a position in character_names"),
+        "mode_parity": ("1", MIDDLE),
         "mode_kappa": ("rad", "phases k . a1 and k . a2"),
         "mode_real": ("1", "displacement in phase, largest component 1"),
         "mode_imag": ("1", "displacement a quarter period earlier"),
@@ -218,6 +223,7 @@ def _diagram_dataset(along: Diagram) -> xr.Dataset:
             "frequency_error": (both, along.error),
             "group_velocity": ((*both, "axis"), along.velocity),
             "parity": (both, along.parity),
+            "middle_parity": (both, along.middle),
             "corner_symmetry": (("path_corner", "band"), np.array(along.corner_symmetry).astype("U")),
             "branch": (both, along.branch),
             "out_of_plane": (both, along.vertical),
@@ -234,6 +240,7 @@ def _diagram_dataset(along: Diagram) -> xr.Dataset:
         "frequency_error": ("Hz", "bound of the frequency's error"),
         "group_velocity": ("m/s", "group velocity along x and y; NaN for rigid-body motions"),
         "parity": ("1", "+1 even, -1 odd under the mirror of the segment, 0 without one"),
+        "middle_parity": ("1", MIDDLE),
         "corner_symmetry": ("1", "behaviour under the mirrors of the corner's little group"),
         "branch": ("1", "number of the curve followed through crossings"),
         "out_of_plane": ("1", "share of kinetic energy in motion along z"),
@@ -259,6 +266,7 @@ def _gaps_dataset(gaps: tuple[Gap, ...]) -> xr.Dataset:
             "gap_upper_kappa": (("gap", "axis"), np.array([g.upper_kappa for g in gaps]).reshape(-1, 2)),
             "gap_complete": ("gap", np.array([g.complete for g in gaps], dtype=np.int8)),
             "gap_direction": ("gap", np.array([g.direction for g in gaps], dtype=object).astype("U")),
+            "gap_waves": ("gap", np.array([g.waves for g in gaps], dtype=object).astype("U")),
             "gap_samples": ("gap", np.array([g.samples for g in gaps], dtype=np.int64)),
         }
     )
@@ -266,8 +274,9 @@ def _gaps_dataset(gaps: tuple[Gap, ...]) -> xr.Dataset:
         "gap_below": ("1", "number of the band below, from 1"),
         "gap_lower_kappa": ("rad", "phases at which the lower edge lies"),
         "gap_upper_kappa": ("rad", "phases at which the upper edge lies"),
-        "gap_complete": ("1", "1 when it holds over the whole irreducible zone"),
-        "gap_direction": ("1", "segment of the path that it holds on"),
+        "gap_complete": ("1", "1 when it holds over the whole irreducible zone, for all waves"),
+        "gap_direction": ("1", "segment of the path that it holds on, or all"),
+        "gap_waves": ("1", "waves that it holds for, by their symmetry about the plate's middle plane"),
         "gap_samples": ("1", "wavevectors that the claim rests on"),
     })  # fmt: skip
     return dataset

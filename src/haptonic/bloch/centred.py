@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from haptonic.arrays import Array, Complex, Fields
-from haptonic.bloch.pencil import Pencil, Periodic, bloch_pencil
+from haptonic.bloch.pencil import Pencil, Periodic, SplitPencil, bloch_pencil
 from haptonic.later import linalg as la
 from haptonic.later import sparse as sp
 from haptonic.lattice import HALF_TURN
@@ -34,6 +34,7 @@ class CentredPencil:
     offset : (n, 2) where the middle of each lies from the centre, in translations: halves
     odd : (n,) True for odd ones
     translations : (n, 3) unit motions along x, y and z
+    middle : (n, n) sparse, the mirror in the plate's middle plane on these unknowns, if it is one
     """
 
     periodic: Periodic
@@ -42,6 +43,7 @@ class CentredPencil:
     offset: Array
     odd: NDArray[np.bool_]
     translations: Array
+    middle: sp.csr_array | None
 
     @classmethod
     def of(cls, tiling: Tiling) -> CentredPencil:
@@ -69,6 +71,7 @@ class CentredPencil:
             turned = (combinations.T @ half.reshape(-1, count).T).T.reshape(forms.shape)
             return np.asarray(turned.swapaxes(1, 2))
 
+        middle = periodic.in_middle_plane(tiling)
         between = periodic.shift[source] + away  # an unknown and its image, to the next translation
         return cls(
             periodic=periodic,
@@ -77,6 +80,7 @@ class CentredPencil:
             offset=0.5 * between[np.concatenate([first, first, alone])],
             odd=np.concatenate([np.zeros(pairs, bool), np.ones(pairs, bool), sign[alone] < 0]),
             translations=combinations.T @ periodic.translations(tiling.trace_size),
+            middle=None if middle is None else combinations.T @ middle @ combinations,
         )
 
     @property
@@ -160,11 +164,17 @@ class PhasedPencil:
     periodic: Periodic
     pencil: Pencil
     translations: Array
+    middle: sp.csr_array | None
 
     @classmethod
     def of(cls, tiling: Tiling) -> PhasedPencil:
         periodic = Periodic.of(tiling)
-        return cls(periodic, bloch_pencil(tiling), periodic.translations(tiling.trace_size))
+        return cls(
+            periodic,
+            bloch_pencil(tiling),
+            periodic.translations(tiling.trace_size),
+            periodic.in_middle_plane(tiling),
+        )
 
     @property
     def size(self) -> int:
@@ -228,6 +238,33 @@ def lattice_pencil(tiling: Tiling) -> CentredPencil | PhasedPencil:
     if HALF_TURN in tiling.cell.point_group:
         return CentredPencil.of(tiling)
     return PhasedPencil.of(tiling)
+
+
+def halves(middle: sp.csr_array) -> tuple[Array, Array]:
+    """(n, s) and (n, a) orthonormal unknowns that a mirror (n, n) leaves as they are, and turns over.
+
+    The mirror exchanges unknowns, or keeps one with its sign or the opposite one.
+    """
+    found = middle.tocoo()
+    first, second = found.coords
+    alone, pair = first == second, first < second
+    count, root = middle.shape[0], np.sqrt(0.5)
+    parts = []
+    for parity in (1, -1):
+        single = first[alone & (found.data * parity > 0)]
+        basis = np.zeros((count, pair.sum() + len(single)))
+        columns = np.arange(pair.sum())
+        basis[first[pair], columns] = root
+        basis[second[pair], columns] = parity * root * found.data[pair]
+        basis[single, pair.sum() + np.arange(len(single))] = 1.0
+        parts.append(basis)
+    return parts[0], parts[1]
+
+
+def split(full: CentredPencil | PhasedPencil, bases: tuple[Array, Array]) -> SplitPencil:
+    """The pencil on constant real bases of symmetric motions and of antisymmetric ones."""
+    symmetric, antisymmetric = (full.projected(basis) for basis in bases)
+    return SplitPencil((symmetric, antisymmetric))
 
 
 @dataclass(frozen=True)

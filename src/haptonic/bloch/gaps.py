@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
 from haptonic.arrays import Array, Ints
 from haptonic.bloch.model import BlochModel
 from haptonic.bloch.pencil import eigenpairs, hertz
+from haptonic.bloch.symmetry import WAVES, Waves
 from haptonic.bloch.tracking import Diagram
 from haptonic.errors import StudyError
 from haptonic.units import Hertz, format_quantity
@@ -26,10 +27,11 @@ MOST_SAMPLES = 600  # wavevectors; when they are used up the remaining doubt goe
 class Gap:
     """Frequencies that no wave of some wavevectors has, between two neighbouring bands.
 
-    between : numbers of the bands below and above, counted from 1
+    between : numbers of the bands below and above, counted from 1, among those of its waves
     lower, upper : edges, Hz; lower_error, upper_error : bounds of their errors, Hz
     lower_kappa, upper_kappa : phases (rad) at which the edges were found
-    complete : True when the whole irreducible zone was searched; else ``direction`` names the segment
+    complete : True when it holds for every direction and every wave; else ``direction`` names the segment of
+        the path, or is "all" where the whole irreducible zone was searched for ``waves`` of one parity
     samples : wavevectors that the claim rests on
     """
 
@@ -43,6 +45,7 @@ class Gap:
     complete: bool
     direction: str
     samples: int
+    waves: Waves = "all"
 
     @property
     def width(self) -> float:
@@ -171,6 +174,25 @@ def complete_gaps(model: BlochModel) -> tuple[Gap, ...]:
         if gap.width > doubt and (gap.certain or gap.width > SEARCH_GOAL * gap.centre):
             gaps.append(gap)
     return tuple(gaps)
+
+
+def parity_gaps(model: BlochModel, complete: tuple[Gap, ...]) -> tuple[Gap, ...]:
+    """Gaps of one parity in the plate's middle plane over the whole irreducible zone, where that is a mirror.
+
+    Waves of one parity pass what is a gap for the other. Listed as far as they are certain, and more than a
+    complete one.
+    """
+    return tuple(
+        replace(gap, complete=False, waves=WAVES[parity])
+        for parity, half in model.halves.items()
+        for gap in complete_gaps(half)
+        if gap.certain and not any(_within(gap, one) for one in complete)
+    )
+
+
+def _within(gap: Gap, other: Gap) -> bool:
+    """Whether a gap reaches beyond another by no more than the errors of its edges."""
+    return other.lower <= gap.lower + gap.lower_error and gap.upper <= other.upper + gap.upper_error
 
 
 def gap_at(gaps: Iterable[Gap], frequency: float) -> Gap | None:

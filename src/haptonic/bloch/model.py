@@ -10,9 +10,9 @@ from functools import cached_property
 
 import numpy as np
 
-from haptonic.arrays import Array, Complex, Fields
-from haptonic.bloch.centred import CentredPencil, PhasedPencil, RealPencil, lattice_pencil
-from haptonic.bloch.pencil import Evaluated, Pencil, eigenpairs, hertz
+from haptonic.arrays import Array, Complex, Fields, Ints
+from haptonic.bloch.centred import CentredPencil, PhasedPencil, RealPencil, halves, lattice_pencil, split
+from haptonic.bloch.pencil import Evaluated, Pencil, SplitPencil, eigenpairs, hertz
 from haptonic.bloch.resolution import (
     LADDER,
     Resolution,
@@ -43,6 +43,7 @@ TRUSTED_TRUNCATION, TRUNCATION_SHARE = 1e-3, 0.25
 FIRST_ORDER = 1.5  # what was lost was at most that many times what first order told, below the trusted one
 MOST_GROWTH = 4  # of the interior at one mesh
 ABOVE = 2  # modes above those asked for that may change places with them: a tenth band was 1.3 % off so
+HALVES_DIVISIONS = 6  # at which the bands of each parity are counted
 ERROR_DIVISIONS = 3  # of the zone's sides, for the wavevectors at which a model's errors are judged
 REST = 1e-4  # share of the highest frequency below which a mode counts as a rigid-body motion
 
@@ -60,7 +61,7 @@ class ReducedCell:
 
     tiling: Tiling
     whole: CentredPencil | PhasedPencil
-    pencil: RealPencil | Pencil
+    pencil: RealPencil | Pencil | SplitPencil
     basis: Array
     projection_error: float
     rounding: float
@@ -70,14 +71,18 @@ class ReducedCell:
     def of(cls, tiling: Tiling, count: int, goal: float) -> ReducedCell:
         """Enrich a basis until it adds no more than ``goal`` (relative) to ``count`` frequencies."""
         full = lattice_pencil(tiling)
+        parts = halves(full.middle) if full.middle is not None else None
+        solved = split(full, parts) if parts else full
         mass = full.at(np.zeros(2))[1].real
-        rest = _orthonormal(full.near_rest(), mass)
+        rest = [_orthonormal(one, mass) for one in _apart(full.near_rest(), parts)]
         snapshots: list[Array] = []
-        error, small, basis, lost = np.inf, None, rest, LOST_DIRECTION
+        error, small, lost = np.inf, None, LOST_DIRECTION
         for wavevectors in _training(tiling.cell.zone):
             values, modes = zip(
-                *(eigenpairs(full, kappa, count + SPARE_MODES) for kappa in wavevectors), strict=True
+                *(eigenpairs(solved, kappa, count + SPARE_MODES) for kappa in wavevectors), strict=True
             )
+            if parts:
+                modes = tuple(np.hstack(parts) @ found for found in modes)
             if small is not None:
                 found = [eigenpairs(small, kappa, count)[0] for kappa in wavevectors]
                 error = max(
@@ -86,17 +91,32 @@ class ReducedCell:
                 )
                 lost *= TIGHTER if error > goal else 1.0
             snapshots += [full.snapshots(found) for found in modes]
-            new = np.hstack(snapshots)
-            for _ in range(2):  # one pass of Gram and Schmidt is not enough
-                new = new - rest @ (rest.T @ (mass @ new))
-            basis = np.hstack([rest, _orthonormal(new, mass, lost)])
-            small = full.projected(basis)
+            bases = [
+                _enriched(own, new, mass, lost)
+                for own, new in zip(rest, _apart(np.hstack(snapshots), parts), strict=True)
+            ]
+            small = split(full, (bases[0], bases[1])) if parts else full.projected(bases[0])
             if error <= goal:
                 break
         assert small is not None
         rounding = float(np.abs(eigenpairs(small, np.zeros(2), 3)[0]).max())
         # between the wavevectors of the check it may be off by as much as was allowed there
-        return cls(tiling, full, small, basis, max(error, goal), rounding)
+        return cls(tiling, full, small, np.hstack(bases), max(error, goal), rounding)
+
+    def parity(self, modes: Fields) -> Ints:
+        """(k,) of modes (r, k): +1 symmetric about the plate's middle plane, -1 antisymmetric, 0 if it is no
+        mirror of the cell."""
+        if isinstance(self.pencil, SplitPencil):
+            return self.pencil.parity(modes)
+        return np.zeros(modes.shape[1], dtype=np.int64)
+
+    def of_parity(self, parity: int) -> ReducedCell:
+        """What has one parity alone."""
+        assert isinstance(self.pencil, SplitPencil), "a cell without this mirror"
+        first = self.pencil.parts[0].size
+        own = slice(None, first) if parity > 0 else slice(first, None)
+        basis = self.basis[:, own]
+        return replace(self, pencil=self.whole.projected(basis), basis=basis)
 
     def expanded(self, modes: Fields, kappa: Array) -> Complex:
         """(t + m, k) unknowns of the tiling from (r, k) modes of the small pencil."""
@@ -114,6 +134,18 @@ def _training(zone: IrreducibleZone) -> Iterator[Array]:
             new = batch[apart > 1e-6]
             seen = np.concatenate([seen, new])
             yield new
+
+
+def _apart(fields: Array, parts: tuple[Array, Array] | None) -> list[Array]:
+    """The symmetric and the antisymmetric share of fields (n, k), or these themselves."""
+    return [basis @ (basis.T @ fields) for basis in parts] if parts else [fields]
+
+
+def _enriched(rest: Array, new: Array, mass: Array, lost: float) -> Array:
+    """(n, r) basis that spans long waves and new fields."""
+    for _ in range(2):  # one pass of Gram and Schmidt is not enough
+        new = new - rest @ (rest.T @ (mass @ new))
+    return np.hstack([rest, _orthonormal(new, mass, lost)])
 
 
 def _orthonormal(fields: Array, mass: Array, lost: float = LOST_DIRECTION) -> Array:
@@ -186,7 +218,10 @@ class BlochModel:
         def lowered() -> Evaluated:
             lower = Tiling.condensed(cell, resolution.lowered(cell), steps, block, measured=False)
             # a first basis, unchecked, told 2 % of a plain plate's tenth band where 0.05 % were to be told
-            return ReducedCell.of(lower, count, goal).pencil if many else lattice_pencil(lower)
+            if many:
+                return ReducedCell.of(lower, count, goal).pencil
+            full = lattice_pencil(lower)
+            return full if full.middle is None else split(full, halves(full.middle))
 
         # these matrices are too small for threads inside the linear algebra; both models share the threads
         # that symmetry classes are given to, the larger one first
@@ -194,6 +229,25 @@ class BlochModel:
             coarse = aside.submit(lowered)
             whole = Tiling.condensed(cell, resolution.plans(cell), steps, block, measured=measured)
             return cls(cell, resolution, count, ReducedCell.of(whole, count, goal), coarse.result())
+
+    @cached_property
+    def halves(self) -> dict[int, BlochModel]:
+        """By parity, the models of what is symmetric (1) and antisymmetric (-1) about the middle plane.
+
+        Each has the bands that are among those of the whole at every wavevector; none has one without bands.
+        """
+        if not isinstance(self.fine.pencil, SplitPencil):
+            return {}
+        assert isinstance(self.coarse, SplitPencil)
+        found = {}
+        wavevectors, _ = self.cell.zone.triangles(HALVES_DIVISIONS)
+        modes = [eigenpairs(self.fine.pencil, kappa, self.count)[1] for kappa in wavevectors]
+        for parity, coarse in zip((1, -1), self.coarse.parts, strict=True):
+            count = min(int((self.fine.parity(one) == parity).sum()) for one in modes)
+            if count:
+                fine = self.fine.of_parity(parity)
+                found[parity] = replace(self, count=count, fine=fine, coarse=coarse)
+        return found
 
     def frequencies(self, kappa: Array) -> Array:
         """(count,) Hz at the phases (2,), without anything else."""

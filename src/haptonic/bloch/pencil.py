@@ -14,6 +14,7 @@ import numpy as np
 
 from haptonic.arrays import Array, Complex, Fields, Ints
 from haptonic.later import linalg as la
+from haptonic.later import sparse as sp
 from haptonic.superelement import Joint, Tiling, definite
 
 
@@ -90,6 +91,15 @@ class Periodic:
         free, number = np.unique(source, return_inverse=True)
         return cls(free, number, shift)
 
+    def in_middle_plane(self, tiling: Tiling) -> sp.csr_array | None:
+        """(n, n) sparse, what the mirror in the plate's middle plane makes of free unknowns, if it is one."""
+        found = tiling.in_middle_plane()
+        if found is None:
+            return None
+        source, sign = (one[self.free] for one in found)  # no unknown leaves its place
+        count = len(self.free)
+        return sp.csr_array((sign, (np.arange(count), self.number[source])), shape=(count, count))
+
     def translations(self, traces: int) -> Array:
         """(n, 3) unit motions along x, y and z as free unknowns; the first ``traces`` are a trace."""
         return np.asarray(
@@ -148,6 +158,47 @@ class Evaluated(Protocol):
     def at(self, kappa: Array, /) -> tuple[Fields, Fields]: ...
 
 
+class Derived(Evaluated, Protocol):
+    """Such a thing with its derivatives."""
+
+    def slope(self, kappa: Array, direction: int, /) -> tuple[Fields, Fields]: ...
+
+
+@dataclass(frozen=True)
+class SplitPencil:
+    """Pencil of a cell that is its own image in the plate's middle plane.
+
+    Motions symmetric about it and antisymmetric ones do not meet.
+
+    parts : the pencils of either, in this order; their unknowns follow each other
+    """
+
+    parts: tuple[Derived, Derived]
+
+    @property
+    def size(self) -> int:
+        return sum(part.size for part in self.parts)
+
+    def at(self, kappa: Array) -> tuple[Fields, Fields]:
+        """(n, n) stiffness and mass at the phases (2,)."""
+        return self._whole([part.at(kappa) for part in self.parts])
+
+    def slope(self, kappa: Array, direction: int) -> tuple[Fields, Fields]:
+        """Exact derivatives of stiffness and mass with respect to one phase."""
+        return self._whole([part.slope(kappa, direction) for part in self.parts])
+
+    def parity(self, modes: Fields) -> Ints:
+        """(k,) of modes (n, k): +1 symmetric, -1 antisymmetric."""
+        first = self.parts[0].size
+        symmetric = np.abs(modes[:first]).max(axis=0) > np.abs(modes[first:]).max(axis=0)
+        return np.where(symmetric, 1, -1)
+
+    @staticmethod
+    def _whole(forms: list[tuple[Fields, Fields]]) -> tuple[Fields, Fields]:
+        K, M = (la.block_diag(*both) for both in zip(*forms, strict=True))
+        return K, M
+
+
 # Of the traces' ratio. An eigenvalue x errs by rounding times (x + shift)^2 / shift, so the shift lies in the
 # middle of what is asked for, from rest to a tenth of that ratio: with 1e-12 bands 7 to 20 lost 2e-5 at rest.
 SHIFT = 1e-8
@@ -162,12 +213,17 @@ def hertz(values: Array) -> Array:
 def eigenpairs(pencil: Evaluated, kappa: Array, count: int) -> tuple[Array, Fields]:
     """The ``count`` lowest eigenvalues omega^2, (rad/s)^2, and modes (n, count) of unit mass.
 
-    Modes are real where the pencil is. NumericalError is raised if rounding leaves a negative stiffness.
+    Modes are real where the pencil is, and of one parity where it is split. NumericalError is raised if
+    rounding leaves a negative stiffness.
 
     The highest eigenvalue grows as the fourth power of pitch over
     thickness against the lowest ones, and an eigensolver errs by rounding times the largest that it works
     with: with ``1 / (omega^2 + shift)`` these are the ones asked for.
     """
+    if isinstance(pencil, SplitPencil):
+        values, modes = zip(*(eigenpairs(part, kappa, count) for part in pencil.parts), strict=True)
+        lowest = np.argsort(np.concatenate(values), kind="stable")[:count]
+        return np.concatenate(values)[lowest], la.block_diag(*modes)[:, lowest]
     K, M = pencil.at(kappa)
     size = pencil.size
     shift = SHIFT * float(np.trace(K).real / np.trace(M).real)

@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from itertools import pairwise
+from typing import Literal
 
 import numpy as np
 
-from haptonic.arrays import Array, Complex
+from haptonic.arrays import Array, Complex, Ints
 from haptonic.later import linalg as la
 from haptonic.lattice import Operation, PointGroup
 
@@ -25,14 +27,24 @@ def clusters(frequency: Array, tolerance: float = SAME) -> list[slice]:
     return [slice(a, b) for a, b in pairwise(ends)]
 
 
-def sorted_by_parity(trace: Complex, image: Complex, groups: list[slice]) -> tuple[Complex, Array]:
+Waves = Literal["all", "symmetric", "antisymmetric"]  # about the plate's middle plane
+WAVES: dict[int, Waves] = {1: "symmetric", -1: "antisymmetric"}  # by parity
+
+
+def split_groups(groups: list[slice], middle: Ints) -> list[Ints]:
+    """Numbers of the modes of each group that have one parity (k,) in the plate's middle plane."""
+    number = np.arange(len(middle))
+    return [number[group][middle[group] == parity] for group in groups for parity in np.unique(middle[group])]
+
+
+def sorted_by_parity(trace: Complex, image: Complex, groups: Sequence[Ints]) -> tuple[Complex, Array]:
     """Turn degenerate modes so that each is even or odd.
 
     Parameters
     ----------
     trace : (t, k) traces of the modes on one cell, phases included
     image : the same in a reflection of the wavevector's little group
-    groups : degenerate groups of the modes
+    groups : numbers of the modes of each degenerate group
 
     Returns
     -------
@@ -49,7 +61,7 @@ def sorted_by_parity(trace: Complex, image: Complex, groups: list[slice]) -> tup
         order = np.argsort(-values)
         vectors = vectors[:, order]
         # eigh normalises in the trace; bring the modes back to orthonormal combinations
-        turn[group, group] = np.linalg.qr(vectors)[0]
+        turn[np.ix_(group, group)] = np.linalg.qr(vectors)[0]
         parity[group] = values[order]
     return turn, parity
 
@@ -57,7 +69,7 @@ def sorted_by_parity(trace: Complex, image: Complex, groups: list[slice]) -> tup
 MULLIKEN = {"x+ y+ d+": "A1", "x- y- d-": "A2", "x+ y+ d-": "B1", "x- y- d+": "B2"}
 
 
-def corner_labels(trace: Complex, images: dict[str, Complex], groups: list[slice]) -> list[str]:
+def corner_labels(trace: Complex, images: dict[str, Complex], groups: Sequence[Ints]) -> list[str]:
     """How modes at a corner of the zone behave under all mirrors of its little group.
 
     A single mode is even (+) or odd (-) under each of them, such as ``x+ y-``; where all mirrors of the
@@ -65,10 +77,10 @@ def corner_labels(trace: Complex, images: dict[str, Complex], groups: list[slice
 
     Parameters
     ----------
-    trace : (t, k) traces of the modes; groups : degenerate groups of them
+    trace : (t, k) traces of the modes; groups : numbers of those of each degenerate group
     images : the same in the mirrors, by name, see `haptonic.lattice.PointGroup.mirrors`
     """
-    labels: list[str] = []
+    labels = [""] * trace.shape[1]
     for group in groups:
         own = trace[:, group]
         norm = own.conj().T @ own
@@ -80,9 +92,11 @@ def corner_labels(trace: Complex, images: dict[str, Complex], groups: list[slice
         if own.shape[1] == 1:
             text = " ".join(f"{name}{'+' if value > 0 else '-'}" for name, value in characters.items())
             symbol = MULLIKEN.get(text)
-            labels.append(f"{symbol} ({text})" if symbol else text)
+            label = f"{symbol} ({text})" if symbol else text
         elif own.shape[1] == 2 and characters and all(abs(value) < 0.5 for value in characters.values()):
-            labels += ["E", "E"]
+            label = "E"
         else:
-            labels += ["several"] * own.shape[1]
+            label = "several"
+        for mode in group:
+            labels[mode] = label
     return labels

@@ -13,7 +13,14 @@ from numpy.typing import NDArray
 from haptonic.arrays import Array, Complex, Ints
 from haptonic.bloch.character import characters
 from haptonic.bloch.model import REST, SPARE_MODES, BlochModel, Solution
-from haptonic.bloch.symmetry import clusters, corner_labels, mirrors_at, sorted_by_parity
+from haptonic.bloch.symmetry import (
+    WAVES,
+    clusters,
+    corner_labels,
+    mirrors_at,
+    sorted_by_parity,
+    split_groups,
+)
 from haptonic.brillouin import Path
 from haptonic.superelement import JointImage
 
@@ -27,6 +34,7 @@ class Diagram:
     frequency, error : (n, k) Hz
     velocity : (n, k, 2) group velocity, m/s; NaN for rigid-body motions, where it is not defined
     parity : (n, k) +1 even, -1 odd under the mirror of the segment, 0 where it has none
+    middle : (n, k) +1 symmetric, -1 antisymmetric about the plate's middle plane, 0 where that is no mirror
     corner_symmetry : for each corner of the path the labels of its modes, see `corner_labels`
     branch : (n, k) number of the curve that the mode belongs to
     vertical, pillar_strain, pillar_kinetic, name : (n, k), see `Character`
@@ -37,6 +45,7 @@ class Diagram:
     error: Array
     velocity: Array
     parity: Ints
+    middle: Ints
     corner_symmetry: tuple[list[str], ...]
     branch: Ints
     vertical: Array
@@ -48,34 +57,36 @@ class Diagram:
 def diagram(model: BlochModel, path: Path) -> Diagram:
     """Solve along a path and follow the branches.
 
-    On every segment a mirror leaves the wavevector alone; modes of opposite parity cross freely, so only
-    modes of equal parity are joined, and among these the ones whose fields overlap most.
+    On every segment a mirror leaves the wavevector alone, and so does that in the plate's middle plane, where
+    it is one; modes of opposite parity cross freely, so only modes of equal parity are joined, and among
+    these the ones whose fields overlap most.
     """
     # a degenerate pair must not be cut in two by the last band asked for
     solutions = [model.solve(kappa, spare=SPARE_MODES) for kappa in path.kappa]
     tiling = model.fine.tiling
     count, bands = len(solutions), model.count
-    parity = np.zeros((count, bands), dtype=np.int64)
+    parity, middle = np.zeros((2, count, bands), dtype=np.int64)
     branch = np.zeros((count, bands), dtype=np.int64)
     velocity = np.empty((count, bands, 2))
     followed: list[Complex] = []
     used = 0
-    before: tuple[Complex, Ints, Ints] | None = None
+    before: tuple[Complex, tuple[Ints, Ints], Ints] | None = None
     for start, stop in pairwise(path.corners):
-        middle = 0.5 * (path.kappa[start] + path.kappa[stop])
-        operations = list(mirrors_at(model.cell.point_group, middle).values())
+        between = 0.5 * (path.kappa[start] + path.kappa[stop])
+        operations = list(mirrors_at(model.cell.point_group, between).values())
         mirror = tiling.joint.image(operations[0]) if operations else None
         if before is not None:  # at a corner the same modes are sorted anew, by the next mirror
-            before = (before[0], np.zeros(bands, dtype=np.int64), before[2])
+            before = (before[0], (np.zeros(bands, dtype=np.int64), before[1][1]), before[2])
         for i in range(start, stop + 1):
             solution, signs = _turned(solutions[i], model, mirror)
+            both = signs, model.fine.parity(solution.modes)
             if before is None:
                 own = np.arange(used, used + bands)
                 used += bands
             else:
-                own, used = _joined(before, (solution.fields, signs), tiling.mass, used)
-            before = (solution.fields, signs, own)
-            parity[i], branch[i] = signs, own
+                own, used = _joined(before, (solution.fields, both), tiling.mass, used)
+            before = (solution.fields, both, own)
+            (parity[i], middle[i]), branch[i] = both, own
             velocity[i] = group_velocity(model, solution)
             if i < stop or stop == path.corners[-1]:
                 followed.append(solution.fields)
@@ -90,6 +101,7 @@ def diagram(model: BlochModel, path: Path) -> Diagram:
         error=np.stack([s.error[:bands] for s in solutions]),
         velocity=velocity,
         parity=parity,
+        middle=middle,
         corner_symmetry=tuple(_labels(model, solutions[corner]) for corner in path.corners),
         branch=branch,
         vertical=per_mode(motion.vertical),
@@ -114,11 +126,14 @@ def _turned(solution: Solution, model: BlochModel, mirror: JointImage | None) ->
     if mirror is None:
         return solution.lowest(model.count), np.zeros(model.count, dtype=np.int64)
     trace = solution.fields[: model.fine.tiling.trace_size]
-    turn, values = sorted_by_parity(
-        trace, mirror.applied(trace, solution.kappa), clusters(solution.frequency)
-    )
+    turn, values = sorted_by_parity(trace, mirror.applied(trace, solution.kappa), _groups(solution, model))
     parity = np.sign(values[: model.count]).astype(np.int64)
     return solution.turned(turn).lowest(model.count), parity
+
+
+def _groups(solution: Solution, model: BlochModel) -> list[Ints]:
+    """Numbers of degenerate modes, those of either parity in the plate's middle plane apart."""
+    return split_groups(clusters(solution.frequency), model.fine.parity(solution.modes))
 
 
 def _labels(model: BlochModel, solution: Solution) -> list[str]:
@@ -126,7 +141,9 @@ def _labels(model: BlochModel, solution: Solution) -> list[str]:
     trace = solution.fields[: tiling.trace_size]
     operations = mirrors_at(model.cell.point_group, kappa)
     images = {name: tiling.joint.image(op).applied(trace, kappa) for name, op in operations.items()}
-    labels = corner_labels(trace, images, clusters(solution.frequency))
+    labels = corner_labels(trace, images, _groups(solution, model))
+    for number, parity in enumerate(model.fine.parity(solution.modes)):
+        labels[number] += f", {WAVES[parity]}" if parity else ""
     resting = solution.frequency < REST * model.highest
     return ["translation" if rest else label for label, rest in zip(labels, resting, strict=True)][
         : model.count
@@ -134,17 +151,20 @@ def _labels(model: BlochModel, solution: Solution) -> list[str]:
 
 
 def _joined(
-    before: tuple[Complex, Ints, Ints], now: tuple[Complex, Ints], mass: Array, used: int
+    before: tuple[Complex, tuple[Ints, Ints], Ints],
+    now: tuple[Complex, tuple[Ints, Ints]],
+    mass: Array,
+    used: int,
 ) -> tuple[Ints, int]:
     """Branch numbers of the modes now, from those before; new numbers where nothing fits."""
     old_fields, old_signs, old_branch = before
     fields, signs = now
     weighed = mass @ fields.real + 1j * (mass @ fields.imag)
     overlap = np.abs(old_fields.conj().T @ weighed) ** 2
-    differ = (old_signs[:, None] * signs[None, :]) < 0
-    overlap[differ] = 0.0
+    for old, new in zip(old_signs, signs, strict=True):
+        overlap[(old[:, None] * new) < 0] = 0.0
     rows, columns = scipy.optimize.linear_sum_assignment(-overlap)
-    branch = np.full(len(signs), -1, dtype=np.int64)
+    branch = np.full(fields.shape[1], -1, dtype=np.int64)
     for row, column in zip(rows, columns, strict=True):
         if overlap[row, column] > ALIKE:
             branch[column] = old_branch[row]

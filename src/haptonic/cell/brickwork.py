@@ -136,7 +136,9 @@ def _tile(cell: UnitCell, number: int, x: tuple[float, float], y: tuple[float, f
     corners = ((-left, -below), (right, -below), (right, above), (-left, above))
     pillar = cell.pillars[number]
     assert pillar is not None
-    tile = SiteTile(corners, max(left + right, below + above), cell.thickness, cell.material, pillar)
+    tile = SiteTile(
+        corners, max(left + right, below + above), cell.thickness, cell.material, pillar, cell.faces
+    )
     room = tile.inradius - LEAST_CLEARANCE * cell.lattice.pitch
     if pillar.widest > room:
         at = f"cell.site[{number + 1}].pillar.diameter" if cell.site else "cell.pillar.diameter"

@@ -24,7 +24,7 @@ def foot_reach(cell: TileShape, rings: int) -> Array:
     if pillar is None:
         return np.empty(0)
     _, high, radius = pillar.stages[0]
-    room = min(radius, cell.thickness, high, 2 * cell.clearance)
+    room = min(radius, cell.depth, high, 2 * cell.clearance)
     if pillar.step is not None:
         room = min(room, (1 - step_share(pillar)) * radius)
     return _reach(room, rings)
@@ -73,7 +73,7 @@ def bridges(cell: TileShape, rings: int) -> tuple[int, int, int, int]:
     near = foot_reach(cell, rings)[0]
     _, high, radius = pillar.stages[0]
     above = min(2 * FOOT_LAYER * radius, high)
-    far = ((1 - within_foot(pillar)) * radius, beside_foot(cell), above, cell.thickness)
+    far = ((1 - within_foot(pillar)) * radius, beside_foot(cell), above, cell.depth)
     inside, outside, up, down = (_between(reach / near) for reach in far)
     return inside, outside, up, down
 

@@ -12,10 +12,11 @@ import numpy as np
 
 from haptonic.arrays import Array
 from haptonic.brillouin import IrreducibleZone
-from haptonic.cell.pillar import Pillar
+from haptonic.cell.pillar import Faces, Pillar
 from haptonic.cell.sites import (
     MOST_SITES,
     SITES,
+    Plate,
     Site,
     SiteMap,
     apart,
@@ -38,7 +39,9 @@ LEAST_CLEARANCE = 0.01  # of the pitch, between a pillar and the nearest side of
 
 @described("cell", GeometryError)
 class UnitCell(TileShape):
-    """One period of the plate; its flat face lies at z = 0, pillars stand on z = ``thickness``.
+    """One period of the plate between z = 0 and z = ``thickness``, on which pillars stand.
+
+    With pillars on both ``faces`` those on z = 0 are the images of the others in the middle plane.
 
     A cell of one site, in its middle, is a tile itself; one of several consists of their `tiles`.
 
@@ -61,6 +64,12 @@ class UnitCell(TileShape):
         "Where pillars of their own stand; in order, where the lattice is named after them.",
         title="Sites",
         max_length=MOST_SITES,
+    )
+    faces: Faces = setting(
+        "one",
+        "That pillars stand on; on both each has its image in the plate's middle plane, and every wave is "
+        "symmetric or antisymmetric about it.",
+        title="Faces with pillars",
     )
 
     def __post_init__(self) -> None:
@@ -171,7 +180,7 @@ class UnitCell(TileShape):
             self.shares @ self.lattice.vectors,
             self.outlines,
             self.pillars,
-            (self.thickness, self.material),
+            self._plate,
             self.site_map(HALF_TURN),
         )
 
@@ -182,7 +191,11 @@ class UnitCell(TileShape):
         outline, turn = self.outlines[number], placed.turn
         away = np.linalg.norm(outline @ turn[:2, :2] - placed.tile.corners[0], axis=1)
         outline = np.roll(outline, -int(away.argmin()), axis=0)
-        return site_tile(outline, turn, self.thickness, self.material, self.pillars[number])
+        return site_tile(outline, turn, self._plate, self.pillars[number])
+
+    @property
+    def _plate(self) -> Plate:
+        return self.thickness, self.material, self.faces
 
     @cached_property
     def outlines(self) -> list[Array]:

@@ -53,7 +53,10 @@ class HexMesh:
 
 
 def mesh_cell(cell: TileShape, plan: MeshPlan) -> HexMesh:
-    """Mesh of a unit cell: its topology from the plan, its points from the sizes."""
+    """Mesh of a unit cell: its topology from the plan, its points from the sizes.
+
+    Where a cell is its own image in the middle plane, the plan is that of the half above it.
+    """
     profile, outlines = Profile.of(cell, plan), _Outlines.of(cell, plan)
     levels = []
     for layer, shares in enumerate(profile.layer_shares):
@@ -61,7 +64,11 @@ def mesh_cell(cell: TileShape, plan: MeshPlan) -> HexMesh:
             levels.append(_level(profile, outlines, layer, share))
     sizes = plan.level_sizes
     points = [level[:size] for level, size in zip(levels, sizes, strict=True)]
-    return HexMesh(topology_of(plan), np.concatenate(points))
+    topology, half = topology_of(plan, mirrored=cell.is_mirrored), np.concatenate(points)
+    if not cell.is_mirrored:
+        return HexMesh(topology, half)
+    image = half[sizes[0] :] * np.array([1.0, 1.0, -1.0]) + np.array([0.0, 0.0, cell.thickness])
+    return HexMesh(topology, np.concatenate([half, image]))
 
 
 @dataclass(frozen=True)

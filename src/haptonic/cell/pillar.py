@@ -15,6 +15,7 @@ from haptonic.errors import GeometryError
 from haptonic.fields import LARGEST, Quantity, described, needed, problem, setting, size
 
 Section = Literal["round", "square"]
+Faces = Literal["one", "both"]
 
 LEAST_SHARE = 0.05  # of the width at the foot that the narrowest section keeps
 STEEPEST = math.radians(40)  # draft

@@ -40,7 +40,7 @@ class Profile:
     """Borders between rings (b of them, from the core's to the last before the cell's sides) and layers (l).
 
     width : (b, l) half-widths of the borders between rings where they meet those between layers, m
-    height : (b, l) heights of these corners above the flat face, m; at the cell's sides as for the last b
+    height : (b, l) heights of these corners above z = 0, m; at the cell's sides as for the last b
     ring_shares, layer_shares : where the nodes lie within each ring and each layer, from 0 to 1
     """
 
@@ -153,10 +153,11 @@ def _widths(cell: TileShape, pillar: Pillar, plan: MeshPlan, levels: Array) -> A
 def _levels(cell: TileShape, plan: MeshPlan) -> Array:
     """(l,) heights of the borders between layers away from a fillet, m."""
     reach, top, pillar = foot_reach(cell, plan.foot_rings), cell.thickness, cell.pillar
+    floor = top - cell.depth
     if pillar is None:
-        return np.linspace(0.0, top, plan.plate_layers + 1)
-    downward = bridged(_beside_fillet(reach, top, pillar.fillet), top, plan.bridges[3])
-    breaks = [*np.linspace(0.0, top - (downward[0] if len(reach) else 0.0), plan.plate_layers + 1)]
+        return np.linspace(floor, top, plan.plate_layers + 1)
+    downward = bridged(_beside_fillet(reach, cell.depth, pillar.fillet), cell.depth, plan.bridges[3])
+    breaks = [*np.linspace(floor, top - (downward[0] if len(reach) else 0.0), plan.plate_layers + 1)]
     breaks += [top - w for w in downward[1:]] + [top] * bool(len(reach))
     _, high, radius = pillar.stages[0]
     lowest = min(2 * FOOT_LAYER * radius, high / plan.pillar_layers)

@@ -167,7 +167,7 @@ class Filler:
             np.array(places),
             [one - place for one, place in zip(outlines, places, strict=True)],
             [None] * len(places),
-            (cell.thickness, cell.material),
+            (cell.thickness, cell.material, cell.faces),
             None,
         )
 

@@ -13,13 +13,14 @@ import numpy as np
 from pydantic import field_validator
 
 from haptonic.arrays import Array, Ints
-from haptonic.cell.pillar import Pillar
+from haptonic.cell.pillar import Faces, Pillar
 from haptonic.cell.tile import HALF_TURNED, PlacedTile, SiteTile, TileShape
 from haptonic.errors import GeometryError
 from haptonic.fields import Quantity, described, problem, setting
 from haptonic.lattice import LEAST_SIDE, SAME, Lattice, Operation
 from haptonic.materials import Material, is_symmetry
 
+Plate = tuple[float, Material, Faces]  # thickness, m, and the faces that pillars stand on
 SHARE = Quantity("", at_least=0.0, below=1.0)
 PLACE = Quantity("m")
 MIRRORS = (np.diag([-1.0, 1.0, 1.0]), np.diag([1.0, -1.0, 1.0]))
@@ -214,7 +215,7 @@ def placed_tiles(
     positions: Array,
     outlines: Sequence[Array],
     pillars: Sequence[Pillar | None],
-    plate: tuple[float, Material],
+    plate: Plate,
     half_turn: SiteMap | None,
 ) -> tuple[PlacedTile, ...]:
     """A tile for each site, in its place; equal ones are one object, turned.
@@ -222,7 +223,6 @@ def placed_tiles(
     A turned tile has its own axes, along its mirrors where it has any, if the material allows for it. The
     half-turn of the cell takes a tile to the same one turned by just that.
     """
-    thickness, material = plate
     made: list[PlacedTile] = []
     for number, (outline, position) in enumerate(zip(outlines, positions, strict=True)):
         if half_turn is not None and half_turn.image[number] < number:
@@ -230,8 +230,8 @@ def placed_tiles(
             made.append(PlacedTile(other.tile, HALF_TURNED @ other.turn, position))
             continue
         mine = [one for one in made if one.tile.pillar == pillars[number]]
-        tile, turn = _like(outline, [one.tile for one in mine], material) or _upright(
-            outline, thickness, material, pillars[number]
+        tile, turn = _like(outline, [one.tile for one in mine], plate[1]) or _upright(
+            outline, plate, pillars[number]
         )
         made.append(PlacedTile(tile, turn, position))
     return tuple(made)
@@ -252,16 +252,14 @@ def _like(outline: Array, tiles: Sequence[TileShape], material: Material) -> tup
     return None
 
 
-def _upright(
-    outline: Array, thickness: float, material: Material, pillar: Pillar | None
-) -> tuple[SiteTile, Array]:
+def _upright(outline: Array, plate: Plate, pillar: Pillar | None) -> tuple[SiteTile, Array]:
     """The tile of a polygon in axes along its mirrors, and the turn from these axes to the cell's."""
     best: tuple[int, SiteTile, Array] | None = None
     for angle in _axes(outline):
         turn = _turn(angle)
-        if not is_symmetry(material.stiffness, turn) or (pillar and not pillar.has_symmetry(turn)):
+        if not is_symmetry(plate[1].stiffness, turn) or (pillar and not pillar.has_symmetry(turn)):
             continue
-        tile = site_tile(outline, turn, thickness, material, pillar)
+        tile = site_tile(outline, turn, plate, pillar)
         mirrors = sum(tile.has_symmetry(mirror) for mirror in MIRRORS)
         if best is None or mirrors > best[0]:
             best = mirrors, tile, turn
@@ -269,16 +267,15 @@ def _upright(
     return best[1:]
 
 
-def site_tile(
-    outline: Array, turn: Array, thickness: float, material: Material, pillar: Pillar | None
-) -> SiteTile:
+def site_tile(outline: Array, turn: Array, plate: Plate, pillar: Pillar | None) -> SiteTile:
     """The tile of a polygon (sides, 2) in axes turned (3, 3) against the cell's."""
+    thickness, material, faces = plate
     own = outline @ turn[:2, :2]
     following = np.roll(own, -1, axis=0)
     across = own[:, 0] * following[:, 1] - own[:, 1] * following[:, 0]
     reach = float((across / np.linalg.norm(following - own, axis=1)).max())
     corners = tuple((float(x), float(y)) for x, y in own)
-    return SiteTile(corners, 2 * reach, thickness, material, pillar)
+    return SiteTile(corners, 2 * reach, thickness, material, pillar, faces)
 
 
 def _axes(outline: Array) -> Iterator[float]:

@@ -12,7 +12,7 @@ from typing import Protocol, cast
 import numpy as np
 
 from haptonic.arrays import Array
-from haptonic.cell.pillar import Pillar
+from haptonic.cell.pillar import Faces, Pillar
 from haptonic.lattice import SAME
 from haptonic.materials import Material, is_symmetry
 
@@ -45,11 +45,13 @@ class TileShape:
 
     corners : (sides, 2) of the polygon, anticlockwise, m
     extent : m, the period of what stands around it: necks between pillars and waves are counted on it
+    faces : of the plate that the pillar stands on
     """
 
     thickness: float
     material: Material
     pillar: Pillar | None
+    faces: Faces
 
     @property
     def corners(self) -> Array:
@@ -73,6 +75,16 @@ class TileShape:
     def area(self) -> float:
         """Of the polygon, m^2."""
         return enclosed(self.corners)
+
+    @property
+    def is_mirrored(self) -> bool:
+        """Whether it is its own image in the plate's middle plane, and half of it is meshed."""
+        return self.faces == "both"
+
+    @property
+    def depth(self) -> float:
+        """How far below the plate's top its mesh reaches: through the plate, or to its middle plane, m."""
+        return 0.5 * self.thickness if self.is_mirrored else self.thickness
 
     @property
     def clearance(self) -> float:
@@ -134,6 +146,7 @@ class SiteTile(TileShape):
     thickness: float
     material: Material
     pillar: Pillar | None
+    faces: Faces
 
     @cached_property
     def corners(self) -> Array:

@@ -3,13 +3,14 @@
 A cell is a polygon. Seen from above, a curved core sits in its middle: one square patch in a cell of four
 sides, else a patch for each corner, and these meet at the centre. Rings of blocks, as many to each side of
 the cell, lead from it to the pillar's foot and on to the sides. The pillar goes on with the inner ones of
-these blocks, above a step with the innermost.
+these blocks, above a step with the innermost. Where a cell is its own image in the plate's middle plane, all
+this is its upper half; the nodes of the lower one follow, and its elements.
 """
 
 from __future__ import annotations
 
 from dataclasses import dataclass
-from functools import lru_cache
+from functools import cached_property, lru_cache
 
 import numpy as np
 import scipy
@@ -27,7 +28,7 @@ class Elements:
     """Elements of the same polynomial orders.
 
     nodes : (m, n1, n2, n3) node numbers in a right-handed local frame, last axis along z
-    in_pillar : (m,) True above the plate's top
+    in_pillar : (m,) True above the plate's top, and below its other face
     """
 
     nodes: Ints
@@ -35,6 +36,11 @@ class Elements:
 
     def __len__(self) -> int:
         return len(self.nodes)
+
+    def with_images(self, image: Ints) -> Elements:
+        """These elements, then their images; upside down, so that their frames are right-handed as well."""
+        nodes = np.concatenate([self.nodes, image[self.nodes][..., ::-1]])
+        return Elements(nodes, np.concatenate([self.in_pillar] * 2))
 
 
 @dataclass(frozen=True, eq=False)
@@ -45,20 +51,38 @@ class Topology:
 
     plan : what it was made from
     core : (patches, m + 1, m + 1) numbers of the core's nodes; patches that meet at the centre begin there
-    level_start : (levels + 1,) number of the first node of each level, and of all nodes
+    mirrored : whether a lower half follows, the image of all this in the lowest level
+    level_start : (levels + 1,) number of the first node of each level, and how many they have
     families : all elements, grouped by their orders
-    rim : (plate levels, around) nodes on the lateral faces, anticlockwise from the first corner
+    rim : (plate levels, around) nodes on the lateral faces, anticlockwise from the first corner; the lowest
+        level first
     """
 
     plan: MeshPlan
     core: Ints
+    mirrored: bool
     level_start: Ints
     families: tuple[Elements, ...]
     rim: Ints
 
     @property
     def nodes(self) -> int:
-        return int(self.level_start[-1])
+        return len(self.image)
+
+    @cached_property
+    def image(self) -> Ints:
+        """(nodes,) the image of each node in the middle plane, of a mesh without a lower half itself."""
+        return _images(self.level_start) if self.mirrored else np.arange(self.level_start[-1])
+
+    @property
+    def faces(self) -> int:
+        """Of the plate that pillars may stand on."""
+        return 2 if self.mirrored else 1
+
+    @property
+    def upper_rim(self) -> Ints:
+        """(levels, around) the part of the rim on the meshed half, from the middle plane up, or all of it."""
+        return self.rim[len(self.rim) // 2 :] if self.mirrored else self.rim
 
     @property
     def first_above(self) -> int:
@@ -67,8 +91,9 @@ class Topology:
 
     @property
     def top(self) -> Ints:
-        """Numbers of the nodes of the highest level."""
-        return np.arange(self.level_start[-2], self.nodes)
+        """Numbers of the nodes of the highest level, and of the lowest one of a lower half."""
+        top = np.arange(self.level_start[-2], self.level_start[-1])
+        return np.unique(np.concatenate([top, self.image[top]]))
 
     def permutation(self, moved: Sides) -> Ints:
         """(nodes,) where a turn or mirror of the polygon, known by the first two sides, takes each node."""
@@ -82,12 +107,13 @@ class Topology:
         for start in range(inner + around, sizes[0], around):
             level = np.append(level, start + level[inner : inner + around] - inner)
         pieces = [start + level[:size] for start, size in zip(self.level_start[:-1], sizes, strict=True)]
-        return np.concatenate(pieces)
+        upper = np.concatenate(pieces)
+        return np.concatenate([upper, self.image[upper[sizes[0] :]]]) if self.mirrored else upper
 
 
 @lru_cache(maxsize=64)
-def topology_of(plan: MeshPlan) -> Topology:
-    """The topology that a plan describes; the same object for the same plan."""
+def topology_of(plan: MeshPlan, *, mirrored: bool = False) -> Topology:
+    """The topology that a plan describes, or of which it does the upper half; one object for each plan."""
     p, inner, around = plan.order, plan.core_size, plan.around
     tree = scipy.spatial.cKDTree(np.concatenate([_core_points(plan), _rim_points(plan)]))
     core = np.stack([_numbers(tree, patch) for patch in _patches(plan)])
@@ -117,17 +143,30 @@ def topology_of(plan: MeshPlan) -> Topology:
         low += order
 
     per_level = level_start[: plan.plate_levels, None]
-    on_side = plan.level_sizes[0] - around + np.arange(around)
+    rim = per_level + plan.level_sizes[0] - around + np.arange(around)
+    grouped = [
+        Elements(np.stack([nodes for nodes, _ in members]), np.array([above for _, above in members]))
+        for members in families.values()
+    ]
+    if mirrored:
+        image = _images(level_start)
+        rim = np.concatenate([image[rim[:0:-1]], rim])
+        grouped = [one.with_images(image) for one in grouped]
     return Topology(
         plan=plan,
         core=core,
+        mirrored=mirrored,
         level_start=level_start,
-        families=tuple(
-            Elements(np.stack([nodes for nodes, _ in members]), np.array([above for _, above in members]))
-            for members in families.values()
-        ),
-        rim=per_level + on_side,
+        families=tuple(grouped),
+        rim=rim,
     )
+
+
+def _images(level_start: Ints) -> Ints:
+    """(nodes,) images in the lowest level of the nodes of a mesh and of the half below it, which follow."""
+    first, upper = level_start[1], level_start[-1]
+    above = np.arange(first, upper)
+    return np.concatenate([np.arange(first), above + upper - first, above])
 
 
 def _corners(sides: int) -> Array:

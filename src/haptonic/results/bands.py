@@ -32,8 +32,14 @@ if TYPE_CHECKING:
 
 WRITTEN = [
     "band_below", "band_above", "lower_hz", "upper_hz", "lower_error_hz", "upper_error_hz", "complete",
-    "direction", "samples",
+    "direction", "samples", "waves",
 ]  # fmt: skip
+
+
+def _where(gap: Gap) -> str:
+    if gap.complete:
+        return "everywhere (complete)"
+    return f"{gap.direction} only" if gap.waves == "all" else "everywhere, these waves only"
 
 
 def _over_the_zone(result: Bands) -> bool:
@@ -63,6 +69,13 @@ class Bands(Result):
             for gap in complete
         ]
         said += [] if complete else ["There is no complete gap among the bands that were computed."]
+        said += [
+            f"Gap of {gap.waves} waves alone from {khz(gap.lower, gap.lower_error)} to "
+            f"{khz(gap.upper, gap.upper_error)} kHz, between their bands {gap.between[0]} and "
+            f"{gap.between[1]}."
+            for gap in self.gaps
+            if gap.waves != "all"
+        ]
         return [*said, *self._about_carrier(complete), counted(**self._counts)]
 
     def remarks(self) -> list[str]:
@@ -109,8 +122,8 @@ class Bands(Result):
         )  # fmt: skip
         rows = [
             (
-                f"{gap.between[0]}-{gap.between[1]}",
-                "everywhere (complete)" if gap.complete else f"{gap.direction} only",
+                f"{'' if gap.waves == 'all' else f'{gap.waves} '}{gap.between[0]}-{gap.between[1]}",
+                _where(gap),
                 Uncertain(gap.lower, gap.lower_error),
                 Uncertain(gap.upper, gap.upper_error),
                 Uncertain(

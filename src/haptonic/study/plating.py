@@ -36,6 +36,12 @@ def plate_of(section: PlateSettings | None, own: UnitCell) -> Plate:
             "the study describes a lattice, and no plate that is made of it",
             'add map = ["AAA"] to [plate] and A = "lattice" to [plate.tiles]; `haptonic keys` lists the rest',
         )  # fmt: skip
+    if own.is_mirrored:
+        raise _refused(
+            "unsupported", "cell.faces", "both", "one, for a finite plate",
+            "its regions are plain below, where the finger and the actuators are",
+            'write faces = "one", or leave [plate] out: bands, layers, ribbons and waveguides have both',
+        )  # fmt: skip
     layout = _layout(section, own)
     _check_grid(layout, section.response.grid)
     called = [_called("actuator", i, one) for i, one in enumerate(section.actuator, start=1)]

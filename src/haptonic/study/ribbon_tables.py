@@ -195,4 +195,4 @@ class RibbonSettings:
                 next_step="leave it out, and write the letter as often as the guide has columns",
             )
         lattice = Lattice.rectangular(self.widths[name], own.lattice.a2[1])
-        return UnitCell(lattice, own.thickness, own.material)
+        return UnitCell(lattice, own.thickness, own.material, faces=own.faces)

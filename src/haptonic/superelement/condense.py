@@ -69,6 +69,12 @@ class Superelement:
         counts = [part.count for part in self.parts]
         return np.repeat(parity.prod(axis=1), counts).astype(float)
 
+    @property
+    def middle_parity(self) -> Array:
+        """(m,) +1 for modes symmetric about the plate's middle plane, -1 for antisymmetric ones, or 0."""
+        middle, counts = self.parts[0].trace.folding.middle, [part.count for part in self.parts]
+        return np.repeat(middle, counts).astype(float)
+
     def mirror(self, turn: Array) -> TraceOperation:
         """How a mirror, or the half-turn, a map of space (3, 3), acts on traces."""
         return TraceOperation.of(self.cell, self.mesh.topology, self.levels, turn)

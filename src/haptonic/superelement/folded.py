@@ -93,10 +93,11 @@ class FoldedMesh:
 
     def classes_and_images(self) -> tuple[list[int], dict[int, int]]:
         """Symmetry classes to compute, and those that are images of another in the diagonal of a square."""
-        parity = [tuple(int(sign) for sign in signs) for signs in self.folding.parity]
+        both = np.column_stack([self.folding.parity, self.folding.middle])
+        parity = [tuple(int(sign) for sign in signs) for signs in both]
         images = {}
-        if len(parity) == 4 and self.cell.has_symmetry(DIAGONAL):  # it exchanges the mirrors x and y
-            images[parity.index((-1, 1))] = parity.index((1, -1))
+        if len(parity[0]) == 3 and self.cell.has_symmetry(DIAGONAL):  # it exchanges the mirrors x and y
+            images = {parity.index((-1, 1, m)): parity.index((1, -1, m)) for m in {one[2] for one in parity}}
         return [q for q in range(len(parity)) if q not in images], images
 
     def symmetry_class(self, q: int, on_top: Array | None = None) -> FoldedCell:
@@ -104,11 +105,12 @@ class FoldedMesh:
 
         ``on_top`` (3 representatives, s) gives the motions that an open top has, besides the trace's.
         """
-        folding, through = self.folding, self.through
+        folding = self.folding
         trace = FoldedTrace(self.mesh.topology, folding, q, self.levels)
+        through = self.through[-len(self.mesh.topology.upper_rim) :]
         stiffness = self.assembler.assembled(self.paired, q)
         shape = (len(through), trace.sites, 3)
-        rim = len(through) * trace.sites
+        rim = trace.rim_size
         coupling, outer = stiffness.coupling(), stiffness.boundary()
         lateral = np.tensordot(through.T, coupling[:, : 3 * rim].reshape(-1, *shape), axes=(1, 1))
         held = outer[: 3 * rim, : 3 * rim].reshape(*shape, *shape)
@@ -116,10 +118,8 @@ class FoldedMesh:
         mass = self.representative_mass[folding.interior :]
         weights = np.einsum("lk,lp,lj->kpj", through, mass[:rim].reshape(shape[:2]), through)
         inertia = np.einsum("kpj,pq,cd->kpcjqd", weights, np.eye(trace.sites), np.eye(3))
-        size = self.levels * trace.sites * 3
-        own = np.ix_(trace.kept, trace.kept)
-        lateral = np.moveaxis(lateral, 0, 1).reshape(-1, size)[:, trace.kept]
-        outer_stiffness, outer_mass = held.reshape(size, size)[own], inertia.reshape(size, size)[own]
+        lateral = trace.fold_levels(np.moveaxis(lateral, 0, 1)).reshape(len(lateral[0]), -1)[:, trace.kept]
+        outer_stiffness, outer_mass = (_on_own(trace, form) for form in (held, inertia))
         if on_top is not None:  # no element reaches from there to the sides
             lateral = np.hstack([lateral, coupling[:, 3 * rim :] @ on_top])
             above = on_top.T @ outer[3 * rim :, 3 * rim :] @ on_top
@@ -140,3 +140,11 @@ class FoldedMesh:
         heights = self.mesh.points[self.folding.origin[: self.folding.interior], 2]
         top = self.mesh.points[self.mesh.topology.rim[-1, 0], 2]
         return np.repeat(heights > top, 3).astype(float)
+
+
+def _on_own(trace: FoldedTrace, form: Array) -> Array:
+    """(b, b) a form on a class's own share of the trace, from one on all levels (l, p, 3, l, p, 3)."""
+    for _ in range(2):
+        form = np.moveaxis(trace.fold_levels(form), (3, 4, 5), (0, 1, 2))
+    size = 3 * trace.own_levels * trace.sites
+    return np.asarray(form.reshape(size, size)[np.ix_(trace.kept, trace.kept)])

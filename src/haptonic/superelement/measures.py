@@ -45,7 +45,7 @@ class ClassMeasures:
         """Measures of a reduced class; ``on_top`` as for `FoldedMesh.symmetry_class`."""
         trace, body = folded.trace, folded.body
         fields = np.hstack([own.static, own.modes])
-        lateral, rim = len(trace.kept), len(shared.through) * trace.sites
+        lateral, rim = len(trace.kept), trace.rim_size
         pillar = shared.pillar_stiffness(q)
         stiff = pillar.matrix().tocsr()
         rows = np.flatnonzero(np.diff(stiff.indptr))  # most of a cell is no pillar

@@ -37,6 +37,7 @@ class PillarBody:
     half_width : radius, or half the side of a square section, m
     degree : of the polynomials in x^2 and y^2, beside the factors x and y of odd ones
     order : of the polynomials along z; kinds : of polynomials over the section that each component has
+    faces : of the plate that it stands on; with two the forms are those of it and of its image together
     """
 
     low: float
@@ -47,6 +48,7 @@ class PillarBody:
     degree: int
     order: int
     kinds: int
+    faces: int
 
     @property
     def shapes(self) -> int:
@@ -80,7 +82,7 @@ class PillarBody:
             section = forms[np.ix_(rows, columns)].sum(axis=(0, 1)).reshape((self.on_section,) * 2)
             total += integral[:, None, :, None] * section[:, None]
         size = (self.order + 1) * self.on_section
-        return total.reshape(size, size)
+        return self.faces * total.reshape(size, size)
 
     @property
     def _levels(self) -> Array:
@@ -90,7 +92,7 @@ class PillarBody:
     @property
     def _weights(self) -> Array:
         """(levels,) each one's share of the mass per area of the section of half-width 1, kg."""
-        per_length = self.half_width**2 * self.material.density
+        per_length = self.faces * self.half_width**2 * self.material.density
         return np.asarray(0.5 * self.length * per_length * lobatto(self.order)[1])
 
     @cached_property

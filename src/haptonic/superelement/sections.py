@@ -17,6 +17,8 @@ from haptonic.superelement.symmetry import Folding
 class PillarSections:
     """Rigid-body part of the motion of each horizontal layer of nodes of the pillar.
 
+    Where one stands on either face, a layer is that of both.
+
     height : (sections,) above the plate's flat face, m
     mass : (sections,) kg; inertia : (sections,) about the pillar's axis, kg m^2
     motion : (4, sections, t + m) linear forms on the unknowns of a superelement: momentum along x, y, z
@@ -66,10 +68,10 @@ class PillarSections:
 
 
 def section_levels(mesh: HexMesh) -> tuple[Array, NDArray[np.int64], NDArray[np.int64]]:
-    """Heights of the pillar's node levels, and for each of its nodes its number and level."""
+    """Heights of the upper pillar's node levels, and for each of its nodes its number and level."""
     topology = mesh.topology
     starts = topology.level_start[topology.plan.plate_levels :]
-    nodes = np.arange(topology.first_above, topology.nodes)
+    nodes = np.arange(topology.first_above, starts[-1])
     level = np.repeat(np.arange(len(starts) - 1), np.diff(starts))
     return mesh.points[starts[:-1], 2], nodes, level
 
@@ -79,7 +81,7 @@ def momentum_forms(mesh: HexMesh, folding: Folding, symmetry_class: int, nodal_m
     heights, nodes, level = section_levels(mesh)
     count = len(heights)
     x, y = mesh.points[nodes, 0], mesh.points[nodes, 1]
-    m = nodal_mass[nodes]
+    m = mesh.topology.faces * nodal_mass[nodes]  # a pillar's image on the other face moves as it does
     sign = folding.sign[symmetry_class][nodes].astype(float)
     own = 3 * folding.node[nodes]
     entries = [(c, c, m) for c in range(3)] + [(3, 1, m * x), (3, 0, -m * y)]
@@ -98,6 +100,6 @@ def mirrored_momenta(momenta: Array) -> Array:
 def section_sizes(mesh: HexMesh, nodal_mass: Array) -> Array:
     """(3, sections) height (m), mass (kg) and inertia about the axis (kg m^2) of a mesh's pillar sections."""
     heights, nodes, level = section_levels(mesh)
-    m = nodal_mass[nodes]
+    m = mesh.topology.faces * nodal_mass[nodes]
     arm = m * (mesh.points[nodes, :2] ** 2).sum(axis=1)
     return np.stack([heights, *(np.bincount(level, weight, minlength=len(heights)) for weight in (m, arm))])

@@ -13,7 +13,7 @@ from threading import Lock
 
 import numpy as np
 
-from haptonic.arrays import Array, Fields
+from haptonic.arrays import Array, Fields, Ints
 from haptonic.cell import HexMesh, MeshPlan, TileShape, mesh_cell
 from haptonic.cell.edges import FOOT_LAYER
 from haptonic.cell.topology import Topology, topology_of
@@ -62,7 +62,7 @@ def pillar_body_of(cell: TileShape, mesh: HexMesh) -> PillarBody | None:
     pillar, plan = cell.pillar, mesh.topology.plan
     if pillar is None or not pillar.is_prism or plan.pillar_layers < 2:
         return None
-    low = float(mesh.points[_below_body(plan).top[0], 2])
+    low = float(mesh.points[_below_body(mesh.topology).level_start[-2], 2])
     if low - cell.thickness < FOOT_LAYER * pillar.diameter * (1 - 1e-9):
         return None
     # polynomials that the nodes of the foot can follow; a square that is twisted warps more than a disc
@@ -76,6 +76,7 @@ def pillar_body_of(cell: TileShape, mesh: HexMesh) -> PillarBody | None:
         degree=degree,
         order=LEAST_ORDER + PER_LAYER * plan.pillar_layers,
         kinds=len(PARITIES) // 2 ** len(folds_of(cell)),
+        faces=mesh.topology.faces,
     )
 
 
@@ -114,18 +115,25 @@ _feet: OrderedDict[str, _Foot] = OrderedDict()
 _lock = Lock()
 
 
-def _below_body(plan: MeshPlan) -> Topology:
-    return topology_of(replace(plan, pillar_layers=1))
+def _below_body(whole: Topology) -> Topology:
+    return topology_of(replace(whole.plan, pillar_layers=1), mirrored=whole.mirrored)
+
+
+def _of_foot(whole: Topology, foot: Topology) -> Ints:
+    """Numbers of the foot's nodes in the whole mesh: the lowest of all, and their images."""
+    upper = np.arange(foot.level_start[-1])
+    return np.concatenate([upper, whole.image[upper[foot.level_start[1] :]]]) if foot.mirrored else upper
 
 
 def _foot_below(
     cell: TileShape, mesh: HexMesh, body: PillarBody, steps: int, block: int, measured: bool
 ) -> _Foot:
-    """The foot of a body, made or found again; nodes are numbered from the flat face up, its own first."""
-    topology = _below_body(mesh.topology.plan)
-    points = mesh.points[: topology.nodes]
+    """The foot of a body, made or found again."""
+    topology = _below_body(mesh.topology)
+    points = mesh.points[_of_foot(mesh.topology, topology)]
     about = (
         topology.plan,
+        topology.mirrored,
         folds_of(cell),
         cell.has_symmetry(DIAGONAL),
         body.section,
@@ -305,8 +313,13 @@ class SubstructuredPart:
         inside = foot.own.static @ np.concatenate([own, section]) + foot.own.modes @ of_modes
         rim, top = self.trace.on_levels(self.through, own), (foot.on_top @ section).reshape(-1, 3, count)
         below = unfolded(self.trace, inside, rim, top)
+        whole = self.mesh.topology
+        inside_body = np.arange(self.trace.topology.level_start[-1], whole.level_start[-1])
         above = self.body.displaced(
-            foot.parities, self.mesh.points[len(below) :], np.concatenate([section, beyond])
+            foot.parities, self.mesh.points[inside_body], np.concatenate([section, beyond])
         )
-        field = np.concatenate([below, above])
+        field = np.empty((whole.nodes, *above.shape[1:]), dtype=above.dtype)
+        field[_of_foot(whole, self.trace.topology)] = below
+        field[whole.image[inside_body]] = self.trace.sign_of_image[:, None] * above
+        field[inside_body] = above
         return self.image.applied(field) if self.image else field

@@ -25,7 +25,7 @@ from haptonic.superelement.joint import Joint
 from haptonic.superelement.measures import ENERGIES, Measures
 from haptonic.superelement.sections import PillarSections
 from haptonic.superelement.substructured import condense_by_parts
-from haptonic.superelement.symmetry import folds_of
+from haptonic.superelement.symmetry import THROUGH, folds_of
 
 
 @dataclass(frozen=True, eq=False)
@@ -177,6 +177,19 @@ class Tiling:
                 self.joint.placed[number].turn @ tile.lifted(np.vstack([trace, mine[tile.trace_size :]]))
             )
         return np.concatenate(pieces)
+
+    def in_middle_plane(self) -> tuple[Ints, Array] | None:
+        """What the mirror in the plate's middle plane takes each unknown from, and its sign.
+
+        None where pillars on one face have no image on the other.
+        """
+        if not all(one.cell.is_mirrored for one in self.tiles):
+            return None
+        source, unknowns = np.arange(self.size), self.joint.unknowns
+        source[unknowns] = unknowns[::-1]
+        traces = np.empty(self.trace_size)
+        traces[unknowns] = THROUGH
+        return source, np.concatenate([traces, *(one.middle_parity for one in self.tiles)])
 
     def half_turn(self) -> tuple[Ints, Array, Array] | None:
         """What half a turn about the normal takes each unknown from, see `JointImage.half_turned`."""

@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 
 from haptonic.arrays import Array, Ints
 from haptonic.cell import MeshPlan, TileShape, Topology
-from haptonic.superelement.symmetry import Folding
+from haptonic.superelement.symmetry import THROUGH, Folding
 
 
 def trace_levels(plan: MeshPlan) -> int:
@@ -35,7 +35,8 @@ class FoldedTrace:
     """Trace unknowns of one symmetry class, and how they stand for those of the whole cell.
 
     The whole trace is ordered (level, place on the rim, component). The class has a share of it on the
-    representative places, without the components that it forces to vanish.
+    representative places, without the components that it forces to vanish; where the middle plane is a
+    mirror, on the levels from there up.
     """
 
     topology: Topology
@@ -46,19 +47,55 @@ class FoldedTrace:
     @cached_property
     def _place(self) -> Ints:
         """(sites,) representative of each place on the rim."""
-        return np.asarray(self.folding.node[self.topology.rim[0]] - self.folding.interior)
+        return np.asarray(self.folding.node[self.topology.upper_rim[0]] - self.folding.interior)
 
     @property
     def sites(self) -> int:
         """Number of representative places."""
         return int(self._place.max()) + 1
 
+    @property
+    def rim_size(self) -> int:
+        """Number of representatives on the rim of the mesh."""
+        return len(self.topology.upper_rim) * self.sites
+
+    @cached_property
+    def _behind(self) -> tuple[Ints, Array]:
+        """(levels,) own level behind each of the trace's, and (levels, 3) signs of the components there."""
+        level, middle = np.arange(self.levels), self.folding.middle[self.symmetry_class]
+        if not middle:
+            return level, np.ones((self.levels, 3))
+        away = level - level[::-1]
+        sign = np.where(away[:, None] < 0, self.sign_of_image, 1.0)
+        sign[away == 0] = self.sign_of_image > 0  # in the plane itself one that is its own opposite vanishes
+        return np.maximum(level, level[::-1]) - self.levels // 2, sign
+
+    @property
+    def sign_of_image(self) -> Array:
+        """(3,) what the mirror in the middle plane does to the components of the class."""
+        return np.asarray(self.folding.middle[self.symmetry_class] * THROUGH, dtype=float)
+
+    @property
+    def own_levels(self) -> int:
+        """Number of levels with unknowns of the class's own."""
+        return int(self._behind[0].max()) + 1
+
+    def fold_levels(self, whole: Array) -> Array:
+        """(..., own levels, places, 3) linear forms from those of all levels (..., levels, places, 3)."""
+        if self.own_levels == self.levels:
+            return whole
+        own = np.zeros((*whole.shape[:-3], self.own_levels, *whole.shape[-2:]))
+        for level, (behind, sign) in enumerate(zip(*self._behind, strict=True)):
+            own[..., behind, :, :] += sign * whole[..., level, :, :]
+        return own
+
     @cached_property
     def kept(self) -> Ints:
         """(b,) own unknowns among (level, representative place, component)."""
-        on_rim = self.folding.origin[self.folding.interior :][: self.sites]
+        highest = self.folding.interior + self.rim_size - self.sites
+        on_rim = self.folding.origin[highest : highest + self.sites]
         alive = self.folding.sign[self.symmetry_class][on_rim] != 0
-        return np.flatnonzero(np.broadcast_to(alive, (self.levels, *alive.shape)))
+        return np.flatnonzero(alive & (self._behind[1][-self.own_levels :, None] != 0))
 
     @property
     def is_vertical(self) -> Array:
@@ -68,15 +105,15 @@ class FoldedTrace:
     @cached_property
     def number(self) -> Ints:
         """(t,) own unknown behind each unknown of the whole trace (0 where its sign is 0)."""
-        own = np.zeros(self.levels * self.sites * 3, dtype=np.int64)
+        own = np.zeros(self.own_levels * self.sites * 3, dtype=np.int64)
         own[self.kept] = np.arange(len(self.kept))
-        return np.asarray(own.reshape(self.levels, self.sites, 3)[:, self._place].ravel())
+        return np.asarray(own.reshape(-1, self.sites, 3)[self._behind[0]][:, self._place].ravel())
 
     @cached_property
     def sign(self) -> Array:
         """(t,) whole trace = sign * own trace."""
-        sign = self.folding.sign[self.symmetry_class][self.topology.rim[0]].astype(float)
-        return np.asarray(np.broadcast_to(sign, (self.levels, *sign.shape)).ravel())
+        sign = self.folding.sign[self.symmetry_class][self.topology.rim[-1]].astype(float)
+        return np.asarray((self._behind[1][:, None] * sign).ravel())
 
     @cached_property
     def images(self) -> Array:
@@ -102,10 +139,13 @@ class FoldedTrace:
         return np.asarray((own / self.images[:, None])[self.number] * self.sign[:, None])
 
     def on_levels(self, through: Array, own: NDArray[Any]) -> NDArray[Any]:
-        """(plate levels * sites, 3, k) values on the mesh's rim from own trace unknowns (b, k)."""
-        trace = np.zeros((self.levels * self.sites * 3, own.shape[1]), dtype=own.dtype)
+        """(rim size, 3, k) values on the mesh's rim from own trace unknowns (b, k)."""
+        trace = np.zeros((self.own_levels * self.sites * 3, own.shape[1]), dtype=own.dtype)
         trace[self.kept] = own
-        rim = np.tensordot(through, trace.reshape(self.levels, -1), axes=1)
+        behind, sign = self._behind
+        trace = trace.reshape(self.own_levels, self.sites, 3, -1)[behind] * sign[:, None, :, None]
+        upper = through[-len(self.topology.upper_rim) :]
+        rim = np.tensordot(upper, trace.reshape(self.levels, -1), axes=1)
         return rim.reshape(-1, 3, own.shape[1])
 
 

@@ -55,7 +55,13 @@ def reproducible() -> Iterator[None]:
 
 
 def outlines(part: Part) -> Drawing:
-    """A document with the outlines of a part in its model space."""
+    """A document with the outlines of a part in its model space.
+
+    Raises
+    ------
+    GeometryError : pillars stand on both faces
+    """
+    part.need_one_face()
     document = ezdxf.new("R2010", units=MILLIMETRES)
     space = document.modelspace()
     for mark in part.marks:  # first: edges lie on top of them

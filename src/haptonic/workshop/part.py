@@ -40,11 +40,11 @@ class Mark:
 
 @dataclass(frozen=True)
 class Part:
-    """A plate with its pillars; its flat face lies at z = 0. Lengths in mm.
+    """A plate with its pillars between z = 0 and its thickness, or beyond both. Lengths in mm.
 
     outline : closed loops of (n, 2) corners with the plate to their left: its edge, which runs anticlockwise,
         then its holes
-    standing : each kind of pillar with the (n, 2) places of its axes
+    standing : each kind of pillar with the (n, 2) places of its axes, on each face that has some
     cell : the study's own, to whose dimensions names and tolerances belong
     count : columns and rows of cells of a piece of lattice; none of a plate that is made whole
     """
@@ -75,7 +75,7 @@ class Part:
                     cause="the plate's length was given in place of the number of its cells",
                     next_step="count the cells along that side, and give their number",
                 )
-        _check_number(columns * rows * sum(map(bool, cell.pillars)))
+        _check_number(columns * rows * sum(map(bool, cell.pillars)) * (1 + cell.is_mirrored))
         cell = cell.scaled(MM)
         assert np.linalg.det(cell.lattice.vectors) > 0, "a1, a2 turn anticlockwise"
         i, j = np.meshgrid(
@@ -142,14 +142,19 @@ class Part:
     @property
     def pillars(self) -> int:
         """How many stand on it."""
-        return sum(len(places) for _, places in self.standing)
+        return self._sides * sum(len(places) for _, places in self.standing)
+
+    @property
+    def _sides(self) -> int:
+        """Of the plate, that pillars stand on."""
+        return 2 if self.cell.is_mirrored else 1
 
     @property
     def faces(self) -> int:
         """How many smooth surfaces its pillars have, which decides what a solid costs."""
         bodies = [(PillarShape.of(pillar), len(places)) for pillar, places in self.standing]
         around = [len(body.form.corners) or 1 for body, _ in bodies]
-        return sum(
+        return self._sides * sum(
             number * (1 + sides * (len(body.side) - (body.arc is None)))
             for sides, (body, number) in zip(around, bodies, strict=True)
         )
@@ -163,7 +168,24 @@ class Part:
     def volume(self) -> float:
         """Of plate and pillars, mm^3."""
         area = sum(enclosed(loop) for loop in self.outline)  # holes run the other way
-        return area * self.cell.thickness + sum(len(places) * one.volume for one, places in self.standing)
+        pillars = sum(len(places) * one.volume for one, places in self.standing)
+        return area * self.cell.thickness + self._sides * pillars
+
+    def need_one_face(self) -> None:
+        """Refuse what a drawing of one face would hide.
+
+        Raises
+        ------
+        GeometryError : pillars stand on both faces
+        """
+        if self.cell.is_mirrored:
+            raise GeometryError.unsupported(
+                argument="cell.faces",
+                given="both",
+                allowed="one, for a drawing and for outlines seen from above",
+                cause="they show one face of the plate, and its pillars would be made on that alone",
+                next_step="write solids, which have both: haptonic export STUDY --step --stl",
+            )
 
 
 def _check_number(pillars: int) -> None:

@@ -27,7 +27,7 @@ _PRODUCT = re.compile(r"PRODUCT\('[^']*',\s*'[^']*',")
 
 
 def solid(part: Part) -> Any:
-    """The plate with its pillars as one OpenCascade solid, in mm; its flat face lies at z = 0.
+    """The plate with its pillars as one OpenCascade solid, in mm; its lower face lies at z = 0.
 
     Raises
     ------
@@ -47,6 +47,9 @@ def solid(part: Part) -> Any:
     for pillar, places in part.standing:
         body = _pillar(occ, PillarShape.of(pillar))
         pillars += [body.Move(occ.Vec(x, y, thickness)) for x, y in places]
+        if part.cell.is_mirrored:  # half a turn about x makes of a form its image, too
+            below = body.Rotate(occ.Axis((0, 0, 0), occ.X), 180)
+            pillars += [below.Move(occ.Vec(x, y, 0.0)) for x, y in places]
     return plate + occ.Compound(pillars) if pillars else plate
 
 

@@ -68,15 +68,17 @@ def surface(part: Part, *, chord: float = CHORD) -> meshio.Mesh:
     corners = np.concatenate(edges)
     up, loops = len(corners), _numbered(edges)  # the numbers of the upper corners are larger by their number
     points = [np.insert(corners, 2, z, axis=1) for z in (0.0, part.cell.thickness)]
-    triangles = [bottom[:, ::-1], *(_strips(np.stack([loop, loop + up])) for loop in loops)]
-    numbers, first = [np.arange(up) + up], 2 * up
-    for body, side, around, places in pillars:
-        for x, y in places:
-            points.append(body + np.array([x, y, part.cell.thickness]))
-            triangles.append(side + first)
-            numbers.append(np.arange(around) + first)
-            first += len(body)
-    triangles.append(np.concatenate(numbers)[top])
+    triangles, first = [_strips(np.stack([loop, loop + up])) for loop in loops], 2 * up
+    below = (top, pillars) if part.cell.is_mirrored else (bottom, [])
+    for way, (face, standing) in ((1, (top, pillars)), (-1, below)):
+        numbers, height = [np.arange(up) + up * (way > 0)], part.cell.thickness * (way > 0)
+        for body, side, around, places in standing:
+            for x, y in places:
+                points.append(body * [1, 1, way] + [x, y, height])
+                triangles.append(side[:, ::way] + first)
+                numbers.append(np.arange(around) + first)
+                first += len(body)
+        triangles.append(np.concatenate(numbers)[face[:, ::way]])
     return meshio.Mesh(np.concatenate(points) / MM, [("triangle", np.concatenate(triangles))])
 
 

@@ -26,7 +26,7 @@ PARTS = {
     "frequency": ("wavevector", "band"),
     **dict.fromkeys(("gap_below", "gap_lower", "gap_upper", "gap_lower_error", "gap_upper_error"), ("gap",)),
     **dict.fromkeys(("gap_lower_kappa", "gap_upper_kappa"), ("gap", "axis")),
-    **dict.fromkeys(("gap_complete", "gap_direction", "gap_samples"), ("gap",)),
+    **dict.fromkeys(("gap_complete", "gap_direction", "gap_samples", "gap_waves"), ("gap",)),
 }  # of bands.nc
 LENGTHS = {"rad/m": 1.0, "1/m": 1.0, "rad/mm": 1e3}
 

@@ -1,0 +1,104 @@
+"""Every command for a cell with pillars on both faces: answered, or refused in five parts."""
+
+from __future__ import annotations
+
+import pytest
+
+from five_parts import assert_five_parts
+from haptonic.analyses import NAMES, named
+from quick import QUICK_CELL
+
+STUDY = (
+    QUICK_CELL.replace("60 kHz", "110 kHz")
+    .replace("14.7 mm", "4 mm")
+    .replace("count = 8", "count = 10")
+    .replace("order = 2", "order = 3")
+    + """
+[layers]
+points = 3
+count = 2
+
+[[sweep]]
+vary = "cell.pillar.diameter"
+from = "3.4 mm"
+to = "3.5 mm"
+steps = 2
+
+[ribbon]
+map = "oo11oo"
+points = 2
+
+[ribbon.tiles]
+o = "lattice"
+1 = "guide"
+
+[[design.vary]]
+parameter = "cell.pillar.height"
+from = "3.5 mm"
+to = "4.5 mm"
+
+[tolerance]
+margin = "0.1 kHz"
+pillars = 4
+
+[[tolerance.of]]
+parameter = "cell.pillar.height"
+spread = "10 um"
+"""
+).replace('thickness = "1.5 mm"', 'thickness = "1.5 mm"\nfaces = "both"')
+REFUSED = {  # code and argument
+    "waveguide": ("no-answer", "waveguide.mode"),  # S0 and SH0 run along so short a wave's strip as well
+    "export": ("unsupported", "cell.faces"),
+    **dict.fromkeys(("plate", "feel", "simulate scan"), ("missing", "plate")),
+    "verdict": ("conflict", "response"),  # a study in place of what a scan has given
+}
+LONG = {"design", "tolerance", "reproduce"}  # asked what they cost, which looks through the study as well
+ASKED = [name for name in NAMES if named(name).study == "needed"]
+PLATE = """
+[plate]
+map = "o11o"
+
+[plate.tiles]
+o = "lattice"
+1 = "WG"
+"""
+
+
+@pytest.fixture
+def both(tmp_path):
+    path = tmp_path / "both.toml"
+    path.write_text(STUDY, encoding="utf-8")
+    return path
+
+
+@pytest.mark.parametrize("name", ASKED)
+def test_every_command_answers_or_says_why_not(name, both, inside, tmp_path):
+    given = [both, both] if name == "verdict" else [both]
+    how = ["--dry-run"] if name in LONG else ["--out", tmp_path / "out"]
+    ran = inside(*name.split(), *given, *how)
+    if name in REFUSED:
+        code, argument = REFUSED[name]
+        assert_five_parts(ran, code=code, argument=argument)
+    else:
+        assert ran.code == 0, ran.err
+
+
+def test_solids_are_written_with_both_faces(both, inside, tmp_path):
+    ran = inside("export", both, "--stl", "--out", tmp_path / "out")
+    assert ran.code == 0, ran.err
+    assert "2 pillars" in ran.out
+    assert [path.name for path in (tmp_path / "out").iterdir()] == ["both.stl"]
+
+
+def test_the_table_names_the_waves_of_a_gap(both, inside, tmp_path):
+    ran = inside("bands", both, "--out", tmp_path / "out")
+    assert ran.code == 0, ran.err
+    assert "Gap of antisymmetric waves alone" in ran.out
+    assert "these waves only" in ran.out
+    gap = next(one for one in inside("bands", both, "--json").json["gaps"] if one["waves"] != "all")
+    assert not gap["complete"]
+
+
+def test_a_finite_plate_of_such_a_cell_is_refused(both, inside):
+    both.write_text(STUDY + PLATE, encoding="utf-8")
+    assert_five_parts(inside("bands", both), code="unsupported", argument="cell.faces")
