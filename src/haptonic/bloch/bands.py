@@ -14,6 +14,7 @@ from haptonic.bloch.gaps import Gap, complete_gaps, parity_gaps, partial_gaps
 from haptonic.bloch.model import BlochModel, bloch_model, candidate_models
 from haptonic.bloch.pencil import Periodic
 from haptonic.bloch.settings import BandSettings
+from haptonic.bloch.symmetry import WAVES
 from haptonic.bloch.tracking import Diagram, diagram
 from haptonic.bloch.wavevectors import wavevector_at
 from haptonic.bloch.zone import zone_surface
@@ -131,6 +132,18 @@ def gaps_of(dataset: xr.Dataset) -> tuple[Gap, ...]:
             )
         )
     return tuple(found)
+
+
+def mode_names(dataset: xr.Dataset) -> list[str]:
+    """Names of the modes at the one wavevector where they are known, in order of frequency.
+
+    With their symmetry about the plate's middle plane, where that is a mirror.
+    """
+    if "mode_name" not in dataset:
+        return []
+    names = json.loads(dataset.attrs["character_names"])
+    modes = zip(dataset["mode_name"].values, dataset["mode_parity"].values, strict=True)
+    return [", ".join([names[int(number)]] + [WAVES[parity]] * bool(parity)) for number, parity in modes]
 
 
 def count_check(model: BlochModel, frequencies: list[float]) -> tuple[int, int]:

@@ -16,6 +16,7 @@ from numpy.typing import NDArray
 from PIL import Image, ImageDraw
 
 from haptonic.arrays import Array, Ints
+from haptonic.bloch.bands import mode_names
 from haptonic.later import xarray as xr
 from haptonic.plots import style
 from haptonic.plots.moving import moments, moving
@@ -69,7 +70,7 @@ def _bodies(dataset: xr.Dataset, turns: Sequence[complex]) -> tuple[Figure, Call
     borders = sides[np.isin(sides, on_edge).all(axis=1)]
     outline = outline_edges(position, faces)
     swing = LARGEST * np.ptp(position[:, 0])
-    names = json.loads(dataset.attrs["character_names"])
+    names = [name.replace(", ", "\n") for name in mode_names(dataset)[:SHOWN]]
     fields = (dataset["mode_real"].values + 1j * dataset["mode_imag"].values)[:count].astype(complex)
     amounts = np.linalg.norm(fields, axis=2)
     amounts /= amounts.max(axis=1, keepdims=True)
@@ -79,7 +80,7 @@ def _bodies(dataset: xr.Dataset, turns: Sequence[complex]) -> tuple[Figure, Call
     rows = -(-count // columns)
     column = (style.WIDTH - 1.0) / columns
     tall = (column - 0.2) * (high - low)[1] / (high - low)[0]
-    figure = style.blank(rows * (min(tall, 7.0) + 1.2) + 1.9)
+    figure = style.blank(rows * (min(tall, 7.0) + 1.2 + 0.4 * ("\n" in names[0])) + 1.9)
     panels = figure.subplots(rows, columns, squeeze=False).ravel()
     for axes in panels:
         axes.set_axis_off()
@@ -90,9 +91,8 @@ def _bodies(dataset: xr.Dataset, turns: Sequence[complex]) -> tuple[Figure, Call
         axes.add_collection(
             LineCollection(list(rest), colors=style.PALE_INK, linewidths=0.5, zorder=0, gid="undeformed")
         )
-        name = names[int(dataset["mode_name"][k])]
         frequency = float(dataset["mode_frequency"][k]) / 1e3
-        axes.set_title(f"M{k + 1}  {frequency:.2f} kHz\n{name}", fontsize=8.5)
+        axes.set_title(f"M{k + 1}  {frequency:.2f} kHz\n{names[k]}", fontsize=8.5)
     figure.suptitle(f"modes at {dataset.attrs['modes_at']}", fontsize=9, gid="wavevector")
     bar = figure.colorbar(
         ScalarMappable(Normalize(0, 1), style.perceptual()),

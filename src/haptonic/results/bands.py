@@ -12,6 +12,7 @@ import numpy as np
 
 from haptonic import plots, vtu
 from haptonic.bloch import Gap, bands_dataset, gaps_of
+from haptonic.bloch.bands import mode_names
 from haptonic.bloch.resolution import rounded_up
 from haptonic.bloch.settings import BandSettings
 from haptonic.cell import UnitCell
@@ -190,14 +191,6 @@ class Bands(Result):
         return {
             "gaps": self.gaps, "bands": data[along].assign(character=named), "modes": mode_names(data),
         }  # fmt: skip
-
-
-def mode_names(data: xr.Dataset) -> list[str]:
-    """Names of the modes at the one wavevector where they are known, in order of frequency."""
-    if "mode_name" not in data:
-        return []
-    names = json.loads(data.attrs["character_names"])
-    return [names[int(number)] for number in data["mode_name"].values]
 
 
 def counted(checked: int, missed: int) -> str:

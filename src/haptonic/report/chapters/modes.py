@@ -6,10 +6,10 @@ from dataclasses import replace
 from functools import partial
 
 from haptonic import plots
+from haptonic.bloch.bands import mode_names
 from haptonic.plots.modes import SHOWN
 from haptonic.plots.text import khz
 from haptonic.report.chapter import Absent, Chapter, Results, Table
-from haptonic.results.bands import mode_names
 
 
 def chapter(results: Results) -> Chapter | Absent:
@@ -23,7 +23,7 @@ def chapter(results: Results) -> Chapter | Absent:
         (f"M{k + 1}", khz(float(data["mode_frequency"][k]), float(data["mode_error"][k])), name)
         for k, name in enumerate(named)
     )
-    twisted = [f"M{k + 1}" for k, name in enumerate(named) if name == "torsion"]
+    twisted = [f"M{k + 1}" for k, name in enumerate(named) if name.startswith("torsion")]
     note = (
         f"In {' and '.join(twisted)} the pillar turns about its axis. A displacement that is drawn larger "
         "than it is moves every point along the tangent, so the pillar looks wider than it becomes.",
