@@ -143,7 +143,7 @@ def mode_names(dataset: xr.Dataset) -> list[str]:
         return []
     names = json.loads(dataset.attrs["character_names"])
     modes = zip(dataset["mode_name"].values, dataset["mode_parity"].values, strict=True)
-    return [", ".join([names[int(number)]] + [WAVES[parity]] * bool(parity)) for number, parity in modes]
+    return [names[int(number)] + (f", {WAVES[parity]}" if parity else "") for number, parity in modes]
 
 
 def count_check(model: BlochModel, frequencies: list[float]) -> tuple[int, int]:
