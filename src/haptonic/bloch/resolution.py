@@ -105,10 +105,10 @@ class Resolution:
         pillar on a thick plate needed more than 0.44, none of 66 on a thin one more than 0.15, with order 4
         one of 33 0.44 and the others 0.23; with order 5 one of 19 0.32, and a stout drafted one on a thick
         plate, where the edge leads already, 0.61; with two rings one of 4 0.19. They get a quarter to twice
-        as much. With two rings or more the edge never leads up to order 6, which is
-        taken to hold beyond. A step is another re-entrant edge, towards which the mesh is graded as towards
-        the foot; above a fillet it is not, and the edge is taken to lead from the start. A plain plate has no
-        edge: of 24 meshes where bands were resolved one needed 0.11; `unresolved` stands for others.
+        as much. With two rings or more the edge never leads up to order 6, which is taken to hold beyond. A
+        step is another re-entrant edge, towards which the mesh is graded as towards the foot; above a fillet
+        it is not, and the edge is taken to lead from the start. A plain plate has no edge: of 24 meshes where
+        bands were resolved one needed 0.11; `unresolved` stands for others.
         """
         return max(self._remaining(one.tile) for one in cell.tiles)
 
