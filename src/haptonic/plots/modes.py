@@ -16,6 +16,7 @@ from numpy.typing import NDArray
 from PIL import Image, ImageDraw
 
 from haptonic.arrays import Array, Ints
+from haptonic.bloch.symmetry import WAVES
 from haptonic.later import xarray as xr
 from haptonic.plots import style
 from haptonic.plots.moving import moments, moving
@@ -91,6 +92,8 @@ def _bodies(dataset: xr.Dataset, turns: Sequence[complex]) -> tuple[Figure, Call
             LineCollection(list(rest), colors=style.PALE_INK, linewidths=0.5, zorder=0, gid="undeformed")
         )
         name = names[int(dataset["mode_name"][k])]
+        if parity := int(dataset["mode_parity"][k]):
+            name += f"\n{WAVES[parity]}"
         frequency = float(dataset["mode_frequency"][k]) / 1e3
         axes.set_title(f"M{k + 1}  {frequency:.2f} kHz\n{name}", fontsize=8.5)
     figure.suptitle(f"modes at {dataset.attrs['modes_at']}", fontsize=9, gid="wavevector")
