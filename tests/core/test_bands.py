@@ -19,8 +19,8 @@ from haptonic.bloch import gaps as gaps_module
 from haptonic.bloch.bands import count_check
 from haptonic.bloch.character import NAMES, characters
 from haptonic.bloch.gaps import SEARCH_GOAL, complete_gaps
-from haptonic.bloch.model import ReducedCell
 from haptonic.bloch.pencil import eigenpairs
+from haptonic.bloch.reduced import ReducedCell
 from haptonic.bloch.settings import BandSettings, MeshSettings
 from haptonic.bloch.symmetry import clusters, mirrors_at, sorted_by_parity, split_groups
 from haptonic.bloch.tracking import group_velocity

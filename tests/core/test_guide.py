@@ -119,6 +119,7 @@ def test_the_prototype_resonates_where_a_model_of_the_whole_plate_does(intervals
     mode = prototype(intervals)
     assert mode.omega == pytest.approx(kilohertz * KILOHERTZ, rel=0.01)
     assert 0.05 < mode.at_edge < 0.2  # 0.15 in that model
+    assert mode.at_edge == pytest.approx(mode.amplitude[-1], rel=1e-3), "the faces are straight"
     assert mode.wavenumber == pytest.approx((intervals + 0.5) * np.pi / LENGTH)
 
 

@@ -53,6 +53,8 @@ def test_what_leads_to_a_straight_line_changes_no_width(monkeypatch):
     assert rows(TRIANGULAR).setback - other.setback == pytest.approx(0.2 * PITCH / 2)
     far = Guide.of(other, ALONG)
     assert far.width(72 * KILOHERTZ, 1) == pytest.approx(near.width(72 * KILOHERTZ, 1), rel=1e-3)
+    edges = [one.mode_at(72 * KILOHERTZ, 1).at_edge for one in (near, far)]
+    assert edges[0] == pytest.approx(edges[1], rel=5e-3)
     walls = [one.wall(72 * KILOHERTZ) for one in (near, far)]
     assert walls[0].fixed_line == pytest.approx(walls[1].fixed_line, abs=0.01 * MM)
 

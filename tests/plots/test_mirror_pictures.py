@@ -29,7 +29,7 @@ DATASETS = {
 
 def guide(width: float = 32e-3, fixed_line: float = 1e-3) -> Figure:
     position = np.linspace(-0.5 * width, 0.5 * width, 101)
-    return plots.guide(position, np.cos(np.pi * position / (width + 2 * fixed_line)), width, fixed_line)
+    return plots.guide(position, np.cos(np.pi * position / (width + 2 * fixed_line)), 0.1, width, fixed_line)
 
 
 PICTURES = {

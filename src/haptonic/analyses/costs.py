@@ -11,7 +11,7 @@ from pathlib import Path
 from typing import Any
 
 from haptonic.analyses.export import ExportOptions
-from haptonic.analyses.needs import has_mirror, has_plate, has_waveguide, need_rows
+from haptonic.analyses.needs import has_mirror, has_plate, need_rows
 from haptonic.bloch.mirrors import MOST_ROWS
 from haptonic.bloch.resolution import started
 from haptonic.design.quick import QUICK
@@ -197,7 +197,7 @@ FORECASTS = {
     "sweep": Forecast(sweep, lambda study: study.sweep_settings),
     "reproduce": Forecast(reproduce),
     "layers": Forecast(layers, has_mirror),
-    "waveguide": Forecast(waveguide, has_waveguide),
+    "waveguide": Forecast(waveguide, has_mirror),
     "ribbon": Forecast(ribbon, lambda study: study.ribbon_settings),
     "design": Forecast(design, lambda study: study.carrier and study.design_settings.vary),
     "tolerance": Forecast(tolerance, lambda study: study.carrier and study.tolerance_settings.of),

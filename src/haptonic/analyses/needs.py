@@ -65,7 +65,10 @@ def gap_of_plate(study: Description, plate: Plate, carrier: float, runner: Runne
 
 
 def has_mirror(study: Description) -> bool:
-    """Whether a mirror can be asked for: there is a carrier, and something that reflects."""
+    """Whether a mirror, and a waveguide between two of them, can be asked for.
+
+    There is a carrier, and something that reflects; on which lattice does not matter.
+    """
     return study.carrier is not None and study.cell.has_pillars
 
 
@@ -79,12 +82,6 @@ def need_rows(study: Description, table: str = "layers") -> tuple[int, float]:
     along = (study.layers_settings if table == "layers" else study.waveguide_settings).direction
     check_along(along, table, "a row")
     return rows_need(Rows(study.cell, along), first, table)
-
-
-def has_waveguide(study: Description) -> bool:
-    """Whether a waveguide between two mirrors can be asked for."""
-    cell = study.cell
-    return has_mirror(study) and cell.is_simple and cell.lattice.is_rectangular
 
 
 def has_plate(study: Description) -> bool:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from haptonic.analyses.analysis import Analysis, option
-from haptonic.analyses.needs import has_waveguide, need_carrier, need_rows
+from haptonic.analyses.needs import has_mirror, need_carrier, need_rows
 from haptonic.bloch.settings import WaveguideSettings
 from haptonic.errors import StudyError, shown
 from haptonic.fields import remade
@@ -67,7 +67,7 @@ ANALYSIS = Analysis(
     name="waveguide",
     result=Guides,
     compute=compute,
-    reported=lambda study: WaveguideOptions() if has_waveguide(study) else None,
+    reported=lambda study: WaveguideOptions() if has_mirror(study) else None,
     options=WaveguideOptions,
     check=chosen_settings,
 )

@@ -34,6 +34,8 @@ class Wall:
     reflection : (p, p) amplitudes of their mirror images, to the left, for unit ones that come
     flexural : number of the flexural wave that propagates
     closed : whether no wave enters the lattice
+    face : (s, p) motion normal to the plate of places of the lattice's flat face for unit waves that come, as
+        amplitudes whose squares add up to the mean square along it
     setback : from the straight line beyond which there is but plain plate to that place, m
     """
 
@@ -41,6 +43,7 @@ class Wall:
     reflection: Complex
     flexural: int
     closed: bool
+    face: Complex
     setback: float = 0.0
 
     @classmethod
@@ -52,8 +55,11 @@ class Wall:
         if not len(leads):
             return None
         images = replace(mirror, outgoing=right.mirrored(interface.plate.axes[0]))
-        closed = not mirror.lattice.propagates.any()
-        return cls(right, images.reflection(), int(leads[0]), closed, interface.setback)
+        closed, reflection = not mirror.lattice.propagates.any(), images.reflection()
+        motion = right.waves.displacement + images.outgoing.waves.displacement @ reflection
+        on_face = (mirror.motion @ motion).reshape(-1, len(interface.shares), 3, len(right))[0, :, 2]
+        face = np.sqrt(interface.shares)[:, None] * on_face
+        return cls(right, reflection, int(leads[0]), closed, face, interface.setback)
 
     @property
     def wavenumber(self) -> float:
@@ -85,8 +91,8 @@ class Wall:
         alone = self.reflection[self.flexural, self.flexural] * np.exp(-1j * self.wavenumber * plain)
         return float(self.wavenumber * width + self.delay - np.angle(round_trip / alone))
 
-    def across(self, width: float, nodal_lines: int) -> tuple[Array, Array]:
-        """Positions (s,) from the middle of the strip, m, and |w| (s,) there on the flat face.
+    def across(self, width: float, nodal_lines: int) -> tuple[Array, Array, float]:
+        """Positions (s,) from the middle of the strip, m, |w| (s,) there on the flat face, and at its edge.
 
         They end where the plate is plain no more, before the edge if that is no straight line. |w| is the
         root of the mean square over a period along the strip; its peak is 1.
@@ -101,7 +107,8 @@ class Wall:
         harmonics = int(self.plate.harmonic.max()) + 1
         on_face = self.plate.waves.displacement.reshape(harmonics, -1, 3, len(self.plate))[:, 0, 2]
         size = np.linalg.norm(on_face @ (amplitudes[:, None] * away), axis=0)
-        return position, np.asarray(size / size.max())
+        coming = sign * amplitudes * np.exp(2 * end * k[:, 0])
+        return position, np.asarray(size / size.max()), float(np.linalg.norm(self.face @ coming) / size.max())
 
     def _closing(self, width: float, nodal_lines: int) -> tuple[complex, Complex]:
         """Factor of the flexural wave after one way, and the other waves' amplitudes if its own is 1.
@@ -124,6 +131,7 @@ class GuidedMode:
 
     omega : rad/s; wavenumber : along the strip, rad/m; width : m; nodal_lines : across
     position : (s,) from the middle, m; amplitude : (s,) of w on the flat face, its peak 1
+    at_edge : amplitude where the lattice begins, as a share of that peak
     """
 
     omega: float
@@ -132,11 +140,7 @@ class GuidedMode:
     nodal_lines: int
     position: Array
     amplitude: Array
-
-    @property
-    def at_edge(self) -> float:
-        """Amplitude at the strip's edge as a share of the peak."""
-        return float(self.amplitude[-1])
+    at_edge: float
 
 
 @dataclass(frozen=True)

@@ -114,6 +114,7 @@ class Interface:
     period : along the line, m
     setback : from the line to where the rows' face lies on average, m
     trace : (n, p) motion of the line that each unknown (harmonic, level, component) of the plate gives
+    shares : of the period that each place of the rows' face stands for
     """
 
     slab: Slab
@@ -124,6 +125,7 @@ class Interface:
     period: float
     setback: float
     trace: Complex
+    shares: Array
 
     @classmethod
     def of(cls, rows: CondensedRows, wavenumber: float) -> Interface:
@@ -147,7 +149,10 @@ class Interface:
         turning = np.exp(1j * np.outer(position, tangential))
         trace = np.einsum("pm,lj,cd->lpcmjd", turning, np.eye(rows.levels), np.eye(3))
         trace = trace.reshape(slab.size, -1)
-        return cls(slab, tuple(parts), ends, plain_plate(rows), tangential, period, rows.setback, trace)
+        plate = plain_plate(rows)
+        return cls(
+            slab, tuple(parts), ends, plate, tangential, period, rows.setback, trace, rows.shares
+        )  # fmt: skip
 
     @classmethod
     def met_by(cls, rows: CondensedRows, omega: float, family: str, angle: float) -> Interface:

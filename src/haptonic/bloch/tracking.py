@@ -12,7 +12,8 @@ from numpy.typing import NDArray
 
 from haptonic.arrays import Array, Complex, Ints
 from haptonic.bloch.character import characters
-from haptonic.bloch.model import REST, SPARE_MODES, BlochModel, Solution
+from haptonic.bloch.model import REST, BlochModel, Solution
+from haptonic.bloch.reduced import SPARE_MODES
 from haptonic.bloch.symmetry import (
     WAVES,
     clusters,

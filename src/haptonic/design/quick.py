@@ -10,8 +10,9 @@ from numpy.typing import NDArray
 
 from haptonic.arrays import Array
 from haptonic.bloch.gaps import ZoneSampling
-from haptonic.bloch.model import BlochModel, ReducedCell
+from haptonic.bloch.model import BlochModel
 from haptonic.bloch.pencil import eigenpairs, hertz
+from haptonic.bloch.reduced import ReducedCell
 from haptonic.bloch.resolution import Resolution
 from haptonic.cell import UnitCell
 from haptonic.design.sensitivity import eigenvalue_derivatives

@@ -38,6 +38,7 @@ CURVE_STYLES = {
     "plate in-plane": CurveStyle(style.ORANGE, style.DASHED, "X"),
 }
 RIGID = "rigid body"
+HATCHES = {"symmetric": "////", "antisymmetric": "\\\\\\\\"}
 
 
 @style.drawn
@@ -45,6 +46,8 @@ def dispersion(
     dataset: xr.Dataset, carrier_hz: float | None = None, title: str = "", *, ax: Axes | None = None
 ) -> Figure:
     """Every mode along the path, coloured by what it is; complete gaps shaded, the carrier dashed.
+
+    Gaps of one parity in the plate's middle plane are hatched.
 
     A branch is followed by character, not by rank: where a mode changes its nature along a branch, the colour
     changes with it.
@@ -62,6 +65,11 @@ def dispersion(
     axes.set_ylim(0, 1.03 * frequency.max())
     for lower, upper, _, _ in complete_gaps(dataset):
         axes.axhspan(lower / 1e3, upper / 1e3, facecolor=style.GAP, edgecolor="none", zorder=0, gid="gap")
+    for (lower, upper), waves in parity_gaps(dataset):
+        axes.axhspan(
+            lower / 1e3, upper / 1e3, facecolor="none", edgecolor=style.GAP_EDGE, hatch=HATCHES[waves],
+            linewidth=0.0, alpha=0.35, zorder=0, gid=f"gap {waves}",
+        )  # fmt: skip
     present = _draw_branches(axes, dataset, distance, frequency)
     mark_corners(axes, dataset, brief=not on.own)
     axes.set_ylabel("frequency (kHz)")
@@ -72,6 +80,10 @@ def dispersion(
         axes.plot([], [], color=stroke.colour, ls=stroke.dashes, marker=stroke.marker, ms=3.5, label=name)
     on.legend(ncols=min(3, max(1, len(present))), handlelength=3.4)
     labels = [(centre, text, style.GAP_EDGE) for centre, text in _gap_labels(dataset)]
+    labels += [
+        (0.5 * sum(edges) / 1e3, f"gap of\n{waves}\nwaves", style.GAP_EDGE)
+        for edges, waves in parity_gaps(dataset)
+    ]
     if carrier_hz is not None:
         if carrier_hz / 1e3 > axes.get_ylim()[1]:
             axes.set_ylim(0, 1.05 * carrier_hz / 1e3)
@@ -87,6 +99,13 @@ def complete_gaps(dataset: xr.Dataset) -> list[tuple[float, float, float, float]
     names = ("gap_lower", "gap_upper", "gap_lower_error", "gap_upper_error")
     columns = [dataset[name].values[chosen] for name in names]
     return sorted((float(a), float(b), float(c), float(d)) for a, b, c, d in zip(*columns, strict=True))
+
+
+def parity_gaps(dataset: xr.Dataset) -> list[tuple[tuple[float, float], str]]:
+    """Edges (Hz) of the gaps of one parity, and of which waves they are."""
+    columns = (dataset[f"gap_{name}"].values for name in ("lower", "upper", "waves"))
+    every = zip(*columns, strict=True)
+    return [((float(low), float(high)), str(waves)) for low, high, waves in every if waves != "all"]
 
 
 def _gap_labels(dataset: xr.Dataset) -> list[tuple[float, str]]:

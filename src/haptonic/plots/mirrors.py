@@ -119,13 +119,20 @@ def layers(dataset: xr.Dataset, *, incident: str | None = None, ax: Axes | None 
 
 @style.drawn
 def guide(
-    position: Array, amplitude: Array, width: float, fixed_line: float, *, ax: Axes | None = None
+    position: Array,
+    amplitude: Array,
+    at_edge: float,
+    width: float,
+    fixed_line: float,
+    *,
+    ax: Axes | None = None,
 ) -> Figure:
     """Amplitude of the guided mode across the strip, between the two lattices.
 
     Parameters
     ----------
     position : (s,) from the middle of the strip, m; amplitude : (s,) its peak 1
+    at_edge : amplitude where the lattices begin, on average; beside zigzags the curve ends before
     width : of the strip, m; fixed_line : how far inside the lattices the plate seems to be held, m
     """
     on = stage(ax, 7.5)
@@ -133,6 +140,9 @@ def guide(
     edge, line = 500 * width, 1e3 * (0.5 * width + fixed_line)
     reach = max(1.25 * edge, 1.15 * line)
     axes.plot(1e3 * position, amplitude, color=style.BLUE, label="amplitude of the mode")
+    if position[-1] < (1 - 1e-9) * 0.5 * width:
+        ends = [-edge, edge], [at_edge, at_edge]
+        axes.plot(*ends, "o", color=style.BLUE, ms=4, clip_on=False, label="on the lattice's faces")
     for side in (-1, 1):
         axes.axvspan(side * edge, side * reach, facecolor=style.BEYOND, edgecolor="white", hatch="////", lw=0,
                      label="lattice" if side > 0 else None)  # fmt: skip

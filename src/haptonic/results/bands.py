@@ -138,7 +138,8 @@ class Bands(Result):
     @figure(
         "dispersion",
         "Simulated dispersion along the edge of the irreducible zone. Colour, dashes and markers tell what "
-        "moves; a curve changes its colour where the mode changes its nature. Complete gaps are shaded.",
+        "moves; a curve changes its colour where the mode changes its nature. Complete gaps are shaded, "
+        "those of one parity hatched.",
     )
     def _dispersion(self, *, ax: Axes | None = None) -> Figure:
         """Dispersion diagram with the complete gaps and the carrier."""

@@ -113,7 +113,7 @@ class Guides(Result):
     @figure("waveguide", "Simulated mode across the waveguide.")
     def _across(self, *, ax: Axes | None = None) -> Figure:
         best, mode = self.best, self.best.mode
-        return plots.guide(mode.position, mode.amplitude, mode.width, best.fixed_line, ax=ax)
+        return plots.guide(mode.position, mode.amplitude, mode.at_edge, mode.width, best.fixed_line, ax=ax)
 
     def facts(self) -> dict[str, Any]:
         found = split(self.dataset, "waveguide")
