@@ -6,6 +6,7 @@ import io
 from pathlib import Path
 from types import SimpleNamespace
 
+import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
@@ -14,7 +15,9 @@ from haptonic.analyses.reproduce import Reproduction
 from haptonic.cli.console import Voice
 from haptonic.cli.running import OF_COMMANDS, SCREEN, SENTENCES, folder_for, show
 from haptonic.results.bands import Bands
+from haptonic.results.scan.value import ScanResult
 from haptonic.results.table import Table
+from haptonic.vibrometry.maps.edges import Edge, LatticeGap
 from made_up import reference_bands
 
 BANDS = reference_bands()
@@ -118,3 +121,26 @@ def test_a_report_says_first_what_each_part_found(others):
         [first[0], *(f"{name} 1" for name in ("plate", "feel") if name in one)] if one else first
     )
     assert [text for text in made.remarks() if "but" in text] == [f"{name}: but" for name in others]
+
+
+@pytest.mark.parametrize("all_of_it", [True, False])
+def test_a_scan_says_first_what_was_read_then_how_a_model_fits_and_the_gap(all_of_it):
+    """How it was read and registered comes last; of what was not asked or not found nothing is said."""
+    moved = SimpleNamespace(scale=1.0, angle=0.0, shift=np.zeros(2), misfit=0.0)
+    edges = LatticeGap(Edge(66e3, 100.0), None, ("no upper edge",))
+    stands_out = SimpleNamespace(lower=53e3, upper=59e3, lower_error=10.0, upper_error=20.0)
+    scan = SimpleNamespace(
+        response=SimpleNamespace(points=np.zeros((3, 2)), frequency=np.array([40e3, 70e3])),
+        flags={"low": 2, "odd": 0}, origin="measured", lattice=edges, measured=stands_out,
+        verdict=SimpleNamespace(summary=lambda: ["The model fits."]), registration=moved,
+        gap=SimpleNamespace(lower=52e3, upper=60e3), report=SimpleNamespace(complete=False, remarks=()),
+    )  # fmt: skip
+    if not all_of_it:
+        scan.verdict = scan.lattice = scan.measured = scan.registration = None
+        scan.report.complete = True
+    said = ScanResult.summary(scan)
+    begun = ["3 points (2 low), 2 lines", "The model fits.", "Gap in the scan: lower edge", "  no upper edge",
+             "The driven region stands out", "namespace(", "Registered: scale"]  # fmt: skip
+    assert len(said) == (len(begun) if all_of_it else 1)
+    assert all(text.startswith(start) for text, start in zip(said, begun, strict=False)), said
+    assert all_of_it == any("another range" in text for text in said)

@@ -26,7 +26,7 @@ from haptonic.cli.app import app
 from haptonic.design import quick
 from haptonic.results import Runner
 from haptonic.store import Store
-from haptonic.workshop import Part, drawing, part_drawing
+from haptonic.workshop import Part, part_drawing
 
 SWEEP = """
 [[sweep]]
@@ -261,18 +261,18 @@ class TestTolerance:
         assert (tmp_path / "again" / "tolerance.svg").read_bytes() == (out / "tolerance.svg").read_bytes()
 
         shown = []
-        write = workshop.write_drawing
+        draw = workshop.part_drawing
 
         def noted(*args, **options):
             shown.append(options["tolerances"])
-            return write(*args, **options)
+            return draw(*args, **options)
 
-        monkeypatch.setattr(workshop, "write_drawing", noted)
+        monkeypatch.setattr(workshop, "part_drawing", noted)
         exported = here("export", path, "--out", tmp_path / "files", "--drawing")
         assert exported.code == 0, exported.err
         assert {p.name for p in (tmp_path / "files").iterdir()} == {"asking.pdf", "asking-drawing.dxf"}
         wanted = pytest.approx(answer["loosest_factor"] * 3 * 20e-6)
-        assert shown == [{"cell.pillar.height": wanted}] * 2
+        assert shown == [{"cell.pillar.height": wanted}]  # both files from one sheet
         sheet = ezdxf.readfile(tmp_path / "files" / "asking-drawing.dxf").paperspace("Drawing")
         styles = [(d.get_measurement(), d.override()) for d in sheet.query("DIMENSION")]
         (height,) = [(m * s.get("dimlfac"), s) for m, s in styles if s.get("dimtol")]
@@ -418,9 +418,9 @@ class TestExport:
         """In the drawing, on the terminal if some were asked for, and to machines."""
         found = SimpleNamespace(loosest=0.0, plate=0.42)
         monkeypatch.setattr("haptonic.analyses.tolerance.compute", lambda *_: found)
-        figures, draw = [], drawing.part_drawing
+        figures, draw = [], workshop.part_drawing
         monkeypatch.setattr(
-            drawing, "part_drawing", lambda *a, **o: figures.append(draw(*a, **o)) or figures[-1]
+            workshop, "part_drawing", lambda *a, **o: figures.append(draw(*a, **o)) or figures[-1]
         )
         for machine in ([], ["--json"]):
             out = tmp_path / f"files{len(machine)}"

@@ -260,3 +260,19 @@ def test_a_larger_plate_costs_more():
     ]
     assert costs[0].seconds < costs[1].seconds < costs[2].seconds
     assert costs[0].memory < costs[1].memory < costs[2].memory
+
+
+def test_every_patch_costs_its_tiles_and_its_losses():
+    text = TEMPLATES["my-scan"]
+    table = text[text.index("[[plate.actuator]]") : text.index("[scan]")]
+    second = table.replace('"A1"', '"A2"').replace('"left"', '"right"')
+    one, two = (FORECASTS["plate"].cost(loads(text.replace("[scan]", more + "[scan]")), None).seconds
+                for more in ("", second))  # fmt: skip
+    assert two > one + 4.0  # four tiles of plain plate with a patch took 4.2 s
+
+
+def test_a_scan_costs_its_lines():
+    text = TEMPLATES["my-scan"]
+    short, long = (COSTS["simulate scan"](loads(text.replace('"40 ms"', record)), None).seconds
+                   for record in ('"40 ms"', '"400 ms"'))  # fmt: skip
+    assert long > short

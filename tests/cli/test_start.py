@@ -174,6 +174,16 @@ class TestKeys:
         assert [key["path"] for key in every] == list(KEYS)
         assert all(key["allowed"] for key in every)
 
+    @pytest.mark.parametrize(
+        ("pattern", "named"),
+        [("plate.patch", "plate.actuator"), ("plate.actuator[2].bond", "plate.actuator[].bond")],
+    )
+    def test_a_table_is_found_by_what_its_help_calls_it_and_by_its_number(self, inside, pattern, named):
+        found = [key["path"] for key in inside("keys", pattern, "--json").json["keys"]]
+        assert found == [path for path in KEYS if path.startswith(named)]
+        said = inside("keys", pattern).out.splitlines()
+        assert [line for line in said if line.startswith(named)] == found
+
     @pytest.mark.parametrize("path", [path for path in KEYS if path.endswith("[].parameter")])
     def test_numbers_that_a_text_may_name_are_told(self, path):
         names = keys.lines(KEYS[path])["names"].split(", ")

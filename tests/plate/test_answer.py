@@ -18,6 +18,7 @@ from haptonic.plate import krylov, sweep
 from haptonic.plate.assembly import Assembly
 from haptonic.plate.blocks import blocks_of
 from haptonic.plate.direct import direct_answer
+from haptonic.plate.forecast import Counted
 from haptonic.plate.holding import Support
 from haptonic.plate.keys import FINGER, PLATE, SUPPORTS, bond, ceramic, dielectric, electric
 from haptonic.plate.krylov import Basis, chains
@@ -25,6 +26,7 @@ from haptonic.plate.layout import Block
 from haptonic.plate.model import PlateModel, impedance, sunflower
 from haptonic.plate.modes import modes_between
 from haptonic.plate.parts import Finger, Force, Plate
+from haptonic.plate.settings import ResponseSettings
 from haptonic.plate.sweep import MOST_DIRECT, Band, _forces
 from haptonic.plate.vibration import ReducedPlate, amplification
 
@@ -60,6 +62,44 @@ def test_the_error_is_below_its_bound_and_that_below_the_tolerance(drives):
     assert (vibration.error < 1e-2).all()
     assert (error < vibration.error).all()
     assert (error < 5e-4).all()
+
+
+def test_a_band_is_made_of_what_a_forecast_counts():
+    model, reduced = busy(), busy_band().reduced
+    asked = ResponseSettings(lowest=2e3, highest=30e3, points=15)
+    counted = Counted.of(busy_plate(), asked)
+    assert counted.tiles == 12
+    # the patch lies on two of them, the force on one
+    blocks = [len(block.tiles) for block, attached in blocks_of(model.plate).items() if attached]
+    assert sorted(counted.glued) == sorted(blocks) == [1, 2]
+    model.assembly.prepare()
+    assert counted.forces == _forces(model)(model.assembly.shifted((HZ * 30e3) ** 2)).shape[1]
+    assert counted.shifts == (pytest.approx(len(reduced.basis.below), abs=0.5),)
+    assert counted.unknowns == pytest.approx(model.assembly.size, rel=0.2)
+    assert counted.vectors == (pytest.approx(reduced.basis.dimension, rel=0.3),)
+    kept = [extra.kept.shape[1] for extra in reduced.extras if extra.extra is not reduced.extras[-1].extra]
+    assert counted.directions == pytest.approx(sum(kept), rel=0.4)
+    assert (counted.lines, counted.points) == (15, pytest.approx(12 * PITCH**2 / 4e-6))
+
+
+def test_several_drives_of_a_lossy_plate_start_more_vectors():
+    forces = tuple(Force(f"F{k}", (3e-3 + 7e-3 * k, 3e-3)) for k in range(3))
+    plate = plain_plate(1, 3, supports=(Support("left", "spring", stiffness=3e11),), forces=forces)
+    model = PlateModel.of(plate, 40e3, COARSE)
+    model.assembly.prepare()
+    started = _forces(model)(model.assembly.shifted((HZ * 30e3) ** 2)).shape[1]
+    assert Counted.of(plate, ResponseSettings()).forces == started > sweep.BLOCK
+
+
+@pytest.mark.parametrize(("pillars", "bases"), [(12, 1), (120, 2)])
+def test_a_band_above_many_modes_is_foreseen_to_be_answered_twice(pillars, bases):
+    """A basis without them was seen to miss most lines; see `forecast.MISSED`."""
+    plate = Plate(drawn(" ".join(["o" * 12] * (pillars // 12))), forces=(Force("F", (24e-3, 5e-3)),))
+    high, whole = (Counted.of(plate, ResponseSettings(lowest=low, highest=95e3)) for low in (70e3, 100.0))
+    assert len(high.shifts) == bases
+    assert len(whole.shifts) == 1
+    assert high.shifts[0] < whole.shifts[0]
+    assert Counted.of(plate, ResponseSettings().single(60e3)).shifts == ()
 
 
 def test_a_poor_basis_says_so():

@@ -68,9 +68,9 @@ def drawn() -> dict[str, Figure]:
 
 
 def segments(figure: Figure, gid: str) -> set:
-    """Ends of the lines of a collection, in mm, rounded."""
+    """Ends of the lines of a collection, in mm, rounded; the lower or left one first."""
     return {
-        tuple(tuple(float(round(c, 6)) for c in end) for end in line)
+        tuple(sorted(tuple(float(round(c, 6)) for c in end) for end in line))
         for collection in artists(figure, gid)
         for line in collection.get_segments()
     }

@@ -8,6 +8,7 @@ import numpy as np
 from haptonic.cell import Pillar, Step, UnitCell
 from haptonic.lattice import Lattice
 from haptonic.materials import IsotropicMaterial, material
+from haptonic.plate.holding import Support
 from haptonic.plate.layout import Layout
 from haptonic.plate.parts import Actuator, Bond, Plate
 
@@ -74,7 +75,12 @@ OWN = cell(Pillar(3 * MM, 9 * MM, fillet=0.3 * MM, draft=0.01), RECTANGLE)
 LATTICES = {"lattice": OWN, "slim": cell(SLIM, RECTANGLE), "tall": cell(Pillar(3.5 * MM, 11 * MM), RECTANGLE)}
 
 
-def plate(rows: str, actuators: tuple[Actuator, ...] = (), kind: type[Layout] = Layout) -> Plate:
+def plate(
+    rows: str,
+    actuators: tuple[Actuator, ...] = (),
+    kind: type[Layout] = Layout,
+    supports: tuple[Support, ...] = (),
+) -> Plate:
     """A map: o, s and t are tiles of lattices, digits those of regions, a point is none; rows from above."""
     names = {"o": "lattice", "s": "slim", "t": "tall", ".": None}
     tiles = tuple(tuple(names.get(c, c) for c in row) for row in reversed(rows.split()))
@@ -83,14 +89,19 @@ def plate(rows: str, actuators: tuple[Actuator, ...] = (), kind: type[Layout] = 
     )
     used = {name for row in tiles for name in row}
     cells = {name: one for name, one in LATTICES.items() if name in used}
-    return Plate(kind(tiles, x, y, cells, 1.5 * MM, METAL), (), actuators)
+    return Plate(kind(tiles, x, y, cells, 1.5 * MM, METAL), supports, actuators)
 
 
 GLUE = Bond(50e-6, material("silver-epoxy"))
 PATCH = Actuator("A1", (24.5 * MM, 4 * MM), (6 * MM, 5 * MM, 0.5 * MM), material("pzt-5a"), GLUE)
+HOLDS = (
+    Support("corners", "clamped", length=8 * MM),
+    Support("left", "simple"),
+    Support("top", "spring", stiffness=1e12),
+)
 PLATES = {
     "touchpad": plate("ooo1111ooo2222ooo " * 6, (PATCH,)),
-    "hole and cut corner": plate("ooo1ss. ooo1sst oo..sst ooo1sst", (PATCH,)),
+    "hole and cut corner": plate("ooo1ss. ooo1sst oo..sst ooo1sst", (PATCH,), supports=HOLDS),
     "plain": plate("11 11"),
     "long": plate("o" * 40),
 }

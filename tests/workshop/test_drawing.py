@@ -5,7 +5,7 @@ import io
 import math
 import re
 from functools import cache
-from itertools import combinations
+from itertools import chain, combinations
 
 import ezdxf
 import numpy as np
@@ -234,6 +234,36 @@ class TestWholePlate:
         for length, times in {14: 3, 7: 1, 9: 4, 36: 1, 49: 1}.items():
             assert measured.count(length) >= times, (length, measured)
 
+    def test_what_is_held_is_marked_on_its_edge_and_beside_it_in_the_plan(self):
+        """The plate misses a corner of its map; its hole has sides that look left and up."""
+        wanted = {
+            "clamped": [((0, 0), (8, 0)), ((41, 0), (49, 0)), ((0, 36), (8, 36)), ((0, 0), (0, 8)),
+                        ((49, 0), (49, 8)), ((0, 28), (0, 36))],
+            "simple support": [((0, 0), (0, 36)), ((28, 9), (28, 18))],
+            "elastic foundation": [((0, 36), (42, 36)), ((42, 27), (49, 27)), ((14, 9), (28, 9))],
+        }  # fmt: skip
+        sheet = sheet_of("hole and cut corner")
+        scale, window = scale_of(sheet, "Plate"), sheet.space.query("VIEWPORT")[-1].dxf
+        origin = np.array(window.center)[:2] - scale * np.array(window.view_center_point)[:2]
+        marks = sheet.document.modelspace().query('*[layer=="HELD"]')
+        marked = np.array(sorted(sorted(line.get_points("xy")) for line in marks))
+        assert marked == pytest.approx(np.array(sorted(chain(*wanted.values()))), abs=1e-9)
+        for name, ends in wanted.items():
+            lines = [np.array([line.dxf.start, line.dxf.end])[:, :2]
+                     for line in sheet.space.query(f'LINE[layer=="{name.upper()}"]')]  # fmt: skip
+            *beside, sample = sorted(lines, key=lambda line: -line[0, 1])  # the legend is below the plan
+            found = np.array(sorted(np.sort((line - origin) / scale, axis=0).tolist() for line in beside))
+            for line in found:
+                apart = scale * min(np.abs(line - end).max() for end in np.array(ends))
+                assert apart == pytest.approx(1.2), name
+            assert len(found) == len(ends)
+            at = [one.dxf.insert.x for one in sheet.space.query("TEXT") if one.dxf.text.startswith(name)]
+            assert at == [pytest.approx(sample.max(axis=0)[0] + 2)]
+        assert "clamped, 8 from the corners" in words(sheet)
+        left = min(line.dxf.start.x for line in sheet.space.query('LINE[layer=="SIMPLE SUPPORT"]')[:2])
+        assert left == pytest.approx(origin[0] - 1.2)  # outside
+        assert not any(word.startswith("Thick lines") for word in words(sheet_of("touchpad")))
+
     def test_tolerances_belong_to_the_studys_own_pillar(self):
         other = part_drawing(Part.whole(PLATES["plain"], cell(None, RECTANGLE)), "Plain")
         assert not any("±" in word for word in words(other))
@@ -355,7 +385,9 @@ def test_a_title_means_itself_and_breaks_nothing(title):
 
 
 def test_the_pdf_is_one_a4_page_and_the_same_every_time(tmp_path):
-    one, other = (write_drawing(tmp_path / f"{name}.pdf", Part.piece(STEPPED), "Plate") for name in "ab")
+    one, other = (
+        write_drawing(tmp_path / f"{name}.pdf", part_drawing(Part.piece(STEPPED), "Plate")) for name in "ab"
+    )
     content = one.read_bytes()
     assert content == other.read_bytes()
     assert content.startswith(b"%PDF")
@@ -364,15 +396,15 @@ def test_the_pdf_is_one_a4_page_and_the_same_every_time(tmp_path):
     assert [float(side) / 72 * 25.4 for side in box.groups()] == pytest.approx([297, 210], abs=0.1)
     assert b"CreationDate" not in content
     assert re.search(rb"/BaseFont /\w*\+?DejaVuSans\b", content)  # text is text
-    dated = write_drawing(tmp_path / "c.pdf", Part.piece(STEPPED), "Plate", date=datetime.date(2026, 2, 3))
+    day = datetime.date(2026, 2, 3)
+    dated = write_drawing(tmp_path / "c.pdf", part_drawing(Part.piece(STEPPED), "Plate", date=day))
     assert b"CreationDate (D:20260203" in dated.read_bytes()
 
 
 @pytest.mark.parametrize(("kind", "start"), [("dxf", b"  0\n"), ("svg", b"<?xml"), ("png", b"\x89PNG")])
 def test_the_ending_of_the_path_chooses_the_kind(kind, start, tmp_path):
-    one, other = (
-        write_drawing(tmp_path / f"{name}.{kind}", Part.piece(STEPPED, 2, 3), "Plate") for name in "ab"
-    )
+    part = Part.piece(STEPPED, 2, 3)
+    one, other = (write_drawing(tmp_path / f"{name}.{kind}", part_drawing(part, "Plate")) for name in "ab")
     assert one.read_bytes() == other.read_bytes()
     assert one.read_bytes().startswith(start)
 
@@ -380,8 +412,9 @@ def test_the_ending_of_the_path_chooses_the_kind(kind, start, tmp_path):
 def test_a_file_is_not_replaced_unasked(tmp_path):
     path = tmp_path / "a.pdf"
     path.write_text("mine")
+    sheet = part_drawing(Part.piece(STEPPED), "Plate")
     with refusing(ResourceError, "repeated", "output file"):
-        write_drawing(path, Part.piece(STEPPED), "Plate")
+        write_drawing(path, sheet)
     assert path.read_text() == "mine"
-    write_drawing(path, Part.piece(STEPPED), "Plate", overwrite=True)
+    write_drawing(path, sheet, overwrite=True)
     assert path.read_bytes().startswith(b"%PDF")

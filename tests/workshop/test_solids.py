@@ -15,7 +15,16 @@ from family import EXTREME, FAMILY, MM, RECTANGLE, cell, enclosed, is_watertight
 from five_parts import refusing
 from haptonic.cell import Pillar, Step
 from haptonic.errors import GeometryError, ResourceError
-from haptonic.workshop import Part, surface, volume_of_step, write_drawing, write_dxf, write_step, write_stl
+from haptonic.workshop import (
+    Part,
+    part_drawing,
+    surface,
+    volume_of_step,
+    write_drawing,
+    write_dxf,
+    write_step,
+    write_stl,
+)
 from haptonic.workshop.shape import FORMS, Form
 from haptonic.workshop.stl import CHORD
 
@@ -85,7 +94,7 @@ def test_a_new_form_is_a_row_of_the_table(draft, monkeypatch, tmp_path):
     space = ezdxf.readfile(write_dxf(tmp_path / "a.dxf", Part.piece(body, 2, 3))).modelspace()
     outlines = space.query('LWPOLYLINE[layer=="PILLAR"]')
     assert [len(outline) for outline in outlines] == [6] * 6
-    write_drawing(tmp_path / "drawing.dxf", Part.piece(body, 2, 3), "Hexagon")
+    write_drawing(tmp_path / "drawing.dxf", part_drawing(Part.piece(body, 2, 3), "Hexagon"))
     sheet = ezdxf.readfile(tmp_path / "drawing.dxf").paperspace("Drawing")
     assert any(
         d.dxf.text == "<>" and "HEX" in str(d.override().get("dimpost")) for d in sheet.query("DIMENSION")

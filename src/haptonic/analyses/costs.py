@@ -15,7 +15,9 @@ from haptonic.analyses.needs import has_mirror, has_plate, need_rows
 from haptonic.bloch.mirrors import MOST_ROWS
 from haptonic.bloch.resolution import started
 from haptonic.design.quick import QUICK
-from haptonic.plate.forecast import foreseen
+from haptonic.plate.forecast import Counted
+from haptonic.plate.parts import Plate
+from haptonic.plate.settings import ResponseSettings
 from haptonic.results.cost import BASE, Cost
 from haptonic.study.loading import load_as
 from haptonic.study.schema import Description
@@ -40,7 +42,7 @@ FILES = 3.0  # s, of outlines, solids and the drawing of a cell
 PER_FACE, BYTES_OF_FACE = 1e-3, 6e4  # s and B, of a face of a solid
 PER_PAIR = 1.5e-7  # s, of two of them
 DRAWN = 0.04  # s, of a pillar on the drawing of a plate
-RECORDED = 0.01  # s, of a point that is made up and written
+RECORDED = 0.008  # s, of a point that is made up and written
 ANALYSED, BYTE_OF_SCAN = 4.0, 5e-8  # s, of maps and pictures; of a byte that is read and estimated
 TESTED, BYTE_OF_TRIALS = 4.0, 6e-8  # s, of statistics and pictures; of a byte that is read and filtered
 HELD = 4.0  # of a file in memory at once, times its size
@@ -113,10 +115,16 @@ def plate(study: Description, options: Any) -> Cost:
     """Of a plate's response, and of its lattice's gap."""
     mounted = study.mounted_plate()  # says what is missing where there is none
     assert study.finite_plate is not None
-    single = getattr(options, "at", None) is not None
-    settings = study.finite_plate.response
-    response = Cost(*foreseen(mounted, settings.lowest, settings.highest, single=single))
-    return response if single else gaps(study) + response
+    asked, at = study.finite_plate.response, getattr(options, "at", None)
+    if at is not None:
+        return response(mounted, asked.single(at))
+    return gaps(study) + response(mounted, asked)
+
+
+def response(mounted: Plate, asked: ResponseSettings) -> Cost:
+    """Of a plate."""
+    counted = Counted.of(mounted, asked)
+    return Cost(counted.seconds, counted.memory)
 
 
 def reproduce(study: Description, options: Any) -> Cost:
@@ -154,7 +162,10 @@ def simulate_scan(study: Description, options: Any) -> Cost:
     made = Cost(RECORDED * len(plan_for(asked, mounted).points))
     if getattr(options, "response", None) is not None:
         return made
-    return Cost(*foreseen(mounted, asked.lowest, asked.highest)) + gaps(study) + made
+    lines = ResponseSettings(
+        lowest=asked.lowest, highest=asked.highest, points=round(asked.lines), grid=asked.grid
+    )
+    return response(mounted, lines) + gaps(study) + made
 
 
 def verdict(study: Description, options: Any) -> Cost:

@@ -53,11 +53,14 @@ class ExportOptions:
         columns, rows = (1 if number is None else number for number in (self.columns, self.rows))
         return Part.piece(study.cell, columns, rows)
 
+    @staticmethod
+    def named(kind: str, stem: str) -> list[str]:
+        """The files of a kind."""
+        return [f"{stem}.pdf", f"{stem}-drawing.dxf"] if kind == "drawing" else [f"{stem}.{kind}"]
+
     def names(self, stem: str) -> list[str]:
-        """Of the files."""
-        named = {"step": [f"{stem}.step"], "dxf": [f"{stem}.dxf"], "stl": [f"{stem}.stl"]}
-        drawings = [f"{stem}.pdf", f"{stem}-drawing.dxf"]
-        return [name for kind in self.kinds for name in named.get(kind, drawings)]
+        """Of all files."""
+        return [name for kind in self.kinds for name in self.named(kind, stem)]
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -100,20 +103,23 @@ class Workshop(Result):
 
     def put(self, draft: Path, *_: object) -> None:
         solids = {"dxf": workshop.write_dxf, "stl": workshop.write_stl}
-        for name in self.options.names(self.stem):
-            path, kind = draft / name, name.rpartition(".")[2]
-            if name in (f"{self.stem}.pdf", f"{self.stem}-drawing.dxf"):
-                workshop.write_drawing(
-                    path, self.part, self.study,
+        for kind in self.options.kinds:
+            paths = [draft / name for name in self.options.named(kind, self.stem)]
+            if kind == "drawing":
+                sheet = workshop.part_drawing(
+                    self.part, self.study,
                     tolerances=self.tolerances, why_none=self.why_none, date=date.today(),
                 )  # fmt: skip
+                for path in paths:
+                    workshop.write_drawing(path, sheet)
             elif kind == "step":
-                workshop.write_step(path, self.part, title=self.study)
+                workshop.write_step(paths[0], self.part, title=self.study)
             else:
-                solids[kind](path, self.part)
+                solids[kind](paths[0], self.part)
 
     def summary(self) -> list[str]:
-        what, aside = "the whole plate", "; regions and patches are marked, and no part of the solid"
+        what = "the whole plate"
+        aside = "; regions, patches and what is held are marked, and no part of the solid"
         if self.part.count is not None:
             what, aside = "a piece of lattice, {} x {} cells".format(*self.part.count), ""
         pillars = f"{self.part.pillars} pillar{'s' * (self.part.pillars != 1)}"

@@ -26,7 +26,7 @@ from rich.text import Text
 from haptonic.errors import HaptonicError, HaptonicWarning
 from haptonic.gate import json_of
 from haptonic.names import visible
-from haptonic.progress import Progress
+from haptonic.progress import Progress, silent
 from haptonic.results.table import NOTHING, Table
 
 USER_ERROR = 2
@@ -138,15 +138,17 @@ class Voice:
     def counted(self, what: str) -> Iterator[Progress]:
         """A bar with the time left, on standard error; yields the callback that moves it.
 
-        While nothing is planned, only the time that has gone by moves.
+        While nothing is planned, only the time that has gone by moves. In a file there is none.
         """
+        if not self.err.is_terminal:
+            yield silent
+            return
         columns = (
             SpinnerColumn(), TextColumn("{task.description}", markup=False), BarColumn(),
             MofNCompleteColumn(),
             TextColumn("elapsed"), TimeElapsedColumn(), TextColumn("left"), TimeRemainingColumn(),
         )  # fmt: skip
-        # a bar that nobody sees would leave an empty line in a file
-        with Bar(*columns, console=self.err, transient=True, disable=not self.err.is_terminal) as bar:
+        with Bar(*columns, console=self.err, transient=True) as bar:
             task = bar.add_task(what, total=None)
 
             def progress(done: int, planned: int, now: str = "", /) -> None:

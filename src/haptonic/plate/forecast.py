@@ -1,46 +1,146 @@
-"""What a plate's response costs, before anything is computed."""
+"""What a plate's response costs, before anything is computed: what will be counted, and what each takes.
+
+The times were measured part by part on five plates of 48 to 340 tiles with one to four patches, `plate` and
+`simulate scan` of each.
+"""
 
 from __future__ import annotations
 
 import math
+from dataclasses import dataclass
 
 from haptonic.materials import IsotropicMaterial
+from haptonic.plate.blocks import blocks_of
 from haptonic.plate.parts import Plate
-from haptonic.plate.sweep import BLOCK, COPIES, FACTORS, LENGTH, MODES, SPACING, pillars_modes
+from haptonic.plate.settings import ResponseSettings
+from haptonic.plate.sweep import (
+    BLOCK,
+    COPIES,
+    FACTORS,
+    FEWEST_RANDOM,
+    LENGTH,
+    LOSSES,
+    MODES,
+    evenly,
+    pillars_modes,
+)
 
-PER_TILE = 39  # unknowns; 38 to 40 seen
-FIXED, FIXED_MEMORY = 15.0, 1.2e9  # s and bytes, of the kinds of tiles and of lines answered one by one
-EACH = 0.07  # s of a tile; plates of 48 and 196 tiles took 19 and 43 s with a small basis
-SINGLE = 0.01  # s of a tile while one frequency is answered
-PER_PRODUCT = 7e-7  # s for each unknown of each vector; plates of 90 to 540 pillars took 6.5e-7 to 1e-6
+PER_TILE, PER_TILE_OF_FEW = 39, 70  # unknowns; 37 to 39 and 57 to 80 seen
+FEW = 150  # tiles, about, below which those at free edges keep all of theirs
+PARTED = 0.8  # further shifts for each `MODES` modes; 0 to 1.1 seen
+# times `MODES` below a band, with which it is answered anew from rest: seen with 4.3, not with 1.5
+MISSED = 2.5
+INDEPENDENT = 0.7  # of the vectors that shifts give; 0.6 to 1 seen
+DIRECTIONS = 40  # of what a patch loses, or a support that is elastic; 30 to 94 and 33 to 66 seen
+
+FIXED, FIXED_MEMORY = 4.0, 1.2e9  # s and bytes, of files and of what is there anyway
+SINGLE, SINGLE_FIXED = 0.01, 8.0  # s of a tile while one frequency is answered, and of the rest
+PER_KIND = 1.3  # s, of the tiles of a lattice or of plain plate
+GLUED, STEEPER = 0.46, 1.6  # s of a tile below a patch, and how that grows with the tiles of one block
+SOLVED = 6e-5  # s, of a shift for each unknown
+ORTHOGONAL, TURNED = 1e-10, 1e-9  # s, of vectors squared for each unknown, and of vectors cubed
+PAIRED = 5e-10  # s, of a vector at a line for each pair of directions
+CHECKED, PER_LINE = 3e-10, 3e-7  # s, of an unknown at a line for each vector, and alone
+SEEN = 5e-10  # s, of a point at a line for each vector
 
 
-def foreseen(plate: Plate, low: float, high: float, *, single: bool = False) -> tuple[float, float]:
-    """Processor time, s, and peak memory, bytes, of a response between two frequencies, Hz.
+@dataclass(frozen=True)
+class Counted:
+    """What a response between two frequencies is made of.
 
-    The basis has as many vectors as shifts and modes ask for. The pillars' modes are those of
-    cantilevers; the plate between them has by Weyl's law
-
-        N = A k^2 / (4 pi),   k^2 = omega sqrt(rho h / D),   D = E h^3 / (12 (1 - nu^2)),
-
-    which the pillars' mass makes a little too few.
+    tiles, kinds : of the plate's map; lattices and plain plate
+    glued : tiles of each block that carries something
+    unknowns, directions : about, of the equations and of losses other than the plate's
+    shifts : of each basis, about; a second one from rest on where many modes lie below the band, none for a
+        single frequency
+    forces : at each shift
+    lines, points : that are answered
     """
-    layout = plate.layout
-    tiles = len(layout.blocks)
-    unknowns = PER_TILE * tiles
-    if single:
-        return FIXED + SINGLE * tiles, FIXED_MEMORY + FACTORS * tiles
-    modes = pillars_modes(plate, high) + _plate_modes(plate, high)
-    vectors = BLOCK * LENGTH * ((high - low) / (2 * SPACING) + modes / MODES)
-    seconds = FIXED + EACH * tiles + PER_PRODUCT * unknowns * vectors
-    return seconds, FIXED_MEMORY + 8.0 * COPIES * unknowns * vectors
+
+    tiles: int
+    kinds: int
+    glued: tuple[int, ...]
+    unknowns: int
+    directions: int
+    shifts: tuple[float, ...]
+    forces: int
+    lines: int
+    points: float
+
+    @classmethod
+    def of(cls, plate: Plate, asked: ResponseSettings) -> Counted:
+        """Of a plate; the pillars' modes are those of cantilevers, those of the plate between them
+
+            N = A k^2 / (4 pi),   k^2 = omega sqrt(rho h / D),   D = E h^3 / (12 (1 - nu^2))
+
+        by Weyl's law, which the pillars' mass makes a little too few.
+
+        Raises
+        ------
+        GeometryError : things glued so close to a lattice that no block of plain tiles holds them
+        """
+        layout = plate.layout
+        tiles = len(layout.blocks)
+        area = sum(layout.area(name) for name in set(layout.there.values()))
+        elastic = [one for one in plate.supports if one.where == "corners" or one.hold == "spring"]
+        losses = len(plate.actuators) + len(elastic)
+        drives = len(plate.actuators) + len(plate.forces)
+
+        def parted(low: float) -> float:
+            modes = _modes(plate, area, asked.highest) - _modes(plate, area, low)
+            return len(evenly(low, asked.highest)) + PARTED * modes / MODES
+
+        starts = [] if asked.lowest == asked.highest else [asked.lowest]
+        if starts and _modes(plate, area, asked.lowest) > MISSED * MODES:
+            starts.append(0.0)
+        return cls(
+            tiles=tiles,
+            kinds=len(layout.cells) + bool(layout.regions),
+            glued=tuple(len(block.tiles) for block, attached in blocks_of(plate).items() if attached),
+            unknowns=tiles * (PER_TILE if tiles > FEW else PER_TILE_OF_FEW),
+            directions=DIRECTIONS * losses,
+            shifts=tuple(parted(low) for low in starts),
+            forces=max(BLOCK, drives * (1 + LOSSES * bool(losses)) + FEWEST_RANDOM),
+            lines=asked.points,
+            points=area / asked.grid**2,
+        )
+
+    @property
+    def vectors(self) -> tuple[float, ...]:
+        """Of each basis, about."""
+        return tuple(INDEPENDENT * self.forces * LENGTH * shifts for shifts in self.shifts)
+
+    @property
+    def seconds(self) -> float:
+        """Processor time, s."""
+        made = PER_KIND * self.kinds + sum(GLUED * math.pow(one, STEEPER) for one in self.glued)
+        if not self.shifts:
+            return SINGLE_FIXED + made + SINGLE * self.tiles
+        bases = sum(map(self._of_basis, self.shifts, self.vectors))
+        return FIXED + made + bases + SEEN * self.points * self.lines * self.vectors[-1]
+
+    def _of_basis(self, shifts: float, vectors: float) -> float:
+        """Of a basis and its answers, s."""
+        per_unknown = SOLVED * shifts + ORTHOGONAL * vectors**2 + (CHECKED * vectors + PER_LINE) * self.lines
+        return self.unknowns * per_unknown + TURNED * vectors**3 + PAIRED * self._pairs * vectors * self.lines
+
+    @property
+    def memory(self) -> float:
+        """At the peak, bytes."""
+        if not self.shifts:
+            return FIXED_MEMORY + FACTORS * self.tiles
+        return FIXED_MEMORY + 8.0 * self.vectors[-1] * (COPIES * self.unknowns + 3 * self._pairs)
+
+    @property
+    def _pairs(self) -> float:
+        return 0.5 * self.directions**2
 
 
-def _plate_modes(plate: Plate, high: float) -> float:
-    """Of bending, below a frequency, Hz."""
+def _modes(plate: Plate, area: float, high: float) -> float:
+    """Of pillars and of bending plate (m^2), below a frequency, Hz."""
     layout, solid = plate.layout, plate.layout.material
     if not isinstance(solid, IsotropicMaterial):
         return 0.0
-    area = sum(layout.area(name) for name in set(layout.there.values()))
     stiffness = solid.youngs_modulus * layout.thickness**2 / (12 * (1 - solid.poisson_ratio**2))
-    return area * 2 * math.pi * high * math.sqrt(solid.density / stiffness) / (4 * math.pi)
+    bending = area * 2 * math.pi * high * math.sqrt(solid.density / stiffness) / (4 * math.pi)
+    return pillars_modes(plate, high) + bending

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
+from types import MappingProxyType
 from typing import Annotated, Literal
 
 from haptonic.fields import Quantity, described, needed, problem, setting, size
@@ -12,6 +14,9 @@ from haptonic.units import format_quantity
 SIDES: tuple[Side, ...] = ("left", "right", "bottom", "top")
 Held = Literal["left", "right", "bottom", "top", "corners"]
 Hold = Literal["clamped", "simple", "spring"]
+WORDS: Mapping[Hold, str] = MappingProxyType(
+    {"clamped": "clamped", "simple": "simple support", "spring": "elastic foundation"}
+)
 EdgeHold = Literal["free", "clamped", "simple", "spring"]
 FoundationStiffness = Annotated[float, Quantity("N/m^3", above=0.0, at_most=1e20, typical=(1e6, 1e16))]
 Loss = Annotated[float, Quantity("", at_least=0.0, below=1.0, typical=(0.0, 0.5))]

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
-from itertools import product
 
 import numpy as np
 from numpy.polynomial.legendre import leggauss
@@ -14,6 +13,7 @@ from haptonic.arrays import Array, Ints
 from haptonic.later import sparse as sp
 from haptonic.plate.holding import Support
 from haptonic.plate.layout import Layout
+from haptonic.plate.outline import held
 from haptonic.plate.skeleton import OuterEdge, Skeleton, TraceOrders, edge_fields
 
 WHOLE = 1e-9  # of an edge's length, that a support may miss of the whole edge
@@ -40,23 +40,20 @@ def supported(skeleton: Skeleton, supports: Sequence[Support]) -> tuple[Ints, li
     What holds an edge of a tile from end to end holds its unknowns. A clamp on a part of an edge, whose end
     the polynomials along the edge cannot follow, is a foundation of springs much stiffer than the plate.
     """
-    held: list[Ints] = []
+    at_rest: list[Ints] = []
     foundations = []
     for number, support in enumerate(supports):
-        spans = _corner_spans(skeleton, support) if support.where == "corners" else [
-            (edge, (0.0, 1.0)) for edge in skeleton.outer_edges if edge.side == support.where
-        ]  # fmt: skip
         springs = []
-        for edge, span in spans:
+        for edge, span in _spans(skeleton, support):
             if support.hold == "spring" or span != (0.0, 1.0):
                 springs.append((edge, span))
             else:
-                held.append(_held(skeleton, edge, support))
+                at_rest.append(_at_rest(skeleton, edge, support))
         if springs:
             stiffness = foundation_stiffness(skeleton.layout, support)
             form = _foundation(skeleton, springs, stiffness)
             foundations.append(Foundation(form, support.loss_factor, number))
-    return np.unique(np.concatenate([np.zeros(0, dtype=np.int64), *held])), foundations
+    return np.unique(np.concatenate([np.zeros(0, dtype=np.int64), *at_rest])), foundations
 
 
 def total_stiffness(foundations: Iterable[Foundation], size: int) -> sp.csr_array:
@@ -71,29 +68,22 @@ def foundation_stiffness(layout: Layout, support: Support) -> float:
     return CLAMPED * float(layout.material.stiffness[0, 0]) / layout.thickness
 
 
-def _held(skeleton: Skeleton, edge: OuterEdge, support: Support) -> Ints:
+def _at_rest(skeleton: Skeleton, edge: OuterEdge, support: Support) -> Ints:
     if support.hold == "simple":
         normal = 0 if edge.side in ("left", "right") else 1
         return np.asarray(edge.unknowns[skeleton.orders.components != normal])
     return edge.unknowns
 
 
-def _corner_spans(skeleton: Skeleton, support: Support) -> list[tuple[OuterEdge, tuple[float, float]]]:
-    """Held parts, as shares of their length, of the edges next to the corners of the map's rectangle."""
-    assert support.length is not None
-    layout = skeleton.layout
-    corners = set(product((layout.x[0], layout.x[-1]), (layout.y[0], layout.y[-1])))
-    reached = {(edge.side, end) for edge in skeleton.outer_edges for end in (edge.start, edge.end)}
+def _spans(skeleton: Skeleton, support: Support) -> list[tuple[OuterEdge, tuple[float, float]]]:
+    """Edges of tiles that a support holds, and from where to where, as shares of their length."""
     found = []
-    for edge in skeleton.outer_edges:
-        axis = 0 if edge.side in ("bottom", "top") else 1
-        for corner in corners:
-            if corner[1 - axis] != edge.start[1 - axis] or (edge.side, corner) not in reached:
+    for side, ends in held(skeleton.layout, support):
+        axis = 0 if side in ("bottom", "top") else 1
+        for edge in skeleton.outer_edges:
+            if edge.side != side or edge.start[1 - axis] != ends[0, 1 - axis]:
                 continue
-            ends = np.array([corner[axis], corner[axis] + support.length])
-            if corner[axis] > edge.start[axis]:
-                ends = np.array([corner[axis] - support.length, corner[axis]])
-            share = (ends - edge.start[axis]) / edge.length
+            share = np.sort(ends[:, axis] - edge.start[axis]) / edge.length
             near = np.round(share)
             share = np.clip(np.where(np.abs(share - near) < WHOLE, near, share), 0.0, 1.0)
             if share[1] - share[0] > WHOLE:

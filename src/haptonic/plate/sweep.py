@@ -64,13 +64,10 @@ class Band:
         """
         if low == high:
             return cls(low, high, ReducedPlate(model, Basis.empty(model.assembly.size), ()))
-        top = high * (1 + BEYOND)
-        bottom = max(low * (1 - BEYOND), NEAR_ZERO * top)
-        count = int(np.ceil((top - bottom) / SPACING)) + 1
-        first = (2 * np.pi * np.linspace(bottom, top, count)) ** 2
-        _check_memory(model, first[0], first[-1], count)
+        first = (2 * np.pi * evenly(low, high)) ** 2
+        _check_memory(model, first[0], first[-1], len(first))
         done: list[None] = []
-        planned = [count]
+        planned = [len(first)]
 
         def tell() -> None:
             done.append(None)
@@ -190,6 +187,13 @@ class Band:
             progress(k + 1, len(omega))
         both = np.hstack([np.eye(len(omega)), 1j * np.eye(len(omega))]).T
         return self.reduced.checked(drives, omega, np.hstack([fields.real, fields.imag]), both)
+
+
+def evenly(low: float, high: float) -> Array:
+    """The first shifts of a basis for a band, (n,) frequencies, Hz."""
+    top = high * (1 + BEYOND)
+    bottom = max(low * (1 - BEYOND), NEAR_ZERO * top)
+    return np.linspace(bottom, top, int(np.ceil((top - bottom) / SPACING)) + 1)
 
 
 def _between(found: list[Chain], most: float) -> list[float]:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from typing import Any
 
 import numpy as np
@@ -15,22 +15,20 @@ from matplotlib.patches import Circle, Patch, Rectangle
 from matplotlib.patheffects import withStroke
 
 from haptonic.arrays import Array
-from haptonic.plate.holding import Hold, Support
-from haptonic.plate.layout import Layout, Side
+from haptonic.plate.holding import WORDS, Hold
+from haptonic.plate.layout import Layout
+from haptonic.plate.outline import held, outline
 from haptonic.plate.parts import Plate
 from haptonic.plots import style
 from haptonic.plots.stage import stage
 
-Tile = tuple[int, int]
-Segment = tuple[tuple[float, float], tuple[float, float]]  # mm
-
 HALO = [withStroke(linewidth=2.2, foreground="white")]  # keeps text readable on any colour
 REGION = "#d6e8f5"
 LATTICE = "#f3f3f3"
-HOLDS: dict[Hold, tuple[str, str, style.Dashes]] = {
-    "clamped": ("clamped", style.CARRIER, style.SOLID),
-    "simple": ("simple support", style.GREEN, style.DASHED),
-    "spring": ("elastic foundation", style.PURPLE, style.DOTTED),
+HOLDS: dict[Hold, tuple[str, style.Dashes]] = {
+    "clamped": (style.CARRIER, style.SOLID),
+    "simple": (style.GREEN, style.DASHED),
+    "spring": (style.PURPLE, style.DOTTED),
 }
 
 
@@ -79,23 +77,13 @@ def rows_of(layout: Layout, name: str) -> Iterator[tuple[float, float, float]]:
         yield 0.5 * (layout.x[first] + layout.x[last + 1]), 0.5 * (low + top), top
 
 
-def _border(layout: Layout, tiles: set[Tile]) -> Iterator[tuple[Side, Segment]]:
-    """The sides of some tiles towards others, and where these sides look."""
-    for i, j in sorted(tiles):
-        left, right = 1e3 * layout.x[j], 1e3 * layout.x[j + 1]
-        low, top = 1e3 * layout.y[i], 1e3 * layout.y[i + 1]
-        sides: tuple[tuple[Side, Tile, Segment], ...] = (
-            ("left", (i, j - 1), ((left, low), (left, top))),
-            ("right", (i, j + 1), ((right, low), (right, top))),
-            ("bottom", (i - 1, j), ((left, low), (right, low))),
-            ("top", (i + 1, j), ((left, top), (right, top))),
-        )
-        yield from ((side, segment) for side, beyond, segment in sides if beyond not in tiles)
+def region_borders(layout: Layout, name: str) -> list[Array]:
+    """The edges of a region, closed lines of (n, 2) corners, mm."""
+    return _closed(outline(layout, {name}))
 
 
-def region_borders(layout: Layout, name: str) -> list[Segment]:
-    """The sides of a region, mm."""
-    return [segment for _, segment in _border(layout, set(layout.of(name)))]
+def _closed(loops: Iterable[Array]) -> list[Array]:
+    return [1e3 * np.concatenate([loop, loop[:1]]) for loop in loops]
 
 
 def _draw_tiles(axes: Axes, layout: Layout) -> list[Artist]:
@@ -116,10 +104,10 @@ def _draw_tiles(axes: Axes, layout: Layout) -> list[Artist]:
     axes.add_collection(
         PatchCollection(pillars, facecolor="#bdbdbd", edgecolor=style.INK, linewidth=0.5, gid="pillars")
     )
-    outlines = [set(layout.of(name)) for name in layout.regions]
-    for tiles_of, width in [*((tiles, 0.8) for tiles in outlines), (set(layout.there), 1.3)]:
-        lines = [segment for _, segment in _border(layout, tiles_of)]
-        axes.add_collection(LineCollection(lines, colors=style.INK, linewidths=width))
+    edges = [({name}, 0.8) for name in layout.regions] + [(set(layout.there.values()), 1.3)]
+    for names, width in edges:
+        lines = _closed(outline(layout, names))
+        axes.add_collection(LineCollection(lines, colors=style.INK, linewidths=width, joinstyle="miter"))
     handles: list[Artist] = []
     if pillars:
         marker = "o" if isinstance(pillars[0], Circle) else "s"
@@ -135,35 +123,15 @@ def _draw_tiles(axes: Axes, layout: Layout) -> list[Artist]:
 def _draw_supports(axes: Axes, plate: Plate) -> list[Artist]:
     """The held parts of the outer sides; what the legend needs."""
     handles: dict[Hold, Artist] = {}
-    border = list(_border(plate.layout, set(plate.layout.there)))
     for support in plate.supports:
-        held = [part for side, segment in border for part in _held(support, side, segment, plate.layout)]
-        label, colour, dashes = HOLDS[support.hold]
+        lines = [1e3 * ends for _, ends in held(plate.layout, support)]
+        colour, dashes = HOLDS[support.hold]
         axes.add_collection(
-            LineCollection(held, colors=colour, linewidths=4, linestyles=[dashes], capstyle="butt",
+            LineCollection(lines, colors=colour, linewidths=4, linestyles=[dashes], capstyle="butt",
                            zorder=4, gid=f"held {support.hold}")
         )  # fmt: skip
-        handles[support.hold] = Line2D([], [], color=colour, ls=dashes, lw=4, label=label)
+        handles[support.hold] = Line2D([], [], color=colour, ls=dashes, lw=4, label=WORDS[support.hold])
     return list(handles.values())
-
-
-def _held(support: Support, side: Side, segment: Segment, layout: Layout) -> Iterator[Segment]:
-    """What a support holds of a segment of the plate's border."""
-    if support.where == side:
-        yield segment
-    if support.where != "corners":
-        return
-    assert support.length is not None
-    (x0, y0), (x1, y1) = segment
-    box = 1e3 * np.array([[layout.x[0], layout.x[-1]], [layout.y[0], layout.y[-1]]])
-    across, along = (0, 1) if side in ("left", "right") else (1, 0)
-    if segment[0][across] not in box[across]:  # a side of a notch, not of the whole plate
-        return
-    reach = 1e3 * support.length
-    for low, high in ((box[along, 0], box[along, 0] + reach), (box[along, 1] - reach, box[along, 1])):
-        start, stop = max(segment[0][along], low), min(segment[1][along], high)
-        if start < stop:
-            yield ((x0, start), (x1, stop)) if along else ((start, y0), (stop, y1))
 
 
 def _draw_parts(axes: Axes, plate: Plate) -> list[Artist]:

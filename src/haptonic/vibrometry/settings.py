@@ -47,16 +47,20 @@ class ScanSettings:
                 "lower it, or raise the rate",
                 at="highest",
             )
-        lines = (self.highest - self.lowest) * self.record
-        if not 8 <= lines <= 1e6 or self.rate * self.record > 1e8:
+        if not 8 <= self.lines <= 1e6 or self.rate * self.record > 1e8:
             raise problem(
                 "out-of-range",
                 format_quantity(self.record, "s"),
-                f"a period with 8 to 1e6 lines between the frequencies; here {lines:.3g}",
+                f"a period with 8 to 1e6 lines between the frequencies; here {self.lines:.3g}",
                 "the period was given in another unit",
                 'write it like record = "20 ms"',
                 at="record",
             )
+
+    @property
+    def lines(self) -> float:
+        """Of its spectrum, between the frequencies, about."""
+        return (self.highest - self.lowest) * self.record
 
     @property
     def skipped(self) -> tuple[str, ...]:

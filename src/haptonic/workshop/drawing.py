@@ -30,6 +30,8 @@ TIMES = "\N{MULTIPLICATION SIGN}"
 GENERAL = "ISO 2768-m"  # for dimensions without a tolerance of their own: medium, which a mill keeps unasked
 FRAME = 10.0  # mm
 BLOCK = (180.0, 36.0)  # size of the title block, mm
+BESIDE = 1.2  # mm between an edge and the line that says how it is held
+SAMPLE = 12.0  # mm of such a line in the legend
 # on A4, of a piece
 PLAN: Box = (12.0, 117.0, 110.0, 198.0)
 PLATE: Box = (12.0, 50.0, 110.0, 115.0)
@@ -37,6 +39,7 @@ SECTION: Box = (110.0, 48.0, 226.0, 198.0)
 ISOMETRIC: Box = (226.0, 48.0, 285.0, 198.0)
 # on A3, of a whole plate
 WIDE_PLAN: Box = (12.0, 112.0, 250.0, 285.0)
+LEGEND = (14.0, 109.5)  # where it begins
 LISTS: Box = (14.0, 48.0, 272.0, 108.0)
 WIDE_SECTION: Box = (250.0, 136.0, 408.0, 285.0)
 WIDE_ISOMETRIC: Box = (275.0, 48.0, 408.0, 136.0)
@@ -66,7 +69,7 @@ def part_drawing(
     tolerances = checked_tolerances(part.cell.scaled(1 / MM), tolerances or {})
     with reproducible():
         by_cell = part.count is not None and part.cell.is_simple and part.cell.is_upright
-        sheet = Sheet.of(outlines(part), A4 if by_cell else A3)
+        sheet = Sheet.of(outlines(part), A4 if by_cell else A3, title, date)
         left, bottom, right, top = FRAME, FRAME, sheet.size[0] - FRAME, sheet.size[1] - FRAME
         sheet.line([(left, bottom), (right, bottom), (right, top), (left, top)], close=True)
         view, numbers = (_piece if by_cell else _plate)(sheet, part, tolerances)
@@ -114,6 +117,7 @@ def _plate(sheet: Sheet, part: Part, tolerances: Mapping[str, float]) -> tuple[V
     """The same of a whole plate, or of other cells: its plan, a section, how it looks, and its lists."""
     plan = draw_plate(sheet, WIDE_PLAN, part, "Plate")
     _name_marks(sheet, plan, part)
+    _draw_held(sheet, plan, part)
     several = len(part.standing) > 1
     if several:
         _name_kinds(sheet, plan, part)
@@ -133,7 +137,7 @@ def _plate(sheet: Sheet, part: Part, tolerances: Mapping[str, float]) -> tuple[V
 def _name_marks(sheet: Sheet, view: View, part: Part) -> None:
     """Write the names of regions and patches into them, where there is room."""
     taken: list[Box] = []
-    named = [mark for mark in part.marks if mark.name]
+    named = [mark for mark in part.marks if mark.layer in ("REGION", "PATCH")]
     for mark in sorted(named, key=lambda one: one.layer):  # patches come first: they lie on regions
         low, high = (view.place(*end(mark.line, axis=0)) for end in (np.min, np.max))
         if mark.layer == "PATCH":
@@ -148,6 +152,24 @@ def _name_marks(sheet: Sheet, view: View, part: Part) -> None:
                 sheet.text((x, y - 0.5 * SIZE), mark.name, align="CENTER")
                 taken.append(box)
                 break
+
+
+def _draw_held(sheet: Sheet, view: View, part: Part) -> None:
+    """A thick line beside each side that is held, and below the plan what these lines mean."""
+    meaning = {}
+    for mark in part.marks:
+        if mark.layer != "HELD":
+            continue
+        ends = np.array([view.place(*end) for end in mark.line.tolist()])
+        along = ends[1] - ends[0]
+        outward = np.array([along[1], -along[0]]) / np.hypot(*along)  # the plate lies to the left
+        sheet.line(ends + BESIDE * outward, mark.name.upper())
+        meaning[mark.name] = f"{mark.name}{mark.note}"
+    x, y = LEGEND
+    for name, text in meaning.items():
+        sheet.line([(x, y + 0.5 * SIZE), (x + SAMPLE, y + 0.5 * SIZE)], name.upper())
+        sheet.text((x + SAMPLE + 2, y), text)
+        x += SAMPLE + text_width(text) + 8
 
 
 def _meet(one: Box, other: Box) -> bool:
@@ -167,31 +189,21 @@ def _name_kinds(sheet: Sheet, view: View, part: Part) -> None:
         sheet.leader(tip, (edge + 5, y), letter(k), 1)
 
 
-def write_drawing(
-    path: Path,
-    part: Part,
-    title: str,
-    *,
-    tolerances: Mapping[str, float] | None = None,
-    why_none: str = "",
-    date: datetime.date | None = None,
-    overwrite: bool = False,
-) -> Path:
-    """Write `part_drawing` as a PDF of one page; as DXF, SVG or PNG if the path ends so.
+def write_drawing(path: Path, sheet: Sheet, *, overwrite: bool = False) -> Path:
+    """Write what `part_drawing` drew as a PDF of one page; as DXF, SVG or PNG if the path ends so.
 
     Raises
     ------
-    GeometryError, StudyError : as `part_drawing`
     ResourceError : the file exists and ``overwrite`` is False, or it cannot be written
     """
     refuse_overwrite(path, overwrite)
-    sheet = part_drawing(part, title, tolerances=tolerances, why_none=why_none, date=date)
     kind = path.suffix[1:].lower()
     with reproducible(), styled():
         mpl.rcParams["pdf.fonttype"] = 42  # text stays text: it can be searched and copied
         if kind == "dxf":
             write_atomically(path, sheet.document.saveas)
             return path
+        date = sheet.date
         created = datetime.datetime.combine(date, datetime.time()) if date else None
         metadata = {"svg": {"Date": date and date.isoformat()}, "png": {}}.get(
             kind, {"CreationDate": created}
@@ -199,7 +211,7 @@ def write_drawing(
         stream = io.BytesIO()
         sheet.figure().savefig(
             stream, format=kind if kind in ("svg", "png") else "pdf", dpi=DOTS_PER_INCH,
-            metadata={"Title": title, **metadata},
+            metadata={"Title": sheet.title, **metadata},
         )  # fmt: skip
     write_atomically(path, lambda temporary: temporary.write_bytes(stream.getvalue()))
     return path
@@ -266,6 +278,8 @@ def _advice(part: Part) -> list[str]:
         notes.append(
             "Thin outlines in the plan are plain regions and glued patches, for reference: no edges."
         )
+    if any(mark.layer == "HELD" for mark in part.marks):
+        notes.append("Thick lines beside the edge show where the plate is held in use (HELD in the DXF).")
     return notes
 
 

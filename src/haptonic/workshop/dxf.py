@@ -20,7 +20,7 @@ MARK = 0.1  # half the length of a centre mark, in diameters of the pillar
 
 # layer: colour of AutoCAD's table, and how wide its lines are plotted, hundredths of a millimetre
 LAYERS = {
-    "PLATE": (7, 50), "CELL": (8, 9), "REGION": (8, 9), "PATCH": (6, 18),
+    "PLATE": (7, 50), "CELL": (8, 9), "REGION": (8, 9), "PATCH": (6, 18), "HELD": (4, 70),
     "PILLAR": (1, 18), "FILLET": (3, 9), "STEP": (5, 9), "CENTRE": (2, 9),
 }  # fmt: skip
 
@@ -30,8 +30,8 @@ def write_dxf(path: Path, part: Part, *, overwrite: bool = False) -> Path:
 
     Layers: PLATE its edge and the edges of its holes, PILLAR the pillars at their foot without the fillet,
     FILLET where fillets meet the plate, STEP the pillars above their step, CENTRE a cross on each axis. For
-    reference: CELL the borders of cells, REGION those of plain plate, PATCH those of what is glued on. A
-    layer without content is left out.
+    reference: CELL the borders of cells, REGION those of plain plate, PATCH those of what is glued on, HELD
+    the sides that are held. A layer without content is left out.
 
     Raises
     ------

@@ -16,7 +16,9 @@ from haptonic.arrays import Array
 from haptonic.cell import Pillar, UnitCell
 from haptonic.cell.tile import enclosed
 from haptonic.errors import GeometryError
-from haptonic.plate.layout import STEPS, Layout, Tile
+from haptonic.plate.holding import WORDS, Support
+from haptonic.plate.layout import Layout
+from haptonic.plate.outline import held, outline
 from haptonic.plate.parts import Actuator, Plate
 from haptonic.workshop.shape import MM, PillarShape
 
@@ -28,11 +30,12 @@ MOST_PILLARS = 1500
 class Mark:
     """A line that is no edge of the part, shown for reference.
 
-    line : (n, 2) its corners; the first one again at the end of a closed one
+    line : (n, 2) its corners; the first one again at the end of a closed one; of what is held (2, 2), the
+        plate to its left
     name, note : what it stands for, and what is to be known of it
     """
 
-    layer: Literal["CELL", "REGION", "PATCH"]
+    layer: Literal["CELL", "REGION", "PATCH", "HELD"]
     line: Array
     name: str = ""
     note: str = ""
@@ -97,7 +100,7 @@ class Part:
     def whole(cls, plate: Plate, cell: UnitCell) -> Part:
         """The whole plate of a study; the origin is the lower left corner of its map.
 
-        Regions and patches are marks. ``cell`` is the study's own.
+        Regions, patches and supports are marks. ``cell`` is the study's own.
 
         Raises
         ------
@@ -114,13 +117,15 @@ class Part:
             for pillar in sorted(kinds, key=lambda one: (one not in cell.pillars, -len(kinds[one])))
         )
         marks = [
-            Mark("REGION", np.concatenate([loop, loop[:1]]), name)
+            Mark("REGION", MM * np.concatenate([loop, loop[:1]]), name)
             for name in layout.regions
-            for loop in _loops(layout, {name})
+            for loop in outline(layout, {name})
         ]
         marks += [_patch(one) for one in plate.actuators]
-        made = _loops(layout, set(layout.there.values()), whole=True)
-        return cls(made, standing, cell.scaled(MM), tuple(marks))
+        marks += [mark for support in plate.supports for mark in _held(layout, support)]
+        edges = tuple(MM * loop for loop in outline(layout, set(layout.there.values())))
+        _check_whole(edges)
+        return cls(edges, standing, cell.scaled(MM), tuple(marks))
 
     @cached_property
     def corners(self) -> tuple[Array, Array]:
@@ -233,50 +238,22 @@ def _patch(one: Actuator) -> Mark:
     return Mark("PATCH", MM * (centre + arms), one.name, f"{MM * thickness:.4g}, {one.material.name}{bond}")
 
 
-def _loops(layout: Layout, names: set[str], *, whole: bool = False) -> tuple[Array, ...]:
-    """Closed loops (mm) with all tiles of these names to their left, the longest first.
-
-    Raises
-    ------
-    GeometryError : ``whole``, and two tiles touch at a corner only
-    """
-    around = [STEPS["bottom"], STEPS["right"], STEPS["top"], STEPS["left"]]
-    after: dict[Tile, list[Tile]] = {}  # where sides of tiles lead from a crossing (row, column) of lines
-    for i, j in (tile for name in names for tile in layout.of(name)):
-        round_it = [(i, j), (i, j + 1), (i + 1, j + 1), (i + 1, j)]
-        for k, (down, along) in enumerate(around):
-            if layout.at((i + down, j + along)) not in names:
-                after.setdefault(round_it[k], []).append(round_it[(k + 1) % 4])
-    crossed = [at for at, ends in after.items() if len(ends) > 1]
-    if whole and crossed:
-        i, j = crossed[0]
-        place = f"({MM * layout.x[j]:.4g}, {MM * layout.y[i]:.4g}) mm"
-        raise GeometryError.unsupported(
-            argument="plate.map",
-            given=f"two tiles that touch at a corner only, at {place}",
-            allowed="a plate whose tiles meet at their sides",
-            cause="a solid is not whole where its edges meet in a line",
-            next_step="add or leave out a tile there, or export a piece: --columns 10 --rows 10",
-        )
-    loops = []
-    while after:
-        loop, came = [min(after)], (0, 0)
-        while not (came != (0, 0) and loop[-1] == loop[0]):
-            i, j = loop[-1]
-            ends = after[i, j]
-            # where two loops cross, a turn to the left leads around the same tile
-            ends.sort(key=lambda end: came[1] * (end[0] - i) - came[0] * (end[1] - j))
-            end = ends.pop()
-            if not ends:
-                del after[i, j]
-            came = (end[0] - i, end[1] - j)
-            loop.append(end)
-        loops.append(np.array([(MM * layout.x[j], MM * layout.y[i]) for i, j in _bends(loop[:-1])]))
-    return tuple(sorted(loops, key=lambda loop: -float(np.ptp(loop, axis=0).sum())))
+def _held(layout: Layout, support: Support) -> list[Mark]:
+    """The sides that a support holds, with what holds them and how much of them if that is not all."""
+    note = f", {MM * support.length:.4g} from the corners" if support.length is not None else ""
+    return [Mark("HELD", MM * ends, WORDS[support.hold], note) for _, ends in held(layout, support)]
 
 
-def _bends(loop: list[Tile]) -> list[Tile]:
-    """Where a closed loop of steps changes its direction."""
-    before, beyond = loop[-1:] + loop[:-1], loop[1:] + loop[:1]
-    places = zip(before, loop, beyond, strict=True)
-    return [b for a, b, c in places if (b[0] - a[0], b[1] - a[1]) != (c[0] - b[0], c[1] - b[1])]
+def _check_whole(edges: tuple[Array, ...]) -> None:
+    """Refuse a plate of which two tiles touch at a corner only: its edges pass there twice."""
+    places, passed = np.unique(np.concatenate(edges), axis=0, return_counts=True)
+    if (passed == 1).all():
+        return
+    x, y = places[np.argmax(passed)]
+    raise GeometryError.unsupported(
+        argument="plate.map",
+        given=f"two tiles that touch at a corner only, at ({x:.4g}, {y:.4g}) mm",
+        allowed="a plate whose tiles meet at their sides",
+        cause="a solid is not whole where its edges meet in a line",
+        next_step="add or leave out a tile there, or export a piece: --columns 10 --rows 10",
+    )

@@ -9,6 +9,7 @@ are read from below (ISO 129-1, method 2), so that text needs no room along the 
 
 from __future__ import annotations
 
+import datetime
 import random
 import re
 from collections.abc import Callable, Mapping, Sequence
@@ -66,6 +67,9 @@ LAYERS: dict[str, tuple[int, tuple[float, ...]]] = {
     "HIDDEN": (25, (3.5, -1.5)),
     "AXIS": (18, (8.0, -1.2, 0.6, -1.2)),
     "TOUCH": (50, (3.5, -0.8, 0.5, -0.8)),
+    "CLAMPED": (70, ()),
+    "SIMPLE SUPPORT": (70, (3.0, -1.2)),
+    "ELASTIC FOUNDATION": (70, (0.7, -1.0)),
     "PERIOD": (25, (6.0, -1.0, 0.6, -1.0, 0.6, -1.0)),
     "HATCH": (9, ()),
     "DIMENSION": (18, ()),
@@ -90,14 +94,21 @@ class View:
 
 @dataclass(frozen=True)
 class Sheet:
-    """The sheet of a document; the origin is its lower left corner, lengths are mm."""
+    """The sheet of a document; the origin is its lower left corner, lengths are mm.
+
+    title, date : of the drawing on it; without a date, the same drawing is the same file at any time
+    """
 
     document: Drawing
     space: Paperspace
     size: Place = A4
+    title: str = ""
+    date: datetime.date | None = None
 
     @classmethod
-    def of(cls, document: Drawing, size: Place = A4) -> Sheet:
+    def of(
+        cls, document: Drawing, size: Place = A4, title: str = "", date: datetime.date | None = None
+    ) -> Sheet:
         """An empty sheet for a document, with its layers and styles."""
         if not fonts.font_manager.has_font(FONT) or not fonts.font_manager.has_font(BOLD):
             fonts.font_manager.scan_folder(Path(mpl.get_data_path()) / "fonts" / "ttf")
@@ -116,7 +127,7 @@ class Sheet:
         document.layouts.rename("Layout1", "Drawing")
         space = document.paperspace("Drawing")
         space.page_setup(size=size, margins=(0, 0, 0, 0), units="mm")
-        return cls(document, space, size)
+        return cls(document, space, size, title, date)
 
     def line(self, points: Sequence[Place] | Array, layer: str = "OUTLINE", *, close: bool = False) -> None:
         places = [(float(x), float(y)) for x, y in points]

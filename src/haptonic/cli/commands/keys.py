@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from typing import Annotated, Any
 
 import typer
@@ -14,6 +15,7 @@ from haptonic.fields import Key, table
 from haptonic.fields.problems import allowed_at, example_at
 from haptonic.study import Study
 
+TABLES = {"table", "tables", "entries"}
 Pattern = Annotated[
     str | None, typer.Argument(metavar="PATTERN", help="Part of a path, or a word of a key's help.")
 ]
@@ -36,7 +38,7 @@ def run(pattern: Pattern = None, json: Json = False) -> None:
 
 def tell(voice: Voice, found: dict[str, Key], pattern: str) -> None:
     """Keys whose path the pattern stands in, with all that is known; others that only mention it, by name."""
-    named = {path: key for path, key in found.items() if pattern.casefold() in path.casefold()} or found
+    named = {path: key for path, key in found.items() if _plain(pattern) in _plain(path)} or found
     for path, key in named.items():
         entry(voice, path, lines(key))
     others = {path: key.label for path, key in found.items() if path not in named}
@@ -48,16 +50,26 @@ def tell(voice: Voice, found: dict[str, Key], pattern: str) -> None:
 def matching(keys: dict[str, Key], pattern: str) -> dict[str, Key]:
     """The keys in whose path, help or words a pattern stands, whatever its capitals.
 
+    If it stands in none, those below its first part of which the others are said, by them or by a table that
+    they are in: ``plate.patch`` finds ``plate.actuator``, whose help speaks of patches, and all in it.
+
     Raises
     ------
     StudyError : there is none
     """
-    wanted = pattern.casefold()
-    found = {
-        path: key
+    wanted = _plain(pattern)
+    texts = {
+        path: "\n".join((_plain(path), key.title, key.description, *key.known_names)).casefold()
         for path, key in keys.items()
-        if wanted in "\n".join((path, key.title, key.description, *key.known_names)).casefold()
     }
+    if found := {path: key for path, key in keys.items() if wanted in texts[path]}:
+        return found
+    first, *others = wanted.split(".")
+    found = {}
+    for path in (path for path in keys if first in _plain(path)):
+        around = [text for one, text in texts.items() if f"{path}.".startswith((f"{one}.", f"{one}["))]
+        if others and all(any(part in text for text in around) for part in others):
+            found[path] = keys[path]
     if found:
         return found
     words = {part for path in keys for part in (path, *path.replace("[]", "").split("."))}
@@ -70,6 +82,11 @@ def matching(keys: dict[str, Key], pattern: str) -> dict[str, Key]:
         cause="no key of the study file has it",
         next_step=f"haptonic keys {guess}" if guess else "list them all with `haptonic keys`",
     )
+
+
+def _plain(path: str) -> str:
+    """Without capitals and numbers of tables: plate.actuator[1].size and plate.actuator.size are one."""
+    return re.sub(r"\[\d*\]", "", path.casefold())
 
 
 def lines(key: Key) -> dict[str, str]:
@@ -86,7 +103,7 @@ def lines(key: Key) -> dict[str, str]:
 
 def example(key: Key) -> str:
     """A line for the study file; a table's own keys have theirs."""
-    if key.kind in {"table", "tables", "entries"} and not key.known_names:
+    if key.kind in TABLES and not key.known_names:
         return ""
     value = key.default_text
     if not value or key.kind in {"quantities", "text", "choice"}:
