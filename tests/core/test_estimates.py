@@ -134,6 +134,14 @@ def test_what_the_order_around_a_pillar_leaves_is_told(number):
 
 
 @pytest.mark.nightly
+def test_what_a_plate_leaves_beside_a_fillet_in_a_narrow_neck_is_told():
+    """No elements lead from the arc to the plate's thickness; one order more through it moved 0.9 of what was told."""
+    cell, resolution = drawn(227, 146).cell, Resolution(3, 1, 4, 22)
+    upward = resolution.plan(cell).upward + 1
+    assert (share_of_estimate(cell, resolution, upward=upward) < 1 / 2).all()
+
+
+@pytest.mark.nightly
 def test_more_layers_along_a_stepped_pillar_change_next_to_nothing():
     """Those next to the edges are short; with a long one below the step 6e-4 were left in every band."""
     pillar = Pillar(1e-3, 12e-3, step=Step(0.6e-3, 6e-3))

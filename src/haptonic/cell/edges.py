@@ -67,9 +67,18 @@ def bridges(cell: TileShape, rings: int) -> tuple[int, int, int, int]:
     its own size stress falls as a power of the distance: elements that grow with it resolve that at any
     ratio, a single one does not.
     """
-    pillar = cell.pillar
-    if pillar is None or pillar.fillet or not rings:
+    if cell.pillar is None or cell.pillar.fillet or not rings:
         return 0, 0, 0, 0
+    return _needed(cell, cell.pillar, rings)
+
+
+def is_unbridged(cell: TileShape, rings: int) -> bool:
+    """Whether such elements are left out for the sake of a fillet, whose arc the rings follow."""
+    pillar = cell.pillar
+    return pillar is not None and bool(pillar.fillet) and any(_needed(cell, pillar, rings))
+
+
+def _needed(cell: TileShape, pillar: Pillar, rings: int) -> tuple[int, int, int, int]:
     near = foot_reach(cell, rings)[0]
     _, high, radius = pillar.stages[0]
     above = min(2 * FOOT_LAYER * radius, high)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass, replace
 
-from haptonic.cell.edges import bridges
+from haptonic.cell.edges import bridges, is_unbridged
 from haptonic.cell.pillar import Pillar
 from haptonic.cell.tile import TileShape
 
@@ -202,22 +202,22 @@ class MeshPlan:
         of lower order would err by far more. A pillar with draft or a step is meshed along z up to its top,
         and what that leaves shows at a lower order only: two lower, for the same reason as around. Nor is
         there a thin layer at a step above a fillet: graded towards both, elements of some designs had no
-        volume at a corner.
+        volume at a corner. Where a fillet leaves out the elements that would lead from a narrow neck to a
+        thick plate, what the plate's own leave shows at a lower order only: 0.3 % were told 0.2 %.
         """
-        ungraded = cell.pillar is not None and cell.pillar.step is not None and not self.step_rings
-        foot_leads = self.foot_rings == 1 and cell.pillar is not None and not ungraded
-        meshed_up = cell.pillar is not None and not cell.pillar.is_prism
-        fewer = 2 if cell.pillar and self.blocks == 1 and (cell.is_thin or self.thin > 3) else 1
+        pillar = cell.pillar
+        ungraded = pillar is not None and pillar.step is not None and not self.step_rings
+        ungraded = ungraded or is_unbridged(cell, self.foot_rings)
+        foot_leads = self.foot_rings == 1 and pillar is not None and not ungraded
+        fewer_around = 2 if pillar and self.blocks == 1 and (cell.is_thin or self.thin > 3) else 1
+        fewer_along = 2 if pillar and not pillar.is_prism else 0 if foot_leads else 1
+        fewer_upward = 0 if foot_leads and not cell.is_sheet else 1
         return replace(
             self,
-            order=max(self.order - fewer, 1),
+            order=max(self.order - fewer_around, 1),
             outward=max(self.outward - 1, 1),
-            upward=self.upward if foot_leads and not cell.is_sheet else max(self.upward - 1, 1),
-            along=max(self.along - 2, 1)
-            if meshed_up
-            else self.along
-            if foot_leads
-            else max(self.along - 1, 1),
+            upward=max(self.upward - fewer_upward, 1),
+            along=max(self.along - fewer_along, 1),
             thin=max(self.thin - 1, 1),
         )
 
