@@ -91,13 +91,6 @@ class CondensedRows:
         _, same = steps_between(places, places - self._wide, self.rows.vectors)
         return self._ordered(places[same.any(axis=1)])
 
-    @property
-    def shares(self) -> Array:
-        """(n,) of the period that each place of the face stands for, seen across the rows."""
-        along = self.face @ self.rows.turn[1] / self.rows.period
-        ends = np.concatenate([along[-1:] - 1, along, along[:1] + 1])
-        return np.asarray(0.5 * (ends[2:] - ends[:-2]))
-
     @cached_property
     def line(self) -> Array:
         """(n, 2) places of the straight line on the left of the rows, by their place along it, m."""
