@@ -182,10 +182,8 @@ def _condensed(tile: TileShape, plan: MeshPlan, resolution: Resolution) -> Super
     return condense(tile, plan, resolution.steps, block=size, measured=False)
 
 
-def rows_need(rows: Rows, resolution: Resolution, table: str = "layers") -> tuple[int, float]:
+def rows_need(rows: Rows, resolution: Resolution) -> tuple[int, float]:
     """Unknowns on a face, with whose cube the time at each frequency grows, and memory, bytes.
-
-    table : of the study that asks for the rows
 
     Raises
     ------
@@ -196,7 +194,7 @@ def rows_need(rows: Rows, resolution: Resolution, table: str = "layers") -> tupl
     memory = PER_PAIR * rows.reach * size**2
     if memory > MOST_MEMORY:
         raise ResourceError.too_large(
-            argument=f"{table}.along",
+            argument=f"{rows.table}.along",
             given=f"{list(rows.along)}",
             allowed=f"rows for which {MOST_MEMORY / 1e9:g} GB are enough",
             cause=f"about {memory / 1e9:.2g} GB would be needed: such a row repeats only after "
