@@ -55,16 +55,12 @@ class CondensedRows:
         plans += tuple(_fitted(resolution.plan(one, one.area / cell.area), plans[0]) for one in plain)
 
         made = {t: _condensed(t, plan, resolution) for t, plan in zip([*own, *plain], plans, strict=True)}
-        return cls._joined(rows, made)
+        return cls.joined(rows, made)
 
     @classmethod
-    def single(cls, tile: Superelement, along: tuple[int, int] = (0, 1)) -> CondensedRows:
-        """Rows of a tile that is a rectangle along x and y, beside each other."""
-        assert isinstance(tile.cell, UnitCell)
-        return cls._joined(Rows(tile.cell, along), {tile.cell: tile})
+    def joined(cls, rows: Rows, made: Mapping[TileShape, Superelement]) -> CondensedRows:
+        """Of condensed tiles, by what they were made of."""
 
-    @classmethod
-    def _joined(cls, rows: Rows, made: Mapping[TileShape, Superelement]) -> CondensedRows:
         def joined(one: Rows | Filler) -> Tiling:
             return Tiling.of(one, one.tiles, [made[placed.tile] for placed in one.tiles])
 
