@@ -232,3 +232,20 @@ def test_a_strip_too_narrow_for_its_mode_is_refused(inside, fine):
     ran = inside("waveguide", path, "--out", path.parent / "out")
     assert_five_parts(ran, code="no-answer", argument="waveguide.mode")
     assert not written(path)
+
+
+def test_ends_that_no_rows_close_are_refused_before_anything_is_computed(inside, study, monkeypatch):
+    """An oblique lattice has no rows at a right angle to the strip; a square one has them."""
+    monkeypatch.setattr(
+        "haptonic.analyses.waveguide.compute_guides", lambda *_, **__: pytest.fail("computed")
+    )
+    ends = ("[[sweep]]", '[waveguide]\nends = "mirror"\n\n[[sweep]]')
+    oblique = ('pitch = "7 mm"', 'lattice = "oblique"\npitch = "7 mm"\npitch_2 = "8 mm"\nangle = "77 deg"')
+    vary = (
+        '"cell.pillar.diameter / cell.pitch"\nfrom = 0.4\nto = 0.6',
+        '"cell.pillar.height"\nfrom = "9 mm"\nto = "10 mm"',
+    )
+    path = study(ends, oblique, vary)
+    assert_five_parts(inside("waveguide", path), "right angle", code="unsupported", argument="waveguide.ends")
+    ran = inside("waveguide", study(ends), "--dry-run")
+    assert ran.code == 0, ran.err

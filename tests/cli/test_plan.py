@@ -57,6 +57,14 @@ class TestPlan:
                 analysis = named(command)
                 analysis.check(study, analysis.chosen({}))
 
+    @pytest.mark.parametrize("name", TEMPLATES)
+    def test_a_report_has_the_mirrors_and_waveguides_that_it_forecasts(self, name):
+        study = loads(TEMPLATES[name])
+        for command in ("layers", "waveguide"):
+            assert (named(command).reported(study) is not None) == bool(FORECASTS[command].when(study))
+        if study.carrier is not None and study.cell.has_pillars:
+            assert named("waveguide").reported(study) is not None, "whatever the lattice"
+
     def test_a_plate_is_told_by_its_regions_and_patches(self, inside, file, tmp_path):
         told = inside("plan", file("glass-keypad"), "--json").json
         assert told["data"]["area_m_2"] == pytest.approx(

@@ -5,7 +5,7 @@ from functools import cache
 from strategies import reference_cell
 
 from haptonic.bloch.rows import CondensedRows
-from haptonic.cell import MeshPlan
+from haptonic.cell import MeshPlan, Rows
 from haptonic.superelement import Superelement, condense
 
 
@@ -23,7 +23,12 @@ def plain() -> Superelement:
     return condense(reference_cell().without_pillar(), plan, measured=False)
 
 
+def single(tile: Superelement, along: tuple[int, int] = (0, 1)) -> CondensedRows:
+    """Rows of a condensed cell that is a rectangle along x and y."""
+    return CondensedRows.joined(Rows(tile.cell, along), {tile.cell: tile})
+
+
 @cache
 def rows(*, pillars: bool = True) -> CondensedRows:
     """Of the one or the other, along y."""
-    return CondensedRows.single(lattice() if pillars else plain())
+    return single(lattice() if pillars else plain())

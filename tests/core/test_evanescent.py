@@ -4,6 +4,7 @@ from functools import cache
 
 import numpy as np
 import pytest
+from coarse import single
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from rods import LAMINATE, SPEED, half_space, laminate, rod
@@ -36,7 +37,7 @@ def superelement(name: str):
 
 
 def rows(name: str, along: tuple[int, int] | None = None) -> CondensedRows:
-    return CondensedRows.single(superelement(name), along or CELLS[name][1])
+    return single(superelement(name), along or CELLS[name][1])
 
 
 @cache

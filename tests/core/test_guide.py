@@ -5,7 +5,7 @@ from functools import cache
 
 import numpy as np
 import pytest
-from coarse import rows
+from coarse import rows, single
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from strategies import reference_cell
@@ -126,7 +126,7 @@ def test_the_prototype_resonates_where_a_model_of_the_whole_plate_does(intervals
 def test_ends_closed_by_the_mirror_hold_the_plate_at_normal_incidence():
     cell = replace(reference_cell(), lattice=Lattice.rectangular(PITCH, 6.8e-3))
     tile = condense(cell, MeshPlan.suited(cell, 3, 1), measured=False)
-    narrow, closed_by = CondensedRows.single(tile), CondensedRows.single(tile, (1, 0))
+    narrow, closed_by = single(tile), single(tile, (1, 0))
     mode = prototype(16, narrow, closed_by)
     end = Wall.of(Interface.of(closed_by, 0.0), mode.omega)
     assert mode.wavenumber * (LENGTH + 2 * end.fixed_line) == pytest.approx(18 * np.pi, rel=1e-9)

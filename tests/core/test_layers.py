@@ -5,7 +5,7 @@ from itertools import islice
 
 import numpy as np
 import pytest
-from coarse import lattice
+from coarse import lattice, single
 from coarse import rows as coarse_rows
 from hypothesis import given, settings
 from hypothesis import strategies as st
@@ -40,7 +40,7 @@ def superelement(name: str):
 
 
 def rows(name: str, along: tuple[int, int] = (0, 1)) -> CondensedRows:
-    return CondensedRows.single(superelement(name), along)
+    return single(superelement(name), along)
 
 
 @cache

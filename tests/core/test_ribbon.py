@@ -7,6 +7,7 @@ from itertools import pairwise
 import numpy as np
 import pytest
 import scipy.linalg as la
+from coarse import single
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from numpy.polynomial import legendre
@@ -21,7 +22,7 @@ from haptonic.bloch.model import BlochModel
 from haptonic.bloch.pencil import eigenpairs
 from haptonic.bloch.resolution import Resolution
 from haptonic.bloch.ribbon import RibbonModel, RibbonModes, bulk_bands
-from haptonic.bloch.rows import CondensedRows, attenuation
+from haptonic.bloch.rows import attenuation
 from haptonic.cell import Pillar, Ribbon, Site, UnitCell
 from haptonic.errors import GeometryError
 from haptonic.lattice import Lattice
@@ -112,7 +113,7 @@ def test_a_guided_wave_fades_into_the_rows_as_the_complex_bands_say():
     found = model.solve(ALONG, 54e3, 61e3)
     (crystal,) = {id(t): t for t in model.fine.tiling.tiles if t.cell is CRYSTAL}.values()
     omega = 2 * np.pi * found.frequency
-    expected = attenuation(CondensedRows.single(crystal), omega, np.array([ALONG]))[:, 0]
+    expected = attenuation(single(crystal), omega, np.array([ALONG]))[:, 0]
     assert len(expected) == 1
     assert decay(model.ribbon, found.energy) == pytest.approx(expected, rel=0.005)
 

@@ -7,7 +7,6 @@ from haptonic.bloch.gaps import gap_at
 from haptonic.bloch.resolution import Resolution, check_memory, started
 from haptonic.bloch.rows import rows_need
 from haptonic.cell import Rows
-from haptonic.cell.directed import check_along
 from haptonic.errors import StudyError
 from haptonic.plate import Fineness, Plate
 from haptonic.plate.reduction import BLOCK, STEPS
@@ -80,8 +79,7 @@ def need_rows(study: Description, table: str = "layers") -> tuple[int, float]:
     settings = study.bands_settings
     first = settings.resolution or started(study.cell, settings.count, settings.accuracy)[0]
     along = (study.layers_settings if table == "layers" else study.waveguide_settings).direction
-    check_along(along, table, "a row")
-    return rows_need(Rows(study.cell, along), first, table)
+    return rows_need(Rows(study.cell, along, table=table), first)
 
 
 def has_plate(study: Description) -> bool:

@@ -7,9 +7,10 @@ from dataclasses import dataclass
 from haptonic.analyses.analysis import Analysis, option
 from haptonic.analyses.needs import has_mirror, need_carrier, need_rows
 from haptonic.bloch.settings import WaveguideSettings
+from haptonic.cell import Rows
 from haptonic.errors import StudyError, shown
 from haptonic.fields import remade
-from haptonic.results.guides import Guides, compute_guides
+from haptonic.results.guides import Guides, closing, compute_guides
 from haptonic.results.runner import Runner
 from haptonic.study.schema import Description
 
@@ -26,11 +27,14 @@ def chosen_settings(study: Description, options: WaveguideOptions) -> WaveguideS
 
     Raises
     ------
-    HaptonicError : no carrier, rows that are none or too dear, or a mode that is not written like ``0x17``
+    HaptonicError : no carrier, rows that are none or too dear, ends that no rows close, or a mode that is not
+        written like ``0x17``
     """
     need_carrier(study)
     need_rows(study, "waveguide")
     own = study.waveguide_settings
+    if own.ends == "mirror":
+        closing(Rows(study.cell, own.direction))
     if options.mode is None:
         return own
     try:

@@ -34,8 +34,7 @@ class Wall:
     reflection : (p, p) amplitudes of their mirror images, to the left, for unit ones that come
     flexural : number of the flexural wave that propagates
     closed : whether no wave enters the lattice
-    face : (s, p) motion normal to the plate of places of the lattice's flat face for unit waves that come, as
-        amplitudes whose squares add up to the mean square along it
+    face : (h, p) harmonics of the motion normal to the plate along the lattice's face, of unit waves
     setback : from the straight line beyond which there is but plain plate to that place, m
     """
 
@@ -57,8 +56,8 @@ class Wall:
         images = replace(mirror, outgoing=right.mirrored(interface.plate.axes[0]))
         closed, reflection = not mirror.lattice.propagates.any(), images.reflection()
         motion = right.waves.displacement + images.outgoing.waves.displacement @ reflection
-        on_face = (mirror.motion @ motion).reshape(-1, len(interface.shares), 3, len(right))[0, :, 2]
-        face = np.sqrt(interface.shares)[:, None] * on_face
+        places = (mirror.motion @ motion).reshape(-1, interface.on_face.shape[1], 3, len(right))
+        face = interface.on_face @ places[0, :, 2]
         return cls(right, reflection, int(leads[0]), closed, face, interface.setback)
 
     @property

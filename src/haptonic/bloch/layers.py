@@ -114,7 +114,7 @@ class Interface:
     period : along the line, m
     setback : from the line to where the rows' face lies on average, m
     trace : (n, p) motion of the line that each unknown (harmonic, level, component) of the plate gives
-    shares : of the period that each place of the rows' face stands for
+    on_face : (h, s) harmonics, by least squares, of values at the places of the rows' face
     """
 
     slab: Slab
@@ -125,7 +125,7 @@ class Interface:
     period: float
     setback: float
     trace: Complex
-    shares: Array
+    on_face: Complex
 
     @classmethod
     def of(cls, rows: CondensedRows, wavenumber: float) -> Interface:
@@ -149,10 +149,18 @@ class Interface:
         turning = np.exp(1j * np.outer(position, tangential))
         trace = np.einsum("pm,lj,cd->lpcmjd", turning, np.eye(rows.levels), np.eye(3))
         trace = trace.reshape(slab.size, -1)
-        plate = plain_plate(rows)
+        along = (rows.face - rows.line[0]) @ rows.rows.turn[1]
         return cls(
-            slab, tuple(parts), ends, plate, tangential, period, rows.setback, trace, rows.shares
-        )  # fmt: skip
+            slab=slab,
+            parts=tuple(parts),
+            ends=ends,
+            plate=plain_plate(rows),
+            tangential=tangential,
+            period=period,
+            setback=rows.setback,
+            trace=trace,
+            on_face=la.pinv(np.exp(1j * np.outer(along, tangential))),
+        )
 
     @classmethod
     def met_by(cls, rows: CondensedRows, omega: float, family: str, angle: float) -> Interface:

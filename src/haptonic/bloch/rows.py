@@ -55,16 +55,12 @@ class CondensedRows:
         plans += tuple(_fitted(resolution.plan(one, one.area / cell.area), plans[0]) for one in plain)
 
         made = {t: _condensed(t, plan, resolution) for t, plan in zip([*own, *plain], plans, strict=True)}
-        return cls._joined(rows, made)
+        return cls.joined(rows, made)
 
     @classmethod
-    def single(cls, tile: Superelement, along: tuple[int, int] = (0, 1)) -> CondensedRows:
-        """Rows of a tile that is a rectangle along x and y, beside each other."""
-        assert isinstance(tile.cell, UnitCell)
-        return cls._joined(Rows(tile.cell, along), {tile.cell: tile})
+    def joined(cls, rows: Rows, made: Mapping[TileShape, Superelement]) -> CondensedRows:
+        """Of condensed tiles, by what they were made of."""
 
-    @classmethod
-    def _joined(cls, rows: Rows, made: Mapping[TileShape, Superelement]) -> CondensedRows:
         def joined(one: Rows | Filler) -> Tiling:
             return Tiling.of(one, one.tiles, [made[placed.tile] for placed in one.tiles])
 
@@ -90,13 +86,6 @@ class CondensedRows:
         places = joint.position[np.unique(joint.master)]
         _, same = steps_between(places, places - self._wide, self.rows.vectors)
         return self._ordered(places[same.any(axis=1)])
-
-    @property
-    def shares(self) -> Array:
-        """(n,) of the period that each place of the face stands for, seen across the rows."""
-        along = self.face @ self.rows.turn[1] / self.rows.period
-        ends = np.concatenate([along[-1:] - 1, along, along[:1] + 1])
-        return np.asarray(0.5 * (ends[2:] - ends[:-2]))
 
     @cached_property
     def line(self) -> Array:
@@ -189,10 +178,8 @@ def _condensed(tile: TileShape, plan: MeshPlan, resolution: Resolution) -> Super
     return condense(tile, plan, resolution.steps, block=size, measured=False)
 
 
-def rows_need(rows: Rows, resolution: Resolution, table: str = "layers") -> tuple[int, float]:
+def rows_need(rows: Rows, resolution: Resolution) -> tuple[int, float]:
     """Unknowns on a face, with whose cube the time at each frequency grows, and memory, bytes.
-
-    table : of the study that asks for the rows
 
     Raises
     ------
@@ -203,7 +190,7 @@ def rows_need(rows: Rows, resolution: Resolution, table: str = "layers") -> tupl
     memory = PER_PAIR * rows.reach * size**2
     if memory > MOST_MEMORY:
         raise ResourceError.too_large(
-            argument=f"{table}.along",
+            argument=f"{rows.table}.along",
             given=f"{list(rows.along)}",
             allowed=f"rows for which {MOST_MEMORY / 1e9:g} GB are enough",
             cause=f"about {memory / 1e9:.2g} GB would be needed: such a row repeats only after "

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from pydantic import Field
 
 from haptonic.bloch.resolution import LADDER, LEAST_ORDER, Resolution, starting_rung
-from haptonic.cell.directed import Along, whole
+from haptonic.cell.directed import DirectionSettings
 from haptonic.errors import StudyError
 from haptonic.fields import TOP, Frequency, Length, Quantity, ascending, described, setting
 from haptonic.units import format_quantity
@@ -64,7 +64,7 @@ class BandSettings:
 
 
 @described("layers", kw_only=True)
-class LayersSettings:
+class LayersSettings(DirectionSettings):
     """What is asked of a mirror of several rows of cells between two plates."""
 
     count: Annotated[int, Field(ge=1, le=20, strict=True)] = setting(
@@ -79,11 +79,6 @@ class LayersSettings:
     points: Annotated[int, Field(ge=2, le=5000, strict=True)] = setting(
         161, "In the spectrum, both ends included.", title="Frequencies"
     )
-    along: Along = setting(
-        (0.0, 1.0),
-        "How many of the lattice's two translations a row repeats after; [0, 1] is along y in rectangles.",
-        title="Direction of the rows",
-    )
     angle: Annotated[float, OF_INCIDENCE] = setting(
         0.0,
         "Between the incident wave and the normal of the rows; above zero towards their direction.",
@@ -91,13 +86,8 @@ class LayersSettings:
     )
 
     def __post_init__(self) -> None:
+        super().__post_init__()
         ascending(self.lowest, self.highest, "spectrum")
-        whole(self.along, "a row")
-
-    @property
-    def direction(self) -> tuple[int, int]:
-        """Whole translations of the lattice, after which a row repeats."""
-        return whole(self.along, "a row")
 
     def frequencies(self, carrier: float) -> NDArray[np.float64]:
         """(points,) of the spectrum around a carrier, Hz.
@@ -119,7 +109,7 @@ class LayersSettings:
 
 
 @described("waveguide", kw_only=True)
-class WaveguideSettings:
+class WaveguideSettings(DirectionSettings):
     """A strip of plain plate between two mirrors."""
 
     mode: str = setting(
@@ -136,19 +126,6 @@ class WaveguideSettings:
     ends: Literal["free", "mirror"] = setting(
         "free", "Of the strip: edges of the plate, or closed by the mirror as well."
     )
-    along: Along = setting(
-        (0.0, 1.0),
-        "How many of the lattice's two translations the strip runs along; [0, 1] is along y in rectangles.",
-        title="Direction of the strip",
-    )
-
-    def __post_init__(self) -> None:
-        whole(self.along, "a row beside the strip")
-
-    @property
-    def direction(self) -> tuple[int, int]:
-        """Whole translations of the lattice, after which the rows beside the strip repeat."""
-        return whole(self.along, "a row beside the strip")
 
     @property
     def nodal_lines(self) -> tuple[int, int]:

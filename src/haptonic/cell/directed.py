@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
 from typing import Annotated
@@ -11,7 +12,7 @@ import numpy as np
 
 from haptonic.arrays import Array
 from haptonic.errors import GeometryError
-from haptonic.fields import Quantity, problem
+from haptonic.fields import Quantity, problem, setting
 from haptonic.lattice import SAME
 
 Translations = Annotated[float, Quantity("", at_least=-20, at_most=20)]
@@ -97,18 +98,31 @@ def check_along(along: tuple[int, int], table: str, what: str) -> None:
         )
 
 
-def whole(along: tuple[float, float], what: str) -> tuple[int, int]:
-    """A direction that a study gives, as whole numbers; raises its problem if it has others."""
-    if any(one != round(one) for one in along):
-        raise problem(
-            "malformed",
-            f"{list(along)}",
-            "two whole numbers, such as [0, 1]",
-            f"{what} repeats after whole translations",
-            "write along = [0, 1]",
-            at="along",
-        )
-    return round(along[0]), round(along[1])
+@dataclass(frozen=True, kw_only=True)
+class DirectionSettings:
+    """What a study says of something that repeats along a direction of the lattice; tables inherit it."""
+
+    along: Along = setting(  # noqa: RUF009 - a declaration, of the tables that are described
+        (0.0, 1.0),
+        "How many of the lattice's two translations it repeats after; [0, 1] is along y in rectangles.",
+        title="Direction",
+    )
+
+    def __post_init__(self) -> None:
+        if any(one != round(one) for one in self.along):
+            raise problem(
+                "malformed",
+                f"{list(self.along)}",
+                "two whole numbers, such as [0, 1]",
+                "lattices repeat after whole translations",
+                "write along = [0, 1]",
+                at="along",
+            )
+
+    @property
+    def direction(self) -> tuple[int, int]:
+        """Whole translations of the lattice, after which it repeats."""
+        return round(self.along[0]), round(self.along[1])
 
 
 def _bezout(m: int, n: int) -> tuple[int, int]:

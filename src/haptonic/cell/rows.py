@@ -27,6 +27,7 @@ class Rows(Directed):
     """One period of rows side by side, as many as the farthest that touch each other are apart.
 
     filled : how many of them, from the left, are the lattice's; the rest is plain plate. 0 means all
+    table : of the study that gives their direction
 
     Raises
     ------
@@ -36,9 +37,10 @@ class Rows(Directed):
     cell: UnitCell
     along: tuple[int, int] = (0, 1)
     filled: int = 0
+    table: str = "layers"
 
     def __post_init__(self) -> None:
-        check_along(self.along, "layers", "a row")
+        check_along(self.along, self.table, "a row")
 
     @property
     def translations(self) -> Array:

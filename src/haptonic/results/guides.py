@@ -19,7 +19,7 @@ from haptonic.bloch.mirrors import condensed_rows
 from haptonic.bloch.model import bloch_model
 from haptonic.bloch.rows import CondensedRows
 from haptonic.bloch.settings import BandSettings, WaveguideSettings
-from haptonic.cell import UnitCell
+from haptonic.cell import Rows, UnitCell
 from haptonic.errors import StudyError
 from haptonic.later import xarray as xr
 from haptonic.parallel import one_thread
@@ -145,7 +145,7 @@ def compute_guides(
     lattice = condensed_rows(cell, resolution, waveguide.direction)
     closed_by = None
     if waveguide.ends == "mirror":
-        closed_by = condensed_rows(cell, resolution, _crossing(lattice))
+        closed_by = condensed_rows(cell, resolution, closing(lattice.rows))
     across, along = waveguide.nodal_lines
     period = lattice.rows.period
     wavenumber = plain_plate(lattice).wavenumber(2 * np.pi * carrier, 0.0, "A0")
@@ -168,15 +168,20 @@ def compute_guides(
     return Guides(carrier, gap, across, along, waveguide.ends, tuple(strips), stamped(dataset, inputs))
 
 
-def _crossing(lattice: CondensedRows) -> tuple[int, int]:
-    """The direction of the rows that close a strip; raises StudyError where there are none."""
-    found = lattice.rows.crossing
+def closing(rows: Rows) -> tuple[int, int]:
+    """The direction of the rows that close a strip beside others.
+
+    Raises
+    ------
+    StudyError : there are none
+    """
+    found = rows.crossing
     if found is None:
         raise StudyError.unsupported(
             argument="waveguide.ends",
             given="mirror",
             allowed="a lattice that has rows at right angles to the strip, or free ends",
-            cause=f"no few translations lead at a right angle to {list(lattice.rows.along)}",
+            cause=f"no few translations lead at a right angle to {list(rows.along)}",
             next_step='write ends = "free", or another direction along',
         )
     return found

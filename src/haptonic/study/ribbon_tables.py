@@ -7,7 +7,7 @@ from typing import Annotated
 from pydantic import Field, field_validator
 
 from haptonic.cell import Ribbon, UnitCell
-from haptonic.cell.directed import Along, whole
+from haptonic.cell.directed import DirectionSettings
 from haptonic.errors import StudyError, nearest, shown
 from haptonic.fields import Entries, Frequency, Name, ascending, described, needed, problem, setting
 from haptonic.lattice import Lattice
@@ -23,7 +23,7 @@ TABLE = "[ribbon.tiles]"
 
 
 @described("ribbon", kw_only=True)
-class RibbonSettings:
+class RibbonSettings(DirectionSettings):
     """Cells side by side, repeated without end along the other direction; the outermost edges are free."""
 
     map: Annotated[str, Field(max_length=4000, strict=True)] = needed(
@@ -44,11 +44,6 @@ class RibbonSettings:
     )
     cell: tuple[LatticeSettings, ...] = setting(
         (), "For columns of other names.", title="Further lattices", max_length=20
-    )
-    along: Along = setting(
-        (0.0, 1.0),
-        "How many of the lattice's two translations the ribbon repeats after; [0, 1] is along y.",
-        title="Direction",
     )
     lowest: Frequency | None = setting(
         None, "That modes are sought at; else somewhat below the gap.", title="Lowest frequency"
@@ -81,7 +76,7 @@ class RibbonSettings:
 
     def __post_init__(self) -> None:
         ascending(self.lowest, self.highest, "range")
-        whole(self.along, "a ribbon")
+        super().__post_init__()
         check_letters(self.lines, self.tiles, TABLE)
         if self.rows is not None and len(self.lines) > 1:
             raise problem(
@@ -141,11 +136,6 @@ class RibbonSettings:
     def wavevectors(self) -> int:
         """Along the ribbon, where it has no length in cells."""
         return self.points or (POINTS if len(self.lines) == 1 else POINTS_OF_LINES)
-
-    @property
-    def direction(self) -> tuple[int, int]:
-        """Whole translations of the lattice, after which it repeats."""
-        return whole(self.along, "a ribbon")
 
     def ribbon(self, own: UnitCell) -> Ribbon:
         """One period of it, as the core computes with it.
