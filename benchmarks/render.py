@@ -80,12 +80,13 @@ def race(record: dict[str, Any]) -> Figure:
     axes = figure.subplots()
     for name, marker, colour in (("haptonic", "o", "#0072B2"), ("ngsolve", "s", "#D55E00")):
         runs = sorted(record[name], key=lambda run: run["diagram_s"])
-        axes.loglog(
+        axes.plot(
             [run["diagram_s"] for run in runs], [100 * run["true_error"] for run in runs],
             marker=marker, color=colour, label="NGSolve" if name == "ngsolve" else name,
         )  # fmt: skip
     axes.axhline(100 * record["compared"][0]["accuracy"], color="0.6", linewidth=0.8, linestyle="--")
     axes.set(xlabel="time of the whole diagram / s", ylabel="largest true error / %")
+    style.logarithmic(axes, across=True)
     axes.legend()
     return figure
 

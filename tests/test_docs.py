@@ -56,6 +56,12 @@ def test_the_printed_commands_exist(document):
             assert not word.endswith(".toml") or (ROOT / word).exists(), line
 
 
+def test_pictures_of_the_pages_show_no_formula_s_code():
+    pictures = sorted((ROOT / "docs").rglob("images/*.svg"))
+    assert pictures
+    assert not [one.name for one in pictures if "mathdefault" in one.read_text("utf-8")]
+
+
 def test_the_images_and_pages_that_documents_name_exist():
     for document in [ROOT / "README.md", *(ROOT / "docs").glob("*.md")]:
         for target in re.findall(r"\]\((?!https?:)([^)#]+)\)", document.read_text("utf-8")):

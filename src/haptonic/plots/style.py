@@ -152,11 +152,14 @@ class PowersOfTen(LogFormatterSciNotation):
         return re.sub(r"\$|\\mathdefault|[{}]", "", text).replace(r"\times", "\N{MULTIPLICATION SIGN}")
 
 
-def logarithmic(axes: Axes) -> None:
-    """Give axes a logarithmic height."""
+def logarithmic(axes: Axes, *, across: bool = False) -> None:
+    """Give axes a logarithmic height, and ``across`` a logarithmic width too."""
     axes.set_yscale("log")
-    axes.yaxis.set_major_formatter(PowersOfTen())
-    axes.yaxis.set_minor_formatter(PowersOfTen(labelOnlyBase=False, minor_thresholds=(1, 0.4)))
+    if across:
+        axes.set_xscale("log")
+    for axis in (axes.yaxis, axes.xaxis)[: 1 + across]:
+        axis.set_major_formatter(PowersOfTen())
+        axis.set_minor_formatter(PowersOfTen(labelOnlyBase=False, minor_thresholds=(1, 0.4)))
 
 
 def perceptual() -> Colormap:
