@@ -135,7 +135,7 @@ def test_what_the_order_around_a_pillar_leaves_is_told(number):
 
 @pytest.mark.nightly
 def test_what_a_plate_leaves_beside_a_fillet_in_a_narrow_neck_is_told():
-    """One order more through the plate moved 0.9 of what was told: no elements lead from the arc to its thickness."""
+    """One order more through the plate moved 0.9 of it: no elements lead from the arc to the thickness."""
     cell, resolution = drawn(227, 146).cell, Resolution(3, 1, 4, 22)
     upward = resolution.plan(cell).upward + 1
     assert (share_of_estimate(cell, resolution, upward=upward) < 1 / 2).all()
