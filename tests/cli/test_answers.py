@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import io
+import shlex
 from pathlib import Path
 from types import SimpleNamespace
 
@@ -11,6 +12,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from haptonic.analyses import NAMES, named
 from haptonic.analyses.reproduce import Reproduction
 from haptonic.cli.console import Voice
 from haptonic.cli.running import OF_COMMANDS, SCREEN, SENTENCES, folder_for, show
@@ -86,6 +88,12 @@ def test_more_than_three_sentences_are_for_those_who_ask(numbers):
 def test_files_that_commands_name_alike_are_told_apart_by_their_folders(name):
     folders = {folder_for(Path(f"results/{one}/{name}.toml"), None, False, "export") for one in ("a", "b")}
     assert folders == {Path("results/a-export"), Path("results/b-export")}
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_the_folder_of_a_command_can_be_typed_as_it_stands(name):
+    folder = folder_for(Path("mine.toml"), None, False, named(name).folder or name)
+    assert shlex.split(str(folder)) == [str(folder)]
 
 
 def test_a_pipe_gets_no_line_of_a_bar(inside, study, tmp_path):

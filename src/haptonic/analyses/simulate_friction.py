@@ -92,6 +92,5 @@ ANALYSIS = Analysis(
     compute=compute,
     options=SimulateFrictionOptions,
     doing="strokes",
-    folder="simulate-friction",
     writes=True,
 )

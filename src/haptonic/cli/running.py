@@ -204,4 +204,5 @@ def folder_for(about: Path, out: Path | None, json: bool, ending: str) -> Path |
     path = about.absolute()
     # two designs, or two scans, are files of one name in folders that tell them apart
     stem = path.parent.name if path.stem in OF_COMMANDS else path.stem
-    return target(Path("results") / f"{stem}-{ending}" if out is None else out)
+    # a space in a path ends it in a shell
+    return target(Path("results") / f"{stem}-{ending.replace(' ', '-')}" if out is None else out)

@@ -112,7 +112,7 @@ def _occ() -> ModuleType:
             given="a Python without netgen.occ",
             allowed="a Python with the package netgen-mesher, which brings OpenCascade",
             cause="the extra for CAD files is not installed",
-            next_step='run: pip install "haptonic[cad]"',
+            next_step='run: pip install "haptonic[cad]", or ask for the other files: --dxf --stl --drawing',
         ) from error
     module: ModuleType = occ
     return module
