@@ -10,7 +10,8 @@ from strategies import ALUMINIUM
 from truth import KAPPA, plain_plate
 
 from haptonic.bloch import bands_dataset, model, resolution
-from haptonic.bloch.model import BlochModel, ReducedCell, bloch_model
+from haptonic.bloch.model import BlochModel, bloch_model
+from haptonic.bloch.reduced import ReducedCell
 from haptonic.bloch.resolution import LADDER, Resolution, check_start, first_rung
 from haptonic.bloch.settings import COARSEST, BandSettings
 from haptonic.cell import Pillar, UnitCell
