@@ -105,22 +105,40 @@ class Voice:
     def show(self, content: Table) -> None:
         """Show a table to a person, silent for machines."""
         if not self.machine:
-            self.out.print(self._drawn(content))
+            for part in self._parts(content):
+                self.out.print(self._drawn(part))
 
     def height(self, content: Table) -> int:
         """Lines that a table takes."""
-        return len(self.out.render_lines(self._drawn(content)))
+        return sum(len(self.out.render_lines(self._drawn(part))) for part in self._parts(content))
+
+    def _parts(self, content: Table) -> list[Table]:
+        """The table, or several with its first column each where words or numbers would have to be broken."""
+        folded = [_longest_word(column) for column in _columns(content)]
+        groups: list[list[int]] = [[0]]
+        for number in range(1, len(folded)):
+            tried = [*groups[-1], number]
+            if len(tried) > 2 and sum(folded[one] for one in tried) > self._room(len(tried)):
+                groups.append([0, number])
+            else:
+                groups[-1] = tried
+        if len(groups) == 1:
+            return [content]
+        titles = [content.title, *[f"{content.title} (continued)"] * (len(groups) - 1)]
+        return [content.of_columns(group, title) for group, title in zip(groups, titles, strict=True)]
+
+    def _room(self, count: int) -> int:
+        """Width that so many columns share between them."""
+        return self.out.width - count * (2 * _padding(count) + 1) - 1
 
     def _drawn(self, content: Table) -> RichTable:
         """A table for this terminal.
 
         In a narrow terminal heads and words are folded first, then numbers are parted from their errors, then
-        words and numbers are broken; nothing is cut off.
+        words and numbers that are wider than the terminal are broken; nothing is cut off.
         """
-        padding = 0 if len(content.columns) > ROOMY else 1
-        room = self.out.width - len(content.columns) * (2 * padding + 1) - 1
-        texts = content.texts or (("none", *[""] * (len(content.columns) - 1)),)
-        columns = list(zip(content.head, *texts, strict=True))
+        padding, room = _padding(len(content.columns)), self._room(len(content.columns))
+        columns = _columns(content)
         folded = [_longest_word(column) for column in columns]
         whole = [max(map(cell_len, cells), default=0) if _numeric(cells) else 0 for _, *cells in columns]
         least = [max(pair) for pair in zip(folded, whole, strict=True)]
@@ -130,7 +148,7 @@ class Voice:
         shown = RichTable(title=content.title, padding=(0, padding))
         for head, width in zip(content.head, widths, strict=True):
             shown.add_column(head, overflow="fold", width=width)
-        for number, row in enumerate(texts):
+        for number, row in enumerate(list(zip(*columns, strict=True))[1:]):
             shown.add_row(*row, style="bold" if number in content.strong else "")
         return shown
 
@@ -185,6 +203,16 @@ def speaking(machine: bool, kept: str = "") -> Iterator[Voice]:
             raise SystemExit(INTERRUPTED) from None
         finally:
             warnings.showwarning = default
+
+
+def _padding(count: int) -> int:
+    return 0 if count > ROOMY else 1
+
+
+def _columns(content: Table) -> list[tuple[str, ...]]:
+    """Heads and texts by column."""
+    texts = content.texts or (("none", *[""] * (len(content.columns) - 1)),)
+    return list(zip(content.head, *texts, strict=True))
 
 
 def _longest_word(texts: Sequence[str]) -> int:

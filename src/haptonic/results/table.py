@@ -177,6 +177,11 @@ class Table:
         """With a title that says whether its numbers are measured or simulated."""
         return Table(f"{self.title} ({origin})", self.columns, self.rows, tuple(self.strong))
 
+    def of_columns(self, numbers: Sequence[int], title: str) -> Table:
+        """The columns of these numbers alone, from 0."""
+        rows = [[row[number] for number in numbers] for row in self.rows]
+        return Table(title, [self.columns[number] for number in numbers], rows, tuple(self.strong))
+
     def to_dataframe(self) -> pd.DataFrame:
         """Raw values in SI units; a value with an error or ends has a column for each."""
         return pd.DataFrame([self._record(row) for row in self.rows])
