@@ -272,9 +272,9 @@ def test_a_larger_plate_costs_more():
 
 def test_every_patch_costs_its_tiles_and_its_losses():
     text = TEMPLATES["my-scan"]
-    table = text[text.index("[[plate.actuator]]") : text.index("[scan]")]
+    table = text[text.index("[[plate.actuator]]") : text.index("\n[scan]")]
     second = table.replace('"A1"', '"A2"').replace('"left"', '"right"')
-    one, two = (FORECASTS["plate"].cost(loads(text.replace("[scan]", more + "[scan]")), None).seconds
+    one, two = (FORECASTS["plate"].cost(loads(text.replace("\n[scan]", f"\n{more}\n[scan]")), None).seconds
                 for more in ("", second))  # fmt: skip
     assert two > one + 4.0  # four tiles of plain plate with a patch took 4.2 s
 

@@ -59,7 +59,11 @@ REFUSED = {
     "a material twice": (lambda: Study(cell=CELL, material="steel"), "material", "leave it out"),
     "no such material": (lambda: UnitCell(CELL.lattice, 1e-3, "stel"), "material", 'write "steel"'),
     "two periods": (lambda: Lattice(pitch=1e-3, pitch_y=1e-3), "cell.pitch_y", "remove"),
-    "too many": (lambda: UnitCell(CELL.lattice, 1e-3, "steel", None, (), 6), "cell.argument_6", "names"),
+    "too many": (
+        lambda: UnitCell(CELL.lattice, 1e-3, "steel", None, (), "one", 7),
+        "cell.argument_7",
+        "names",
+    ),
     "no number": (lambda: Lattice.square("wide"), "cell.pitch", ""),
     "a wide pillar": (lambda: UnitCell(CELL.lattice, 1e-3, "steel", WIDE), "cell.pillar.diameter", "thinner"),
 }
