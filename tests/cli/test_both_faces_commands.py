@@ -8,6 +8,8 @@ from five_parts import assert_five_parts
 from haptonic.analyses import NAMES, named
 from quick import QUICK_CELL
 
+pytestmark = pytest.mark.usefixtures("empty_pictures")
+
 STUDY = (
     QUICK_CELL.replace("60 kHz", "110 kHz")
     .replace("14.7 mm", "4 mm")
