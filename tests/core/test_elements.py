@@ -18,7 +18,7 @@ WOOD = OrthotropicMaterial(
 )
 
 
-@settings(max_examples=3)
+@settings(max_examples=2)
 @given(st.data(), st.sampled_from([WOOD, IsotropicMaterial(200e9, 0.3, 7850.0, name="steel")]))
 def test_constant_strains_have_the_energy_of_the_voigt_matrix(data, material):
     cell = data.draw(cells())
@@ -30,7 +30,7 @@ def test_constant_strains_have_the_energy_of_the_voigt_matrix(data, material):
     assert np.abs(energy - material.stiffness).max() < 1e-9 * material.stiffness.max()
 
 
-@settings(max_examples=3)
+@settings(max_examples=2)
 @given(st.data())
 def test_constant_stress_is_in_balance_inside_curved_meshes(data):
     cell = data.draw(cells())
@@ -49,7 +49,7 @@ def test_constant_stress_is_in_balance_inside_curved_meshes(data):
     assert np.abs(forces[in_plate | in_pillar]).max() < 1e-9 * np.abs(forces).max()
 
 
-@settings(max_examples=3)
+@settings(max_examples=2)
 @given(st.data())
 def test_exactly_the_rigid_motions_are_free_of_energy(data):
     cell = data.draw(cells())
@@ -70,7 +70,7 @@ def test_a_single_element_has_six_free_motions_and_no_more():
         assert (values[:, 6] > 1e-9 * values[:, -1]).all()  # thin elements bend easily, yet not freely
 
 
-@settings(max_examples=3)
+@settings(max_examples=2)
 @given(st.data())
 def test_element_matrices_are_symmetric(data):
     cell = data.draw(cells())
@@ -80,7 +80,7 @@ def test_element_matrices_are_symmetric(data):
         assert np.abs(stiffness - stiffness.swapaxes(1, 2)).max() < 1e-12 * np.abs(stiffness).max()
 
 
-@settings(max_examples=3)
+@settings(max_examples=2)
 @given(st.data())
 def test_mass_and_its_moments_are_those_of_the_body(data):
     cell = data.draw(cells())

@@ -124,7 +124,8 @@ def test_polynomials_along_a_tapered_pillar_are_not_what_limits_a_mesh(seed, num
     assert (share_of_estimate(cell, resolution, along=along) < 1 / 2).all()
 
 
-@pytest.mark.parametrize("number", [0, pytest.param(1015, marks=pytest.mark.nightly)])
+@pytest.mark.nightly
+@pytest.mark.parametrize("number", [0, 1015])
 def test_what_the_order_around_a_pillar_leaves_is_told(number):
     """Fields of one parity within a quarter turn gain nothing from every other order."""
     cell, resolution = drawn(131, number).cell, Resolution(4, 1, 3)

@@ -262,6 +262,7 @@ def test_a_step_costs_no_more_accuracy_than_the_foot():
     assert (solution.error < 3e-3 * better).all()
 
 
+@pytest.mark.nightly
 def test_errors_tell_what_no_thin_layer_sees_above_a_step():
     """Lower orders that are not lower along the pillar gave less than a third of the true error here."""
     pillar = Pillar(4 * MM, 10 * MM, "round", math.radians(-1.3), 0.25 * MM, Step(2.4 * MM, 7 * MM))
