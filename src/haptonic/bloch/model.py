@@ -197,7 +197,7 @@ class BlochModel:
 
     @cached_property
     def highest(self) -> float:
-        """Of the last band at the corners of the zone, Hz: the yardstick for what is at rest.
+        """Highest frequency of the last band at the zone's corners, Hz: the yardstick for what is at rest.
 
         At Gamma alone the last of three bands is at rest itself.
         """

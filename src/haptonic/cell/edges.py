@@ -75,7 +75,7 @@ def bridges(cell: TileShape, rings: int) -> tuple[int, int, int, int]:
 def is_unbridged(cell: TileShape, rings: int) -> bool:
     """Whether such elements are left out for the sake of a fillet, whose arc the rings follow."""
     pillar = cell.pillar
-    return pillar is not None and bool(pillar.fillet) and any(_needed(cell, pillar, rings))
+    return pillar is not None and bool(pillar.fillet) and rings > 0 and any(_needed(cell, pillar, rings))
 
 
 def _needed(cell: TileShape, pillar: Pillar, rings: int) -> tuple[int, int, int, int]:

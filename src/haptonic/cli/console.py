@@ -114,7 +114,7 @@ class Voice:
 
     def _parts(self, content: Table) -> list[Table]:
         """The table, or several with its first column each where words or numbers would have to be broken."""
-        folded = [_longest_word(column) for column in _columns(content)]
+        folded = [_longest_word(column) for column in zip(*_rows(content), strict=True)]
         groups: list[list[int]] = [[0]]
         for number in range(1, len(folded)):
             tried = [*groups[-1], number]
@@ -138,7 +138,8 @@ class Voice:
         words and numbers that are wider than the terminal are broken; nothing is cut off.
         """
         padding, room = _padding(len(content.columns)), self._room(len(content.columns))
-        columns = _columns(content)
+        rows = _rows(content)
+        columns = list(zip(*rows, strict=True))
         folded = [_longest_word(column) for column in columns]
         whole = [max(map(cell_len, cells), default=0) if _numeric(cells) else 0 for _, *cells in columns]
         least = [max(pair) for pair in zip(folded, whole, strict=True)]
@@ -148,7 +149,7 @@ class Voice:
         shown = RichTable(title=content.title, padding=(0, padding))
         for head, width in zip(content.head, widths, strict=True):
             shown.add_column(head, overflow="fold", width=width)
-        for number, row in enumerate(list(zip(*columns, strict=True))[1:]):
+        for number, row in enumerate(rows[1:]):
             shown.add_row(*row, style="bold" if number in content.strong else "")
         return shown
 
@@ -209,10 +210,9 @@ def _padding(count: int) -> int:
     return 0 if count > ROOMY else 1
 
 
-def _columns(content: Table) -> list[tuple[str, ...]]:
-    """Heads and texts by column."""
-    texts = content.texts or (("none", *[""] * (len(content.columns) - 1)),)
-    return list(zip(content.head, *texts, strict=True))
+def _rows(content: Table) -> list[tuple[str, ...]]:
+    """The heads, then the texts of each row."""
+    return [content.head, *(content.texts or [("none", *[""] * (len(content.columns) - 1))])]
 
 
 def _longest_word(texts: Sequence[str]) -> int:

@@ -15,7 +15,6 @@ from haptonic.fields import Key, table
 from haptonic.fields.problems import allowed_at, example_at
 from haptonic.study import Study
 
-TABLES = {"table", "tables", "entries"}
 Pattern = Annotated[
     str | None, typer.Argument(metavar="PATTERN", help="Part of a path, or a word of a key's help.")
 ]
@@ -103,7 +102,7 @@ def lines(key: Key) -> dict[str, str]:
 
 def example(key: Key) -> str:
     """A line for the study file; a table's own keys have theirs."""
-    if key.kind in TABLES and not key.known_names:
+    if key.kind in {"table", "tables", "entries"} and not key.known_names:
         return ""
     value = key.default_text
     if not value or key.kind in {"quantities", "text", "choice"}:
