@@ -8,6 +8,7 @@ import xarray as xr
 from matplotlib.figure import Figure
 
 from haptonic.analyses.analysis import Analysis, option
+from haptonic.results.cost import Cost
 from haptonic.results.result import Result, figure
 from haptonic.results.runner import Runner
 from haptonic.results.table import Column, Table
@@ -59,5 +60,6 @@ def compute(study: Description, options: ToyOptions, runner: Runner) -> Toy:
 
 ANALYSIS = Analysis(
     name="toy", result=Toy, compute=compute, options=ToyOptions,
+    cost=lambda study, options: Cost(2.0 * options.number),
     reported=lambda study: ToyOptions(),
 )  # fmt: skip

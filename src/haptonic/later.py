@@ -11,6 +11,8 @@ from types import ModuleType
 from typing import TYPE_CHECKING, Any
 
 __all__ = [
+    "Axes",
+    "Figure",
     "csgraph",
     "elementwise",
     "h5py",
@@ -36,7 +38,10 @@ if TYPE_CHECKING:
     import scipy.sparse.csgraph as csgraph
     import scipy.sparse.linalg as sparse_linalg
     import xarray as xarray
+    from matplotlib.axes import Axes as Axes
+    from matplotlib.figure import Figure as Figure
 else:
+    Axes = Figure = Any  # results name them in annotations alone; who draws imports matplotlib
 
     class _Later(ModuleType):
         """Stands for a module; `importlib.util.LazyLoader` would be loaded by the next ``import`` of it."""

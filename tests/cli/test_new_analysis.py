@@ -11,7 +11,7 @@ from typer.testing import CliRunner
 
 import haptonic
 import toy
-from haptonic import analyses
+from haptonic.analyses import NAMES
 from haptonic.cli.app import app
 from haptonic.errors import StudyError
 from quick import QUICK_CELL
@@ -28,7 +28,7 @@ BARE = (
 def added(monkeypatch):
     """The one line."""
     monkeypatch.setitem(sys.modules, "haptonic.analyses.toy", toy)
-    monkeypatch.setattr(analyses, "NAMES", analyses.NAMES | {"toy": "Count, as a toy does."})
+    monkeypatch.setitem(NAMES, "toy", "Count, as a toy does.")
 
 
 def ran(*words):
@@ -56,6 +56,10 @@ class TestAddedAnalysis:
             "summary": ["It counts to 2."], "number": 2, "length_m": 2e-3, "steps": {"number": [0, 1]},
             "warnings": [],
         }  # fmt: skip
+
+    def test_its_forecast_is_told_by_itself_and_by_a_plan(self, study):
+        assert json.loads(ran("toy", study(), "--number", 4, "--dry-run", "--json"))["processor_s"] == 8.0
+        assert json.loads(ran("plan", study(), "--json"))["data"]["processor_time_s"]["toy"] == 4.0
 
     def test_it_refuses_to_overwrite(self, study, tmp_path):
         out = tmp_path / "out"

@@ -9,6 +9,7 @@ from typing import Any, Literal, get_args, get_type_hints
 
 from haptonic.errors import StudyError
 from haptonic.paths import source
+from haptonic.results.cost import Cost
 from haptonic.results.result import Result
 from haptonic.results.runner import Runner
 from haptonic.units import to_si
@@ -67,6 +68,8 @@ class Analysis:
     result : kind of what it gives
     compute : takes the study, the options and a `Runner`
     options : dataclass of what may be chosen, its fields made by `option`; they are declared nowhere else
+    cost : takes study and options, and foresees what it needs; None for what takes no time to speak of
+    planned : whether `haptonic plan` tells the cost for a study; by default where the study's report has it
     check : takes study and options, and refuses before any work starts what could not end well
     study : whether it is asked of a study ("needed"), may be ("optional"), or of something else ("none")
     parallel : whether it is many computations, which may go to several processes or to a scheduler
@@ -81,6 +84,8 @@ class Analysis:
     result: type[Result]
     compute: Callable[[Any, Any, Runner], Result]
     options: type[Any] = NoOptions
+    cost: Callable[[Any, Any], Cost] | None = None
+    planned: Callable[[Any], bool] | None = None
     check: Callable[[Any, Any], object] = nothing
     study: Literal["needed", "optional", "none"] = "needed"
     parallel: bool = False
@@ -124,6 +129,12 @@ class Analysis:
         options = self.chosen(given)
         self.check(study, options)
         return self.compute(study, options, runner)
+
+    def foreseen(self, study: Any) -> bool:
+        """Whether a plan of a study tells what this will cost."""
+        if self.planned is not None:
+            return self.planned(study)
+        return self.reported is not None and self.reported(study) is not None
 
     def names(self, options: Any, stem: str) -> list[Any]:
         """Of the files that it may write about a study of this name; see `Result.names`."""

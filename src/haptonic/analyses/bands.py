@@ -5,10 +5,15 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from haptonic.analyses.analysis import Analysis, option
+from haptonic.analyses.costs import meshes
 from haptonic.bloch.wavevectors import wavevector_at
 from haptonic.results.bands import Bands, compute_bands
+from haptonic.results.cost import Cost
 from haptonic.results.runner import Runner
 from haptonic.study.schema import Description
+
+DIAGRAM, PER_WAVEVECTOR = 2.5, 0.02  # s, of names, shapes and counts; of ten bands
+SURFACE = 6.0  # s, of the whole zone
 
 
 @dataclass(frozen=True)
@@ -42,10 +47,17 @@ def compute(study: Description, options: BandsOptions, runner: Runner) -> Bands:
     )  # fmt: skip
 
 
+def cost(study: Description, options: BandsOptions) -> Cost:
+    """Of meshes, the diagram and the zone."""
+    surface = SURFACE if options.surface else 0.0
+    return meshes(study) + Cost(DIAGRAM + PER_WAVEVECTOR * study.bands_settings.points + surface)
+
+
 ANALYSIS = Analysis(
     name="bands",
     result=Bands,
     compute=compute,
+    cost=cost,
     check=check,
     reported=lambda study: BandsOptions(surface=True),
     options=BandsOptions,

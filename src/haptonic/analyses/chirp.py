@@ -5,14 +5,16 @@ from __future__ import annotations
 import json
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
 from haptonic import plots
 from haptonic.analyses.analysis import Analysis, NoOptions
+from haptonic.later import Figure
 from haptonic.later import xarray as xr
 from haptonic.plate import Plate
+from haptonic.results.cost import Cost
 from haptonic.results.result import Result, figure, file
 from haptonic.results.runner import Runner
 from haptonic.results.table import Table
@@ -21,9 +23,6 @@ from haptonic.vibrometry.chirp import Drive, drive_notes, write_drive
 from haptonic.vibrometry.of_settings import drive_for, plan_for
 from haptonic.vibrometry.planning import ScanPlan
 from haptonic.vibrometry.settings import ScanSettings
-
-if TYPE_CHECKING:
-    from matplotlib.figure import Figure
 
 
 def _has_plan(result: Excitation) -> bool:
@@ -134,4 +133,5 @@ ANALYSIS = Analysis(
     name="chirp",
     result=Excitation,
     compute=compute,
+    cost=lambda study, options: Cost(2.0),  # of a drive's files and pictures
 )

@@ -12,6 +12,7 @@ from haptonic.analyses import tolerance
 from haptonic.analyses.analysis import Analysis, NoOptions, option
 from haptonic.cell import UnitCell
 from haptonic.later import xarray as xr
+from haptonic.results.cost import BASE, Cost
 from haptonic.results.result import Result
 from haptonic.results.runner import Runner
 from haptonic.results.tolerance import percent
@@ -20,6 +21,10 @@ from haptonic.workshop.part import Part
 from haptonic.workshop.shape import MM, dimensions_of
 
 KINDS = ("step", "dxf", "stl", "drawing")
+FILES = 3.0  # s, of outlines, solids and the drawing of a cell
+PER_FACE, BYTES_OF_FACE = 1e-3, 6e4  # s and B, of a face of a solid
+PER_PAIR = 1.5e-7  # s, of two of them
+DRAWN = 0.04  # s, of a pillar on the drawing of a plate
 
 
 @dataclass(frozen=True)
@@ -187,10 +192,23 @@ def drawn_tolerances(study: Description, runner: Runner) -> tuple[dict[str, floa
     )
 
 
+def cost(study: Description, options: ExportOptions) -> Cost:
+    """Of the files; of the tolerances in a drawing where the study gives spreads."""
+    part, total = options.part(study), Cost(FILES)
+    if "step" in options.kinds:
+        total += Cost(PER_FACE * part.faces + PER_PAIR * part.faces**2, BASE + BYTES_OF_FACE * part.faces)
+    if "drawing" in options.kinds:
+        total += Cost(DRAWN * part.pillars)
+        if study.carrier and study.tolerance_settings.of:
+            total += tolerance.cost(study, NoOptions())
+    return total
+
+
 ANALYSIS = Analysis(
     name="export",
     result=Workshop,
     compute=compute,
+    cost=cost,
     options=ExportOptions,
     check=check,
     doing="files for the workshop",

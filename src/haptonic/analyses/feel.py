@@ -6,6 +6,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from typing import Any
 
+from haptonic.analyses import plate as vibration
 from haptonic.analyses.analysis import Analysis, option
 from haptonic.analyses.needs import fineness, gap_of_plate, has_plate, need_carrier, response_settings
 from haptonic.errors import StudyError
@@ -18,6 +19,7 @@ from haptonic.plate.sampling import check_grid, drives_of, reference_of
 from haptonic.plate.sweep import check_cost
 from haptonic.progress import Progress
 from haptonic.results.common import stamped
+from haptonic.results.cost import Cost
 from haptonic.results.feel.value import Feel, check_reduction
 from haptonic.results.runner import Runner
 from haptonic.store import Store
@@ -123,10 +125,16 @@ def amplitude(plate: Plate, voltage: float | None) -> float:
     return voltage
 
 
+def cost(study: Description, options: FeelOptions) -> Cost:
+    """As that of the plate."""
+    return vibration.cost(study, vibration.PlateOptions(at=options.at))
+
+
 ANALYSIS = Analysis(
     name="feel",
     result=Feel,
     compute=compute,
+    cost=cost,
     reported=lambda study: FeelOptions() if has_plate(study) else None,
     options=FeelOptions,
     check=check,

@@ -7,8 +7,10 @@ from pathlib import Path
 from typing import Any
 
 from haptonic.analyses.analysis import Analysis, option
+from haptonic.analyses.costs import size_of
 from haptonic.paths import source
 from haptonic.plate.sampling import driven_region
+from haptonic.results.cost import Cost
 from haptonic.results.friction import FrictionResult, compute_friction
 from haptonic.results.references import References
 from haptonic.results.runner import Runner
@@ -17,6 +19,7 @@ from haptonic.study.schema import Description
 from haptonic.study.trial_tables import TrialSettings
 
 STUDY = "study.toml"  # beside the trials
+TESTED, BYTE_OF_TRIALS = 4.0, 6e-8  # s, of statistics and pictures; of a byte that is read and filtered
 
 
 @dataclass(frozen=True)
@@ -69,10 +72,16 @@ def _driven(study: Description | None) -> str | None:
     return driven_region(study.mounted_plate()) if study is not None and study.finite_plate else None
 
 
+def cost(study: None, options: FrictionOptions) -> Cost:
+    """Of what is read."""
+    return Cost(TESTED + BYTE_OF_TRIALS * size_of(options.path))
+
+
 ANALYSIS = Analysis(
     name="friction",
     result=FrictionResult,
     compute=compute,
+    cost=cost,
     options=FrictionOptions,
     check=check,
     study="none",

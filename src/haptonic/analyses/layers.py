@@ -3,10 +3,15 @@
 from __future__ import annotations
 
 from haptonic.analyses.analysis import KEPT, Analysis, NoOptions
+from haptonic.analyses.costs import gaps
 from haptonic.analyses.needs import has_mirror, need_carrier, need_rows
+from haptonic.bloch.mirrors import MOST_ROWS
+from haptonic.results.cost import BASE, Cost
 from haptonic.results.layers import Layers, compute_layers
 from haptonic.results.runner import Runner
 from haptonic.study.schema import Description
+
+MIRROR, SQUARE_FACE = 0.035, 72  # s of a row at a frequency, where so many unknowns are on a face
 
 
 def check(study: Description, options: NoOptions) -> None:
@@ -33,10 +38,19 @@ def compute(study: Description, options: NoOptions, runner: Runner) -> Layers:
     return found
 
 
+def cost(study: Description, options: NoOptions) -> Cost:
+    """Of a mirror's spectra."""
+    settings = study.layers_settings
+    on_face, memory = need_rows(study)
+    each = MIRROR * (on_face / SQUARE_FACE) ** 2.5
+    return gaps(study) + Cost(each * (settings.count * settings.points + MOST_ROWS), BASE + memory)
+
+
 ANALYSIS = Analysis(
     name="layers",
     result=Layers,
     compute=compute,
+    cost=cost,
     check=check,
     reported=lambda study: NoOptions() if has_mirror(study) else None,
     parallel=True,

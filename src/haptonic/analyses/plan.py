@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
+from haptonic.analyses import NAMES, named
 from haptonic.analyses.analysis import Analysis, NoOptions
-from haptonic.analyses.costs import FORECASTS
 from haptonic.results.plan import StudyPlan
 from haptonic.results.runner import Runner
 from haptonic.study.schema import Description
@@ -12,7 +12,8 @@ from haptonic.study.schema import Description
 def compute(study: Description, options: NoOptions, runner: Runner) -> StudyPlan:
     """Sizes, the plate if there is one, and the forecast of every command that the study can be asked for."""
     plate = study.mounted_plate() if study.finite_plate else None
-    costs = {name: one.cost(study, options) for name, one in FORECASTS.items() if one.when(study)}
+    every = ((name, named(name)) for name in NAMES)
+    costs = {name: one.cost(study, one.options()) for name, one in every if one.cost and one.foreseen(study)}
     return StudyPlan(study.title, study.carrier, study.cell, plate, costs, study.inputs())
 
 

@@ -5,10 +5,12 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 
 from haptonic.analyses.analysis import Analysis, option
+from haptonic.analyses.costs import gaps, response
 from haptonic.analyses.needs import fineness, gap_of_plate, has_plate, need_carrier, response_settings
 from haptonic.plate.sampling import check_grid
 from haptonic.plate.settings import ResponseSettings
 from haptonic.plate.sweep import check_cost
+from haptonic.results.cost import Cost
 from haptonic.results.plate.compute import compute_plate
 from haptonic.results.plate.value import PlateResult
 from haptonic.results.runner import Runner
@@ -59,10 +61,19 @@ def compute(study: Description, options: PlateOptions, runner: Runner) -> PlateR
     )
 
 
+def cost(study: Description, options: PlateOptions) -> Cost:
+    """Of a plate's response, and of its lattice's gap."""
+    plate, settings = study.mounted_plate(), response_settings(study)
+    if options.at is not None:
+        return response(plate, settings.single(options.at))
+    return gaps(study) + response(plate, settings)
+
+
 ANALYSIS = Analysis(
     name="plate",
     result=PlateResult,
     compute=compute,
+    cost=cost,
     reported=lambda study: PlateOptions() if has_plate(study) else None,
     options=PlateOptions,
     check=check,

@@ -10,6 +10,7 @@ from haptonic.friction.statistics import Population, participants_needed, power,
 from haptonic.gate import declared
 from haptonic.later import xarray as xr
 from haptonic.results.common import stamped
+from haptonic.results.cost import Cost
 from haptonic.results.protocol import TrialPlan
 from haptonic.results.runner import Runner
 from haptonic.study.schema import Description
@@ -61,5 +62,6 @@ ANALYSIS = Analysis(
     name="protocol",
     result=TrialPlan,
     compute=compute,
+    cost=lambda study, options: Cost(3.0),  # of simulated experiments
     doing="simulated experiments",
 )

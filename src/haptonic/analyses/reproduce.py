@@ -14,10 +14,11 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import Any, TypeVar
 
-from haptonic import analyses, report
-from haptonic.analyses import named
+from haptonic import report
+from haptonic.analyses import NAMES, named
 from haptonic.analyses.analysis import KEPT, Analysis, option
 from haptonic.analyses.experiments import protocol_of, truth_of
+from haptonic.analyses.needs import has_plate
 from haptonic.analyses.scanning import rescanned
 from haptonic.errors import FrictionError, HaptonicError, HaptonicWarning, ScanError, StudyError
 from haptonic.fields import read, remade
@@ -26,6 +27,7 @@ from haptonic.friction.statistics import Alarms, Population, false_alarms
 from haptonic.later import xarray as xr
 from haptonic.report import Results
 from haptonic.results.bands import Bands
+from haptonic.results.cost import Cost
 from haptonic.results.feel.value import Feel
 from haptonic.results.friction import FrictionResult, compute_friction
 from haptonic.results.plate.value import PlateResult
@@ -41,6 +43,7 @@ ALARMS = 400  # simulated experiments without an effect
 WRITTEN = ("bands", "sweep", "layers", "plate", "feel")  # whose files come to lie beside the report
 
 T = TypeVar("T")
+PICTURES = 30.0  # s, of a report with a plate, and of the simulated scan and trials
 
 
 @dataclass(frozen=True)
@@ -108,13 +111,11 @@ def compute(study: Description, options: ReproduceOptions, runner: Runner) -> Re
     references = options.references or References.beside(runner.about)
     started, timings = datetime.now(UTC), dict[str, float]()
     parts: dict[str, Result] = {}
-    for name in analyses.NAMES:
-        one = named(name)
-        if one.reported is not None and (chosen := one.reported(study)) is not None:
-            with _timed(timings, name):
-                found = _tried(name, partial(one.compute, study, chosen, _of(runner, one)))
-            if found is not None:
-                parts[name] = found
+    for one, chosen in _reported(study):
+        with _timed(timings, one.name):
+            found = _tried(one.name, partial(one.compute, study, chosen, _of(runner, one)))
+        if found is not None:
+            parts[one.name] = found
     plate, feel, alarms = parts.get("plate"), parts.get("feel"), dict[str, Alarms]()
     if isinstance(plate, PlateResult):
         with _timed(timings, "simulated scan"):
@@ -141,6 +142,13 @@ def compute(study: Description, options: ReproduceOptions, runner: Runner) -> Re
         started=started,
     )
     return Reproduction(parts, results)
+
+
+def _reported(study: Description) -> Iterator[tuple[Analysis, Any]]:
+    """The analyses that the report of a study has, with their options."""
+    for one in map(named, NAMES):
+        if one.reported is not None and (chosen := one.reported(study)) is not None:
+            yield one, chosen
 
 
 def _of(runner: Runner, one: Analysis) -> Runner:
@@ -219,10 +227,21 @@ def _varied(study: Description, variant: Variant, runner: Runner) -> float | Non
     return float(value) if isinstance(value, int | float) else None
 
 
+def cost(study: Description, options: ReproduceOptions) -> Cost:
+    """Of every analysis in the report."""
+    total = Cost(PICTURES if has_plate(study) else 0.0)
+    for one, chosen in _reported(study):
+        if one.cost and one.name != "feel":  # the plate is not computed twice
+            total += one.cost(study, chosen)
+    return total
+
+
 ANALYSIS = Analysis(
     name="reproduce",
     result=Reproduction,
     compute=compute,
+    cost=cost,
+    planned=lambda study: True,
     options=ReproduceOptions,
     parallel=True,
     doing="report",

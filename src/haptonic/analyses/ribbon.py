@@ -3,11 +3,15 @@
 from __future__ import annotations
 
 from haptonic.analyses.analysis import Analysis, NoOptions
+from haptonic.analyses.costs import meshes
 from haptonic.errors import StudyError
+from haptonic.results.cost import Cost
 from haptonic.results.ribbon import RibbonWaves, compute_ribbon
 from haptonic.results.runner import Runner
 from haptonic.study.ribbon_tables import RibbonSettings
 from haptonic.study.schema import Description
+
+COLUMN, BULK = 0.17, 0.2  # s of a column of a ribbon at a wavevector, where it has one tile; of a crystal
 
 
 def _needed(study: Description) -> RibbonSettings:
@@ -49,10 +53,20 @@ def compute(study: Description, options: NoOptions, runner: Runner) -> RibbonWav
     return found
 
 
+def cost(study: Description, options: NoOptions) -> Cost:
+    """Of the modes of a ribbon at each wavevector, and of the bulk bands of its crystals."""
+    section = _needed(study)
+    made = section.ribbon(study.cell)
+    tiles = max(len(cell.tiles) for cell in made.cells) * len(made.lines)
+    each = Cost(COLUMN * tiles**2 * len(made.first) + BULK * len(made.crystals) * len(made.lines))
+    return meshes(study).times(max(1, len(made.cells))) + each.times(section.rows or section.wavevectors)
+
+
 ANALYSIS = Analysis(
     name="ribbon",
     result=RibbonWaves,
     compute=compute,
+    cost=cost,
     check=check,
     reported=lambda study: NoOptions() if study.ribbon_settings else None,
 )

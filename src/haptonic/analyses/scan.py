@@ -11,12 +11,14 @@ from typing import Any, Literal
 import numpy as np
 
 from haptonic.analyses.analysis import Analysis, option
+from haptonic.analyses.costs import size_of
 from haptonic.analyses.scanning import on_plate
-from haptonic.analyses.verdict import compared
+from haptonic.analyses.verdict import compared, cost_of
 from haptonic.arrays import Array
 from haptonic.errors import ScanError, StudyError, shown
 from haptonic.paths import source
 from haptonic.response import read
+from haptonic.results.cost import BASE, Cost
 from haptonic.results.runner import Runner
 from haptonic.results.scan.analysis import Estimation, OnPlate, compute_scan
 from haptonic.results.scan.value import ScanResult
@@ -27,6 +29,8 @@ from haptonic.vibrometry import read_scan
 from haptonic.vibrometry.estimation.quality import check_flags
 
 PROGRESS = "estimating"  # folder in which an estimation that was stopped goes on
+ANALYSED, BYTE_OF_SCAN = 4.0, 5e-8  # s, of maps and pictures; of a byte that is read and estimated
+HELD = 4.0  # of a file in memory at once, times its size
 
 
 def names_of(variables: str) -> Mapping[str, str]:
@@ -194,10 +198,21 @@ def _on(study: Description, options: ScanOptions, runner: Runner) -> OnPlate:
     return on_plate(study, options.corners, mirrored=options.mirrored, store=runner.store)
 
 
+def cost(study: Description | None, options: ScanOptions) -> Cost:
+    """Of what is read, and of the verdict on a model."""
+    size = size_of(options.path)
+    read = Cost(ANALYSED + BYTE_OF_SCAN * size, BASE + HELD * size)
+    if options.model_is_a_study:
+        assert options.against is not None
+        return read + cost_of(load_as(options.against, Description), computed=False)
+    return read + cost_of(study, computed=False) if study is not None and options.against else read
+
+
 ANALYSIS = Analysis(
     name="scan",
     result=ScanResult,
     compute=compute,
+    cost=cost,
     options=ScanOptions,
     check=check,
     study="optional",

@@ -11,9 +11,12 @@ from haptonic.analyses.analysis import Analysis, option
 from haptonic.analyses.experiments import protocol_of, truth_of
 from haptonic.errors import FrictionError, ResourceError, shown
 from haptonic.paths import source
+from haptonic.results.cost import Cost
 from haptonic.results.runner import Runner
 from haptonic.results.simulated_trials import SimulatedFriction, simulated_friction
 from haptonic.study.schema import Description
+
+FILM, STROKE = 3.0, 0.006  # s, of load sharing; of a stroke that is made up and written
 
 
 def read_amplitudes(given: str | Path) -> dict[str, float]:
@@ -86,10 +89,18 @@ def compute(study: Description, options: SimulateFrictionOptions, runner: Runner
     )  # fmt: skip
 
 
+def cost(study: Description, options: SimulateFrictionOptions) -> Cost:
+    """Of every stroke."""
+    asked = study.protocol_settings
+    people = options.participants or asked.participants
+    return Cost(FILM + STROKE * people * asked.blocks * asked.trials)
+
+
 ANALYSIS = Analysis(
     name="simulate friction",
     result=SimulatedFriction,
     compute=compute,
+    cost=cost,
     options=SimulateFrictionOptions,
     doing="strokes",
     writes=True,

@@ -7,13 +7,18 @@ from typing import Any, Literal
 
 from haptonic.analyses import plate
 from haptonic.analyses.analysis import Analysis, option
+from haptonic.analyses.costs import gaps, response
 from haptonic.analyses.needs import response_settings
 from haptonic.analyses.scanning import on_plate
 from haptonic.analyses.verdict import response_in
+from haptonic.plate.settings import ResponseSettings
+from haptonic.results.cost import Cost
 from haptonic.results.runner import Runner
 from haptonic.results.scan.simulated import Kind, SimulatedScan, kind_of
 from haptonic.study.schema import Description
-from haptonic.vibrometry.of_settings import drive_for, response_for
+from haptonic.vibrometry.of_settings import drive_for, plan_for, response_for
+
+RECORDED = 0.008  # s, of a point that is made up and written
 
 
 @dataclass(frozen=True)
@@ -61,10 +66,23 @@ def compute(study: Description, options: SimulateScanOptions, runner: Runner) ->
     return replace(made, form=options.form, kind=options.kind)
 
 
+def cost(study: Description, options: SimulateScanOptions) -> Cost:
+    """Of the plate's response in the band of the drive, if it is not given, and of every point."""
+    mounted, asked = study.mounted_plate(), study.scan_settings
+    made = Cost(RECORDED * len(plan_for(asked, mounted).points))
+    if options.response is not None:
+        return made
+    lines = ResponseSettings(
+        lowest=asked.lowest, highest=asked.highest, points=round(asked.lines), grid=asked.grid
+    )
+    return response(mounted, lines) + gaps(study) + made
+
+
 ANALYSIS = Analysis(
     name="simulate scan",
     result=SimulatedScan,
     compute=compute,
+    cost=cost,
     options=SimulateScanOptions,
     check=check,
     doing="shifts",

@@ -7,6 +7,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from haptonic.analyses.analysis import KEPT, Analysis, NoOptions
+from haptonic.analyses.costs import gaps
 from haptonic.cell import UnitCell
 from haptonic.cell.cantilever import euler_bernoulli, timoshenko
 from haptonic.errors import StudyError
@@ -15,6 +16,7 @@ from haptonic.jobs import Outcome, Task
 from haptonic.later import xarray as xr
 from haptonic.materials import IsotropicMaterial
 from haptonic.results.common import stamped
+from haptonic.results.cost import Cost
 from haptonic.results.runner import Runner, design_gaps
 from haptonic.results.sweeps import Sweep, Sweeps
 from haptonic.study.schema import Description
@@ -95,10 +97,16 @@ def _cantilever(cell: UnitCell) -> tuple[np.ndarray, np.ndarray]:
     return slender, timoshenko(cell.pillar, cell.material, RESONANCES)
 
 
+def cost(study: Description, options: NoOptions) -> Cost:
+    """Of all designs of all rows."""
+    return gaps(study).times(sum(one.steps for one in study.sweep_settings))
+
+
 ANALYSIS = Analysis(
     name="sweep",
     result=Sweeps,
     compute=compute,
+    cost=cost,
     reported=lambda study: NoOptions() if study.sweep_settings else None,
     check=check,
     parallel=True,

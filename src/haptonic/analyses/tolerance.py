@@ -9,6 +9,7 @@ from dataclasses import asdict
 import numpy as np
 
 from haptonic.analyses.analysis import KEPT, Analysis, NoOptions
+from haptonic.analyses.costs import gaps
 from haptonic.analyses.needs import need_carrier
 from haptonic.bloch import Gap
 from haptonic.bloch.gaps import need_gap_at
@@ -29,12 +30,14 @@ from haptonic.errors import HaptonicError, StudyError
 from haptonic.jobs import Task
 from haptonic.later import xarray as xr
 from haptonic.results.common import stamped
+from haptonic.results.cost import Cost
 from haptonic.results.runner import Runner
 from haptonic.results.tolerance import Tolerance
 from haptonic.study.schema import Description
 
 BATCH = 8  # designs of one task
 DRAWN = 2000  # plates in the result's dataset
+SAMPLE = 0.6  # s, of a design beside the study's own
 
 
 def check(study: Description, options: NoOptions) -> None:
@@ -138,10 +141,17 @@ def _beside_task(cells: Sequence[UnitCell], gap: Gap) -> Task:
     return Task({"kind": "beside", "cells": cells, "gap": gap}, (cells, gap))
 
 
+def cost(study: Description, options: NoOptions) -> Cost:
+    """Of the designs that spreads lead to."""
+    return gaps(study) + Cost(SAMPLE * study.tolerance_settings.samples)
+
+
 ANALYSIS = Analysis(
     name="tolerance",
     result=Tolerance,
     compute=compute,
+    cost=cost,
+    planned=lambda study: study.carrier is not None and bool(study.tolerance_settings.of),
     check=check,
     parallel=True,
     kept=KEPT,

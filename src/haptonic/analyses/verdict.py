@@ -8,6 +8,7 @@ from typing import Any
 
 import numpy as np
 
+from haptonic.analyses import plate as vibration
 from haptonic.analyses.analysis import Analysis, option
 from haptonic.analyses.needs import fineness, response_settings
 from haptonic.arrays import Ints
@@ -16,6 +17,7 @@ from haptonic.plate import Plate
 from haptonic.plate.answer import responded
 from haptonic.plate.sampling import reference_of, tile_names, unit_drives
 from haptonic.response import FrequencyResponse, read
+from haptonic.results.cost import Cost
 from haptonic.results.runner import Runner
 from haptonic.results.verdict import AFTER, BEFORE, MEASURED, Verdict
 from haptonic.study.schema import Description
@@ -28,6 +30,7 @@ from haptonic.vibrometry.maps.gap import MeasuredGap
 from haptonic.vibrometry.on_plate import contrast_range
 
 MOST_BESIDE = 0.5  # share of the points that may lie beside the plate
+FITTED = 0.2  # of the time for the plate's response, for every number that is fitted
 
 
 def response_in(given: str) -> FrequencyResponse:
@@ -209,10 +212,23 @@ def _range(plate: Plate, response: FrequencyResponse) -> MeasuredGap | None:
         return None
 
 
+def cost(study: Description, options: VerdictOptions) -> Cost:
+    """See `cost_of`."""
+    return cost_of(study, computed=options.computed is not None)
+
+
+def cost_of(study: Description, *, computed: bool) -> Cost:
+    """Of the response that is compared, unless it is there already, and of the fits."""
+    numbers = len(study.fit_settings.vary)
+    times = (0.0 if computed else 1.0) + (1.0 + FITTED * numbers if numbers else 0.0)
+    return vibration.cost(study, vibration.PlateOptions()).times(times)
+
+
 ANALYSIS = Analysis(
     name="verdict",
     result=Verdict,
     compute=compute,
+    cost=cost,
     options=VerdictOptions,
     doing="model",
 )

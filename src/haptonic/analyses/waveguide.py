@@ -5,14 +5,19 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from haptonic.analyses.analysis import Analysis, option
+from haptonic.analyses.costs import gaps
+from haptonic.analyses.layers import SQUARE_FACE
 from haptonic.analyses.needs import has_mirror, need_carrier, need_rows
 from haptonic.bloch.settings import WaveguideSettings
 from haptonic.cell import Rows
 from haptonic.errors import StudyError, shown
 from haptonic.fields import remade
+from haptonic.results.cost import BASE, Cost
 from haptonic.results.guides import Guides, closing, compute_guides
 from haptonic.results.runner import Runner
 from haptonic.study.schema import Description
+
+GUIDES = 2.0  # s, of the guides that are compared
 
 
 @dataclass(frozen=True)
@@ -67,10 +72,17 @@ def compute(study: Description, options: WaveguideOptions, runner: Runner) -> Gu
     return found
 
 
+def cost(study: Description, options: WaveguideOptions) -> Cost:
+    """Of the guides that are compared."""
+    on_face, memory = need_rows(study, "waveguide")
+    return gaps(study) + Cost(GUIDES * max(1.0, on_face / SQUARE_FACE) ** 2.5, BASE + memory)
+
+
 ANALYSIS = Analysis(
     name="waveguide",
     result=Guides,
     compute=compute,
+    cost=cost,
     reported=lambda study: WaveguideOptions() if has_mirror(study) else None,
     options=WaveguideOptions,
     check=chosen_settings,

@@ -11,7 +11,6 @@ from typing import Annotated, Any, get_type_hints
 import typer
 
 from haptonic.analyses.analysis import Analysis, option_of, path_of
-from haptonic.analyses.costs import COSTS
 from haptonic.cli.console import Voice, speaking
 from haptonic.cli.watching import watched
 from haptonic.errors import HaptonicError
@@ -65,7 +64,7 @@ def command(analysis: Analysis) -> Callable[..., None]:
     own, last = parameters(analysis), inspect.Parameter.KEYWORD_ONLY
     shared = [inspect.Parameter(n, last, default=None if n in TEXTS else False, annotation=kind)
               for n, kind in SHARED.items()]  # fmt: skip
-    if analysis.name in COSTS:
+    if analysis.cost is not None:
         shared.append(inspect.Parameter("dry_run", last, default=False, annotation=DRY_RUN))
     if analysis.watches:
         shared.append(inspect.Parameter("watch", last, default=False, annotation=WATCH))
@@ -147,7 +146,7 @@ def once(analysis: Analysis, given: dict[str, Any], voice: Voice) -> None:
     options = analysis.chosen({name: value for name, value in rest.items() if value is not None})
     study = None if file is None else load(file)
     analysis.check(study, options)
-    cost = COSTS[analysis.name](study, options) if analysis.name in COSTS else None
+    cost = analysis.cost(study, options) if analysis.cost else None
     if cost and dry:
         voice.tell(cost.sentence)
         voice.answer({"processor_s": cost.seconds, "memory_b": cost.memory})

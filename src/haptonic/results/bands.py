@@ -6,7 +6,7 @@ import json
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
@@ -16,6 +16,7 @@ from haptonic.bloch.bands import mode_names
 from haptonic.bloch.resolution import rounded_up
 from haptonic.bloch.settings import BandSettings
 from haptonic.cell import UnitCell
+from haptonic.later import Axes, Figure
 from haptonic.later import pandas as pd
 from haptonic.later import xarray as xr
 from haptonic.plots.text import khz
@@ -25,11 +26,6 @@ from haptonic.results.result import Result, figure, file
 from haptonic.results.table import Column, Table, Uncertain
 from haptonic.store import Store
 from haptonic.units import format_quantity
-
-if TYPE_CHECKING:
-    from matplotlib.axes import Axes
-    from matplotlib.figure import Figure
-
 
 WRITTEN = [
     "band_below", "band_above", "lower_hz", "upper_hz", "lower_error_hz", "upper_error_hz", "complete",

@@ -6,13 +6,14 @@ from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from haptonic import plots
 from haptonic.friction.phrases import AVERAGES
 from haptonic.friction.recordings import Exclusion, Sensor, analysed, traces
 from haptonic.friction.signals import Rules, exclusions, write_trials
 from haptonic.friction.statistics.summary import Summary, summary
+from haptonic.later import Axes, Figure
 from haptonic.later import pandas as pd
 from haptonic.later import xarray as xr
 from haptonic.names import cell
@@ -23,10 +24,6 @@ from haptonic.results.plain import determined, plain, split
 from haptonic.results.quality import quality
 from haptonic.results.result import Result, figure, file
 from haptonic.results.table import Table
-
-if TYPE_CHECKING:
-    from matplotlib.axes import Axes
-    from matplotlib.figure import Figure
 
 PARTS = ("mean", "sd")
 MOST_SHEETS = 60  # blocks that are drawn trial by trial

@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 from collections.abc import Mapping, Sequence
 from dataclasses import asdict, dataclass
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
@@ -21,6 +21,7 @@ from haptonic.bloch.rows import CondensedRows
 from haptonic.bloch.settings import BandSettings, WaveguideSettings
 from haptonic.cell import Rows, UnitCell
 from haptonic.errors import StudyError
+from haptonic.later import Axes, Figure
 from haptonic.later import xarray as xr
 from haptonic.parallel import one_thread
 from haptonic.results.common import stamped
@@ -28,10 +29,6 @@ from haptonic.results.plain import split
 from haptonic.results.result import Result, figure
 from haptonic.results.runner import Runner
 from haptonic.results.table import Column, Table
-
-if TYPE_CHECKING:
-    from matplotlib.axes import Axes
-    from matplotlib.figure import Figure
 
 INSET = 1e-3  # of the gap's width, kept away from its edges
 COLUMNS = (

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from haptonic import plots
 from haptonic.cell import UnitCell
 from haptonic.design.parameters import values_of
-from haptonic.later import psutil
+from haptonic.later import Axes, Figure, psutil
 from haptonic.later import xarray as xr
 from haptonic.plate import Layout, Plate
 from haptonic.results.common import stamped
@@ -17,10 +17,6 @@ from haptonic.results.cost import Cost
 from haptonic.results.result import Result, figure
 from haptonic.results.table import Cell, Column, Table
 from haptonic.units import format_quantity
-
-if TYPE_CHECKING:
-    from matplotlib.axes import Axes
-    from matplotlib.figure import Figure
 
 
 def _has_plate(plan: StudyPlan) -> bool:

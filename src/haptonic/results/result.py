@@ -19,6 +19,7 @@ from typing import TYPE_CHECKING, Any, ClassVar, overload
 
 from haptonic import plots
 from haptonic.errors import HaptonicError
+from haptonic.later import Axes, Figure
 from haptonic.pages import embedded
 from haptonic.paths import target
 from haptonic.progress import Progress, silent
@@ -30,8 +31,6 @@ from haptonic.store import whole_set
 if TYPE_CHECKING:
     import pandas as pd
     import xarray as xr
-    from matplotlib.axes import Axes
-    from matplotlib.figure import Figure
 
 KINDS = ("svg", "png")  # of files of a picture
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
@@ -19,6 +19,7 @@ from haptonic.bloch.settings import HIGHEST, LOWEST, BandSettings
 from haptonic.cell import Ribbon, UnitCell
 from haptonic.errors import StudyError
 from haptonic.gate import declared
+from haptonic.later import Axes, Figure
 from haptonic.later import xarray as xr
 from haptonic.parallel import one_thread
 from haptonic.plots.text import khz
@@ -27,10 +28,6 @@ from haptonic.results.result import Result, figure
 from haptonic.results.runner import Runner
 from haptonic.results.table import Column, Table
 from haptonic.units import format_quantity
-
-if TYPE_CHECKING:
-    from matplotlib.axes import Axes
-    from matplotlib.figure import Figure
 
 Range = tuple[float, float]
 

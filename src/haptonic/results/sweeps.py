@@ -5,21 +5,18 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass
 from functools import partial
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
 from haptonic import plots
 from haptonic.gate import declared
+from haptonic.later import Axes, Figure
 from haptonic.later import xarray as xr
 from haptonic.results.common import Writer, write_netcdf
 from haptonic.results.result import Result, figure, file
 from haptonic.results.table import Cell, Column, Table
 from haptonic.units import format_quantity
-
-if TYPE_CHECKING:
-    from matplotlib.axes import Axes
-    from matplotlib.figure import Figure
 
 
 @dataclass(frozen=True)

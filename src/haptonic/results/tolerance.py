@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from haptonic import plots
 from haptonic.bloch import Gap
@@ -11,13 +11,11 @@ from haptonic.design.parameters import UNITS
 from haptonic.design.tolerance import (
     REACH,
 )
+from haptonic.later import Figure
 from haptonic.later import xarray as xr
 from haptonic.results.plain import split
 from haptonic.results.result import Result, figure
 from haptonic.results.table import Cell, Column, Table
-
-if TYPE_CHECKING:
-    from matplotlib.figure import Figure
 
 
 @dataclass(frozen=True, eq=False, repr=False)

@@ -6,13 +6,14 @@ import json
 from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
 from haptonic import plots
 from haptonic.arrays import Array
 from haptonic.gate import declared
+from haptonic.later import Axes, Figure
 from haptonic.later import xarray as xr
 from haptonic.plate import Plate
 from haptonic.plate.sampling import driven_region
@@ -25,10 +26,6 @@ from haptonic.units import format_quantity
 from haptonic.updating.agreement import Agreement
 from haptonic.updating.fit import Fit
 from haptonic.vibrometry.maps.gap import MeasuredGap
-
-if TYPE_CHECKING:
-    from matplotlib.axes import Axes
-    from matplotlib.figure import Figure
 
 MOST_ROWS = 40  # pairs that a table shows
 PAIR_COLUMNS = (

@@ -4,23 +4,19 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
 from haptonic import plots
 from haptonic.arrays import Array
+from haptonic.later import Axes, Figure
 from haptonic.later import xarray as xr
 from haptonic.results.common import stamped
 from haptonic.results.compare.sides import BandSet
 from haptonic.results.result import Result, figure
 from haptonic.results.table import Cell, Column, Table
 from haptonic.units import format_quantity
-
-if TYPE_CHECKING:
-    from matplotlib.axes import Axes
-    from matplotlib.figure import Figure
-
 
 LOW = 0.05  # of the highest frequency, below which a share of the frequency tells nothing
 FEW = 3  # differences that are told in a sentence

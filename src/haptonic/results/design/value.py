@@ -6,7 +6,7 @@ import json
 from collections.abc import Sequence
 from dataclasses import asdict, dataclass, field
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
@@ -16,6 +16,7 @@ from haptonic.design.brief import Brief
 from haptonic.design.parameters import UNITS
 from haptonic.design.quick import QUICK
 from haptonic.design.search import Visited
+from haptonic.later import Axes, Figure
 from haptonic.later import xarray as xr
 from haptonic.plots.text import khz
 from haptonic.results.common import write_netcdf
@@ -24,10 +25,6 @@ from haptonic.results.plain import split
 from haptonic.results.result import Result, figure, file
 from haptonic.results.table import Column, Table
 from haptonic.units import format_quantity
-
-if TYPE_CHECKING:
-    from matplotlib.axes import Axes
-    from matplotlib.figure import Figure
 
 TITLES = {
     "value": ("SI", "numbers of the cell that were varied"),

@@ -6,7 +6,7 @@ import json
 import math
 from dataclasses import dataclass
 from functools import cached_property
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 import scipy
@@ -27,6 +27,7 @@ from haptonic.friction.lubrication import (
 )
 from haptonic.friction.phrases import change
 from haptonic.gate import declared
+from haptonic.later import Axes, Figure
 from haptonic.later import xarray as xr
 from haptonic.plate import Plate
 from haptonic.plate.sampling import driven_regions
@@ -37,11 +38,6 @@ from haptonic.results.plain import determined, split
 from haptonic.results.result import Result, figure
 from haptonic.results.table import Column, Table
 from haptonic.units import format_quantity
-
-if TYPE_CHECKING:
-    from matplotlib.axes import Axes
-    from matplotlib.figure import Figure
-
 
 STRONGEST = 1e4  # V or N: no drive is looked for beyond
 SMALLEST, LARGEST = 1e-9, 5e-5  # m, amplitudes between which the law of friction is tabulated

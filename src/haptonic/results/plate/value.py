@@ -6,13 +6,14 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cached_property, partial
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
 from haptonic import plots
 from haptonic.arrays import Complex
 from haptonic.bloch import Gap
+from haptonic.later import Axes, Figure
 from haptonic.later import xarray as xr
 from haptonic.names import file_parts
 from haptonic.plate import Plate
@@ -26,11 +27,6 @@ from haptonic.results.plate.tables import lines_table, modes_table, power_table
 from haptonic.results.result import Result, figure, file
 from haptonic.results.table import Table
 from haptonic.vtu import write_body
-
-if TYPE_CHECKING:
-    from matplotlib.axes import Axes
-    from matplotlib.figure import Figure
-
 
 # Measured in tests/plate/test_full_plate.py; no cheap estimate for the plate at hand is known.
 ERRORS = (

@@ -9,13 +9,14 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cached_property, partial
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
 from haptonic import plots
 from haptonic.bloch import Gap
 from haptonic.gate import WORD
+from haptonic.later import Axes, Figure
 from haptonic.later import xarray as xr
 from haptonic.names import cell, file_parts
 from haptonic.plate import Plate
@@ -31,10 +32,6 @@ from haptonic.vibrometry import LatticeGap, MeasuredGap, Quality, ReadReport, Re
 from haptonic.vibrometry.estimation.quality import FLAGS
 from haptonic.vibrometry.guides import Guiding, Mirror, guides_of
 from haptonic.vibrometry.theory import guided
-
-if TYPE_CHECKING:
-    from matplotlib.axes import Axes
-    from matplotlib.figure import Figure
 
 SHOWN = ("average", "rms", "contrast", "decay", "low", "high")  # of the data, at the operating shapes
 DECAY = ("decay", "error_of_decay", "low", "high")  # variables of the decay through a mirror
