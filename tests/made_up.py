@@ -11,14 +11,14 @@ import numpy as np
 import xarray as xr
 
 import haptonic
-from haptonic.analyses.needs import need_carrier
 from haptonic.bloch import bands_dataset
 from haptonic.bloch.layers import OUTGOING
 from haptonic.bloch.mirrors import PHASES
 from haptonic.bloch.plate_waves import FAMILIES
 from haptonic.bloch.settings import BandSettings, LayersSettings, MeshSettings, WaveguideSettings
+from haptonic.fields import remade
 from haptonic.report import Results
-from haptonic.results import Guides, Layers, Runner, compute_guides, compute_layers
+from haptonic.results import Guides, Layers
 from haptonic.results.bands import Bands
 from haptonic.results.common import stamped
 from haptonic.results.references import References
@@ -129,18 +129,14 @@ def made_up_tolerance(paths: tuple[str, ...], margin: float = 500.0) -> xr.Datas
 
 @cache
 def _reference_mirror() -> tuple[Layers, Guides]:
-    study = reference_study()
-    cell, carrier, asked = study.cell, need_carrier(study), BandSettings(8, 13, 2e-2, MeshSettings(4, 1))
+    study = remade(
+        reference_study(), bands_settings=BandSettings(8, 13, 2e-2, MeshSettings(4, 1)),
+        layers_settings=LayersSettings(lowest=50e3, highest=62e3, points=4, count=4),
+        waveguide_settings=WaveguideSettings(mode="0x17", width=32e-3, rows=20),
+    )  # fmt: skip
+    lossy = remade(study, cell=study.cell.with_numbers({"material.loss_factor": 1e-3}))
     with tempfile.TemporaryDirectory() as folder:
-        runner, lossy = Runner(Store(Path(folder))), cell.with_numbers({"material.loss_factor": 1e-3})
-        layers = compute_layers(
-            lossy, asked, LayersSettings(lowest=50e3, highest=62e3, points=4, count=4),
-            carrier=carrier, inputs=study.inputs(), runner=runner,
-        )  # fmt: skip
-        guides = compute_guides(
-            cell, asked, WaveguideSettings(mode="0x17", width=32e-3, rows=20), carrier=carrier,
-            inputs=study.inputs(), runner=runner,
-        )  # fmt: skip
+        layers, guides = (one(store=Store(Path(folder))) for one in (lossy.layers, study.waveguide))
     return layers, guides
 
 

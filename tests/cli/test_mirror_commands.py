@@ -100,7 +100,7 @@ def tiny(study):
 def test_a_second_run_takes_what_is_in_the_store_and_an_interrupted_one_goes_on(
     inside, tiny, tmp_path, monkeypatch
 ):
-    monkeypatch.setattr("haptonic.results.layers.CHUNK", 1)
+    monkeypatch.setattr("haptonic.analyses.layers.CHUNK", 1)
     store = tmp_path / "store"
     first = inside("layers", tiny, "--json", store=store)
     assert first.code == 0, first.err
@@ -236,9 +236,7 @@ def test_a_strip_too_narrow_for_its_mode_is_refused(inside, fine):
 
 def test_ends_that_no_rows_close_are_refused_before_anything_is_computed(inside, study, monkeypatch):
     """An oblique lattice has no rows at a right angle to the strip; a square one has them."""
-    monkeypatch.setattr(
-        "haptonic.analyses.waveguide.compute_guides", lambda *_, **__: pytest.fail("computed")
-    )
+    monkeypatch.setattr("haptonic.results.runner.Runner.gaps", lambda *_: pytest.fail("computed"))
     ends = ("[[sweep]]", '[waveguide]\nends = "mirror"\n\n[[sweep]]')
     oblique = ('pitch = "7 mm"', 'lattice = "oblique"\npitch = "7 mm"\npitch_2 = "8 mm"\nangle = "77 deg"')
     vary = (

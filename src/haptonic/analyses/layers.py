@@ -2,15 +2,39 @@
 
 from __future__ import annotations
 
+import json
+from dataclasses import asdict, replace
+
+import numpy as np
+
 from haptonic.analyses.analysis import KEPT, Analysis, NoOptions
 from haptonic.analyses.costs import gaps
 from haptonic.analyses.needs import has_mirror, need_carrier, need_rows
-from haptonic.bloch.mirrors import MOST_ROWS
+from haptonic.arrays import Array
+from haptonic.bloch import Resolution
+from haptonic.bloch.evanescent import bloch_waves
+from haptonic.bloch.gaps import gap_at, widest_gap
+from haptonic.bloch.mirrors import (
+    MOST_ROWS,
+    Incidence,
+    at_carrier,
+    carrier_dataset,
+    condensed_rows,
+    mirror_dataset,
+)
+from haptonic.bloch.model import bloch_model
+from haptonic.cell import UnitCell
+from haptonic.errors import StudyError
+from haptonic.jobs import Task
+from haptonic.later import xarray as xr
+from haptonic.parallel import one_thread
+from haptonic.results.common import stamped
 from haptonic.results.cost import BASE, Cost
-from haptonic.results.layers import Layers, compute_layers
+from haptonic.results.layers import Layers
 from haptonic.results.runner import Runner
 from haptonic.study.schema import Description
 
+CHUNK = 12  # frequencies of one task
 MIRROR, SQUARE_FACE = 0.035, 72  # s of a row at a frequency, where so many unknowns are on a face
 
 
@@ -20,22 +44,63 @@ def check(study: Description, options: NoOptions) -> None:
     need_rows(study)
 
 
+@one_thread()
 def compute(study: Description, options: NoOptions, runner: Runner) -> Layers:
-    """Spectra of a mirror, and how many rows it needs at the carrier.
+    """Spectra of a mirror, a few frequencies at a time, and how many rows it needs at the carrier.
 
     Raises
     ------
-    StudyError : no carrier, or no wave that propagates towards the rows
+    StudyError : no carrier, ends of the spectrum in the wrong order, a cell without a pillar, or no wave that
+        propagates towards the rows at the carrier
     """
-    found: Layers = compute_layers(
-        study.cell,
-        study.bands_settings,
-        study.layers_settings,
-        carrier=need_carrier(study),
-        inputs=study.inputs(),
-        runner=runner,
-    )
-    return found
+    cell, settings, layers = study.cell, study.bands_settings, study.layers_settings
+    carrier = need_carrier(study)
+    if not cell.has_pillars:
+        raise StudyError.missing(
+            argument="cell.pillar",
+            allowed="a cell with a pillar",
+            cause="rows of plain plate between two plain plates reflect nothing",
+            next_step="add a [cell.pillar] table",
+        )
+    frequencies = layers.frequencies(carrier)
+    incidence = Incidence(layers.angle, layers.count, cell.material.loss_factor)
+    gaps = runner.gaps(cell, settings)
+    gap = gap_at(gaps, carrier) or widest_gap(gaps)
+    resolution = bloch_model(cell, settings).resolution
+    chunks = np.array_split(frequencies, -(-len(frequencies) // CHUNK))
+    along = layers.direction
+    fixed = {"incidence": incidence, "cell": cell, "resolution": resolution, "along": along}
+    tasks = [
+        Task({"kind": "mirror", "frequency": chunk, **fixed}, (cell, resolution, along, chunk, incidence))
+        for chunk in chunks
+    ]
+    pieces = runner.run(spectra, tasks, 1)
+    spectrum = xr.concat(pieces, "frequency", data_vars="minimal", coords="minimal")
+    rows = condensed_rows(cell, resolution, along)
+    found = at_carrier(rows, carrier, incidence)
+    lossless = at_carrier(rows, carrier, replace(incidence, loss_factor=0.0))
+    dataset = spectrum.merge(carrier_dataset(found))
+    omega = 2 * np.pi * carrier
+    waves, _ = bloch_waves(rows.slab(0.0).at(omega), omega)
+    dataset.attrs = {
+        "carrier_hz": carrier,
+        "carrier_attenuation_db": rows.decay(waves),
+        "energy_balance": max(float(np.abs(one.dissipated).max()) for one in lossless.values()),
+        "angle": incidence.angle,
+        "along": list(along),
+        "loss_factor": incidence.loss_factor,
+        "gap": [gap.lower, gap.upper] if gap else [],
+        "mesh": json.dumps(asdict(rows.plan)),
+    }
+    return Layers(gap, stamped(dataset, study.inputs()))
+
+
+def spectra(
+    argument: tuple[UnitCell, Resolution, tuple[int, int], Array, Incidence],
+) -> xr.Dataset:
+    """Spectra at a few frequencies; what a worker is given to do."""
+    cell, resolution, along, frequency, incidence = argument
+    return mirror_dataset(condensed_rows(cell, resolution, along), frequency, incidence)
 
 
 def cost(study: Description, options: NoOptions) -> Cost:

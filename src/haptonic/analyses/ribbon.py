@@ -2,15 +2,30 @@
 
 from __future__ import annotations
 
+import json
+from collections.abc import Sequence
+
+import numpy as np
+
 from haptonic.analyses.analysis import Analysis, NoOptions
 from haptonic.analyses.costs import meshes
+from haptonic.bloch.gaps import gap_at, widest_gap
+from haptonic.bloch.model import bloch_model
+from haptonic.bloch.ribbon import RibbonModel, bulk_bands
+from haptonic.bloch.ribbon_datasets import bulk_dataset, field_dataset, ribbon_dataset
+from haptonic.bloch.settings import HIGHEST, LOWEST
+from haptonic.cell import UnitCell
 from haptonic.errors import StudyError
+from haptonic.parallel import one_thread
+from haptonic.results.common import stamped
 from haptonic.results.cost import Cost
-from haptonic.results.ribbon import RibbonWaves, compute_ribbon
+from haptonic.results.ribbon import RibbonWaves
 from haptonic.results.runner import Runner
 from haptonic.study.ribbon_tables import RibbonSettings
 from haptonic.study.schema import Description
+from haptonic.units import format_quantity
 
+BESIDE = 0.15  # of a gap's width, on either side of it, where modes are sought as well
 COLUMN, BULK = 0.17, 0.2  # s of a column of a ribbon at a wavevector, where it has one tile; of a crystal
 
 
@@ -31,26 +46,81 @@ def check(study: Description, options: NoOptions) -> None:
     _needed(study)
 
 
+@one_thread()
 def compute(study: Description, options: NoOptions, runner: Runner) -> RibbonWaves:
     """Projected bands, and the modes that a guide or an edge holds.
+
+    With a length in cells, wavevectors are those of its resonances: at a free end a wave gains a quarter of
+    an interval.
 
     Raises
     ------
     StudyError : no ribbon, or nothing says at which frequencies to look
     """
-    asked = _needed(study)
-    found: RibbonWaves = compute_ribbon(
-        asked.ribbon(study.cell),
-        asked.names,
-        study.bands_settings,
-        points=asked.wavevectors,
-        rows=asked.rows,
-        between=(asked.lowest, asked.highest),
-        carrier=study.carrier,
-        inputs=study.inputs(),
-        runner=runner,
+    asked, settings = _needed(study), study.bands_settings
+    ribbon, rows = asked.ribbon(study.cell), asked.rows
+    crystals = ribbon.crystals
+    models = [bloch_model(cell, settings) for cell in crystals or ribbon.first[:1]]
+    resolution = max(
+        (one.resolution for one in models), key=lambda one: (one.order, one.foot_rings, one.steps)
     )
-    return found
+    low, high = _range(study, crystals, runner)
+    kappa = (np.arange(rows) + 0.5) * np.pi / rows if rows else np.linspace(0.0, np.pi, asked.wavevectors)
+    bulk = np.empty((0, len(kappa), 0, 2))
+    if crystals:
+        bulk = np.array([bulk_bands(one, ribbon, [float(k) for k in kappa]) for one in models])
+    model = RibbonModel.of(ribbon, resolution)
+    found = []
+    for done, phase in enumerate(kappa):
+        runner.progress(done, len(kappa), "wavevectors")
+        found.append(model.solve(float(phase), low, high))
+    runner.progress(len(kappa), len(kappa), "wavevectors")
+    dataset = ribbon_dataset(model, found, bulk, rows)
+    dataset = dataset.merge(bulk_dataset(kappa, bulk, asked.names))
+    dataset.attrs = {
+        "range_hz": [low, high],
+        "rows": rows or 0,
+        "period": ribbon.period,
+        "kind": ribbon.kind,
+        "loss_factor": ribbon.first[0].material.loss_factor,
+        "unknowns": len(model.fine.order),
+        "mesh": json.dumps([resolution.order, resolution.foot_rings]),
+    } | ({"carrier_hz": study.carrier} if study.carrier is not None else {})
+    result = RibbonWaves(dataset)
+    best = result.best
+    if best is not None:
+        dataset = dataset.merge(field_dataset(model, best, found))
+    return RibbonWaves(stamped(dataset.assign_attrs(result.dataset.attrs), study.inputs()))
+
+
+def _range(study: Description, crystals: Sequence[UnitCell], runner: Runner) -> tuple[float, float]:
+    """Hz: as given, else about the gap of the first crystal, else about the carrier."""
+    asked, carrier = _needed(study), study.carrier
+    low, high = asked.lowest, asked.highest
+    if low is None or high is None:
+        gaps = runner.gaps(crystals[0], study.bands_settings) if crystals else ()
+        gap = (gap_at(gaps, carrier) if carrier else None) or widest_gap(gaps)
+        if gap is not None:
+            ends = gap.lower - BESIDE * gap.width, gap.upper + BESIDE * gap.width
+        elif carrier is not None:
+            ends = LOWEST * carrier, HIGHEST * carrier
+        else:
+            raise StudyError.missing(
+                argument="ribbon.lowest",
+                allowed="the range of frequencies in which modes are sought",
+                cause="there is no complete gap about which to look, and no carrier",
+                next_step='add lowest = "40 kHz" and highest = "70 kHz" to [ribbon]',
+            )
+        low, high = low or ends[0], high or ends[1]
+    if low >= high:
+        raise StudyError.conflict(
+            argument="ribbon.lowest",
+            given=format_quantity(low, "Hz"),
+            allowed=f"less than the highest frequency, {format_quantity(high, 'Hz')}",
+            cause="only one end of the range was given, beyond the other's default",
+            next_step="give both ribbon.lowest and ribbon.highest",
+        )
+    return low, high
 
 
 def cost(study: Description, options: NoOptions) -> Cost:

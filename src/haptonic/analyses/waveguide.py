@@ -2,21 +2,32 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+import json
+from dataclasses import asdict, dataclass
+
+import numpy as np
 
 from haptonic.analyses.analysis import Analysis, option
 from haptonic.analyses.costs import gaps
 from haptonic.analyses.layers import SQUARE_FACE
 from haptonic.analyses.needs import has_mirror, need_carrier, need_rows
+from haptonic.bloch.gaps import need_gap_at
+from haptonic.bloch.layers import plain_plate
+from haptonic.bloch.mirrors import condensed_rows
+from haptonic.bloch.model import bloch_model
 from haptonic.bloch.settings import WaveguideSettings
+from haptonic.bloch.strips import closing, strip_of, strips_dataset
 from haptonic.cell import Rows
 from haptonic.errors import StudyError, shown
 from haptonic.fields import remade
+from haptonic.parallel import one_thread
+from haptonic.results.common import stamped
 from haptonic.results.cost import BASE, Cost
-from haptonic.results.guides import Guides, closing, compute_guides
+from haptonic.results.guides import Guides
 from haptonic.results.runner import Runner
 from haptonic.study.schema import Description
 
+MOST_LENGTHS = 6  # of waveguides that are compared
 GUIDES = 2.0  # s, of the guides that are compared
 
 
@@ -54,6 +65,7 @@ def chosen_settings(study: Description, options: WaveguideOptions) -> WaveguideS
         ) from None
 
 
+@one_thread()
 def compute(study: Description, options: WaveguideOptions, runner: Runner) -> Guides:
     """Width, length and frequency of waveguides whose mode lies in the gap that holds the carrier.
 
@@ -61,15 +73,36 @@ def compute(study: Description, options: WaveguideOptions, runner: Runner) -> Gu
     ------
     StudyError : no carrier, no gap that holds it, or no such waveguide
     """
-    found: Guides = compute_guides(
-        study.cell,
-        study.bands_settings,
-        chosen_settings(study, options),
-        carrier=need_carrier(study),
-        inputs=study.inputs(),
-        runner=runner,
+    cell, settings, carrier = study.cell, study.bands_settings, need_carrier(study)
+    waveguide = chosen_settings(study, options)
+    gap = need_gap_at(runner.gaps(cell, settings), carrier)
+    resolution = bloch_model(cell, settings).resolution
+    lattice = condensed_rows(cell, resolution, waveguide.direction)
+    closed_by = None
+    if waveguide.ends == "mirror":
+        closed_by = condensed_rows(cell, resolution, closing(lattice.rows))
+    across, along = waveguide.nodal_lines
+    period = lattice.rows.period
+    wavenumber = plain_plate(lattice).wavenumber(2 * np.pi * carrier, 0.0, "A0")
+    assert wavenumber is not None
+    shortest = max(1, int((along + 0.5) * np.pi / (wavenumber * period)))
+    lengths = [waveguide.rows] if waveguide.rows else range(shortest, shortest + MOST_LENGTHS + 1)
+    strips, refusal = [], None
+    for count in lengths:
+        try:
+            strips.append(strip_of(lattice, gap, carrier, waveguide, count, closed_by))
+        except StudyError as error:
+            refusal = error
+    if not strips:
+        assert refusal is not None
+        raise refusal
+    dataset = strips_dataset(strips).assign_attrs(
+        carrier_hz=carrier, mode=f"{across}x{along}", ends=waveguide.ends,
+        mesh=json.dumps(asdict(lattice.plan)),
+    )  # fmt: skip
+    return Guides(
+        carrier, gap, across, along, waveguide.ends, tuple(strips), stamped(dataset, study.inputs())
     )
-    return found
 
 
 def cost(study: Description, options: WaveguideOptions) -> Cost:

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from dataclasses import dataclass
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
 from functools import lru_cache
 
 import numpy as np
@@ -19,6 +19,7 @@ from haptonic.errors import StudyError
 from haptonic.gate import WORD
 from haptonic.later import xarray as xr
 from haptonic.parallel import each, one_thread
+from haptonic.units import format_quantity
 
 PHASES = np.linspace(0.0, np.pi, 5)  # along the rows, at which the decay is followed
 SHOWN_WAVES = 8  # of each frequency in the complex band structure: those that reach farthest
@@ -131,3 +132,30 @@ def first_reaching(insulation: Sequence[float] | Array, goal: float) -> int | No
     below = np.flatnonzero(np.asarray(insulation) < goal)
     rows = int(below[-1]) + 2 if len(below) else 1
     return rows if rows <= len(insulation) else None
+
+
+def at_carrier(rows: CondensedRows, carrier: float, incidence: Incidence) -> dict[str, Scattering]:
+    """Energies for many rows at the carrier, by family of the incident wave."""
+    found = scattering_at(rows, carrier, replace(incidence, layers=MOST_ROWS))
+    if not found:
+        raise StudyError.no_answer(
+            argument="layers.angle",
+            given=f"{np.degrees(incidence.angle):g} deg at {format_quantity(carrier, 'Hz')}",
+            allowed="an angle at which some plate wave propagates towards the rows",
+            cause="all of them only fade",
+            next_step="give a smaller angle",
+        )
+    return found
+
+
+def carrier_dataset(found: Mapping[str, Scattering]) -> xr.Dataset:
+    """Energies at the carrier for 1, 2, ... many rows; NaN for families that do not propagate."""
+    shape = len(FAMILIES), MOST_ROWS, len(OUTGOING)
+    arrays, silent = {}, {WORD: "the incident wave does not propagate"}
+    for name in ("transmitted", "reflected"):
+        values = np.full(shape, np.nan)
+        for family, scattering in found.items():
+            values[FAMILIES.index(family)] = getattr(scattering, name)[:, 0]
+        arrays[f"carrier_{name}"] = ("incident", "many", "outgoing"), values, {"units": "1", **silent}
+    coords = {"many": np.arange(1, MOST_ROWS + 1), "incident": list(FAMILIES), "outgoing": list(OUTGOING)}
+    return xr.Dataset(arrays, coords=coords)

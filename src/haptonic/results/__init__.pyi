@@ -10,9 +10,7 @@ from .feel import Feel as Feel
 from .friction import FrictionResult as FrictionResult
 from .friction import compute_friction as compute_friction
 from .guides import Guides as Guides
-from .guides import compute_guides as compute_guides
 from .layers import Layers as Layers
-from .layers import compute_layers as compute_layers
 from .plate import PlateResult as PlateResult
 from .plate import compute_plate as compute_plate
 from .protocol import TrialPlan as TrialPlan

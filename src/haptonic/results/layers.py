@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-import json
-from collections.abc import Mapping
-from dataclasses import asdict, dataclass, replace
+from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
 
@@ -12,39 +10,19 @@ import numpy as np
 
 from haptonic import plots
 from haptonic.arrays import Array
-from haptonic.bloch import Gap, Resolution
-from haptonic.bloch.evanescent import bloch_waves
-from haptonic.bloch.gaps import gap_at, widest_gap
-from haptonic.bloch.layers import OUTGOING, Scattering
+from haptonic.bloch import Gap
 from haptonic.bloch.mirrors import (
     GOALS,
     MOST_ROWS,
-    Incidence,
-    condensed_rows,
     first_reaching,
-    mirror_dataset,
-    scattering_at,
 )
-from haptonic.bloch.model import bloch_model
-from haptonic.bloch.plate_waves import FAMILIES
-from haptonic.bloch.rows import CondensedRows
-from haptonic.bloch.settings import BandSettings, LayersSettings
-from haptonic.cell import UnitCell
-from haptonic.errors import StudyError
-from haptonic.gate import WORD
-from haptonic.jobs import Task
 from haptonic.later import Axes, Figure
 from haptonic.later import xarray as xr
-from haptonic.parallel import one_thread
-from haptonic.results.common import stamped
 from haptonic.results.plain import plain, split
 from haptonic.results.result import Result, figure
-from haptonic.results.runner import Runner
 from haptonic.results.table import Column, Table
-from haptonic.units import format_quantity
 
 LEAST_SHARE = 1e-30  # of the energy
-CHUNK = 12  # frequencies of one task
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -180,101 +158,3 @@ class Layers(Result):
 def _decibels(share: xr.DataArray) -> xr.DataArray:
     """Below the incident energy; rounding is all that is left below `LEAST_SHARE`."""
     return xr.DataArray(-10 * np.log10(share.clip(min=LEAST_SHARE))).assign_attrs(units="dB")
-
-
-@one_thread()
-def compute_layers(
-    cell: UnitCell,
-    settings: BandSettings,
-    layers: LayersSettings,
-    *,
-    carrier: float,
-    inputs: Mapping[str, Any],
-    runner: Runner,
-) -> Layers:
-    """Spectra of a mirror, a few frequencies at a time, and how many rows it needs at the carrier.
-
-    Parameters
-    ----------
-    layers : the rows and the spectra; carrier : Hz
-    inputs : plain values of what was asked, for the result's attributes
-
-    Raises
-    ------
-    StudyError : ends of the spectrum in the wrong order, a cell without a pillar, or no
-        wave propagates towards the rows at the carrier
-    """
-    if not cell.has_pillars:
-        raise StudyError.missing(
-            argument="cell.pillar",
-            allowed="a cell with a pillar",
-            cause="rows of plain plate between two plain plates reflect nothing",
-            next_step="add a [cell.pillar] table",
-        )
-    frequencies = layers.frequencies(carrier)
-    incidence = Incidence(layers.angle, layers.count, cell.material.loss_factor)
-    gaps = runner.gaps(cell, settings)
-    gap = gap_at(gaps, carrier) or widest_gap(gaps)
-    resolution = bloch_model(cell, settings).resolution
-    chunks = np.array_split(frequencies, -(-len(frequencies) // CHUNK))
-    along = layers.direction
-    fixed = {"incidence": incidence, "cell": cell, "resolution": resolution, "along": along}
-    tasks = [
-        Task({"kind": "mirror", "frequency": chunk, **fixed}, (cell, resolution, along, chunk, incidence))
-        for chunk in chunks
-    ]
-    pieces = runner.run(_chunk_dataset, tasks, 1)
-    spectrum = xr.concat(pieces, "frequency", data_vars="minimal", coords="minimal")
-    rows = condensed_rows(cell, resolution, along)
-    found = _at_carrier(rows, carrier, incidence)
-    lossless = _at_carrier(rows, carrier, replace(incidence, loss_factor=0.0))
-    dataset = spectrum.merge(_carrier_dataset(found))
-    omega = 2 * np.pi * carrier
-    waves, _ = bloch_waves(rows.slab(0.0).at(omega), omega)
-    dataset.attrs = {
-        "carrier_hz": carrier,
-        "carrier_attenuation_db": rows.decay(waves),
-        "energy_balance": max(float(np.abs(one.dissipated).max()) for one in lossless.values()),
-        "angle": incidence.angle,
-        "along": list(along),
-        "loss_factor": incidence.loss_factor,
-        "gap": [gap.lower, gap.upper] if gap else [],
-        "mesh": json.dumps(asdict(rows.plan)),
-    }
-    return Layers(gap, stamped(dataset, inputs))
-
-
-def _at_carrier(rows: CondensedRows, carrier: float, incidence: Incidence) -> dict[str, Scattering]:
-    """Energies for many rows at the carrier, by family of the incident wave."""
-    found = scattering_at(rows, carrier, replace(incidence, layers=MOST_ROWS))
-    if not found:
-        raise StudyError.no_answer(
-            argument="layers.angle",
-            given=f"{np.degrees(incidence.angle):g} deg at {format_quantity(carrier, 'Hz')}",
-            allowed="an angle at which some plate wave propagates towards the rows",
-            cause="all of them only fade",
-            next_step="give a smaller angle",
-        )
-    return found
-
-
-def _carrier_dataset(found: Mapping[str, Scattering]) -> xr.Dataset:
-    """Energies at the carrier for 1, 2, ... many rows; NaN for families that do not propagate."""
-    shape = len(FAMILIES), MOST_ROWS, len(OUTGOING)
-    arrays, silent = {}, {WORD: "the incident wave does not propagate"}
-    for name in ("transmitted", "reflected"):
-        values = np.full(shape, np.nan)
-        for family, scattering in found.items():
-            values[FAMILIES.index(family)] = getattr(scattering, name)[:, 0]
-        arrays[f"carrier_{name}"] = ("incident", "many", "outgoing"), values, {"units": "1", **silent}
-    coords = {"many": np.arange(1, MOST_ROWS + 1), "incident": list(FAMILIES), "outgoing": list(OUTGOING)}
-    return xr.Dataset(arrays, coords=coords)
-
-
-def _chunk_dataset(
-    argument: tuple[UnitCell, Resolution, tuple[int, int], Array, Incidence],
-) -> xr.Dataset:
-    """Spectra at a few frequencies; what a worker is given to do."""
-    cell, resolution, along, frequency, incidence = argument
-    found: xr.Dataset = mirror_dataset(condensed_rows(cell, resolution, along), frequency, incidence)
-    return found
