@@ -11,6 +11,8 @@ from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
 from five_parts import refusing
+from haptonic.analyses.designing import refusals, tasks
+from haptonic.analyses.designing.search import _rounded, compute_design
 from haptonic.bloch import Gap, Resolution, gaps_of
 from haptonic.bloch.settings import BandSettings, MeshSettings
 from haptonic.cell import Pillar, Step, UnitCell
@@ -23,9 +25,7 @@ from haptonic.design.settings import DesignLimits
 from haptonic.errors import ResourceError, StudyError
 from haptonic.lattice import Lattice
 from haptonic.materials import IsotropicMaterial, material
-from haptonic.results import Runner, compute_design
-from haptonic.results.design import refusals, tasks
-from haptonic.results.design.search import _rounded
+from haptonic.results import Runner
 from haptonic.store import Store
 
 MM = 1e-3

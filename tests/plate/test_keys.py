@@ -14,6 +14,7 @@ import pytest
 import xarray as xr
 from small import CELL, COARSE, busy_plate
 
+from haptonic.analyses.designing.tasks import front_task, look_task
 from haptonic.analyses.feel import compute_loaded
 from haptonic.bloch.settings import BandSettings, MeshSettings
 from haptonic.cell import Pillar, UnitCell
@@ -28,7 +29,6 @@ from haptonic.plate.settings import ResponseSettings
 from haptonic.progress import silent
 from haptonic.results import Runner
 from haptonic.results.bands import compute_bands
-from haptonic.results.design.tasks import front_task, look_task
 from haptonic.results.plate.compute import compute_plate
 from haptonic.store import Store, content_key
 

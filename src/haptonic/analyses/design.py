@@ -6,6 +6,8 @@ from dataclasses import dataclass, replace
 
 from haptonic.analyses.analysis import KEPT, Analysis, option
 from haptonic.analyses.costs import gaps
+from haptonic.analyses.designing.front import compute_front
+from haptonic.analyses.designing.search import compute_design
 from haptonic.analyses.needs import need_carrier
 from haptonic.design.brief import Brief
 from haptonic.design.quick import QUICK
@@ -14,7 +16,7 @@ from haptonic.later import xarray as xr
 from haptonic.materials import IsotropicMaterial
 from haptonic.results.common import stamped
 from haptonic.results.cost import Cost
-from haptonic.results.design import Design, compute_design, compute_front
+from haptonic.results.design import Design
 from haptonic.results.runner import Runner
 from haptonic.study.schema import Description
 

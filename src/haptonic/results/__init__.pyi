@@ -4,8 +4,6 @@ from .common import refuse_taken as refuse_taken
 from .common import write_files as write_files
 from .common import write_netcdf as write_netcdf
 from .design import Design as Design
-from .design import compute_design as compute_design
-from .design import compute_front as compute_front
 from .feel import Feel as Feel
 from .friction import FrictionResult as FrictionResult
 from .friction import compute_friction as compute_friction

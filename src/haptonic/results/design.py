@@ -3,37 +3,21 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Sequence
-from dataclasses import asdict, dataclass, field
+from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
-import numpy as np
-
 from haptonic import plots
 from haptonic.bloch import Gap
-from haptonic.design.brief import Brief
 from haptonic.design.parameters import UNITS
-from haptonic.design.quick import QUICK
-from haptonic.design.search import Visited
 from haptonic.later import Axes, Figure
 from haptonic.later import xarray as xr
 from haptonic.plots.text import khz
 from haptonic.results.common import write_netcdf
-from haptonic.results.design.tasks import as_dataset
 from haptonic.results.plain import split
 from haptonic.results.result import Result, figure, file
 from haptonic.results.table import Column, Table
 from haptonic.units import format_quantity
-
-TITLES = {
-    "value": ("SI", "numbers of the cell that were varied"),
-    "band": ("1", "number of the band below the gap, from 1"),
-    "lower": ("Hz", "lower edge in the model of the search, above the upper one where there is no gap"),
-    "upper": ("Hz", "upper edge in the model of the search"),
-    "margin": ("1", "distance of the carrier from the nearer edge, as a share of the carrier"),
-    "stage": ("1", "part of the search"),
-}
 
 
 def _has_front(result: Design) -> bool:
@@ -133,16 +117,3 @@ def front_table(front: xr.Dataset) -> Table:
     )  # fmt: skip
     told = held.assign(pitch=front["pitch"], width=(held["upper"] - held["lower"]).assign_attrs(units="Hz"))
     return Table.of("widest gap around the carrier (-: none)", told, "design", columns)
-
-
-def all_seen(brief: Brief, history: Sequence[tuple[str, Visited]]) -> xr.Dataset:
-    """The designs seen, each with the stage of the search that saw it."""
-    visits = [visit for _, visit in history]
-    dataset = as_dataset(visits).drop_vars("share")
-    dataset["value"] = ("visit", "parameter"), np.array([brief.values(visit.share) for visit in visits])
-    dataset["stage"] = "visit", np.array([stage for stage, _ in history])
-    dataset = dataset.assign_coords(parameter=list(brief.paths))
-    for name, (unit, title) in TITLES.items():
-        dataset[name].attrs = {"units": unit, "long_name": title}
-    dataset.attrs |= {"carrier_hz": brief.carrier, "mesh": json.dumps(asdict(QUICK))}
-    return dataset

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import json
 from collections.abc import Sequence
+from dataclasses import asdict, fields
 
 import numpy as np
 
@@ -11,10 +13,20 @@ from haptonic.bloch import gaps_dataset
 from haptonic.bloch.settings import BandSettings
 from haptonic.cell import UnitCell
 from haptonic.design.brief import Brief
+from haptonic.design.quick import QUICK
 from haptonic.design.search import HeightRow, Visited, climb, spread, starts_of
 from haptonic.jobs import Task
 from haptonic.later import xarray as xr
 
+TITLES = {
+    "value": ("SI", "numbers of the cell that were varied"),
+    "band": ("1", "number of the band below the gap, from 1"),
+    "lower": ("Hz", "lower edge in the model of the search, above the upper one where there is no gap"),
+    "upper": ("Hz", "upper edge in the model of the search"),
+    "margin": ("1", "distance of the carrier from the nearer edge, as a share of the carrier"),
+    "stage": ("1", "part of the search"),
+}
+SEEN = [one.name for one in fields(Visited)]
 FRONT_STARTS = 12  # designs looked at for each pitch of a front
 
 
@@ -77,18 +89,26 @@ def _named(brief: Brief) -> dict[str, object]:
 
 def as_dataset(visits: Sequence[Visited]) -> xr.Dataset:
     """Designs on the way of a search, in their order."""
-    return xr.Dataset(
-        {
-            "share": (("visit", "parameter"), np.array([visit.share for visit in visits])),
-            "band": ("visit", np.array([visit.band for visit in visits])),
-            "lower": ("visit", np.array([visit.lower for visit in visits])),
-            "upper": ("visit", np.array([visit.upper for visit in visits])),
-            "margin": ("visit", np.array([visit.margin for visit in visits])),
-        }
-    )
+    columns = {name: np.array([getattr(visit, name) for visit in visits]) for name in SEEN}
+    axes = ("visit", "parameter")
+    return xr.Dataset({name: (axes[: values.ndim], values) for name, values in columns.items()})
 
 
 def visits_of(dataset: xr.Dataset) -> list[Visited]:
     """The designs again, as values."""
-    rows = zip(*(dataset[name].values for name in ("share", "band", "lower", "upper", "margin")), strict=True)
-    return [Visited(share, int(band), float(low), float(up), float(m)) for share, band, low, up, m in rows]
+    columns = (dataset[name].values for name in SEEN)
+    rows = zip(*(one if one.ndim > 1 else one.tolist() for one in columns), strict=True)
+    return [Visited(**dict(zip(SEEN, row, strict=True))) for row in rows]
+
+
+def all_seen(brief: Brief, history: Sequence[tuple[str, Visited]]) -> xr.Dataset:
+    """The designs seen, each with the stage of the search that saw it."""
+    visits = [visit for _, visit in history]
+    dataset = as_dataset(visits).drop_vars("share")
+    dataset["value"] = ("visit", "parameter"), np.array([brief.values(visit.share) for visit in visits])
+    dataset["stage"] = "visit", np.array([stage for stage, _ in history])
+    dataset = dataset.assign_coords(parameter=list(brief.paths))
+    for name, (unit, title) in TITLES.items():
+        dataset[name].attrs = {"units": unit, "long_name": title}
+    dataset.attrs |= {"carrier_hz": brief.carrier, "mesh": json.dumps(asdict(QUICK))}
+    return dataset

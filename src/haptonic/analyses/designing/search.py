@@ -9,6 +9,9 @@ from typing import Any
 
 import numpy as np
 
+from haptonic.analyses.designing import tasks
+from haptonic.analyses.designing.refusals import held_back_by, out_of_reach, uncomputed
+from haptonic.analyses.designing.tasks import all_seen, visits_of
 from haptonic.arrays import Array
 from haptonic.bloch import Gap, gaps_of
 from haptonic.bloch.resolution import rounded_up
@@ -20,10 +23,7 @@ from haptonic.errors import HaptonicError
 from haptonic.jobs import Task
 from haptonic.later import xarray as xr
 from haptonic.results.common import stamped
-from haptonic.results.design import tasks
-from haptonic.results.design.refusals import held_back_by, out_of_reach, uncomputed
-from haptonic.results.design.tasks import visits_of
-from haptonic.results.design.value import Design, all_seen
+from haptonic.results.design import Design
 from haptonic.results.runner import Runner
 
 POLISH_STEPS = 5  # designs computed at most once the coarse model has been corrected
