@@ -83,3 +83,30 @@ def test_public_names_are_the_fields_words(module):
 def test_a_banned_word_would_be_found():
     tree = ast.parse("class Scan:\n    lead: int\n    def _told(self): ...\ndef wired_up(): ...\n")
     assert banned_in("haptonic.judging", tree) == {"judging", "lead", "wired"}
+
+
+MOST_BY_PLACE = 4  # values that a class is built from without their names
+
+
+def built_by_place(trees: Mapping[str, ast.Module]) -> Iterator[str]:
+    """Where a class of the house, or that of a class method, is built from too many bare values."""
+    classes = {
+        node.name for tree in trees.values() for node in ast.walk(tree) if isinstance(node, ast.ClassDef)
+    }
+    for module, tree in trees.items():
+        for node in ast.walk(tree):
+            if isinstance(node, ast.Call) and len(node.args) > MOST_BY_PLACE:
+                name = ast.unparse(node.func).rpartition(".")[2]
+                if name in classes | {"cls"}:
+                    yield f"{module}, line {node.lineno}: {name}"
+
+
+def test_what_has_many_fields_is_built_by_their_names():
+    assert list(built_by_place(TREES)) == []
+
+
+def test_a_class_built_from_bare_values_would_be_found():
+    tree = ast.parse(
+        "class A: ...\nA(1, 2, 3, 4)\nA(1, 2, *b, 4, 5)\nA(1, b=2, c=3, d=4, e=5)\nf(1, 2, 3, 4, 5)"
+    )
+    assert list(built_by_place({"a": tree})) == ["a, line 3: A"]

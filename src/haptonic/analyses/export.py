@@ -159,12 +159,14 @@ def check(study: Description, options: ExportOptions) -> None:
 
 def compute(study: Description, options: ExportOptions, runner: Runner) -> Workshop:
     """The files; the drawing has the tolerances found, or says why not."""
-    found: tuple[dict[str, float], str] = ({}, "")
+    tolerances, why_none = dict[str, float](), ""
     if "drawing" in options.kinds:
-        found = drawn_tolerances(study, runner)
-    stem = "cell" if runner.about is None else runner.about.stem
-    asked = bool(study.tolerance_settings.of)
-    return Workshop(options.part(study), study.cell, study.title, stem, options, *found, asked)
+        tolerances, why_none = drawn_tolerances(study, runner)
+    return Workshop(
+        part=options.part(study), cell=study.cell, study=study.title, options=options,
+        stem="cell" if runner.about is None else runner.about.stem, tolerances=tolerances,
+        why_none=why_none, wants_tolerances=bool(study.tolerance_settings.of),
+    )  # fmt: skip
 
 
 def drawn_tolerances(study: Description, runner: Runner) -> tuple[dict[str, float], str]:

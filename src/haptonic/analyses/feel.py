@@ -76,7 +76,16 @@ def compute(study: Description, options: FeelOptions, runner: Runner) -> Feel:
         grid=own.grid, tolerance=own.tolerance, fineness=fineness(study),
     )  # fmt: skip
     touch, skin = finger.at(found.attrs["frequency_hz"]), finger.skin
-    return Feel(plate, edges, found, finger.pad.diameter, touch, skin, drive, options.reduction)
+    return Feel(
+        plate=plate,
+        gap=edges,
+        loaded=found,
+        diameter=finger.pad.diameter,
+        touch=touch,
+        skin=skin,
+        drive=drive,
+        reduction=options.reduction,
+    )
 
 
 def compute_loaded(

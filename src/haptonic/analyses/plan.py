@@ -14,7 +14,14 @@ def compute(study: Description, options: NoOptions, runner: Runner) -> StudyPlan
     plate = study.mounted_plate() if study.finite_plate else None
     every = ((name, named(name)) for name in NAMES)
     costs = {name: one.cost(study, one.options()) for name, one in every if one.cost and one.foreseen(study)}
-    return StudyPlan(study.title, study.carrier, study.cell, plate, costs, study.inputs())
+    return StudyPlan(
+        study=study.title,
+        carrier=study.carrier,
+        cell=study.cell,
+        plate=plate,
+        costs=costs,
+        inputs=study.inputs(),
+    )
 
 
 ANALYSIS = Analysis(

@@ -54,7 +54,12 @@ def compute(study: Description, options: NoOptions, runner: Runner) -> TrialPlan
     declared(joined, needed="more than are ever tried", shown="no reduction at all")
     joined.attrs |= {"wanted": section.power}
     return TrialPlan(
-        study.title, protocol, participants, section.order, task_of(study), stamped(joined, study.inputs())
+        study=study.title,
+        protocol=protocol,
+        participants=participants,
+        order=section.order,
+        task=task_of(study),
+        dataset=stamped(joined, study.inputs()),
     )
 
 

@@ -171,8 +171,9 @@ def compute(study: Description | None, options: ScanOptions, runner: Runner) -> 
     on = None if study is None else _on(study, options, runner)
     state = runner.folder / PROGRESS if runner.folder else None
     how = Estimation(
-        options.estimator, options.window, options.decay, options.segment, options.overlap, options.align,
-        state, options.repair,
+        estimator=options.estimator, window=options.window, decay=options.decay, segment=options.segment,
+        overlap=options.overlap, align=options.align,
+        state=state, repair=options.repair,
     )  # fmt: skip
     runner.progress(0, 0, "reading")
     content = read_scan(

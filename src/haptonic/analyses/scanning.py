@@ -39,7 +39,15 @@ def on_plate(
     """
     plate, carrier = study.mounted_plate(), need_carrier(study)
     gap = gap_of_plate(study, plate, carrier, Runner(store or Store.default()))
-    return OnPlate(plate, study.scan_settings, carrier, gap, study.bands_settings, corners, mirrored)
+    return OnPlate(
+        plate=plate,
+        scan=study.scan_settings,
+        carrier=carrier,
+        gap=gap,
+        bands=study.bands_settings,
+        corners=corners,
+        mirrored=mirrored,
+    )
 
 
 def rescanned(
@@ -73,7 +81,13 @@ def rescanned(
         signal = drive_for(settings, computed.plate)
     made = SimulatedScan.of(computed.plate, settings, signal, response, gap=computed.gap, seed=seed)
     scan = Scan(made.records, ReadReport("simulated records", "memory", len(made.records.names)))
-    on = OnPlate(computed.plate, settings, computed.carrier, computed.gap, study.bands_settings)
+    on = OnPlate(
+        plate=computed.plate,
+        scan=settings,
+        carrier=computed.carrier,
+        gap=computed.gap,
+        bands=study.bands_settings,
+    )
     return compute_scan(scan, Estimation(), on, store=store or Store.default(), progress=progress)
 
 

@@ -95,9 +95,15 @@ def compute(study: Description, options: NoOptions, runner: Runner) -> Tolerance
     moved = np.array([[values_of(one)[s.parameter] for s in spreads] for one in designs])
     deviations = (moved - at_rest) / widths
     surface = Surface.fitted(deviations, frequency)
-    chances = Chances(surface, spreads, carrier, section.margin, section.pillars)
+    chances = Chances(
+        surface=surface, spreads=spreads, carrier=carrier, margin=section.margin, pillars=section.pillars
+    )
     straight = Chances(
-        linear(gap, slopes * widths[:, None]), spreads, carrier, section.margin, section.pillars
+        surface=linear(gap, slopes * widths[:, None]),
+        spreads=spreads,
+        carrier=carrier,
+        margin=section.margin,
+        pillars=section.pillars,
     )
     variance = first_order(slopes, spreads)
     dataset = xr.Dataset(

@@ -112,10 +112,11 @@ def compared(
     progress(0, 0, "comparison")
     how: How = "modes" if can_identify() and even(scan.frequency) else "operating shapes"
     return Verdict(
-        plate, {name: _alike(one, scan) for name, one in responses.items()},
-        {name: agreement(scan, one, how) for name, one in responses.items() if name != MEASURED},
-        {name: _range(plate, one) for name, one in responses.items()},
-        fit, recomputed, left_out, fitted_study(study, fit, scan) if fit else None, study.inputs(),
+        plate=plate, responses={name: _alike(one, scan) for name, one in responses.items()},
+        agreements={name: agreement(scan, one, how) for name, one in responses.items() if name != MEASURED},
+        ranges={name: _range(plate, one) for name, one in responses.items()},
+        fit=fit, recomputed=recomputed, left_out=left_out,
+        study=fitted_study(study, fit, scan) if fit else None, inputs=study.inputs(),
     )  # fmt: skip
 
 

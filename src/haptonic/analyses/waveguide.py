@@ -101,7 +101,13 @@ def compute(study: Description, options: WaveguideOptions, runner: Runner) -> Gu
         mesh=json.dumps(asdict(lattice.plan)),
     )  # fmt: skip
     return Guides(
-        carrier, gap, across, along, waveguide.ends, tuple(strips), stamped(dataset, study.inputs())
+        carrier=carrier,
+        gap=gap,
+        across=across,
+        along=along,
+        ends=waveguide.ends,
+        strips=tuple(strips),
+        dataset=stamped(dataset, study.inputs()),
     )
 
 

@@ -131,7 +131,15 @@ class CentredPencil:
                         step = sign * shift + 0.5 * (kinds[g, :2] - kinds[h, :2])
                         forward = 1 if tuple(step) >= (0, 0) else -1
                         turned = int(forward * (kinds[h, 2] - kinds[g, 2]))
-                        found.append(_Piece(tuple(forward * step), turned, rows, columns, part))
+                        found.append(
+                            _Piece(
+                                shift=tuple(forward * step),
+                                turned=turned,
+                                rows=rows,
+                                columns=columns,
+                                forms=part,
+                            )
+                        )
         return found
 
     def near_rest(self) -> Array:

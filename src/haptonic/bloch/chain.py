@@ -112,7 +112,7 @@ class Elimination:
             unit = np.zeros((len(own), len(rows)), dtype=complex)
             unit[rows, np.arange(len(rows))] = 1.0
             answer = la.lapack.zhetrs(factor, pivots, unit)[0] if len(rows) else unit
-            links.append(_Link(factor, pivots, rows, answer, off[rows]))
+            links.append(_Link(factor=factor, pivots=pivots, rows=rows, answer=answer, coupling=off[rows]))
         return cls(tuple(links))
 
     @property

@@ -130,13 +130,13 @@ class Slab:
             poles.append(np.diag(K)[traces:])
         counts = [len(one) for one in poles]
         return cls(
-            stiffness,
-            lossless,
-            mass,
-            np.hstack(coupling),
-            np.concatenate(poles),
-            np.repeat(np.asarray(lossy, dtype=bool), counts),
-            size,
+            stiffness=stiffness,
+            lossless=lossless,
+            mass=mass,
+            coupling=np.hstack(coupling),
+            poles=np.concatenate(poles),
+            lossy=np.repeat(np.asarray(lossy, dtype=bool), counts),
+            size=size,
         )
 
     def at(self, omega: float, loss_factor: float = 0.0) -> FaceStiffness:

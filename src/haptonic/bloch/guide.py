@@ -58,7 +58,14 @@ class Wall:
         motion = right.waves.displacement + images.outgoing.waves.displacement @ reflection
         places = (mirror.motion @ motion).reshape(-1, interface.on_face.shape[1], 3, len(right))
         face = interface.on_face @ places[0, :, 2]
-        return cls(right, reflection, int(leads[0]), closed, face, interface.setback)
+        return cls(
+            plate=right,
+            reflection=reflection,
+            flexural=int(leads[0]),
+            closed=closed,
+            face=face,
+            setback=interface.setback,
+        )
 
     @property
     def wavenumber(self) -> float:
@@ -181,7 +188,7 @@ class Guide:
         width, wall = self.width(omega, nodal_lines), self.wall(omega)
         assert wall is not None, "else there was no width"
         along = float(self.interface.tangential[0])
-        return GuidedMode(omega, along, width, nodal_lines, *wall.across(width, nodal_lines))
+        return _carried(wall, omega, along, width, nodal_lines)
 
     def mode(self, width: float, nodal_lines: int, between: tuple[float, float]) -> GuidedMode:
         """Mode with so many nodal lines across, its angular frequency within an interval.
@@ -286,8 +293,16 @@ def _mode(
         wall = guide.wall(omega)
         if wall is not None and wall.closed:
             along = float(guide.interface.tangential[0])
-            return GuidedMode(omega, along, width, nodal_lines, *wall.across(width, nodal_lines))
+            return _carried(wall, omega, along, width, nodal_lines)
     raise _no_mode(nodal_lines, f"{_kilohertz(between[0])} to {_kilohertz(between[1])}")
+
+
+def _carried(wall: Wall, omega: float, along: float, width: float, nodal_lines: int) -> GuidedMode:
+    position, amplitude, at_edge = wall.across(width, nodal_lines)
+    return GuidedMode(
+        omega=omega, wavenumber=along, width=width, nodal_lines=nodal_lines, position=position,
+        amplitude=amplitude, at_edge=at_edge,
+    )  # fmt: skip
 
 
 def _root(misfit: Callable[[float], float], low: float, high: float) -> float | None:

@@ -63,11 +63,11 @@ class Solution:
     def lowest(self, count: int) -> Solution:
         """The first ``count`` modes."""
         return Solution(
-            self.kappa,
-            self.frequency[:count],
-            self.error[:count],
-            self.fields[:, :count],
-            self.modes[:, :count],
+            kappa=self.kappa,
+            frequency=self.frequency[:count],
+            error=self.error[:count],
+            fields=self.fields[:, :count],
+            modes=self.modes[:, :count],
         )
 
 
@@ -113,7 +113,13 @@ class BlochModel:
         with one_thread(), ThreadPoolExecutor(1) as aside:
             coarse = aside.submit(lowered)
             whole = Tiling.condensed(cell, resolution.plans(cell), steps, block, measured=measured)
-            return cls(cell, resolution, count, ReducedCell.of(whole, count, goal), coarse.result())
+            return cls(
+                cell=cell,
+                resolution=resolution,
+                count=count,
+                fine=ReducedCell.of(whole, count, goal),
+                coarse=coarse.result(),
+            )
 
     @cached_property
     def halves(self) -> dict[int, BlochModel]:
@@ -150,7 +156,9 @@ class BlochModel:
         error += self._lost(values, fields) + frequency * self.fine.projection_error
         error += self.fine.rounding / (8 * np.pi**2 * np.maximum(frequency, REST * self.highest))
         error = _ranked(frequency, error)
-        return Solution(kappa, frequency, error, fields, modes).lowest(count)
+        return Solution(kappa=kappa, frequency=frequency, error=error, fields=fields, modes=modes).lowest(
+            count
+        )
 
     def _lost(self, values: Array, fields: Complex) -> Array:
         """(k,) Hz by which the interior fields that were left out would lower each of k modes."""

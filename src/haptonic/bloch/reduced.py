@@ -76,7 +76,14 @@ class ReducedCell:
         assert small is not None
         rounding = float(np.abs(eigenpairs(small, np.zeros(2), 3)[0]).max())
         # between the wavevectors of the check it may be off by as much as was allowed there
-        return cls(tiling, full, small, np.hstack(bases), max(error, goal), rounding)
+        return cls(
+            tiling=tiling,
+            whole=full,
+            pencil=small,
+            basis=np.hstack(bases),
+            projection_error=max(error, goal),
+            rounding=rounding,
+        )
 
     def parity(self, modes: Fields) -> Ints:
         """(k,) of modes (r, k): +1 symmetric about the plate's middle plane, -1 antisymmetric, 0 if it is no

@@ -77,7 +77,7 @@ class RibbonPencil:
                     )
                     for which, form in enumerate(forms):
                         total[which] += left @ (right @ form[np.ix_(rows, columns)].T).T
-        return cls(tiling, periodic, order, tuple(diagonal), tuple(beside))
+        return cls(tiling=tiling, periodic=periodic, order=order, own=tuple(diagonal), off=tuple(beside))
 
     def at(self, kappa: float, slope: bool = False) -> tuple[BlockChain, BlockChain]:
         """Stiffness and mass at a phase (rad) along the ribbon, or their derivatives with respect to it."""
@@ -167,7 +167,14 @@ class RibbonModel:
         frequency, fields = hertz(values), self.fine.expanded(modes, kappa)
         if not len(frequency):
             none = np.empty(0)
-            return RibbonModes(kappa, none, none, none, fields, np.empty((0, *self.ribbon.guide.shape)))
+            return RibbonModes(
+                kappa=kappa,
+                frequency=none,
+                error=none,
+                slope=none,
+                fields=fields,
+                energy=np.empty((0, *self.ribbon.guide.shape)),
+            )
         distance = np.abs(self._lower(kappa, low, high, below, len(frequency)) - frequency)
         every = np.ones(len(frequency), dtype=bool)
         error = self.resolution.estimate(self.ribbon, frequency, distance, every)
@@ -176,7 +183,12 @@ class RibbonModel:
         slope = np.einsum("nk,nk->k", modes.conj(), stiffer.times(modes)).real
         slope -= values * np.einsum("nk,nk->k", modes.conj(), heavier.times(modes)).real
         return RibbonModes(
-            kappa, frequency, error, slope / (8 * np.pi**2 * frequency), fields, self._summed("mass", fields)
+            kappa=kappa,
+            frequency=frequency,
+            error=error,
+            slope=slope / (8 * np.pi**2 * frequency),
+            fields=fields,
+            energy=self._summed("mass", fields),
         )
 
     def _lower(self, kappa: float, low: float, high: float, below: int, count: int) -> Array:

@@ -95,7 +95,9 @@ def strip_of(
     wall = Wall.of(interface, found.omega)
     assert wall is not None
     into_lattice, _ = bloch_waves(interface.slab.at(found.omega), found.omega)
-    return Strip(rows, length, found, wall.fixed_line, lattice.decay(into_lattice))
+    return Strip(
+        rows=rows, length=length, mode=found, fixed_line=wall.fixed_line, decay=lattice.decay(into_lattice)
+    )
 
 
 def strips_dataset(strips: Sequence[Strip]) -> xr.Dataset:

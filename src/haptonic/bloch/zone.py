@@ -64,4 +64,10 @@ def zone_surface(model: BlochModel, divisions: int) -> ZoneSurface:
     kappa, triangles = model.cell.zone.triangles(divisions)
     values = np.stack([eigenpairs(model.fine.pencil, point, model.count)[0] for point in kappa])
     frequency = hertz(values)
-    return ZoneSurface(model.cell.zone, model.cell.point_group, kappa, triangles, frequency)
+    return ZoneSurface(
+        zone=model.cell.zone,
+        group=model.cell.point_group,
+        kappa=kappa,
+        triangles=triangles,
+        frequency=frequency,
+    )

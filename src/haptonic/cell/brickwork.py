@@ -82,7 +82,13 @@ class Brickwork:
                 tile = _tile(cell, row[place], ((place - before) * period, (after - place) * period),
                              ((level - below) * height, (above - level) * height))  # fmt: skip
                 made.append(
-                    Brick((before - origin[0]) % 1, below - origin[1], after - before, above - below, tile)
+                    Brick(
+                        left=(before - origin[0]) % 1,
+                        bottom=below - origin[1],
+                        width=after - before,
+                        height=above - below,
+                        tile=tile,
+                    )
                 )
         return cls(period, height, offset, tuple(made))
 
@@ -137,7 +143,12 @@ def _tile(cell: UnitCell, number: int, x: tuple[float, float], y: tuple[float, f
     pillar = cell.pillars[number]
     assert pillar is not None
     tile = SiteTile(
-        corners, max(left + right, below + above), cell.thickness, cell.material, pillar, cell.faces
+        outline=corners,
+        period=max(left + right, below + above),
+        thickness=cell.thickness,
+        material=cell.material,
+        pillar=pillar,
+        faces=cell.faces,
     )
     room = tile.inradius - LEAST_CLEARANCE * cell.lattice.pitch
     if pillar.widest > room:

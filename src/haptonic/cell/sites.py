@@ -275,7 +275,9 @@ def site_tile(outline: Array, turn: Array, plate: Plate, pillar: Pillar | None) 
     across = own[:, 0] * following[:, 1] - own[:, 1] * following[:, 0]
     reach = float((across / np.linalg.norm(following - own, axis=1)).max())
     corners = tuple((float(x), float(y)) for x, y in own)
-    return SiteTile(corners, 2 * reach, thickness, material, pillar, faces)
+    return SiteTile(
+        outline=corners, period=2 * reach, thickness=thickness, material=material, pillar=pillar, faces=faces
+    )
 
 
 def _axes(outline: Array) -> Iterator[float]:

@@ -52,7 +52,7 @@ def _channel(path: Path, label: str, name: str, form: Mapping[str, Any]) -> Chan
     in_parts = form["kind"] == "number" and shape and not any(word in says for word in PACKING)
     rows = partial(_rows, path, label) if in_parts else partial(_whole, path, label, form)
     unit = unit if isinstance(unit, str) else ""
-    return Channel(name, shape, rows, form["kind"], unit, properties=says)
+    return Channel(name=name, shape=shape, rows=rows, kind=form["kind"], unit=unit, properties=says)
 
 
 def _rows(path: Path, name: str, first: int, last: int) -> Samples:

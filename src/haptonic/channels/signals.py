@@ -58,7 +58,16 @@ class Channel:
             return values[first:last] if values.ndim else values
 
         kind = KINDS.get(values.dtype.kind, "number")
-        return cls(name, values.shape, rows, kind, unit, rate, start, streamed=False)
+        return cls(
+            name=name,
+            shape=values.shape,
+            rows=rows,
+            kind=kind,
+            unit=unit,
+            rate=rate,
+            start=start,
+            streamed=False,
+        )
 
     @property
     def size(self) -> int:

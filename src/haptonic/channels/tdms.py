@@ -45,13 +45,13 @@ def _channel(
         return samples(path, [(group, name)])[0][first:last]
 
     return Channel(
-        name,
-        (length,),
-        rows,
-        "number" if numbers else "text",
-        str(properties.get("unit_string") or ""),
-        1 / step if step > 0 else 0.0,
-        number_of(properties.get("wf_start_offset", 0.0)),
+        name=name,
+        shape=(length,),
+        rows=rows,
+        kind="number" if numbers else "text",
+        unit=str(properties.get("unit_string") or ""),
+        rate=1 / step if step > 0 else 0.0,
+        start=number_of(properties.get("wf_start_offset", 0.0)),
     )
 
 

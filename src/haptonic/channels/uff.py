@@ -147,7 +147,14 @@ def uff_contents(path: Path, notes: Notebook | None = None) -> UffContents:
     title = next((str(header.get("model_name", "")) for header in small[151]), "")
     lines = tuple(line for table in small[82] if (line := _line(table, notes)) is not None)
     return UffContents(
-        tuple(functions), nodes, tuple(small[55]), lines, length, force, title.replace("NONE", ""), notes
+        functions=tuple(functions),
+        nodes=nodes,
+        shapes=tuple(small[55]),
+        lines=lines,
+        length=length,
+        force=force,
+        title=title.replace("NONE", ""),
+        notes=notes,
     )
 
 

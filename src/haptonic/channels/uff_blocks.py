@@ -102,7 +102,17 @@ def blocks_of(data: Buffer) -> list[DataSet]:
             # two delimiters meet between data sets; one alone, with a type after it, begins the next
             closed = opens is None or follows.strip() == DELIMITER.strip()
         stop = end if end >= 0 else len(data)
-        found.append(DataSet(len(found) + 1, int(match[1]), binary, begin, stop, kind_line, closed))
+        found.append(
+            DataSet(
+                number=len(found) + 1,
+                kind=int(match[1]),
+                binary=binary,
+                begin=begin,
+                end=stop,
+                first_line=kind_line,
+                closed=closed,
+            )
+        )
         if end < 0:
             break
         position = _delimiter(data, end + len(DELIMITER)) if closed else end
@@ -134,9 +144,11 @@ def header_of(block: DataSet, data: Buffer) -> tuple[Header, int]:
     if integers[0] not in REAL + COMPLEX or integers[1] < 0:
         raise UnreadableError(f"ordinate of type {integers[0]}; known are {REAL + COMPLEX}")
     header = Header(
-        tuple(line.strip() for line in lines[:5]), function, _name(who[4]), response, axes[0],
-        _name(who[7]), reference, axes[1], integers[0], integers[1], integers[2] != 0, floats[0], floats[1],
-        *(_axis(lines[i]) for i in (7, 8, 9)),
+        lines=tuple(line.strip() for line in lines[:5]), function=function,
+        response_name=_name(who[4]), response_node=response, response_axis=axes[0],
+        reference_name=_name(who[7]), reference_node=reference, reference_axis=axes[1],
+        ordinate=integers[0], count=integers[1], even=integers[2] != 0, first=floats[0], step=floats[1],
+        abscissa=_axis(lines[7]), over=_axis(lines[8]), under=_axis(lines[9]),
     )  # fmt: skip
     return header, position
 

@@ -158,7 +158,14 @@ def once(analysis: Analysis, given: dict[str, Any], voice: Voice) -> None:
     if cost and cost.seconds >= LONG:
         voice.say(cost.sentence)
     with voice.counted(analysis.doing or analysis.name) as progress:
-        runner = Runner(Store.default(), workers, scheduler, progress, about, folder)
+        runner = Runner(
+            store=Store.default(),
+            workers=workers,
+            scheduler=scheduler,
+            progress=progress,
+            about=about,
+            folder=folder,
+        )
         result = analysis.compute(study, options, runner)
         if folder:
             result.write(folder, overwrite=overwrite, progress=progress)

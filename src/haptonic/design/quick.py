@@ -69,7 +69,7 @@ class QuickDesign:
             shared = TiledMesh.of(cell, QUICK.plans(cell))
             tiling = shared.condensed(QUICK.steps, QUICK.block, measured=False)
             reduced = ReducedCell.of(tiling, count, np.inf)
-            model = BlochModel(cell, QUICK, count, reduced, reduced.pencil)
+            model = BlochModel(cell=cell, resolution=QUICK, count=count, fine=reduced, coarse=reduced.pencil)
             return cls(shared, model, ZoneSampling(model))
 
     def edges(self) -> Array:

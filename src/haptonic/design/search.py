@@ -105,7 +105,12 @@ class HeightRow:
         found = []
         for band, row in enumerate(promises.argmax(axis=0)):
             low, high, margin = (float(values[row, band]) for values in (lower, upper, margins))
-            found.append((float(promises[row, band]), Visited(self.shares[row], band + 1, low, high, margin)))
+            found.append(
+                (
+                    float(promises[row, band]),
+                    Visited(share=self.shares[row], band=band + 1, lower=low, upper=high, margin=margin),
+                )
+            )
         return sorted(found, key=lambda one: -one[0])
 
 

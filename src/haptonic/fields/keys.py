@@ -144,7 +144,17 @@ def _slots(kind: type) -> tuple[Slot, ...]:
         placed = next((one for one in field.metadata if isinstance(one, Placed)), Placed())
         named = next((one for one in field.metadata if isinstance(one, Named)), None)
         kinds = tuple(_kinds(named.table if named else field.annotation))
-        made.append(Slot(name, field.alias or name, field, placed, named, quantities_of(field), kinds))
+        made.append(
+            Slot(
+                name=name,
+                key=field.alias or name,
+                field=field,
+                placed=placed,
+                named=named,
+                quantities=quantities_of(field),
+                kinds=kinds,
+            )
+        )
     return tuple(made)
 
 

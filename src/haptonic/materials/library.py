@@ -75,14 +75,26 @@ def ceramics() -> Mapping[str, Material]:
 
 
 GIVEN = Named(
-    material, built_in_name, library, IsotropicMaterial, (OrthotropicMaterial, PiezoelectricMaterial)
+    find=material,
+    name_of=built_in_name,
+    known=library,
+    table=IsotropicMaterial,
+    others=(OrthotropicMaterial, PiezoelectricMaterial),
 )
 """How a study gives a material: by the name of a built-in one or by a table of constants."""
 SOLID = Named(
-    built_in, built_in_name, library, None, (IsotropicMaterial, OrthotropicMaterial, PiezoelectricMaterial)
+    find=built_in,
+    name_of=built_in_name,
+    known=library,
+    table=None,
+    others=(IsotropicMaterial, OrthotropicMaterial, PiezoelectricMaterial),
 )
 """By the name of a built-in one only."""
 CERAMIC = Named(
-    partial(built_in, piezoelectric=True), built_in_name, ceramics, None, (PiezoelectricMaterial,)
+    find=partial(built_in, piezoelectric=True),
+    name_of=built_in_name,
+    known=ceramics,
+    table=None,
+    others=(PiezoelectricMaterial,),
 )
 """By the name of a built-in piezoelectric one."""

@@ -99,7 +99,14 @@ class Assembly:
             start += modes.size
             groups.append(TileGroup(tile, blocks, np.hstack([traces, modes])))
         inside = np.flatnonzero(is_free)
-        return cls(skeleton, number, free, tuple(groups), size, sp.csr_array(foundations[inside][:, inside]))
+        return cls(
+            skeleton=skeleton,
+            number=number,
+            free=free,
+            groups=tuple(groups),
+            size=size,
+            foundations=sp.csr_array(foundations[inside][:, inside]),
+        )
 
     @property
     def is_free(self) -> NDArray[np.bool_]:
@@ -247,7 +254,7 @@ class Shifted:
         numbers = assembly.numbers([one.on_trace for one in eliminated])
         below = solver.factorise(numbers, definite=shift <= 0)
         below += sum(len(g.blocks) * int((g.tile.values < shift).sum()) for g in assembly.groups)
-        return cls(assembly, shift, solver, eliminated, below)
+        return cls(assembly=assembly, shift=shift, solver=solver, eliminated=eliminated, below=below)
 
     def release(self) -> None:
         """Leave the solver to the next shift."""

@@ -252,7 +252,9 @@ def _laid(
         number = np.concatenate([below[..., None], number], axis=-1)
     size = (grid.order + 1, grid.order + 1, order + 1)
     elements = sliding_window_view(number, size)[:: grid.order, :: grid.order, 0].reshape(-1, *size)
-    return _Layer(part, material, number, points.reshape(-1, 3), elements)
+    return _Layer(
+        part=part, material=material, number=number, points=points.reshape(-1, 3), elements=elements
+    )
 
 
 def _ceramic(

@@ -112,7 +112,8 @@ class Family:
         for name in bonds:
             del forms[bond(name)]
         return cls(
-            model.plate, forms, bonds, mass, basis.T @ model.load(drives), model.displaced(points, basis),
+            plate=model.plate, forms=forms, bonds=bonds, mass=mass, loads=basis.T @ model.load(drives),
+            seen=model.displaced(points, basis),
         )  # fmt: skip
 
     def poles(self, plate: Plate) -> Poles:

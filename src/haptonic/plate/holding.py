@@ -107,7 +107,13 @@ class Clamp:
         """The same as a support of the corners."""
         if self.spring is None:
             return Support("corners", "clamped", length=self.corners)
-        return Support("corners", "spring", self.corners, self.spring, self.loss_factor)
+        return Support(
+            where="corners",
+            hold="spring",
+            length=self.corners,
+            stiffness=self.spring,
+            loss_factor=self.loss_factor,
+        )
 
 
 def _belongs_to_springs(held: Edges | Clamp) -> None:

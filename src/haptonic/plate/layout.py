@@ -167,7 +167,15 @@ class Layout:
             for _ in own
         ]
         simple = {len(work.bricks) == 1 and not work.offset for work in works.values()} <= {True}
-        made = cls(tuple(tiles), x, y, cells, thickness, material, None if simple else bricks)
+        made = cls(
+            tiles=tuple(tiles),
+            x=x,
+            y=y,
+            cells=cells,
+            thickness=thickness,
+            material=material,
+            offset=None if simple else bricks,
+        )
         for steps in {made.steps(made.block(at)) for at, one in bricks.items() if one.shape != (1, 1)}:
             equal_pieces(steps)
         return made

@@ -114,7 +114,14 @@ def recipe_of(
     one, laid = layout.block(corner), layout.bricks.get(corner)
     brick = None if laid is None else (str(layout.at(corner)), laid.number)
     shape = block.shape[0] // one.shape[0], block.shape[1] // one.shape[1]
-    return Recipe(brick, layout.steps(one), shape, attached, block if attached else None, open_trace)
+    return Recipe(
+        brick=brick,
+        steps=layout.steps(one),
+        shape=shape,
+        attached=attached,
+        block=block if attached else None,
+        open_trace=open_trace,
+    )
 
 
 def tiles_of(

@@ -100,7 +100,15 @@ class Skeleton:
         x, y = np.array(layout.x), np.array(layout.y)
         rims, points = numbered(x, y, blocks, orders.along)
         traces, size = traced(x, y, blocks, orders)
-        return cls(layout, orders, tuple(blocks), rims, traces, points, size)
+        return cls(
+            layout=layout,
+            orders=orders,
+            blocks=tuple(blocks),
+            rims=rims,
+            traces=traces,
+            points=points,
+            size=size,
+        )
 
     def unknowns(self, places: Ints) -> Ints:
         """Numbers of the unknowns at some places, ordered (place, level, component), no further profile's."""

@@ -97,7 +97,12 @@ class Tile:
         """With nothing glued on; ``trace`` unknowns whose static answers have no share in the modes."""
         values = np.diag(stiffness)[trace:].copy()
         return cls(
-            {PLATE: la.block_diag(stiffness[:trace, :trace], np.diag(values))}, mass, values, {}, {}, inside
+            stiffness={PLATE: la.block_diag(stiffness[:trace, :trace], np.diag(values))},
+            mass=mass,
+            values=values,
+            drive={},
+            capacitance={},
+            inside=inside,
         )
 
     @property

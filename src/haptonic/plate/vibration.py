@@ -148,8 +148,9 @@ class ReducedPlate:
             dissipated[part] = 2 * omega * model.factors[part].imag * values.sum(axis=1)
         dissipated[SUPPORTS], dissipated[FINGER] = seen.supports, seen.finger
         return Vibration(
-            omega, dict(drives), vectors, found, error, seen.stored, seen.moving, dissipated, given,
-            charge,
+            omega=omega, drives=dict(drives), vectors=vectors, amplitudes=found, error=error,
+            stored=seen.stored, moving=seen.moving, dissipated=dissipated, given=given,
+            charge=charge,
         )  # fmt: skip
 
 
@@ -264,7 +265,9 @@ class _Checker:
                 one.whole, one.extra.impedance(omega) * (motion[:, :count] + 1j * motion[:, count:])
             )
         missed = gain**2 * (dual + reduced.answered(force, omega))
-        return _Checked(stored, moving, supports, lost_in_finger, norm, missed)
+        return _Checked(
+            stored=stored, moving=moving, supports=supports, finger=lost_in_finger, energy=norm, missed=missed
+        )
 
     def _sigma(self, omega: Array) -> float:
         """(rad/s)^2 of the norm for some lines: any gives a bound, but each costs a factorisation.

@@ -176,7 +176,14 @@ def compute_friction(
     """
     source = checked(source, "folder of trials")
     read = analysed(source, sensor, rules, excluded, workers=workers, progress=progress)
-    return FrictionResult(source, sensor, rules, read.trials, read.remarks, summary(read.trials, driven))
+    return FrictionResult(
+        source=source,
+        sensor=sensor,
+        rules=rules,
+        trials=read.trials,
+        guessed=read.remarks,
+        found=summary(read.trials, driven),
+    )
 
 
 def _write_rows(rows: list[dict[str, Any]], origin: str, path: Path) -> None:

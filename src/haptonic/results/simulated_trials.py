@@ -182,7 +182,16 @@ def simulated_friction(
 ) -> SimulatedFriction:
     """Make people up; see `SimulatedFriction`."""
     group = people(truth, participants, np.random.default_rng(seed))
-    return SimulatedFriction(truth, protocol, tuple(group), seed, study, suffix, per, raw)
+    return SimulatedFriction(
+        truth=truth,
+        protocol=protocol,
+        group=tuple(group),
+        seed=seed,
+        study=study,
+        suffix=suffix,
+        per=per,
+        raw=raw,
+    )
 
 
 def _channels(strokes: list[Stroke], matrix: NDArray[np.float64] | None) -> dict[str, NDArray[np.float64]]:

@@ -59,12 +59,12 @@ def plate_of(section: PlateSettings | None, own: UnitCell) -> Plate:
     if section.finger:
         _check_finger(section.finger, layout)
     return Plate(
-        layout,
-        supports,
-        patches,
-        tuple(_placed(force, layout) for force in section.force),
-        section.finger and _placed(section.finger, layout),
-        own.material.loss_factor if section.loss_factor is None else section.loss_factor,
+        layout=layout,
+        supports=supports,
+        actuators=patches,
+        forces=tuple(_placed(force, layout) for force in section.force),
+        finger=section.finger and _placed(section.finger, layout),
+        loss_factor=own.material.loss_factor if section.loss_factor is None else section.loss_factor,
     )
 
 

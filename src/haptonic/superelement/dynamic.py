@@ -98,10 +98,15 @@ def dynamic_stiffness(shared: FoldedMesh, omega: float, loads: Fields | None = N
         answers = []
         for load in (loads, images):
             share = _folded_load(shared, q, load)
-            held = _unfolded(shared, q, _solved(solver, share))
-            answers += [held, trace.unfold_rows(inside.T @ share)]
+            answers.append(
+                (_unfolded(shared, q, _solved(solver, share)), trace.unfold_rows(inside.T @ share))
+            )
+        (held, force), (image_held, image_force) = answers
         part = ClassLifting(trace, shared.through, inside, np.zeros((len(inside), 0)))
-        return _DynamicClass(below, unfold(0.5 * (own + own.T)), unfold(inertia), part, *answers)
+        return _DynamicClass(
+            below=below, matrix=unfold(0.5 * (own + own.T)), mass=unfold(inertia), part=part,
+            held=held, force=force, image_held=image_held, image_force=image_force,
+        )  # fmt: skip
 
     def mirrored(original: _DynamicClass) -> _DynamicClass:
         assert mirror is not None

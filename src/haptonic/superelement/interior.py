@@ -93,7 +93,15 @@ def reduced(solver: Factorised, body: Bounded, steps: int, block: int) -> CraigB
     spread = la.block_diag(dual, np.eye(len(values)))
     truncation = spread @ missing @ spread.T
     truncation = 0.5 * (truncation + truncation.T)
-    return CraigBampton(static, modes, stiffness, mass, values, to_modes, truncation)
+    return CraigBampton(
+        static=static,
+        modes=modes,
+        stiffness=stiffness,
+        mass=mass,
+        values=values,
+        to_modes=to_modes,
+        truncation=truncation,
+    )
 
 
 def _softest(stiffness: Array, mass: Array, count: int) -> tuple[Array, Array]:

@@ -67,7 +67,11 @@ class Joint:
         """
         places = [one.points(rim)[:, :2] for one, rim in zip(placed, rims, strict=True)]
         joint = cls(
-            period, tuple(placed), levels, np.concatenate(places), np.cumsum([len(p) for p in places])
+            period=period,
+            placed=tuple(placed),
+            levels=levels,
+            position=np.concatenate(places),
+            ends=np.cumsum([len(p) for p in places]),
         )
         alone = np.bincount(joint.master)[joint.master] == 1
         starts = np.concatenate([[0], joint.ends])
@@ -155,7 +159,9 @@ class Joint:
         source = rank.argmin(axis=1)
         assert np.isfinite(rank.min(axis=1)).all(), "the operation does not leave the rims as they are"
         twice = mapped.move @ np.array(operation).T + mapped.move
-        return JointImage(self, turn, source, whole[np.arange(len(source)), source], twice)
+        return JointImage(
+            joint=self, turn=turn, source=source, shift=whole[np.arange(len(source)), source], twice=twice
+        )
 
     def half_turn(self) -> JointImage | None:
         """How half a turn about the normal acts, if the cell has it."""

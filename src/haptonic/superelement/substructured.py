@@ -183,7 +183,7 @@ def _condense_foot(
     solver.factorise(folded.interior)
     own = reduced(solver, folded.body, steps, block + FOR_SECTION * body.kinds)
     measures = ClassMeasures.of(shared, q, folded, own, on_top) if measured else None
-    return _FootClass(folded.trace, parities, on_top, own, measures)
+    return _FootClass(trace=folded.trace, parities=parities, on_top=on_top, own=own, measures=measures)
 
 
 def _parities(folding: Folding, q: int) -> tuple[Kinds, ...]:
@@ -244,7 +244,7 @@ def _joined(
     inner = np.hstack([static, dynamic])
     of_foot = np.vstack([np.eye(trace, inner.shape[1]), inner[:below]])
     of_body = np.delete(inner, np.s_[section:below], axis=0)
-    part = SubstructuredPart(foot, body, mesh, through, static, dynamic)
+    part = SubstructuredPart(foot=foot, body=body, mesh=mesh, through=through, static=static, modes=dynamic)
     piece = CondensedClass.of(part, found, _measured(foot, body, stiff, of_foot, of_body))
     truncation = of_foot.T @ own.truncation @ of_foot + found.truncation
     return replace(piece, forms=piece.forms | {"truncation": ClassForm.split(foot.trace, truncation)})

@@ -122,7 +122,15 @@ class SmallModel:
         bonds = bonds_of(plate, {one.parameter: (one.low, one.high) for one in unknowns})
         model = PlateModel.of(plate, float(frequency[-1]), fineness, bonds)
         space = Space(plate, unknowns)
-        small = cls(space, model, (), frequency, points, drives, tolerance)
+        small = cls(
+            space=space,
+            model=model,
+            anchors=(),
+            frequency=frequency,
+            points=points,
+            drives=drives,
+            tolerance=tolerance,
+        )
         # fields of a plate that hardly loses anything are hard to compute, and no others for that
         moved = np.array([one.parameter != LOSS for one in unknowns])
         tried = np.unique(np.vstack([np.zeros(len(unknowns)), moved * space.spread(ANCHORS - 1)]), axis=0)
@@ -181,8 +189,10 @@ def fitted(small: SmallModel, data: MeasuredResponse, progress: Progress = silen
     found = match.response(x)
     tells = uncertainty(match.jacobian(x), match.misfit(x))
     return Fit(
-        small.space.plate_at(x), _numbers(small.space, x, tells), before, found, data.unexplained(before),
-        data.unexplained(found), strange, tells, _apart(found - match.defect, found), len(small.anchors),
+        plate=small.space.plate_at(x), numbers=_numbers(small.space, x, tells), before=before, after=found,
+        unexplained_before=data.unexplained(before),
+        unexplained=data.unexplained(found), left_out=strange, uncertainty=tells,
+        error=_apart(found - match.defect, found), anchors=len(small.anchors),
     )  # fmt: skip
 
 
@@ -213,7 +223,18 @@ def _numbers(space: Space, x: Array, tells: Uncertainty) -> tuple[Fitted, ...]:
             if tied := [names[other] for other in tells.tied(k) if lost[other]]:
                 remark = f"told only together with {' and '.join(tied)}"
         interval = None if remark else (value * float(np.exp(-half)), value * float(np.exp(half)))
-        found.append(Fitted(one.parameter, one.unit, start, one.low, one.high, value, interval, remark))
+        found.append(
+            Fitted(
+                name=one.parameter,
+                unit=one.unit,
+                start=start,
+                low=one.low,
+                high=one.high,
+                value=value,
+                interval_95=interval,
+                remark=remark,
+            )
+        )
     return tuple(found)
 
 

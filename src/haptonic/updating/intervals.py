@@ -80,7 +80,13 @@ def uncertainty(jacobian: Complex, residual: Complex) -> Uncertainty:
     effective = data * float(((plain / np.maximum(half, TINY)) ** 2)[plain > 0].min(initial=1.0))
     half = half / scale
     half[(np.abs(turn[:, lost]) > PART).any(axis=1)] = np.inf
-    return Uncertainty(half, inverse / np.outer(size, size), independent, data, effective)
+    return Uncertainty(
+        half=half,
+        correlation=inverse / np.outer(size, size),
+        independent=independent,
+        data=data,
+        effective=effective,
+    )
 
 
 def _independent(residual: Complex) -> bool:

@@ -71,7 +71,14 @@ class MeasuredResponse:
             square = np.clip(coherence, SURE, 1 - SURE)
             every = power * (1 - square) / square
             noise = np.outer(every.mean(axis=1), every.mean(axis=0)) / every.mean()
-        return cls(frequency, points, response, velocity, 1 / np.sqrt(noise), drives)
+        return cls(
+            frequency=frequency,
+            points=points,
+            response=response,
+            velocity=velocity,
+            weight=1 / np.sqrt(noise),
+            drives=drives,
+        )
 
     @property
     def omega(self) -> Array:

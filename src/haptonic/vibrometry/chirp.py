@@ -111,7 +111,9 @@ def drive(
         warnings.warn(note, HaptonicWarning, stacklevel=2)
     scaled = made * (amplitude / np.abs(made).max())
     scaled.setflags(write=False)
-    return Drive(scaled, float(sample_rate), band, kind, tuple(notes), unit)
+    return Drive(
+        samples=scaled, sample_rate=float(sample_rate), band=band, kind=kind, warnings=tuple(notes), unit=unit
+    )
 
 
 def drive_notes(signal: Drive, periods: int = 1) -> dict[str, Any]:

@@ -34,7 +34,14 @@ class ReadReport:
     def of(cls, notes: Notebook, points: int) -> ReadReport:
         """What a reader noted, and how many points it gave."""
         dropped, missing, remarks = tuple(notes.dropped), tuple(notes.missing), tuple(notes.remarks)
-        return cls(str(notes.path), notes.format, points, dropped, missing, remarks)
+        return cls(
+            path=str(notes.path),
+            format=notes.format,
+            points=points,
+            dropped=dropped,
+            missing=missing,
+            remarks=remarks,
+        )
 
     @property
     def complete(self) -> bool:

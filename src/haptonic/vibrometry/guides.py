@@ -88,7 +88,15 @@ def strips_of(layout: Layout, region: str) -> list[LatticeRows]:
         if (one.name, one.depth) == (first.name, first.depth)
     }
     return [
-        LatticeRows(one.area, one.depth, one.start, one.inwards, one.pitch, _period(layout, one), one.rows)
+        LatticeRows(
+            area=one.area,
+            depth=one.depth,
+            start=one.start,
+            inwards=one.inwards,
+            pitch=one.pitch,
+            period=_period(layout, one),
+            rows=one.rows,
+        )
         for one in alike.values()
     ]
 
@@ -133,7 +141,15 @@ def _mirrors(layout: Layout, region: str) -> Iterator[Mirror]:
             if depth == "x"
             else Rectangle(left, low, right - left, high - low)
         )
-        yield Mirror(name, depth, inwards, start, (high - low) / number, number, area)
+        yield Mirror(
+            name=name,
+            depth=depth,
+            inwards=inwards,
+            start=start,
+            pitch=(high - low) / number,
+            rows=number,
+            area=area,
+        )
 
 
 def _span(layout: Layout, name: str) -> tuple[range, range]:

@@ -105,12 +105,15 @@ def recorded(
     drive_scale = float(np.abs(signal.samples).max()) / largest
     reference = np.rint(signal.samples / drive_scale).astype(kind)
     source = _Simulated(
-        values, spectrum, signal, instrument, averages, seed, full / largest, largest,
-        np.tile(reference, (1, averages, 1)),
+        values=values, spectrum=spectrum, signal=signal, instrument=instrument, averages=averages,
+        seed=seed, scale=full / largest, largest=largest,
+        reference=np.tile(reference, (1, averages, 1)),
     )  # fmt: skip
     return TimeScan(
-        source, tuple(str(i + 1) for i in range(len(points))), points[:, 0].copy(), points[:, 1].copy(),
-        averages, len(signal.samples), signal.sample_rate, response.reference,
+        source=source, names=tuple(str(i + 1) for i in range(len(points))), x=points[:, 0].copy(),
+        y=points[:, 1].copy(),
+        repeats=averages, samples=len(signal.samples), sample_rate=signal.sample_rate,
+        reference=response.reference,
         motion="displacement" if notes["quantity"] == "displacement" else "velocity",
         reference_scale=drive_scale, response_scale=full / largest, full_scale=largest,
         origin="simulated", title=f"simulated scan, seed {seed}",

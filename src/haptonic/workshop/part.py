@@ -94,7 +94,7 @@ class Part:
         standing = tuple((pillar, np.concatenate(places)) for pillar, places in kinds.items())
         outline = np.array([corners[0, 0], corners[-1, 0], corners[-1, -1], corners[0, -1]])
         marks = tuple(Mark("CELL", border) for border in borders)
-        return cls((outline,), standing, cell, marks, (columns, rows))
+        return cls(outline=(outline,), standing=standing, cell=cell, marks=marks, count=(columns, rows))
 
     @classmethod
     def whole(cls, plate: Plate, cell: UnitCell) -> Part:

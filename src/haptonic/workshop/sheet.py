@@ -127,7 +127,7 @@ class Sheet:
         document.layouts.rename("Layout1", "Drawing")
         space = document.paperspace("Drawing")
         space.page_setup(size=size, margins=(0, 0, 0, 0), units="mm")
-        return cls(document, space, size, title, date)
+        return cls(document=document, space=space, size=size, title=title, date=date)
 
     def line(self, points: Sequence[Place] | Array, layer: str = "OUTLINE", *, close: bool = False) -> None:
         places = [(float(x), float(y)) for x, y in points]

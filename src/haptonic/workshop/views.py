@@ -85,7 +85,13 @@ def draw_section(
     whole = fitting(width, thickness + (body.height if body else 0.0), box, (36.0, 17.0, 41.0, 33.0))
     view = View(whole.place(0, thickness), whole.scale)  # heights count from the plate's top
     section = _Section(
-        sheet, view, 0.5 * width, thickness, body, heights(thickness, pillar, table), tolerances
+        sheet=sheet,
+        view=view,
+        half=0.5 * width,
+        thickness=thickness,
+        body=body,
+        dimensions=heights(thickness, pillar, table),
+        tolerances=tolerances,
     )
     section.draw_body(alone)
     section.draw_left(box[3])

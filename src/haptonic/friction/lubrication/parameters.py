@@ -55,40 +55,50 @@ class Parameter:
 
 PARAMETERS = {
     "patch_area": Parameter(
-        1e-4, "m^2", "contact area at 0.5 N", (1e-6, 1e-2), (0.7e-4, 1.4e-4), "assumed", "usual fingertip"
+        value=1e-4, unit="m^2", title="contact area at 0.5 N",
+        bounds=(1e-6, 1e-2), plausible=(0.7e-4, 1.4e-4), mark="assumed", source="usual fingertip",
     ),
     "area_exponent": Parameter(
-        0.4, "", "growth of the area with force", (0.0, 1.0), (0.3, 0.5), "assumed", "between Hertz and a rod"
+        value=0.4, unit="", title="growth of the area with force",
+        bounds=(0.0, 1.0), plausible=(0.3, 0.5), mark="assumed", source="between Hertz and a rod",
     ),
     "asperity_pressure": Parameter(
-        5e3, "Pa", "asperity pressure at the contact gap", (1e2, 1e6), (5e3, 5e3), "assumed",
-        "defines the contact gap: the pressure of 0.5 N on the area"
+        value=5e3, unit="Pa", title="asperity pressure at the contact gap",
+        bounds=(1e2, 1e6), plausible=(5e3, 5e3), mark="assumed",
+        source="defines the contact gap: the pressure of 0.5 N on the area",
     ),
     "contact_gap": Parameter(
-        4e-6, "m", "gap at which asperities carry that pressure", (1e-8, 1e-3), (3e-6, 5e-6), "assumed",
-        "chosen so that 2.5 um remove about 95 % of the friction; not measured"
+        value=4e-6, unit="m", title="gap at which asperities carry that pressure",
+        bounds=(1e-8, 1e-3), plausible=(3e-6, 5e-6), mark="assumed",
+        source="chosen so that 2.5 um remove about 95 % of the friction; not measured",
     ),
     "decay_length": Parameter(
-        3e-6, "m", "gap over which asperity pressure falls to 1/e", (1e-8, 1e-3), (2.5e-6, 3.5e-6), "assumed",
-        "chosen together with the contact gap; not measured"
+        value=3e-6, unit="m", title="gap over which asperity pressure falls to 1/e",
+        bounds=(1e-8, 1e-3), plausible=(2.5e-6, 3.5e-6), mark="assumed",
+        source="chosen together with the contact gap; not measured",
     ),
     "film_share": Parameter(
-        1.0, "", "length of the film over the radius of the contact", (1e-4, 10.0), (0.04, 1.0), "assumed",
-        "1: the whole pad; 0.04: half the width of one ridge. The largest uncertainty of all"
+        value=1.0, unit="", title="length of the film over the radius of the contact",
+        bounds=(1e-4, 10.0), plausible=(0.04, 1.0), mark="assumed",
+        source="1: the whole pad; 0.04: half the width of one ridge. The largest uncertainty of all",
     ),
     "viscosity": Parameter(
-        1.81e-5, "Pa s", "viscosity of air", (1e-6, 1e-3), (1.79e-5, 1.86e-5), "assumed", "air at 15 to 30 C"
+        value=1.81e-5, unit="Pa s", title="viscosity of air",
+        bounds=(1e-6, 1e-3), plausible=(1.79e-5, 1.86e-5), mark="assumed", source="air at 15 to 30 C",
     ),
     "ambient_pressure": Parameter(
-        101325.0, "Pa", "ambient pressure", (1e3, 1e7), (0.95e5, 1.04e5), "assumed", "standard atmosphere"
+        value=101325.0, unit="Pa", title="ambient pressure",
+        bounds=(1e3, 1e7), plausible=(0.95e5, 1.04e5), mark="assumed", source="standard atmosphere",
     ),
     "static_friction": Parameter(
-        0.42, "", "coefficient of friction without vibration", (0.0, 10.0), (0.3, 0.6), "computed",
-        "from the drop of 0.23, which is 55 %, of [daunizeau-haptics]"
+        value=0.42, unit="", title="coefficient of friction without vibration",
+        bounds=(0.0, 10.0), plausible=(0.3, 0.6), mark="computed",
+        source="from the drop of 0.23, which is 55 %, of [daunizeau-haptics]",
     ),
     "stiffness_ratio": Parameter(
-        2 / 3, "", "tangential over normal stiffness of the contact", (0.0, 1.0), (0.6, 0.7), "computed",
-        "2 (1 - nu) / (2 - nu) of an elastic contact, nu = 0.5"
+        value=2 / 3, unit="", title="tangential over normal stiffness of the contact",
+        bounds=(0.0, 1.0), plausible=(0.6, 0.7), mark="computed",
+        source="2 (1 - nu) / (2 - nu) of an elastic contact, nu = 0.5",
     ),
 }  # fmt: skip
 """What is taken for what nobody gives."""

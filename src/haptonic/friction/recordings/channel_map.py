@@ -76,7 +76,7 @@ class ChannelMap:
                 next_step="put the table of trials right",
             )
         position = signal("position") if "position" in self.scaled else None
-        return Record(normal, tangential, rate, position, flat)
+        return Record(normal=normal, tangential=tangential, rate=rate, position=position, saturated=flat)
 
     def turned(self) -> ChannelMap:
         """The same with the sign of the normal force turned, and a remark on it."""

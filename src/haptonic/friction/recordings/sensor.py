@@ -159,8 +159,10 @@ class Sensor:
                 remarks.append(f"the channels {', '.join(gauges)} were taken as the gauges, in this order")
         if "time" not in scaled and self.rate is None and channels.rate is None:
             raise no_rate()
-        limits = self.largest_force, self.largest_gauge
-        return ChannelMap(scaled, self.rate, gauges, matrix, *limits, tuple(remarks), not self.normal)
+        return ChannelMap(
+            scaled=scaled, rate=self.rate, gauges=gauges, matrix=matrix, largest_force=self.largest_force,
+            largest_gauge=self.largest_gauge, remarks=tuple(remarks), sign_unknown=not self.normal,
+        )  # fmt: skip
 
     def _scaled(self, meaning: str, asked: str, channels: Group) -> ScaledChannel:
         turned = asked.startswith("-")

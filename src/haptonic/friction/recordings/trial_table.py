@@ -86,12 +86,12 @@ class TrialTable:
             for row, (group, start, stop) in enumerate(zip(groups, *times, strict=True))
         ]
         return cls(
-            folder,
-            {name: np.array([getattr(label, name) for label in labels]) for name in LABEL},
-            {name: columns[name] for name in CARRIED if name in columns},
-            files,
-            spans,
-            "simulated" in origins,
+            folder=folder,
+            labels={name: np.array([getattr(label, name) for label in labels]) for name in LABEL},
+            carried={name: columns[name] for name in CARRIED if name in columns},
+            files=files,
+            spans=spans,
+            simulated="simulated" in origins,
         )
 
     def portions(self) -> Iterator[list[tuple[str, list[RecordSpan]]]]:

@@ -113,7 +113,15 @@ def processed(channels: Array, rate: float, rules: Rules) -> Processed:
     normal, tangential = forces
     contact = normal > rules.threshold
     velocity, forwards, plateau = _motion(smooth[2:], rate, tangential, contact, rules)
-    return Processed(normal, tangential, velocity, contact, forwards, plateau, touched)
+    return Processed(
+        normal=normal,
+        tangential=tangential,
+        velocity=velocity,
+        contact=contact,
+        forwards=forwards,
+        plateau=plateau,
+        touched=touched,
+    )
 
 
 def _measured(records: list[Record], rules: Rules) -> dict[str, NDArray[np.generic]]:

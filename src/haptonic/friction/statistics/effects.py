@@ -148,14 +148,14 @@ def equivalence(pairs: Pairs, bound: float) -> Equivalence:
     below = float(scipy.stats.t.sf((made.mean + bound) / error, dof))
     reach = float(scipy.stats.t.ppf(0.95, dof)) * error
     return Equivalence(
-        pairs.waveguide,
-        bound,
-        len(each),
-        made.mean,
-        made.mean - reach,
-        made.mean + reach,
-        max(above, below),
-        above,
+        waveguide=pairs.waveguide,
+        bound=bound,
+        n=len(each),
+        mean=made.mean,
+        low=made.mean - reach,
+        high=made.mean + reach,
+        p=max(above, below),
+        p_above=above,
     )
 
 
@@ -244,9 +244,13 @@ def _among_these(value: float, cloud: Array, pairs: Pairs) -> IntervalEstimate:
     fewest = min(int((pairs.participant == name).sum()) for name in pairs.people)
     if fewest < 2:
         note = "a participant with a single pair of trials: their scatter is not known"
-        return IntervalEstimate(value, math.nan, math.nan, note, "these participants")
+        return IntervalEstimate(
+            value=value, low=math.nan, high=math.nan, note=note, about="these participants"
+        )
     low, high = np.nanquantile(cloud, QUANTILES)
     note = "these participants only, nobody else"
     if fewest < FEWEST_FOR_A_BOOTSTRAP:
         note += f"; {fewest} pairs are few for a bootstrap: the interval is too narrow"
-    return IntervalEstimate(value, float(low), float(high), note, "these participants")
+    return IntervalEstimate(
+        value=value, low=float(low), high=float(high), note=note, about="these participants"
+    )

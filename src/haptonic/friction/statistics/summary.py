@@ -127,20 +127,22 @@ def summary(trials: xr.Dataset, driven: str | None = None) -> Summary:
     except FrictionError as error:
         omissions.append(f"drift: {error.argument}: {error.given}; {error.cause}")
     return Summary(
-        driven,
-        idle,
-        chosen if driven else "no waveguide can be tested",
-        conditions,
-        tuple(tests),
-        tuple(by_each(all_pairs)),
-        reductions,
-        {(guide, name): reduction_here(one.of(name)) for guide, one in pairs.items() for name in one.people},
-        shares,
-        shares_here,
-        tuple(equivalence(pairs[guide], WEBER_FRACTION) for guide in idle if guide in pairs),
-        drifted,
-        tuple(conclusion([test for test in tests if test.waveguide == guide]) for guide in pairs),
-        tuple(omissions),
+        driven=driven,
+        idle=idle,
+        chosen=chosen if driven else "no waveguide can be tested",
+        conditions=conditions,
+        tests=tuple(tests),
+        each=tuple(by_each(all_pairs)),
+        reductions=reductions,
+        own={
+            (guide, name): reduction_here(one.of(name)) for guide, one in pairs.items() for name in one.people
+        },
+        stopped=shares,
+        stopped_here=shares_here,
+        equivalences=tuple(equivalence(pairs[guide], WEBER_FRACTION) for guide in idle if guide in pairs),
+        drift=drifted,
+        conclusions=tuple(conclusion([test for test in tests if test.waveguide == guide]) for guide in pairs),
+        omissions=tuple(omissions),
     )
 
 
@@ -155,11 +157,11 @@ def conditions_of(trials: xr.Dataset, guides: list[str]) -> Iterator[Condition]:
                 if person != EVERYBODY:
                     rows &= columns["participant"] == person
                 good = rows & (columns["excluded"] == "")
-                numbers = (
-                    _spread(trials, name, good) for name in ("friction", "ratio_of_means", "force", "speed")
-                )
                 yield Condition(
-                    person, guide, side, int(good.sum()), int(rows.sum() - good.sum()), *numbers
+                    participant=person, waveguide=guide, actuation=side, used=int(good.sum()),
+                    excluded=int(rows.sum() - good.sum()), friction=_spread(trials, "friction", good),
+                    by_means=_spread(trials, "ratio_of_means", good), force=_spread(trials, "force", good),
+                    speed=_spread(trials, "speed", good),
                 )  # fmt: skip
 
 

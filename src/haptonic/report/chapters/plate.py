@@ -53,11 +53,12 @@ def _swinging(result: PlateResult) -> Picture:
     shown, layout, drive = result.marked, result.plate.layout, result.drive
     frequency = f"{result.resonance / 1e3:.2f} kHz"
     return Picture(
-        plots.map_at(shown, result.resonance, layout, None, drive=drive),
-        f"Simulated normal velocity of the flat face at {frequency}, in motion where motion is wanted.",
-        f"Map of the plate at {frequency}, red and blue taking turns.",
-        "carrier",
-        partial(plots.animated, shown, result.resonance, layout, drive=drive),
+        figure=plots.map_at(shown, result.resonance, layout, None, drive=drive),
+        caption=f"Simulated normal velocity of the flat face at {frequency}, in motion where motion is "
+        "wanted.",
+        alternative=f"Map of the plate at {frequency}, red and blue taking turns.",
+        name="carrier",
+        moving=partial(plots.animated, shown, result.resonance, layout, drive=drive),
     )
 
 

@@ -72,12 +72,12 @@ def of_dataset(name: str, data: xr.Dataset) -> BandSet:
     """Bands that haptonic computed."""
     corners = data["distance"].values[json.loads(data.attrs["path_corners"])]
     return BandSet(
-        name,
-        np.interp(data["distance"].values, corners, np.arange(len(corners))),
-        np.sort(data["frequency"].values, axis=1),
-        tuple(json.loads(data.attrs["path_labels"])),
-        tuple(gap for gap in gaps_of(data) if gap.complete),
-        json.loads(data.attrs["inputs"]),
+        name=name,
+        position=np.interp(data["distance"].values, corners, np.arange(len(corners))),
+        frequency=np.sort(data["frequency"].values, axis=1),
+        labels=tuple(json.loads(data.attrs["path_labels"])),
+        gaps=tuple(gap for gap in gaps_of(data) if gap.complete),
+        inputs=json.loads(data.attrs["inputs"]),
     )
 
 
@@ -150,12 +150,12 @@ def of_table(
     for row, found in zip(frequency, rows, strict=True):
         row[: len(found)] = found
     return BandSet(
-        path.stem,
-        np.unique(position),
-        frequency,
-        labels,
-        (),
-        {},
+        name=path.stem,
+        position=np.unique(position),
+        frequency=frequency,
+        labels=labels,
+        gaps=(),
+        inputs={},
         ours=False,
         left=tuple(name for k, name in enumerate(numbers.names[first:], first) if k not in in_hertz),
     )

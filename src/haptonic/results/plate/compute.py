@@ -72,7 +72,16 @@ def compute_plate(
         for key, dataset in zip(keys, kept, strict=True):
             store.put(key, dataset)
     response, marked, lines, modes, body = kept
-    return PlateResult(plate, gap, carrier, from_plain(response), from_plain(marked), lines, modes, body)
+    return PlateResult(
+        plate=plate,
+        gap=gap,
+        carrier=carrier,
+        response=from_plain(response),
+        marked=from_plain(marked),
+        lines=lines,
+        modes=modes,
+        body=body,
+    )
 
 
 def _need_loss(plate: Plate) -> None:

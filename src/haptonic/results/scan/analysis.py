@@ -121,7 +121,15 @@ def compute_scan(
     data = xr.Dataset({"average": average_spectrum(response)})
     axes = [str(name) for name in response.dataset["direction"].values]
     unseen = [] if "z" in axes else [f"no maps: motions along {', '.join(axes)}, none normal to the plate"]
-    plain = ScanResult(response, found.quality, report, found.averages, data, (), undetermined=tuple(unseen))
+    plain = ScanResult(
+        response=response,
+        quality=found.quality,
+        report=report,
+        averages=found.averages,
+        data=data,
+        shapes=(),
+        undetermined=tuple(unseen),
+    )
     if on is None:
         loudest = float(response.frequency[int(data["average"].values.argmax())])
         return replace(plain, shapes=(loudest if at is None else at,))

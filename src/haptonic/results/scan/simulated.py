@@ -102,7 +102,9 @@ class SimulatedScan(Result):
             true.dataset.assign_coords(x=("point", points[:, 0]), y=("point", points[:, 1]))
         )
         records = recorded(moved, signal, settings.instrument, averages=settings.averages, seed=seed)
-        return cls(plate, settings, signal, gap, true, records, seed)
+        return cls(
+            plate=plate, settings=settings, signal=signal, gap=gap, true=true, records=records, seed=seed
+        )
 
     @cached_property
     def estimated(self) -> FrequencyResponse:

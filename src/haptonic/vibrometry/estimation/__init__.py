@@ -193,7 +193,17 @@ def _planned(
     scale = scan.response_scale / scan.reference_scale
     factor = scale * (2j * np.pi * frequency[first:last][kept]) ** power_of_i
     like = reference[0, 0].astype(np.float64) if align else None
-    return _Plan(estimator, length, step, slice(first, last), kept, weights, like, single, factor)
+    return _Plan(
+        estimator=estimator,
+        length=length,
+        step=step,
+        lines=slice(first, last),
+        kept=kept,
+        window=weights,
+        like=like,
+        single=single,
+        factor=factor,
+    )
 
 
 @dataclass(frozen=True, eq=False)

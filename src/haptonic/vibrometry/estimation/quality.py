@@ -52,7 +52,7 @@ def assessed(names: tuple[str, ...], clipped: Array, frozen: Array, coherence: A
     for share, run, median in zip(clipped, frozen, coherence, strict=True):
         found = [("saturated", share > 0), ("dropout", run > FROZEN), ("low coherence", median < LOW)]
         flags.append(tuple(name for name, bad in found if bad))
-    return Quality(names, clipped, frozen, coherence, tuple(flags))
+    return Quality(names=names, clipped=clipped, frozen=frozen, coherence=coherence, flags=tuple(flags))
 
 
 def clipped_share(response: Samples, full_scale: float | None) -> Array:
@@ -153,4 +153,10 @@ def repaired(
         inputs=json.loads(notes["inputs"]) | {"repaired": names},
     )  # fmt: skip
     marked = [(*one, "repaired") if is_bad else one for one, is_bad in zip(quality.flags, bad, strict=True)]
-    return made, Quality(quality.names, quality.clipped, quality.frozen, quality.coherence, tuple(marked))
+    return made, Quality(
+        names=quality.names,
+        clipped=quality.clipped,
+        frozen=quality.frozen,
+        coherence=quality.coherence,
+        flags=tuple(marked),
+    )

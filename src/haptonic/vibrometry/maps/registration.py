@@ -115,7 +115,13 @@ def register_by_corners(
         raise _wrong("corners", "pairs without any common turn", "the same places in the same order")
     shift = target - scale * _turn(angle) @ middle
     left = scale * seen @ _turn(angle).T + shift - plate
-    return Registration(scale, angle, shift, mirrored, float(np.sqrt((left**2).sum(axis=1).mean())))
+    return Registration(
+        scale=scale,
+        angle=angle,
+        shift=shift,
+        mirrored=mirrored,
+        misfit=float(np.sqrt((left**2).sum(axis=1).mean())),
+    )
 
 
 def register_by_fit(
@@ -141,7 +147,13 @@ def register_by_fit(
         angle = target_tilt - tilt + quarter * np.pi / 2
         sides = size[::-1] if quarter % 2 else size
         scale = float(np.sqrt(target_size.prod() / sides.prod())) if scaled else 1.0
-        fit = Registration(scale, angle, target - scale * _turn(angle) @ middle, False, np.inf)
+        fit = Registration(
+            scale=scale,
+            angle=angle,
+            shift=target - scale * _turn(angle) @ middle,
+            mirrored=False,
+            misfit=np.inf,
+        )
         for _ in range(ROUNDS):
             near = plate[tree.query(fit.of(seen))[1]]
             better = register_by_corners(seen, near, scaled=scaled)
@@ -155,7 +167,9 @@ def register_by_fit(
     best = min(equal, key=lambda fit: abs(float(np.angle(np.exp(1j * fit.angle)))))
     if best.misfit > WORST * target_size.min():
         raise _wrong("fit", f"a misfit of {best.misfit * 1e3:.4g} mm", "points of the same plate")
-    return Registration(best.scale, best.angle, best.shift, mirrored, best.misfit)
+    return Registration(
+        scale=best.scale, angle=best.angle, shift=best.shift, mirrored=mirrored, misfit=best.misfit
+    )
 
 
 def _rectangle(points: Array) -> tuple[Array, float, Array]:

@@ -144,7 +144,11 @@ def _read(
     title: str,
 ) -> Scan:
     how = Mapped(
-        variables or {}, unit, length_unit or 1.0, Reference.parse(reference or ""), frequency_unit or 1.0
+        variables=variables or {},
+        unit=unit,
+        length_unit=length_unit or 1.0,
+        reference=Reference.parse(reference or ""),
+        frequency_unit=frequency_unit or 1.0,
     )
     form = None if path.is_dir() else _format(path)
     notes = Notebook(path, FOLDER if form is None else form.name)

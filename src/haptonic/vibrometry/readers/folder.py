@@ -191,9 +191,31 @@ def _curves(name: str, file: Path, how: Mapped, notes: Notebook) -> list[Curve]:
     lines = (written.factor if written.unit == "Hz" else how.frequency_unit) * column["frequency"]
     source, motion = f"file {file.name}", ratio.over.motion
     reference = how.reference_of(ratio)
-    made = [Curve(source, name, 3, "response", lines, ratio.factor * values, motion, reference)]
+    made = [
+        Curve(
+            source=source,
+            point=name,
+            axis=3,
+            kind="response",
+            frequency=lines,
+            values=ratio.factor * values,
+            motion=motion,
+            reference=reference,
+        )
+    ]
     if "coherence" in column:
-        made.append(Curve(source, name, 3, "coherence", lines, column["coherence"], motion, Reference()))
+        made.append(
+            Curve(
+                source=source,
+                point=name,
+                axis=3,
+                kind="coherence",
+                frequency=lines,
+                values=column["coherence"],
+                motion=motion,
+                reference=Reference(),
+            )
+        )
     return made
 
 

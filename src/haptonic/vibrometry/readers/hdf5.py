@@ -84,9 +84,9 @@ def read_records(group: Group, notes: Notebook) -> TimeScan:
         x, y = (np.asarray(sets[name], float) for name in "xy")
         measured = int(sets["response"].properties.get("measured", -1))
         scan = TimeScan(
-            OfChannels(sets["reference"], sets["response"], shape[1], shape[2]),
-            tuple(_names(sets, shape[0])), x, y, shape[1], shape[2],
-            float(says["sample_rate"]), Reference.parse(str(says["reference"])),
+            source=OfChannels(sets["reference"], sets["response"], shape[1], shape[2]),
+            names=tuple(_names(sets, shape[0])), x=x, y=y, repeats=shape[1], samples=shape[2],
+            sample_rate=float(says["sample_rate"]), reference=Reference.parse(str(says["reference"])),
             motion=_motion(str(says["motion"]), path),
             reference_scale=float(says["reference_scale"]),
             response_scale=float(says["response_scale"]),

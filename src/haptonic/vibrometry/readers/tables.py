@@ -114,13 +114,31 @@ def scan_of(
     reference = how.reference_of(unit)
     motion = unit.over.motion
     curves = [
-        Curve(f"row {i + 1}", str(i + 1), 3, "response", lines, unit.factor * row, motion, reference)
+        Curve(
+            source=f"row {i + 1}",
+            point=str(i + 1),
+            axis=3,
+            kind="response",
+            frequency=lines,
+            values=unit.factor * row,
+            motion=motion,
+            reference=reference,
+        )
         for i, row in enumerate(values)
     ]
     if "coherence" in table:
         both = _points_first(np.squeeze(np.asarray(table["coherence"])), len(places), len(lines), notes)
         curves += [
-            Curve(f"row {i + 1}", str(i + 1), 3, "coherence", lines, row, motion, Reference())
+            Curve(
+                source=f"row {i + 1}",
+                point=str(i + 1),
+                axis=3,
+                kind="coherence",
+                frequency=lines,
+                values=row,
+                motion=motion,
+                reference=Reference(),
+            )
             for i, row in enumerate(both)
         ]
     known = {str(i + 1): place for i, place in enumerate(places) if place is not None}
@@ -185,12 +203,12 @@ def _records(
     found = [place for place in places if place is not None]
     unit = ratio_of(how.unit).over
     return TimeScan(
-        source,
-        tuple(str(i + 1) for i in keep),
-        np.array([place.x for place in found]), np.array([place.y for place in found]),
-        repeats, samples,
-        float(np.asarray(table["sample_rate"], dtype=float).ravel()[0]),
-        how.reference or Reference("reference", "V"),
+        source=source,
+        names=tuple(str(i + 1) for i in keep),
+        x=np.array([place.x for place in found]), y=np.array([place.y for place in found]),
+        repeats=repeats, samples=samples,
+        sample_rate=float(np.asarray(table["sample_rate"], dtype=float).ravel()[0]),
+        reference=how.reference or Reference("reference", "V"),
         motion=unit.motion or "velocity", response_scale=unit.factor, origin=origin, title=title,
     )  # fmt: skip
 

@@ -81,9 +81,10 @@ def scan_of_groups(
     named = [[(name, channel.name) for name, channel in zip(names, column, strict=True)]
              for column in zip(*rows, strict=True)]  # fmt: skip
     return TimeScan(
-        _TdmsRecords(notes.path, *named), tuple(names),
-        np.array([x for x, _ in places]), np.array([y for _, y in places]),
-        1, form[0], rate, how.reference or Reference("reference", drive.unit or "V"),
+        source=_TdmsRecords(notes.path, *named), names=tuple(names),
+        x=np.array([x for x, _ in places]), y=np.array([y for _, y in places]),
+        repeats=1, samples=form[0], sample_rate=rate,
+        reference=how.reference or Reference("reference", drive.unit or "V"),
         motion=motion.motion, response_scale=motion.factor, reference_scale=drive.factor,
         start=start, origin=origin, title=title,
     )  # fmt: skip

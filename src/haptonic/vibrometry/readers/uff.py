@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import replace
 
 import numpy as np
 
@@ -54,15 +55,17 @@ def _curve(function: Function, contents: UffContents) -> Curve | None:
         return None
     if header.response_axis == 0:
         notes.remark("curves without a direction were taken as z, normal to the plate")
-    axis = header.response_axis or 3
-    common = (function.source, name, axis)
+    like = Curve(
+        source=function.source, point=name, axis=header.response_axis or 3, kind="coherence",
+        frequency=np.empty(0), values=np.empty(0), motion="velocity", reference=Reference(),
+    )  # fmt: skip
     try:
         abscissa, ordinate = function.values()
     except UnreadableError as error:
         notes.drop(f"point {name} ({function.source})", str(error))
         return None
     if kind == "coherence":
-        return Curve(*common, "coherence", abscissa, np.real(ordinate), "velocity", Reference())
+        return replace(like, frequency=abscissa, values=np.real(ordinate))
     ratio = ratio_in(header, contents)
     if ratio.over.motion is None:
         found = header.over.unit or header.over.label or f"type {header.over.kind}"
@@ -77,7 +80,10 @@ def _curve(function: Function, contents: UffContents) -> Curve | None:
     values = ordinate * ratio.factor
     if header.reference_axis < 0:
         values = -values  # driven against the axis
-    return Curve(*common, "response", abscissa, values, ratio.over.motion, reference)
+    return replace(
+        like, kind="response", frequency=abscissa, values=values, motion=ratio.over.motion,
+        reference=reference,
+    )  # fmt: skip
 
 
 def ratio_in(header: Header, contents: UffContents) -> Ratio:
@@ -135,4 +141,15 @@ def _frequency_shapes(contents: UffContents) -> Iterator[list[Curve]]:
         row.sort(key=lambda pair: pair[0])
         lines, values = np.array([f for f, _ in row]), np.array([v for _, v in row], dtype=complex)
         assert motion is not None
-        yield [Curve("shapes (type 55)", str(node), axis, "response", lines, values, motion, Reference())]
+        yield [
+            Curve(
+                source="shapes (type 55)",
+                point=str(node),
+                axis=axis,
+                kind="response",
+                frequency=lines,
+                values=values,
+                motion=motion,
+                reference=Reference(),
+            )
+        ]

@@ -75,9 +75,10 @@ def time_scan_of(contents: UffContents, origin: Origin, title: str) -> TimeScan:
     drives, channel = _paired(references, points, ratio, contents)
     places = np.array([contents.nodes[node] for node in nodes])
     return TimeScan(
-        _UffRecords(drives, [points[node] for node in nodes]),
-        tuple(str(node) for node in nodes), places[:, 0].copy(), places[:, 1].copy(), repeats, like.count,
-        1 / like.step if like.step else 0.0, channel,
+        source=_UffRecords(drives, [points[node] for node in nodes]),
+        names=tuple(str(node) for node in nodes), x=places[:, 0].copy(), y=places[:, 1].copy(),
+        repeats=repeats, samples=like.count,
+        sample_rate=1 / like.step if like.step else 0.0, reference=channel,
         motion=unit.motion or "velocity",
         response_scale=unit.factor * (1 if like.response_axis >= 0 else -1),
         reference_scale=ratio[id(drives[0][0])].over.factor,
