@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-import xarray as xr
-from matplotlib.figure import Figure
-
+from haptonic import plots
 from haptonic.analyses.analysis import Analysis, option
+from haptonic.later import Axes, Figure
+from haptonic.later import xarray as xr
 from haptonic.results.cost import Cost
 from haptonic.results.result import Result, figure
 from haptonic.results.runner import Runner
@@ -46,8 +46,12 @@ class Toy(Result):
         return [Table("numbers", (Column("number"), Column("way", "m", "mm", ".2f")), rows)]
 
     @figure("toy", "Simulated numbers.")
-    def _drawn(self) -> Figure:
-        return Figure()
+    def _drawn(self, *, ax: Axes | None = None) -> Figure:
+        def paint(on: plots.Stage) -> None:
+            on.axes.plot(range(self.number), label="way")
+            on.legend()
+
+        return plots.painted(paint, height=6.0, ax=ax)
 
     def facts(self) -> dict[str, object]:
         return {"number": self.number, "length_m": self.length, "steps": self.dataset}

@@ -67,7 +67,7 @@ def test_friction_is_that_of_the_models_at_each_amplitude(drive, idle):
     for region, share in (("A", 1.0), ("B", idle)):
         amplitude = LOADED[2] * share * drive
         exact = float(shared_friction(amplitude, found.touch, found.skin.values))
-        at = friction.isel(point=int(np.flatnonzero(found.below(region))[0]))
+        at = friction.isel(point=int(np.flatnonzero(found.below[region])[0]))
         assert float(at["amplitude"]) == pytest.approx(amplitude)
         assert float(at["value"]) == pytest.approx(exact, abs=2e-3)
         assert float(at["low"]) <= float(at["value"]) <= float(at["high"])
@@ -117,13 +117,13 @@ def test_a_reduction_that_is_no_share_is_refused(reduction):
 def test_places_are_those_where_the_whole_finger_lies_on_the_region():
     found = made()
     x, y = found.loaded["x"].values, found.loaded["y"].values
-    inside = found.below("A")
+    inside = found.below["A"]
     assert inside.any()
     for edge in (x, 21e-3 - x, y, 28e-3 - y):  # the plate's rim and the lattice
         assert edge[inside].min() >= 5e-3 - 1.1e-3
     assert ((x > 6e-3) & (x < 15e-3) & (y > 6e-3) & (y < 22e-3) <= inside).all()
     wide = Feel(PLATE, None, found.loaded, 40e-3, found.touch, found.skin, 1.0)
-    np.testing.assert_array_equal(wide.below("A"), found.loaded["region"].values == "A")
+    np.testing.assert_array_equal(wide.below["A"], found.loaded["region"].values == "A")
 
 
 def test_times_and_ratios_are_those_with_a_finger():

@@ -53,8 +53,9 @@ def compute(study: None, options: FrictionOptions, runner: Runner) -> FrictionRe
     """
     path = options.path
     section, whole = _asked(path, options.study)
+    driven = driven_region(whole.mounted_plate()) if whole is not None and whole.finite_plate else None
     found = compute_friction(
-        path, section.sensor, section, section.exclude, driven=section.driven or _driven(whole),
+        path, section.sensor, section, section.exclude, driven=section.driven or driven,
         workers=runner.workers, progress=runner.progress,
     )  # fmt: skip
     return replace(found, published=options.references.friction if options.references else {})
@@ -65,11 +66,6 @@ def _asked(path: Path, study: Path | None) -> tuple[TrialSettings, Description |
     if study is None and not beside.is_file():
         return TrialSettings(), None
     return load_trials_as(study or beside, Description)
-
-
-def _driven(study: Description | None) -> str | None:
-    """The waveguide that a whole study drives."""
-    return driven_region(study.mounted_plate()) if study is not None and study.finite_plate else None
 
 
 def cost(study: None, options: FrictionOptions) -> Cost:

@@ -34,7 +34,6 @@ from haptonic.results.plate.value import PlateResult
 from haptonic.results.references import References, Variant, found_at
 from haptonic.results.result import Result
 from haptonic.results.runner import Runner
-from haptonic.results.scan.value import ScanResult
 from haptonic.results.simulated_trials import simulated_friction
 from haptonic.results.table import Table
 from haptonic.study.schema import Description
@@ -119,7 +118,8 @@ def compute(study: Description, options: ReproduceOptions, runner: Runner) -> Re
     plate, feel, alarms = parts.get("plate"), parts.get("feel"), dict[str, Alarms]()
     if isinstance(plate, PlateResult):
         with _timed(timings, "simulated scan"):
-            scan = _tried("simulated scan", partial(_scan, study, plate, runner))
+            made = partial(rescanned, study, plate, store=runner.store, progress=runner.progress)
+            scan = _tried("simulated scan", made)
         parts |= {"scan": scan} if scan else {}
     if isinstance(feel, Feel):
         with _timed(timings, "made-up trials"):
@@ -175,11 +175,6 @@ def _timed(timings: dict[str, float], part: str) -> Iterator[None]:
     clock = time.perf_counter()
     yield
     timings[part] = time.perf_counter() - clock
-
-
-def _scan(study: Description, plate: PlateResult, runner: Runner) -> ScanResult:
-    """What a scan of the computed plate by a simulated instrument tells."""
-    return rescanned(study, plate, store=runner.store, progress=runner.progress)
 
 
 def _trials(study: Description, feel: Feel, runner: Runner) -> FrictionResult:

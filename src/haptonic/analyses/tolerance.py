@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Sequence
 from dataclasses import asdict
 
 import numpy as np
@@ -11,9 +10,7 @@ import numpy as np
 from haptonic.analyses.analysis import KEPT, Analysis, NoOptions
 from haptonic.analyses.costs import gaps
 from haptonic.analyses.needs import need_carrier
-from haptonic.bloch import Gap
 from haptonic.bloch.gaps import need_gap_at
-from haptonic.cell import UnitCell
 from haptonic.design.edges import beside_dataset, edge_slopes, linear
 from haptonic.design.parameters import values_of
 from haptonic.design.quick import QUICK
@@ -84,7 +81,9 @@ def compute(study: Description, options: NoOptions, runner: Runner) -> Tolerance
             next_step="give smaller spreads",
         ) from None
     batches = [designs[i : i + BATCH] for i in range(0, count, BATCH)]
-    tasks = [_beside_task(batch, gap) for batch in (*batches, [cell])]
+    tasks = [
+        Task({"kind": "beside", "cells": cells, "gap": gap}, (cells, gap)) for cells in (*batches, [cell])
+    ]
     datasets = runner.run(beside_dataset, tasks, 1)
     *parts, own = (dataset["frequency"].values for dataset in datasets)
     offset = np.array([gap.lower, gap.upper]) - edges_of(own)[0]
@@ -141,10 +140,6 @@ def compute(study: Description, options: NoOptions, runner: Runner) -> Tolerance
         pillars=section.pillars,
         confidence=section.confidence,
     )
-
-
-def _beside_task(cells: Sequence[UnitCell], gap: Gap) -> Task:
-    return Task({"kind": "beside", "cells": cells, "gap": gap}, (cells, gap))
 
 
 def cost(study: Description, options: NoOptions) -> Cost:

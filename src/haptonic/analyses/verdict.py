@@ -99,7 +99,8 @@ def compared(
     responses = {MEASURED: scan, BEFORE: computed or whole(plate, BEFORE)}
     fit, recomputed = None, None
     if settings.vary:
-        picked = _picked(len(scan.points), settings.points)
+        # drawn evenly by chance: every n-th point of a grid may lie on one line
+        picked = np.sort(np.random.default_rng(0).permutation(len(scan.points))[: settings.points])
         seen = _measured(plate, scan, picked)
         small = SmallModel.of(
             plate, settings.vary, seen.frequency, seen.points, seen.drives, tolerance, fineness(study),
@@ -183,11 +184,6 @@ def _on_plate(plate: Plate, scan: FrequencyResponse) -> tuple[FrequencyResponse,
     return FrequencyResponse(scan.dataset.isel(point=kept).assign_coords(region=("point", region))), len(
         points
     ) - len(kept)
-
-
-def _picked(count: int, wanted: int) -> Ints:
-    """Numbers of some points, drawn evenly by chance: every n-th of a grid may lie on one line."""
-    return np.sort(np.random.default_rng(0).permutation(count)[:wanted])
 
 
 def _measured(plate: Plate, scan: FrequencyResponse, picked: Ints) -> MeasuredResponse:

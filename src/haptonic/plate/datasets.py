@@ -115,7 +115,10 @@ def mode_names(
     shapes : (points, modes) normal displacement; regions : of the points
     """
     parts, stored = _by_part(plate, found.stored, model)
-    inside, column = np.array(regions), {name: parts.index(f"region {name}") for name in plate.layout.regions}
+    inside, column = (
+        np.array(regions),
+        {name: parts.index(part_name(plate, name)) for name in plate.layout.regions},
+    )
     called = []
     for k in range(len(found.frequency)):
         best = max(column, key=lambda name: stored[k, column[name]], default=None)

@@ -28,6 +28,11 @@ def nodal_name(shape: Array) -> str:
     return f"{across}x{max(along - 1, 0)}"
 
 
+def has_one_lobe(name: str) -> bool:
+    """Whether a mode of this name, see `nodal_name`, has one lobe across its region."""
+    return name.startswith("0x")
+
+
 def _changes(curve: Array) -> int:
     """Changes of sign between parts of a curve that are not small."""
     loud = curve[np.abs(curve) > QUIET * np.abs(curve).max()]

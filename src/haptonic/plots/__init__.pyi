@@ -30,7 +30,9 @@ from .scans import wave_map as wave_map
 from .spectra import contrast_spectrum as contrast_spectrum
 from .spectra import impedance_spectrum as impedance_spectrum
 from .spectra import velocity_spectrum as velocity_spectrum
+from .stage import Stage as Stage
 from .stage import checked as checked
+from .stage import painted as painted
 from .style import rendered as rendered
 from .style import save as save
 from .sweeps import sweep as sweep

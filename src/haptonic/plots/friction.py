@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from typing import Any
 
 import numpy as np
 from matplotlib.artist import Artist
@@ -27,7 +26,6 @@ LOOKS = ((style.BLUE, "o"), (style.ORANGE, "s"), (style.GREEN, "^"), (style.PURP
 MOST_PEOPLE = 12  # whose bars stand beside those of all
 MOST_NAMED = 30  # who have a name beside their reductions
 COLUMNS = 6  # of trials on a sheet
-STEADY: dict[str, Any] = {"color": style.GREEN, "alpha": 0.18, "lw": 0, "zorder": 1}
 
 
 @style.drawn

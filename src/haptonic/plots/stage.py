@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -50,6 +50,21 @@ def stage(ax: Axes | None, height: float, width: float = style.WIDTH, **how: Any
     if ax is not None:
         return Stage(checked(ax), own=False)
     return Stage(style.blank(height, width).add_subplot(**how), own=True)
+
+
+@style.drawn
+def painted(paint: Callable[[Stage], object], height: float, *, ax: Axes | None = None, **how: Any) -> Figure:
+    """A picture with one system of axes, in the common style, that a function paints.
+
+    So a result may have a picture of its own without a module here.
+
+    Parameters
+    ----------
+    height, ax, how : see `stage`
+    """
+    on = stage(ax, height, **how)
+    paint(on)
+    return on.figure
 
 
 def checked(ax: object) -> Axes:

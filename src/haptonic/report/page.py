@@ -44,31 +44,21 @@ def write_report(results: Results, path: Path, overwrite: bool = False) -> Path:
 def page(results: Results) -> str:
     """The report as text."""
     made = [chapter(results) for chapter in IN_ORDER] + others(results)
-    chapters = [_with_remarks(one, results) for one in made if isinstance(one, Chapter)]
+    known, count, chapters = results.references, itertools.count(1), []
+    for one in made:
+        if isinstance(one, Chapter):
+            remarks = known.remarks(one.identifier) if known else []
+            pictures = tuple(replace(picture, number=next(count)) for picture in one.pictures)
+            chapters.append(replace(one, findings=(*one.findings, *remarks), pictures=pictures))
     return filled(
         TEMPLATE,
         study=results.study,
         facts=_key_numbers(results),
-        chapters=_numbered(chapters),
+        chapters=chapters,
         absent=[one for one in made if isinstance(one, Absent)],
         appendix=_appendix(results),
         version=version("haptonic"),
     )
-
-
-def _with_remarks(chapter: Chapter, results: Results) -> Chapter:
-    """With what the references say to it."""
-    said = results.references.remarks(chapter.identifier) if results.references else []
-    return replace(chapter, findings=(*chapter.findings, *said))
-
-
-def _numbered(chapters: list[Chapter]) -> list[Chapter]:
-    """With the pictures counted through the page."""
-    count = itertools.count(1)
-    return [
-        replace(one, pictures=tuple(replace(picture, number=next(count)) for picture in one.pictures))
-        for one in chapters
-    ]
 
 
 def _key_numbers(results: Results) -> list[tuple[str, str]]:

@@ -73,7 +73,8 @@ class Bands(Result):
             for gap in self.gaps
             if gap.waves != "all"
         ]
-        return [*said, *self._about_carrier(complete), counted(**self._counts)]
+        checked, missed = (int(self.dataset.attrs[f"counts_{name}"]) for name in ("checked", "missed"))
+        return [*said, *self._about_carrier(complete), counted(checked, missed)]
 
     def remarks(self) -> list[str]:
         asked = self.dataset.attrs["accuracy"]
@@ -176,10 +177,6 @@ class Bands(Result):
     @file("modes.vtu")
     def _write_modes(self, path: Path) -> None:
         vtu.write_modes(path, self.dataset, overwrite=True)
-
-    @property
-    def _counts(self) -> dict[str, int]:
-        return {name: int(self.dataset.attrs[f"counts_{name}"]) for name in ("checked", "missed")}
 
     def facts(self) -> dict[str, Any]:
         data, names = self.dataset, json.loads(self.dataset.attrs["character_names"])

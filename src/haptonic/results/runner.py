@@ -51,7 +51,11 @@ class Runner:
         self, function: Callable[[Any], xr.Dataset], tasks: Sequence[Task], done: int
     ) -> list[xr.Dataset]:
         """Datasets of all tasks; ``done`` tasks of the search were finished before."""
-        return [_dataset(outcome) for outcome in self.tried(function, tasks, done)]
+        outcomes = self.tried(function, tasks, done)
+        for outcome in outcomes:
+            if outcome.error is not None:
+                raise outcome.error
+        return [outcome.dataset for outcome in outcomes if outcome.dataset is not None]
 
     def tried(self, function: Callable[[Any], xr.Dataset], tasks: Sequence[Task], done: int) -> list[Outcome]:
         """What came of each task, in their order: a dataset, or the error that stands in its place."""
@@ -69,13 +73,6 @@ class Runner:
         task = Task({"kind": "gaps", "cell": cell, "settings": settings}, (cell, settings))
         (dataset,) = self.run(design_gaps, [task], done)
         return gaps_of(dataset)
-
-
-def _dataset(outcome: Outcome) -> xr.Dataset:
-    if outcome.dataset is None:
-        assert outcome.error is not None
-        raise outcome.error
-    return outcome.dataset
 
 
 def design_gaps(design: tuple[UnitCell, BandSettings]) -> xr.Dataset:

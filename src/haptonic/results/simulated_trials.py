@@ -140,8 +140,10 @@ class SimulatedFriction(Result):
         write_atomically(draft / STUDY, lambda path: path.write_text(self.study, encoding="utf-8"))
         text = json.dumps(self.to_json(), indent=1) + "\n"
         write_atomically(draft / TRUTH, lambda path: path.write_text(text, encoding="utf-8"))
-        if matrix is not None:
-            write_atomically(draft / CALIBRATION, partial(_write_calibration, matrix))
+        if matrix is not None:  # Fx Fy Fz (N) and Tx Ty Tz (N m) in six lines, for each V of a gauge
+            write_atomically(
+                draft / CALIBRATION, lambda path: np.savetxt(path, matrix, fmt="%.9g", delimiter=",")
+            )
         lasting = samples_of(self.truth) / RATE if self.per == "block" else None
         listed = partial(
             write_list, labels, suffix=self.suffix, per=self.per, origin="simulated", lasting=lasting
@@ -202,8 +204,3 @@ def _channels(strokes: list[Stroke], matrix: NDArray[np.float64] | None) -> dict
     time = np.arange(axes.shape[1]) / RATE
     position = np.concatenate([stroke.position for stroke in strokes])
     return {"time": time, **dict(zip(names, values, strict=True)), "position": position}
-
-
-def _write_calibration(matrix: NDArray[np.float64], path: Path) -> None:
-    """Six lines, Fx Fy Fz (N) and Tx Ty Tz (N m), of six columns, for each V of a gauge."""
-    np.savetxt(path, matrix, fmt="%.9g", delimiter=",")

@@ -9,7 +9,6 @@ import numpy as np
 from haptonic.errors import ResponseError, ScanError
 from haptonic.later import xarray as xr
 from haptonic.plate import Plate
-from haptonic.plate.layout import Layout
 from haptonic.plate.sampling import driven_region, tile_names
 from haptonic.response import FrequencyResponse
 from haptonic.vibrometry.guides import MIRROR, Mirror, strips_of
@@ -51,7 +50,9 @@ def contrast_range(response: FrequencyResponse, plate: Plate) -> MeasuredGap:
             argument="plate.actuator", given="no driven region", allowed="a drive on a region of plain plate",
             cause="the drive lies on the lattice", next_step="add a drive to a region",
         )  # fmt: skip
-    return measured_gap(_on_lattices(response, plate.layout), driven, LATTICE)
+    layout = plate.layout
+    names = [LATTICE if name in layout.cells else name or "" for name in tile_names(layout, response.points)]
+    return measured_gap(_named(response, names), driven, LATTICE)
 
 
 def decay_in(response: FrequencyResponse, mirror: Mirror) -> xr.Dataset:
@@ -60,14 +61,6 @@ def decay_in(response: FrequencyResponse, mirror: Mirror) -> xr.Dataset:
     named = _named(response, [MIRROR if one else "" for one in inside])
     return lattice_decay(
         named, MIRROR, depth=mirror.depth, start=mirror.start, pitch=mirror.pitch, inwards=mirror.inwards
-    )
-
-
-def _on_lattices(response: FrequencyResponse, layout: Layout) -> FrequencyResponse:
-    """The same with the points on lattices named as well."""
-    return _named(
-        response,
-        [LATTICE if name in layout.cells else name or "" for name in tile_names(layout, response.points)],
     )
 
 

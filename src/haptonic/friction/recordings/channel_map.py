@@ -68,10 +68,11 @@ class ChannelMap:
         if self.largest_force is not None:
             flat |= bool((np.abs([normal, tangential]) >= self.largest_force).any())
         if not normal.size:
+            any_name = self.gauges[0] if self.gauges else self.scaled["normal"].name
             raise FrictionError.out_of_range(
                 argument="start and stop",
                 given=f"{start} s to {stop} s",
-                allowed=f"times within the file, which lasts {len(self._any(channels)) / rate:.4g} s",
+                allowed=f"times within the file, which lasts {len(channels[any_name]) / rate:.4g} s",
                 cause="the file was cut, or the times are in ms",
                 next_step="put the table of trials right",
             )
@@ -86,9 +87,6 @@ class ChannelMap:
         one = self.scaled["normal"]
         turned = ScaledChannel(one.name, -one.factor)
         return replace(self, scaled={**self.scaled, "normal": turned}, remarks=remarks)
-
-    def _any(self, channels: Group) -> Array:
-        return channels[self.gauges[0] if self.gauges else self.scaled["normal"].name]
 
     def rate_in(self, channels: Group) -> float:
         """Sampling rate of a file or group, Hz.

@@ -222,7 +222,9 @@ def read_calibration(path: Path) -> Array:
         matrix, given = np.empty((0, 0)), f"{path}, which is no table of numbers"
     cause = "another file, or the matrix of a sensor with another number of axes"
     if matrix.shape == (6, 6):
-        whole = np.nan_to_num(matrix / _scale(np.nan_to_num(matrix)))
+        # each row by its size: newtons and newton metres differ
+        size = np.abs(np.nan_to_num(matrix)).max(axis=1, keepdims=True)
+        whole = np.nan_to_num(matrix / np.maximum(size, 1e-300))
         condition = float(np.linalg.cond(whole))
         if np.isfinite(matrix).all() and condition < WORST_CONDITION:
             return matrix
@@ -236,11 +238,6 @@ def read_calibration(path: Path) -> Array:
         cause=cause,
         next_step="export the matrix from the sensor's calibration file again",
     )
-
-
-def _scale(matrix: Array) -> Array:
-    """(6, 1) size of each row: newtons and newton metres differ."""
-    return np.asarray(np.maximum(np.abs(matrix).max(axis=1, keepdims=True), 1e-300))
 
 
 def _plain(name: str) -> str:

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from functools import partial
 from itertools import pairwise
 from pathlib import Path
 from typing import Any
@@ -144,17 +145,16 @@ def read_columns(path: Path, required: Sequence[str]) -> dict[str, Column]:
     return columns
 
 
-def _from_csv(path: Path) -> dict[str, Column]:
-    return delimited.columns(path, TEXTS)
-
-
 def _from_hdf5(path: Path) -> dict[str, Column]:
     """What may be a column: numbers or texts along one axis."""
     channels = stored.read(path, Notebook(path, "HDF5"))[""].channels.values()
     return {one.name: np.asarray(one) for one in channels if len(one.shape) == 1 and one.kind != "complex"}
 
 
-_READERS = {".csv": _from_csv, ".nc": _from_hdf5, ".h5": _from_hdf5, ".hdf5": _from_hdf5}
+_READERS: Mapping[str, Callable[[Path], dict[str, Column]]] = {
+    ".csv": partial(delimited.columns, texts=TEXTS),
+    **dict.fromkeys((".nc", ".h5", ".hdf5"), _from_hdf5),
+}
 
 
 def label_of(columns: dict[str, Column], row: int) -> Label:

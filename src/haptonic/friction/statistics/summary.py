@@ -108,7 +108,9 @@ def summary(trials: xr.Dataset, driven: str | None = None) -> Summary:
     guides.sort(key=lambda guide: guide != driven)
     pairs = {guide: pairs[guide] for guide in guides if guide in pairs}
     conditions = tuple(conditions_of(trials, guides))
-    omissions += _unbalanced(conditions)
+    unequal = list(_unequal(conditions))
+    more = len(unequal) - MOST_NAMED
+    omissions += [*unequal[:MOST_NAMED], *[f"the same of {more} other participants"] * (more > 0)]
     all_pairs = list(pairs.values())
     tests = compared(all_pairs)
     reductions = {guide: reduction(one) for guide, one in pairs.items()}
@@ -172,14 +174,8 @@ def _spread(trials: xr.Dataset, name: str, rows: NDArray[np.bool_]) -> tuple[flo
     return mean, float(values.std(ddof=1)) if values.size > 1 else math.nan
 
 
-def _unbalanced(conditions: tuple[Condition, ...]) -> list[str]:
-    """Conditions with no trial, and participants whose conditions differ in number; some of many."""
-    found = list(_unequal(conditions))
-    more = len(found) - MOST_NAMED
-    return [*found[:MOST_NAMED], *[f"the same of {more} other participants"] * (more > 0)]
-
-
 def _unequal(conditions: tuple[Condition, ...]) -> Iterator[str]:
+    """Conditions with no trial, and participants whose conditions differ in number."""
     for person in dict.fromkeys(one.participant for one in conditions if one.participant != EVERYBODY):
         own = [one for one in conditions if one.participant == person]
         names = {f"{one.waveguide} {one.actuation}": one.used for one in own}
@@ -187,11 +183,8 @@ def _unequal(conditions: tuple[Condition, ...]) -> Iterator[str]:
         if missing:
             yield f"{person}: no trial that counts on {', '.join(missing)}"
         elif len(set(names.values())) > 1:
-            yield f"{person}: unequal numbers of trials ({_numbers(names)})"
-
-
-def _numbers(names: dict[str, int]) -> str:
-    return ", ".join(f"{name}: {used}" for name, used in names.items())
+            listed = ", ".join(f"{name}: {used}" for name, used in names.items())
+            yield f"{person}: unequal numbers of trials ({listed})"
 
 
 def _same_people(driven: Pairs, idle: Pairs, omissions: list[str]) -> tuple[Pairs, Pairs]:

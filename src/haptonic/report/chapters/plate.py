@@ -6,6 +6,8 @@ from functools import partial
 
 from haptonic import plots
 from haptonic.later import xarray as xr
+from haptonic.plate.datasets import part_name
+from haptonic.plate.nodal import has_one_lobe
 from haptonic.report.chapter import Absent, Chapter, Finding, Picture, Results
 from haptonic.results.plain import split
 from haptonic.results.plan import border_text
@@ -83,16 +85,17 @@ def _findings(result: PlateResult) -> list[str]:
         (str(mode["name"].values), float(mode["frequency"]))
         for mode in (result.modes.isel(mode=k) for k in range(result.modes.sizes["mode"]))
     ]
-    lobes = [f"{name} at {frequency / 1e3:.2f} kHz" for name, frequency in named if name.startswith("0x")]
+    lobes = [f"{name} at {frequency / 1e3:.2f} kHz" for name, frequency in named if has_one_lobe(name)]
     if lobes:
         said.append(f"Modes near the carrier with one lobe across a guide: {'; '.join(lobes)}.")
-    driven = [k for k, (name, _) in enumerate(named) if name.startswith("0x")]
-    stored = result.modes["strain_energy"]
-    if driven and f"region {result.driven}" in stored["part"].values:
-        shares = stored.sel(part=f"region {result.driven}").values
-        k = max(driven, key=lambda mode: shares[mode])
+    lobed = [k for k, (name, _) in enumerate(named) if has_one_lobe(name)]
+    if lobed and result.driven is not None:
+        stored = result.modes["strain_energy"]
+        part = {name: part_name(result.plate, name) for name in (result.driven, *result.plate.layout.cells)}
+        shares = stored.sel(part=part[result.driven]).values
+        k = max(lobed, key=lambda mode: shares[mode])
         quality, plate_alone = float(result.modes["quality_factor"][k]), 1 / result.plate.loss_factor
-        lattice = sum(float(stored.sel(part=f"lattice {name}")[k]) for name in result.plate.layout.cells)
+        lattice = sum(float(stored.sel(part=part[name])[k]) for name in result.plate.layout.cells)
         said.append(
             f"The driven guide's mode {named[k][0]} has a quality factor of {quality:.0f}; the plate's loss "
             f"alone would give {plate_alone:.0f}. The mirrors hold {100 * lattice:.0f} % of its strain "

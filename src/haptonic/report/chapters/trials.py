@@ -51,14 +51,17 @@ def chapter(results: Results) -> Chapter | Absent:
 
 def _reductions(result: FrictionResult, published: Mapping[str, float] | None) -> list[str]:
     found = result.found
-    known = published or {}
+
+    def beside(name: str) -> str:
+        known = (published or {}).get(name)
+        return "" if known is None else f"; measured: {100 * known:.0f} %"
+
     said = []
     for guide, one in found.reductions.items():
-        told = _beside(known.get("driven" if guide == found.driven else "idle"))
+        told = beside("driven" if guide == found.driven else "idle")
         said.append(f"{guide}: {change(one.value, one.low, one.high)}{told}.")
     for guide, one in found.stopped.items():
-        told = _beside(known.get("stopped"))
-        said.append(f"Of the driven reduction, {_percent(one)} does not reach {guide}{told}.")
+        said.append(f"Of the driven reduction, {_percent(one)} does not reach {guide}{beside('stopped')}.")
     return said
 
 
@@ -74,10 +77,6 @@ def _alarms(results: Results, people: int) -> list[str]:
         f"experiments with {people} such participants: {rates}. The test over trials takes strokes of one "
         "person as independent."
     ]
-
-
-def _beside(published: float | None) -> str:
-    return "" if published is None else f"; measured: {100 * published:.0f} %"
 
 
 def _tests(tests: tuple[Test, ...], origin: str) -> Table:

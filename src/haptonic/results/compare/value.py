@@ -126,7 +126,10 @@ class Comparison(Result):
 
     def _gap_rows(self) -> list[tuple[Cell, Cell, Cell, Cell, Cell]]:
         """Bands, and the edges of each, Hz; None where one has no such gap."""
-        first, second = (_edges(side) for side in (self.first, self.second))
+        first, second = (
+            {gap.between: (gap.lower, gap.upper) for gap in side.gaps} if side.ours else side.on_path()
+            for side in (self.first, self.second)
+        )
         none: tuple[None, None] = (None, None)
         return [
             (f"{pair[0]}-{pair[1]}", *first.get(pair, none), *second.get(pair, none))
@@ -193,10 +196,6 @@ class Comparison(Result):
             crosses=not self.second.ours,
             ax=ax,
         )
-
-
-def _edges(side: BandSet) -> dict[tuple[int, int], tuple[float, float]]:
-    return {gap.between: (gap.lower, gap.upper) for gap in side.gaps} if side.ours else side.on_path()
 
 
 def _flat(tree: Mapping[str, Any], prefix: str = "") -> Iterator[tuple[str, object]]:

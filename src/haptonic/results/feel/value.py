@@ -111,12 +111,9 @@ class Feel(Result):
         """Regions of plain plate."""
         return self.plate.layout.regions
 
-    def below(self, region: str) -> NDArray[np.bool_]:
-        """(point,) places at which the whole finger lies on a region, or its middle if it is too small."""
-        return self._places[region]
-
     @cached_property
-    def _places(self) -> dict[str, NDArray[np.bool_]]:
+    def below(self) -> dict[str, NDArray[np.bool_]]:
+        """(point,) places at which the whole finger lies on a region, or its middle if it is too small."""
         return {name: self._places_on(name) for name in self.regions}
 
     def _places_on(self, region: str) -> NDArray[np.bool_]:
@@ -161,7 +158,7 @@ class Feel(Result):
         found = self.friction(drive)
         return {
             name: Reduction(
-                *(1 - float(found[end].values[self.below(name)].mean()) for end in ("value", "high", "low"))
+                *(1 - float(found[end].values[self.below[name]].mean()) for end in ("value", "high", "low"))
             )
             for name in self.regions
         }
@@ -193,7 +190,7 @@ class Feel(Result):
             left = self._left("value", "value", math.exp(logarithm))[where]
             return 1 - float(left.mean()) - reduction
 
-        where = self.below(region)
+        where = self.below[region]
         low, high = math.log(1e-3 * self.drive), math.log(self.drive)
         while missing(high) < 0:
             high += math.log(2)
@@ -207,11 +204,11 @@ class Feel(Result):
 
     def amplitude(self, region: str, load: str = "value") -> float:
         """Mean amplitude below a finger on a region, m."""
-        return self.drive * float(self.loaded["amplitude"].sel(load=load).values[self.below(region)].mean())
+        return self.drive * float(self.loaded["amplitude"].sel(load=load).values[self.below[region]].mean())
 
     def quality(self, load: str = "value") -> float:
         """Median quality factor of the mode that answers most, a finger being on the first driven region."""
-        where = self.below(self.driven[0]) if self.driven else np.ones(self.loaded.sizes["point"], dtype=bool)
+        where = self.below[self.driven[0]] if self.driven else np.ones(self.loaded.sizes["point"], dtype=bool)
         return float(np.median(self.loaded["quality"].sel(load=load).values[where]))
 
     @property

@@ -17,6 +17,7 @@ from haptonic.later import Axes, Figure
 from haptonic.later import xarray as xr
 from haptonic.names import file_parts
 from haptonic.plate import Plate
+from haptonic.plate.datasets import part_name
 from haptonic.plate.levels import below_finger, compared, contrasts
 from haptonic.plate.sampling import driven_region, reference_of, resonance_of
 from haptonic.response import FrequencyResponse, rms, write
@@ -217,7 +218,7 @@ class PlateResult(Result):
         modes, found = self.modes, dict[str, dict[str, float]]()
         names, frequency = modes["name"].values.tolist(), modes["frequency"].values
         for region in self.plate.layout.regions:
-            share = modes["strain_energy"].sel(part=f"region {region}").values
+            share = modes["strain_energy"].sel(part=part_name(self.plate, region)).values
             best = {name: max((k for k, n in enumerate(names) if n == name), key=share.__getitem__)
                     for name in names if name}  # fmt: skip
             found[region] = {name: float(frequency[k]) for name, k in best.items()}

@@ -125,7 +125,8 @@ class SimulatedScan(Result):
     @property
     def files(self) -> dict[Any, Writer]:
         """Writers of the files by name."""
-        truth: dict[Any, Writer] = {"truth.json": self._write_truth}
+        text = json.dumps(self.truth(), indent=1) + "\n"
+        truth: dict[Any, Writer] = {"truth.json": lambda path: path.write_text(text, "utf-8")}
         if self.kind == "time":
             return {f"scan.{self.form}": partial(TIME[self.form], self.records)} | truth
         if self.form == "csv":
@@ -148,9 +149,6 @@ class SimulatedScan(Result):
 
     def located(self, folder: Path) -> dict[str, Any]:
         return {"files": [str(folder / name) for name in self.names(self)]}
-
-    def _write_truth(self, path: Path) -> None:
-        path.write_text(json.dumps(self.truth(), indent=1) + "\n", "utf-8")
 
     def truth(self) -> dict[str, Any]:
         """What an analysis of the files has to find."""

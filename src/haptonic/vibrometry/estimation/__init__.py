@@ -124,14 +124,16 @@ def estimate(
     ScanError : settings that do not fit the records, or nothing left
     """
     plan = _planned(scan, estimator, window, decay, segment, overlap, band, align)
-    points, frequency = len(scan.names), _frequencies(scan, plan)[plan.kept]
+    points = len(scan.names)
+    lines = np.asarray(np.fft.rfftfreq(plan.length, 1 / scan.sample_rate), dtype=float)
+    frequency = lines[plan.lines][plan.kept]
     settings = {
         "estimator": estimator, "window": window, "decay": decay, "segment": plan.length, "overlap": overlap,
         "band": [float(frequency[0]), float(frequency[-1])], "align": align,
     }  # fmt: skip
     key = settings | {"scan": _fingerprint(scan)}
     store = growing((len(frequency), points), plan.single, key, state)
-    averages = scan.repeats * _pieces(scan.samples, plan)
+    averages = scan.repeats * ((scan.samples - plan.length) // plan.step + 1)
     size = max(1, int(WORKING_MEMORY / (48.0 * plan.length * averages)))
     try:
         for portion in _computed(scan, plan, size, store.done, workers):
@@ -297,14 +299,6 @@ def _finished(
     )  # fmt: skip
     quality = assessed(names, measures[:, 0], measures[:, 1], median)
     return Estimate(made, quality, ReadReport.of(notes, len(keep)), averages)
-
-
-def _pieces(samples: int, plan: _Plan) -> int:
-    return (samples - plan.length) // plan.step + 1
-
-
-def _frequencies(scan: TimeScan, plan: _Plan) -> NDArray[np.float64]:
-    return np.asarray(np.fft.rfftfreq(plan.length, 1 / scan.sample_rate)[plan.lines], dtype=float)
 
 
 def _fingerprint(scan: TimeScan) -> str:

@@ -16,7 +16,6 @@ from haptonic.errors import ScanError
 from haptonic.response import FrequencyResponse
 
 NEAR_FULL = 0.999  # of the full scale: a sample beyond it is clipped
-FLAT_TOP = 3  # samples in a row at the largest value, which a free vibration does not have
 FROZEN = 0.01  # of a record's samples in a row that are all the same: the laser lost the surface
 LOW = 0.8  # median coherence below which a point is flagged
 NEIGHBOURS = 4
@@ -75,6 +74,7 @@ def clipped_share(response: Samples, full_scale: float | None) -> Array:
     for sign in (1, -1):
         top = response.max(axis=2, keepdims=True) if sign == 1 else response.min(axis=2, keepdims=True)
         at = (response == top) & (top != 0)
+        # three samples in a row at the largest value, which a free vibration does not have
         in_row = at[..., :-2] & at[..., 1:-1] & at[..., 2:]
         has_flat_top = in_row.any(axis=2, keepdims=True)
         share += (at & has_flat_top).mean(axis=(1, 2))

@@ -73,7 +73,10 @@ def read_records(group: Group, notes: Notebook) -> TimeScan:
     try:
         if int(says["form"]) > FORM:
             raise _foreign(path, f"form {says['form']}, from a later haptonic")
-        _none_elsewhere(notes)
+        dropped = {one.what for one in notes.dropped}
+        for name in ("x", "y", "name", "response", "reference"):
+            if set_name(name) in dropped:
+                raise _foreign(path, f"{name}: {ELSEWHERE}")
         shape, driven = sets["response"].shape, sets["reference"].shape
         if len(shape) != 3 or driven[1:] != shape[1:] or driven[0] not in (1, shape[0]):
             raise _foreign(path, f"a response of shape {shape} and a reference of shape {driven}")
@@ -106,13 +109,6 @@ def read_records(group: Group, notes: Notebook) -> TimeScan:
     if measured == 0:
         raise _foreign(path, "no point was measured")
     return replace(scan, names=scan.names[:measured], x=x[:measured], y=y[:measured])
-
-
-def _none_elsewhere(notes: Notebook) -> None:
-    dropped = {one.what for one in notes.dropped}
-    for name in ("x", "y", "name", "response", "reference"):
-        if set_name(name) in dropped:
-            raise _foreign(notes.path, f"{name}: {ELSEWHERE}")
 
 
 def _names(sets: Mapping[str, Channel], count: int) -> list[str]:
