@@ -25,7 +25,7 @@ from haptonic.parallel import one_thread
 from haptonic.superelement import TiledMesh
 
 SURFACE_DIVISIONS = 24  # of the irreducible zone's sides, for contours and the density of states
-DENSITY_BINS = 200
+DENSITY_BINS = 200  # from zero to the highest frequency
 MIDDLE = "+1 symmetric, -1 antisymmetric about the plate's middle plane, 0 where that is no mirror"
 
 

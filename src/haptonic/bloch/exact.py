@@ -15,7 +15,7 @@ TOGETHER = 1e-6  # relative distance of eigenvalues below which modes count as d
 ASIDE = 2e-4  # of the eigenvalue, between it and the shift: nearer, the inside may resonate as well
 BLOCK = 4  # modes that are improved together
 SETTLED = 1e-12  # relative change of the eigenvalue at which the iteration stops
-MOST_STEPS = 12
+MOST_STEPS = 12  # without which the iteration counts as not settled
 
 
 @dataclass(frozen=True)

@@ -24,7 +24,7 @@ Plate = tuple[float, Material, Faces]  # thickness, m, and the faces that pillar
 SHARE = Quantity("", at_least=0.0, below=1.0)
 PLACE = Quantity("m")
 MIRRORS = (np.diag([-1.0, 1.0, 1.0]), np.diag([1.0, -1.0, 1.0]))
-MOST_SITES = 12
+MOST_SITES = 12  # of one cell
 # Of a site's tile, from the site to its farthest corner, in radii of the circle within: beside pillars whose
 # neighbours are that much nearer on one side, elements were turned inside out from 9.9 on.
 MOST_POINTED = 8.0

@@ -29,8 +29,7 @@ from haptonic.units import format_quantity
 CUT = 3.0  # standard deviations at which normal spreads are cut off
 REACH = 2.0  # the fit holds for spreads up to this many times those given
 DRAWS = 2**14  # of the quasi-random sequence, for chances
-PILLAR_DRAWS = 2**10  # for each of fewer draws of what a plate has in common
-PLATE_DRAWS = 2**8
+PILLAR_DRAWS, PLATE_DRAWS = 2**10, 2**8  # of pillars, for each of fewer draws of what a plate has in common
 
 
 @described("tolerance.of")

@@ -87,6 +87,9 @@ def amplitudes(
 ) -> tuple[Complex, Complex]:
     """Amplitudes of Ritz vectors, and small forces on them with which they would be exact.
 
+    ``(loss Lambda - omega^2 + sum_e Z_e (alone_e + U_e U_e^T)) a = loads`` by the identity of Woodbury: the
+    diagonal is inverted, and of every extra a few main directions U_e are added.
+
     What the main directions of extras leave out is made up for by one step of iterative refinement.
 
     Parameters

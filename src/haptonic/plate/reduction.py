@@ -28,7 +28,7 @@ MISSED = (
     1e-2  # share of the energy norm of a tile's answer that its few modes may miss; errors are its square
 )
 SNAPSHOTS = (0.5, 1.0)  # beside 0, of the square of the highest frequency, for blocks
-MISSED_BY_BLOCK = 3e-4
+MISSED_BY_BLOCK = 3e-4  # of a block's strongest answer, root of energy, below which a direction is left out
 STEPS, BLOCK = 3, 20  # of the Krylov space of the interior, see `haptonic.superelement.interior`
 
 

@@ -86,6 +86,10 @@ class Vibration:
 class ReducedPlate:
     """A model on a basis: any damping and any amplitudes of the drives cost no factorisation any more.
 
+    With u = V a, V^T M V = 1 and V^T K V = Lambda, the plate's equation is
+    ``((1 + i eta) Lambda + sum_e Z_e(omega) V^T E_e V - omega^2) a = V^T f``, e running over what damps
+    otherwise than the plate, of impedance Z_e.
+
     extras : what damps otherwise than the plate
     """
 

@@ -5,6 +5,9 @@ is singular, it is smooth. A motion is given by its values on Gauss-Lobatto-Lege
 each a sum of polynomials that are orthonormal over the section. In a symmetry class of two mirrors the
 polynomials of a component are even or odd in x and y, and there are as many of them whichever it is; with
 fewer operations several of these kinds make a class.
+
+Stiffness and mass are those of the prism's own energies, u^T K u = integral of strain : C : strain and
+u^T M u = integral of rho |u|^2, integrals over the section times integrals along it.
 """
 
 from __future__ import annotations

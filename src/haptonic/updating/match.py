@@ -2,7 +2,12 @@
 
 The logarithm of every unknown number is varied between two bounds. The search begins with the average
 spectrum, whose peaks may lie elsewhere, goes on with the logarithm of the magnitude at every point, and ends
-with the complex response.
+with the complex response, for which it makes
+
+    sum over lines and points of  |w (i omega)^v u(x) - w d|^2
+
+least: u is the computed displacement with numbers of logarithms x over their starting values, d what was
+measured, w its weight, and v is 1 for a velocity, 0 for a displacement.
 """
 
 from __future__ import annotations

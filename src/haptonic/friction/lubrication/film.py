@@ -29,7 +29,7 @@ SQUEEZE_NUMBERS = np.geomspace(0.01, 1000.0, 36)  # of the table
 EXCURSIONS = np.array([0, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.75, 0.8, 0.85, 0.9, 0.925, 0.95])
 LARGEST_EXCURSION = float(EXCURSIONS[-1])  # beyond, the plate all but meets the skin: no longer a film
 RADIAL, INSTANTS = 20, 65  # collocation points; errors below 1e-4, see the tests
-NEWTON_STEPS, NEWTON_TOLERANCE = 30, 1e-10
+NEWTON_STEPS, NEWTON_TOLERANCE = 30, 1e-10  # of psi, which is about one
 QUADRATURE = 60  # points along the radius, for the small-amplitude theory
 
 

@@ -18,7 +18,7 @@ from haptonic.response import FrequencyResponse
 NEAR_FULL = 0.999  # of the full scale: a sample beyond it is clipped
 FROZEN = 0.01  # of a record's samples in a row that are all the same: the laser lost the surface
 LOW = 0.8  # median coherence below which a point is flagged
-NEIGHBOURS = 4
+NEIGHBOURS = 4  # on a square grid, those beside a point
 FLAGS = ("saturated", "dropout", "low coherence", "repaired")
 
 
