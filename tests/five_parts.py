@@ -1,11 +1,15 @@
 """What every refused command and every error has to say."""
 
+import json
+import pickle
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 
+import pydantic
 import pytest
 
-from haptonic.errors import HaptonicError
+from haptonic.errors import HaptonicError, StudyError
+from haptonic.study import loads
 
 PARTS = ("argument", "given", "allowed", "likely cause", "next step", "code")
 
@@ -54,3 +58,18 @@ def refusing(
     with pytest.raises(kind) as caught:
         yield caught
     assert_told(caught.value, *words, code=code, argument=argument)
+
+
+def refused_study(text: str, origin: str = "touchpad.toml") -> StudyError:
+    """The error of a study as text: it says all for people, and goes to other processes and files."""
+    with pytest.raises(StudyError) as caught:
+        loads(text, origin)
+    error = caught.value
+    assert error.argument.startswith(origin)
+    assert all(part.strip() for part in error.parts().values())
+    assert not any(word in str(error) for word in ("Traceback", "pydantic"))
+    assert len(str(error)) < 5000
+    assert json.loads(json.dumps(error.parts())) == error.parts()
+    assert pickle.loads(pickle.dumps(error)).parts() == error.parts()
+    assert not isinstance(error.__context__, pydantic.ValidationError)  # some picklers follow the context
+    return error

@@ -16,20 +16,11 @@ from haptonic.errors import HaptonicWarning, ResourceError
 from haptonic.results.plate import compute
 from haptonic.store import Store
 from haptonic.study import loads
+from quick import PROTOTYPE
 
-STUDY = '''
-carrier = "60 kHz"
-[material]
-youngs_modulus = "70 GPa"
-poisson_ratio = 0.33
-density = "2700 kg/m^3"
-loss_factor = 1e-3
-[cell]
-pitch = "7 mm"
-thickness = "1.5 mm"
-[cell.pillar]
-diameter = "3.5 mm"
-height = "14.7 mm"
+STUDY = (
+    PROTOTYPE
+    + '''
 [plate]
 map = """
 {line}
@@ -46,6 +37,7 @@ name = "F1"
 centre = ["1 mm", "1 mm"]
 force = "1 N"
 '''
+)
 
 
 ASKS = {

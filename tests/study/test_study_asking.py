@@ -7,27 +7,16 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from five_parts import refused_study as refused
 from five_parts import refusing
 from haptonic.analyses import design
 from haptonic.design.parameters import UNITS
 from haptonic.errors import StudyError
 from haptonic.study import Study, loads
+from quick import PROTOTYPE as BASE
 
 VARY = '[[design.vary]]\nparameter = "{}"\nfrom = {}\nto = {}\n'
 OF = '[[tolerance.of]]\nparameter = "{}"\nspread = {}\n{}\n'
-BASE = """
-carrier = "60 kHz"
-[material]
-youngs_modulus = "70 GPa"
-poisson_ratio = 0.33
-density = "2700 kg/m^3"
-[cell]
-pitch = "7 mm"
-thickness = "1.5 mm"
-[cell.pillar]
-diameter = "3.5 mm"
-height = "14.7 mm"
-"""
 # what squares and rectangles do not have, nor cells of one pillar
 OF_OTHERS = {"cell.pitch_2", "cell.angle", *(path for path in UNITS if path.startswith("cell.site"))}
 PLAIN = 'material = "steel"\n[cell]\npitch = "10 mm"\nthickness = "1 mm"\n'
@@ -39,14 +28,6 @@ def vary(parameter: str, low: object, high: object) -> str:
 
 def of(parameter: str, spread: object, more: str = "") -> str:
     return OF.format(parameter, spread, more)
-
-
-def refused(text: str) -> StudyError:
-    with pytest.raises(StudyError) as caught:
-        loads(text)
-    assert all(part.strip() for part in caught.value.parts().values())
-    assert "Traceback" not in str(caught.value)
-    return caught.value
 
 
 class TestRefusals:
@@ -152,7 +133,7 @@ class TestRefusals:
     def test_five_parts_at_the_right_place(self, case):
         text, path, words = case[1]
         error = refused(f"{BASE}\n{text}\n")
-        assert error.argument == f"study: {path}"
+        assert error.argument == f"touchpad.toml: {path}"
         assert [word for word in words if word not in str(error)] == []
 
     def test_bounds_of_an_unknown_parameter_are_not_a_problem_of_their_own(self):
@@ -161,24 +142,24 @@ class TestRefusals:
     def test_a_fillet_does_not_shrink_to_a_sharp_edge(self):
         filleted = BASE.replace('height = "14.7 mm"', 'height = "14.7 mm"\nfillet = "0.5 mm"')
         error = refused(filleted + vary("cell.pillar.fillet", 0, '"0.6 mm"'))
-        assert error.argument == "study: design.vary[1].from"
+        assert error.argument == "touchpad.toml: design.vary[1].from"
         assert "another mesh" in error.cause
         loads(filleted + vary("cell.pillar.fillet", '"50 um"', '"0.6 mm"'))
 
     def test_pitch_along_y_belongs_to_a_rectangle(self):
         error = refused(PLAIN + vary("cell.pitch_y", '"6 mm"', '"7 mm"'))
-        assert error.argument == "study: design.vary[1].parameter"
+        assert error.argument == "touchpad.toml: design.vary[1].parameter"
         assert error.given == "'cell.pitch_y'"
 
     def test_plain_plate_has_no_pillar_to_vary(self):
         error = refused(PLAIN + of("cell.pillar.diameter", '"20 um"'))
-        assert error.argument == "study: tolerance.of[1].parameter"
+        assert error.argument == "touchpad.toml: tolerance.of[1].parameter"
 
     def test_constants_of_a_built_in_material_cannot_be_designed(self):
         """The design found could not be written as a study. They can have a spread, which needs none."""
         text = PLAIN + vary("material.density", '"7000 kg/m^3"', '"8000 kg/m^3"')
         error = refused(text)
-        assert error.argument == "study: design.vary[1].parameter"
+        assert error.argument == "touchpad.toml: design.vary[1].parameter"
         assert "[material] table" in error.cause
         assert loads(PLAIN + of("material.density", '"10 kg/m^3"')).tolerance_settings.of[0].spread == 10
 

@@ -1,15 +1,13 @@
 """Bad input: five parts that name the key, the value, what is allowed, why, and what to do."""
 
-import json
-import pickle
 import re
 import tomllib
 from collections.abc import Iterator
 from typing import Any
 
-import pydantic
 import pytest
 
+from five_parts import refused_study as refused
 from haptonic.cell import Pillar, UnitCell
 from haptonic.errors import StudyError
 from haptonic.fields import read, table
@@ -22,21 +20,6 @@ from haptonic.study.plate_tables import PlateSettings
 PITCH = 'pitch = "7 mm"'
 RATIO = "cell.pillar.height / cell.pitch"
 MATERIAL = "[material]"
-
-
-def refused(text: str) -> StudyError:
-    with pytest.raises(StudyError) as caught:
-        loads(text, "touchpad.toml")
-    error = caught.value
-    assert error.argument.startswith("touchpad.toml")
-    assert all(part.strip() for part in error.parts().values())
-    assert "Traceback" not in str(error)
-    assert "pydantic" not in str(error)
-    assert len(str(error)) < 5000
-    json.dumps(error.parts())
-    assert pickle.loads(pickle.dumps(error)).parts() == error.parts()
-    assert not isinstance(error.__context__, pydantic.ValidationError)  # some picklers follow the context
-    return error
 
 
 # (change of the reference study, path of the key, words of the error)

@@ -10,6 +10,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from five_parts import refused_study as refused
 from five_parts import refusing
 from haptonic.errors import HaptonicWarning, StudyError
 from haptonic.fields import remade
@@ -18,19 +19,10 @@ from haptonic.plate.holding import Support
 from haptonic.plate.layout import Layout, pieces
 from haptonic.plate.parts import Plate
 from haptonic.study import Study, load, loads
+from quick import PROTOTYPE_PILLAR as PILLAR
+from quick import PROTOTYPE_PLATE as CELL
 
 STUDIES = Path(__file__).parents[2] / "studies"
-CELL = """
-[material]
-youngs_modulus = "70 GPa"
-poisson_ratio = 0.33
-density = "2700 kg/m^3"
-loss_factor = 1e-3
-[cell]
-pitch = "7 mm"
-thickness = "1.5 mm"
-"""
-PILLAR = '[cell.pillar]\ndiameter = "3.5 mm"\nheight = "14.7 mm"\n'
 PLATE = '''
 [plate]
 map = """
@@ -84,17 +76,6 @@ def edited(*changes: tuple[str, str]) -> str:
 
 def drawn(lines: str, more: str = "", tiles: str = 'o = "lattice"\n1 = "WG1"') -> str:
     return f'{CELL}{PILLAR}[plate]\nmap = """\n{lines}\n"""\n{more}\n[plate.tiles]\n{tiles}\n'
-
-
-def refused(text: str) -> StudyError:
-    with pytest.raises(StudyError) as caught:
-        loads(text, "touchpad.toml")
-    error = caught.value
-    assert all(part.strip() for part in error.parts().values())
-    assert "Traceback" not in str(error)
-    assert "pydantic" not in str(error)
-    assert pickle.loads(pickle.dumps(error)).parts() == error.parts()
-    return error
 
 
 MAP = "ooo1112f\nooo1112f\nooo1112f\n"

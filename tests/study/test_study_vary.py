@@ -12,21 +12,9 @@ from haptonic.errors import StudyError
 from haptonic.study import Study, loads
 from haptonic.study.sweeps import numeric_parameters
 from haptonic.study.vary import parse
+from quick import PROTOTYPE
 
-STUDY = loads("""
-carrier = "60 kHz"
-[material]
-youngs_modulus = "70 GPa"
-poisson_ratio = 0.33
-density = "2700 kg/m^3"
-loss_factor = 1e-3
-[cell]
-pitch = "7 mm"
-thickness = "1.5 mm"
-[cell.pillar]
-diameter = "3.5 mm"
-height = "14.7 mm"
-""")
+STUDY = loads(PROTOTYPE)
 PARAMETERS = STUDY.parameters()
 FREE = ["cell.thickness", "cell.pillar.height", "material.density", "material.youngs_modulus", "carrier"]
 
