@@ -188,3 +188,24 @@ def test_a_step_needs_to_be_a_step(pillar):
     below = 2 * side(replace(pillar, step=None, fillet=0.0), pillar.step.height)
     with refusing(GeometryError, "out-of-range", "cell.pillar.step.diameter"):
         replace(pillar, fillet=0.0, step=replace(pillar.step, diameter=0.96 * below))
+
+
+class _Waisted(Pillar):
+    """A body with a number that no other has: what is asked of a pillar asks for its widths."""
+
+    def half_width(self, height: float, stage: int) -> float:
+        return super().half_width(height, stage) * (1 - 0.1 * height / self.height)
+
+
+@pytest.mark.parametrize(
+    ("pillar", "is_prism"),
+    [
+        (Pillar(3.5e-3, 14e-3), True),
+        (Pillar(3.5e-3, 14e-3, section="square", fillet=0.3e-3), True),
+        (Pillar(3.5e-3, 14e-3, draft=math.radians(-1)), False),
+        (Pillar(3.5e-3, 14e-3, step=Step(2e-3, 7e-3)), False),
+        (_Waisted(3.5e-3, 14e-3), False),
+    ],
+)
+def test_a_prism_is_told_by_its_widths(pillar, is_prism):
+    assert pillar.is_prism is is_prism

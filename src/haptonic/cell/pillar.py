@@ -194,7 +194,7 @@ class Pillar:
     @property
     def is_prism(self) -> bool:
         """Whether all sections above the foot, and its fillet, are one and the same."""
-        return not self.draft and self.step is None
+        return self.narrowest == self.broadest
 
     @property
     def is_cylinder(self) -> bool:
