@@ -49,7 +49,8 @@ WORKERS = Annotated[
     int, typer.Option("--workers", metavar="N", help="Worker processes on this machine; 0 works in this one.")
 ]
 DRY_RUN = Annotated[bool, typer.Option("--dry-run", help="Only tell time and memory that it will need.")]
-OF_COMMANDS = ("design", "fitted", "response", "scan", "trials")  # names that commands give to their files
+# names that commands give to their files: to studies, and to what was measured
+STUDIES, MEASURED = ("design", "fitted"), ("response", "scan", "trials")
 WATCH = Annotated[bool, typer.Option("--watch", help="Draw anew whenever the study is saved, until Ctrl-C.")]
 SCHEDULER = Annotated[
     str | None, typer.Option("--scheduler", metavar="ADDRESS", help="A running Dask scheduler to work on.")
@@ -137,7 +138,7 @@ def answered(analysis: Analysis, given: dict[str, Any]) -> None:
 
 
 def once(analysis: Analysis, given: dict[str, Any], voice: Voice) -> None:
-    """Load, look whether it can end well, compute, write, say what was found."""
+    """Load, look whether it can end well, compute, say what was found, write."""
     rest = dict(given)
     out, json, tables, form, overwrite = (rest.pop(name) for name in SHARED)
     if form is not None:
@@ -161,17 +162,19 @@ def once(analysis: Analysis, given: dict[str, Any], voice: Voice) -> None:
     with voice.counted(analysis.doing or analysis.name) as progress:
         runner = Runner(Store.default(), workers, scheduler, progress, about, folder)
         result = analysis.compute(study, options, runner)
-        if folder:
-            result.write(folder, overwrite=overwrite, progress=progress)
-    located = result.located(folder) if folder else {}
-    if form is None:
+    if form is None:  # the answer first: pictures may take as long again
         show(result, voice, every=tables)
-        if folder and folder.is_dir():  # a plan of a lattice has no picture
-            voice.tell(f"files: {located.get('report', folder)}")
     else:
         voice.print("\n".join(table.written(form) for table in result.tables()))
     for text in result.remarks():
         voice.warn(text)
+    located: dict[str, Any] = {}
+    if folder:
+        with voice.counted("files") as progress:
+            result.write(folder, overwrite=overwrite, progress=progress)
+        located = result.located(folder)
+        if form is None and folder.is_dir():  # a plan of a lattice has no picture
+            voice.tell(f"files: {located.get('report', folder)}")
     if json:
         voice.answer(result.to_json() | located)
 
@@ -203,6 +206,7 @@ def folder_for(about: Path, out: Path | None, json: bool, ending: str) -> Path |
         return None
     path = about.absolute()
     # two designs, or two scans, are files of one name in folders that tell them apart
-    stem = path.parent.name if path.stem in OF_COMMANDS else path.stem
+    of_commands = STUDIES if path.suffix == ".toml" else MEASURED
+    stem = path.parent.name if path.stem in of_commands else path.stem
     # a space in a path ends it in a shell
     return target(Path("results") / f"{stem}-{ending.replace(' ', '-')}" if out is None else out)
