@@ -30,10 +30,6 @@ Json = Annotated[
     bool, typer.Option("--json", help="Print one JSON object; files are then written only with --out.")
 ]
 SHARED: dict[str, Any] = {
-    "out": Annotated[
-        Path | None,
-        typer.Option("--out", metavar="DIR", help="Folder for the files; results/STUDY-COMMAND by default."),
-    ],
     "json": Json,
     "tables": Annotated[bool, typer.Option("--tables", help="Print all tables, however long they are.")],
     "tables_as": Annotated[
@@ -44,7 +40,6 @@ SHARED: dict[str, Any] = {
     ],
     "overwrite": Annotated[bool, typer.Option("--overwrite", help="Replace files of an earlier run.")],
 }
-TEXTS = ("out", "tables_as")  # of these; the others are on or off
 WORKERS = Annotated[
     int, typer.Option("--workers", metavar="N", help="Worker processes on this machine; 0 works in this one.")
 ]
@@ -64,8 +59,9 @@ def command(analysis: Analysis) -> Callable[..., None]:
         answered(analysis, given)
 
     own, last = parameters(analysis), inspect.Parameter.KEYWORD_ONLY
-    shared = [inspect.Parameter(n, last, default=None if n in TEXTS else False, annotation=kind)
-              for n, kind in SHARED.items()]  # fmt: skip
+    shared = [inspect.Parameter("out", last, default=None, annotation=_folder_option(analysis))]
+    shared += [inspect.Parameter(n, last, default=None if n == "tables_as" else False, annotation=kind)
+               for n, kind in SHARED.items()]  # fmt: skip
     if analysis.name in COSTS:
         shared.append(inspect.Parameter("dry_run", last, default=False, annotation=DRY_RUN))
     if analysis.watches:
@@ -80,6 +76,16 @@ def command(analysis: Analysis) -> Callable[..., None]:
     run.__annotations__ = {one.name: one.annotation for one in every}
     run.__signature__ = inspect.Signature(every)  # type: ignore[attr-defined]
     return run
+
+
+def _folder_option(analysis: Analysis) -> Any:
+    placed = [(one.name, found) for one in fields(analysis.options) if (found := option_of(one))]
+    asked = [known.metavar or name.upper() for name, known in placed if known.place == "before"]
+    named = f"named after {' and '.join(asked or ['STUDY'])} and the command"
+    return Annotated[
+        Path | None,
+        typer.Option("--out", metavar="DIR", help=f"Folder for the files; by default in results/, {named}."),
+    ]
 
 
 def parameters(analysis: Analysis) -> list[inspect.Parameter]:
@@ -140,7 +146,7 @@ def answered(analysis: Analysis, given: dict[str, Any]) -> None:
 def once(analysis: Analysis, given: dict[str, Any], voice: Voice) -> None:
     """Load, look whether it can end well, compute, say what was found, write."""
     rest = dict(given)
-    out, json, tables, form, overwrite = (rest.pop(name) for name in SHARED)
+    out, (json, tables, form, overwrite) = rest.pop("out"), (rest.pop(name) for name in SHARED)
     if form is not None:
         check_form(form)
     workers, scheduler = rest.pop("workers", 0), rest.pop("scheduler", None)

@@ -37,7 +37,9 @@ PLATE_DRAWS = 2**8
 class Spread(OfCell):
     """How much a number of the cell differs from one plate, or one pillar, to the next."""
 
-    spread: float = needed("Standard deviation of a normal, half-width of a uniform distribution.")
+    spread: float = needed(
+        "Standard deviation of a normal, half-width of a uniform distribution.", examples=["20 um"]
+    )
     distribution: Literal["normal", "uniform"] = setting(
         "normal", "Normal ones are cut off at three deviations."
     )
