@@ -3,13 +3,19 @@
 from __future__ import annotations
 
 import ast
+import html
 import json
 import re
+import sys
 from pathlib import Path
+from types import SimpleNamespace
 
 import pytest
 
+from haptonic import progress
 from haptonic.plots.style import Drawing
+from haptonic.study import loads
+from quick import QUICK_CELL
 
 DOCS = Path(__file__).parents[1] / "docs"
 NOTEBOOKS = {
@@ -115,3 +121,39 @@ def test_every_picture_has_words_of_its_own(name):
     words = [re.search(r"alt: (.*)", options)[1] for options, _ in pictures]
     assert all(len(one) > 40 for one in words), "what would somebody miss who does not see it?"
     assert len(set(words)) == len(words)
+
+
+def test_a_notebook_shows_how_far_long_work_is_and_nothing_stays(monkeypatch):
+    shown: list[dict[str, str]] = []
+    line = SimpleNamespace(update=lambda data, raw: shown.append(data))
+
+    def display(data, raw, display_id):
+        shown.append(data)
+        return line
+
+    kernel = SimpleNamespace(kernel=object())
+    notebook = SimpleNamespace(get_ipython=lambda: kernel, display=SimpleNamespace(display=display))
+
+    def told(*steps: tuple[object, ...]) -> list[str]:
+        with progress.in_notebook("sweep") as tell:
+            for step in steps:
+                tell(*step)
+        return [one["text/plain"] for one in shown]
+
+    assert told((1, 8)) == []  # no notebook
+    monkeypatch.setitem(sys.modules, "IPython", notebook)
+    assert told((1, 8)) == []  # done in a moment
+    monkeypatch.setattr(progress, "PATIENCE", 0.0)
+    monkeypatch.setattr(progress, "PAUSE", 0.0)
+    assert told((0, 0, "<b>"), (3, 8)) == ["sweep <b>", "sweep 3 of 8", ""]
+    assert "&lt;b&gt;" in shown[0]["text/html"]
+    assert 'value="3" max="8"' in shown[1]["text/html"]
+
+
+def test_a_study_shows_itself():
+    study = loads(QUICK_CELL)
+    assert len(repr(study)) < 200
+    assert f"a square lattice in {study.cell.material.name}" in repr(study)
+    seen = study._repr_html_()
+    (written,) = re.findall("<pre>(.*)</pre>", seen, re.DOTALL)
+    assert loads(html.unescape(written)) == study

@@ -2,7 +2,14 @@
 
 from __future__ import annotations
 
-from typing import Protocol
+import html
+import sys
+import time
+from collections.abc import Iterator
+from contextlib import contextmanager
+from typing import Any, Protocol
+
+PATIENCE, PAUSE = 1.0, 0.2  # s before a notebook is told anything, and between two words
 
 
 class Progress(Protocol):
@@ -16,3 +23,34 @@ class Progress(Protocol):
 
 def silent(done: int, planned: int, what: str = "", /) -> None:
     """Tell nobody."""
+
+
+@contextmanager
+def in_notebook(doing: str) -> Iterator[Progress]:
+    """A bar below the cell of a notebook that takes more than a moment, gone at its end; else silence."""
+    module = sys.modules.get("IPython")  # there already if this is a notebook
+    if module is None or not hasattr(module.get_ipython(), "kernel"):
+        yield silent
+        return
+    due, bar = time.monotonic() + PATIENCE, None
+
+    def tell(done: int, planned: int, what: str = "", /) -> None:
+        nonlocal due, bar
+        if time.monotonic() < due:
+            return
+        due = time.monotonic() + PAUSE
+        words = " ".join(filter(None, [doing, f"{done} of {planned}" if planned else "", what]))
+        share = f' value="{done}" max="{planned}"' if planned else ""
+        shown: dict[str, Any] = {
+            "text/plain": words, "text/html": f"<progress{share}></progress> {html.escape(words)}",
+        }  # fmt: skip
+        if bar is None:
+            bar = module.display.display(shown, raw=True, display_id=True)
+        else:
+            bar.update(shown, raw=True)
+
+    try:
+        yield tell
+    finally:
+        if bar is not None:
+            bar.update({"text/plain": "", "text/html": ""}, raw=True)

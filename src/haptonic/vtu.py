@@ -6,9 +6,9 @@ import json
 from math import prod
 from pathlib import Path
 
-import meshio
 import numpy as np
 
+from haptonic.later import meshio
 from haptonic.later import xarray as xr
 from haptonic.store import refuse_overwrite, write_atomically
 

@@ -15,7 +15,7 @@ from hypothesis import strategies as st
 from haptonic.analyses import NAMES, named
 from haptonic.analyses.reproduce import Reproduction
 from haptonic.cli.console import Voice
-from haptonic.cli.running import OF_COMMANDS, SCREEN, SENTENCES, folder_for, show
+from haptonic.cli.running import MEASURED, SCREEN, SENTENCES, STUDIES, folder_for, show
 from haptonic.results.bands import Bands
 from haptonic.results.scan.value import ScanResult
 from haptonic.results.table import Table
@@ -84,10 +84,28 @@ def test_more_than_three_sentences_are_for_those_who_ask(numbers):
     assert told(every=False) == said[:SENTENCES] + [f"more with --tables: {beyond} sentences"] * (beyond > 0)
 
 
-@pytest.mark.parametrize("name", OF_COMMANDS)
+@pytest.mark.parametrize("name", [*(f"{one}.toml" for one in STUDIES), *(f"{one}.csv" for one in MEASURED)])
 def test_files_that_commands_name_alike_are_told_apart_by_their_folders(name):
-    folders = {folder_for(Path(f"results/{one}/{name}.toml"), None, False, "export") for one in ("a", "b")}
+    folders = {folder_for(Path(f"results/{one}/{name}"), None, False, "export") for one in ("a", "b")}
     assert folders == {Path("results/a-export"), Path("results/b-export")}
+
+
+@pytest.mark.parametrize("name", MEASURED)
+def test_a_study_that_is_called_as_a_measurement_gives_its_own_name(name):
+    assert folder_for(Path(f"mine/{name}.toml"), None, False, "protocol") == Path(f"results/{name}-protocol")
+
+
+def test_the_answer_is_there_before_the_pictures_are_drawn(inside, study, tmp_path, monkeypatch):
+    """They take as long again; what stops them leaves the answer."""
+
+    def stopped(*given, **how):
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr("haptonic.plots.save", stopped)
+    ran = inside("bands", study(), "--out", tmp_path / "out")
+    assert ran.code == 130
+    assert ran.out.startswith(("Complete gap", "There is no"))
+    assert not (tmp_path / "out").exists()
 
 
 @pytest.mark.parametrize("name", NAMES)

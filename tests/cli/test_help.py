@@ -47,9 +47,18 @@ def test_no_help_loses_a_word(name, monkeypatch):
     for text in (EVERY[name], *written(name)):
         assert " ".join(text.split()) in seen
     assert EVERY[name] in listed
+    assert "<bool>" not in seen + listed  # a flag takes no value
     assert GROUPS.get(path[0], "") in helped(app)
     monkeypatch.setattr("typer.rich_utils.MAX_WIDTH", 80)
     assert "…" not in CliRunner().invoke(app, [*path, "--help"]).output  # a cut word
+
+
+@pytest.mark.parametrize(
+    ("name", "asked"),
+    [("bands", "STUDY"), ("friction", "PATH"), ("verdict", "RESPONSE"), ("compare", "FIRST and SECOND")],
+)
+def test_a_folder_is_named_after_what_the_command_is_asked_of(name, asked):
+    assert f"named after {asked} and the command" in helped(app, name)
 
 
 BRACKETS = (

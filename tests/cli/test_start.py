@@ -164,6 +164,7 @@ class TestKeys:
     def test_an_example_is_a_line_of_a_study(self, path):
         line = keys.example(KEYS[path])
         assert list(tomllib.loads(line)) == [path.rpartition(".")[2]]
+        assert "..." not in line  # what would say nothing
 
     def test_a_pattern_finds_paths_and_help(self, inside):
         found = {key["path"] for key in inside("keys", "FILLET", "--json").json["keys"]}

@@ -78,7 +78,7 @@ ALLOWED: dict[str, set[str]] = {
     "description": LOWER - {"store"} | {"results"},
     "report": LOWER | {"description", "pages", "plots", "results"},
     "analyses": LOWER | {"channels", "description", "jobs", "plots", "report", "results", "workshop"},
-    "study": {"analyses", "description", "fields", "progress", "results", "store"},
+    "study": {"analyses", "description", "errors", "fields", "progress", "results", "store"},
     "cli": CORE | {"analyses", "results", "store", "study", "__init__"},
 }
 TOP = {"__init__", "__main__"}

@@ -52,7 +52,9 @@ class UnitCell(TileShape):
     """
 
     lattice: Annotated[Lattice, INLINE] = needed("How the cells repeat.")
-    thickness: Annotated[float, size(20e-6, 20e-3)] = needed("Without the pillar.", title="Plate thickness")
+    thickness: Annotated[float, size(20e-6, 20e-3)] = needed(
+        "Without the pillar.", title="Plate thickness", examples=["1.5 mm"]
+    )
     material: Annotated[Material, GIVEN, TOP] = needed(
         "Of the plate and its pillars: a built-in name or its constants."
     )

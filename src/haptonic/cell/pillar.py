@@ -65,9 +65,10 @@ class Pillar:
         "At the foot, its fillet not counted; of a square section the side. "
         "Smaller than the pitch by more than 2 %.",
         title="Pillar diameter",
+        examples=["3.5 mm"],
     )
     height: Annotated[float, size(50e-6, 100e-3)] = needed(
-        "Above the face of the plate.", title="Pillar height"
+        "Above the face of the plate.", title="Pillar height", examples=["14.7 mm"]
     )
     section: Section = setting("round", "Seen from above; the sides of a square lie along the cell's.")
     draft: Annotated[float, Quantity("rad", at_least=-STEEPEST, at_most=STEEPEST, typical=USUAL_DRAFT)] = (

@@ -16,7 +16,22 @@ from haptonic.cli import commands
 GROUPS = {"simulate": "Simulate a measurement whose truth is known."}  # first words of names of two words
 
 
-class Worded(TyperGroup):
+class _Worded:
+    """Flags stand without the word that they are of, which typer puts beside them: they take no value."""
+
+    def get_params(self, ctx: Any) -> list[Any]:
+        found: list[Any] = super().get_params(ctx)  # type: ignore[misc]  # of a command, below
+        for one in found:
+            if isinstance(one, TyperOption) and one.is_flag:
+                one.metavar = ""
+        return found
+
+
+class Command(_Worded, TyperCommand):
+    """One command."""
+
+
+class Worded(_Worded, TyperGroup):
     """Commands whose help may name tables such as ``[trials]``, which typer would take for markup."""
 
     def __init__(self, **known: Any) -> None:
@@ -63,7 +78,7 @@ def made(name: str) -> TyperCommand:
     else:
         run = import_module(f"haptonic.cli.commands.{name}").run
     text = (analyses.NAMES | commands.NAMES)[name]
-    alone.command(name.split()[-1], help=text)(run)
+    alone.command(name.split()[-1], cls=Command, help=text)(run)
     found = typer.main.get_command(alone)
     assert isinstance(found, TyperCommand)
     _escape(found)

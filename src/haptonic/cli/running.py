@@ -29,10 +29,6 @@ Json = Annotated[
     bool, typer.Option("--json", help="Print one JSON object; files are then written only with --out.")
 ]
 SHARED: dict[str, Any] = {
-    "out": Annotated[
-        Path | None,
-        typer.Option("--out", metavar="DIR", help="Folder for the files; results/STUDY-COMMAND by default."),
-    ],
     "json": Json,
     "tables": Annotated[bool, typer.Option("--tables", help="Print all tables, however long they are.")],
     "tables_as": Annotated[
@@ -43,12 +39,12 @@ SHARED: dict[str, Any] = {
     ],
     "overwrite": Annotated[bool, typer.Option("--overwrite", help="Replace files of an earlier run.")],
 }
-TEXTS = ("out", "tables_as")  # of these; the others are on or off
 WORKERS = Annotated[
     int, typer.Option("--workers", metavar="N", help="Worker processes on this machine; 0 works in this one.")
 ]
 DRY_RUN = Annotated[bool, typer.Option("--dry-run", help="Only tell time and memory that it will need.")]
-OF_COMMANDS = ("design", "fitted", "response", "scan", "trials")  # names that commands give to their files
+# names that commands give to their files: to studies, and to what was measured
+STUDIES, MEASURED = ("design", "fitted"), ("response", "scan", "trials")
 WATCH = Annotated[bool, typer.Option("--watch", help="Draw anew whenever the study is saved, until Ctrl-C.")]
 SCHEDULER = Annotated[
     str | None, typer.Option("--scheduler", metavar="ADDRESS", help="A running Dask scheduler to work on.")
@@ -62,8 +58,9 @@ def command(analysis: Analysis) -> Callable[..., None]:
         answered(analysis, given)
 
     own, last = parameters(analysis), inspect.Parameter.KEYWORD_ONLY
-    shared = [inspect.Parameter(n, last, default=None if n in TEXTS else False, annotation=kind)
-              for n, kind in SHARED.items()]  # fmt: skip
+    shared = [inspect.Parameter("out", last, default=None, annotation=_folder_option(analysis))]
+    shared += [inspect.Parameter(n, last, default=None if n == "tables_as" else False, annotation=kind)
+               for n, kind in SHARED.items()]  # fmt: skip
     if analysis.cost is not None:
         shared.append(inspect.Parameter("dry_run", last, default=False, annotation=DRY_RUN))
     if analysis.watches:
@@ -78,6 +75,16 @@ def command(analysis: Analysis) -> Callable[..., None]:
     run.__annotations__ = {one.name: one.annotation for one in every}
     run.__signature__ = inspect.Signature(every)  # type: ignore[attr-defined]
     return run
+
+
+def _folder_option(analysis: Analysis) -> Any:
+    placed = [(one.name, found) for one in fields(analysis.options) if (found := option_of(one))]
+    asked = [known.metavar or name.upper() for name, known in placed if known.place == "before"]
+    named = f"named after {' and '.join(asked or ['STUDY'])} and the command"
+    return Annotated[
+        Path | None,
+        typer.Option("--out", metavar="DIR", help=f"Folder for the files; by default in results/, {named}."),
+    ]
 
 
 def parameters(analysis: Analysis) -> list[inspect.Parameter]:
@@ -136,9 +143,9 @@ def answered(analysis: Analysis, given: dict[str, Any]) -> None:
 
 
 def once(analysis: Analysis, given: dict[str, Any], voice: Voice) -> None:
-    """Load, look whether it can end well, compute, write, say what was found."""
+    """Load, look whether it can end well, compute, say what was found, write."""
     rest = dict(given)
-    out, json, tables, form, overwrite = (rest.pop(name) for name in SHARED)
+    out, (json, tables, form, overwrite) = rest.pop("out"), (rest.pop(name) for name in SHARED)
     if form is not None:
         check_form(form)
     workers, scheduler = rest.pop("workers", 0), rest.pop("scheduler", None)
@@ -167,17 +174,19 @@ def once(analysis: Analysis, given: dict[str, Any], voice: Voice) -> None:
             folder=folder,
         )
         result = analysis.compute(study, options, runner)
-        if folder:
-            result.write(folder, overwrite=overwrite, progress=progress)
-    located = result.located(folder) if folder else {}
-    if form is None:
+    if form is None:  # the answer first: pictures may take as long again
         show(result, voice, every=tables)
-        if folder and folder.is_dir():  # a plan of a lattice has no picture
-            voice.tell(f"files: {located.get('report', folder)}")
     else:
         voice.print("\n".join(table.written(form) for table in result.tables()))
     for text in result.remarks():
         voice.warn(text)
+    located: dict[str, Any] = {}
+    if folder:
+        with voice.counted("files") as progress:
+            result.write(folder, overwrite=overwrite, progress=progress)
+        located = result.located(folder)
+        if form is None and folder.is_dir():  # a plan of a lattice has no picture
+            voice.tell(f"files: {located.get('report', folder)}")
     if json:
         voice.answer(result.to_json() | located)
 
@@ -209,6 +218,7 @@ def folder_for(about: Path, out: Path | None, json: bool, ending: str) -> Path |
         return None
     path = about.absolute()
     # two designs, or two scans, are files of one name in folders that tell them apart
-    stem = path.parent.name if path.stem in OF_COMMANDS else path.stem
+    of_commands = STUDIES if path.suffix == ".toml" else MEASURED
+    stem = path.parent.name if path.stem in of_commands else path.stem
     # a space in a path ends it in a shell
     return target(Path("results") / f"{stem}-{ending.replace(' ', '-')}" if out is None else out)

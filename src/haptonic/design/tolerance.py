@@ -36,7 +36,9 @@ PILLAR_DRAWS, PLATE_DRAWS = 2**10, 2**8  # of pillars, for each of fewer draws o
 class Spread(OfCell):
     """How much a number of the cell differs from one plate, or one pillar, to the next."""
 
-    spread: float = needed("Standard deviation of a normal, half-width of a uniform distribution.")
+    spread: float = needed(
+        "Standard deviation of a normal, half-width of a uniform distribution.", examples=["20 um"]
+    )
     distribution: Literal["normal", "uniform"] = setting(
         "normal", "Normal ones are cut off at three deviations."
     )

@@ -60,7 +60,9 @@ def _from_inside(kind: type) -> Iterator[Slot]:
 
 def _slot(slot: Slot, path: str, keys: dict[str, Key]) -> Schema:
     key = keys[path]
-    about = {"title": key.title, "description": _described(key)}
+    about: Schema = {"title": key.title, "description": _described(key)}
+    if key.example:
+        about["examples"] = [key.example]
     match key.kind:
         case "table":
             return about | _tabled(slot, key, keys)

@@ -34,6 +34,7 @@ class Key:
     quantity : the declaration itself, for a quantity or number; the first one's of a list
     count : how many there are in a list
     numbers : paths of the study's numbers that a text may name; see `haptonic.fields.of_number`
+    example : a text that may be given, where one is declared
     """
 
     path: str
@@ -49,6 +50,7 @@ class Key:
     quantity: Quantity | None = None
     count: int = 1
     numbers: tuple[str, ...] = ()
+    example: str = ""
 
     @property
     def required(self) -> bool:
@@ -250,6 +252,7 @@ def _key(path: str, field: FieldInfo) -> Key:
         named=named,
         quantity=quantity,
         count=count,
+        example=next(iter(field.examples or ()), ""),
     )
 
 

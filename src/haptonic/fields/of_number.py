@@ -53,8 +53,12 @@ class OfNumber:
 class NumberRange(OfNumber):
     """A number that may change between two bounds, SI."""
 
-    low: float = Field(alias="from", title="Lowest value", description="With its unit, if it has one.")
-    high: float = Field(alias="to", title="Highest value", description="With its unit, if it has one.")
+    low: float = Field(
+        alias="from", title="Lowest value", description="With its unit, if it has one.", examples=["2 mm"]
+    )
+    high: float = Field(
+        alias="to", title="Highest value", description="With its unit, if it has one.", examples=["5 mm"]
+    )
 
     def __post_init__(self) -> None:
         if not self.low < self.high:

@@ -205,8 +205,9 @@ def allowed_at(key: Key | None) -> str:
 def example_at(key: Key) -> str:
     """A line for the study file that gives the key."""
     name = key.path.rpartition(".")[2]
-    if key.known_names:
-        return f'{name} = "{key.known_names[0]}"'
+    known = [key.example, *key.known_names, *key.numbers]
+    if told := next(filter(None, known), key.default if key.kind == "text" else None):
+        return f'{name} = "{told}"'
     if key.kind in {"table", "tables", "entries"}:
         return allowed_at(key)
     if key.kind == "quantities":

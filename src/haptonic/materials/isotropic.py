@@ -43,9 +43,11 @@ class IsotropicMaterial:
         0.0, "Imaginary over real part of the stiffness; about 1 / Q."
     )
     name: str = setting("material", "Shown in reports.", min_length=1, strict=True)
-    source: str = setting("", "Of the constants: words, or a key of the bibliography.", strict=True)
+    source: str = setting(
+        "", "Of the constants: words, or a key of the bibliography.", strict=True, examples=["data sheet"]
+    )
     uncertainty: Entries[float] = setting(Entries(), "Half-widths of the plausible intervals, by property.")
-    note: str = setting("", "What else is known of the constants.", strict=True)
+    note: str = setting("", "What else is known of the constants.", strict=True, examples=["rolled"])
 
     def __post_init__(self) -> None:
         if not self.name.strip():

@@ -42,7 +42,7 @@ class Actuator:
     The voltage counts between its free and its glued electrode.
     """
 
-    name: Name = needed("Shown in results.")
+    name: Name = needed("Shown in results.", examples=["A1"])
     centre: tuple[Position, Position] = needed(CENTRE)
     size: tuple[Width, Width, PatchThickness] = needed("Along x, along y, and its thickness.")
     material: Annotated[PiezoelectricMaterial, CERAMIC] = needed(
@@ -53,7 +53,9 @@ class Actuator:
         1.0, "Amplitude between the electrodes on its two faces."
     )
     phase: Phase = setting(0.0, "Of the voltage.")
-    region: Name | None = setting(None, "Of plain plate, that the whole patch lies on; else any.")
+    region: Name | None = setting(
+        None, "Of plain plate, that the whole patch lies on; else any.", examples=["WG1"]
+    )
 
     def __post_init__(self) -> None:
         *sides, thickness = self.size
@@ -77,14 +79,16 @@ class Actuator:
 class Force:
     """A force normal to the flat face, at a point or spread evenly over a rectangle."""
 
-    name: Name = needed("Shown in results.")
+    name: Name = needed("Shown in results.", examples=["F1"])
     centre: tuple[Position, Position] = needed(CENTRE)
     size: tuple[Width, Width] | None = setting(None, "Along x and along y; else the force acts at a point.")
     force: Annotated[float, Quantity("N", at_least=0.0, at_most=1e6, typical=(0.0, 100.0))] = setting(
         1.0, "Amplitude of its total."
     )
     phase: Phase = setting(0.0, "Of the force.")
-    region: Name | None = setting(None, "Or lattice, that all of the force lies on; else any.")
+    region: Name | None = setting(
+        None, "Or lattice, that all of the force lies on; else any.", examples=["WG1"]
+    )
 
     @property
     def amplitude(self) -> complex:
@@ -112,7 +116,9 @@ class Finger:
     damping: Annotated[float, Quantity("N s/m", at_least=0.0, at_most=1e9, typical=(0.0, 1e3))] = setting(
         0.0, "Of the whole disc.", title="Damping of the pad"
     )
-    region: Name | None = setting(None, "Or lattice, from whose corner its centre counts; else any.")
+    region: Name | None = setting(
+        None, "Or lattice, from whose corner its centre counts; else any.", examples=["WG1"]
+    )
 
     def __post_init__(self) -> None:
         if self.stiffness == 0 and self.damping == 0:

@@ -9,7 +9,6 @@ from itertools import pairwise, product
 
 import numpy as np
 from matplotlib.cm import ScalarMappable
-from matplotlib.collections import LineCollection
 from matplotlib.colors import Normalize
 from matplotlib.figure import Figure
 from numpy.typing import NDArray
@@ -84,13 +83,14 @@ def _bodies(dataset: xr.Dataset, turns: Sequence[complex]) -> tuple[Figure, Call
     panels = figure.subplots(rows, columns, squeeze=False).ravel()
     for axes in panels:
         axes.set_axis_off()
+        axes.set(xticks=[], yticks=[])  # else they are laid out all the same, below every title
+    # one line with breaks: as many lines as there are edges would take a file and its making as much again
+    ends = _projected(position)[:, :2][outline]
+    rest = np.pad(ends, ((0, 0), (0, 1), (0, 0)), constant_values=np.nan).reshape(-1, 2).T
     for k in range(count):
         axes = panels[k]
         axes.set(xlim=(low[0], high[0]), ylim=(low[1], high[1]), aspect="equal")
-        rest = _projected(position)[:, :2][outline]
-        axes.add_collection(
-            LineCollection(list(rest), colors=style.PALE_INK, linewidths=0.5, zorder=0, gid="undeformed")
-        )
+        axes.plot(*rest, color=style.PALE_INK, lw=0.5, zorder=0, gid="undeformed")
         frequency = float(dataset["mode_frequency"][k]) / 1e3
         axes.set_title(f"M{k + 1}  {frequency:.2f} kHz\n{names[k]}", fontsize=8.5)
     figure.suptitle(f"modes at {dataset.attrs['modes_at']}", fontsize=9, gid="wavevector")

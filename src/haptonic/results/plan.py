@@ -59,8 +59,7 @@ class StudyPlan(Result):
         return stamped(data, self.inputs)
 
     def summary(self) -> list[str]:
-        at = f", for {format_quantity(self.carrier, 'Hz')}" if self.carrier else ""
-        said = [f"{self.study}: {self._cell_in_words}{at}."]
+        said = [in_words(self.study, self.cell, self.carrier)]
         if self.plate:
             layout = self.plate.layout
             width, height = (1e3 * lines[-1] for lines in (layout.x, layout.y))
@@ -71,12 +70,6 @@ class StudyPlan(Result):
             )
             said += border_text(layout)
         return said
-
-    @property
-    def _cell_in_words(self) -> str:
-        cell = self.cell
-        parts = [f"a {cell.lattice.name} lattice", f"in {cell.material.name}"]
-        return " ".join(parts if cell.has_pillars else [*parts, "without pillars"])
 
     def tables(self) -> list[Table]:
         costs = [(f"haptonic {name}", f"about {one.time}", one.gigabytes) for name, one in self.costs.items()]
@@ -131,6 +124,14 @@ class StudyPlan(Result):
     def _plan(self, *, ax: Axes | None = None) -> Figure:
         assert self.plate is not None
         return plots.plate_plan(self.plate, ax=ax)
+
+
+def in_words(title: str, cell: UnitCell, carrier: float | None) -> str:
+    """What a study describes, a sentence."""
+    bare = "" if cell.has_pillars else " without pillars"
+    at = f", for {format_quantity(carrier, 'Hz')}" if carrier else ""
+    lattice = f"a{'n' * (cell.lattice.name[0] in 'aeiou')} {cell.lattice.name} lattice"
+    return f"{title}: {lattice} in {cell.material.name}{bare}{at}."
 
 
 def border_text(layout: Layout) -> list[str]:

@@ -33,10 +33,10 @@ class ProtocolSettings:
         4.0, "Between the end of a stroke and the start of the next."
     )
     driven: Name | None = setting(
-        None, "By its name; else the one with the first actuator.", title="Driven waveguide"
+        None, "By its name; else the one with the first actuator.", title="Driven waveguide", examples=["WG1"]
     )
     idle: Name | None = setting(
-        None, "By its name; else the plate's first other region.", title="Idle waveguide"
+        None, "By its name; else the plate's first other region.", title="Idle waveguide", examples=["WG2"]
     )
     power: Annotated[float, Quantity("", above=0.5, below=1.0, typical=(0.7, 0.99))] = setting(
         0.8, "Chance of showing an effect, for which participants are counted."

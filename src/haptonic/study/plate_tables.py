@@ -29,7 +29,7 @@ TileSize = Annotated[float, size(100e-6, 100e-3)]
 class LatticeSettings:
     """A further lattice of the plate, or of a ribbon: the study's own cell with some numbers changed."""
 
-    name: Name = needed("By which tiles refer to it.")
+    name: Name = needed("By which tiles refer to it.", examples=["low"])
     change: Entries[float] = needed(
         "Numbers of the cell, by their names in this file; thickness and material stay."
     )
@@ -72,7 +72,8 @@ class PlateSettings:
     """A finite plate: a map of tiles, what holds it and what drives it."""
 
     map: Annotated[str, Field(max_length=200_000, strict=True)] = needed(
-        "A letter for each tile, from above on the face with the pillars, largest y first."
+        "A letter for each tile, from above on the face with the pillars, largest y first.",
+        examples=["oo11oo"],
     )
     rows: Annotated[int, Field(ge=1, le=10_000, strict=True)] | None = setting(
         None, "The lines of the map are repeated until there are so many."

@@ -34,7 +34,7 @@ def plate_of(section: PlateSettings | None, own: UnitCell) -> Plate:
         raise _refused(
             "missing", "plate", "nothing", "a [plate] table with map and tiles",
             "the study describes a lattice, and no plate that is made of it",
-            'add map = ["AAA"] to [plate] and A = "lattice" to [plate.tiles]; `haptonic keys` lists the rest',
+            'add map = "AAA" to [plate] and A = "lattice" to [plate.tiles]; `haptonic keys plate` tells more',
         )  # fmt: skip
     if own.is_mirrored:
         raise _refused(

@@ -28,7 +28,8 @@ class RibbonSettings(DirectionSettings):
 
     map: Annotated[str, Field(max_length=4000, strict=True)] = needed(
         "A letter for each column, from left to right, such as ooooo1111ooooo; several lines with one letter "
-        "changed are a crystal with a defect."
+        "changed are a crystal with a defect.",
+        examples=["ooooo1111ooooo"],
     )
     rows: Annotated[int, Field(ge=1, le=1000, strict=True)] | None = setting(
         None,

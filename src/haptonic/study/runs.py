@@ -2,14 +2,18 @@
 
 from __future__ import annotations
 
+import html
+from contextlib import nullcontext
 from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from haptonic import analyses
 from haptonic.analyses import named
+from haptonic.errors import StudyError
 from haptonic.fields import extended
-from haptonic.progress import Progress, silent
+from haptonic.progress import Progress, in_notebook
+from haptonic.results.plan import in_words
 from haptonic.results.result import Result
 from haptonic.results.runner import Runner
 from haptonic.store import Store
@@ -34,7 +38,7 @@ class Study(Description):
         store: Store | None = None,
         workers: int = 0,
         scheduler: str | None = None,
-        progress: Progress = silent,
+        progress: Progress | None = None,
         **options: Any,
     ) -> Result:
         """Compute the analysis of this name; the result holds all of the answer.
@@ -43,15 +47,28 @@ class Study(Description):
         ----------
         store : where results are kept; the user's own by default
         workers, scheduler : see `haptonic.jobs.run_all`
-        progress : called with what is done and what is planned
+        progress : called with what is done and what is planned; by default a notebook shows a bar
         options : those of its command
 
         Raises
         ------
         StudyError : there is no such analysis or option, or the study lacks what it needs
         """
-        runner = Runner(Store.default() if store is None else store, workers, scheduler, progress)
-        return named(name).run(self, runner, options)
+        with in_notebook(name) if progress is None else nullcontext(progress) as told:
+            runner = Runner(Store.default() if store is None else store, workers, scheduler, told)
+            return named(name).run(self, runner, options)
+
+    def __repr__(self) -> str:
+        return f"<Study: {in_words(self.title, self.cell, self.carrier)}>"
+
+    def _repr_html_(self) -> str:
+        """What a notebook shows: a sentence, and below it the file that the study would be."""
+        said = f"<p>{html.escape(in_words(self.title, self.cell, self.carrier))}</p>"
+        try:
+            written = self.to_toml()
+        except StudyError:  # a material that no file describes
+            return said
+        return f"{said}<details><summary>study file</summary><pre>{html.escape(written)}</pre></details>"
 
     if not TYPE_CHECKING:  # a checker is to know no method that is not there
 

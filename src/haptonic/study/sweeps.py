@@ -32,9 +32,15 @@ def numeric_parameters() -> Mapping[str, str]:
 class SweepSettings:
     """A row of designs: an expression of parameters taken from one value to another."""
 
-    vary: str = needed("The first parameter in it changes.", title="Expression", strict=True)
-    start: float = Field(alias="from", title="First value", description="With its unit, if it has one.")
-    stop: float = Field(alias="to", title="Last value", description="With its unit, if it has one.")
+    vary: str = needed(
+        "The first parameter in it changes.", title="Expression", strict=True, examples=["cell.pillar.height"]
+    )
+    start: float = Field(
+        alias="from", title="First value", description="With its unit, if it has one.", examples=["10 mm"]
+    )
+    stop: float = Field(
+        alias="to", title="Last value", description="With its unit, if it has one.", examples=["16 mm"]
+    )
     steps: Annotated[int, Field(ge=2, le=1000, strict=True)] = setting(
         25, "Number of designs, both ends included."
     )

@@ -13,7 +13,10 @@ class TrialSettings(Rules):
     """How force records become coefficients of friction, and which trials count."""
 
     driven: Name | None = setting(
-        None, "Else the plate's, or the one with the largest reduction.", title="Driven waveguide"
+        None,
+        "Else the plate's, or the one with the largest reduction.",
+        title="Driven waveguide",
+        examples=["WG1"],
     )
     exclude: tuple[Exclusion, ...] = setting(
         (), "Trials that do not count.", title="Exclusions", max_length=1000

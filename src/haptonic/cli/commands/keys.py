@@ -105,7 +105,7 @@ def example(key: Key) -> str:
     if key.kind in {"table", "tables", "entries"} and not key.known_names:
         return ""
     value = key.default_text
-    if not value or key.kind in {"quantities", "text", "choice"}:
+    if not value or key.example or key.kind in {"quantities", "text", "choice"}:
         return example_at(key)
     name = key.path.rpartition(".")[2]
     return f'{name} = "{value}"' if key.unit else f"{name} = {value}"

@@ -40,9 +40,9 @@ POINTS = 80  # of a curve that is drawn small
 class Exclusion:
     """Trials that do not count, declared before the data are seen."""
 
-    participant: Name = needed("As the table of trials calls him or her.")
+    participant: Name = needed("As the table of trials calls him or her.", examples=["P3"])
     reason: Annotated[str, Field(min_length=1, max_length=200, strict=True)] = needed(
-        "Stands beside the trial in every table."
+        "Stands beside the trial in every table.", examples=["lifted the finger"]
     )
     block: Annotated[int, Field(ge=1, le=10**6, strict=True)] | None = setting(None, "Else all blocks.")
     trial: Annotated[int, Field(ge=1, le=10**6, strict=True)] | None = setting(

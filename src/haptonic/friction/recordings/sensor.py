@@ -58,27 +58,34 @@ Text = Annotated[str, Field(max_length=200, strict=True)]
 class Sensor:
     """What the channels of the files are. What is left out is guessed from usual names, and reported."""
 
-    normal: Text = setting("", "Name of its channel; a minus before it turns the sign.", title="Normal force")
-    tangential: Text = setting("", "Name of its channel.", title="Tangential force")
-    position: Text = setting("", "Name of the channel along the stroke.")
-    time: Text = setting("", "Name of its channel.")
+    normal: Text = setting(
+        "", "Name of its channel; a minus before it turns the sign.", title="Normal force", examples=["-Fz"]
+    )
+    tangential: Text = setting("", "Name of its channel.", title="Tangential force", examples=["Fx"])
+    position: Text = setting("", "Name of the channel along the stroke.", examples=["x"])
+    time: Text = setting("", "Name of its channel.", examples=["t"])
     force_unit: Annotated[Text, _unit_like("N")] = setting(
-        "", "Else the one that the file says, or N.", title="Unit of the forces"
+        "", "Else the one that the file says, or N.", title="Unit of the forces", examples=["mN"]
     )
     position_unit: Annotated[Text, _unit_like("m")] = setting(
-        "", "Else the one that the file says, or m.", title="Unit of the position"
+        "", "Else the one that the file says, or m.", title="Unit of the position", examples=["mm"]
     )
     time_unit: Annotated[Text, _unit_like("s")] = setting(
-        "", "Else the one that the file says, or s.", title="Unit of the time"
+        "", "Else the one that the file says, or s.", title="Unit of the time", examples=["ms"]
     )
     rate: Annotated[float, Quantity("Hz", above=0.0, at_most=1e7, typical=(250.0, 1e5))] | None = setting(
         None, "Where the files have no times.", title="Sampling rate"
     )
-    gauges: Text = setting("", "Names of six raw channels, with commas, in the calibration's order.")
+    gauges: Text = setting(
+        "",
+        "Names of six raw channels, with commas, in the calibration's order.",
+        examples=["G1,G2,G3,G4,G5,G6"],
+    )
     calibration: Text = setting(
         "",
         "CSV file of 6 x 6 numbers beside the trials: Fx Fy Fz Tx Ty Tz for 1 V of each gauge; "
         f"else {CALIBRATION} if it is there and the files have no forces.",
+        examples=[CALIBRATION],
     )
     largest_force: Annotated[float, Quantity("N", above=0.0, at_most=1e4)] | None = setting(
         None, "Force at which a channel is saturated.", title="End of the range"
