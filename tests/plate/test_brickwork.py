@@ -7,54 +7,22 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from small import ALUMINIUM, LOSS, PITCH, THICKNESS
+from small import LOSS
 from test_full_plate import SAME, modes
 from whole import answered
 
+from bricks import ALUMINIUM, CELLS, PITCH, THICKNESS, THIN, laid
 from five_parts import assert_told
 from haptonic.cell import Brickwork, Pillar, UnitCell
 from haptonic.errors import GeometryError
 from haptonic.lattice import Lattice
 from haptonic.plate.holding import Support
-from haptonic.plate.layout import Layout
 from haptonic.plate.model import PlateModel
 from haptonic.plate.parts import Force, Plate
 
 LONG = [
     pytest.param(one, marks=pytest.mark.nightly) for one in ("askew", "thirds", "kagome", "lieb", "honeycomb")
 ]
-THIN, TALL = Pillar(1.5e-3, 9e-3), Pillar(1.7e-3, 11e-3)
-CELLS = {
-    "square": UnitCell(Lattice.square(PITCH), THICKNESS, ALUMINIUM, THIN),
-    "rectangular": UnitCell(Lattice.rectangular(PITCH, 5e-3), THICKNESS, ALUMINIUM, THIN),
-    "triangular": UnitCell(Lattice.triangular(PITCH), THICKNESS, ALUMINIUM, THIN),
-    "centred": UnitCell(Lattice.centred(PITCH, 9e-3), THICKNESS, ALUMINIUM, THIN),
-    "upright": UnitCell(  # the triangular one turned by a right angle
-        Lattice.centred(np.sqrt(3) * PITCH, PITCH), THICKNESS, ALUMINIUM, THIN
-    ),
-    "thirds": UnitCell(
-        Lattice.oblique(PITCH, float(np.hypot(PITCH / 3, 6e-3)), float(np.arctan2(6e-3, PITCH / 3))),
-        THICKNESS, ALUMINIUM, THIN,
-    ),
-    "honeycomb": UnitCell(
-        Lattice(lattice="honeycomb", pitch=PITCH), THICKNESS, ALUMINIUM,
-        site=({"pillar": THIN}, {"pillar": TALL}),
-    ),
-    "askew": UnitCell(  # bricks whose pillar is not in the middle, beside lines that are not either
-        Lattice.square(PITCH), THICKNESS, ALUMINIUM,
-        site=({"at": (0.0, 0.0), "pillar": THIN}, {"at": (0.25, 0.4), "pillar": TALL}),
-    ),
-    "kagome": UnitCell(Lattice(lattice="kagome", pitch=PITCH), THICKNESS, ALUMINIUM, THIN),
-    "lieb": UnitCell(Lattice(lattice="lieb", pitch=PITCH), THICKNESS, ALUMINIUM, THIN),
-}  # fmt: skip
-
-
-def laid(text, cell):
-    """A plate from letters, the first line on top: "o" the lattice, others plain, "." nothing."""
-    rows = [tuple(None if one == "." else one for one in row) for row in text.split()[::-1]]
-    work = Brickwork.of(cell)
-    widths = [work.width] * len(rows[0])
-    return Layout.laid(rows, widths, [work.height] * len(rows), {"o": cell}, THICKNESS, ALUMINIUM)
 
 
 @pytest.mark.parametrize("name", CELLS)

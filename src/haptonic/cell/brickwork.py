@@ -131,7 +131,8 @@ def _share(value: float) -> Fraction:
 
 def _between(places: list[Fraction]) -> list[tuple[Fraction, Fraction, Fraction]]:
     """Every place of a period 1 with the middles between it and its neighbours."""
-    before, after = [places[-1] - 1, *places[:-1]], [*places[1:], places[0] + 1]
+    before = [*(one - 1 for one in places[-1:]), *places[:-1]]
+    after = [*places[1:], *(one + 1 for one in places[:1])]
     around = zip(before, places, after, strict=True)
     return [(one, (low + one) / 2, (one + high) / 2) for low, one, high in around]
 

@@ -16,7 +16,7 @@ from typing import Literal
 import numpy as np
 
 from haptonic.cell import Brickwork, Pillar, UnitCell
-from haptonic.cell.brickwork import FINEST, MOST_PIECES
+from haptonic.cell.brickwork import FINEST, MOST_PIECES, Brick
 from haptonic.cell.tile import SiteTile
 from haptonic.errors import GeometryError
 from haptonic.materials import Material
@@ -211,6 +211,15 @@ class Layout:
         """The rectangle about its pillar of one of a lattice's bricks."""
         return self._works[name].bricks[number].tile
 
+    def brick_at(self, corner: Tile) -> Brick:
+        """What lies on the lower left one of the tiles that it covers."""
+        return self._works[str(self.at(corner))].bricks[self.bricks[corner].number]
+
+    def axis(self, corner: Tile) -> tuple[float, float]:
+        """Place (x, y) of the axis of a brick's pillar, m."""
+        left, below = self.brick_at(corner).tile.corners[0]
+        return self.x[corner[1]] - float(left), self.y[corner[0]] - float(below)
+
     def lines(self, block: Block) -> tuple[tuple[float, ...], tuple[float, ...]]:
         """Positions of the lines between a block's tiles along x and along y, its ends included, m."""
         (left, right), (low, top) = block.columns, block.rows
@@ -308,13 +317,8 @@ class Layout:
     @cached_property
     def standing(self) -> tuple[tuple[float, float, Pillar], ...]:
         """Every pillar of the plate with the place (x, y) of its axis, m; row by row from the lower left."""
-        found = []
-        for (i, j), laid in self.bricks.items():
-            tile = self.brick(str(self.at((i, j))), laid.number)
-            left, below = tile.corners[0]
-            if tile.pillar is not None:
-                found.append((self.x[j] - float(left), self.y[i] - float(below), tile.pillar))
-        return tuple(found)
+        tiles = {corner: self.brick_at(corner).tile for corner in self.bricks}
+        return tuple((*self.axis(at), tile.pillar) for at, tile in tiles.items() if tile.pillar is not None)
 
     @property
     def pillars(self) -> int:
