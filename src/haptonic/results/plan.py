@@ -141,9 +141,10 @@ def border_text(layout: Layout) -> list[str]:
     """What is missing at the borders of lattices, if anything is."""
     if not layout.left_out:
         return []
+    whose = "its" if layout.left_out == 1 else "their"
     return [
-        f"At the borders of the lattice, whose rows are offset, {_counted(layout.left_out, 'pillar')} would "
-        "stand across: plain plate takes their place."
+        f"At the borders of its lattices {_counted(layout.left_out, 'pillar')} would stand across: plain "
+        f"plate takes {whose} place."
     ]
 
 
