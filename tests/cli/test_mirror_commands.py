@@ -182,6 +182,10 @@ def test_a_guide_in_a_triangular_gap(inside, tmp_path):
     # with free ends 17 intervals and a half fill the length; it falls to a third at the zigzag face
     assert nearest["nodal_spacing_m"] == pytest.approx(nearest["length_m"] / 17.5)
     assert nearest["amplitude_at_edge"] == pytest.approx(0.30, abs=0.08)
+    # half a wave across, between the lines where the plate seems held; thin plates are some per cent softer
+    across = np.pi / (nearest["width_m"] + 2 * nearest["fixed_line_m"])
+    thin = np.sqrt(2 * np.pi * 60e3 * np.sqrt(12 * 2700 * (1 - 0.33**2) / 70e9) / 1.5e-3)
+    assert 1.0 < np.hypot(across, np.pi / nearest["nodal_spacing_m"]) / thin < 1.1
     assert nearest["decay_db_per_row"] == pytest.approx(16, abs=2)
 
 
