@@ -43,11 +43,17 @@ def measured_on(record: dict[str, Any]) -> str:
 
 
 def diagram(record: dict[str, Any]) -> str:
-    m, w = record["measure"], record["whole_command"]
+    m, t, w = record["measure"], record["triangular"], record["whole_command"]
     rows = [
         ["66 wavevectors, 10 bands: frequencies, errors, group velocities", "1.0 s", f"{m['later_s']:.2f} s"],
         ["the same, first in its process", "", f"{m['first_s']:.2f} s"],
         ["one more wavevector", "5 ms", f"{1e3 * m['one_more_point_s']:.1f} ms"],
+        [
+            "the diagram on a triangular lattice, in turns with the square one",
+            "1.0 s",
+            f"{t['later_s']:.2f} s, the square one {t['square_s']:.2f} s then",
+        ],
+        ["one more of its wavevectors", "5 ms", f"{1e3 * t['one_more_point_s']:.1f} ms"],
         [
             "diagram and search of the whole zone for the complete gap",
             "2 s",

@@ -49,7 +49,7 @@ spread = "10 um"
 """
 ).replace('thickness = "1.5 mm"', 'thickness = "1.5 mm"\nfaces = "both"')
 REFUSED = {  # code and argument
-    "waveguide": ("no-answer", "waveguide.mode"),  # S0 and SH0 run along so short a wave's strip as well
+    "waveguide": ("no-answer", "waveguide.mode"),  # a wave so short is diffracted by the rows
     "export": ("unsupported", "cell.faces"),
     **dict.fromkeys(("plate", "feel", "simulate scan"), ("missing", "plate")),
     "verdict": ("conflict", "response"),  # a study in place of what a scan has given

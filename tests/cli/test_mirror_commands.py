@@ -10,6 +10,7 @@ import pytest
 import xarray as xr
 
 from five_parts import assert_five_parts
+from quick import QUICK_CELL
 
 pytestmark = pytest.mark.usefixtures("empty_pictures")
 
@@ -166,6 +167,26 @@ def test_without_width_and_length_several_are_compared_and_all_lie_at_the_carrie
     assert list(widths.values()) == sorted(
         widths.values(), reverse=True
     )  # the longer along, the shorter across
+
+
+def test_a_guide_in_a_triangular_gap(inside, tmp_path):
+    """The cell of the template triangular-mirror, on a mesh so coarse that it takes some seconds."""
+    path = tmp_path / "triangular.toml"
+    text = QUICK_CELL.replace('pitch = "7 mm"', 'lattice = "triangular"\npitch = "8 mm"')
+    text = text.replace("3.5 mm", "4 mm").replace("count = 8", "count = 10")
+    path.write_text(text.replace("order = 2", "order = 3") + "\n[waveguide]\nrows = 19\n", encoding="utf-8")
+    ran = inside("waveguide", path, "--json", "--out", tmp_path / "out")
+    assert ran.code == 0, ran.err
+    nearest = ran.json["nearest"]
+    assert nearest["frequency_hz"] == pytest.approx(60e3, rel=1e-6)
+    # with free ends 17 intervals and a half fill the length; it falls to a third at the zigzag face
+    assert nearest["nodal_spacing_m"] == pytest.approx(nearest["length_m"] / 17.5)
+    assert nearest["amplitude_at_edge"] == pytest.approx(0.30, abs=0.08)
+    # half a wave across, between the lines where the plate seems held; thin plates are some per cent softer
+    across = np.pi / (nearest["width_m"] + 2 * nearest["fixed_line_m"])
+    thin = np.sqrt(2 * np.pi * 60e3 * np.sqrt(12 * 2700 * (1 - 0.33**2) / 70e9) / 1.5e-3)
+    assert 1.0 < np.hypot(across, np.pi / nearest["nodal_spacing_m"]) / thin < 1.1
+    assert nearest["decay_db_per_row"] == pytest.approx(16, abs=2)
 
 
 def test_nothing_is_computed_if_a_file_is_in_the_way(inside, study, tmp_path):

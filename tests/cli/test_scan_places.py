@@ -6,14 +6,21 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+import xarray as xr
 
+from bricks import ALUMINIUM, CELLS, PITCH, THICKNESS, laid
 from haptonic.bloch import Gap
 from haptonic.bloch.guide import strip_mode
 from haptonic.bloch.mirrors import condensed_rows
 from haptonic.bloch.model import bloch_model
+from haptonic.cell import Pillar, UnitCell
+from haptonic.lattice import Lattice
+from haptonic.plate.parts import Force, Plate
+from haptonic.response import FrequencyResponse
 from haptonic.store import Store
 from haptonic.study import loads
 from haptonic.vibrometry.guides import guides_of, mirror_beside, strips_of
+from haptonic.vibrometry.on_plate import lattice_gap
 from haptonic.vibrometry.theory import computed_waves, guided
 from tiny_scan import TINY
 
@@ -41,7 +48,8 @@ class TestPlaces:
         assert np.array_equal(mirror.area.holds(points), back.area.holds(points))
 
     def test_rows_of_the_same_lattice_lie_beside_every_guide(self, study):
-        strips = strips_of(study.mounted_plate().layout, "WG1")
+        layout = study.mounted_plate().layout
+        strips = strips_of(layout, mirror_beside(layout, "WG1"))
         assert sorted((one.start, one.inwards, one.rows) for one in strips) == [
             (pytest.approx(7e-3), -1, 1), (pytest.approx(35e-3), -1, 2), (pytest.approx(49e-3), 1, 1),
         ]  # fmt: skip
@@ -73,7 +81,91 @@ class TestPlaces:
         assert (mirror.depth, mirror.inwards, mirror.rows) == ("y", 1, 1)
 
 
+class TestOtherLattices:
+    """Rows that are offset, or of several sites, as the plate's bricks have them."""
+
+    AROUND = "oooooo oooooo oooooo oooooo pppppp oooooo oooooo oooooo"
+    BESIDE = "oooopoooo " * 5
+
+    def test_rows_of_a_triangular_lattice(self):
+        """Across its rows it begins where the letters do, along them behind half a brick."""
+        layout = laid(self.AROUND, CELLS["triangular"])
+        above = mirror_beside(layout, "p")
+        both = strips_of(layout, above)
+        assert sorted(one.rows for one in both) == [3, 4]
+        high = np.sqrt(0.75) * PITCH
+        assert (above.depth, above.rows, above.inwards, above.symmetric) == ("y", 4, 1, True)
+        assert (above.period, above.pitch) == pytest.approx((PITCH, high))
+        assert (above.start, above.face) == pytest.approx((4 * high, 4 * high))
+        # whole bricks only: half of one is missing at either end of every other row
+        assert (above.area.x, above.area.width) == pytest.approx((0.5 * PITCH, 5 * PITCH))
+        (guide,) = guides_of(layout)
+        assert (guide.along, guide.lattice) == ("x", "o")
+        assert guide.width == pytest.approx(high)
+
+        layout = laid(self.BESIDE, CELLS["triangular"])
+        (guide,), beside = guides_of(layout), mirror_beside(layout, "p")
+        assert (beside.depth, beside.rows) == ("x", 6)
+        assert (beside.period, beside.pitch) == pytest.approx((2 * high, 0.5 * PITCH))
+        # the first column stands half a pitch inside, and its tiles reach a quarter towards the guide
+        assert guide.width == pytest.approx(1.5 * PITCH)
+        for mirror in strips_of(layout, beside):
+            inside = mirror.area.holds(np.array([(x, y) for x, y, _ in layout.standing]))
+            assert inside.sum() == 3 * 4 + 2 * 3  # four of every other row, on the rim as well, and three
+
+    def test_what_no_mirror_leaves_as_it_is_tells_no_gap_and_no_guide(self):
+        """Unequal pillars of a honeycomb change places in a mirror along x, and not in one along y."""
+        lying, standing = (laid(text, CELLS["honeycomb"]) for text in (self.AROUND, self.BESIDE))
+        assert [guide.lattice for guide in guides_of(lying) + guides_of(standing)] == [None, "o"]
+        assert not mirror_beside(lying, "p").symmetric
+        response = FrequencyResponse.of(
+            np.ones((1, 1, 1), complex),
+            frequency=[1e3],
+            x=[0.0],
+            y=[0.0],
+            reference="A1, V",
+            origin="simulated",
+        )
+        plate = Plate(lying, forces=(Force("F", (3 * PITCH, 3.5 * lying.y[-1] / 8)),))
+        found = lattice_gap(response, plate, xr.Dataset())
+        assert "no images of themselves" in found.reasons[0]
+
+    def test_a_border_within_a_row_tells_no_guide(self):
+        """A row of a kagome lattice begins with single pillars; below the guide pairs lie beside it."""
+        layout = laid(self.AROUND, CELLS["kagome"])
+        assert [guide.lattice for guide in guides_of(layout)] == [None]
+        both = {one.inwards: one.face for one in strips_of(layout, mirror_beside(layout, "p"))}
+        assert both[-1] is None
+        assert both[1] is not None
+
+
 class TestWaves:
+    def test_a_plate_in_two_bases_has_the_same_waves(self, study, monkeypatch):
+        """Triangular, and rectangles of two pillars: guides alike, a row of these fades as two of those."""
+        monkeypatch.setattr("haptonic.vibrometry.theory.FADING", 2)
+        monkeypatch.setattr("haptonic.vibrometry.theory.STEPS", 1)
+        monkeypatch.setattr("haptonic.vibrometry.theory.REACH", (0.97, 0.97))
+        pillar, settings = Pillar(3.5e-3, 14.7e-3), study.bands_settings
+        one = UnitCell(Lattice.triangular(PITCH), THICKNESS, ALUMINIUM, pillar)
+        two = UnitCell(
+            Lattice.rectangular(PITCH, np.sqrt(3) * PITCH), THICKNESS, ALUMINIUM,
+            site=({"at": (0.0, 0.0), "pillar": pillar}, {"at": (0.5, 0.5), "pillar": pillar}),
+        )  # fmt: skip
+        gap = Gap((6, 7), 56e3, 62e3, 0.0, 0.0, (0.0, 0.0), (0.0, 0.0), True, "", 9)
+        found = []
+        for cell, text in ((one, "oooo oooo" + 4 * " pppp" + " oooo oooo"), (two, "oooo pppp pppp oooo")):
+            layout = laid(text, cell)
+            guides = [replace(one, lattice="o") for one in guides_of(layout)]
+            assert guides[0].width == pytest.approx(2 * np.sqrt(3) * PITCH)
+            mirror = mirror_beside(layout, "p")
+            found.append(computed_waves(layout, settings, (40e3, 70e3), gap, guides, mirror))
+        single, double = found
+        assert float(single["attenuation"].max()) > 5
+        assert double["attenuation"].values == pytest.approx(2 * single["attenuation"].values, abs=1e-3)
+        assert np.isfinite(single["guided_frequency"].values).all()
+        for name in ("guided_frequency", "guided_wavenumber"):
+            assert double[name].values == pytest.approx(single[name].values, rel=1e-5, nan_ok=True)
+
     def test_the_guide_s_mode_is_that_of_a_strip_as_long_as_it_needs(self, study):
         """The mode at a wavenumber is that of a strip with free ends whose length fits it."""
         layout, gap = (

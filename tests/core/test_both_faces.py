@@ -12,13 +12,16 @@ from brute import assembled, frequencies, periodic_projection
 from strategies import ALUMINIUM, reference_cell
 from test_superelement import SKEWED
 
+from five_parts import assert_told
 from haptonic.bloch import BlochModel, Resolution, bands_dataset, gaps_of
 from haptonic.bloch.gaps import complete_gaps, parity_gaps
+from haptonic.bloch.guide import Guide, Wall
 from haptonic.bloch.layers import OUTGOING, Interface
 from haptonic.bloch.mirrors import condensed_rows
 from haptonic.bloch.settings import BandSettings, MeshSettings
 from haptonic.bloch.tracking import diagram
 from haptonic.cell import Pillar, UnitCell, mesh_cell
+from haptonic.errors import StudyError
 from haptonic.lattice import Lattice
 
 EMPTY = json.loads((Path(__file__).parents[1] / "data" / "empty_lattice.json").read_text("utf-8"))["points"]
@@ -193,3 +196,22 @@ def test_rows_keep_flexural_waves_apart_from_the_others():
             assert reflected == pytest.approx(np.ones(2), abs=1e-6)
     assert mixed["both"] < 1e-12
     assert mixed["one"] > 1e-3
+
+
+def test_a_strip_guides_flexural_waves_whatever_runs_in_its_plane():
+    """Pillars on both faces turn none into in-plane waves, which run as well where the wave is long along."""
+    cell = replace(LOW, pillar=Pillar(3.5e-3, 14.7e-3))
+    omega, along = 2 * np.pi * 77e3, 60.0  # where symmetric waves enter the lattice
+    both, one = (
+        Guide.of(condensed_rows(replace(cell, faces=faces), Resolution(2, 0)), along)
+        for faces in ("both", "one")
+    )
+    running, _ = both.interface.plate_waves(omega)
+    assert {"A0", "S0", "SH0"} <= set(running.label)
+    wall = Wall.of(both.interface, omega)
+    assert abs(wall.reflection[wall.flexural, wall.flexural]) == pytest.approx(1.0, abs=1e-9)
+    # held at the fixed lines, the strip is about half a wave wide between them
+    assert both.width(omega, 0) + 2 * wall.fixed_line == pytest.approx(np.pi / wall.wavenumber, rel=0.2)
+    with pytest.raises(StudyError) as caught:
+        one.width(omega, 0)
+    assert_told(caught.value, "in-plane waves", argument="waveguide.mode")

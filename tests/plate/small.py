@@ -2,16 +2,15 @@
 
 import numpy as np
 
+from bricks import ALUMINIUM, PITCH, THICKNESS
 from haptonic.cell import Pillar, UnitCell
 from haptonic.lattice import Lattice
-from haptonic.materials import IsotropicMaterial, material
+from haptonic.materials import material
 from haptonic.plate.holding import Support
 from haptonic.plate.layout import Layout
 from haptonic.plate.parts import Actuator, Bond, Finger, Force, Plate
 from haptonic.plate.recipes import Fineness
 
-ALUMINIUM = IsotropicMaterial(youngs_modulus=70e9, poisson_ratio=0.33, density=2700.0, name="aluminium")
-PITCH, THICKNESS = 7e-3, 1.5e-3
 CELL = UnitCell(Lattice.square(PITCH), THICKNESS, ALUMINIUM, Pillar(3.5e-3, 14.7e-3))
 COARSE = Fineness(along=3, through=2, cell=2, rings=0, plain=3)
 LOSS = 2e-3

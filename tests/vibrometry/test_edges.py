@@ -48,8 +48,11 @@ def exponent(lines, lower, upper, deep=1.6):
     return np.where(depth > 0, deep * np.minimum(np.sqrt(depth), 1.0) + 0j, 1j * (0.4 + lines / 60e3))
 
 
-def field(edges, noise=0.0, averages=0, seed=1, reflected=0.4):
-    """Waves of many phases along the rows, and what comes back of them; ``edges`` of a phase, or None."""
+def field(edges, noise=0.0, averages=0, seed=1, reflected=0.4, grain=0.0):
+    """Waves of many phases along the rows, and what comes back of them; ``edges`` of a phase, or None.
+
+    grain : by which they differ within a cell, each row offset by half a period against the next
+    """
     chance = np.random.default_rng(seed)
     cells = (X - STRIP.start) / PITCH
     values = np.zeros((len(LINES), len(X)), complex)
@@ -61,6 +64,7 @@ def field(edges, noise=0.0, averages=0, seed=1, reflected=0.4):
         values += (there + reflected * back[:, None] * np.exp(np.outer(gamma, cells - ROWS))) * np.cos(
             phase * Y / PITCH
         )
+    values *= 1 + grain * np.cos(2 * np.pi * Y / PITCH) * np.cos(np.pi * cells)
     coherence = None
     if averages:
         scatter = chance.normal(size=(2, averages, *values.shape))
@@ -111,6 +115,13 @@ class TestEdges:
         inside = seen.sel(frequency=slice(55e3, 59e3))[:, phases]
         assert inside.median().item() == pytest.approx(20 * np.log10(np.e) * 1.6, rel=0.03)
         assert seen.sel(frequency=slice(41e3, 50e3))[:, phases].median().item() < 0.5
+
+    def test_rows_that_are_offset_fade_alike(self):
+        """A wave of a phase has one and the same mean over the period at equal depths of all rows."""
+        plain, offset = (decay_along(field(whole, grain=grain), [STRIP])[:, 1:-1] for grain in (0.0, 0.3))
+        inside = plain.sel(frequency=slice(55e3, 59e3))
+        assert float(inside.min()) > 5
+        assert offset.sel(frequency=slice(55e3, 59e3)).values == pytest.approx(inside.values, rel=0.06)
 
     def test_a_strip_along_the_other_axis_and_backwards_is_the_same(self):
         plain = field(whole)

@@ -248,7 +248,20 @@ def lattice_pencil(tiling: Tiling) -> CentredPencil | PhasedPencil:
     return PhasedPencil.of(tiling)
 
 
-def halves(middle: sp.csr_array) -> tuple[Array, Array]:
+def parted(
+    full: CentredPencil | PhasedPencil,
+) -> tuple[CentredPencil | PhasedPencil | SplitPencil, tuple[Array, Array] | None]:
+    """The pencil by what is symmetric about the plate's middle plane and what is not, and bases of either.
+
+    Where that is no mirror it is the pencil itself, and None.
+    """
+    if full.middle is None:
+        return full, None
+    parts = _halves(full.middle)
+    return split(full, parts), parts
+
+
+def _halves(middle: sp.csr_array) -> tuple[Array, Array]:
     """(n, s) and (n, a) orthonormal unknowns that a mirror (n, n) leaves as they are, and turns over.
 
     The mirror exchanges unknowns, or keeps one with its sign or the opposite one.

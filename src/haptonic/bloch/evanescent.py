@@ -185,6 +185,13 @@ class Waves:
         return np.asarray(la.solve(self.displacement.T, self.force.T).T)
 
 
+def symmetric(field: Complex) -> Bools:
+    """(w,) whether waves (levels, ..., 3, w) are rather symmetric about the plate's middle plane."""
+    image = field[::-1] * np.array([1.0, 1.0, -1.0])[:, None]
+    found = (field.conj() * image).reshape(-1, field.shape[-1]).sum(axis=0).real > 0
+    return np.asarray(found)
+
+
 def energy_flux(displacement: Complex, force: Complex, omega: float) -> Complex:
     """(w, w) Hermitian form of the power that waves (n, w) carry to the right, W.
 

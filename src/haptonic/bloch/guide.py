@@ -1,7 +1,8 @@
 """A lattice as a boundary of a plain plate: where it seems to hold the plate, and the modes of a strip.
 
 Flexural waves that meet the lattice within its gap come back as if the plate were held at a line some way
-behind the interface. Between two such mirrors a strip of plate guides waves along it.
+behind the interface. Between two such mirrors a strip of plate guides waves along it. Where pillars stand on
+both faces, waves that are symmetric about the plate's middle plane do not meet these at all.
 """
 
 from __future__ import annotations
@@ -13,6 +14,7 @@ import numpy as np
 import scipy
 
 from haptonic.arrays import Array, Complex
+from haptonic.bloch.evanescent import symmetric
 from haptonic.bloch.layers import Interface
 from haptonic.bloch.plate_waves import PlateWaves
 from haptonic.bloch.rows import CondensedRows
@@ -30,10 +32,10 @@ class Wall:
 
     Widths of strips count from where the lattice's face lies on average.
 
-    plate : the plate's waves to the right
+    plate : the plate's waves to the right, those that meet the flexural one
     reflection : (p, p) amplitudes of their mirror images, to the left, for unit ones that come
     flexural : number of the flexural wave that propagates
-    closed : whether no wave enters the lattice
+    closed : whether no wave that meets the flexural one enters the lattice
     face : (h, p) harmonics of the motion normal to the plate along the lattice's face, of unit waves
     setback : from the straight line beyond which there is but plain plate to that place, m
     """
@@ -54,15 +56,24 @@ class Wall:
         if not len(leads):
             return None
         images = replace(mirror, outgoing=right.mirrored(interface.plate.axes[0]))
-        closed, reflection = not mirror.lattice.propagates.any(), images.reflection()
+        reflection = images.reflection()
         motion = right.waves.displacement + images.outgoing.waves.displacement @ reflection
         places = (mirror.motion @ motion).reshape(-1, interface.on_face.shape[1], 3, len(right))
         face = interface.on_face @ places[0, :, 2]
+        entering = mirror.lattice.propagates
+        if interface.mirrored:  # about the middle plane: A0 is antisymmetric
+            levels = len(places)
+            inside = mirror.lattice.displacement.reshape(levels, -1, 3, len(entering))
+            entering = entering & ~symmetric(inside)
+            profiles = right.waves.displacement.reshape(-1, levels, 3, len(right)).swapaxes(0, 1)
+            own = ~symmetric(profiles)
+            right, reflection, face = right.chosen(own), reflection[np.ix_(own, own)], face[:, own]
+            leads = np.cumsum(own)[leads] - 1
         return cls(
             plate=right,
             reflection=reflection,
             flexural=int(leads[0]),
-            closed=closed,
+            closed=not entering.any(),
             face=face,
             setback=interface.setback,
         )

@@ -115,6 +115,7 @@ class Interface:
     setback : from the line to where the rows' face lies on average, m
     trace : (n, p) motion of the line that each unknown (harmonic, level, component) of the plate gives
     on_face : (h, s) harmonics, by least squares, of values at the places of the rows' face
+    mirrored : whether the plate's middle plane is a mirror of lattice and plate
     """
 
     slab: Slab
@@ -126,6 +127,7 @@ class Interface:
     setback: float
     trace: Complex
     on_face: Complex
+    mirrored: bool
 
     @classmethod
     def of(cls, rows: CondensedRows, wavenumber: float) -> Interface:
@@ -160,6 +162,7 @@ class Interface:
             setback=rows.setback,
             trace=trace,
             on_face=la.pinv(np.exp(1j * np.outer(along, tangential))),
+            mirrored=rows.rows.cell.is_mirrored,
         )
 
     @classmethod

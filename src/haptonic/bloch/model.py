@@ -11,7 +11,7 @@ from functools import cached_property
 import numpy as np
 
 from haptonic.arrays import Array, Complex, Fields
-from haptonic.bloch.centred import halves, lattice_pencil, split
+from haptonic.bloch.centred import lattice_pencil, parted
 from haptonic.bloch.pencil import Evaluated, SplitPencil, eigenpairs, hertz
 from haptonic.bloch.reduced import ReducedCell
 from haptonic.bloch.resolution import (
@@ -105,8 +105,7 @@ class BlochModel:
             # a first basis, unchecked, told 2 % of a plain plate's tenth band where 0.05 % were to be told
             if many:
                 return ReducedCell.of(lower, count, goal).pencil
-            full = lattice_pencil(lower)
-            return full if full.middle is None else split(full, halves(full.middle))
+            return parted(lattice_pencil(lower))[0]
 
         # these matrices are too small for threads inside the linear algebra; both models share the threads
         # that symmetry classes are given to, the larger one first

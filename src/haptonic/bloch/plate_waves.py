@@ -14,7 +14,7 @@ import numpy as np
 from numpy.polynomial.legendre import leggauss
 
 from haptonic.arrays import Array, Bools, Complex, Ints
-from haptonic.bloch.evanescent import ON_CIRCLE, Waves, directed
+from haptonic.bloch.evanescent import ON_CIRCLE, Waves, directed, symmetric
 from haptonic.cell import UnitCell
 from haptonic.cell.quadrature import interpolation, lobatto
 from haptonic.later import linalg as la
@@ -44,6 +44,12 @@ class PlateWaves:
     def labelled(self, name: str) -> Bools:
         """(w,) True for the waves with a label."""
         return np.array([label == name for label in self.label])
+
+    def chosen(self, own: Bools) -> PlateWaves:
+        """Some of the waves."""
+        label = tuple(np.array(self.label)[own].tolist())
+        members = np.flatnonzero(own)
+        return PlateWaves(self.waves.chosen(members), self.wavenumber[own], self.harmonic[own], label)
 
     def mirrored(self, normal: Array) -> PlateWaves:
         """Their images, wave by wave, in a mirror across an axis (2,): waves to the other side."""
@@ -162,13 +168,12 @@ class PlainPlate:
     def _labels(self, wavevectors: Complex, profiles: Complex, propagates: Bools) -> tuple[str, ...]:
         """Families by symmetry about the mid-plane and polarisation, each the slowest of its kind."""
         field = profiles.reshape(-1, 3, profiles.shape[1])
-        mirrored = field[::-1] * np.array([1.0, 1.0, -1.0])[:, None]
-        symmetric = (field.conj() * mirrored).sum(axis=(0, 1)).real > 0
+        even = symmetric(field)
         in_plane = np.einsum("ai,liw->law", self.axes, field[:, :2])
         along = np.linalg.norm(np.einsum("lcw,wc->lw", in_plane, wavevectors), axis=0)
         crossing = wavevectors[:, ::-1] * np.array([-1.0, 1.0])
         across = np.linalg.norm(np.einsum("lcw,wc->lw", in_plane, crossing), axis=0)
-        kinds = {"A0": ~symmetric, "S0": symmetric & (along > across), "SH0": symmetric & (along <= across)}
+        kinds = {"A0": ~even, "S0": even & (along > across), "SH0": even & (along <= across)}
         length = np.linalg.norm(wavevectors, axis=1)
         labels = np.where(propagates, HIGHER, EVANESCENT)
         for name, kind in kinds.items():

@@ -8,7 +8,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from haptonic.arrays import Array, Complex, Fields, Ints
-from haptonic.bloch.centred import CentredPencil, PhasedPencil, RealPencil, halves, lattice_pencil, split
+from haptonic.bloch.centred import CentredPencil, PhasedPencil, RealPencil, lattice_pencil, parted, split
 from haptonic.bloch.pencil import Pencil, SplitPencil, eigenpairs
 from haptonic.brillouin import IrreducibleZone
 from haptonic.later import linalg as la
@@ -46,8 +46,7 @@ class ReducedCell:
     def of(cls, tiling: Tiling, count: int, goal: float) -> ReducedCell:
         """Enrich a basis until it adds no more than ``goal`` (relative) to ``count`` frequencies."""
         full = lattice_pencil(tiling)
-        parts = halves(full.middle) if full.middle is not None else None
-        solved = split(full, parts) if parts else full
+        solved, parts = parted(full)
         mass = full.at(np.zeros(2))[1].real
         rest = [_orthonormal(one, mass) for one in _apart(full.near_rest(), parts)]
         snapshots: list[Array] = []

@@ -22,7 +22,7 @@ ON_THIN = 0.3  # the same of order 3 beside a thin plate, whose lower mesh loses
 # where gaps cross at corners motion changes within their width, and one order fewer around a single element
 # tells half of what is left. At 0.07 six of a hundred frequencies needed 1.1 in place of 0.75.
 CROSSING, CROSSED = 0.11, 1.4
-PER_ANSWER, PER_CUBE = 4e-7, 1e-8  # s, see `seconds`
+PER_ANSWER, PER_CUBE, TWICE_FOLDED = 4e-7, 1e-8, 1.5  # s, s and a factor, see `seconds`
 LEAST_ORDER = 2  # that a study can ask for
 LEAST_STEPS, WIDEST = 2, 40  # of an interior's blocks: fewest, and the size from which depth counts
 UNRESOLVED = 25.0  # see `Resolution.unresolved`
@@ -177,16 +177,17 @@ class Resolution:
 
         Static answers to the trace and the interior's blocks lead: as many as there are of these, times the
         nodes of what is meshed. Fourteen cells of orders 3 to 6, plates of 0.005 to 0.35 pitches, took 0.24
-        to 0.42 us for each. With many bands it is the condensed pencil, whose modes at two dozen wavevectors
-        make the small basis: 6 to 18 ns for the cube of its size, of 600 to 1,600.
+        to 0.42 us for each. Six cells with pillars on both faces, and twice as many symmetry classes, took
+        1.4 to 1.7 times as long. With many bands it is the condensed pencil, whose modes at two dozen
+        wavevectors make the small basis: 6 to 18 ns for the cube of its size, of 600 to 1,600.
         """
         needed, pencil = 0.0, 0
+        directions = 4 * self.steps * self.block
         for tile, plan in self._meshed(cell):
-            classes = 2 ** len(folds_of(tile))
-            directions = 4 * self.steps * self.block
             answers = plan.sides * 3 * plan.side * plan.plate_levels + directions
             # what is folded less has as many answers in all, each of more unknowns
-            needed += PER_ANSWER * sum(plan.level_sizes) * answers * 4 / classes
+            folded = 4 / 2 ** len(folds_of(tile)) * (TWICE_FOLDED if tile.is_mirrored else 1.0)
+            needed += PER_ANSWER * sum(plan.level_sizes) * answers * folded
         for plan in self.plans(cell):
             pencil += plan.sides * 3 * plan.side * trace_levels(plan) // 2 + directions
         return needed + PER_CUBE * pencil**3

@@ -100,11 +100,7 @@ class CondensedRows:
     @property
     def setback(self) -> float:
         """From that line to where the left face of the rows lies on average, m; 0 of a straight one."""
-        if not self.fillers:
-            return 0.0
-        across, along = self.rows.sides[..., 0], self.rows.sides[..., 1]
-        middle = (across.mean(axis=1) * np.abs(np.diff(along, axis=1)[:, 0])).sum() / self.rows.period
-        return float(middle - self.fillers[0][0].line)
+        return self.rows.middle - self.fillers[0][0].line if self.fillers else 0.0
 
     @property
     def harmonics(self) -> int:

@@ -2,33 +2,35 @@
 
 A finite plate consists of rectangles, so a lattice whose own tiles are none is cut anew: halfway between its
 rows, and in each row halfway between its pillars. What is cut is the same plate; where a row is offset
-against the next, bricks lie as in a wall.
+against the next, bricks lie as in a wall. Rows lie along x, or along y where that leaves pillars more room.
 """
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from fractions import Fraction
-from itertools import product
 
 import numpy as np
 
+from haptonic.cell.directed import along_axis
 from haptonic.cell.geometry import LEAST_CLEARANCE, UnitCell
+from haptonic.cell.rows import Rows
 from haptonic.cell.tile import SiteTile
 from haptonic.errors import GeometryError
-from haptonic.lattice import SAME, Lattice
+from haptonic.lattice import SAME
 
-MOST_TRANSLATIONS = 4  # of either kind, that may lead along x to the next pillar of a row
 FINEST = 48  # denominator of a share of a period, up to which it is taken for a fraction
 MOST_PIECES = 4  # of a side of a brick; more would be finer than its mesh
+Ways = tuple[float, float]  # from a pillar to where its brick ends, to either side, m
 
 
 @dataclass(frozen=True)
 class Brick:
-    """A rectangle about a pillar; all but the tile in shares of a `Brickwork`'s period or height.
+    """A rectangle about a pillar; all but the tile in shares of its `Brickwork`'s width and height.
 
-    left : of its row's first bricks, from 0 to below 1; bottom : from 0
+    left, bottom : of the first one, from 0 to below 1
     tile : it about the pillar's axis
+    number : of the site
     """
 
     left: Fraction
@@ -36,75 +38,89 @@ class Brick:
     width: Fraction
     height: Fraction
     tile: SiteTile
+    number: int
 
 
 @dataclass(frozen=True)
 class Brickwork:
     """A lattice as bricks.
 
-    period : along x, m; height : of a row of periods, m
-    offset : of each row against the one below, in shares of the period
+    width, height : of what repeats, m: the period of its rows one way, from row to row the other
+    offset : of what lies above, to the right, in shares of the width; and of what lies on the right, upwards,
+        in shares of the height. One of them is 0
     bricks : of one period, row by row
     """
 
-    period: float
+    width: float
     height: float
-    offset: Fraction
+    offset: tuple[Fraction, Fraction]
     bricks: tuple[Brick, ...]
 
     @classmethod
     def of(cls, cell: UnitCell) -> Brickwork:
-        """The rows of a lattice along x.
+        """A lattice, with rows along the axis that leaves its pillars more room; along x, where both do.
 
         Raises
         ------
-        GeometryError : no row of pillars lies along x, rows are offset by another share than a half, a third
-            or a quarter, or a pillar crosses the line halfway to the next
+        GeometryError : no row of pillars lies along an axis, rows are offset by another share than a half, a
+            third or a quarter, or a pillar crosses the line halfway to the next
         """
-        period, height, offset = _rows(cell.lattice)
-        standing = [number for number, pillar in enumerate(cell.pillars) if pillar is not None]
-        if not standing:
-            return cls(period, height, offset, ())
-        places = (cell.shares @ cell.lattice.vectors)[standing]
-        up = np.array([_share(y / height) for y in places[:, 1]], dtype=object)
-        rows = np.floor(up.astype(float) + SAME)
-        across = [
-            _share(x / period - float(offset) * row) % 1 for x, row in zip(places[:, 0], rows, strict=True)
-        ]
-        levels: dict[Fraction, list[tuple[Fraction, int]]] = {}
-        for one, level, number in zip(across, up % 1, standing, strict=True):
-            levels.setdefault(level, []).append((one, number))
-        made, origin = [], None
-        for level, below, above in _between(sorted(levels)):
-            row = dict(levels[level])
-            for place, before, after in _between(sorted(row)):
-                origin = (before, below) if origin is None else origin
-                tile = _tile(cell, row[place], ((place - before) * period, (after - place) * period),
-                             ((level - below) * height, (above - level) * height))  # fmt: skip
-                made.append(
-                    Brick(
-                        left=(before - origin[0]) % 1,
-                        bottom=below - origin[1],
-                        width=after - before,
-                        height=above - below,
-                        tile=tile,
-                    )
-                )
-        return cls(period, height, offset, tuple(made))
+        found, refused = [], []
+        for axis in (0, 1):
+            try:
+                found.append(cls._along(cell, axis))
+            except GeometryError as error:
+                refused.append(error)
+        if not found:
+            raise refused[0]
+        work = max(found, key=lambda one: round(one.room / cell.lattice.pitch, 9))
+        for brick in work.bricks:
+            _check_room(cell, brick)
+        return work
 
-    def left(self, number: int, row: int) -> Fraction:
-        """Of a brick in some row of periods, in shares of the period from 0 to below 1."""
-        return (self.bricks[number].left + row * self.offset) % 1
-
-    def columns(self, row: int) -> set[Fraction]:
-        """Where lines have to lie between the bricks of a row of periods, in shares of the period."""
-        starts = {self.left(number, row): brick.width for number, brick in enumerate(self.bricks)}
-        return {*starts, *((left + width) % 1 for left, width in starts.items())}
+    @classmethod
+    def _along(cls, cell: UnitCell, axis: int) -> Brickwork:
+        """With rows along an axis, whatever room it leaves."""
+        along = along_axis(cell.lattice, axis)
+        if along is None:
+            raise _unsupported(cell, f"no row of its pillars lies along {'xy'[axis]}")
+        rows = Rows(cell, along)
+        shift, height = rows.step[[axis, 1 - axis]] * np.sign(rows.step[1 - axis])
+        size = rows.period, float(height)
+        offset = _share(float(shift) / rows.period) % 1
+        if offset.denominator > MOST_PIECES:
+            raise _unsupported(cell, f"its rows are offset by {float(offset):.3g} of their period")
+        bricks = _bricks(cell, axis, size, offset)
+        if axis == 0:
+            return cls(*size, (offset, Fraction(0)), bricks)
+        turned = (
+            replace(one, left=one.bottom, bottom=one.left, width=one.height, height=one.width)
+            for one in bricks
+        )
+        return cls(size[1], size[0], (Fraction(0), offset), tuple(turned))
 
     @property
-    def rows(self) -> set[Fraction]:
-        """Where lines have to lie between its rows, in shares of the height."""
-        return {brick.bottom for brick in self.bricks}
+    def room(self) -> float:
+        """Distance from a pillar's axis to the nearest side of its brick, m; that of the narrowest."""
+        return min((one.tile.inradius for one in self.bricks), default=0.0)
+
+    def left(self, number: int, row: int) -> Fraction:
+        """Of a brick in some row of periods, in shares of the width from 0 to below 1."""
+        return (self.bricks[number].left + row * self.offset[0]) % 1
+
+    def bottom(self, number: int, column: int) -> Fraction:
+        """Of a brick in some column of periods, in shares of the height from 0 to below 1."""
+        return (self.bricks[number].bottom + column * self.offset[1]) % 1
+
+    def columns(self, row: int) -> set[Fraction]:
+        """Where lines have to lie between the bricks of a row of periods, in shares of the width."""
+        starts = [(self.left(number, row), one.width) for number, one in enumerate(self.bricks)]
+        return {end % 1 for start, width in starts for end in (start, start + width)}
+
+    def rows(self, column: int) -> set[Fraction]:
+        """Where lines have to lie between the bricks of a column of periods, in shares of the height."""
+        starts = [(self.bottom(number, column), one.height) for number, one in enumerate(self.bricks)]
+        return {end % 1 for start, height in starts for end in (start, start + height)}
 
 
 def _share(value: float) -> Fraction:
@@ -115,47 +131,67 @@ def _share(value: float) -> Fraction:
 
 def _between(places: list[Fraction]) -> list[tuple[Fraction, Fraction, Fraction]]:
     """Every place of a period 1 with the middles between it and its neighbours."""
-    before, after = [places[-1] - 1, *places[:-1]], [*places[1:], places[0] + 1]
+    before = [*(one - 1 for one in places[-1:]), *places[:-1]]
+    after = [*places[1:], *(one + 1 for one in places[:1])]
     around = zip(before, places, after, strict=True)
     return [(one, (low + one) / 2, (one + high) / 2) for low, one, high in around]
 
 
-def _rows(lattice: Lattice) -> tuple[float, float, Fraction]:
-    """Period along x and height of the rows of a lattice, m, and the offset of each against the one below."""
-    steps = np.array(list(product(range(-MOST_TRANSLATIONS, MOST_TRANSLATIONS + 1), repeat=2)))
-    found = steps @ lattice.vectors
-    flat = found[(np.abs(found[:, 1]) < SAME * lattice.pitch) & (found[:, 0] > SAME * lattice.pitch)]
-    if not len(flat):
-        raise _unsupported(lattice, "no row of its pillars lies along x")
-    period = float(flat[:, 0].min())
-    height = lattice.area / period
-    above = found[np.abs(found[:, 1] - height) < SAME * lattice.pitch]
-    offset = _share(float(above[0, 0]) / period) % 1
-    if offset.denominator > MOST_PIECES:
-        raise _unsupported(lattice, f"its rows are offset by {float(offset):.3g} of their period")
-    return period, float(above[0, 1]), offset
+def _bricks(cell: UnitCell, axis: int, size: tuple[float, float], offset: Fraction) -> tuple[Brick, ...]:
+    """Of rows along an axis, as though it were x; ``size``: their period and how far they are apart, m."""
+    period, height = size
+    standing = [number for number, pillar in enumerate(cell.pillars) if pillar is not None]
+    levels: dict[Fraction, list[tuple[Fraction, int]]] = {}
+    for number in standing:
+        place = cell.shares[number] @ cell.lattice.vectors
+        up = _share(float(place[1 - axis]) / height)
+        along = _share(float(place[axis]) / period - float(offset) * int(np.floor(float(up) + SAME))) % 1
+        levels.setdefault(up % 1, []).append((along, number))
+    made, origin = [], None
+    for level, below, above in _between(sorted(levels)):
+        row = dict(levels[level])
+        for place, before, after in _between(sorted(row)):
+            origin = (before, below) if origin is None else origin
+            ways = (float(place - before) * period, float(after - place) * period)
+            up_and_down = (float(level - below) * height, float(above - level) * height)
+            tile = _tile(cell, row[place], *((ways, up_and_down) if axis == 0 else (up_and_down, ways)))
+            made.append(
+                Brick(
+                    left=(before - origin[0]) % 1,
+                    bottom=below - origin[1],
+                    width=after - before,
+                    height=above - below,
+                    tile=tile,
+                    number=row[place],
+                )
+            )
+    return tuple(made)
 
 
-def _tile(cell: UnitCell, number: int, x: tuple[float, float], y: tuple[float, float]) -> SiteTile:
-    """A rectangle about a pillar, from what lies left and right, below and above of it, m."""
+def _tile(cell: UnitCell, number: int, x: Ways, y: Ways) -> SiteTile:
+    """A rectangle about a pillar, from what lies left and right, below and above of it."""
     (left, right), (below, above) = x, y
     corners = ((-left, -below), (right, -below), (right, above), (-left, above))
-    pillar = cell.pillars[number]
-    assert pillar is not None
-    tile = SiteTile(
+    extent = max(left + right, below + above)
+    return SiteTile(
         outline=corners,
-        period=max(left + right, below + above),
+        period=extent,
         thickness=cell.thickness,
         material=cell.material,
-        pillar=pillar,
+        pillar=cell.pillars[number],
         faces=cell.faces,
     )
-    room = tile.inradius - LEAST_CLEARANCE * cell.lattice.pitch
+
+
+def _check_room(cell: UnitCell, brick: Brick) -> None:
+    """Refuse a pillar that crosses the line halfway to the next."""
+    pillar = cell.pillars[brick.number]
+    assert pillar is not None
+    room = brick.tile.inradius - LEAST_CLEARANCE * cell.lattice.pitch
     if pillar.widest > room:
-        at = f"cell.site[{number + 1}].pillar.diameter" if cell.site else "cell.pillar.diameter"
         beyond = 2 * (pillar.widest - pillar.radius)
         raise GeometryError.out_of_range(
-            argument=at,
+            argument=f"{cell.pillar_path(brick.number)}.diameter",
             given=f"{pillar.diameter * 1e3:.4g} mm"
             + (f", and {beyond * 1e3:.4g} mm more where it is widest" if beyond else ""),
             allowed=f"less than {(2 * room - beyond) * 1e3:.4g} mm in a plate",
@@ -163,15 +199,14 @@ def _tile(cell: UnitCell, number: int, x: tuple[float, float], y: tuple[float, f
             next_step="choose a thinner pillar or a larger pitch; bands, layers and ribbons have no such "
             "limit",
         )
-    return tile
 
 
-def _unsupported(lattice: Lattice, cause: str) -> GeometryError:
+def _unsupported(cell: UnitCell, cause: str) -> GeometryError:
     return GeometryError.unsupported(
         argument="cell.lattice",
-        given=lattice.name,
-        allowed="a lattice with rows along x for a plate, each offset against the next by nothing, a half, a "
-        "third or a quarter of their period",
+        given=cell.lattice.name,
+        allowed="a lattice with rows along x or y for a plate, each offset against the next by nothing, a "
+        "half, a third or a quarter of their period",
         cause=cause,
         next_step='write lattice = "triangular", or sizes that meet this; `haptonic ribbon` takes any '
         "lattice",

@@ -13,7 +13,7 @@ import numpy as np
 from haptonic.arrays import Array
 from haptonic.errors import GeometryError
 from haptonic.fields import Quantity, problem, setting
-from haptonic.lattice import SAME
+from haptonic.lattice import SAME, Lattice
 
 Translations = Annotated[float, Quantity("", at_least=-20, at_most=20)]
 MOST_CROSSING = 20  # translations, as many as a study may give
@@ -46,12 +46,7 @@ class Directed:
     @cached_property
     def crossing(self) -> tuple[int, int] | None:
         """How many translations lead at a right angle to the period; None where no few of them do."""
-        first, second = self.translations @ self.way  # m first + n second = 0 is asked of whole numbers
-        if abs(first) > abs(second):
-            m, n = _ratio(-second / first)
-        else:
-            n, m = _ratio(-first / second)
-        return (m, n) if abs(m * first + n * second) <= SAME * self.period**2 else None
+        return _balanced(self.translations @ self.way, self.period**2)
 
     @property
     def way(self) -> Array:
@@ -80,10 +75,21 @@ class Directed:
         return np.asarray(np.linalg.solve(np.array([self.along, self.across], dtype=float), both.T).T)
 
 
-def _ratio(share: float) -> tuple[int, int]:
-    """Numerator and denominator of a fraction of few parts near a number from -1 to 1."""
-    near = Fraction(float(share)).limit_denominator(MOST_CROSSING)
-    return near.numerator, near.denominator
+def along_axis(lattice: Lattice, axis: int) -> tuple[int, int] | None:
+    """The fewest translations of a lattice along x (0) or y (1); None where no few of them lead there."""
+    found = _balanced(lattice.vectors[:, 1 - axis], lattice.pitch)
+    if found is None:
+        return None
+    m, n = found
+    return (m, n) if (np.array(found) @ lattice.vectors)[axis] > 0 else (-m, -n)
+
+
+def _balanced(parts: Array, yardstick: float) -> tuple[int, int] | None:
+    """Few whole numbers m and n without a common divisor, with m first + n second = 0 of two parts."""
+    larger = int(np.abs(parts).argmax())
+    near = Fraction(-float(parts[1 - larger] / parts[larger])).limit_denominator(MOST_CROSSING)
+    found = (near.numerator, near.denominator) if larger == 0 else (near.denominator, near.numerator)
+    return found if abs(float(np.array(found) @ parts)) <= SAME * yardstick else None
 
 
 def check_along(along: tuple[int, int], table: str, what: str) -> None:

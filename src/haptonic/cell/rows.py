@@ -121,6 +121,18 @@ class Rows(Directed):
         return np.stack([ends[:-1], ends[1:]], axis=1)
 
     @property
+    def middle(self) -> float:
+        """Place across of the left face on average, m."""
+        across, along = self.sides[..., 0], self.sides[..., 1]
+        return float((across.mean(axis=1) * np.abs(np.diff(along, axis=1)[:, 0])).sum() / self.period)
+
+    @property
+    def depths(self) -> list[tuple[int, float]]:
+        """Sites with pillars and how far behind the left face on average these stand in the first row, m."""
+        places = [one.position @ self.turn[0] - self.middle for one in self._row(self.cell, 0)]
+        return [(k, float(places[k])) for k, one in enumerate(self.cell.pillars) if one is not None]
+
+    @property
     def is_straight(self) -> bool:
         """Whether the faces are planes."""
         return float(np.ptp(self.sides[..., 0])) < MEET * self.cell.lattice.pitch

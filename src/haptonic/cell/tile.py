@@ -82,6 +82,11 @@ class TileShape:
         return self.faces == "both"
 
     @property
+    def copies(self) -> int:
+        """Of each pillar: itself, and its image if there is one."""
+        return 2 if self.is_mirrored else 1
+
+    @property
     def depth(self) -> float:
         """How far below the plate's top its mesh reaches: through the plate, or to its middle plane, m."""
         return 0.5 * self.thickness if self.is_mirrored else self.thickness

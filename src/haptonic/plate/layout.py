@@ -16,7 +16,7 @@ from typing import Literal
 import numpy as np
 
 from haptonic.cell import Brickwork, Pillar, UnitCell
-from haptonic.cell.brickwork import FINEST, MOST_PIECES
+from haptonic.cell.brickwork import FINEST, MOST_PIECES, Brick
 from haptonic.cell.tile import SiteTile
 from haptonic.errors import GeometryError
 from haptonic.materials import Material
@@ -125,48 +125,65 @@ class Layout:
     ) -> Layout:
         """A plate from a coarser map, whose columns and rows have these sizes, m.
 
-        A letter of a lattice is as wide as its period along x and as high as a row of periods. Each row is
-        offset against the one below as the lattice is, the lowest row of the plate by nothing. A brick that
-        would lie on another letter's plate is left out; there is plain plate in its place.
+        A letter of a lattice is one rectangle of its `Brickwork`. Each row is offset against the one below,
+        or each column against the one on its left, as the lattice is, the first one of the plate by nothing.
+        A brick that would lie on another letter's plate is left out; there is plain plate in its place.
 
         Raises
         ------
         GeometryError : lattices that cannot be laid, see `Brickwork`
         """
         works = {name: Brickwork.of(cell) for name, cell in cells.items()}
-        named = [[name for name in works if name in row] for row in letters]
-        cuts = {(name, i): works[name].columns(i) for i, names in enumerate(named) for name in names}
-        across = [
-            {Fraction(0)}.union(*(cuts.get((name or "", i), ()) for i, name in enumerate(column)))
-            for column in zip(*letters, strict=True)
-        ]
-        up = [{Fraction(0)}.union(*(works[name].rows for name in names)) for names in named]
+        every = list(zip(*letters, strict=True))
+        wide = {
+            (name, i): works[name].columns(i)
+            for i, row in enumerate(letters)
+            for name in works
+            if name in row
+        }
+        high = {
+            (name, j): works[name].rows(j)
+            for j, column in enumerate(every)
+            for name in works
+            if name in column
+        }
+        across, up = (
+            [
+                {Fraction(0)}.union(*(cuts.get((name or "", k), ()) for k, name in enumerate(line)))
+                for line in lines
+            ]
+            for lines, cuts in ((every, wide), (letters, high))
+        )
         # lines are found by their share's number of smallest parts: fractions are slow as keys
         parts = math.lcm(*(share.denominator for own in (*across, *up) for share in own))
         x, columns = _lines(widths, across, parts)
         y, rows = _lines(heights, up, parts)
         bricks = {}
-        for i, row in enumerate(letters):
-            for name in named[i]:
-                for number, brick in enumerate(works[name].bricks):
-                    left, bottom = (
-                        int(parts * share) for share in (works[name].left(number, i), brick.bottom)
-                    )
-                    over, right = divmod(left + int(parts * brick.width), parts)
-                    above, top = divmod(bottom + int(parts * brick.height), parts)
-                    first = rows[i][bottom]
-                    high = rows[i + above][top] - first
-                    for j, here in enumerate(row):
-                        beyond = right and over and row[j + 1 : j + 2] != row[j : j + 1]
-                        if here == name and not beyond:
-                            start = columns[j][left]
-                            bricks[first, start] = Laid((high, columns[j + over][right] - start), number)
+        for name, number in (
+            (name, number) for name, work in works.items() for number in range(len(work.bricks))
+        ):
+            work, brick = works[name], works[name].bricks[number]
+            lefts = {i: int(parts * work.left(number, i)) for own, i in wide if own == name}
+            bottoms = {j: int(parts * work.bottom(number, j)) for own, j in high if own == name}
+            width, height = int(parts * brick.width), int(parts * brick.height)
+            for i, j in product(lefts, bottoms):
+                if letters[i][j] != name:
+                    continue
+                over, right = divmod(lefts[i] + width, parts)
+                above, top = divmod(bottoms[j] + height, parts)
+                beyond = (over and right and letters[i][j + 1 : j + 2] != letters[i][j : j + 1]) or (
+                    above and top and every[j][i + 1 : i + 2] != every[j][i : i + 1]
+                )
+                if not beyond:
+                    corner = rows[i][bottoms[j]], columns[j][lefts[i]]
+                    end = rows[i + above][top], columns[j + over][right]
+                    bricks[corner] = Laid((end[0] - corner[0], end[1] - corner[1]), number)
         tiles = [
             tuple(name for name, own in zip(row, across, strict=True) for _ in own)
             for row, own in zip(letters, up, strict=True)
             for _ in own
         ]
-        simple = {len(work.bricks) == 1 and not work.offset for work in works.values()} <= {True}
+        simple = {len(work.bricks) == 1 and not any(work.offset) for work in works.values()} <= {True}
         made = cls(
             tiles=tuple(tiles),
             x=x,
@@ -201,6 +218,15 @@ class Layout:
     def brick(self, name: str, number: int) -> SiteTile:
         """The rectangle about its pillar of one of a lattice's bricks."""
         return self._works[name].bricks[number].tile
+
+    def brick_at(self, corner: Tile) -> Brick:
+        """What lies on the lower left one of the tiles that it covers."""
+        return self._works[str(self.at(corner))].bricks[self.bricks[corner].number]
+
+    def axis(self, corner: Tile) -> tuple[float, float]:
+        """Place (x, y) of the axis of a brick's pillar, m."""
+        left, below = self.brick_at(corner).tile.corners[0]
+        return self.x[corner[1]] - float(left), self.y[corner[0]] - float(below)
 
     def lines(self, block: Block) -> tuple[tuple[float, ...], tuple[float, ...]]:
         """Positions of the lines between a block's tiles along x and along y, its ends included, m."""
@@ -242,7 +268,7 @@ class Layout:
     def left_out(self) -> int:
         """How many bricks are missing at the borders of lattices, where they would lie on other plate."""
         whole = (
-            len(work.bricks) * self.area(name) / (work.period * work.height)
+            len(work.bricks) * self.area(name) / (work.width * work.height)
             for name, work in self._works.items()
         )
         return round(sum(whole)) - len(self.bricks)
@@ -299,13 +325,8 @@ class Layout:
     @cached_property
     def standing(self) -> tuple[tuple[float, float, Pillar], ...]:
         """Every pillar of the plate with the place (x, y) of its axis, m; row by row from the lower left."""
-        found = []
-        for (i, j), laid in self.bricks.items():
-            tile = self.brick(str(self.at((i, j))), laid.number)
-            left, below = tile.corners[0]
-            if tile.pillar is not None:
-                found.append((self.x[j] - float(left), self.y[i] - float(below), tile.pillar))
-        return tuple(found)
+        tiles = {corner: self.brick_at(corner).tile for corner in self.bricks}
+        return tuple((*self.axis(at), tile.pillar) for at, tile in tiles.items() if tile.pillar is not None)
 
     @property
     def pillars(self) -> int:

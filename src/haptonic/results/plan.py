@@ -59,7 +59,7 @@ class StudyPlan(Result):
         return stamped(data, self.inputs)
 
     def summary(self) -> list[str]:
-        said = [in_words(self.study, self.cell, self.carrier)]
+        said = [sentence_of(self.study, self.cell, self.carrier)]
         if self.plate:
             layout = self.plate.layout
             width, height = (1e3 * lines[-1] for lines in (layout.x, layout.y))
@@ -126,7 +126,7 @@ class StudyPlan(Result):
         return plots.plate_plan(self.plate, ax=ax)
 
 
-def in_words(title: str, cell: UnitCell, carrier: float | None) -> str:
+def sentence_of(title: str, cell: UnitCell, carrier: float | None) -> str:
     """What a study describes, a sentence."""
     bare = "" if cell.has_pillars else " without pillars"
     at = f", for {format_quantity(carrier, 'Hz')}" if carrier else ""
@@ -138,9 +138,10 @@ def border_text(layout: Layout) -> list[str]:
     """What is missing at the borders of lattices, if anything is."""
     if not layout.left_out:
         return []
+    whose = "its" if layout.left_out == 1 else "their"
     return [
-        f"At the borders of the lattice, whose rows are offset, {_counted(layout.left_out, 'pillar')} would "
-        "stand across: plain plate takes their place."
+        f"At the borders of its lattices {_counted(layout.left_out, 'pillar')} would stand across: plain "
+        f"plate takes {whose} place."
     ]
 
 

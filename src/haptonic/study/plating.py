@@ -84,8 +84,8 @@ def _layout(section: PlateSettings, own: UnitCell) -> Layout:
     columns = [{row[j] or "" for row in tiles} for j in range(len(tiles[0]))]
     rows = [{name or "" for name in row} for row in tiles]
     laid, usual = {name: Brickwork.of(cell) for name, cell in cells.items()}, Brickwork.of(own)
-    widths = _sizes("column", columns, {name: one.period for name, one in laid.items()}, section.widths,
-                    usual.period, "plate.widths")  # fmt: skip
+    widths = _sizes("column", columns, {name: one.width for name, one in laid.items()}, section.widths,
+                    usual.width, "plate.widths")  # fmt: skip
     heights = _sizes("row", rows, {name: one.height for name, one in laid.items()}, section.heights,
                      usual.height, "plate.heights")  # fmt: skip
     return Layout.laid(tiles, [*widths], [*heights], cells, own.thickness, own.material)

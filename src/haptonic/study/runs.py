@@ -13,7 +13,7 @@ from haptonic.analyses import named
 from haptonic.errors import StudyError
 from haptonic.fields import extended
 from haptonic.progress import Progress, in_notebook
-from haptonic.results.plan import in_words
+from haptonic.results.plan import sentence_of
 from haptonic.results.result import Result
 from haptonic.results.runner import Runner
 from haptonic.store import Store
@@ -59,11 +59,11 @@ class Study(Description):
             return named(name).run(self, runner, options)
 
     def __repr__(self) -> str:
-        return f"<Study: {in_words(self.title, self.cell, self.carrier)}>"
+        return f"<Study: {sentence_of(self.title, self.cell, self.carrier)}>"
 
     def _repr_html_(self) -> str:
         """What a notebook shows: a sentence, and below it the file that the study would be."""
-        said = f"<p>{html.escape(in_words(self.title, self.cell, self.carrier))}</p>"
+        said = f"<p>{html.escape(sentence_of(self.title, self.cell, self.carrier))}</p>"
         try:
             written = self.to_toml()
         except StudyError:  # a material that no file describes

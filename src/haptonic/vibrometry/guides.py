@@ -9,7 +9,9 @@ from typing import Literal
 import numpy as np
 from numpy.typing import NDArray
 
-from haptonic.plate.layout import Layout
+from haptonic.cell import Rows
+from haptonic.cell.directed import along_axis
+from haptonic.plate.layout import CLOSE, Block, Layout
 from haptonic.vibrometry import LatticeRows
 from haptonic.vibrometry.maps.waves import Axis
 from haptonic.vibrometry.planning import Rectangle
@@ -18,26 +20,24 @@ MIRROR = "mirror"  # name of the points in it while its decay is fitted
 
 
 @dataclass(frozen=True)
-class Mirror:
+class Mirror(LatticeRows):
     """Rows of a lattice beside a region.
 
-    name : of the lattice; depth : axis into it; inwards : -1 towards smaller coordinates
-    start : where it begins, m; pitch : of a row, m; rows : how many; area : of all of it
+    name : of the lattice; symmetric : whether its rows are their own images in a mirror along them
+    face : where on average its first row begins as `Rows` has it, m; None where that row misses a pillar
+    backed : whether plain plate lies behind it
     """
 
     name: str
-    depth: Axis
-    inwards: Literal[1, -1]
-    start: float
-    pitch: float
-    rows: int
-    area: Rectangle
+    symmetric: bool
+    face: float | None
+    backed: bool
 
 
 @dataclass(frozen=True)
 class Guiding:
-    """A region as a guide. along : its longer side; width : across, m; between : whether lattices lie on both
-    of its sides"""
+    """A region as a guide. along : its longer side; width : across, m; lattice : name of the one that lies on
+    both of its sides, each the image of the other, if it is so"""
 
     region: str
     along: Axis
@@ -46,7 +46,7 @@ class Guiding:
 
 
 def guides_of(layout: Layout) -> list[Guiding]:
-    """Every region that is a whole rectangle."""
+    """Every region that is a whole rectangle. Between lattices it is as wide as their faces are apart."""
     found = []
     for name in layout.regions:
         rows, columns = _span(layout, name)
@@ -55,101 +55,125 @@ def guides_of(layout: Layout) -> list[Guiding]:
         width = layout.x[columns[-1] + 1] - layout.x[columns[0]]
         height = layout.y[rows[-1] + 1] - layout.y[rows[0]]
         along: Axis = "x" if width > height else "y"
-        sides = [mirror.name for mirror in _mirrors(layout, name) if mirror.depth != along]
-        lattice = sides[0] if len(sides) == 2 and len(set(sides)) == 1 else None
-        found.append(Guiding(name, along, min(width, height), lattice))
+        sides = [one for one in _mirrors(layout, name) if one.depth != along and one.symmetric]
+        faces = [one.face for one in sides if one.face is not None]
+        if len(faces) == 2 and len({one.name for one in sides}) == 1:
+            found.append(Guiding(name, along, round(abs(faces[0] - faces[1]), 12), sides[0].name))
+        else:
+            found.append(Guiding(name, along, min(width, height), None))
     return found
 
 
 def mirror_beside(layout: Layout, region: str) -> Mirror | None:
     """The lattice with most rows beside a region; of equal ones one with plain plate behind it."""
-    found = list(_mirrors(layout, region))
-
-    def worth(mirror: Mirror) -> tuple[int, bool]:
-        end = mirror.start + mirror.inwards * (mirror.rows + 0.5) * mirror.pitch
-        area = mirror.area
-        place = [area.x + 0.5 * area.width, area.y + 0.5 * area.height]
-        place[0 if mirror.depth == "x" else 1] = end
-        behind = layout.under((*place, *place))  # type: ignore[arg-type]
-        return mirror.rows, any(layout.at(tile) in layout.regions for tile in behind)
-
-    return max(found, key=worth, default=None)
+    return max(_mirrors(layout, region), key=lambda one: (one.rows, one.backed), default=None)
 
 
-def strips_of(layout: Layout, region: str) -> list[LatticeRows]:
-    """Rows of the lattice beside a region, and those of the same lattice along them elsewhere."""
-    first = mirror_beside(layout, region)
-    if first is None:
-        return []
+def strips_of(layout: Layout, mirror: Mirror) -> list[Mirror]:
+    """Rows of a lattice beside a region, and those of the same lattice along them elsewhere."""
     alike = {
         one.area: one
         for name in layout.regions
         for one in _mirrors(layout, name)
-        if (one.name, one.depth) == (first.name, first.depth)
+        if (one.name, one.depth) == (mirror.name, mirror.depth)
     }
-    return [
-        LatticeRows(
-            area=one.area,
-            depth=one.depth,
-            start=one.start,
-            inwards=one.inwards,
-            pitch=one.pitch,
-            period=_period(layout, one),
-            rows=one.rows,
-        )
-        for one in alike.values()
-    ]
-
-
-def _period(layout: Layout, mirror: Mirror) -> float:
-    """Of the cells along the rows of a mirror, m."""
-    area = mirror.area
-    tiles = layout.under((area.x, area.y, area.x + area.width, area.y + area.height))
-    length = area.height if mirror.depth == "x" else area.width
-    return length / len({row if mirror.depth == "x" else column for row, column in tiles})
+    return list(alike.values())
 
 
 def _mirrors(layout: Layout, region: str) -> Iterator[Mirror]:
-    """Lattices along the whole of a side of a region's rectangle, every tile of which holds a pillar."""
-    in_rows = {name for name in layout.cells if all(layout.block(t).tiles == [t] for t in layout.of(name))}
+    """Lattices along the whole of a side of a region's rectangle."""
     rows, columns = _span(layout, region)
     if len(layout.of(region)) != len(rows) * len(columns):
         return
-    sides: tuple[tuple[Axis, Literal[1, -1]], ...] = (("x", 1), ("x", -1), ("y", 1), ("y", -1))
-    for depth, inwards in sides:
-        lines, own = (layout.x, columns) if depth == "x" else (layout.y, rows)
-        first = own[-1] + 1 if inwards == 1 else own[0] - 1
-        number, name = 0, None
-        while True:
-            at = first + inwards * number
-            names = {
-                layout.at((i, at) if depth == "x" else (at, i)) for i in (rows if depth == "x" else columns)
-            }
-            if len(names) != 1 or not names <= in_rows or (name is not None and names != {name}):
-                break
-            (name,) = names
-            number += 1
-        if name is None:
-            continue
-        start = lines[own[-1] + 1] if inwards == 1 else lines[own[0]]
-        end = lines[first + inwards * (number - 1) + (1 if inwards == 1 else 0)]
-        low, high = sorted((start, end))
-        left, right = layout.x[columns[0]], layout.x[columns[-1] + 1]
-        bottom, top = layout.y[rows[0]], layout.y[rows[-1] + 1]
-        area = (
-            Rectangle(low, bottom, high - low, top - bottom)
-            if depth == "x"
-            else Rectangle(left, low, right - left, high - low)
-        )
-        yield Mirror(
-            name=name,
-            depth=depth,
-            inwards=inwards,
-            start=start,
-            pitch=(high - low) / number,
-            rows=number,
-            area=area,
-        )
+    ways: tuple[tuple[Axis, Literal[1, -1], int, range], ...] = (
+        ("x", 1, columns[-1] + 1, rows),
+        ("x", -1, columns[0] - 1, rows),
+        ("y", 1, rows[-1] + 1, columns),
+        ("y", -1, rows[0] - 1, columns),
+    )
+    yield from filter(None, (_mirror(layout, *way) for way in ways))
+
+
+def _mirror(layout: Layout, depth: Axis, inwards: Literal[1, -1], first: int, beside: range) -> Mirror | None:
+    """A lattice from a line of tiles on, beside others, as far as no pillar of it is missing."""
+    names = _names(layout, depth, first, beside)
+    name = next(iter(names))
+    if len(names) > 1 or name is None or name not in layout.cells:
+        return None
+    number = 1
+    while (behind := _names(layout, depth, first + inwards * number, beside)) == names:
+        number += 1
+    low, high = sorted((first, first + inwards * (number - 1)))
+    deep, wide = (low, high + 1), (beside[0], beside[-1] + 1)
+    block = _whole(layout, Block(wide, deep) if depth == "x" else Block(deep, wide))
+    cell = layout.cells[name]
+    along = along_axis(cell.lattice, 1 if depth == "x" else 0)
+    if block is None or along is None:
+        return None
+    way = inwards if depth == "x" else -inwards
+    rows = Rows(cell, (way * along[0], way * along[1]))  # whose left face lies towards the region
+    across, up = layout.lines(block)
+    lines, pitch = across if depth == "x" else up, rows.area / rows.period
+    count = int((lines[-1] - lines[0]) / pitch + CLOSE)
+    if not count:
+        return None
+    area = Rectangle(across[0], up[0], across[-1] - across[0], up[-1] - up[0])
+    face = _face(layout, Block(block.rows, deep) if depth == "x" else Block(deep, block.columns), rows, pitch)
+    return Mirror(
+        area=area,
+        depth=depth,
+        start=lines[0] if inwards == 1 else lines[-1],
+        inwards=inwards,
+        pitch=pitch,
+        period=rows.period,
+        rows=count,
+        name=name,
+        symmetric=depth in cell.point_group.mirrors,
+        face=None if face is None else inwards * face,
+        backed=bool(behind & {*layout.regions}),
+    )
+
+
+def _names(layout: Layout, depth: Axis, line: int, beside: range) -> set[str | None]:
+    """Of the tiles of one column, or row, that lie beside others."""
+    return {layout.at((i, line) if depth == "x" else (line, i)) for i in beside}
+
+
+def _whole(layout: Layout, block: Block) -> Block | None:
+    """A block of a lattice without its outer lines in which a brick was left out, if anything is left.
+
+    Where rows are offset these are half bricks at their ends: the line that misses most goes first.
+    """
+    while all(block.shape):
+        (bottom, top), (left, right) = block.rows, block.columns
+        lines = {
+            Block((bottom + 1, top), (left, right)): Block((bottom, bottom + 1), (left, right)),
+            Block((bottom, top - 1), (left, right)): Block((top - 1, top), (left, right)),
+            Block((bottom, top), (left + 1, right)): Block((bottom, top), (left, left + 1)),
+            Block((bottom, top), (left, right - 1)): Block((bottom, top), (right - 1, right)),
+        }
+        missing = {
+            rest: sum(map(layout.is_plain, line.tiles)) / len(line.tiles) for rest, line in lines.items()
+        }
+        worst = max(missing, key=missing.__getitem__)
+        if not missing[worst]:
+            return block
+        block = worst
+    return None
+
+
+def _face(layout: Layout, block: Block, rows: Rows, pitch: float) -> float | None:
+    """How far inwards the first row begins on average, m; None where what stands there is no whole row."""
+    bricks = [corner for corner in layout.bricks if block.meets(layout.block(corner))]
+    there = [(layout.brick_at(at).number, float(layout.axis(at) @ rows.turn[0])) for at in bricks]
+    start = min(place for _, place in there)
+    begin = start - min(depth for _, depth in rows.depths)
+    first = {
+        (site, round((place - begin) / pitch, 6))
+        for site, place in there
+        if place < start + (1 - CLOSE) * pitch
+    }
+    return begin if first == {(site, round(depth / pitch, 6)) for site, depth in rows.depths} else None
 
 
 def _span(layout: Layout, name: str) -> tuple[range, range]:

@@ -11,7 +11,7 @@ from haptonic.later import xarray as xr
 from haptonic.plate import Plate
 from haptonic.plate.sampling import driven_region, tile_names
 from haptonic.response import FrequencyResponse
-from haptonic.vibrometry.guides import MIRROR, Mirror, strips_of
+from haptonic.vibrometry.guides import MIRROR, Mirror, mirror_beside, strips_of
 from haptonic.vibrometry.maps import (
     LatticeGap,
     MeasuredGap,
@@ -28,8 +28,12 @@ LATTICE = "the points on the lattices of the plate, all together"
 def lattice_gap(response: FrequencyResponse, plate: Plate, data: xr.Dataset) -> LatticeGap:
     """Edges of the gap of a plate's lattice; how waves fade in it goes into the dataset."""
     driven = driven_region(plate)
+    mirror = mirror_beside(plate.layout, driven) if driven else None
+    if mirror is not None and not mirror.symmetric:
+        reason = "what its rows reflect fades otherwise, for they are no images of themselves"
+        return LatticeGap(None, None, (f"no edges of the gap: {reason}",))
     try:
-        fades = decay_along(response, strips_of(plate.layout, driven) if driven else [])
+        fades = decay_along(response, strips_of(plate.layout, mirror) if mirror else [])
     except (ScanError, ResponseError) as error:
         return LatticeGap(None, None, (f"no edges of the gap: {error.given}",))
     data["fading"] = fades

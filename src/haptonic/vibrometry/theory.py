@@ -12,12 +12,14 @@ from haptonic.bloch.model import bloch_model
 from haptonic.bloch.plate_waves import PlainPlate
 from haptonic.bloch.rows import CondensedRows, attenuation
 from haptonic.bloch.settings import BandSettings
+from haptonic.cell.directed import along_axis
 from haptonic.errors import StudyError
 from haptonic.gate import WORD
 from haptonic.later import xarray as xr
 from haptonic.parallel import one_thread
 from haptonic.plate.layout import Layout
 from haptonic.vibrometry.guides import Guiding, Mirror
+from haptonic.vibrometry.maps.waves import Axis
 
 PLAIN = 41  # frequencies of the plain plate's wave
 FADING = 33  # of evanescent waves
@@ -51,10 +53,13 @@ def computed_waves(
     widths = sorted({(one.width, one.along) for one in guides if mirror and one.lattice == mirror.name})
     resolution = bloch_model(cell, settings).resolution
 
-    def rows(along: str) -> CondensedRows:
-        return condensed_rows(cell, resolution, (1, 0) if along == "x" else (0, 1))
+    def rows(along: Axis) -> CondensedRows:
+        direction = along_axis(cell.lattice, 0 if along == "x" else 1)
+        assert direction is not None, "lattices of plates have rows along both axes"
+        return condensed_rows(cell, resolution, direction)
 
-    plain = PlainPlate.of(cell, rows("y").levels)
+    side: Axis = "y" if mirror is not None and mirror.depth == "x" else "x"  # of the mirror's rows
+    plain = PlainPlate.of(cell, rows(side).levels)
     low = max(span[0], 1e-3 * span[1])
     frequency = np.linspace(low, span[1], PLAIN)
     wavenumber = [plain.wavenumber(2 * np.pi * f, 0.0, "A0") or np.nan for f in frequency]
@@ -73,7 +78,7 @@ def computed_waves(
             (low, span[1]) if gap is None else (max(low, 0.85 * gap.lower), min(span[1], 1.15 * gap.upper))
         )
         at = np.linspace(*around, FADING)
-        fades = attenuation(rows("y" if mirror.depth == "x" else "x"), 2 * np.pi * at, np.array(PHASES))
+        fades = attenuation(rows(side), 2 * np.pi * at, np.array(PHASES))
         made["attenuation"] = ("mirror_frequency", "phase"), fades, {"units": "dB/cell"}
         made = made.assign_coords(
             mirror_frequency=("mirror_frequency", at, {"units": "Hz"}), phase=("phase", list(PHASES))
@@ -85,6 +90,8 @@ def computed_waves(
         middle = plain.wavenumber(0.5 * sum(between), 0.0, "A0") or 0.0
         for row, (width, along) in enumerate(widths):
             for step, k in enumerate(middle * np.linspace(*REACH, STEPS)):
+                if width <= 2 * rows(along).setback:
+                    continue  # what straightens its faces takes up all of the strip
                 try:
                     mode = Guide.of(rows(along), float(k)).mode(width, 0, between)
                 except StudyError:

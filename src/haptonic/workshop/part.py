@@ -78,7 +78,7 @@ class Part:
                     cause="the plate's length was given in place of the number of its cells",
                     next_step="count the cells along that side, and give their number",
                 )
-        _check_number(columns * rows * sum(map(bool, cell.pillars)) * (1 + cell.is_mirrored))
+        _check_number(columns * rows * sum(map(bool, cell.pillars)) * cell.copies)
         cell = cell.scaled(MM)
         assert np.linalg.det(cell.lattice.vectors) > 0, "a1, a2 turn anticlockwise"
         i, j = np.meshgrid(
@@ -147,19 +147,14 @@ class Part:
     @property
     def pillars(self) -> int:
         """How many stand on it."""
-        return self._sides * sum(len(places) for _, places in self.standing)
-
-    @property
-    def _sides(self) -> int:
-        """Of the plate, that pillars stand on."""
-        return 2 if self.cell.is_mirrored else 1
+        return self.cell.copies * sum(len(places) for _, places in self.standing)
 
     @property
     def faces(self) -> int:
         """How many smooth surfaces its pillars have, which decides what a solid costs."""
         bodies = [(PillarShape.of(pillar), len(places)) for pillar, places in self.standing]
         around = [len(body.form.corners) or 1 for body, _ in bodies]
-        return self._sides * sum(
+        return self.cell.copies * sum(
             number * (1 + sides * (len(body.side) - (body.arc is None)))
             for sides, (body, number) in zip(around, bodies, strict=True)
         )
@@ -174,7 +169,7 @@ class Part:
         """Of plate and pillars, mm^3."""
         area = sum(enclosed(loop) for loop in self.outline)  # holes run the other way
         pillars = sum(len(places) * one.volume for one, places in self.standing)
-        return area * self.cell.thickness + self._sides * pillars
+        return area * self.cell.thickness + self.cell.copies * pillars
 
     def need_one_face(self) -> None:
         """Refuse what a drawing of one face would hide.
