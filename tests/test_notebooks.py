@@ -50,6 +50,7 @@ def _elsewhere(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
 
 
+@pytest.mark.nightly
 def test_the_first_steps_of_the_afternoon(capsys):
     text = NOTEBOOKS["afternoon"].split("## 3.")[0]
     space = run("afternoon", [match[2] for match in CELL.finditer(text)])

@@ -90,7 +90,7 @@ def test_what_more_of_the_interior_mends_is_not_laid_on_the_mesh():
     assert model.resolution.steps > LADDER[starting_rung(5e-3)].steps
 
 
-@pytest.mark.parametrize("thickness", [0.1, 0.3])
+@pytest.mark.parametrize("thickness", [pytest.param(0.1, marks=pytest.mark.nightly), 0.3])
 def test_a_mesh_resolves_the_waves_of_the_bands_that_are_asked_for(thickness):
     """Twenty bands of a plain plate, whose waves are shorter than those of ten."""
     cell = UnitCell(Lattice.square(7e-3), thickness * 7e-3, material("aluminium-2017a"))
@@ -186,6 +186,7 @@ def test_a_plain_plate_is_answered_within_its_estimate(number, count, accuracy):
         assert (true <= accuracy * exact[moving]).all()
 
 
+@pytest.mark.nightly
 def test_the_rim_resolves_what_a_foot_near_it_does():
     """Of a thick plate whose pillars nearly touch: no other direction, and no lower order, saw this."""
     cell = UnitCell(Lattice.square(7e-3), 3.5e-3, material("aluminium-2017a"), Pillar(6.35e-3, 2.8e-3))

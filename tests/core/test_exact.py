@@ -61,7 +61,9 @@ def guesses(name, kappa):
 
 
 @by_name
-@pytest.mark.parametrize("kappa", [GENERIC, CORNER], ids=["inside", "corner"])
+@pytest.mark.parametrize(
+    "kappa", [GENERIC, pytest.param(CORNER, marks=pytest.mark.nightly)], ids=["inside", "corner"]
+)
 def test_exact_frequencies_are_those_of_the_whole_mesh(name, kappa):
     expected = brute(name, tuple(kappa))
     guess = guesses(name, kappa)

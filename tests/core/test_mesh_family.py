@@ -234,7 +234,14 @@ SPECTRAL = {
 }
 
 
-@pytest.mark.parametrize("pillar", SPECTRAL.values(), ids=SPECTRAL)
+@pytest.mark.parametrize(
+    "pillar",
+    [
+        pytest.param(one, marks=pytest.mark.nightly, id=name) if name == "filleted cone"
+        else pytest.param(one, id=name)
+        for name, one in SPECTRAL.items()
+    ],
+)  # fmt: skip
 @pytest.mark.parametrize(
     ("resolution", "finer", "most"),
     [

@@ -39,7 +39,7 @@ def own_cell(name: str) -> UnitCell:
         pytest.param("A", CORNER, marks=pytest.mark.nightly),
         ("B", INSIDE),
         pytest.param("B", CORNER, marks=pytest.mark.nightly),
-        ("C", CORNER),
+        pytest.param("C", CORNER, marks=pytest.mark.nightly),
         pytest.param("C", INSIDE, marks=pytest.mark.nightly),
     ],
     ids=lambda value: value if isinstance(value, str) else ("inside" if value == INSIDE else "corner"),

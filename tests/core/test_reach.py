@@ -100,6 +100,7 @@ def test_few_bands_are_told_as_they_are(count):
     assert BlochModel.of(cell_of(0.3, 0.5, 1.0), Resolution(3, 0), count).worst_error < COARSEST
 
 
+@pytest.mark.nightly
 @given(st.floats(0.06, 0.2))
 @settings(max_examples=1)
 def test_twenty_bands_of_a_plain_plate_are_told_as_they_are(thickness):

@@ -271,6 +271,7 @@ def test_equal_lines_have_the_waves_of_one_at_as_many_phases(lines):
     assert several.ribbon.kind == "guide", "it does not change along the ribbon"
 
 
+@pytest.mark.nightly
 def test_a_pillar_a_twentieth_too_short_holds_the_same_wave_in_a_crystal_without_edges():
     """As one site of nine it is repeated in both directions: no free edges, and another solver."""
     model = RibbonModel.of(around(LOWER, 5, 3), COARSE)

@@ -95,7 +95,7 @@ def test_rows_and_what_leads_to_them_fill_a_strip_of_plate(name, along):
 BASES = [
     (SQUARE, (1, 1), TURNED, (0, 1)),
     (TRIANGULAR, (1, 0), UPRIGHT, (1, 0)),
-    (TRIANGULAR, (-1, 2), UPRIGHT, (0, 1)),
+    pytest.param(TRIANGULAR, (-1, 2), UPRIGHT, (0, 1), marks=pytest.mark.nightly),
 ]
 
 

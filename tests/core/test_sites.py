@@ -86,7 +86,7 @@ def sites(draw, most=4):
 
 
 @given(sites())
-@settings(max_examples=60, deadline=None)
+@settings(deadline=None)
 def test_tiles_fill_the_period_edge_to_edge(cell):
     assert sum(one.tile.area for one in cell.tiles) == pytest.approx(cell.lattice.area, rel=1e-9)
     coarse = [COARSE.plan(one.tile) for one in cell.tiles]
@@ -191,7 +191,10 @@ def test_a_honeycomb_is_a_rectangle_with_four_sites():
 
 @pytest.mark.parametrize(
     "name",
-    [pytest.param(name, marks=pytest.mark.nightly) if name == "anywhere" else name for name in CELLS],
+    [
+        pytest.param(name, marks=pytest.mark.nightly) if name in ("anywhere", "lieb") else name
+        for name in CELLS
+    ],
 )
 def test_the_origin_may_be_anywhere(name):
     """Sites moved together are the same structure."""
@@ -242,7 +245,7 @@ def test_unequal_pillars_open_a_gap_at_the_corner_in_proportion():
         ("unequal honeycomb", 6, False),
         ("kagome", 12, True),
         ("lieb", 8, True),
-        ("anywhere", 1, False),
+        pytest.param("anywhere", 1, False, marks=pytest.mark.nightly),
         ("glide", 4, True),
     ],
 )
@@ -258,6 +261,7 @@ def test_the_group_is_that_of_lattice_and_sites(name, order, half_turn):
     assert hertz(cell, -INSIDE) == pytest.approx(expected, rel=1e-9), "time reversal"
 
 
+@pytest.mark.nightly
 @given(sites(2), st.floats(0.3, 0.6), st.floats(0.5, 2.0), st.floats(0.2, 0.4))
 @settings(max_examples=1, deadline=None)
 def test_bands_of_any_sites_have_the_symmetry_of_their_group(cell, width, height, plate):
@@ -276,7 +280,7 @@ def test_bands_of_any_sites_have_the_symmetry_of_their_group(cell, width, height
 
 @pytest.mark.parametrize(
     "name",
-    ["kagome", "glide", *(pytest.param(name, marks=pytest.mark.nightly) for name in ("honeycomb", "lieb"))],
+    ["kagome", *(pytest.param(name, marks=pytest.mark.nightly) for name in ("glide", "honeycomb", "lieb"))],
 )
 def test_modes_beside_a_mirror_are_even_or_odd(name):
     path = CELLS[name].zone.path(30)
@@ -313,8 +317,8 @@ def test_velocities_are_slopes(name):
     ["honeycomb", *(pytest.param(name, marks=pytest.mark.nightly) for name in CELLS if name != "honeycomb")],
 )
 def test_the_estimates_hold_against_a_finer_mesh(name):
-    """Order 4 with two rings errs by a part of what order 3 does."""
-    coarse, fine = model(name), model(name, 4, 2)
+    """Order 4 errs by a part of what order 3 does."""
+    coarse, fine = model(name), model(name, 4)
     for kappa in (INSIDE, *list(CELLS[name].zone.corner_phases.values())[1:3]):
         one, other = coarse.solve(kappa), fine.solve(kappa)
         away = np.abs(one.frequency - other.frequency)

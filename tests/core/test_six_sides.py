@@ -80,7 +80,7 @@ def test_a_centred_lattice_is_a_rectangle_with_two_pillars(sides):
     sites = tuple(Site(at=at, pillar=pillar) for at, pillar in pillars.items())
     quarters = replace(cell, lattice=Lattice.rectangular(*sides), pillar=None, site=sites)
     assert all(one.tile.is_upright for one in quarters.tiles)
-    tiling = Tiling.condensed(quarters, Resolution(4, 2).plans(quarters), 3, 20, measured=False)
+    tiling = Tiling.condensed(quarters, Resolution(4, 1).plans(quarters), 3, 20, measured=False)
     k = np.array([60.0, 95.0])
     values, _ = eigenpairs(lattice_pencil(tiling), k * sides, 12)
     found = [

@@ -177,7 +177,9 @@ def _unknowns(cell: UnitCell, plan: MeshPlan) -> int:
 
 def _computed(cell: UnitCell, plan: MeshPlan, count: int, more: int) -> tuple[Array, Array]:
     """(wavevectors, count) Hz, and by how much what the interior leaves out would lower each, Hz."""
-    by = condense if 3 * sum(plan.level_sizes) < WHOLE else condense_by_parts
+    # a stepped pillar whole in any case: its parts are what the product has
+    whole = 3 * sum(plan.level_sizes) < WHOLE or (cell.pillar is not None and cell.pillar.step is not None)
+    by = condense if whole else condense_by_parts
     used = Resolution(plan.order, plan.foot_rings, STEPS, BLOCK).for_bands(count)
     tiling = Tiling.single(by(cell, plan, used.steps, block=used.block + more, measured=False))
     pencil = CentredPencil.of(tiling)

@@ -459,6 +459,7 @@ class TestWhatCannotBeComputed:
         assert "in the coarse model, a gap" in refusal.value.cause
         assert refusal.value.next_step == "ask for less accuracy"
 
+    @pytest.mark.nightly
     def test_if_none_can_be_it_is_told_which_accuracy_can(self, cheap, monkeypatch, kept):
         self.refusing(monkeypatch, lambda tried: tried[-1][1].accuracy < 0.02)
         near = glass(start=(2.9, 16.5, 0.32))  # a short search finds a design

@@ -44,8 +44,8 @@ CASES = [
     ("reference", GENERIC, 5, 1),
     ("reference", ORIGIN, 3, 2),
     ("all at once", GENERIC, 4, 1),
-    ("square section", GENERIC, 6, 1),
-    ("rectangular", GENERIC, 5, 1),
+    pytest.param("square section", GENERIC, 6, 1, marks=pytest.mark.nightly),
+    pytest.param("rectangular", GENERIC, 5, 1, marks=pytest.mark.nightly),
     ("centred", GENERIC, 5, 1),
     ("plain plate", GENERIC, 3, 1),
 ]

@@ -109,7 +109,15 @@ def crossing(box, lines):
     return lines[(enter < leave) & ~misses]
 
 
-@pytest.mark.parametrize("name", [*ALL, *PLATES, *OTHERS])
+@pytest.mark.parametrize(
+    "name",
+    [
+        pytest.param(name, marks=pytest.mark.nightly)
+        if name.startswith(("round draft 0", "square draft 0", "square draft -3"))
+        else name
+        for name in (*ALL, *PLATES, *OTHERS)
+    ],
+)
 def test_no_text_lies_on_another_or_on_a_line_or_leaves_the_frame(name):
     figure = sheet_of(name).figure()
     texts = [(text.get_text(), ink(text)) for text in figure.axes[0].texts]

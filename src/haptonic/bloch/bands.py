@@ -217,7 +217,7 @@ def mode_shapes(model: BlochModel, kappa: Array) -> xr.Dataset:
 
 def _mesh_attribute(model: BlochModel) -> str:
     """The plans of the tiles, as text: of a single one itself."""
-    plans = [asdict(mesh.topology.plan) for mesh in model.fine.tiling.meshes]
+    plans = [asdict(plan) for plan in model.resolution.plans(model.cell)]
     return json.dumps(plans[0] if len(plans) == 1 else plans)
 
 

@@ -10,6 +10,8 @@ import numpy as np
 
 from haptonic.arrays import Array, Bools
 from haptonic.cell import MeshPlan, Period, Pillar, TileShape, UnitCell
+from haptonic.cell.edges import between_edges
+from haptonic.cell.pieces import Meshed, pieces_of
 from haptonic.cell.plan import USUAL_BANDS
 from haptonic.errors import GeometryError, ResourceError
 from haptonic.later import psutil
@@ -81,14 +83,13 @@ class Resolution:
             plan.lowered(tile) for plan, tile in zip(self.plans(cell), tiles, strict=True)
         ])  # fmt: skip
 
-    def _meshed(self, cell: Period) -> list[tuple[TileShape, MeshPlan]]:
-        """Tiles that differ and their plans, without the bodies of prisms, which take next to nothing."""
-        made = {}
-        for one, plan in zip(cell.tiles, self.plans(cell), strict=True):
-            pillar = one.tile.pillar
-            whole = pillar is None or not pillar.is_prism
-            made[id(one.tile)] = one.tile, plan if whole else replace(plan, pillar_layers=1)
-        return list(made.values())
+    def _meshed(self, cell: Period) -> list[Meshed]:
+        """What differs of what is meshed, without the bodies of prisms, which take next to nothing."""
+        made = {
+            id(one.tile): pieces_of(one.tile, plan)
+            for one, plan in zip(cell.tiles, self.plans(cell), strict=True)
+        }
+        return [piece.without_body() for pieces in made.values() for piece in pieces]
 
     @property
     def projection_goal(self) -> float:
@@ -106,9 +107,9 @@ class Resolution:
         one of 33 0.44 and the others 0.23; with order 5 one of 19 0.32, and a stout drafted one on a thick
         plate, where the edge leads already, 0.61; with two rings one of 4 0.19. They get a quarter to twice
         as much. With two rings or more the edge never leads up to order 6, which is taken to hold beyond. A
-        step is another re-entrant edge, towards which the mesh is graded as towards the foot; above a fillet
-        it is not, and the edge is taken to lead from the start. A plain plate has no edge: of 24 meshes where
-        bands were resolved one needed 0.11; `unresolved` stands for others.
+        step is another re-entrant edge, towards which the mesh is graded as towards the foot; close above a
+        fillet it is not, and the edge is taken to lead from the start. A plain plate has no edge: of 24
+        meshes where bands were resolved one needed 0.11; `unresolved` stands for others.
         """
         return max(self._remaining(one.tile) for one in cell.tiles)
 
@@ -118,16 +119,16 @@ class Resolution:
             return 0.15
         narrow = pillar.section == "square" and tile.clearance < CROSSING * pillar.widest
         if narrow and self.order < 5:
-            return CROSSED * self._of_edge(pillar, tile.is_thin)
-        return self._of_edge(pillar, tile.is_thin)
+            return CROSSED * self._of_edge(tile, pillar)
+        return self._of_edge(tile, pillar)
 
-    def _of_edge(self, pillar: Pillar, thin: bool) -> float:
+    def _of_edge(self, tile: TileShape, pillar: Pillar) -> float:
         of_the_edge = max(1.0 / float((self.order / (self.order - 1)) ** (4 * 0.5445) - 1.0), 1.3)
-        if pillar.step is not None and pillar.fillet:  # its edge is not graded
+        if pillar.step is not None and pillar.fillet and between_edges(tile) is None:  # it is not graded
             return of_the_edge
         if self.foot_rings >= 2:
             return MEASURED.get((self.order, 2), MEASURED[6, 2])
-        if thin and self.order == 3:
+        if tile.is_thin and self.order == 3:
             return ON_THIN
         return MEASURED.get((self.order, self.foot_rings), of_the_edge)
 
@@ -156,11 +157,12 @@ class Resolution:
 
         It counts dense answers to the trace, the sparse factor, element matrices and the condensed ones.
         """
-        return 2.5e8 + sum(self._memory(tile, plan) for tile, plan in self._meshed(cell))
+        return 2.5e8 + sum(self._memory(piece) for piece in self._meshed(cell))
 
-    def _memory(self, tile: TileShape, plan: MeshPlan) -> float:
-        nodes, classes = sum(plan.level_sizes), 2 ** len(folds_of(tile))
-        trace = 3 * plan.sides * plan.side * (plan.upward + 1)
+    def _memory(self, piece: Meshed) -> float:
+        plan = piece.plan
+        nodes, classes = sum(plan.level_sizes), 2 ** len(folds_of(piece.tile))
+        trace = piece.boundary(plan.upward + 1)
         quarter = 3 * nodes / classes  # of the nodes, where there are two mirrors
         across, along, upward = plan.outward + 1, plan.order + 1, plan.upward + 1
         pairs = nodes / classes * 3 * (across * along + along * upward + across * upward)
@@ -181,13 +183,12 @@ class Resolution:
         1.4 to 1.7 times as long. With many bands it is the condensed pencil, whose modes at two dozen
         wavevectors make the small basis: 6 to 18 ns for the cube of its size, of 600 to 1,600.
         """
-        needed, pencil = 0.0, 0
-        directions = 4 * self.steps * self.block
-        for tile, plan in self._meshed(cell):
-            answers = plan.sides * 3 * plan.side * plan.plate_levels + directions
+        needed, pencil, directions = 0.0, 0, 4 * self.steps * self.block
+        for piece in self._meshed(cell):
+            answers = piece.boundary(piece.plan.plate_levels) + directions
             # what is folded less has as many answers in all, each of more unknowns
-            folded = 4 / 2 ** len(folds_of(tile)) * (TWICE_FOLDED if tile.is_mirrored else 1.0)
-            needed += PER_ANSWER * sum(plan.level_sizes) * answers * folded
+            folded = 4 / 2 ** len(folds_of(piece.tile)) * (TWICE_FOLDED if piece.tile.is_mirrored else 1.0)
+            needed += PER_ANSWER * sum(piece.plan.level_sizes) * answers * folded
         for plan in self.plans(cell):
             pencil += plan.sides * 3 * plan.side * trace_levels(plan) // 2 + directions
         return needed + PER_CUBE * pencil**3

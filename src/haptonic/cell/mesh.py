@@ -64,7 +64,8 @@ def mesh_cell(cell: TileShape, plan: MeshPlan) -> HexMesh:
             levels.append(_level(profile, outlines, layer, share))
     sizes = plan.level_sizes
     points = [level[:size] for level, size in zip(levels, sizes, strict=True)]
-    topology, half = topology_of(plan, mirrored=cell.is_mirrored), np.concatenate(points)
+    topology = topology_of(plan, mirrored=cell.is_mirrored, free=cell.free_width is not None)
+    half = np.concatenate(points)
     if not cell.is_mirrored:
         return HexMesh(topology, half)
     image = half[sizes[0] :] * np.array([1.0, 1.0, -1.0]) + np.array([0.0, 0.0, cell.thickness])
@@ -76,7 +77,7 @@ class _Outlines:
     """Curves around the axis, (around, 2) points each in the order of the rim.
 
     core, ring : around the core and of every border between rings, for a half-width of 1
-    rim : around the cell, m
+    rim : around the cell, or around the pillar that it is a piece of, m
     shares : where the nodes lie along a side of a patch of the core
     """
 
@@ -97,14 +98,15 @@ class _Outlines:
         angle = (turn[:-1, None] + share * np.diff(turn)[:, None]).ravel()
         circle = np.stack([np.cos(angle), np.sin(angle)], axis=-1)
         chords = _along_sides(ends[:-1], share)
-        rim = _along_sides(corners, share)
         square = cell.pillar is not None and cell.pillar.section == "square"
         core = CORE_BULGE * circle + (1 - CORE_BULGE) * chords
         if square:  # of half-width 1: its corners lie farther out
             core = chords = _along_sides(diagonals, share)
         whole = np.append(share, 1.0)
         shares = whole if len(corners) == 4 else 2 * whole[: plan.side // 2 + 1]
-        return cls(core, chords if square else circle, rim, shares)
+        ring = chords if square else circle
+        rim = _along_sides(corners, share) if cell.free_width is None else cell.free_width * ring
+        return cls(core, ring, rim, shares)
 
 
 def _along_sides(corners: Array, share: Array) -> Array:

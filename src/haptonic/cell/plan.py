@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass, replace
 
-from haptonic.cell.edges import bridges, is_unbridged
+from haptonic.cell.edges import between_edges, bridges, is_unbridged
 from haptonic.cell.pillar import Pillar
 from haptonic.cell.tile import TileShape
 
@@ -139,7 +139,7 @@ class MeshPlan:
         smooth = 4 if order == 3 else order
         turn = (smooth + 2) * max(1.0, neck) * (SHORT_WAVES if cell.is_thin else 1.0)
         around, blocks = _around(turn, more)
-        layers = _layers_along(cell.pillar)
+        layers = layers_along(cell.pillar)
         rings = max(foot_rings, 1) if cell.pillar.fillet else foot_rings  # the arc is an edge of elements
         bridging = bridges(cell, rings)
         below = math.ceil((1 - ROUNDING) * cell.thickness / (PLATE_LAYER * cell.pillar.diameter))
@@ -172,7 +172,7 @@ class MeshPlan:
         lower order told it, because quadratic ones lock. What ten orders around resolve of twenty bands lost
         0.5 %, twice what was told; ``shorter`` is how many more their waves need.
         """
-        layers = _layers_along(pillar)
+        layers = layers_along(pillar)
         neck = _neck(cell, pillar, 0.5 * cell.inradius)
         around, blocks = _around((order + 2) * SHEET_WAVES * max(1.0, SHEET_NECK / neck), shorter)
         return cls(
@@ -199,14 +199,16 @@ class MeshPlan:
 
         With a single thin ring the order along z stays through the plate and, where the pillar is a prism,
         along it: what the foot leaves is most of the error then, the thin layer sees it, and thicker elements
-        of lower order would err by far more. A pillar with draft or a step is meshed along z up to its top,
-        and what that leaves shows at a lower order only: two lower, for the same reason as around. Nor is
-        there a thin layer at a step above a fillet: graded towards both, elements of some designs had no
-        volume at a corner. Where a fillet leaves out the elements that would lead from a narrow neck to a
-        thick plate, what the plate's own leave shows at a lower order only: 0.3 % were told 0.2 %.
+        of lower order would err by far more. A pillar with draft, or with a step near its foot, is meshed
+        along z up to its top, and what that leaves shows at a lower order only: two lower, for the same
+        reason as around. Nor is there a thin layer at such a step above a fillet: graded towards both,
+        elements of some designs had no volume at a corner. Where a fillet leaves out the elements that would
+        lead from a narrow neck to a thick plate, what the plate's own leave shows at a lower order only:
+        0.3 % were told 0.2 %.
         """
         pillar = cell.pillar
         ungraded = pillar is not None and pillar.step is not None and not self.step_rings
+        ungraded = ungraded and between_edges(cell) is None
         ungraded = ungraded or is_unbridged(cell, self.foot_rings)
         foot_leads = self.foot_rings == 1 and pillar is not None and not ungraded
         fewer_around = 2 if pillar and self.blocks == 1 and (cell.is_thin or self.thin > 3) else 1
@@ -292,7 +294,7 @@ class MeshPlan:
         return tuple(core + self.around * sum(rings) for levels, rings in pieces for _ in range(levels))
 
 
-def _layers_along(pillar: Pillar) -> list[int]:
+def layers_along(pillar: Pillar) -> list[int]:
     """Layers of each of a pillar's stages, the lowest of them short, and the highest below a step.
 
     Without that one 2.8 diameters below a step's edge lost 0.06 %, of which no lower order told.

@@ -46,12 +46,14 @@ class TileShape:
     corners : (sides, 2) of the polygon, anticlockwise, m
     extent : m, the period of what stands around it: necks between pillars and waves are counted on it
     faces : of the plate that the pillar stands on
+    free_width : half-width of the pillar that it is a piece of, m; None of a piece of plate
     """
 
     thickness: float
     material: Material
     pillar: Pillar | None
     faces: Faces
+    free_width: float | None = None
 
     @property
     def corners(self) -> Array:

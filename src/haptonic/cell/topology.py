@@ -4,12 +4,13 @@ A cell is a polygon. Seen from above, a curved core sits in its middle: one squa
 sides, else a patch for each corner, and these meet at the centre. Rings of blocks, as many to each side of
 the cell, lead from it to the pillar's foot and on to the sides. The pillar goes on with the inner ones of
 these blocks, above a step with the innermost. Where a cell is its own image in the plate's middle plane, all
-this is its upper half; the nodes of the lower one follow, and its elements.
+this is its upper half; the nodes of the lower one follow, and its elements. A piece of a pillar about its
+step is meshed alike: what is below the step in place of the plate, with free sides.
 """
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property, lru_cache
 
 import numpy as np
@@ -52,6 +53,7 @@ class Topology:
     plan : what it was made from
     core : (patches, m + 1, m + 1) numbers of the core's nodes; patches that meet at the centre begin there
     mirrored : whether a lower half follows, the image of all this in the lowest level
+    free : whether it is a piece of a pillar, which has no lateral faces, and an open end below
     level_start : (levels + 1,) number of the first node of each level, and how many they have
     families : all elements, grouped by their orders
     rim : (plate levels, around) nodes on the lateral faces, anticlockwise from the first corner; the lowest
@@ -61,6 +63,7 @@ class Topology:
     plan: MeshPlan
     core: Ints
     mirrored: bool
+    free: bool
     level_start: Ints
     families: tuple[Elements, ...]
     rim: Ints
@@ -87,13 +90,29 @@ class Topology:
     @property
     def first_above(self) -> int:
         """Number of the first node above the plate's top."""
-        return int(self.level_start[self.plan.plate_levels])
+        return int(self.pillar_start[0])
+
+    @property
+    def pillar_start(self) -> Ints:
+        """(levels + 1,) numbers of the first nodes of levels above the plate's top, and how many in all."""
+        return self.level_start[0 if self.free else self.plan.plate_levels :]
+
+    @property
+    def foot(self) -> Topology:
+        """What is below the second of the pillar's layers above its thin ones."""
+        return topology_of(replace(self.plan, pillar_layers=1), mirrored=self.mirrored, free=self.free)
 
     @property
     def top(self) -> Ints:
         """Numbers of the nodes of the highest level, and of the lowest one of a lower half."""
         top = np.arange(self.level_start[-2], self.level_start[-1])
         return np.unique(np.concatenate([top, self.image[top]]))
+
+    @property
+    def of_foot(self) -> Ints:
+        """Numbers of the foot's nodes: the lowest of all, and their images."""
+        upper = np.arange(self.foot.level_start[-1])
+        return np.concatenate([upper, self.image[upper[self.level_start[1] :]]]) if self.mirrored else upper
 
     def permutation(self, moved: Sides) -> Ints:
         """(nodes,) where a turn or mirror of the polygon, known by the first two sides, takes each node."""
@@ -112,7 +131,7 @@ class Topology:
 
 
 @lru_cache(maxsize=64)
-def topology_of(plan: MeshPlan, *, mirrored: bool = False) -> Topology:
+def topology_of(plan: MeshPlan, *, mirrored: bool = False, free: bool = False) -> Topology:
     """The topology that a plan describes, or of which it does the upper half; one object for each plan."""
     p, inner, around = plan.order, plan.core_size, plan.around
     tree = scipy.spatial.cKDTree(np.concatenate([_core_points(plan), _rim_points(plan)]))
@@ -135,7 +154,7 @@ def topology_of(plan: MeshPlan, *, mirrored: bool = False) -> Topology:
     families: dict[tuple[int, ...], list[tuple[Ints, bool]]] = {}
     low = 0
     for order, rings in zip(plan.layer_orders, rings_of_layer, strict=True):
-        above = low >= plan.plate_levels - 1
+        above = free or low >= plan.plate_levels - 1
         for face, ring in faces:
             if ring < rings:
                 nodes = face[..., None] + level_start[low : low + order + 1]
@@ -143,7 +162,7 @@ def topology_of(plan: MeshPlan, *, mirrored: bool = False) -> Topology:
         low += order
 
     per_level = level_start[: plan.plate_levels, None]
-    rim = per_level + plan.level_sizes[0] - around + np.arange(around)
+    rim = per_level + plan.level_sizes[0] - around + np.arange(0 if free else around)
     grouped = [
         Elements(np.stack([nodes for nodes, _ in members]), np.array([above for _, above in members]))
         for members in families.values()
@@ -156,6 +175,7 @@ def topology_of(plan: MeshPlan, *, mirrored: bool = False) -> Topology:
         plan=plan,
         core=core,
         mirrored=mirrored,
+        free=free,
         level_start=level_start,
         families=tuple(grouped),
         rim=rim,

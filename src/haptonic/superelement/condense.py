@@ -35,7 +35,7 @@ from haptonic.superelement.trace import FoldedTrace, TraceOperation
 class Superelement:
     """Condensed cell. Unknowns: the trace (level, place on the rim, component), then modal amplitudes.
 
-    cell, mesh : what it was made from
+    cell, meshes : what it was made from; the first mesh reaches to the lateral faces
     levels : trace nodes through the thickness
     stiffness, mass : (t + m, t + m), N/m and kg
     truncation : (t + m, t + m) such that ``lambda**2 u* truncation u`` is, to first order, what the interior
@@ -45,13 +45,18 @@ class Superelement:
     """
 
     cell: TileShape
-    mesh: HexMesh
+    meshes: tuple[HexMesh, ...]
     levels: int
     stiffness: Array
     mass: Array
     truncation: Array
     parts: tuple[Lifting, ...]
     measures: Measures | None
+
+    @property
+    def mesh(self) -> HexMesh:
+        """That of the plate."""
+        return self.meshes[0]
 
     @property
     def trace_size(self) -> int:
@@ -80,7 +85,7 @@ class Superelement:
         return TraceOperation.of(self.cell, self.mesh.topology, self.levels, turn)
 
     def lifted(self, fields: Fields) -> Fields:
-        """(nodes, 3, k) displacement on the mesh from (t + m, k) unknowns, real or complex."""
+        """(nodes, 3, k) displacement on the meshes from (t + m, k) unknowns, real or complex."""
         return lifted(self.parts, *np.split(fields, [self.trace_size]))
 
 
@@ -113,18 +118,22 @@ def condensed(shared: FoldedMesh, steps: int, *, block: int, measured: bool) -> 
     mesh = shared.mesh
 
     def mirrored(original: CondensedClass) -> CondensedClass:
-        return original.mirrored(DiagonalImage.of(shared.cell, mesh.topology, shared.levels))
+        return original.mirrored(DiagonalImage.of(shared.cell, shared.levels, mesh.topology))
 
     pieces = for_each_class(
         shared, lambda q, solver: _condense_class(shared, q, solver, steps, block, measured), mirrored
     )
 
     sizes = section_sizes(mesh, shared.nodal_mass) if measured else None
-    return assembled(shared.cell, mesh, shared.levels, pieces, sizes)
+    return assembled(shared.cell, (mesh,), shared.levels, pieces, sizes)
 
 
 def assembled(
-    cell: TileShape, mesh: HexMesh, levels: int, pieces: Sequence[CondensedClass], sizes: Array | None
+    cell: TileShape,
+    meshes: tuple[HexMesh, ...],
+    levels: int,
+    pieces: Sequence[CondensedClass],
+    sizes: Array | None,
 ) -> Superelement:
     """The superelement that consists of given classes; measured ones come with the sizes of the sections."""
     measures = None
@@ -138,7 +147,7 @@ def assembled(
         measures = Measures(**forms, sections=sections)
     return Superelement(
         cell=cell,
-        mesh=mesh,
+        meshes=meshes,
         levels=levels,
         stiffness=whole(pieces, "stiffness"),
         mass=whole(pieces, "mass"),

@@ -82,7 +82,7 @@ def dynamic_stiffness(shared: FoldedMesh, omega: float, loads: Fields | None = N
     topology, diagonal = shared.mesh.topology, shared.assembler.diagonal
     loads = np.zeros((topology.nodes, 3, 0)) if loads is None else loads
     mirror = (
-        DiagonalImage.of(shared.cell, topology, shared.levels) if shared.classes_and_images()[1] else None
+        DiagonalImage.of(shared.cell, shared.levels, topology) if shared.classes_and_images()[1] else None
     )
     images = loads if mirror is None else mirror.applied(loads)
 

@@ -24,7 +24,7 @@ class FoldedCell:
 
     trace : the class's share of the trace
     interior : numbers of the interior stiffness on the pattern of the classes
-    body : the other forms; the boundary is the trace, then an open top; the mass of a component that the
+    body : the other forms; the boundary is the trace, then the open ends; the mass of a component that the
         class forces to vanish is 0
     """
 
@@ -35,6 +35,8 @@ class FoldedCell:
 
 def through_levels(cell: TileShape, mesh: HexMesh, levels: int) -> Array:
     """(plate levels, levels) values on the mesh's levels at the cell's sides from those on the trace's."""
+    if mesh.topology.free:
+        return np.zeros((mesh.topology.plan.plate_levels, levels))
     levels_at = 0.5 * cell.thickness * (1 + lobatto(levels - 1)[0])
     return interpolation(levels_at, mesh.points[mesh.topology.rim[:, 0], 2])
 
@@ -100,10 +102,10 @@ class FoldedMesh:
             images = {parity.index((-1, 1, m)): parity.index((1, -1, m)) for m in {one[2] for one in parity}}
         return [q for q in range(len(parity)) if q not in images], images
 
-    def symmetry_class(self, q: int, on_top: Array | None = None) -> FoldedCell:
+    def symmetry_class(self, q: int, on_ends: Array | None = None) -> FoldedCell:
         """The matrices of one class.
 
-        ``on_top`` (3 representatives, s) gives the motions that an open top has, besides the trace's.
+        ``on_ends`` (3 representatives, s) gives the motions that open ends have, besides the trace's.
         """
         folding = self.folding
         trace = FoldedTrace(self.mesh.topology, folding, q, self.levels)
@@ -112,7 +114,7 @@ class FoldedMesh:
         shape = (len(through), trace.sites, 3)
         rim = trace.rim_size
         coupling, outer = stiffness.coupling(), stiffness.boundary()
-        lateral = np.tensordot(through.T, coupling[:, : 3 * rim].reshape(-1, *shape), axes=(1, 1))
+        lateral = np.tensordot(through.T, coupling[:, : 3 * rim].reshape(len(coupling), *shape), axes=(1, 1))
         held = outer[: 3 * rim, : 3 * rim].reshape(*shape, *shape)
         held = np.einsum("lk,lpcmqd,mj->kpcjqd", through, held, through, optimize=True)
         mass = self.representative_mass[folding.interior :]
@@ -120,11 +122,11 @@ class FoldedMesh:
         inertia = np.einsum("kpj,pq,cd->kpcjqd", weights, np.eye(trace.sites), np.eye(3))
         lateral = trace.fold_levels(np.moveaxis(lateral, 0, 1)).reshape(len(lateral[0]), -1)[:, trace.kept]
         outer_stiffness, outer_mass = (_on_own(trace, form) for form in (held, inertia))
-        if on_top is not None:  # no element reaches from there to the sides
-            lateral = np.hstack([lateral, coupling[:, 3 * rim :] @ on_top])
-            above = on_top.T @ outer[3 * rim :, 3 * rim :] @ on_top
+        if on_ends is not None:  # no element reaches from there to the sides
+            lateral = np.hstack([lateral, coupling[:, 3 * rim :] @ on_ends])
+            above = on_ends.T @ outer[3 * rim :, 3 * rim :] @ on_ends
             outer_stiffness = la.block_diag(outer_stiffness, above)
-            above = on_top.T @ (np.repeat(mass[rim:], 3)[:, None] * on_top)
+            above = on_ends.T @ (np.repeat(mass[rim:], 3)[:, None] * on_ends)
             outer_mass = la.block_diag(outer_mass, above)
         alive = folding.sign[q][folding.origin[: folding.interior]] != 0
         inside = (self.representative_mass[: folding.interior, None] * alive).ravel()
@@ -137,6 +139,8 @@ class FoldedMesh:
     @cached_property
     def above(self) -> Array:
         """(3 interior,) 1 for unknowns above the plate's top."""
+        if self.mesh.topology.free:
+            return np.ones(3 * self.folding.interior)
         heights = self.mesh.points[self.folding.origin[: self.folding.interior], 2]
         top = self.mesh.points[self.mesh.topology.rim[-1, 0], 2]
         return np.repeat(heights > top, 3).astype(float)

@@ -23,10 +23,13 @@ class DiagonalImage:
     moved: NDArray[np.int64]
 
     @classmethod
-    def of(cls, tile: TileShape, topology: Topology, levels: int) -> DiagonalImage:
+    def of(cls, tile: TileShape, levels: int, *meshes: Topology) -> DiagonalImage:
+        """On the nodes of some meshes, one after the other; the first has the rim."""
         sides = tile.moved_sides(DIAGONAL)
         assert sides is not None, "no square"
-        return cls(TraceOperation.of(tile, topology, levels, DIAGONAL), topology.permutation(sides))
+        starts = np.cumsum([0, *(one.nodes for one in meshes)])
+        moved = [start + one.permutation(sides) for start, one in zip(starts, meshes, strict=False)]
+        return cls(TraceOperation.of(tile, meshes[0], levels, DIAGONAL), np.concatenate(moved))
 
     def applied(self, field: Fields) -> Fields:
         """Mirror image of a field (nodes, 3, k)."""

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -40,9 +41,9 @@ class ClassMeasures:
 
     @classmethod
     def of(
-        cls, shared: FoldedMesh, q: int, folded: FoldedCell, own: CraigBampton, on_top: Array | None = None
+        cls, shared: FoldedMesh, q: int, folded: FoldedCell, own: CraigBampton, on_ends: Array | None = None
     ) -> ClassMeasures:
-        """Measures of a reduced class; ``on_top`` as for `FoldedMesh.symmetry_class`."""
+        """Measures of a reduced class; ``on_ends`` as for `FoldedMesh.symmetry_class`."""
         trace, body = folded.trace, folded.body
         fields = np.hstack([own.static, own.modes])
         lateral, rim = len(trace.kept), trace.rim_size
@@ -51,9 +52,9 @@ class ClassMeasures:
         rows = np.flatnonzero(np.diff(stiff.indptr))  # most of a cell is no pillar
         strain = fields[rows].T @ (stiff[rows][:, rows] @ fields[rows])
         whole, mass, in_pillar = fields, body.mass, shared.above
-        if on_top is not None:  # its values follow from the boundary's unknowns behind the trace
-            top = np.zeros((len(on_top), fields.shape[1]))
-            top[:, lateral : own.static.shape[1]] = on_top
+        if on_ends is not None:  # its values follow from the boundary's unknowns behind the trace
+            top = np.zeros((len(on_ends), fields.shape[1]))
+            top[:, lateral : own.static.shape[1]] = on_ends
             crossed = fields.T @ (pillar.coupling()[:, 3 * rim :] @ top)
             strain += crossed + crossed.T + top.T @ (pillar.boundary()[3 * rim :, 3 * rim :] @ top)
             whole = np.concatenate([fields, top])
@@ -68,6 +69,19 @@ class ClassMeasures:
         seen = np.r_[: len(fields), len(fields) + 3 * rim : momenta.shape[1]][: len(whole)]
         energies = dict(zip(ENERGIES, (strain, pillar_mass, vertical_mass), strict=True))
         return cls(energies, np.asarray(momenta[:, seen] @ whole))
+
+    def on(self, fields: Array) -> ClassMeasures:
+        """The same on other unknowns, from which these follow as ``fields`` (b + m, k)."""
+        energies = {name: fields.T @ form @ fields for name, form in self.energies.items()}
+        return ClassMeasures(energies, self.momenta @ fields)
+
+    @classmethod
+    def together(cls, pieces: Sequence[ClassMeasures]) -> ClassMeasures:
+        """Of several pieces of a pillar, from below, on the same unknowns."""
+        energies = {name: np.sum([one.energies[name] for one in pieces], axis=0) for name in ENERGIES}
+        momenta = [one.momenta.reshape(4, -1, one.momenta.shape[1]) for one in pieces]
+        whole = np.concatenate(momenta, axis=1)
+        return cls(energies, whole.reshape(-1, whole.shape[2]))
 
 
 def _gram(fields: Array, mass: Array) -> Array:

@@ -139,6 +139,13 @@ class PillarBody:
             found.append(powers @ _orthonormal(self.section, self.degree, parity))
         return np.hstack(found)
 
+    def on_level(self, parities: tuple[Kinds, ...], x: Array, y: Array) -> Array:
+        """(3 n, on_section) displacement at points of a level from its unknowns."""
+        values = np.zeros((len(x), 3, self.shapes, 3))
+        for c, kinds in enumerate(parities):
+            values[:, c, :, c] = self.over_section(kinds, x, y)
+        return values.reshape(3 * len(x), self.on_section)
+
     def displaced(self, parities: tuple[Kinds, ...], points: Array, unknowns: NDArray[Any]) -> NDArray[Any]:
         """(n, 3, k) displacement at points (n, 3), m, of the body from unknowns (u, k)."""
         heights, level = np.unique(points[:, 2], return_inverse=True)

@@ -69,9 +69,8 @@ class PillarSections:
 
 def section_levels(mesh: HexMesh) -> tuple[Array, NDArray[np.int64], NDArray[np.int64]]:
     """Heights of the upper pillar's node levels, and for each of its nodes its number and level."""
-    topology = mesh.topology
-    starts = topology.level_start[topology.plan.plate_levels :]
-    nodes = np.arange(topology.first_above, starts[-1])
+    starts = mesh.topology.pillar_start
+    nodes = np.arange(starts[0], starts[-1])
     level = np.repeat(np.arange(len(starts) - 1), np.diff(starts))
     return mesh.points[starts[:-1], 2], nodes, level
 

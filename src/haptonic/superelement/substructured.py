@@ -1,34 +1,36 @@
 """A cell condensed in two steps: its plate with the foot of the pillar, then the pillar's body upon it.
 
 The body needs no mesh, and what stands below it is condensed once for all lengths of the body. Only the
-foot sees the singular edge, and it alone needs the fine mesh.
+foot sees the singular edge, and it alone needs the fine mesh. Where the pillar has a step, what is about the
+step is the foot of a further body, and stands on the first as that does on the plate's.
 """
 
 from __future__ import annotations
 
 import hashlib
 from collections import OrderedDict
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
+from itertools import pairwise
 from threading import Lock
 
 import numpy as np
 
-from haptonic.arrays import Array, Fields, Ints
+from haptonic.arrays import Array, Ints
 from haptonic.cell import HexMesh, MeshPlan, TileShape, mesh_cell
 from haptonic.cell.edges import FOOT_LAYER
-from haptonic.cell.topology import Topology, topology_of
+from haptonic.cell.pieces import pieces_of
 from haptonic.later import linalg as la
 from haptonic.solvers import Solver, definite
-from haptonic.superelement.condense import ClassForm, CondensedClass, Superelement, assembled, condensed
+from haptonic.superelement.condense import Superelement, assembled, condensed
 from haptonic.superelement.folded import FoldedMesh
-from haptonic.superelement.interior import Bounded, CraigBampton, reduced
-from haptonic.superelement.lifting import DiagonalImage, unfolded
-from haptonic.superelement.measures import ENERGIES, ClassMeasures
+from haptonic.superelement.interior import reduced
+from haptonic.superelement.lifting import DiagonalImage
+from haptonic.superelement.measures import ClassMeasures
 from haptonic.superelement.parallel import KEPT_ENTRIES, for_each_class
 from haptonic.superelement.pillar_body import PARITIES, Kinds, PillarBody
 from haptonic.superelement.sections import section_sizes
+from haptonic.superelement.stacked import FootClass, Storey, joined
 from haptonic.superelement.symmetry import DIAGONAL, Folding, folds_of
-from haptonic.superelement.trace import FoldedTrace
 
 LEAST_ORDER, PER_LAYER = 8, 2  # of the polynomials along the body, and what each layer of a mesh adds
 FOR_SECTION = 4  # directions in each block of a foot's Krylov space beyond those that a whole cell has
@@ -39,66 +41,70 @@ KEPT_FEET = 4  # that wait for the next design with the same
 def condense_by_parts(
     cell: TileShape, plan: MeshPlan, steps: int = 2, *, block: int = 10, measured: bool = True
 ) -> Superelement:
-    """Condense a cell onto its lateral faces, its pillar's body apart where it is a prism.
+    """Condense a cell onto its lateral faces, its pillar's bodies apart where they are prisms.
 
     Parameters as for `condense`. On the same plan the two differ by the error that the mesh of the body has
-    there. A pillar with draft or a step, or one too short, has no body, and then they are the same.
+    there. A pillar with draft, or one too short, has no body, and then they are the same.
     """
-    mesh = mesh_cell(cell, plan)
-    body = pillar_body_of(cell, mesh)
-    if body is None:
-        return condensed(FoldedMesh.of_mesh(cell, mesh), steps, block=block, measured=measured)
-    foot = _foot_below(cell, mesh, body, steps, block, measured)
-    joined = {q: _joined(one, body, mesh, foot.through, steps, block) for q, one in foot.classes.items()}
-    if foot.images:
-        mirror = DiagonalImage.of(cell, mesh.topology, foot.levels)
-        joined |= {q: joined[original].mirrored(mirror) for q, original in foot.images.items()}
-    sizes = np.hstack([foot.sizes, body.sizes]) if measured else None
-    return assembled(cell, mesh, foot.levels, [joined[q] for q in sorted(joined)], sizes)
+    pieces = pieces_of(cell, plan)
+    meshes = [mesh_cell(one.tile, one.plan) for one in pieces]
+    bodies = [
+        pillar_body_of(one.tile, mesh, is_cut=number + 1 < len(pieces))
+        for number, (one, mesh) in enumerate(zip(pieces, meshes, strict=True))
+    ]
+    if bodies[0] is None:
+        return condensed(FoldedMesh.of_mesh(cell, meshes[0]), steps, block=block, measured=measured)
+    feet = [
+        _foot(one.tile, mesh, ends, steps, block, measured)
+        for one, mesh, ends in zip(pieces, meshes, pairwise([None, *bodies]), strict=True)
+    ]
+    storeys = [
+        Storey.of(mesh, body, one.base, foot.through)
+        for one, mesh, body, foot in zip(pieces, meshes, bodies, feet, strict=True)
+    ]
+    first = feet[0]
+    made = {q: joined([one.classes[q] for one in feet], storeys, steps, block) for q in first.classes}
+    if first.images:
+        mirror = DiagonalImage.of(cell, first.levels, *(one.mesh.topology for one in storeys))
+        made |= {q: made[original].mirrored(mirror) for q, original in first.images.items()}
+    sizes = (
+        [storey.sizes(foot.sizes) for storey, foot in zip(storeys, feet, strict=True)] if measured else None
+    )
+    whole = tuple(one.mesh for one in storeys)
+    return assembled(
+        cell, whole, first.levels, [made[q] for q in sorted(made)], np.hstack(sizes) if sizes else None
+    )
 
 
-def pillar_body_of(cell: TileShape, mesh: HexMesh) -> PillarBody | None:
-    """The body of a cell's pillar, which starts where the mesh's second layer above the thin ones does."""
-    pillar, plan = cell.pillar, mesh.topology.plan
+def pillar_body_of(tile: TileShape, mesh: HexMesh, *, is_cut: bool = False) -> PillarBody | None:
+    """The body of a tile's pillar, which starts where the mesh's second layer above the thin ones does.
+
+    What is cut, for more to stand on it, is a prism there and has a body, however low it starts.
+    """
+    pillar, plan = tile.pillar, mesh.topology.plan
     if pillar is None or not pillar.is_prism or plan.pillar_layers < 2:
         return None
-    low = float(mesh.points[_below_body(mesh.topology).level_start[-2], 2])
-    if low - cell.thickness < FOOT_LAYER * pillar.diameter * (1 - 1e-9):
+    low = float(mesh.points[mesh.topology.foot.level_start[-2], 2])
+    if not is_cut and low - tile.thickness < FOOT_LAYER * pillar.diameter * (1 - 1e-9):
         return None
     # polynomials that the nodes of the foot can follow; a square that is twisted warps more than a disc
     degree = plan.order // 2 if pillar.section == "square" else (plan.order + 2) // 3
     return PillarBody(
         low=low,
-        length=cell.thickness + pillar.height - low,
+        length=tile.thickness + pillar.height - low,
         half_width=pillar.radius,
         section=pillar.section,
-        material=cell.material,
+        material=tile.material,
         degree=degree,
         order=LEAST_ORDER + PER_LAYER * plan.pillar_layers,
-        kinds=len(PARITIES) // 2 ** len(folds_of(cell)),
+        kinds=len(PARITIES) // 2 ** len(folds_of(tile)),
         faces=mesh.topology.faces,
     )
 
 
 @dataclass(frozen=True)
-class _FootClass:
-    """One symmetry class of what stands below a body: its boundary is the trace, then the body's section.
-
-    parities : of the polynomials of the displacement's components in this class
-    on_top : (3 representatives, s) the highest level's nodes from the section's unknowns
-    own : on boundary and modes; measures : the same
-    """
-
-    trace: FoldedTrace
-    parities: tuple[Kinds, ...]
-    on_top: Array
-    own: CraigBampton
-    measures: ClassMeasures | None
-
-
-@dataclass(frozen=True)
 class _Foot:
-    """All that stands below a body, condensed.
+    """All that stands below a body, down to the one that it stands on itself, condensed.
 
     levels, through : as of a `FoldedMesh`; classes : by number
     images : those that are diagonal images of another; sizes : of the pillar's sections below the body
@@ -106,52 +112,42 @@ class _Foot:
 
     levels: int
     through: Array
-    classes: dict[int, _FootClass]
+    classes: dict[int, FootClass]
     images: dict[int, int]
     sizes: Array
 
+
+Ends = tuple[PillarBody | None, PillarBody | None]  # bodies below and above a foot
 
 _feet: OrderedDict[str, _Foot] = OrderedDict()
 _lock = Lock()
 
 
-def _below_body(whole: Topology) -> Topology:
-    return topology_of(replace(whole.plan, pillar_layers=1), mirrored=whole.mirrored)
-
-
-def _of_foot(whole: Topology, foot: Topology) -> Ints:
-    """Numbers of the foot's nodes in the whole mesh: the lowest of all, and their images."""
-    upper = np.arange(foot.level_start[-1])
-    return np.concatenate([upper, whole.image[upper[foot.level_start[1] :]]]) if foot.mirrored else upper
-
-
-def _foot_below(
-    cell: TileShape, mesh: HexMesh, body: PillarBody, steps: int, block: int, measured: bool
-) -> _Foot:
-    """The foot of a body, made or found again."""
-    topology = _below_body(mesh.topology)
-    points = mesh.points[_of_foot(mesh.topology, topology)]
+def _foot(tile: TileShape, mesh: HexMesh, ends: Ends, steps: int, block: int, measured: bool) -> _Foot:
+    """A foot between two bodies, made or found again."""
+    topology = mesh.topology.foot if ends[1] else mesh.topology
+    points = mesh.points[mesh.topology.of_foot] if ends[1] else mesh.points
     about = (
         topology.plan,
         topology.mirrored,
-        folds_of(cell),
-        cell.has_symmetry(DIAGONAL),
-        body.section,
-        body.degree,
+        topology.free,
+        folds_of(tile),
+        tile.has_symmetry(DIAGONAL),
+        [end and (end.half_width, end.section, end.degree) for end in ends],
         steps,
         block,
         measured,
     )
-    content = [repr(about).encode(), points.tobytes(), cell.material.stiffness.tobytes()]
-    key = hashlib.sha256(b"".join(content) + repr(cell.material.density).encode()).hexdigest()
+    content = [repr(about).encode(), points.tobytes(), tile.material.stiffness.tobytes()]
+    key = hashlib.sha256(b"".join(content) + repr(tile.material.density).encode()).hexdigest()
     with _lock:
         if key in _feet:
             _feet.move_to_end(key)
             return _feet[key]
-    shared = FoldedMesh.of_mesh(cell, HexMesh(topology, points), open_top=True)
+    shared = FoldedMesh.of_mesh(tile, HexMesh(topology, points), open_top=ends[1] is not None)
 
-    def work(q: int, solver: Solver) -> tuple[int, _FootClass]:
-        return q, _condense_foot(shared, q, solver, body, steps, block, measured)
+    def work(q: int, solver: Solver) -> tuple[int, FootClass]:
+        return q, _condense_foot(shared, q, solver, ends, steps, block, measured)
 
     foot = _Foot(
         levels=shared.levels,
@@ -169,21 +165,21 @@ def _foot_below(
 
 
 def _condense_foot(
-    shared: FoldedMesh, q: int, solver: Solver, body: PillarBody, steps: int, block: int, measured: bool
-) -> _FootClass:
-    folding = shared.folding
+    shared: FoldedMesh, q: int, solver: Solver, ends: Ends, steps: int, block: int, measured: bool
+) -> FootClass:
+    folding, topology = shared.folding, shared.mesh.topology
     parities = _parities(folding, q)
-    top = folding.origin[folding.node[shared.mesh.topology.top].min() :]
-    x, y, _ = shared.mesh.points[top].T
-    values = np.zeros((len(top), 3, body.shapes, 3))
-    for c, kinds in enumerate(parities):
-        values[:, c, :, c] = body.over_section(kinds, x, y)
-    on_top = values.reshape(3 * len(top), body.on_section)
-    folded = shared.symmetry_class(q, on_top)
+    on_ends, kinds = np.zeros((0, 0)), 0
+    levels: tuple[Ints, ...] = (np.arange(topology.level_start[1]), topology.top)
+    for end, level in zip(ends, levels, strict=True):
+        if end is not None:
+            x, y, _ = shared.mesh.points[folding.origin[np.unique(folding.node[level])]].T
+            on_ends, kinds = la.block_diag(on_ends, end.on_level(parities, x, y)), kinds + end.kinds
+    folded = shared.symmetry_class(q, on_ends)
     solver.factorise(folded.interior)
-    own = reduced(solver, folded.body, steps, block + FOR_SECTION * body.kinds)
-    measures = ClassMeasures.of(shared, q, folded, own, on_top) if measured else None
-    return _FootClass(trace=folded.trace, parities=parities, on_top=on_top, own=own, measures=measures)
+    own = reduced(solver, folded.body, steps, block + FOR_SECTION * kinds)
+    measures = ClassMeasures.of(shared, q, folded, own, on_ends) if measured else None
+    return FootClass(trace=folded.trace, parities=parities, on_ends=on_ends, own=own, measures=measures)
 
 
 def _parities(folding: Folding, q: int) -> tuple[Kinds, ...]:
@@ -200,126 +196,3 @@ def _parities(folding: Folding, q: int) -> tuple[Kinds, ...]:
         )
         for signs in wanted.T
     )
-
-
-def _joined(
-    foot: _FootClass, body: PillarBody, mesh: HexMesh, through: Array, steps: int, block: int
-) -> CondensedClass:
-    """A class of the whole cell: inside are the body's section, the foot's modes, the rest of the body."""
-    own, section, modes = foot.own, body.on_section, len(foot.own.values)
-    trace, below = len(own.mass) - section, section + modes
-    stiff, heavy = body.stiffness(foot.parities), body.mass
-    on_trace, on_section = slice(0, trace), slice(trace, None)
-    # unknowns in which the mass is 1: the section's and the modes' are coupled by theirs, the others are not
-    to_modes = own.to_modes[on_section]
-    mass = np.block([[own.mass[on_section, on_section], to_modes], [to_modes.T, np.eye(modes)]])
-    mass[:section, :section] += np.diag(heavy[:section])
-    turn = la.solve_triangular(la.cholesky(mass, lower=True), np.eye(below), lower=True).T
-    light = heavy[section:] ** -0.5
-    inside = np.zeros((below + len(light),) * 2)
-    at_foot = la.block_diag(own.stiffness[on_section, on_section], np.diag(own.values))
-    at_foot[:section, :section] += stiff[:section, :section]
-    inside[:below, :below] = turn.T @ at_foot @ turn
-    inside[below:, :below] = light[:, None] * (stiff[section:, :section] @ turn[:section])
-    inside[:below, below:] = inside[below:, :below].T
-    inside[below:, below:] = light[:, None] * stiff[section:, section:] * light
-    coupling, mass_coupling = np.zeros((2, len(inside), trace))
-    coupling[:below] = turn[:section].T @ own.stiffness[on_section, on_trace]
-    between = np.vstack([own.mass[on_section, on_trace], own.to_modes[on_trace].T])
-    mass_coupling[:below] = turn.T @ between
-    bounded = Bounded(
-        coupling=coupling,
-        outer_stiffness=own.stiffness[on_trace, on_trace],
-        outer_mass=own.mass[on_trace, on_trace],
-        mass=np.ones(len(inside)),
-        mass_coupling=mass_coupling,
-    )
-    found = reduced(_Dense(inside), bounded, steps, block)
-
-    def turned_back(fields: Array) -> Array:
-        return np.vstack([turn @ fields[:below], light[:, None] * fields[below:]])
-
-    static, dynamic = turned_back(found.static), turned_back(found.modes)
-    # boundary and modes of the foot, and unknowns of the body, from the trace and the modes of the whole
-    inner = np.hstack([static, dynamic])
-    of_foot = np.vstack([np.eye(trace, inner.shape[1]), inner[:below]])
-    of_body = np.delete(inner, np.s_[section:below], axis=0)
-    part = SubstructuredPart(foot=foot, body=body, mesh=mesh, through=through, static=static, modes=dynamic)
-    piece = CondensedClass.of(part, found, _measured(foot, body, stiff, of_foot, of_body))
-    truncation = of_foot.T @ own.truncation @ of_foot + found.truncation
-    return replace(piece, forms=piece.forms | {"truncation": ClassForm.split(foot.trace, truncation)})
-
-
-def _measured(
-    foot: _FootClass, body: PillarBody, stiff: Array, of_foot: Array, of_body: Array
-) -> ClassMeasures | None:
-    """Measures of foot and body together."""
-    if foot.measures is None:
-        return None
-    heavy = body.mass[:, None] * of_body
-    vertical = np.tile([0.0, 0.0, 1.0], len(heavy) // 3)[:, None]
-    of_whole_body = (stiff @ of_body, heavy, vertical * heavy)
-    energies = {
-        name: of_foot.T @ foot.measures.energies[name] @ of_foot + of_body.T @ moved
-        for name, moved in zip(ENERGIES, of_whole_body, strict=True)
-    }
-    count = of_foot.shape[1]
-    momenta = (foot.measures.momenta @ of_foot).reshape(4, -1, count)
-    momenta = np.concatenate([momenta, body.momenta(foot.parities) @ of_body], axis=1)
-    return ClassMeasures(energies, momenta.reshape(-1, count))
-
-
-class _Dense:
-    """A small stiffness, factorised."""
-
-    def __init__(self, stiffness: Array) -> None:
-        self._factor = la.cho_factor(stiffness)
-
-    def solve(self, right: Array) -> Array:
-        return np.asarray(la.cho_solve(self._factor, right))
-
-
-@dataclass(frozen=True)
-class SubstructuredPart:
-    """How one symmetry class is lifted back, see `haptonic.superelement.lifting.ClassLifting`.
-
-    static : (u, b), modes : (u, m) of section, foot's modes and the rest of the body
-    """
-
-    foot: _FootClass
-    body: PillarBody
-    mesh: HexMesh
-    through: Array
-    static: Array
-    modes: Array
-    image: DiagonalImage | None = None
-
-    @property
-    def trace(self) -> FoldedTrace:
-        return self.foot.trace
-
-    @property
-    def count(self) -> int:
-        return int(self.modes.shape[1])
-
-    def mirrored(self, mirror: DiagonalImage) -> SubstructuredPart:
-        return replace(self, image=mirror)
-
-    def lifted(self, trace: Fields, amplitudes: Fields) -> Fields:
-        own = self.trace.fold(self.image.trace.applied(trace) if self.image else trace)
-        inner = self.static @ own + self.modes @ amplitudes
-        foot, count = self.foot, inner.shape[1]
-        section, of_modes, beyond = np.split(inner, np.cumsum([self.body.on_section, len(foot.own.values)]))
-        inside = foot.own.static @ np.concatenate([own, section]) + foot.own.modes @ of_modes
-        rim, top = self.trace.on_levels(self.through, own), (foot.on_top @ section).reshape(-1, 3, count)
-        below = unfolded(self.trace, inside, rim, top)
-        whole = self.mesh.topology
-        inside_body = np.arange(self.trace.topology.level_start[-1], whole.level_start[-1])
-        above = self.body.displaced(
-            foot.parities, self.mesh.points[inside_body], np.concatenate([section, beyond])
-        )
-        field = np.empty((whole.nodes, *above.shape[1:]), dtype=above.dtype)
-        field[_of_foot(whole, self.trace.topology)] = below
-        field[whole.image[inside_body]] = self.trace.sign_of_image[:, None] * above
-        field[inside_body] = above
-        return self.image.applied(field) if self.image else field

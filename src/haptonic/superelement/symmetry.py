@@ -44,6 +44,8 @@ class Folding:
     node : (nodes,) number of each node's representative; interior ones come first, then those on lateral
         faces, then those on an open top
     origin : (representatives,) node that each of them is in the mesh
+        faces, then those on an open top; of a piece of a pillar those on its open end below are the first
+        of the boundary
     interior : how many of the representatives are not on the boundary
     chosen : for each family of elements (m,) numbers, one of each set of images; weight : sizes of the sets
     sign : (classes, nodes, 3) value at a node = sign times value at its representative, 0 where a class
@@ -92,6 +94,7 @@ def fold(topology: Topology, folds: Folds, *, open_top: bool = False) -> Folding
     outer = np.zeros(len(nodes), dtype=bool)
     outer[topology.rim] = True
     outer[topology.top] |= open_top
+    outer[: topology.level_start[1]] |= topology.free  # an open end
     unique = np.unique(representative)
     order = np.concatenate([unique[~outer[unique]], unique[outer[unique]]])
     number = np.empty(len(nodes), dtype=np.int64)

@@ -85,7 +85,8 @@ class Tiling:
 
     @property
     def meshes(self) -> tuple[HexMesh, ...]:
-        return tuple(one.mesh for one in self.tiles)
+        """Of all tiles, one after the other."""
+        return tuple(mesh for one in self.tiles for mesh in one.meshes)
 
     @cached_property
     def _modes(self) -> list[int]:
@@ -157,7 +158,9 @@ class Tiling:
     def points(self) -> Array:
         """(nodes, 3) of the meshes, one after the other, m."""
         return np.concatenate([
-            placed.points(mesh.points) for placed, mesh in zip(self.joint.placed, self.meshes, strict=True)
+            placed.points(mesh.points)
+            for placed, one in zip(self.joint.placed, self.tiles, strict=True)
+            for mesh in one.meshes
         ])  # fmt: skip
 
     def linear_subcells(self) -> Ints:

@@ -52,7 +52,7 @@ class FoldedTrace:
     @property
     def sites(self) -> int:
         """Number of representative places."""
-        return int(self._place.max()) + 1
+        return int(self._place.max(initial=-1)) + 1
 
     @property
     def rim_size(self) -> int:

@@ -1,0 +1,229 @@
+"""The feet and bodies of a pillar, one upon the other: joined on their sections, reduced, and lifted back."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from itertools import pairwise
+
+import numpy as np
+
+from haptonic.arrays import Array, Fields, Ints
+from haptonic.cell import HexMesh
+from haptonic.later import linalg as la
+from haptonic.superelement.condense import ClassForm, CondensedClass
+from haptonic.superelement.interior import Bounded, CraigBampton, reduced
+from haptonic.superelement.lifting import DiagonalImage, unfolded
+from haptonic.superelement.measures import ENERGIES, ClassMeasures
+from haptonic.superelement.pillar_body import Kinds, PillarBody
+from haptonic.superelement.trace import FoldedTrace
+
+
+@dataclass(frozen=True)
+class FootClass:
+    """One symmetry class of a foot: its boundary is the trace, then the sections of the bodies it is next to.
+
+    parities : of the polynomials of the displacement's components in this class
+    on_ends : (3 representatives, s) the nodes of its open ends from the sections' unknowns
+    own : on boundary and modes; measures : the same
+    """
+
+    trace: FoldedTrace
+    parities: tuple[Kinds, ...]
+    on_ends: Array
+    own: CraigBampton
+    measures: ClassMeasures | None
+
+
+@dataclass(frozen=True)
+class Storey:
+    """A foot's mesh with the body upon it, in the cell's place.
+
+    mesh : goes on along the body, for pictures; through : as of a `FoldedMesh`
+    """
+
+    mesh: HexMesh
+    body: PillarBody | None
+    base: float
+    through: Array
+
+    @classmethod
+    def of(cls, mesh: HexMesh, body: PillarBody | None, base: float, through: Array) -> Storey:
+        """From mesh and body in axes of their own, which start at a height ``base`` (m)."""
+        lifted = HexMesh(mesh.topology, mesh.points + np.array([0.0, 0.0, base])) if base else mesh
+        return cls(lifted, body and replace(body, low=body.low + base), base, through)
+
+    def sizes(self, foot: Array) -> Array:
+        """(3, sections) of the foot's sections, given in its own axes, and the body's; see `PillarBody`."""
+        foot = foot + np.array([[self.base], [0.0], [0.0]])
+        return foot if self.body is None else np.hstack([foot, self.body.sizes])
+
+    def lifted(self, foot: FootClass, own: Fields, body: Fields) -> Fields:
+        """(nodes, 3, k) displacement, from ``own`` of the foot's boundary and modes, and the body's."""
+        whole, count = self.mesh.topology, own.shape[1]
+        boundary, modes = np.split(own, [len(foot.own.mass)])
+        inside = foot.own.static @ boundary + foot.own.modes @ modes
+        rim, ends = np.split(boundary, [len(foot.trace.kept)])
+        on_rim = [] if whole.free else [foot.trace.on_levels(self.through, rim)]
+        below = unfolded(foot.trace, inside, *on_rim, (foot.on_ends @ ends).reshape(-1, 3, count))
+        if self.body is None:
+            return below
+        along = np.arange(foot.trace.topology.level_start[-1], whole.level_start[-1])
+        above = self.body.displaced(foot.parities, self.mesh.points[along], body)
+        field = np.empty((whole.nodes, *above.shape[1:]), dtype=above.dtype)
+        field[whole.of_foot] = below
+        field[whole.image[along]] = foot.trace.sign_of_image[:, None] * above
+        field[along] = above
+        return field
+
+
+@dataclass(frozen=True)
+class _Numbers:
+    """Which unknowns of a class's inside belong to what: first those that a mass couples, then the others.
+
+    feet : sections and modes of each; bodies : of each, level by level; heavy, size : first ones, all
+    """
+
+    feet: tuple[Ints, ...]
+    bodies: tuple[Ints, ...]
+    heavy: int
+    size: int
+
+    @classmethod
+    def of(cls, feet: Sequence[FootClass], storeys: Sequence[Storey]) -> _Numbers:
+        ends = np.cumsum([0, *(one.on_ends.shape[1] + len(one.own.values) for one in feet)])
+        own = [np.arange(first, beyond) for first, beyond in pairwise(ends)]
+        size, bodies = int(ends[-1]), []
+        for number, storey in enumerate(storeys):
+            if storey.body is None:
+                bodies.append(np.empty(0, dtype=np.int64))
+                continue
+            section = storey.body.on_section
+            top = own[number][: feet[number].on_ends.shape[1]][-section:]
+            last = own[number + 1][:section] if number + 1 < len(own) else own[0][:0]
+            between = len(storey.body.mass) - len(top) - len(last)
+            bodies.append(np.concatenate([top, np.arange(size, size + between), last]))
+            size += between
+        return cls(tuple(own), tuple(bodies), int(ends[-1]), size)
+
+
+def joined(feet: Sequence[FootClass], storeys: Sequence[Storey], steps: int, block: int) -> CondensedClass:
+    """A class of the whole cell: inside are the sections, the feet's modes, and the rest of the bodies."""
+    foot, numbers = feet[0], _Numbers.of(feet, storeys)
+    heavy, trace = numbers.heavy, len(foot.trace.kept)
+    stiffness, mass = np.zeros((numbers.size, numbers.size)), np.zeros((heavy, heavy))
+    lumped, stiff = np.zeros(numbers.size), []
+    for one, own in zip(feet, numbers.feet, strict=True):
+        sections = np.s_[len(one.trace.kept) :]
+        to_modes = one.own.to_modes[sections]
+        place, modes = np.ix_(own, own), len(one.own.values)
+        stiffness[place] += la.block_diag(one.own.stiffness[sections, sections], np.diag(one.own.values))
+        mass[place] += np.block([[one.own.mass[sections, sections], to_modes], [to_modes.T, np.eye(modes)]])
+    for one, storey, own in zip(feet, storeys, numbers.bodies, strict=True):
+        if storey.body is not None:
+            stiff.append(storey.body.stiffness(one.parities))
+            stiffness[np.ix_(own, own)] += stiff[-1]
+            lumped[own] += storey.body.mass
+    # unknowns in which the mass is 1: those of sections and modes are coupled by theirs, the others are not
+    mass[np.diag_indices(heavy)] += lumped[:heavy]
+    turn = la.solve_triangular(la.cholesky(mass, lower=True), np.eye(heavy), lower=True).T
+    light = lumped[heavy:] ** -0.5
+    inside = np.empty_like(stiffness)
+    inside[:heavy, :heavy] = turn.T @ stiffness[:heavy, :heavy] @ turn
+    inside[heavy:, :heavy] = light[:, None] * (stiffness[heavy:, :heavy] @ turn)
+    inside[:heavy, heavy:] = inside[heavy:, :heavy].T
+    inside[heavy:, heavy:] = light[:, None] * stiffness[heavy:, heavy:] * light
+    coupling, mass_coupling = np.zeros((2, numbers.size, trace))
+    on_trace, on_section = np.s_[:trace], np.s_[trace:]
+    section = foot.on_ends.shape[1]
+    coupling[:heavy] = turn[:section].T @ foot.own.stiffness[on_section, on_trace]
+    between = np.vstack([foot.own.mass[on_section, on_trace], foot.own.to_modes[on_trace].T])
+    mass_coupling[:heavy] = turn[: len(between)].T @ between
+    bounded = Bounded(
+        coupling=coupling,
+        outer_stiffness=foot.own.stiffness[on_trace, on_trace],
+        outer_mass=foot.own.mass[on_trace, on_trace],
+        mass=np.ones(numbers.size),
+        mass_coupling=mass_coupling,
+    )
+    found = reduced(_Dense(inside), bounded, steps, block)
+    static, dynamic = (
+        np.vstack([turn @ fields[:heavy], light[:, None] * fields[heavy:]])
+        for fields in (found.static, found.modes)
+    )
+    part = SubstructuredPart(
+        feet=tuple(feet), storeys=tuple(storeys), numbers=numbers, static=static, modes=dynamic
+    )
+    inner = np.hstack([static, dynamic])
+    truncation, measured = found.truncation, []
+    for number, (one, storey) in enumerate(zip(feet, storeys, strict=True)):
+        of_foot, of_body = part.members(number, np.eye(trace, inner.shape[1]), inner)
+        truncation = truncation + of_foot.T @ one.own.truncation @ of_foot
+        if one.measures is not None:
+            measured.append(one.measures.on(of_foot))
+            if storey.body is not None:
+                measured.append(_of_body(storey.body, one.parities, stiff[number], of_body))
+    piece = CondensedClass.of(part, found, ClassMeasures.together(measured) if measured else None)
+    return replace(piece, forms=piece.forms | {"truncation": ClassForm.split(foot.trace, truncation)})
+
+
+def _of_body(body: PillarBody, parities: tuple[Kinds, ...], stiff: Array, fields: Array) -> ClassMeasures:
+    """Measures of a body of stiffness ``stiff`` that moves as ``fields`` (u, b + m)."""
+    heavy = body.mass[:, None] * fields
+    vertical = np.tile([0.0, 0.0, 1.0], len(heavy) // 3)[:, None]
+    energies = {
+        name: fields.T @ moved
+        for name, moved in zip(ENERGIES, (stiff @ fields, heavy, vertical * heavy), strict=True)
+    }
+    momenta = body.momenta(parities) @ fields
+    return ClassMeasures(energies, momenta.reshape(-1, fields.shape[1]))
+
+
+class _Dense:
+    """A small stiffness, factorised."""
+
+    def __init__(self, stiffness: Array) -> None:
+        self._factor = la.cho_factor(stiffness)
+
+    def solve(self, right: Array) -> Array:
+        return np.asarray(la.cho_solve(self._factor, right))
+
+
+@dataclass(frozen=True)
+class SubstructuredPart:
+    """How one symmetry class is lifted back, see `haptonic.superelement.lifting.ClassLifting`.
+
+    static : (u, b), modes : (u, m) of sections, feet's modes and the rest of the bodies
+    """
+
+    feet: tuple[FootClass, ...]
+    storeys: tuple[Storey, ...]
+    numbers: _Numbers
+    static: Array
+    modes: Array
+    image: DiagonalImage | None = None
+
+    @property
+    def trace(self) -> FoldedTrace:
+        return self.feet[0].trace
+
+    @property
+    def count(self) -> int:
+        return int(self.modes.shape[1])
+
+    def mirrored(self, mirror: DiagonalImage) -> SubstructuredPart:
+        return replace(self, image=mirror)
+
+    def members(self, number: int, trace: Fields, inner: Fields) -> tuple[Fields, Fields]:
+        """Boundary and modes of a foot, and unknowns of the body upon it, from those of the class."""
+        own = inner[self.numbers.feet[number]]
+        return np.vstack([trace, own]) if number == 0 else own, inner[self.numbers.bodies[number]]
+
+    def lifted(self, trace: Fields, amplitudes: Fields) -> Fields:
+        own = self.trace.fold(self.image.trace.applied(trace) if self.image else trace)
+        inner = self.static @ own + self.modes @ amplitudes
+        field = np.concatenate([
+            storey.lifted(one, *self.members(number, own, inner))
+            for number, (one, storey) in enumerate(zip(self.feet, self.storeys, strict=True))
+        ])  # fmt: skip
+        return self.image.applied(field) if self.image else field
