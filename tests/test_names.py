@@ -9,8 +9,7 @@ from urllib.parse import unquote
 
 import pytest
 import xarray as xr
-from hypothesis import assume, given
-from hypothesis import strategies as st
+from hypothesis import assume, given, strategies as st
 from matplotlib.figure import Figure
 from rich.cells import cell_len
 from rich.table import Table

@@ -9,8 +9,7 @@ from typing import Annotated
 import numpy as np
 import pytest
 import xarray as xr
-from hypothesis import given
-from hypothesis import strategies as st
+from hypothesis import given, strategies as st
 
 from five_parts import refusing
 from haptonic import analyses

@@ -20,8 +20,7 @@ import numpy as np
 import platformdirs
 import pytest
 import xarray as xr
-from hypothesis import HealthCheck, given, settings
-from hypothesis import strategies as st
+from hypothesis import HealthCheck, given, settings, strategies as st
 
 from five_parts import refusing
 from haptonic import store as module

@@ -6,8 +6,7 @@ from dataclasses import dataclass
 
 from haptonic import plots
 from haptonic.analyses.analysis import Analysis, option
-from haptonic.later import Axes, Figure
-from haptonic.later import xarray as xr
+from haptonic.later import Axes, Figure, xarray as xr
 from haptonic.results.cost import Cost
 from haptonic.results.result import Result, figure
 from haptonic.results.runner import Runner

@@ -22,8 +22,7 @@ from numpy.typing import NDArray
 
 from haptonic.arrays import Array
 from haptonic.errors import HaptonicError, NumericalError
-from haptonic.later import sparse as sp
-from haptonic.later import sparse_linalg
+from haptonic.later import sparse as sp, sparse_linalg
 
 Indices = NDArray[np.int32]
 

@@ -8,8 +8,7 @@ from pathlib import Path
 
 import numpy as np
 
-from haptonic.later import meshio
-from haptonic.later import xarray as xr
+from haptonic.later import meshio, xarray as xr
 from haptonic.store import refuse_overwrite, write_atomically
 
 

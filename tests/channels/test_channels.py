@@ -6,8 +6,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from hypothesis import HealthCheck, given, settings
-from hypothesis import strategies as st
+from hypothesis import HealthCheck, given, settings, strategies as st
 
 from five_parts import refused
 from haptonic.channels import Channel, Group, delimited, hdf5, matlab, opened, tdms, wav

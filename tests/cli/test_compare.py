@@ -8,8 +8,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 import xarray as xr
-from hypothesis import given
-from hypothesis import strategies as st
+from hypothesis import given, strategies as st
 
 from five_parts import assert_five_parts, refused
 from haptonic.analyses import compare, named

@@ -8,8 +8,7 @@ from importlib import import_module
 
 import pytest
 import typer
-from hypothesis import given
-from hypothesis import strategies as st
+from hypothesis import given, strategies as st
 from typer.models import ParameterInfo
 from typer.testing import CliRunner
 

@@ -7,8 +7,7 @@ import io
 import re
 from html.parser import HTMLParser
 
-from hypothesis import example, given
-from hypothesis import strategies as st
+from hypothesis import example, given, strategies as st
 from rich.cells import cell_len
 
 from five_parts import refused

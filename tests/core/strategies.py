@@ -1,7 +1,6 @@
 """Random cells over the design range, extreme ones included."""
 
-from hypothesis import assume
-from hypothesis import strategies as st
+from hypothesis import assume, strategies as st
 
 from haptonic.cell import MeshPlan, Pillar, UnitCell
 from haptonic.errors import GeometryError

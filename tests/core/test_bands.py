@@ -10,12 +10,10 @@ import numpy as np
 import pytest
 import scipy.sparse as sp
 from brute import assembled, frequencies, periodic_projection
-from hypothesis import given, settings
-from hypothesis import strategies as st
+from hypothesis import given, settings, strategies as st
 from strategies import ALUMINIUM, reference_cell
 
-from haptonic.bloch import BlochModel, Resolution, bands_dataset, bloch_pencil, gaps_of
-from haptonic.bloch import gaps as gaps_module
+from haptonic.bloch import BlochModel, Resolution, bands_dataset, bloch_pencil, gaps as gaps_module, gaps_of
 from haptonic.bloch.bands import count_check
 from haptonic.bloch.character import NAMES, characters
 from haptonic.bloch.gaps import SEARCH_GOAL, complete_gaps

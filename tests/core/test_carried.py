@@ -6,8 +6,7 @@ from dataclasses import replace
 
 import numpy as np
 from coarse import reference_cell
-from hypothesis import given, settings
-from hypothesis import strategies as st
+from hypothesis import given, settings, strategies as st
 
 from haptonic.bloch import Resolution
 from haptonic.bloch.character import FLEXURAL, IN_PLANE, TRACTION, characters

@@ -3,8 +3,7 @@
 import numpy as np
 import pytest
 from brute import assembled, dense
-from hypothesis import given, settings
-from hypothesis import strategies as st
+from hypothesis import given, settings, strategies as st
 from strategies import cells, plans, reference_cell
 
 from haptonic.cell import MeshPlan, mesh_cell

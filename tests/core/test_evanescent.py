@@ -5,8 +5,7 @@ from functools import cache
 import numpy as np
 import pytest
 from coarse import single
-from hypothesis import given, settings
-from hypothesis import strategies as st
+from hypothesis import given, settings, strategies as st
 from rods import LAMINATE, SPEED, half_space, laminate, rod
 from strategies import ALUMINIUM, reference_cell
 

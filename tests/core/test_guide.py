@@ -6,8 +6,7 @@ from functools import cache
 import numpy as np
 import pytest
 from coarse import rows, single
-from hypothesis import given, settings
-from hypothesis import strategies as st
+from hypothesis import given, settings, strategies as st
 from strategies import reference_cell
 
 from five_parts import refusing

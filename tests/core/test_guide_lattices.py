@@ -10,8 +10,7 @@ from haptonic.bloch import Resolution
 from haptonic.bloch.guide import Guide, strip_mode
 from haptonic.bloch.ribbon import RibbonModel
 from haptonic.bloch.rows import CondensedRows
-from haptonic.cell import Pillar, Ribbon, Rows, Site, UnitCell
-from haptonic.cell import rows as rows_of_cells
+from haptonic.cell import Pillar, Ribbon, Rows, Site, UnitCell, rows as rows_of_cells
 from haptonic.errors import StudyError
 from haptonic.lattice import Lattice
 from haptonic.materials import IsotropicMaterial

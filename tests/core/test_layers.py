@@ -5,10 +5,8 @@ from itertools import islice
 
 import numpy as np
 import pytest
-from coarse import lattice, single
-from coarse import rows as coarse_rows
-from hypothesis import given, settings
-from hypothesis import strategies as st
+from coarse import lattice, rows as coarse_rows, single
+from hypothesis import given, settings, strategies as st
 from rods import LAMINATE, SPEED, half_space, laminate, medium, rod
 from strategies import ALUMINIUM, reference_cell
 

@@ -6,8 +6,7 @@ import numpy as np
 import pytest
 import xarray as xr
 from coarse import lattice, rows
-from hypothesis import given
-from hypothesis import strategies as st
+from hypothesis import given, strategies as st
 
 from five_parts import refusing
 from haptonic.bloch import bloch_pencil

@@ -4,8 +4,7 @@ from functools import cache
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
-from hypothesis import strategies as st
+from hypothesis import given, settings, strategies as st
 from strategies import ALUMINIUM, reference_cell
 
 from haptonic.bloch.pencil import Pencil, Periodic, bloch_pencil, eigenpairs

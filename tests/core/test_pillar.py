@@ -7,8 +7,7 @@ from itertools import pairwise
 
 import numpy as np
 import pytest
-from hypothesis import assume, given
-from hypothesis import strategies as st
+from hypothesis import assume, given, strategies as st
 from outlines import EXTREMES, arc_top, outline, pillars, side
 from scipy.integrate import quad
 

@@ -8,8 +8,7 @@ import numpy as np
 import pytest
 import scipy.linalg as la
 from coarse import single
-from hypothesis import given, settings
-from hypothesis import strategies as st
+from hypothesis import given, settings, strategies as st
 from numpy.polynomial import legendre
 from strategies import ALUMINIUM, reference_cell
 from test_sites import TALL, THIN, named

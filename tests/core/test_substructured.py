@@ -7,8 +7,7 @@ from itertools import product
 import numpy as np
 import pytest
 import scipy.linalg as la
-from hypothesis import given, settings
-from hypothesis import strategies as st
+from hypothesis import given, settings, strategies as st
 from scipy.spatial import cKDTree
 from strategies import ALUMINIUM, reference_cell
 

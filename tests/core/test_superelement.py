@@ -8,8 +8,7 @@ import numpy as np
 import pytest
 import scipy.linalg as la
 from brute import assembled, frequencies, periodic_projection
-from hypothesis import given, settings
-from hypothesis import strategies as st
+from hypothesis import given, settings, strategies as st
 from strategies import ALUMINIUM, reference_cell
 
 from five_parts import refusing

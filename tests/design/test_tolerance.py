@@ -6,8 +6,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 import scipy.stats as st
-from hypothesis import given, settings
-from hypothesis import strategies as hst
+from hypothesis import given, settings, strategies as hst
 from scipy.integrate import quad
 
 from haptonic.cell import Pillar, UnitCell

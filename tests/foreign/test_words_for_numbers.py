@@ -8,8 +8,7 @@ from contextlib import suppress
 import numpy as np
 import pandas as pd
 import pytest
-from hypothesis import HealthCheck, given, settings
-from hypothesis import strategies as st
+from hypothesis import HealthCheck, given, settings, strategies as st
 
 from haptonic.channels import opened
 from haptonic.errors import ChannelError, FrictionError, HaptonicError

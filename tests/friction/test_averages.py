@@ -2,8 +2,7 @@
 
 import re
 
-from hypothesis import assume, given
-from hypothesis import strategies as st
+from hypothesis import assume, given, strategies as st
 
 from haptonic.friction.phrases import change
 

@@ -6,8 +6,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 import xarray as xr
-from hypothesis import given, settings
-from hypothesis import strategies as st
+from hypothesis import given, settings, strategies as st
 
 from five_parts import refusing
 from haptonic.cell import Pillar, UnitCell

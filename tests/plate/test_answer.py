@@ -7,8 +7,7 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 import scipy.linalg as la
-from hypothesis import given, settings
-from hypothesis import strategies as st
+from hypothesis import given, settings, strategies as st
 from small import COARSE, LOSS, PITCH, busy_plate, drawn, glued, plain_plate
 from whole import answered, dynamic, energy, finger_impedance, forms, foundations, lossless
 

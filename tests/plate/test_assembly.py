@@ -6,8 +6,7 @@ from functools import cache
 import numpy as np
 import pytest
 import scipy.linalg as la
-from hypothesis import given, settings
-from hypothesis import strategies as st
+from hypothesis import given, settings, strategies as st
 from small import ALUMINIUM, COARSE, PITCH, THICKNESS, busy_plate, drawn, plain_plate
 from whole import answered, forms, foundations, lossless
 

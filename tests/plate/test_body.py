@@ -8,8 +8,7 @@ import numpy as np
 import pytest
 import scipy.sparse as sp
 from fields import factorised, patch, settled, total
-from hypothesis import given, settings
-from hypothesis import strategies as st
+from hypothesis import given, settings, strategies as st
 from scipy.sparse.linalg import LinearOperator, eigsh
 
 from haptonic.materials import IsotropicMaterial, material

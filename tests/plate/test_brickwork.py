@@ -5,8 +5,7 @@ from itertools import product
 import full
 import numpy as np
 import pytest
-from hypothesis import given, settings
-from hypothesis import strategies as st
+from hypothesis import given, settings, strategies as st
 from small import LOSS
 from test_full_plate import SAME, modes
 from whole import answered

@@ -8,8 +8,7 @@ import warnings
 from types import SimpleNamespace
 
 import pytest
-from hypothesis import given, settings
-from hypothesis import strategies as st
+from hypothesis import given, settings, strategies as st
 
 from haptonic.bloch.resolution import Resolution
 from haptonic.errors import HaptonicWarning, ResourceError

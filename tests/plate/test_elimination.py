@@ -1,8 +1,7 @@
 """The order of elimination against the fill that a symbolic factorisation counts."""
 
 import numpy as np
-from hypothesis import given
-from hypothesis import strategies as st
+from hypothesis import given, strategies as st
 
 from haptonic.plate.elimination import elimination_order
 from haptonic.plate.layout import Block

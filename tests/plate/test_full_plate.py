@@ -9,8 +9,7 @@ import full
 import numpy as np
 import pytest
 import scipy.linalg as la
-from hypothesis import given, settings
-from hypothesis import strategies as st
+from hypothesis import given, settings, strategies as st
 from small import COARSE, LOSS, drawn, glued
 from whole import answered, lossless
 

@@ -12,8 +12,7 @@ from haptonic.plate import Band, Force, Plate, PlateModel, Support
 from haptonic.plate.body import BodyOrders, body
 from haptonic.plate.bonds import Bonded
 from haptonic.plate.family import Family, anchored
-from haptonic.plate.keys import PLATE, ceramic, electric
-from haptonic.plate.keys import bond as bond_of
+from haptonic.plate.keys import PLATE, bond as bond_of, ceramic, electric
 from haptonic.plate.updated import updated
 
 HIGHEST = 40e3

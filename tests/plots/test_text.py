@@ -1,8 +1,7 @@
 """Numbers and names as they are shown."""
 
 import pytest
-from hypothesis import given
-from hypothesis import strategies as st
+from hypothesis import given, strategies as st
 from matplotlib.figure import Figure
 
 from haptonic.plots import style

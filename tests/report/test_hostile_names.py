@@ -22,8 +22,7 @@ from haptonic.errors import FrictionError, HaptonicWarning
 from haptonic.friction.recordings import Sensor
 from haptonic.friction.signals import Label, Rules
 from haptonic.names import cell, from_cell
-from haptonic.report.chapters import plate as plates
-from haptonic.report.chapters import scan as scans
+from haptonic.report.chapters import plate as plates, scan as scans
 from haptonic.report.chapters.trials import chapter
 from haptonic.report.page import page
 from haptonic.results import compute_friction

@@ -7,8 +7,7 @@ from importlib import import_module
 from pkgutil import walk_packages
 
 import pytest
-from hypothesis import given
-from hypothesis import strategies as st
+from hypothesis import given, strategies as st
 from pydantic.dataclasses import is_pydantic_dataclass
 
 import haptonic

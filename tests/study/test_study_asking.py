@@ -4,11 +4,9 @@ import math
 import tomllib
 
 import pytest
-from hypothesis import given, settings
-from hypothesis import strategies as st
+from hypothesis import given, settings, strategies as st
 
-from five_parts import refused_study as refused
-from five_parts import refusing
+from five_parts import refused_study as refused, refusing
 from haptonic.analyses import design
 from haptonic.design.parameters import UNITS
 from haptonic.errors import StudyError

@@ -7,11 +7,9 @@ import warnings
 from pathlib import Path
 
 import pytest
-from hypothesis import given, settings
-from hypothesis import strategies as st
+from hypothesis import given, settings, strategies as st
 
-from five_parts import refused_study as refused
-from five_parts import refusing
+from five_parts import refused_study as refused, refusing
 from haptonic.errors import HaptonicWarning, StudyError
 from haptonic.fields import remade
 from haptonic.fields.entries import Entries
@@ -19,8 +17,7 @@ from haptonic.plate.holding import Support
 from haptonic.plate.layout import Layout, pieces
 from haptonic.plate.parts import Plate
 from haptonic.study import Study, load, loads
-from quick import PROTOTYPE_PILLAR as PILLAR
-from quick import PROTOTYPE_PLATE as CELL
+from quick import PROTOTYPE_PILLAR as PILLAR, PROTOTYPE_PLATE as CELL
 
 STUDIES = Path(__file__).parents[2] / "studies"
 PLATE = '''

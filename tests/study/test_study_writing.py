@@ -3,8 +3,7 @@
 import tomllib
 import warnings
 
-from hypothesis import given, settings
-from hypothesis import strategies as st
+from hypothesis import given, settings, strategies as st
 
 from haptonic.errors import HaptonicWarning
 from haptonic.materials import library

@@ -8,8 +8,7 @@ import h5py
 import numpy as np
 import pytest
 import scipy.io.wavfile
-from hypothesis import given
-from hypothesis import strategies as st
+from hypothesis import given, strategies as st
 
 from five_parts import assert_told, refusing
 from haptonic.errors import HaptonicWarning, ScanError

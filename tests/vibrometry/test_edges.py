@@ -5,10 +5,8 @@ from __future__ import annotations
 import numpy as np
 import pytest
 import xarray as xr
-from hypothesis import given, settings
-from hypothesis import strategies as st
-from test_estimation import LINES as HALVES
-from test_estimation import recorded
+from hypothesis import given, settings, strategies as st
+from test_estimation import LINES as HALVES, recorded
 
 from five_parts import assert_told
 from haptonic.errors import ScanError

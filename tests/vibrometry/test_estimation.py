@@ -8,8 +8,7 @@ import numpy as np
 import pyFRF
 import pytest
 import scipy.signal
-from hypothesis import given
-from hypothesis import strategies as st
+from hypothesis import given, strategies as st
 from scans import X, Y
 
 from five_parts import assert_told, refusing

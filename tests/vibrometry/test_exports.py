@@ -18,8 +18,15 @@ from haptonic.channels import Notebook, matlab
 from haptonic.channels.uff import READERS
 from haptonic.errors import ResourceError
 from haptonic.response import Reference
-from haptonic.vibrometry import InMemory, TimeScan, estimate, read_scan, write_records, write_uff_records
-from haptonic.vibrometry import records as module
+from haptonic.vibrometry import (
+    InMemory,
+    TimeScan,
+    estimate,
+    read_scan,
+    records as module,
+    write_records,
+    write_uff_records,
+)
 from haptonic.vibrometry.exports import csv_files, write_mat, write_mat_records, write_tdms
 from haptonic.vibrometry.readers.tables import Mapped, scan_of, table_of
 

@@ -7,8 +7,7 @@ import json
 import numpy as np
 import pytest
 import pyuff
-from hypothesis import given
-from hypothesis import strategies as st
+from hypothesis import given, strategies as st
 from scans import (
     DATA,
     LINES,

@@ -11,8 +11,7 @@ import ezdxf
 import numpy as np
 import pytest
 from family import EXTREME, FAMILY, LATTICES, METAL, MM, OWN, PLATES, RECTANGLE, cell
-from hypothesis import example, given, settings
-from hypothesis import strategies as st
+from hypothesis import example, given, settings, strategies as st
 from matplotlib.font_manager import FontProperties
 from matplotlib.textpath import TextPath
 

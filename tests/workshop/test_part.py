@@ -6,8 +6,7 @@ import ezdxf
 import numpy as np
 import pytest
 from family import LATTICES, METAL, MM, OWN, PATCH, PLATES, RECTANGLE, cell, enclosed, is_watertight, plate
-from hypothesis import assume, example, given, settings
-from hypothesis import strategies as st
+from hypothesis import assume, example, given, settings, strategies as st
 
 from five_parts import refusing
 from haptonic.cell import Pillar, UnitCell

@@ -11,8 +11,7 @@ import numpy as np
 
 from haptonic import plots
 from haptonic.analyses.analysis import Analysis, NoOptions
-from haptonic.later import Figure
-from haptonic.later import xarray as xr
+from haptonic.later import Figure, xarray as xr
 from haptonic.plate import Plate
 from haptonic.results.cost import Cost
 from haptonic.results.result import Result, figure, file

@@ -16,8 +16,7 @@ from numpy.typing import NDArray
 
 from haptonic.arrays import Array, Complex, Fields
 from haptonic.bloch.pencil import Pencil, Periodic, SplitPencil, bloch_pencil
-from haptonic.later import linalg as la
-from haptonic.later import sparse as sp
+from haptonic.later import linalg as la, sparse as sp
 from haptonic.lattice import HALF_TURN
 from haptonic.superelement import Tiling
 

@@ -15,9 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from haptonic.arrays import Array, Bools, Complex, Ints
-from haptonic.later import csgraph
-from haptonic.later import linalg as la
-from haptonic.later import sparse as sp
+from haptonic.later import csgraph, linalg as la, sparse as sp
 from haptonic.superelement import Tiling, steps_between
 
 SHIFT = 1.2 * np.exp(0.9j)  # multiplier about which the waves are sought, off the unit circle

@@ -13,8 +13,7 @@ from typing import Protocol
 import numpy as np
 
 from haptonic.arrays import Array, Complex, Fields, Ints
-from haptonic.later import linalg as la
-from haptonic.later import sparse as sp
+from haptonic.later import linalg as la, sparse as sp
 from haptonic.superelement import Joint, Tiling, definite
 
 

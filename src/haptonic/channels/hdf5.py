@@ -14,8 +14,7 @@ from haptonic import hdf5
 from haptonic.channels.notes import ELSEWHERE, Notebook
 from haptonic.channels.signals import Channel, Group, Samples
 from haptonic.foreign.process import ask, damaged
-from haptonic.later import h5py
-from haptonic.later import xarray as xr
+from haptonic.later import h5py, xarray as xr
 
 PACKING = ("scale_factor", "add_offset", "_FillValue", "missing_value", "dtype", "_Unsigned")
 

@@ -10,8 +10,7 @@ import numpy as np
 from haptonic.arrays import Array, Ints
 from haptonic.cell import MeshPlan, TileShape
 from haptonic.cell.quadrature import lobatto
-from haptonic.later import linalg as la
-from haptonic.later import sparse as sp
+from haptonic.later import linalg as la, sparse as sp
 from haptonic.plate.body import Body
 from haptonic.plate.bonds import Bonded
 from haptonic.plate.keys import PLATE

@@ -14,8 +14,7 @@ from haptonic.plate.assembly import Shifted
 from haptonic.plate.damping import ReducedExtra, amplitudes, real_times
 from haptonic.plate.keys import FINGER, PLATE, SUPPORTS, PartKey, dielectric
 from haptonic.plate.krylov import Basis
-from haptonic.plate.model import PlateModel
-from haptonic.plate.model import impedance as finger_impedance
+from haptonic.plate.model import PlateModel, impedance as finger_impedance
 
 ROUNDING = 1e-9  # relative error that no residual shows, because it is computed in floating point too
 TINY = np.finfo(float).tiny

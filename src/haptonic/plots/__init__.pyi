@@ -1,44 +1,31 @@
 from .bands import dispersion as dispersion
-from .designs import front as front
-from .designs import search as search
-from .feel import friction_map as friction_map
-from .feel import reduction_curve as reduction_curve
-from .friction import conditions as conditions
-from .friction import reductions as reductions
-from .friction import trial_sheet as trial_sheet
-from .mapped import animated as animated
-from .mapped import map_at as map_at
-from .mapped import maps as maps
-from .mapped import maps_compared as maps_compared
-from .mirrors import decay as decay
-from .mirrors import guide as guide
-from .mirrors import layers as layers
-from .modes import mode_shapes as mode_shapes
-from .modes import moving_modes as moving_modes
+from .designs import front as front, search as search
+from .feel import friction_map as friction_map, reduction_curve as reduction_curve
+from .friction import conditions as conditions, reductions as reductions, trial_sheet as trial_sheet
+from .mapped import animated as animated, map_at as map_at, maps as maps, maps_compared as maps_compared
+from .mirrors import decay as decay, guide as guide, layers as layers
+from .modes import mode_shapes as mode_shapes, moving_modes as moving_modes
 from .overlays import compared as compared
 from .planning import power as power
 from .plates import plate_plan as plate_plan
-from .ribbons import projected as projected
-from .ribbons import ribbon_field as ribbon_field
-from .scans import average_response as average_response
-from .scans import decay_map as decay_map
-from .scans import drive_signal as drive_signal
-from .scans import measured_contrast as measured_contrast
-from .scans import measured_decay as measured_decay
-from .scans import point_quality as point_quality
-from .scans import wave_map as wave_map
-from .spectra import contrast_spectrum as contrast_spectrum
-from .spectra import impedance_spectrum as impedance_spectrum
-from .spectra import velocity_spectrum as velocity_spectrum
-from .stage import Stage as Stage
-from .stage import checked as checked
-from .stage import painted as painted
-from .style import rendered as rendered
-from .style import save as save
+from .ribbons import projected as projected, ribbon_field as ribbon_field
+from .scans import (
+    average_response as average_response,
+    decay_map as decay_map,
+    drive_signal as drive_signal,
+    measured_contrast as measured_contrast,
+    measured_decay as measured_decay,
+    point_quality as point_quality,
+    wave_map as wave_map,
+)
+from .spectra import (
+    contrast_spectrum as contrast_spectrum,
+    impedance_spectrum as impedance_spectrum,
+    velocity_spectrum as velocity_spectrum,
+)
+from .stage import Stage as Stage, checked as checked, painted as painted
+from .style import rendered as rendered, save as save
 from .sweeps import sweep as sweep
 from .tolerances import tolerance as tolerance
-from .verdicts import before_after as before_after
-from .verdicts import frac_maps as frac_maps
-from .verdicts import mac_matrix as mac_matrix
-from .zone import density_of_states as density_of_states
-from .zone import iso_frequency as iso_frequency
+from .verdicts import before_after as before_after, frac_maps as frac_maps, mac_matrix as mac_matrix
+from .zone import density_of_states as density_of_states, iso_frequency as iso_frequency

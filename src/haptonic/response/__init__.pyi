@@ -1,13 +1,12 @@
-from .files import from_plain as from_plain
-from .files import plain as plain
-from .files import read as read
-from .files import write as write
-from .measures import average_spectrum as average_spectrum
-from .measures import cmif as cmif
-from .measures import contrast as contrast
-from .measures import disc_average as disc_average
-from .measures import frac as frac
-from .measures import mac as mac
-from .measures import rms as rms
+from .files import from_plain as from_plain, plain as plain, read as read, write as write
+from .measures import (
+    average_spectrum as average_spectrum,
+    cmif as cmif,
+    contrast as contrast,
+    disc_average as disc_average,
+    frac as frac,
+    mac as mac,
+    rms as rms,
+)
 from .reference import Reference as Reference
 from .value import FrequencyResponse as FrequencyResponse

@@ -13,8 +13,7 @@ import scipy
 
 from haptonic.arrays import AnyComplex, Array, Bools
 from haptonic.errors import ResponseError
-from haptonic.later import sparse as sp
-from haptonic.later import xarray as xr
+from haptonic.later import sparse as sp, xarray as xr
 from haptonic.response.checks import REST
 from haptonic.response.value import FrequencyResponse
 

@@ -16,9 +16,7 @@ from haptonic.bloch.bands import mode_names
 from haptonic.bloch.resolution import rounded_up
 from haptonic.bloch.settings import BandSettings
 from haptonic.cell import UnitCell
-from haptonic.later import Axes, Figure
-from haptonic.later import pandas as pd
-from haptonic.later import xarray as xr
+from haptonic.later import Axes, Figure, pandas as pd, xarray as xr
 from haptonic.plots.text import khz
 from haptonic.results.common import stamped
 from haptonic.results.plain import plain

@@ -10,8 +10,7 @@ from typing import Any
 from haptonic import plots
 from haptonic.bloch import Gap
 from haptonic.design.parameters import UNITS
-from haptonic.later import Axes, Figure
-from haptonic.later import xarray as xr
+from haptonic.later import Axes, Figure, xarray as xr
 from haptonic.plots.text import khz
 from haptonic.results.common import write_netcdf
 from haptonic.results.plain import split

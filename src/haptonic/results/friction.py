@@ -13,9 +13,7 @@ from haptonic.friction.phrases import AVERAGES
 from haptonic.friction.recordings import Exclusion, Sensor, analysed, traces
 from haptonic.friction.signals import Rules, exclusions, write_trials
 from haptonic.friction.statistics.summary import Summary, summary
-from haptonic.later import Axes, Figure
-from haptonic.later import pandas as pd
-from haptonic.later import xarray as xr
+from haptonic.later import Axes, Figure, pandas as pd, xarray as xr
 from haptonic.names import cell
 from haptonic.paths import source as checked
 from haptonic.progress import Progress, silent

@@ -8,8 +8,7 @@ from typing import Any
 from haptonic import plots
 from haptonic.bloch import Gap
 from haptonic.bloch.strips import Strip
-from haptonic.later import Axes, Figure
-from haptonic.later import xarray as xr
+from haptonic.later import Axes, Figure, xarray as xr
 from haptonic.results.plain import split
 from haptonic.results.result import Result, figure
 from haptonic.results.table import Column, Table

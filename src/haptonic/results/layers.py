@@ -16,8 +16,7 @@ from haptonic.bloch.mirrors import (
     MOST_ROWS,
     first_reaching,
 )
-from haptonic.later import Axes, Figure
-from haptonic.later import xarray as xr
+from haptonic.later import Axes, Figure, xarray as xr
 from haptonic.results.plain import plain, split
 from haptonic.results.result import Result, figure
 from haptonic.results.table import Column, Table

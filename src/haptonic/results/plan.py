@@ -9,8 +9,7 @@ from typing import Any
 from haptonic import plots
 from haptonic.cell import UnitCell
 from haptonic.design.parameters import values_of
-from haptonic.later import Axes, Figure, psutil
-from haptonic.later import xarray as xr
+from haptonic.later import Axes, Figure, psutil, xarray as xr
 from haptonic.plate import Layout, Plate
 from haptonic.results.common import stamped
 from haptonic.results.cost import Cost

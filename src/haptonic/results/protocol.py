@@ -15,8 +15,7 @@ from haptonic.friction.metronome import clicks, write_wav
 from haptonic.friction.protocol import Protocol, imbalance
 from haptonic.friction.signals import Label
 from haptonic.friction.trial_list import NAME, write_list
-from haptonic.later import Axes, Figure
-from haptonic.later import xarray as xr
+from haptonic.later import Axes, Figure, xarray as xr
 from haptonic.results.plain import split
 from haptonic.results.result import Result, figure, file
 from haptonic.results.sheet import sheet

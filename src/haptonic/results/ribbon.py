@@ -8,8 +8,7 @@ from typing import Any
 import numpy as np
 
 from haptonic import plots
-from haptonic.later import Axes, Figure
-from haptonic.later import xarray as xr
+from haptonic.later import Axes, Figure, xarray as xr
 from haptonic.plots.text import khz
 from haptonic.results.result import Result, figure
 from haptonic.results.table import Column, Table

@@ -11,8 +11,7 @@ import numpy as np
 
 from haptonic import plots
 from haptonic.gate import declared
-from haptonic.later import Axes, Figure
-from haptonic.later import xarray as xr
+from haptonic.later import Axes, Figure, xarray as xr
 from haptonic.results.common import Writer, write_netcdf
 from haptonic.results.result import Result, figure, file
 from haptonic.results.table import Cell, Column, Table

@@ -11,8 +11,7 @@ from functools import cache
 
 from haptonic import names
 from haptonic.errors import HaptonicError
-from haptonic.later import pandas as pd
-from haptonic.later import xarray as xr
+from haptonic.later import pandas as pd, xarray as xr
 from haptonic.units import to_si
 
 NOTHING = "-"  # stands for what is not there

@@ -11,8 +11,7 @@ from haptonic.design.parameters import UNITS
 from haptonic.design.tolerance import (
     REACH,
 )
-from haptonic.later import Figure
-from haptonic.later import xarray as xr
+from haptonic.later import Figure, xarray as xr
 from haptonic.results.plain import split
 from haptonic.results.result import Result, figure
 from haptonic.results.table import Cell, Column, Table

@@ -13,8 +13,7 @@ import numpy as np
 from haptonic import plots
 from haptonic.arrays import Array
 from haptonic.gate import declared
-from haptonic.later import Axes, Figure
-from haptonic.later import xarray as xr
+from haptonic.later import Axes, Figure, xarray as xr
 from haptonic.plate import Plate
 from haptonic.plate.sampling import driven_region
 from haptonic.response import FrequencyResponse, average_spectrum, contrast, write

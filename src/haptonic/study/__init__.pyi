@@ -1,7 +1,4 @@
 from .plate_tables import PlateSettings as PlateSettings
-from .runs import Study as Study
-from .runs import load as load
-from .runs import load_trials as load_trials
-from .runs import loads as loads
+from .runs import Study as Study, load as load, load_trials as load_trials, loads as loads
 from .sweeps import SweepSettings as SweepSettings
 from .trial_tables import TrialSettings as TrialSettings

@@ -1,39 +1,33 @@
-from .chirp import Drive as Drive
-from .chirp import drive as drive
-from .chirp import drive_notes as drive_notes
-from .chirp import write_drive as write_drive
-from .estimation import Estimate as Estimate
-from .estimation import Quality as Quality
-from .estimation import estimate as estimate
-from .findings import Dropped as Dropped
-from .findings import ReadReport as ReadReport
-from .maps import Edge as Edge
-from .maps import LatticeGap as LatticeGap
-from .maps import LatticeRows as LatticeRows
-from .maps import MeasuredGap as MeasuredGap
-from .maps import Registration as Registration
-from .maps import clean_contrast as clean_contrast
-from .maps import clean_rms as clean_rms
-from .maps import decay_along as decay_along
-from .maps import gap_edges as gap_edges
-from .maps import lattice_decay as lattice_decay
-from .maps import measured_gap as measured_gap
-from .maps import region_statistics as region_statistics
-from .maps import register_by_corners as register_by_corners
-from .maps import register_by_fit as register_by_fit
-from .maps import warn_if_aliased as warn_if_aliased
-from .maps import wavenumber_map as wavenumber_map
-from .planning import Disc as Disc
-from .planning import Rectangle as Rectangle
-from .planning import ScanPlan as ScanPlan
-from .planning import scan_plan as scan_plan
-from .planning import visited as visited
-from .readers import Scan as Scan
-from .readers import read_scan as read_scan
+from .chirp import Drive as Drive, drive as drive, drive_notes as drive_notes, write_drive as write_drive
+from .estimation import Estimate as Estimate, Quality as Quality, estimate as estimate
+from .findings import Dropped as Dropped, ReadReport as ReadReport
+from .maps import (
+    Edge as Edge,
+    LatticeGap as LatticeGap,
+    LatticeRows as LatticeRows,
+    MeasuredGap as MeasuredGap,
+    Registration as Registration,
+    clean_contrast as clean_contrast,
+    clean_rms as clean_rms,
+    decay_along as decay_along,
+    gap_edges as gap_edges,
+    lattice_decay as lattice_decay,
+    measured_gap as measured_gap,
+    region_statistics as region_statistics,
+    register_by_corners as register_by_corners,
+    register_by_fit as register_by_fit,
+    warn_if_aliased as warn_if_aliased,
+    wavenumber_map as wavenumber_map,
+)
+from .planning import (
+    Disc as Disc,
+    Rectangle as Rectangle,
+    ScanPlan as ScanPlan,
+    scan_plan as scan_plan,
+    visited as visited,
+)
+from .readers import Scan as Scan, read_scan as read_scan
 from .readers.hdf5 import write_records as write_records
-from .readers.uff import UffContents as UffContents
-from .readers.uff import uff_contents as uff_contents
-from .records import InMemory as InMemory
-from .records import TimeScan as TimeScan
-from .writers import write_uff as write_uff
-from .writers import write_uff_records as write_uff_records
+from .readers.uff import UffContents as UffContents, uff_contents as uff_contents
+from .records import InMemory as InMemory, TimeScan as TimeScan
+from .writers import write_uff as write_uff, write_uff_records as write_uff_records

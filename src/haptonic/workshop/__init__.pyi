@@ -1,9 +1,5 @@
-from .drawing import part_drawing as part_drawing
-from .drawing import write_drawing as write_drawing
+from .drawing import part_drawing as part_drawing, write_drawing as write_drawing
 from .dxf import write_dxf as write_dxf
 from .part import Part as Part
-from .step import solid as solid
-from .step import volume_of_step as volume_of_step
-from .step import write_step as write_step
-from .stl import surface as surface
-from .stl import write_stl as write_stl
+from .step import solid as solid, volume_of_step as volume_of_step, write_step as write_step
+from .stl import surface as surface, write_stl as write_stl

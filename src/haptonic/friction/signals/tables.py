@@ -12,13 +12,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from haptonic import hdf5
-from haptonic.channels import Notebook, delimited
-from haptonic.channels import hdf5 as stored
+from haptonic.channels import Notebook, delimited, hdf5 as stored
 from haptonic.errors import ChannelError, FrictionError, ResourceError, nearest
 from haptonic.friction.signals.record import Label, Record
 from haptonic.gate import declared, passed
-from haptonic.later import pandas as pd
-from haptonic.later import xarray as xr
+from haptonic.later import pandas as pd, xarray as xr
 from haptonic.names import cell, visible
 
 Column = NDArray[Any]

@@ -10,8 +10,7 @@ import numpy as np
 
 from haptonic import plots
 from haptonic.arrays import Array
-from haptonic.later import Axes, Figure
-from haptonic.later import xarray as xr
+from haptonic.later import Axes, Figure, xarray as xr
 from haptonic.results.common import stamped
 from haptonic.results.compare.sides import BandSet
 from haptonic.results.result import Result, figure

@@ -27,8 +27,7 @@ from haptonic.friction.lubrication import (
 )
 from haptonic.friction.phrases import change
 from haptonic.gate import declared
-from haptonic.later import Axes, Figure
-from haptonic.later import xarray as xr
+from haptonic.later import Axes, Figure, xarray as xr
 from haptonic.plate import Plate
 from haptonic.plate.sampling import driven_regions
 from haptonic.response import Reference

@@ -13,8 +13,7 @@ import numpy as np
 from haptonic import plots
 from haptonic.arrays import Complex
 from haptonic.bloch import Gap
-from haptonic.later import Axes, Figure
-from haptonic.later import xarray as xr
+from haptonic.later import Axes, Figure, xarray as xr
 from haptonic.names import file_parts
 from haptonic.plate import Plate
 from haptonic.plate.datasets import part_name

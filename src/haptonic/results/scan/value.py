@@ -16,8 +16,7 @@ import numpy as np
 from haptonic import plots
 from haptonic.bloch import Gap
 from haptonic.gate import WORD
-from haptonic.later import Axes, Figure
-from haptonic.later import xarray as xr
+from haptonic.later import Axes, Figure, xarray as xr
 from haptonic.names import cell, file_parts
 from haptonic.plate import Plate
 from haptonic.plate.layout import Layout
