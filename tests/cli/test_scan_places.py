@@ -140,6 +140,7 @@ class TestOtherLattices:
 
 
 class TestWaves:
+    @pytest.mark.nightly
     def test_a_plate_in_two_bases_has_the_same_waves(self, study, monkeypatch):
         """Triangular, and rectangles of two pillars: guides alike, a row of these fades as two of those."""
         monkeypatch.setattr("haptonic.vibrometry.theory.FADING", 2)

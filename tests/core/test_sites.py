@@ -243,7 +243,7 @@ def test_unequal_pillars_open_a_gap_at_the_corner_in_proportion():
         ("honeycomb", 12, True),
         ("unequal honeycomb", 6, False),
         ("kagome", 12, True),
-        ("lieb", 8, True),
+        pytest.param("lieb", 8, True, marks=pytest.mark.nightly),
         pytest.param("anywhere", 1, False, marks=pytest.mark.nightly),
         ("glide", 4, True),
     ],
@@ -295,7 +295,7 @@ def test_bands_at_a_corner_of_the_kagome_are_pairs_and_singles():
     assert "E" not in labels["M"]
 
 
-@pytest.mark.parametrize("name", ["unequal honeycomb", "glide"])
+@pytest.mark.parametrize("name", ["unequal honeycomb", pytest.param("glide", marks=pytest.mark.nightly)])
 def test_velocities_are_slopes(name):
     kappa, step = np.array([1.1, 0.7]), 1e-4
     fine = model(name)

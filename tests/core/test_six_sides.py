@@ -37,7 +37,7 @@ def model(cell: UnitCell, order: int = 3) -> BlochModel:
 
 
 @given(lattices(), st.floats(0.1, 0.9), st.floats(0.1, 3.0), st.floats(0.05, 0.5), st.integers(2, 4))
-@settings(max_examples=6)
+@settings(max_examples=4)
 def test_any_cell_is_filled_once_and_moved_by_its_operations(lattice, width, height, plate, order):
     wide = 2 * lattice.inradius
     cell = UnitCell(lattice, plate * wide, ALUMINIUM, Pillar(width * wide, height * wide))

@@ -221,7 +221,7 @@ def test_two_steps_lead_to_the_shapes_of_one(name, order, apart):
 @pytest.mark.parametrize(
     ("name", "order", "apart"),
     [
-        ("reference", 5, 2e-4),
+        pytest.param("reference", 5, 2e-4, marks=pytest.mark.nightly),
         *((name, 3, 2e-4) for name in STEPPED),
         *((name, 2, 2e-2) for name in FEW_MIRRORS),  # parabolas do not follow a body's polynomials closely
     ],

@@ -216,7 +216,7 @@ class TestWhatTrialsProve:
         assert rates["participants"][0] < 0.3
         assert rates["trials, as published"][2] == 30
 
-    @pytest.mark.slow
+    @pytest.mark.nightly
     def test_where_people_do_not_differ_every_test_keeps_its_promise(self):
         rates = false_alarms(Population(0.0, 0.0), participants=6, trials=20, simulations=200, seed=2)
         assert rates["trials, as published"][0] == pytest.approx(0.05, abs=0.047)
