@@ -27,8 +27,8 @@ class DiagonalImage:
         """On the nodes of some meshes, one after the other; the first has the rim."""
         sides = tile.moved_sides(DIAGONAL)
         assert sides is not None, "no square"
-        starts = np.cumsum([0, *(one.nodes for one in meshes)])
-        moved = [start + one.permutation(sides) for start, one in zip(starts, meshes, strict=False)]
+        starts = np.cumsum([0, *(one.nodes for one in meshes[:-1])])
+        moved = [start + one.permutation(sides) for start, one in zip(starts, meshes, strict=True)]
         return cls(TraceOperation.of(tile, meshes[0], levels, DIAGONAL), np.concatenate(moved))
 
     def applied(self, field: Fields) -> Fields:
