@@ -174,7 +174,10 @@ def both(name, order=4):
 @cache
 def modes_of(name, order, way):
     cell, kappa = (CELLS | STEPPED | FEW_MIRRORS)[name]
-    superelement = way(cell, Resolution(order, 1).plan(cell), 3, block=20)
+    plan = Resolution(order, 1).plan(cell)
+    if cell.pillar.step:  # the pieces are graded towards a step as towards the foot; a whole mesh need not be
+        plan = replace(plan, step_rings=plan.foot_rings)
+    superelement = way(cell, plan, 3, block=20)
     pencil = CentredPencil.of(Tiling.single(superelement))
     values, modes = eigenpairs(pencil, np.array(kappa), 10)
     return (
