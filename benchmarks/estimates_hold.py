@@ -28,7 +28,7 @@ sys.path.insert(0, str(ROOT / "tests" / "core"))
 from truth import KINDS, STOUT_FROM, Drawn, Truth, drawn, foreseen, truth, wavevectors
 
 from haptonic.bloch.model import REST, bloch_model
-from haptonic.bloch.resolution import check_start, started
+from haptonic.bloch.reach import check_start, started
 from haptonic.bloch.settings import BandSettings
 from haptonic.errors import HaptonicError
 

@@ -11,7 +11,8 @@ from haptonic.bloch import BlochModel, Resolution
 from haptonic.bloch.centred import CentredPencil
 from haptonic.bloch.model import REST, TRUSTED_TRUNCATION, _ranked, bloch_model
 from haptonic.bloch.pencil import eigenpairs
-from haptonic.bloch.resolution import LADDER, starting_rung
+from haptonic.bloch.reach import starting_rung
+from haptonic.bloch.resolution import LADDER
 from haptonic.bloch.settings import BandSettings
 from haptonic.cell import MeshPlan, Pillar, UnitCell
 from haptonic.cell.pillar import Step

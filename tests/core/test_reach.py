@@ -10,8 +10,9 @@ from truth import KAPPA, plain_plate
 
 from haptonic.bloch import bands_dataset, model, resolution
 from haptonic.bloch.model import BlochModel, bloch_model
+from haptonic.bloch.reach import check_start, first_rung
 from haptonic.bloch.reduced import ReducedCell
-from haptonic.bloch.resolution import LADDER, Resolution, check_start, first_rung
+from haptonic.bloch.resolution import LADDER, Resolution
 from haptonic.bloch.settings import COARSEST, BandSettings
 from haptonic.cell import Pillar, UnitCell
 from haptonic.errors import ResourceError

@@ -8,9 +8,10 @@ import pytest
 from hypothesis import given, settings, strategies as st
 from strategies import ALUMINIUM, reference_cell
 
-from haptonic.bloch import resolution
+from haptonic.bloch import reach
 from haptonic.bloch.model import BlochModel, bloch_model
-from haptonic.bloch.resolution import LADDER, LONGEST, check_cost
+from haptonic.bloch.reach import LONGEST, check_cost
+from haptonic.bloch.resolution import LADDER
 from haptonic.bloch.settings import BandSettings
 from haptonic.cell import Pillar, UnitCell
 from haptonic.errors import NumericalError, ResourceError
@@ -71,7 +72,7 @@ def test_what_a_first_mesh_takes_is_foreseen(thickness, diameter, height, count)
 @pytest.fixture(autouse=True)
 def memory_enough(monkeypatch):
     """What is refused here is refused for its time."""
-    monkeypatch.setattr(resolution.psutil, "virtual_memory", lambda: SimpleNamespace(available=1e12))
+    monkeypatch.setattr(reach.psutil, "virtual_memory", lambda: SimpleNamespace(available=1e12))
 
 
 def test_more_digits_may_take_longer():

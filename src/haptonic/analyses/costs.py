@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from haptonic.bloch.resolution import started
+from haptonic.bloch.reach import started
 from haptonic.plate.forecast import Counted
 from haptonic.plate.parts import Plate
 from haptonic.plate.settings import ResponseSettings

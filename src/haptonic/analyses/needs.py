@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from haptonic.bloch import Gap
 from haptonic.bloch.gaps import gap_at
-from haptonic.bloch.resolution import Resolution, check_memory, started
+from haptonic.bloch.reach import check_memory, started
+from haptonic.bloch.resolution import Resolution
 from haptonic.bloch.rows import rows_need
 from haptonic.cell import Rows
 from haptonic.errors import StudyError

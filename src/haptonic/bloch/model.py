@@ -13,16 +13,9 @@ import numpy as np
 from haptonic.arrays import Array, Complex, Fields
 from haptonic.bloch.centred import lattice_pencil, parted
 from haptonic.bloch.pencil import Evaluated, SplitPencil, eigenpairs, hertz
+from haptonic.bloch.reach import check_cost, check_memory, check_start, check_thickness, first_rung
 from haptonic.bloch.reduced import ReducedCell
-from haptonic.bloch.resolution import (
-    LADDER,
-    Resolution,
-    check_cost,
-    check_memory,
-    check_start,
-    check_thickness,
-    first_rung,
-)
+from haptonic.bloch.resolution import LADDER, Resolution
 from haptonic.bloch.settings import COARSEST, BandSettings
 from haptonic.cell import UnitCell
 from haptonic.errors import ResourceError

@@ -9,7 +9,8 @@ import numpy as np
 from numpy.typing import NDArray
 from pydantic import Field
 
-from haptonic.bloch.resolution import LADDER, LEAST_ORDER, Resolution, starting_rung
+from haptonic.bloch.reach import starting_rung
+from haptonic.bloch.resolution import LADDER, LEAST_ORDER, Resolution
 from haptonic.cell.directed import DirectionSettings
 from haptonic.errors import StudyError
 from haptonic.fields import TOP, Frequency, Length, Quantity, ascending, described, setting

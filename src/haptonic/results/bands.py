@@ -13,7 +13,7 @@ import numpy as np
 from haptonic import plots, vtu
 from haptonic.bloch import Gap, bands_dataset, gaps_of
 from haptonic.bloch.bands import mode_names
-from haptonic.bloch.resolution import rounded_up
+from haptonic.bloch.reach import rounded_up
 from haptonic.bloch.settings import BandSettings
 from haptonic.cell import UnitCell
 from haptonic.later import Axes, Figure, pandas as pd, xarray as xr

@@ -14,7 +14,7 @@ from haptonic.analyses.designing.refusals import held_back_by, out_of_reach, unc
 from haptonic.analyses.designing.tasks import all_seen, visits_of
 from haptonic.arrays import Array
 from haptonic.bloch import Gap, gaps_of
-from haptonic.bloch.resolution import rounded_up
+from haptonic.bloch.reach import rounded_up
 from haptonic.bloch.settings import COARSEST, BandSettings
 from haptonic.design.brief import SLACK, Brief
 from haptonic.design.parameters import UNITS
