@@ -124,8 +124,7 @@ class MeshPlan:
         error: there they are of one order more. Along a pillar that is no prism, and so is meshed to its
         top, all get three orders more: bending of a slender one would err most of all there.
         """
-        waves = _waves(cell, bands) if bands else 0.0
-        shorter = math.pi * max(waves - math.sqrt(USUAL_BANDS / math.pi), 0.0)
+        shorter = shorter_waves(cell, bands) if bands else 0.0
         more = math.ceil(shorter - ROUNDING)
         if cell.pillar is None:
             sheet = cell.is_sheet  # in order 4 it lost 1.5 % where one more left 0.6 %
@@ -326,12 +325,14 @@ def _near_rim(cell: TileShape) -> int:
     return next((more for near, more in NEAR_RIM.items() if share < near * (1 - ROUNDING)), 0)
 
 
-def _waves(cell: TileShape, bands: float) -> float:
-    """Wavelengths along the longer side of the cell that the last of so many bands of a plain plate has.
+def shorter_waves(cell: TileShape, bands: float) -> float:
+    """Orders more than usual that so many bands need along the longer side of the cell.
 
-    As many flexural waves fit into a circle about Gamma whose area is that of as many zones.
+    They are pi for each wavelength that the last band of a plain plate has there beyond those of the usual
+    bands. As many flexural waves fit into a circle about Gamma whose area is that of as many zones.
     """
-    return math.sqrt(bands / math.pi * cell.elongation)
+    waves = math.sqrt(bands / math.pi * cell.elongation)
+    return math.pi * max(waves - math.sqrt(USUAL_BANDS / math.pi), 0.0)
 
 
 def _around(turn: float, more: float) -> tuple[int, int]:
