@@ -10,15 +10,18 @@ import numpy as np
 
 from haptonic.arrays import Array, Bools
 from haptonic.cell import MeshPlan, Period, Pillar, TileShape
-from haptonic.cell.edges import between_edges
+from haptonic.cell.edges import between_edges, is_unbridged
 from haptonic.cell.pieces import Meshed, pieces_of
 from haptonic.cell.plan import USUAL_BANDS, shorter_waves
 from haptonic.superelement.symmetry import folds_of
 from haptonic.superelement.trace import trace_levels
 
 MEASURED = {(3, 1): 0.55, (4, 1): 0.45, (5, 1): 0.75, (5, 2): 0.35, (6, 2): 0.6}  # see `remaining`
-# What these get more from order 4 on, as a share for each order that many bands bring, and the most of it
-FOR_BANDS, MOST_FOR_BANDS = 0.5, 1.0
+# What these get more from order 4 on, as a share for each order that many bands bring, until the edge leads
+FOR_BANDS = 0.6
+# Least of these where a fillet leaves out the elements that would lead from its arc to what is far wider: a
+# single one from there to the middle of a wide pillar on a thin plate left 1.3 %, of which 0.38 was needed
+UNBRIDGED = 0.55
 ON_THIN = 0.3  # the same of order 3 beside a thin plate, whose lower mesh loses two orders around the pillar
 # Of square pillars with a gap less than this share of their half width, so many times as much up to order 4:
 # where gaps cross at corners motion changes within their width, and one order fewer around a single element
@@ -109,7 +112,7 @@ class Resolution:
 
         Many bands bring more orders for the smooth part, so the edge leads earlier. The same stout pillar on
         a thick plate needed 0.38 of order 4 for 10 bands, 0.43 for 12, 0.66 for 15, 0.68 for 20 and 0.78 for
-        30; of order 5 0.53 to 1.01; of order 3 0.23 to 0.27 where 0.55 are told.
+        30, another one 0.87 for 20; of order 5 0.53 to 1.01; of order 3 0.23 to 0.27 where 0.55 are told.
         """
         return max(self._remaining(one.tile, one.tile.area / cell.area) for one in cell.tiles)
 
@@ -119,20 +122,26 @@ class Resolution:
             return 0.15
         narrow = pillar.section == "square" and tile.clearance < CROSSING * pillar.widest
         factor = self._of_edge(tile, pillar)
+        if is_unbridged(tile, self.foot_rings):
+            factor = max(factor, UNBRIDGED)
         if self.order > 3:
             finer = shorter_waves(tile, self.bands * share) - shorter_waves(tile, USUAL_BANDS * share)
-            factor *= 1.0 + min(FOR_BANDS * max(finer, 0.0), MOST_FOR_BANDS)
+            factor = min(factor * (1.0 + FOR_BANDS * max(finer, 0.0)), max(factor, self._of_edge_alone))
         return factor * CROSSED if narrow and self.order < 5 else factor
 
+    @property
+    def _of_edge_alone(self) -> float:
+        """The factor once a re-entrant edge is all that is left of the error."""
+        return max(1.0 / float((self.order / (self.order - 1)) ** (4 * 0.5445) - 1.0), 1.3)
+
     def _of_edge(self, tile: TileShape, pillar: Pillar) -> float:
-        of_the_edge = max(1.0 / float((self.order / (self.order - 1)) ** (4 * 0.5445) - 1.0), 1.3)
         if pillar.step is not None and pillar.fillet and between_edges(tile) is None:  # it is not graded
-            return of_the_edge
+            return self._of_edge_alone
         if self.foot_rings >= 2:
             return MEASURED.get((self.order, 2), MEASURED[6, 2])
         if tile.is_thin and self.order == 3:
             return ON_THIN
-        return MEASURED.get((self.order, self.foot_rings), of_the_edge)
+        return MEASURED.get((self.order, self.foot_rings), self._of_edge_alone)
 
     def unresolved(self, cell: Period) -> float:
         """What `remaining` gets more for each relative distance of a plain plate's band.
