@@ -16,13 +16,13 @@ from haptonic.cell.plan import USUAL_BANDS, shorter_waves
 from haptonic.superelement.symmetry import folds_of
 from haptonic.superelement.trace import trace_levels
 
-MEASURED = {(3, 1): 0.55, (4, 1): 0.55, (5, 1): 0.75, (5, 2): 0.35, (6, 2): 0.6}  # see `remaining`
+MEASURED = {(3, 1): 0.55, (4, 1): 0.45, (5, 1): 0.75, (5, 2): 0.35, (6, 2): 0.6}  # see `remaining`
 # What these get more from order 4 on, as a share for each order that many bands bring, until the edge leads
-FOR_BANDS = 0.4
+FOR_BANDS = 0.6
 # Least of these where a fillet leaves out the elements that would lead from its arc to what is far wider: a
 # single one from there to the middle of a wide pillar on a thin plate left 1.3 %, of which 0.38 was needed
 UNBRIDGED = 0.55
-ON_THIN = 0.3  # the same of order 3 beside a thin plate, whose lower mesh loses two orders around the pillar
+ON_THIN = {3: 0.3, 4: 0.55}  # the same beside a thin plate: the lower mesh of order 3 loses two orders around
 # Of square pillars with a gap less than this share of their half width, so many times as much up to order 4:
 # where gaps cross at corners motion changes within their width, and one order fewer around a single element
 # tells half of what is left. At 0.07 six of a hundred frequencies needed 1.1 in place of 0.75.
@@ -105,7 +105,7 @@ class Resolution:
         pillar on a thick plate needed more than 0.44, none of 66 on a thin one more than 0.15, with order 4
         one of 33 0.44, one on a thin plate beside a narrow neck 0.47, the others 0.23; with order 5 one of 19
         0.32, and a stout drafted one on a thick plate, where the edge leads already, 0.61; with two rings one
-        of 4 0.19. They get a fifth to twice as much. With two rings or more the edge never leads up to order
+        of 4 0.19. They get little to twice as much. With two rings or more the edge never leads up to order
         6, which is taken to hold beyond. A step is another re-entrant edge, towards which the mesh is graded
         as towards the foot; close above a fillet it is not, and the edge is taken to lead from the start. A
         plain plate has no edge: of 24 meshes where bands were resolved one needed 0.11; `unresolved` stands
@@ -140,8 +140,8 @@ class Resolution:
             return self._of_edge_alone
         if self.foot_rings >= 2:
             return MEASURED.get((self.order, 2), MEASURED[6, 2])
-        if tile.is_thin and self.order == 3:
-            return ON_THIN
+        if tile.is_thin and self.order in ON_THIN:
+            return ON_THIN[self.order]
         return MEASURED.get((self.order, self.foot_rings), self._of_edge_alone)
 
     def unresolved(self, cell: Period) -> float:
