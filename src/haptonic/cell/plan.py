@@ -113,7 +113,9 @@ class MeshPlan:
         """Plan of similar errors in all directions, its elements not much longer than the pillar is wide.
 
         More bands than usual are shorter waves: a polynomial needs pi orders for each wave along it before
-        it resolves anything, and gets as many more.
+        it resolves anything, and gets as many more. Across the rings it gets half of them, rounded up: with
+        one too few a tenth band on a thin rectangular plate lost 0.4 %, of which the lower order told a
+        third, because fields of one parity gain nothing from every other order.
 
         Around the pillar an element spans a quarter turn and gets two orders more, and still more where a
         neck between round pillars that nearly touch is a small part of it. Away from the edge, order 3 has
@@ -151,7 +153,7 @@ class MeshPlan:
             bridges=bridging,
             blocks=blocks,
             plate_layers=min(below, MOST_BELOW_BRIDGES) if bridging[3] else below,
-            outward=smooth + cell.is_thin + more // 2,
+            outward=smooth + cell.is_thin + math.ceil(more / 2),
             upward=smooth,
             along=smooth if cell.pillar.is_prism else smooth + ALONG_MORE,
             thin=order,
