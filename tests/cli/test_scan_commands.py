@@ -15,11 +15,12 @@ from matplotlib.text import Text
 
 from five_parts import assert_five_parts
 from haptonic.analyses import scanning
+from haptonic.analyses.scanning import Estimation, OnPlate, compute_scan
 from haptonic.errors import HaptonicWarning
 from haptonic.fields import remade, with_numbers
 from haptonic.response import FrequencyResponse, read, write
 from haptonic.results import write_files
-from haptonic.results.scan import Estimation, OnPlate, SimulatedScan, compute_scan
+from haptonic.results.scan import SimulatedScan
 from haptonic.store import Store
 from haptonic.study import loads
 from haptonic.vibrometry import ReadReport, Scan, TimeScan, estimation, read_scan

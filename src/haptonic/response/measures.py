@@ -6,7 +6,7 @@ response itself; a root mean square is one over points, never over time.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 
 import numpy as np
 import scipy
@@ -124,6 +124,12 @@ def sides(response: FrequencyResponse, over: str, under: str) -> tuple[Bools, Bo
                 next_step="compare with a region, or measure outside of them as well",
             )
     return upper, lower
+
+
+def along(values: Mapping[str, xr.DataArray], dimension: str) -> xr.DataArray:
+    """Arrays of the same axes along a dimension of their names."""
+    names = xr.DataArray(np.array(list(values), dtype=str), dims=dimension, name=dimension)
+    return xr.concat(list(values.values()), names, combine_attrs="drop_conflicts").rename(None)
 
 
 def disc_average(response: FrequencyResponse, diameter: float) -> xr.DataArray:
