@@ -404,7 +404,7 @@ class TestScan:
         assert done >= 100  # what the two threads had in hand may be lost
         scan = read_scan(recorded / "scan.h5")
         stop[0] = -1
-        again = compute_scan(scan, Estimation(state=out / "estimating"), on, store=store)
+        again = compute_scan(scan, Estimation(), on, state=out / "estimating", store=store)
         assert seen[4:] == list(range(done, 256, 50))
         at_once = compute_scan(scan, Estimation(), on, store=store)
         assert np.array_equal(again.response.values, at_once.response.values)

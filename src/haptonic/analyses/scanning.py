@@ -10,6 +10,7 @@ from pathlib import Path
 
 import numpy as np
 
+from haptonic.analyses.analysis import option
 from haptonic.analyses.needs import gap_of_plate, need_carrier, response_settings
 from haptonic.arrays import Array
 from haptonic.bloch import Gap
@@ -38,6 +39,7 @@ from haptonic.vibrometry import (
     register_by_fit,
     warn_if_aliased,
 )
+from haptonic.vibrometry.estimation.quality import check_flags
 from haptonic.vibrometry.estimation.spectra import Estimator, WindowName
 from haptonic.vibrometry.guides import Mirror, guides_of, mirror_beside
 from haptonic.vibrometry.maps.waves import grid_step
@@ -57,22 +59,37 @@ SAME_SCALE = 0.05  # by which a registration may scale before it is told
 SHIFTED = 0.01  # of the distance of lines, by which a computed line may be off one of a periodic drive
 
 
+def flags_of(text: str) -> tuple[str, ...]:
+    """Flags of points, parted by commas.
+
+    Raises
+    ------
+    ScanError : there is no such flag
+    """
+    names = tuple(name for part in text.split(",") if (name := part.strip()))
+    check_flags(names)
+    return names
+
+
 @dataclass(frozen=True)
 class Estimation:
     """How records become responses; see `haptonic.vibrometry.estimate`.
 
     segment : length of one transform, s; None takes the period of the study's drive, or a whole record
-    state : folder from which a stopped estimation goes on; repair : flags of points that are replaced
+    repair : flags of points that are replaced
     """
 
-    estimator: Estimator = "H1"
-    window: WindowName = "none"
-    decay: float | None = None
-    segment: float | None = None
-    overlap: float = 0.0
-    align: bool = False
-    state: Path | None = None
-    repair: tuple[str, ...] = ()
+    estimator: Estimator = option("H1", "H1 for noise on the response, a laser's.")
+    window: WindowName = option("none", "none for periodic chirps, exponential for bursts, hann for noise.")
+    decay: float | None = option(None, 'Of the exponential window, such as "5 ms".', unit="s", metavar="TIME")
+    segment: float | None = option(
+        None, "One transform; else the study's period, or a record.", unit="s", metavar="TIME"
+    )
+    overlap: float = option(0.0, "Of segments, from 0 to below 1.")
+    align: bool = option(False, "Align records by their reference.")
+    repair: tuple[str, ...] = option(
+        (), 'Replace points, such as "dropout,saturated"; marked.', read=flags_of, metavar="FLAGS"
+    )
 
 
 @dataclass(frozen=True)
@@ -126,6 +143,7 @@ def compute_scan(
     on: OnPlate | None,
     *,
     at: float | None = None,
+    state: Path | None = None,
     store: Store,
     progress: Progress = silent,
 ) -> ScanResult:
@@ -134,6 +152,7 @@ def compute_scan(
     Parameters
     ----------
     at : frequency of the operating shape and its animation, Hz; else the loudest
+    state : folder from which a stopped estimation goes on
     progress : called with the points done and their number
 
     Raises
@@ -141,7 +160,7 @@ def compute_scan(
     ScanError : settings that do not fit the scan, or nothing left of it
     ResponseError : ``at`` is not covered
     """
-    found = _estimated(scan, how, on, progress)
+    found = _estimated(scan, how, on, state, progress)
     if how.repair:
         found = found.repaired(*how.repair)
     response = found.response
@@ -204,7 +223,9 @@ def compute_scan(
     )  # fmt: skip
 
 
-def _estimated(scan: Scan, how: Estimation, on: OnPlate | None, progress: Progress) -> Estimate:
+def _estimated(
+    scan: Scan, how: Estimation, on: OnPlate | None, state: Path | None, progress: Progress
+) -> Estimate:
     """The response of a scan and the quality of its points, estimated where the scan has time records."""
     if isinstance(scan.content, FrequencyResponse):
         return Estimate.by_instrument(scan.content, scan.report)
@@ -218,7 +239,7 @@ def _estimated(scan: Scan, how: Estimation, on: OnPlate | None, progress: Progre
     return estimate(
         records,
         estimator=how.estimator, window=how.window, decay=how.decay, overlap=how.overlap, align=how.align,
-        segment=None if segment is None else round(segment * records.sample_rate), band=band, state=how.state,
+        segment=None if segment is None else round(segment * records.sample_rate), band=band, state=state,
         progress=progress, workers=2,
     )  # fmt: skip
 
