@@ -45,7 +45,7 @@ def names_of(variables: str) -> Mapping[str, str]:
             given=shown(variables),
             allowed="MEANING=NAME, several of them parted by commas",
             cause="a sign of equality or a name is missing",
-            next_step="write --variables response=FRF,frequency=f,x=X,y=Y",
+            next_step="write --variables=response=FRF,frequency=f,x=X,y=Y",
         )
     return {meaning.strip(): name.strip() for meaning, name in pairs}
 
