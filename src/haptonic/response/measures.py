@@ -83,7 +83,7 @@ def average_spectrum(response: FrequencyResponse) -> xr.DataArray:
 
 
 def contrast(response: FrequencyResponse, over: str, under: str) -> xr.DataArray:
-    """By how much a region vibrates more than another one: 20 log10(rms over / rms under), dB.
+    """By how much a region vibrates more than another one, see `power_contrast`.
 
     Parameters
     ----------
@@ -97,10 +97,18 @@ def contrast(response: FrequencyResponse, over: str, under: str) -> xr.DataArray
     ------
     ResponseError : no point lies in one of them
     """
-    upper, lower = sides(response, over, under)
-    with np.errstate(divide="ignore"):
-        level = [10 * np.log10(_mean_square(response, mask)) for mask in (upper, lower)]
-    return spectrum(response, level[0] - level[1], "dB")
+    upper, lower = (_mean_square(response, mask) for mask in sides(response, over, under))
+    return spectrum(response, power_contrast(upper, lower), "dB")
+
+
+def power_contrast(over: Array, under: Array) -> Array:
+    """The contrast of two mean squares: 10 log10(over / under), that is 20 log10 of their root's ratio, dB.
+
+    It is infinite where one of them is zero, and NaN where both are or one is negative. Levels of regions
+    are compared by this one formula, whether computed, measured or freed from noise.
+    """
+    with np.errstate(divide="ignore", invalid="ignore"):
+        return np.asarray(10 * np.log10(over) - 10 * np.log10(under))
 
 
 def sides(response: FrequencyResponse, over: str, under: str) -> tuple[Bools, Bools]:

@@ -40,8 +40,8 @@ def region_levels(response: FrequencyResponse, driven: str | None) -> tuple[xr.D
     if named:
         data["rms"] = along(named, "region")
     levels = {
-        f"{driven} over {words}": clean_contrast(response, *sides(response, driven or "", other))
-        for words, other in compared(response, driven)
+        pair: clean_contrast(response, *sides(response, *names))
+        for pair, names in compared(response, driven).items()
     }
     if levels:
         data["contrast"] = along({pair: level["level"] for pair, level in levels.items()}, "pair")
