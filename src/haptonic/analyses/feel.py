@@ -69,16 +69,16 @@ def compute(study: Description, options: FeelOptions, runner: Runner) -> Feel:
     check_cost(plate, highest(middle))
     check_grid(plate, own.grid, len(LOADS))
     gap = gap_of_plate(study, plate, carrier, runner)
-    edges = (gap.lower, gap.upper) if gap else None
     found = compute_loaded(
         runner.store, study.inputs(), runner.progress, plate=plate,
-        diameter=finger.pad.diameter, damping=finger.pad.damping, carrier=carrier, at=options.at, gap=edges,
+        diameter=finger.pad.diameter, damping=finger.pad.damping, carrier=carrier, at=options.at,
+        gap=(gap.lower, gap.upper) if gap else None,
         grid=own.grid, tolerance=own.tolerance, fineness=fineness(study),
     )  # fmt: skip
     touch, skin = finger.at(found.attrs["frequency_hz"]), finger.skin
     return Feel(
         plate=plate,
-        gap=edges,
+        gap=gap,
         loaded=found,
         diameter=finger.pad.diameter,
         touch=touch,

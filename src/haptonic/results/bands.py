@@ -90,23 +90,19 @@ class Bands(Result):
         carrier = self.dataset.attrs.get("carrier_hz")
         if carrier is None or not complete:
             return []
-        ends = [
-            min(
-                (carrier - gap.lower, "lower", gap.lower_error, gap.width),
-                (gap.upper - carrier, "upper", gap.upper_error, gap.width),
-            )
-            for gap in complete
-        ]
-        # of the gap that holds it, else of the nearest one, and negative
-        room, edge, error, width = max(ends)
+        gap = max(complete, key=lambda one: one.margin(carrier))  # that which holds it, else the nearest
+        _, edge, room = min(
+            (carrier - gap.lower - gap.lower_error, "lower", carrier - gap.lower),
+            (gap.upper - gap.upper_error - carrier, "upper", gap.upper - carrier),
+        )
         name, away = f"The carrier, {format_quantity(carrier, 'Hz')},", f"{abs(room) / 1e3:.2g} kHz"
         if room <= 0:
             said = f"{name} lies in no complete gap, {away} from the nearest edge"
             return [f"{said}: at this frequency the lattice lets waves through."]
         said = f"{name} lies inside the gap, {away} ({room / carrier:.1%}) from its {edge} edge"
-        if room <= error:
+        if not gap.holds(carrier):
             return [f"{said}, which is within the error of that edge."]
-        if room < 0.1 * width:
+        if room < 0.1 * gap.width:
             said += ": close enough for a tolerance of the sizes or of the material to move the edge past it"
         return [f"{said}."]
 

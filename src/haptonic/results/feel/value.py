@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 
 from haptonic import plots
 from haptonic.arrays import Array
+from haptonic.bloch import Gap
 from haptonic.errors import StudyError
 from haptonic.friction.lubrication import (
     CUE_THRESHOLD,
@@ -71,7 +72,7 @@ def check_reduction(reduction: float) -> None:
 class Feel(Result):
     """Friction that a finger meets on a plate, over that without vibration.
 
-    plate : what vibrates; gap : edges of its lattice's gap around the carrier, Hz, if there is one
+    plate : what vibrates; gap : of its lattice around the carrier, if there is one
     loaded : from `haptonic.plate.loaded.loaded`; diameter : of the finger's disc, m
     touch : frequency, force and speed; skin : what the lubrication models know of the finger
     drive : amplitude of the first drive, V or N
@@ -82,7 +83,7 @@ class Feel(Result):
     data_file = "feel"
 
     plate: Plate
-    gap: tuple[float, float] | None
+    gap: Gap | None
     loaded: xr.Dataset
     diameter: float
     touch: Touch
@@ -342,7 +343,7 @@ class Feel(Result):
 
     def facts(self) -> dict[str, Any]:
         return {
-            "gap_hz": self.gap,
+            "gap_hz": (self.gap.lower, self.gap.upper) if self.gap else None,
             "drive": {"amplitude": self.drive, "unit": self.unit},
             "driven": self.driven,
             "regions": split(self.by_region, "region"),
