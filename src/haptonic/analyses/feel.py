@@ -10,6 +10,7 @@ from haptonic.analyses import plate as vibration
 from haptonic.analyses.analysis import Analysis, option
 from haptonic.analyses.needs import fineness, gap_of_plate, has_plate, need_carrier, response_settings
 from haptonic.errors import StudyError
+from haptonic.friction.lubrication.law import check_reduction
 from haptonic.friction.lubrication.settings import VOLTAGE
 from haptonic.later import xarray as xr
 from haptonic.plate import Plate
@@ -20,7 +21,7 @@ from haptonic.plate.sweep import check_cost
 from haptonic.progress import Progress
 from haptonic.results.common import stamped
 from haptonic.results.cost import Cost
-from haptonic.results.feel.value import Feel, check_reduction
+from haptonic.results.feel.value import Feel
 from haptonic.results.runner import Runner
 from haptonic.store import Store
 from haptonic.study.schema import Description
