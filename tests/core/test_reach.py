@@ -8,7 +8,7 @@ from hypothesis import Phase, given, settings, strategies as st
 from strategies import ALUMINIUM
 from truth import KAPPA, plain_plate
 
-from haptonic.bloch import bands_dataset, model, resolution
+from haptonic.bloch import bands_dataset, model, reach
 from haptonic.bloch.model import BlochModel, bloch_model
 from haptonic.bloch.reach import check_start, first_rung
 from haptonic.bloch.reduced import ReducedCell
@@ -41,7 +41,7 @@ def test_narrow_necks_are_refused_before_anything_is_condensed(thickness, diamet
     cell = cell_of(thickness, diameter, height)
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(BlochModel, "of", lambda *_, **__: pytest.fail("a mesh was condensed"))
-        patch.setattr(resolution.psutil, "virtual_memory", lambda: SimpleNamespace(available=16e9))
+        patch.setattr(reach.psutil, "virtual_memory", lambda: SimpleNamespace(available=16e9))
         refused = refusal(cell, count, 5e-4)
         words = refused.allowed.split()
         if words[0] == "what":
@@ -61,7 +61,7 @@ def test_what_fits_at_its_first_mesh_alone_is_refused_before_it(thickness, diame
     alone, after = (rung.for_bands(10).seconds(cell) for rung in LADDER[first : first + 2])
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(BlochModel, "of", lambda *_, **__: pytest.fail("a mesh was condensed"))
-        patch.setattr(resolution, "LONGEST", alone + 0.5 * after)
+        patch.setattr(reach, "LONGEST", alone + 0.5 * after)
         assert "for lower ones" in refusal(cell, 10, accuracy).cause
 
 
@@ -73,7 +73,7 @@ def test_the_accuracy_that_a_refusal_names_is_answered(thickness, diameter, heig
     """With a short limit, so that it takes no longer."""
     cell = cell_of(thickness, diameter, height)
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(resolution, "LONGEST", 6.0)
+        patch.setattr(reach, "LONGEST", 6.0)
         named = float(refusal(cell, 8, 2e-4).allowed.split()[0])
         assert bloch_model(cell, BandSettings(8, accuracy=named)).worst_error <= named
 
