@@ -69,12 +69,13 @@ def compute(study: Description, options: FeelOptions, runner: Runner) -> Feel:
     finger.at(middle)  # refused before anything is computed
     check_cost(plate, highest(middle))
     check_grid(plate, own.grid, len(LOADS))
+    chosen = fineness(study)
     gap = gap_of_plate(study, plate, carrier, runner)
     found = compute_loaded(
         runner.store, study.inputs(), runner.progress, plate=plate,
         diameter=finger.pad.diameter, damping=finger.pad.damping, carrier=carrier, at=options.at,
         gap=(gap.lower, gap.upper) if gap else None,
-        grid=own.grid, tolerance=own.tolerance, fineness=fineness(study),
+        grid=own.grid, tolerance=own.tolerance, fineness=chosen,
     )  # fmt: skip
     touch, skin = finger.at(found.attrs["frequency_hz"]), finger.skin
     return Feel(

@@ -60,6 +60,7 @@ def compute(study: Description, options: PlateOptions, runner: Runner) -> PlateR
     check_cost(plate, settings.highest, single=at is not None)
     place = "plate.response.grid" if options.settings is None else "scan.grid"
     check_grid(plate, settings.grid, settings.points, place)
+    chosen = fineness(study)  # refused before a gap is looked for
     return compute_plate(
         plate,
         settings,
@@ -67,7 +68,7 @@ def compute(study: Description, options: PlateOptions, runner: Runner) -> PlateR
         gap=gap_of_plate(study, plate, carrier, runner) if at is None else None,
         inputs=study.inputs(),
         store=runner.store,
-        fineness=fineness(study),
+        fineness=chosen,
         progress=runner.progress,
     )
 
