@@ -9,7 +9,7 @@ from urllib.parse import unquote
 
 import pytest
 import xarray as xr
-from hypothesis import assume, given, strategies as st
+from hypothesis import assume, example, given, strategies as st
 from matplotlib.figure import Figure
 from rich.cells import cell_len
 from rich.table import Table
@@ -88,6 +88,7 @@ def test_cells_of_a_table_are_no_formulas_and_come_back(text, other):
 
 
 @given(names, st.sampled_from(["V", "N", "m/s", "1", ""]))
+@example("a, b", "")
 def test_a_reference_is_taken_apart_where_it_was_put_together(name, unit):
     assert Reference.parse(str(Reference(name, unit))) == Reference(name, unit)
 
