@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 from small_plate import LINES, POINTS, plate
 
+from five_parts import refusing
 from haptonic.analyses.verdict import _on_plate
 from haptonic.errors import ScanError
 from haptonic.plate.levels import contrasts
@@ -34,7 +35,7 @@ def test_points_get_the_names_of_their_regions_and_those_on_a_lattice_none():
 
 
 def test_a_scan_of_another_place_is_refused():
-    with pytest.raises(ScanError, match="5 of 9 beside the plate"):
+    with refusing(ScanError, "mismatch", "points", "5 of 9"):
         _on_plate(plate(), scan([*CORNERS, *(np.array([(k, 50) for k in range(5)]) * 1e-3)]))
 
 
