@@ -43,7 +43,7 @@ class Sites:
         return discs(self.points, self.diameter)
 
 
-def places_on(points: Array, inside: Bools, layout: Layout, diameter: float) -> Bools:
+def whole_finger_on(points: Array, inside: Bools, layout: Layout, diameter: float) -> Bools:
     """(point,) places (point, 2) of a region at which a whole finger lies on it and on the plate.
 
     They are all of its points if it is too small for one, or if there is no other region.

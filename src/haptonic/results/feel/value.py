@@ -27,7 +27,7 @@ from haptonic.gate import declared
 from haptonic.later import Axes, Figure, xarray as xr
 from haptonic.plate import Plate
 from haptonic.plate.sampling import driven_regions
-from haptonic.plate.touch import places_on
+from haptonic.plate.touch import whole_finger_on
 from haptonic.response import Reference
 from haptonic.results.feel.reduction import Reduction
 from haptonic.results.feel.requirements import Requirement, requirements
@@ -98,7 +98,8 @@ class Feel(Result):
         points = np.stack([self.loaded["x"].values, self.loaded["y"].values], axis=1)
         of = {name: self.loaded["region"].values == name for name in self.regions}
         return {
-            name: places_on(points, inside, self.plate.layout, self.diameter) for name, inside in of.items()
+            name: whole_finger_on(points, inside, self.plate.layout, self.diameter)
+            for name, inside in of.items()
         }
 
     @cached_property
