@@ -91,10 +91,11 @@ class Bands(Result):
         if carrier is None or not complete:
             return []
         gap = max(complete, key=lambda one: one.margin(carrier))  # that which holds it, else the nearest
-        _, edge, room = min(
-            (carrier - gap.lower - gap.lower_error, "lower", carrier - gap.lower),
-            (gap.upper - gap.upper_error - carrier, "upper", gap.upper - carrier),
+        ends = sorted(
+            [(carrier - gap.lower, "lower", gap.lower_error), (gap.upper - carrier, "upper", gap.upper_error)]
         )
+        # the nearer edge, unless only the other one is so uncertain that the gap may not hold the carrier
+        room, edge, _ = next((one for one in ends if one[0] <= one[2]), ends[0])
         name, away = f"The carrier, {format_quantity(carrier, 'Hz')},", f"{abs(room) / 1e3:.2g} kHz"
         if room <= 0:
             said = f"{name} lies in no complete gap, {away} from the nearest edge"
