@@ -16,8 +16,8 @@ from record import STUDY, write
 
 import haptonic
 from haptonic.analyses import scanning
+from haptonic.analyses.scanning import Estimation, compute_scan
 from haptonic.response import FrequencyResponse, read
-from haptonic.results.scan import Estimation, compute_scan
 from haptonic.store import Store
 from haptonic.vibrometry import ReadReport, Scan
 from haptonic.vibrometry.of_settings import drive_for, response_for

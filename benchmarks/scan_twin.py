@@ -18,11 +18,12 @@ from record import STUDY, write
 
 import haptonic
 from haptonic.analyses import scanning
+from haptonic.analyses.scanning import Estimation, OnPlate, compute_scan
 from haptonic.plate.levels import contrasts
 from haptonic.plate.sampling import driven_region
 from haptonic.response import FrequencyResponse
 from haptonic.results import write_files
-from haptonic.results.scan import Estimation, OnPlate, ScanResult, SimulatedScan, compute_scan
+from haptonic.results.scan import ScanResult, SimulatedScan
 from haptonic.store import Store
 from haptonic.vibrometry import ReadReport, Scan, estimate, read_scan
 from haptonic.vibrometry.of_settings import drive_for, response_for

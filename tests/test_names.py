@@ -9,7 +9,7 @@ from urllib.parse import unquote
 
 import pytest
 import xarray as xr
-from hypothesis import assume, given, strategies as st
+from hypothesis import assume, example, given, strategies as st
 from matplotlib.figure import Figure
 from rich.cells import cell_len
 from rich.table import Table
@@ -22,6 +22,7 @@ from haptonic.names import cell, file_parts, from_cell, variable, visible
 from haptonic.response import Reference
 from haptonic.results.common import refuse_taken, write_files, write_netcdf
 from haptonic.study import loads
+from haptonic.vibrometry.settings import ScanSettings
 from hostile import NASTY, any_text, names
 from tiny_scan import TINY
 
@@ -86,9 +87,21 @@ def test_cells_of_a_table_are_no_formulas_and_come_back(text, other):
     assert (cell(other) == safe) == (other == text)
 
 
-@given(names, st.sampled_from(["V", "N", "m/s", "1"]))
+@given(names, st.sampled_from(["V", "N", "m/s", "1", ""]))
+@example("a, b", "")
 def test_a_reference_is_taken_apart_where_it_was_put_together(name, unit):
     assert Reference.parse(str(Reference(name, unit))) == Reference(name, unit)
+
+
+@given(st.lists(names, unique=True, min_size=1, max_size=4))
+def test_whatever_a_region_is_called_a_scan_can_leave_it_out(known):
+    """One by one, and plain names in a list."""
+    for name in known:
+        if len(name) <= 400:
+            assert ScanSettings(skip=name).skipped(known) == (name,)
+    plain = [name for name in known if "," not in name and name == name.strip()]
+    assert ScanSettings(skip=", ".join(plain)).skipped(plain) == tuple(plain)
+    assert ScanSettings(skip="a, b, clamps").skipped(("a, b", "a", "clamps")) == ("a, b", "clamps")
 
 
 @given(st.lists(names, unique=True, min_size=1, max_size=4))

@@ -15,7 +15,8 @@ from five_parts import refusing
 from haptonic import analyses
 from haptonic.errors import NumericalError
 from haptonic.gate import WORD, json_of
-from haptonic.results.plain import along, attributes, named, plain, split
+from haptonic.response.measures import along
+from haptonic.results.plain import attributes, named, plain, split
 from haptonic.results.result import Result
 from haptonic.results.table import Column, Table
 from haptonic.units import Hertz, In

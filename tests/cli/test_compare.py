@@ -278,7 +278,7 @@ class TestCommand:
         table.write_text("0,1\n3,2\n")
         assert_five_parts(inside("compare", table, one), f"compare {one} {table}")
         assert_five_parts(inside("compare", one, self.folder / "other.toml"), "path")
-        assert_five_parts(inside("compare", one, table), "--wavevector segments")
+        assert_five_parts(inside("compare", one, table), "--wavevector=segments")
         assert_five_parts(inside("compare", one, table, "--wavevector", "segments"), "--frequency-unit")
         assert_five_parts(inside("compare", one, tmp_path), "bands")
         (tmp_path / "bands.nc").write_bytes(b"\x89HDF\r\n\x1a\n" + bytes(200))
@@ -305,7 +305,7 @@ class TestCommand:
         )
         table = tmp_path / "comsol.csv"
         table.write_text("% Model:,bands.mph\n% k,Eigenfrequency (Hz)\n0,10+0.1i\n3,20000+2i\n")
-        assert_five_parts(inside("compare", self.folder / "one.toml", table), "--wavevector segments")
+        assert_five_parts(inside("compare", self.folder / "one.toml", table), "--wavevector=segments")
         table.write_text("k,f\n0,10\n3,20000\n")
         asked = ["compare", self.folder / "one.toml", table, "--wavevector", "segments"]
         assert_five_parts(inside(*asked), "--frequency-unit")

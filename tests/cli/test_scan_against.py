@@ -9,10 +9,10 @@ import pytest
 
 from five_parts import assert_five_parts
 from haptonic.analyses import scanning
+from haptonic.analyses.scanning import Estimation, compute_scan
 from haptonic.errors import HaptonicWarning
 from haptonic.response import FrequencyResponse, read, write
 from haptonic.results import write_files
-from haptonic.results.scan import Estimation, compute_scan
 from haptonic.store import Store
 from haptonic.study import load
 from haptonic.vibrometry import ReadReport, Scan, read_scan

@@ -15,11 +15,12 @@ from matplotlib.text import Text
 
 from five_parts import assert_five_parts
 from haptonic.analyses import scanning
+from haptonic.analyses.scanning import Estimation, OnPlate, compute_scan
 from haptonic.errors import HaptonicWarning
 from haptonic.fields import remade, with_numbers
 from haptonic.response import FrequencyResponse, read, write
 from haptonic.results import write_files
-from haptonic.results.scan import Estimation, OnPlate, SimulatedScan, compute_scan
+from haptonic.results.scan import SimulatedScan
 from haptonic.store import Store
 from haptonic.study import loads
 from haptonic.vibrometry import ReadReport, Scan, TimeScan, estimation, read_scan
@@ -403,7 +404,7 @@ class TestScan:
         assert done >= 100  # what the two threads had in hand may be lost
         scan = read_scan(recorded / "scan.h5")
         stop[0] = -1
-        again = compute_scan(scan, Estimation(state=out / "estimating"), on, store=store)
+        again = compute_scan(scan, Estimation(), on, state=out / "estimating", store=store)
         assert seen[4:] == list(range(done, 256, 50))
         at_once = compute_scan(scan, Estimation(), on, store=store)
         assert np.array_equal(again.response.values, at_once.response.values)

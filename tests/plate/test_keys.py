@@ -16,6 +16,7 @@ from small import CELL, COARSE, busy_plate
 
 from haptonic.analyses.designing.tasks import front_task, look_task
 from haptonic.analyses.feel import compute_loaded
+from haptonic.analyses.plate import compute_plate
 from haptonic.bloch.settings import BandSettings, MeshSettings
 from haptonic.cell import Pillar, UnitCell
 from haptonic.cell.pillar import Step
@@ -29,7 +30,6 @@ from haptonic.plate.settings import ResponseSettings
 from haptonic.progress import silent
 from haptonic.results import Runner
 from haptonic.results.bands import compute_bands
-from haptonic.results.plate.compute import compute_plate
 from haptonic.store import Store, content_key
 
 MATERIAL = IsotropicMaterial(

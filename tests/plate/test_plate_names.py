@@ -14,6 +14,7 @@ from matplotlib.legend import Legend
 from small import COARSE, LOSS, drawn, glued
 
 from haptonic import plots
+from haptonic.analyses.plate import compute_plate
 from haptonic.cli.console import Voice
 from haptonic.plate import Plate
 from haptonic.plate.holding import Support
@@ -22,7 +23,6 @@ from haptonic.plate.parts import Force
 from haptonic.plate.settings import ResponseSettings
 from haptonic.response import read, write
 from haptonic.results.common import write_netcdf
-from haptonic.results.plate.compute import compute_plate
 from haptonic.results.plate.value import impedance_names
 from haptonic.store import Store
 from hostile import NASTY, names

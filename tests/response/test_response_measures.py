@@ -49,7 +49,7 @@ class TestMac:
         assert mac(a @ unitary, b @ unitary) == pytest.approx(mac(a, b))
 
     def test_other_points_are_refused(self):
-        with pytest.raises(ResponseError, match=r"\(3, 7\) and \(2, 8\)"):
+        with refusing(ResponseError, "mismatch", "shapes", "(3, 7) and (2, 8)"):
             mac(numbers((3, 7)), numbers((2, 8)))
         with refusing(ResponseError, "mismatch", "shapes"):
             mac(numbers((7,)), numbers((2, 7)))
@@ -139,7 +139,7 @@ class TestRegions:
         assert (contrast(made(response=values), "WG1", "WG2").values == np.inf).all()
 
     def test_no_points_in_the_rest(self):
-        with pytest.raises(ResponseError, match="rest"):
+        with refusing(ResponseError, "missing", "region", '"rest"'):
             contrast(made(region=["WG1"] * 20), "WG1", "rest")
 
     @pytest.mark.parametrize("pair", [("WG1", "WG3"), ("WG3", "WG1"), ("rest", "rest"), ("WG3", "rest")])
@@ -222,7 +222,7 @@ class TestCmif:
         assert (cmif(both).values[:, 1] > 0.1 * cmif(both).values[:, 0]).all()
 
     def test_responses_that_do_not_fit_are_refused(self):
-        with pytest.raises(ResponseError, match="none"):
+        with refusing(ResponseError, "mismatch", "responses", "none"):
             cmif([])
         with refusing(ResponseError, "mismatch", "responses"):
             cmif([made(), made().between(0, 40e3)])

@@ -204,6 +204,7 @@ WRONG = {
     "regions, not names of points": ({"region": ["WG1", "WG2"]}, "mismatch", "response.region"),
     "region as text": ({"region": "abcdefghijklmnopqrst"}, "mismatch", "response.region"),
     "reserved": ({"region": ["rest"] * 20}, "conflict", "response.region"),
+    "reserved in words": ({"region": ["the rest"] * 20}, "conflict", "response.region"),
 }
 
 

@@ -8,12 +8,14 @@ from test_study_writing import studies
 
 from five_parts import refused, refusing
 from haptonic.analyses import NAMES, named
+from haptonic.analyses.analysis import option_of
 from haptonic.cell import Pillar, UnitCell
 from haptonic.errors import HaptonicError, StudyError
 from haptonic.fields import numbers, table, with_numbers
 from haptonic.fields.keys import key_of
 from haptonic.lattice import Lattice
 from haptonic.materials import OrthotropicMaterial, material
+from haptonic.results.runner import Runner
 from haptonic.store import canonical
 from haptonic.study import Study, loads
 
@@ -177,3 +179,47 @@ def test_a_path_that_an_analysis_takes_may_be_a_text_and_nothing_else(name, tmp_
 def test_what_an_analysis_cannot_do_without_is_asked_for_by_its_name(name, option):
     error = refused(lambda: Study(cell=CELL).run(name, **({"first": "a.toml"} if name == "compare" else {})))
     assert (error.code, error.argument) == ("missing", option)
+
+
+QUANTITIES = [
+    (name, one.name)
+    for name in NAMES
+    for one in fields(named(name).options)
+    if (known := option_of(one)) and known.unit
+]
+
+
+@pytest.mark.parametrize(("name", "option"), QUANTITIES)
+def test_a_quantity_is_called_by_its_name_in_python_and_by_its_flag_on_the_command_line(
+    name, option, tmp_path
+):
+    given = dict.fromkeys(NEEDING_PATHS[name], str(tmp_path)) | {option: "3 apples"}
+    error = refused(lambda: Study(cell=CELL).run(name, **given))
+    assert error.argument == option
+    assert "--" not in str(error)
+    at_the_command = refused(lambda: named(name).chosen(given))
+    assert at_the_command.argument == f"--{option.replace('_', '-')}"
+
+
+@pytest.mark.parametrize(
+    ("name", "given", "option"),
+    [
+        ("bands", {"modes_at": "Q"}, "modes_at"),
+        ("waveguide", {"mode": "17"}, "mode"),
+        ("scan", {"corners": "0 0 1 1 mm"}, "corners"),
+        ("scan", {"variables": "response"}, "variables"),
+        ("simulate scan", {"form": "nc", "time": True}, "form"),  # --format
+        ("simulate friction", {"amplitudes": "nowhere.json"}, "amplitudes"),  # --from
+    ],
+)
+def test_an_error_of_an_analysis_names_no_flag_in_python(name, given, option, tmp_path):
+    paths = dict.fromkeys(NEEDING_PATHS[name], str(tmp_path))
+    error = refused(lambda: Study(cell=CELL, carrier="60 kHz").run(name, **paths | given))
+    assert error.argument == option
+    assert "--" not in str(error)
+
+
+def test_a_command_that_an_error_advises_keeps_its_flags(tmp_path):
+    given = {"path": str(tmp_path), "against": "model.nc"}
+    error = refused(lambda: named("scan").run(None, Runner(), given), argument="against")
+    assert error.next_step == "haptonic scan PATH STUDY --against model.nc"

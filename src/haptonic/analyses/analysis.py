@@ -2,18 +2,21 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Mapping
 from dataclasses import MISSING, dataclass, field, fields
 from pathlib import Path
 from typing import Any, Literal, get_args, get_type_hints
 
-from haptonic.errors import StudyError
+from haptonic.errors import HaptonicError, StudyError
 from haptonic.paths import source
 from haptonic.results.cost import Cost
 from haptonic.results.result import Result
 from haptonic.results.runner import Runner
 from haptonic.units import to_si
 
+FLAG = re.compile(r"(?<![\w-])--[a-z][a-z-]*")
+COMMAND = "haptonic "
 KEPT = "the designs that were finished are kept; the same command goes on from there"
 
 
@@ -125,10 +128,28 @@ class Analysis:
         return self.options(**asked | paths)
 
     def run(self, study: Any, runner: Runner, given: Mapping[str, Any]) -> Result:
-        """Check, then compute."""
-        options = self.chosen(given)
-        self.check(study, options)
-        return self.compute(study, options, runner)
+        """Check, then compute, as Python asks: errors name options as Python has them, not their flags."""
+        try:
+            options = self.chosen(given)
+            self.check(study, options)
+            return self.compute(study, options, runner)
+        except HaptonicError as error:
+            raise self._by_names(error).with_traceback(error.__traceback__) from error.__cause__
+
+    def _by_names(self, error: HaptonicError) -> HaptonicError:
+        """``modes_at`` for ``--modes-at``; a whole command that an error advises stays one."""
+        names = {
+            flag: one.name
+            for one in fields(self.options)
+            if (known := option_of(one)) and known.place == "option"
+            for flag in known.flag.split("/")
+        }
+        parts = error.parts()
+        told = {
+            part: text if COMMAND in text else FLAG.sub(lambda found: names.get(found[0], found[0]), text)
+            for part, text in parts.items()
+        }
+        return error if told == parts else error.changed(type(error), **told)
 
     def foreseen(self, study: Any) -> bool:
         """Whether a plan of a study tells what this will cost."""

@@ -31,7 +31,7 @@ class BandsOptions:
 def check(study: Description, options: BandsOptions) -> None:
     """Raise StudyError if there is no such wavevector."""
     if options.modes_at is not None:
-        wavevector_at(study.cell.zone, options.modes_at)
+        wavevector_at(study.cell.zone, options.modes_at, "--modes-at")
 
 
 def compute(study: Description, options: BandsOptions, runner: Runner) -> Bands:

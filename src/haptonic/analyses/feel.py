@@ -10,6 +10,7 @@ from haptonic.analyses import plate as vibration
 from haptonic.analyses.analysis import Analysis, option
 from haptonic.analyses.needs import fineness, gap_of_plate, has_plate, need_carrier, response_settings
 from haptonic.errors import StudyError
+from haptonic.friction.lubrication.law import check_reduction
 from haptonic.friction.lubrication.settings import VOLTAGE
 from haptonic.later import xarray as xr
 from haptonic.plate import Plate
@@ -20,7 +21,7 @@ from haptonic.plate.sweep import check_cost
 from haptonic.progress import Progress
 from haptonic.results.common import stamped
 from haptonic.results.cost import Cost
-from haptonic.results.feel.value import Feel, check_reduction
+from haptonic.results.feel.value import Feel
 from haptonic.results.runner import Runner
 from haptonic.store import Store
 from haptonic.study.schema import Description
@@ -68,17 +69,18 @@ def compute(study: Description, options: FeelOptions, runner: Runner) -> Feel:
     finger.at(middle)  # refused before anything is computed
     check_cost(plate, highest(middle))
     check_grid(plate, own.grid, len(LOADS))
+    chosen = fineness(study)
     gap = gap_of_plate(study, plate, carrier, runner)
-    edges = (gap.lower, gap.upper) if gap else None
     found = compute_loaded(
         runner.store, study.inputs(), runner.progress, plate=plate,
-        diameter=finger.pad.diameter, damping=finger.pad.damping, carrier=carrier, at=options.at, gap=edges,
-        grid=own.grid, tolerance=own.tolerance, fineness=fineness(study),
+        diameter=finger.pad.diameter, damping=finger.pad.damping, carrier=carrier, at=options.at,
+        gap=(gap.lower, gap.upper) if gap else None,
+        grid=own.grid, tolerance=own.tolerance, fineness=chosen,
     )  # fmt: skip
     touch, skin = finger.at(found.attrs["frequency_hz"]), finger.skin
     return Feel(
         plate=plate,
-        gap=edges,
+        gap=gap,
         loaded=found,
         diameter=finger.pad.diameter,
         touch=touch,

@@ -2,19 +2,30 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass, field
+from typing import Any
 
 from haptonic.analyses.analysis import Analysis, option
 from haptonic.analyses.costs import gaps, response
 from haptonic.analyses.needs import fineness, gap_of_plate, has_plate, need_carrier, response_settings
-from haptonic.plate.sampling import check_grid
+from haptonic.bloch import Gap
+from haptonic.plate import Fineness, Plate
+from haptonic.plate.band_response import band_response, need_loss
+from haptonic.plate.sampling import check_grid, reference_of
 from haptonic.plate.settings import ResponseSettings
 from haptonic.plate.sweep import check_cost
+from haptonic.progress import Progress, silent
+from haptonic.response import from_plain
+from haptonic.results.common import stamped
 from haptonic.results.cost import Cost
-from haptonic.results.plate.compute import compute_plate
 from haptonic.results.plate.value import PlateResult
 from haptonic.results.runner import Runner
+from haptonic.store import Store, content_key
 from haptonic.study.schema import Description
+
+PARTS = ("response", "maps", "lines", "modes", "body")
+STAMPED = ("lines", "modes", "body")  # a response brings its own inputs
 
 
 @dataclass(frozen=True)
@@ -49,6 +60,7 @@ def compute(study: Description, options: PlateOptions, runner: Runner) -> PlateR
     check_cost(plate, settings.highest, single=at is not None)
     place = "plate.response.grid" if options.settings is None else "scan.grid"
     check_grid(plate, settings.grid, settings.points, place)
+    chosen = fineness(study)  # refused before a gap is looked for
     return compute_plate(
         plate,
         settings,
@@ -56,8 +68,65 @@ def compute(study: Description, options: PlateOptions, runner: Runner) -> PlateR
         gap=gap_of_plate(study, plate, carrier, runner) if at is None else None,
         inputs=study.inputs(),
         store=runner.store,
-        fineness=fineness(study),
+        fineness=chosen,
         progress=runner.progress,
+    )
+
+
+def compute_plate(
+    plate: Plate,
+    settings: ResponseSettings,
+    *,
+    carrier: float,
+    gap: Gap | None,
+    inputs: Mapping[str, Any],
+    store: Store,
+    fineness: Fineness | None = None,
+    progress: Progress = silent,
+) -> PlateResult:
+    """How a plate answers its drives, from the store if it was computed before.
+
+    Parameters
+    ----------
+    carrier : Hz, near which modes are listed
+    gap : for the maps below, in and above it; without one the only map is at the carrier
+    inputs : plain values of what was asked; fineness : of the mesh, if not the usual one
+    progress : called with the shifts done and planned, then with the lines that are answered one by one
+
+    Raises
+    ------
+    StudyError : nothing drives the plate, or it has no loss
+    ResourceError : the basis would need more memory than there is
+    HaptonicError : lines that cannot be made as exact as asked for
+    """
+    reference_of(plate)
+    need_loss(plate)
+    edges = None if gap is None else [gap.lower, gap.upper]
+    keys = [
+        content_key(
+            {"part": f"plate {part}", "plate": plate, "settings": settings, "carrier": carrier, "gap": edges,
+             "fineness": fineness, "inputs": inputs}
+        )
+        for part in PARTS
+    ]  # fmt: skip
+    kept = [dataset for key in keys if (dataset := store.get(key)) is not None]
+    if len(kept) < len(keys):
+        found = band_response(
+            plate, settings, carrier, edges, inputs=inputs, fineness=fineness, progress=progress
+        )
+        kept = [stamped(found[name], inputs) if name in STAMPED else found[name] for name in PARTS]
+        for key, dataset in zip(keys, kept, strict=True):
+            store.put(key, dataset)
+    response, marked, lines, modes, body = kept
+    return PlateResult(
+        plate=plate,
+        gap=gap,
+        carrier=carrier,
+        response=from_plain(response),
+        marked=from_plain(marked),
+        lines=lines,
+        modes=modes,
+        body=body,
     )
 
 

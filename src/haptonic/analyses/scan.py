@@ -6,13 +6,13 @@ import re
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import Any, Literal
+from typing import Any
 
 import numpy as np
 
 from haptonic.analyses.analysis import Analysis, option
 from haptonic.analyses.costs import size_of
-from haptonic.analyses.scanning import on_plate
+from haptonic.analyses.scanning import Estimation, OnPlate, compute_scan, on_plate
 from haptonic.analyses.verdict import compared, cost_of
 from haptonic.arrays import Array
 from haptonic.errors import ScanError, StudyError, shown
@@ -20,13 +20,11 @@ from haptonic.paths import source
 from haptonic.response import read
 from haptonic.results.cost import BASE, Cost
 from haptonic.results.runner import Runner
-from haptonic.results.scan.analysis import Estimation, OnPlate, compute_scan
 from haptonic.results.scan.value import ScanResult
 from haptonic.study.loading import load_as
 from haptonic.study.schema import Description
 from haptonic.units import to_si
 from haptonic.vibrometry import read_scan
-from haptonic.vibrometry.estimation.quality import check_flags
 
 PROGRESS = "estimating"  # folder in which an estimation that was stopped goes on
 ANALYSED, BYTE_OF_SCAN = 4.0, 5e-8  # s, of maps and pictures; of a byte that is read and estimated
@@ -47,7 +45,7 @@ def names_of(variables: str) -> Mapping[str, str]:
             given=shown(variables),
             allowed="MEANING=NAME, several of them parted by commas",
             cause="a sign of equality or a name is missing",
-            next_step="write --variables response=FRF,frequency=f,x=X,y=Y",
+            next_step="write --variables=response=FRF,frequency=f,x=X,y=Y",
         )
     return {meaning.strip(): name.strip() for meaning, name in pairs}
 
@@ -71,20 +69,8 @@ def corners_of(text: str) -> Array:
     return np.array([to_si(f"{number} {unit}", "m", "--corners") for number in numbers]).reshape(4, 2)
 
 
-def flags_of(text: str) -> tuple[str, ...]:
-    """Flags of points, parted by commas.
-
-    Raises
-    ------
-    ScanError : there is no such flag
-    """
-    names = tuple(name for part in text.split(",") if (name := part.strip()))
-    check_flags(names)
-    return names
-
-
-@dataclass(frozen=True)
-class ScanOptions:
+@dataclass(frozen=True, kw_only=True)
+class ScanOptions(Estimation):
     """What is read, and how it is analysed."""
 
     path: Path = option(help="Scan file, or a folder with one CSV a point.", metavar="PATH", place="before")
@@ -92,19 +78,6 @@ class ScanOptions:
         None, "Judge the model as well: a study; or, after STUDY, the response (.nc) that it has given.",
         metavar="MODEL",
     )  # fmt: skip
-    estimator: Literal["H1", "H2", "Hv"] = option("H1", "H1 for noise on the response, a laser's.")
-    window: Literal["none", "hann", "exponential"] = option(
-        "none", "none for periodic chirps, exponential for bursts, hann for noise."
-    )
-    decay: float | None = option(None, 'Of the exponential window, such as "5 ms".', unit="s", metavar="TIME")
-    segment: float | None = option(
-        None, "One transform; else the study's period, or a record.", unit="s", metavar="TIME"
-    )
-    overlap: float = option(0.0, "Of segments, from 0 to below 1.")
-    align: bool = option(False, "Align records by their reference.")
-    repair: tuple[str, ...] = option(
-        (), 'Replace points, such as "dropout,saturated"; marked.', read=flags_of, metavar="FLAGS"
-    )
     at: float | None = option(
         None, "Of the operating shape; else the loudest.", unit="Hz", metavar="FREQUENCY"
     )
@@ -170,18 +143,15 @@ def compute(study: Description | None, options: ScanOptions, runner: Runner) -> 
     computed = read(options.against) if options.against and not options.model_is_a_study else None
     on = None if study is None else _on(study, options, runner)
     state = runner.folder / PROGRESS if runner.folder else None
-    how = Estimation(
-        estimator=options.estimator, window=options.window, decay=options.decay, segment=options.segment,
-        overlap=options.overlap, align=options.align,
-        state=state, repair=options.repair,
-    )  # fmt: skip
     runner.progress(0, 0, "reading")
     content = read_scan(
         options.path, unit=options.unit, reference=options.reference,
         origin="simulated" if options.simulated else "measured", length_unit=options.length_unit,
         frequency_unit=options.frequency_unit, variables=options.variables or {},
     )  # fmt: skip
-    found = compute_scan(content, how, on, at=options.at, store=runner.store, progress=runner.progress)
+    found = compute_scan(
+        content, options, on, at=options.at, state=state, store=runner.store, progress=runner.progress
+    )
     verdict = None
     if study is not None and options.against:
         verdict = compared(study, found.response, computed, runner)

@@ -1,33 +1,120 @@
-"""From a study to the scan of its plate: what an analysis has to know, and a simulated scan as a test."""
+"""From the content of scan files to all that a scan tells, with the plate of a study or without one; and
+from a computed plate to the scan that it would have."""
 
 from __future__ import annotations
 
+import json
 import warnings
+from dataclasses import dataclass, replace
+from pathlib import Path
 
 import numpy as np
 
+from haptonic.analyses.analysis import option
 from haptonic.analyses.needs import gap_of_plate, need_carrier, response_settings
 from haptonic.arrays import Array
-from haptonic.errors import HaptonicWarning, ScanError
+from haptonic.bloch import Gap
+from haptonic.bloch.settings import BandSettings
+from haptonic.errors import HaptonicWarning, ResponseError, ScanError
 from haptonic.fields import unchecked
+from haptonic.later import xarray as xr
+from haptonic.plate import Plate
+from haptonic.plate.levels import marked_lines
+from haptonic.plate.sampling import driven_region, tile_names
 from haptonic.progress import Progress, silent
-from haptonic.response import FrequencyResponse
+from haptonic.response import FrequencyResponse, average_spectrum
 from haptonic.results.plate.value import PlateResult
 from haptonic.results.runner import Runner
-from haptonic.results.scan import Estimation, OnPlate, ScanResult, SimulatedScan, compute_scan
+from haptonic.results.scan import ScanResult, SimulatedScan
 from haptonic.store import Store
 from haptonic.study.schema import Description
-from haptonic.vibrometry import ReadReport, Scan
-from haptonic.vibrometry.of_settings import drive_for
+from haptonic.vibrometry import (
+    Estimate,
+    MeasuredGap,
+    ReadReport,
+    Registration,
+    Scan,
+    estimate,
+    register_by_corners,
+    register_by_fit,
+    warn_if_aliased,
+)
+from haptonic.vibrometry.estimation.quality import check_flags
+from haptonic.vibrometry.estimation.spectra import Estimator, WindowName
+from haptonic.vibrometry.guides import Mirror, guides_of, mirror_beside
+from haptonic.vibrometry.maps.waves import grid_step
+from haptonic.vibrometry.of_settings import Tiles, drive_for, plan_for
+from haptonic.vibrometry.on_plate import (
+    contrast_range,
+    decay_in,
+    guide_waves,
+    lattice_gap,
+    region_levels,
+)
 from haptonic.vibrometry.settings import ScanSettings
+from haptonic.vibrometry.theory import computed_waves
 
+FAR = 0.5  # of a step of the grid: a worse misfit of a registration is told
+SAME_SCALE = 0.05  # by which a registration may scale before it is told
 SHIFTED = 0.01  # of the distance of lines, by which a computed line may be off one of a periodic drive
+
+
+def flags_of(text: str) -> tuple[str, ...]:
+    """Flags of points, parted by commas.
+
+    Raises
+    ------
+    ScanError : there is no such flag
+    """
+    names = tuple(name for part in text.split(",") if (name := part.strip()))
+    check_flags(names)
+    return names
+
+
+@dataclass(frozen=True)
+class Estimation:
+    """How records become responses; see `haptonic.vibrometry.estimate`.
+
+    segment : length of one transform, s; None takes the period of the study's drive, or a whole record
+    repair : flags of points that are replaced
+    """
+
+    estimator: Estimator = option("H1", "H1 for noise on the response, a laser's.")
+    window: WindowName = option("none", "none for periodic chirps, exponential for bursts, hann for noise.")
+    decay: float | None = option(None, 'Of the exponential window, such as "5 ms".', unit="s", metavar="TIME")
+    segment: float | None = option(
+        None, "One transform; else the study's period, or a record.", unit="s", metavar="TIME"
+    )
+    overlap: float = option(0.0, "Of segments, from 0 to below 1.")
+    align: bool = option(False, "Align records by their reference.")
+    repair: tuple[str, ...] = option(
+        (), 'Replace points, such as "dropout,saturated"; marked.', read=flags_of, metavar="FLAGS"
+    )
+
+
+@dataclass(frozen=True)
+class OnPlate:
+    """What a study says about a scanned plate.
+
+    carrier : Hz; gap : of its lattice; bands : what is asked of its bands
+    corners : (4, 2) of the plate as the scan sees them, from the lower left one anticlockwise, m; else the
+        points are fitted to the planned ones
+    mirrored : the scan sees the plate from behind
+    """
+
+    plate: Plate
+    scan: ScanSettings
+    carrier: float
+    gap: Gap | None
+    bands: BandSettings
+    corners: Array | None = None
+    mirrored: bool = False
 
 
 def on_plate(
     study: Description, corners: Array | None = None, *, mirrored: bool = False, store: Store | None = None
 ) -> OnPlate:
-    """What an analysis of a scan has to know of the plate; see `haptonic.results.scan.compute_scan`.
+    """What an analysis of a scan has to know of the plate; see `compute_scan`.
 
     Parameters
     ----------
@@ -48,6 +135,144 @@ def on_plate(
         corners=corners,
         mirrored=mirrored,
     )
+
+
+def compute_scan(
+    scan: Scan,
+    how: Estimation,
+    on: OnPlate | None,
+    *,
+    at: float | None = None,
+    state: Path | None = None,
+    store: Store,
+    progress: Progress = silent,
+) -> ScanResult:
+    """All that a scan tells.
+
+    Parameters
+    ----------
+    at : frequency of the operating shape and its animation, Hz; else the loudest
+    state : folder from which a stopped estimation goes on
+    progress : called with the points done and their number
+
+    Raises
+    ------
+    ScanError : settings that do not fit the scan, or nothing left of it
+    ResponseError : ``at`` is not covered
+    """
+    found = _estimated(scan, how, on, state, progress)
+    if how.repair:
+        found = found.repaired(*how.repair)
+    response = found.response
+    if at is not None:
+        at = float(response.at(at).frequency[0])
+    report = scan.report.followed_by(found.report)
+    data = xr.Dataset({"average": average_spectrum(response)})
+    axes = [str(name) for name in response.dataset["direction"].values]
+    unseen = [] if "z" in axes else [f"no maps: motions along {', '.join(axes)}, none normal to the plate"]
+    plain = ScanResult(
+        response=response,
+        quality=found.quality,
+        report=report,
+        averages=found.averages,
+        data=data,
+        shapes=(),
+        undetermined=tuple(unseen),
+    )
+    if on is None:
+        loudest = float(response.frequency[int(data["average"].values.argmax())])
+        return replace(plain, shapes=(loudest if at is None else at,))
+    registration = _registration(response, on)
+    layout = on.plate.layout
+    response = on.scan.instrument.taken_out(
+        registration.registered(response, {n: Tiles(layout, n) for n in layout.regions})
+    )
+    driven = driven_region(on.plate)
+    mirror = mirror_beside(layout, driven) if driven else None
+    told = []
+    for seen, why in (region_levels(response, driven), guide_waves(response, layout)):
+        data.update(seen)
+        told += why
+    stands_out, why = _beside_lattice(response, on.plate, mirror, data)
+    told += [*why, *unseen]
+    lattice = lattice_gap(response, on.plate, data)
+    edges = None if on.gap is None else (on.gap.lower, on.gap.upper)
+    names = [str(name) for name in response.dataset["region"].values]
+    marked = marked_lines(on.plate, response.frequency, response.values[..., 0].T, names, on.carrier, edges)
+    shapes = tuple(response.frequency[marked].tolist()) if at is None else (at,)
+    waves = None
+    if layout.cells:
+        span = float(response.frequency[0]), float(response.frequency[-1])
+        parts = layout, on.bands, span, on.gap, guides_of(layout), mirror
+        waves = store.kept({"kind": "waves beside a scan", "of": parts}, lambda: computed_waves(*parts))
+        shortest = 2 * np.pi / float(waves["wavenumber"].max())
+        warn_if_aliased(grid_step(response), shortest, f"the flexural wave at {span[1] / 1e3:.4g} kHz")
+    if registration.misfit > FAR * grid_step(response):
+        told.append(
+            f"points lie {registration.misfit * 1e3:.2g} mm off the planned places: check the registration"
+        )
+    if abs(registration.scale - 1) > SAME_SCALE:
+        told.append(f"lengths were scaled by {registration.scale:.4g} to fit the plate: check their unit")
+    outside = sum(name is None for name in tile_names(layout, response.points))
+    if outside:
+        told.append(f"{outside} points lie beside the plate of the study")
+    return replace(
+        plain, response=response, shapes=shapes, plate=on.plate, carrier=on.carrier, gap=on.gap,
+        measured=stands_out, lattice=lattice, registration=registration, waves=waves, mirror=mirror,
+        undetermined=tuple(told),
+    )  # fmt: skip
+
+
+def _estimated(
+    scan: Scan, how: Estimation, on: OnPlate | None, state: Path | None, progress: Progress
+) -> Estimate:
+    """The response of a scan and the quality of its points, estimated where the scan has time records."""
+    if isinstance(scan.content, FrequencyResponse):
+        return Estimate.by_instrument(scan.content, scan.report)
+    records = scan.records
+    segment, band = how.segment, None
+    if on is not None:
+        fits = on.scan.record * records.sample_rate <= records.samples * (1 + 1e-9)
+        segment = on.scan.record if segment is None and fits else segment
+        low, high = on.scan.lowest, min(on.scan.highest, 0.5 * records.sample_rate)
+        band = (low, high) if low < high else None
+    return estimate(
+        records,
+        estimator=how.estimator, window=how.window, decay=how.decay, overlap=how.overlap, align=how.align,
+        segment=None if segment is None else round(segment * records.sample_rate), band=band, state=state,
+        progress=progress, workers=2,
+    )  # fmt: skip
+
+
+def _registration(response: FrequencyResponse, on: OnPlate) -> Registration:
+    layout = on.plate.layout
+    if on.corners is not None:
+        right, top = layout.x[-1], layout.y[-1]
+        corners = np.array([[0.0, 0.0], [right, 0.0], [right, top], [0.0, top]])
+        return register_by_corners(on.corners, corners, mirrored=on.mirrored)
+    return register_by_fit(response.points, plan_for(on.scan, on.plate).points, mirrored=on.mirrored)
+
+
+def _beside_lattice(
+    response: FrequencyResponse, plate: Plate, mirror: Mirror | None, data: xr.Dataset
+) -> tuple[MeasuredGap | None, list[str]]:
+    """The range in which the driven region stands out, its decay put in the dataset; why they miss."""
+    if driven_region(plate) is None:
+        return None, ["no contrast: the study does not say which region is driven"]
+    found, reasons = None, []
+    try:
+        found = contrast_range(response, plate)
+    except (ScanError, ResponseError) as error:
+        reasons.append(f"no range of high contrast: {error.given}")
+    if mirror is not None:
+        try:
+            decay = decay_in(response, mirror)
+        except (ScanError, ResponseError) as error:
+            reasons.append(f"no decay: {error.given}")
+        else:
+            data.update(decay.rename(error="error_of_decay"))
+            data.attrs["decay"] = json.dumps(decay.attrs)
+    return found, reasons
 
 
 def rescanned(

@@ -15,7 +15,7 @@ from haptonic.arrays import Ints
 from haptonic.errors import ResponseError, ScanError
 from haptonic.plate import Plate
 from haptonic.plate.answer import responded
-from haptonic.plate.sampling import reference_of, tile_names, unit_drives
+from haptonic.plate.sampling import reference_of, region_names, unit_drives
 from haptonic.response import FrequencyResponse, read
 from haptonic.results.cost import Cost
 from haptonic.results.runner import Runner
@@ -165,10 +165,10 @@ def _check_computed(response: FrequencyResponse) -> None:
 
 
 def _on_plate(plate: Plate, scan: FrequencyResponse) -> tuple[FrequencyResponse, int]:
-    """The points that lie on the plate, with the names of their tiles as regions; how many do not."""
+    """The points that lie on the plate, with the names of their regions; how many do not."""
     layout, points = plate.layout, scan.points
-    names = tile_names(layout, points)
-    kept = np.array([k for k, name in enumerate(names) if name], dtype=np.int64)
+    names = region_names(layout, points)
+    kept = np.array([k for k, name in enumerate(names) if name is not None], dtype=np.int64)
     if len(kept) < 3 or len(kept) < (1 - MOST_BESIDE) * len(points):
         low, high = points.min(axis=0) * 1e3, points.max(axis=0) * 1e3
         raise ScanError.mismatch(

@@ -65,9 +65,13 @@ class Gap:
         """Of the worse edge."""
         return max(self.lower_error / self.lower, self.upper_error / self.upper)
 
+    def margin(self, frequency: float) -> float:
+        """How far inside of the nearer edge a frequency lies, errors counted, Hz; negative outside."""
+        return min(frequency - self.lower - self.lower_error, self.upper - self.upper_error - frequency)
+
     def holds(self, frequency: float) -> bool:
         """Whether a frequency lies inside, errors counted."""
-        return self.lower + self.lower_error < frequency < self.upper - self.upper_error
+        return self.margin(frequency) > 0
 
 
 class ZoneSampling:

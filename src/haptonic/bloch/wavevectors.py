@@ -17,13 +17,14 @@ _BETWEEN = re.compile(rf"\s*(?:(?P<share>{_NUMBER})\s+(?:of\s+)?)?(?P<start>\S+?
 LARGEST = 2.0  # phases over pi: all of the zone, twice
 
 
-def wavevector_at(zone: IrreducibleZone, text: str) -> tuple[Array, str]:
+def wavevector_at(zone: IrreducibleZone, text: str, argument: str = "modes_at") -> tuple[Array, str]:
     """The (2,) phases k . a1 and k . a2, rad, and the name of a wavevector.
 
     Parameters
     ----------
     text : a corner, ``M``; a share of the way between two, ``0.3 X-M``; the middle, ``X-M``; or both phases
         over pi, ``0.5, 0.25``
+    argument : what an error calls it
 
     Raises
     ------
@@ -48,10 +49,10 @@ def wavevector_at(zone: IrreducibleZone, text: str) -> tuple[Array, str]:
             return kappa, f"{'middle' if share == 0.5 else f'{share:g}'} of {start}-{stop}"
     labels = list(corners)
     raise StudyError.malformed(
-        argument="--modes-at",
+        argument=argument,
         given=shown(text),
         allowed=f'a corner ({", ".join(labels)}), a share between two ("0.3 {labels[0]}-{labels[1]}") or the '
         f'phases k.a1 and k.a2 over pi, at most {LARGEST:g} ("0.5, 0.25")',
         cause="it names no wavevector of this lattice",
-        next_step=f"write --modes-at {labels[-1]}, or leave it out for the middle of {labels[1]}-{labels[2]}",
+        next_step=f"write {labels[-1]}, or leave it out for the middle of {labels[1]}-{labels[2]}",
     )

@@ -63,7 +63,7 @@ class Meshed:
         """The same up to where a pillar that is a prism needs no mesh."""
         if self.tile.pillar is None or not self.tile.pillar.is_prism:
             return self
-        return replace(self, plan=replace(self.plan, pillar_layers=1))
+        return replace(self, plan=self.plan.foot)
 
     def boundary(self, levels: int) -> int:
         """Unknowns of a trace of some levels; either end of a pillar's piece follows about as many as one."""

@@ -97,6 +97,11 @@ class MeshPlan:
         share = plan.side * 4 / sides / 2
         return replace(plan, sides=sides, blocks=2, order=math.ceil(share) + 1)
 
+    @property
+    def foot(self) -> MeshPlan:
+        """The same with one layer along the pillar above the thin ones: a prism goes on without a mesh."""
+        return replace(self, pillar_layers=1)
+
     def divided(self, pieces: int, least: int) -> MeshPlan:
         """The same with elements that end at every so many equal pieces of each side, of an order at least.
 

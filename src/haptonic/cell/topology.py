@@ -10,7 +10,7 @@ step is meshed alike: what is below the step in place of the plate, with free si
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import cached_property, lru_cache
 
 import numpy as np
@@ -100,7 +100,7 @@ class Topology:
     @property
     def foot(self) -> Topology:
         """What is below the second of the pillar's layers above its thin ones."""
-        return topology_of(replace(self.plan, pillar_layers=1), mirrored=self.mirrored, free=self.free)
+        return topology_of(self.plan.foot, mirrored=self.mirrored, free=self.free)
 
     @property
     def top(self) -> Ints:

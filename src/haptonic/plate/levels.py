@@ -20,18 +20,17 @@ BELOW, ABOVE = 0.76, 1.25  # of the gap's edges, where the maps below and above 
 
 def contrasts(response: FrequencyResponse, driven: str | None) -> dict[str, xr.DataArray]:
     """How much more a region vibrates than others and than all the rest, dB."""
-    return {
-        f"{driven} over {words}": contrast(response, driven or "", other)
-        for words, other in compared(response, driven)
-    }
+    return {pair: contrast(response, *names) for pair, names in compared(response, driven).items()}
 
 
-def compared(response: FrequencyResponse, driven: str | None) -> list[tuple[str, str]]:
-    """What a driven region is compared with: words for it, and its name in `contrast`."""
+def compared(response: FrequencyResponse, driven: str | None) -> dict[str, tuple[str, str]]:
+    """What a driven region is compared with, and how it is called: names of both as `contrast` takes them."""
     if driven is None or driven not in response.regions:
-        return []
-    others = [(name, name) for name in response.regions if name not in ("", driven)]
-    return others if response.inside(driven).all() else [*others, (THE_REST, REST)]
+        return {}
+    others = {name: name for name in response.regions if name != driven}
+    if not response.inside(driven).all():
+        others[THE_REST] = REST
+    return {f"{driven} over {text}": (driven, name) for text, name in others.items()}
 
 
 def below_finger(response: FrequencyResponse) -> dict[str, xr.DataArray]:

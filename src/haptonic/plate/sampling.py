@@ -101,10 +101,13 @@ def grid_points(plate: Plate, spacing: float, at: str = "plate.response.grid") -
         axes.append(lines[0] + (lines[-1] - lines[0]) / count * (np.arange(count) + 0.5))
     x, y = (axis.ravel() for axis in np.meshgrid(*axes))
     points = np.stack([x, y], axis=-1)
-    names = tile_names(layout, points)
-    there = [k for k, name in enumerate(names) if name is not None]
-    regions = [names[k] or "" for k in there]
-    return points[there], ["" if name in layout.cells else name for name in regions]
+    regions = {k: name for k, name in enumerate(region_names(layout, points)) if name is not None}
+    return points[list(regions)], list(regions.values())
+
+
+def region_names(layout: Layout, points: Array) -> list[str | None]:
+    """Name of the region of plain plate below each point (n, 2); "" on a lattice, None beside the plate."""
+    return ["" if name in layout.cells else name for name in tile_names(layout, points)]
 
 
 def tile_names(layout: Layout, points: Array) -> list[str | None]:

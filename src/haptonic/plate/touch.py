@@ -13,12 +13,14 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
+import scipy
 
-from haptonic.arrays import Array, Complex, Ints
+from haptonic.arrays import Array, Bools, Complex, Ints
 from haptonic.later import linalg as la
 from haptonic.parallel import each
 from haptonic.plate.damping import real_times
 from haptonic.plate.keys import PLATE
+from haptonic.plate.layout import Layout
 from haptonic.plate.vibration import ReducedPlate
 from haptonic.response.measures import discs
 
@@ -39,6 +41,22 @@ class Sites:
     def discs(self) -> list[list[int]]:
         """For each point, the points below a finger there: those within its radius."""
         return discs(self.points, self.diameter)
+
+
+def whole_finger_on(points: Array, inside: Bools, layout: Layout, diameter: float) -> Bools:
+    """(point,) places (point, 2) of a region at which a whole finger lies on it and on the plate.
+
+    They are all of its points if it is too small for one, or if there is no other region.
+
+    inside : (point,) which points lie in the region
+    """
+    if inside.all():
+        return inside
+    clear = scipy.spatial.cKDTree(points[~inside]).query(points)[0] > 0.5 * diameter
+    edges = np.array([layout.x[0], layout.y[0]]), np.array([layout.x[-1], layout.y[-1]])
+    room = np.minimum(points - edges[0], edges[1] - points).min(axis=1) >= 0.5 * diameter
+    whole = inside & clear & room
+    return whole if whole.any() else inside
 
 
 def below_finger(

@@ -132,10 +132,10 @@ def regions(given: Sequence[str], points: int) -> None:
             cause="a list of the regions instead of one name for each point",
             next_step="name the region of every point",
         )
-    if REST in given:
+    if taken := {REST, THE_REST} & set(given):
         raise ResponseError.conflict(
             argument="response.region",
-            given=f'"{REST}"',
+            given=f'"{min(taken)}"',
             allowed="any other name",
             cause="this word stands for all points outside of a region",
             next_step="leave the name of these points empty, or choose another one",

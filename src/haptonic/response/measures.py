@@ -6,7 +6,7 @@ response itself; a root mean square is one over points, never over time.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 
 import numpy as np
 import scipy
@@ -83,7 +83,7 @@ def average_spectrum(response: FrequencyResponse) -> xr.DataArray:
 
 
 def contrast(response: FrequencyResponse, over: str, under: str) -> xr.DataArray:
-    """By how much a region vibrates more than another one: 20 log10(rms over / rms under), dB.
+    """By how much a region vibrates more than another one, see `power_contrast`.
 
     Parameters
     ----------
@@ -97,10 +97,18 @@ def contrast(response: FrequencyResponse, over: str, under: str) -> xr.DataArray
     ------
     ResponseError : no point lies in one of them
     """
-    upper, lower = sides(response, over, under)
-    with np.errstate(divide="ignore"):
-        level = [10 * np.log10(_mean_square(response, mask)) for mask in (upper, lower)]
-    return spectrum(response, level[0] - level[1], "dB")
+    upper, lower = (_mean_square(response, mask) for mask in sides(response, over, under))
+    return spectrum(response, power_contrast(upper, lower), "dB")
+
+
+def power_contrast(over: Array, under: Array) -> Array:
+    """The contrast of two mean squares: 10 log10(over / under), that is 20 log10 of their root's ratio, dB.
+
+    It is infinite where one of them is zero, and NaN where both are or one is negative. Levels of regions
+    are compared by this one formula, whether computed, measured or freed from noise.
+    """
+    with np.errstate(divide="ignore", invalid="ignore"):
+        return np.asarray(10 * np.log10(over) - 10 * np.log10(under))
 
 
 def sides(response: FrequencyResponse, over: str, under: str) -> tuple[Bools, Bools]:
@@ -124,6 +132,12 @@ def sides(response: FrequencyResponse, over: str, under: str) -> tuple[Bools, Bo
                 next_step="compare with a region, or measure outside of them as well",
             )
     return upper, lower
+
+
+def along(values: Mapping[str, xr.DataArray], dimension: str) -> xr.DataArray:
+    """Arrays of the same axes along a dimension of their names."""
+    names = xr.DataArray(np.array(list(values), dtype=str), dims=dimension, name=dimension)
+    return xr.concat(list(values.values()), names, combine_attrs="drop_conflicts").rename(None)
 
 
 def disc_average(response: FrequencyResponse, diameter: float) -> xr.DataArray:

@@ -19,7 +19,7 @@ class Reference:
     def parse(cls, text: str) -> Reference:
         """From "A1, V", as files and people write it: no unit holds a comma, so the last one is the border.
 
-        A text without a comma is a name without a unit.
+        A text without a comma, or that ends with one, is a name without a unit.
         """
         name, comma, unit = text.rpartition(",")
         return cls(name, unit.strip()) if comma else cls(text)
@@ -29,4 +29,6 @@ class Reference:
 
     def __str__(self) -> str:
         """What `parse` takes apart again."""
-        return f"{self.name}, {self.unit}" if self.unit else self.name
+        if self.unit:
+            return f"{self.name}, {self.unit}"
+        return f"{self.name}," if "," in self.name else self.name

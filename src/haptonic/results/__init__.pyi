@@ -5,7 +5,7 @@ from .feel import Feel as Feel
 from .friction import FrictionResult as FrictionResult, compute_friction as compute_friction
 from .guides import Guides as Guides
 from .layers import Layers as Layers
-from .plate import PlateResult as PlateResult, compute_plate as compute_plate
+from .plate import PlateResult as PlateResult
 from .protocol import TrialPlan as TrialPlan
 from .result import Result as Result
 from .ribbon import RibbonWaves as RibbonWaves

@@ -90,23 +90,20 @@ class Bands(Result):
         carrier = self.dataset.attrs.get("carrier_hz")
         if carrier is None or not complete:
             return []
-        ends = [
-            min(
-                (carrier - gap.lower, "lower", gap.lower_error, gap.width),
-                (gap.upper - carrier, "upper", gap.upper_error, gap.width),
-            )
-            for gap in complete
-        ]
-        # of the gap that holds it, else of the nearest one, and negative
-        room, edge, error, width = max(ends)
+        gap = max(complete, key=lambda one: one.margin(carrier))  # that which holds it, else the nearest
+        ends = sorted(
+            [(carrier - gap.lower, "lower", gap.lower_error), (gap.upper - carrier, "upper", gap.upper_error)]
+        )
+        # the nearer edge, unless only the other one is so uncertain that the gap may not hold the carrier
+        room, edge, _ = next((one for one in ends if one[0] <= one[2]), ends[0])
         name, away = f"The carrier, {format_quantity(carrier, 'Hz')},", f"{abs(room) / 1e3:.2g} kHz"
         if room <= 0:
             said = f"{name} lies in no complete gap, {away} from the nearest edge"
             return [f"{said}: at this frequency the lattice lets waves through."]
         said = f"{name} lies inside the gap, {away} ({room / carrier:.1%}) from its {edge} edge"
-        if room <= error:
+        if not gap.holds(carrier):
             return [f"{said}, which is within the error of that edge."]
-        if room < 0.1 * width:
+        if room < 0.1 * gap.width:
             said += ": close enough for a tolerance of the sizes or of the material to move the edge past it"
         return [f"{said}."]
 

@@ -76,12 +76,6 @@ def split(data: xr.Dataset | xr.DataArray | None, dimension: str) -> Any:
     return dict(zip(data[dimension].values.tolist(), (one.drop_vars(dimension) for one in each), strict=True))
 
 
-def along(values: Mapping[str, xr.DataArray], dimension: str) -> xr.DataArray:
-    """Arrays of the same axes along a dimension of their names: `split` turned round."""
-    names = xr.DataArray(np.array(list(values), dtype=str), dims=dimension, name=dimension)
-    return xr.concat(list(values.values()), names, combine_attrs="drop_conflicts").rename(None)
-
-
 def attributes(data: xr.Dataset) -> dict[str, Any]:
     """Attributes of a dataset, those that hold an object or a list as JSON as what they hold."""
     told = {name: _attribute(value) for name, value in data.attrs.items() if name != WORD}

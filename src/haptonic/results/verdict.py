@@ -15,8 +15,9 @@ from haptonic.arrays import Array
 from haptonic.gate import declared
 from haptonic.later import Axes, Figure, xarray as xr
 from haptonic.plate import Plate
+from haptonic.plate.levels import contrasts
 from haptonic.plate.sampling import driven_region
-from haptonic.response import FrequencyResponse, average_spectrum, contrast, write
+from haptonic.response import FrequencyResponse, average_spectrum, write
 from haptonic.results.common import stamped
 from haptonic.results.plain import split
 from haptonic.results.result import Result, figure, file
@@ -94,28 +95,21 @@ class Verdict(Result):
         return {name: own if name == MEASURED else f"{name} (simulated)" for name in self.responses}
 
     def contrasts(self) -> dict[str, dict[str, Array]]:
-        """By pair of regions and response, dB: the driven region over others and over the rest."""
-        driven, names = driven_region(self.plate), self.measured.regions
-        if driven not in names:
-            return {}
-        assert driven is not None
-        others = [name for name in names if name != driven]
+        """By pair of regions and response, dB; see `haptonic.plate.levels.contrasts`."""
+        found = {name: contrasts(one, driven_region(self.plate)) for name, one in self.responses.items()}
         return {
-            f"{driven} over {other}": {
-                name: contrast(response, driven, other).values for name, response in self.responses.items()
-            }
-            for other in others
+            pair: {name: levels[pair].values for name, levels in found.items()} for pair in found[MEASURED]
         }
 
     @figure("before-after", "Measurement and model, averaged over the points and as contrast.")
     def _before_after(self) -> Figure:
         labels = self.labels
         spectra = {labels[name]: average_spectrum(one).values for name, one in self.responses.items()}
-        contrasts = {
-            pair: {labels[name]: level for name, level in levels.items()}
-            for pair, levels in self.contrasts().items()
+        levels = {
+            pair: {labels[name]: level for name, level in one.items()}
+            for pair, one in self.contrasts().items()
         }
-        return plots.before_after(self.measured.frequency, spectra, contrasts, units=self.measured.units)
+        return plots.before_after(self.measured.frequency, spectra, levels, units=self.measured.units)
 
     @figure("frac", "Agreement of measurement and model at every point.")
     def _frac(self) -> Figure:

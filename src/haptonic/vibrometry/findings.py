@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from haptonic.channels import Dropped, Notebook
 
@@ -42,6 +42,16 @@ class ReadReport:
             missing=missing,
             remarks=remarks,
         )
+
+    def followed_by(self, later: ReadReport) -> ReadReport:
+        """The same with the points left in the end, and what was left out and assumed on the way."""
+        dropped, remarks = (
+            (*a, *b) for a, b in ((self.dropped, later.dropped), (self.remarks, later.remarks))
+        )
+        return replace(
+            self, points=later.points, dropped=tuple(dict.fromkeys(dropped)),
+            remarks=tuple(dict.fromkeys(remarks)),
+        )  # fmt: skip
 
     @property
     def complete(self) -> bool:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 from dataclasses import dataclass
 from typing import Annotated
 
@@ -55,6 +56,19 @@ class Instrument:
         return (
             through if self.bandwidth is None else np.asarray(through / (1 + 1j * frequency / self.bandwidth))
         )
+
+    def taken_out(self, response: FrequencyResponse) -> FrequencyResponse:
+        """The response without delay and low-pass; once, however often it is asked."""
+        old, notes = response.dataset["response"], response.dataset.attrs
+        inputs = json.loads(notes["inputs"])
+        if "path" in inputs or (not self.delay and self.bandwidth is None):
+            return response
+        path = self.path(response.frequency).astype(response.values.dtype)
+        inputs["path"] = {"delay": self.delay, "bandwidth": self.bandwidth}
+        values = response.values / path[:, None, None]
+        values.setflags(write=False)
+        made = response.dataset.assign(response=(old.dims, values, old.attrs))
+        return FrequencyResponse(made.assign_attrs(inputs=json.dumps(inputs)))
 
 
 def lines_of(signal: Drive) -> Array:

@@ -50,7 +50,7 @@ def plan_for(settings: ScanSettings, plate: Plate) -> ScanPlan:
     layout = plate.layout
     known = (*layout.regions, *layout.cells, CLAMPS)
     excluded: list[Region] = []
-    for name in settings.skipped:
+    for name in settings.skipped(known):
         if name not in known:
             raise ScanError.unknown("scan.skip", name, known, "the plate has no such region or lattice")
         excluded += held_corners(plate) if name == CLAMPS else [Tiles(layout, name)]

@@ -1,28 +1,87 @@
-"""What the response of a plate tells of its lattices: gap, range of high contrast, decay into a mirror."""
+"""What the response of a plate tells of its regions and lattices: levels, waves, gap, decay into a mirror."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 
 import numpy as np
 
-from haptonic.errors import ResponseError, ScanError
+from haptonic.errors import HaptonicError, ResponseError, ScanError
+from haptonic.gate import WORD
 from haptonic.later import xarray as xr
 from haptonic.plate import Plate
+from haptonic.plate.layout import Layout
+from haptonic.plate.levels import compared
 from haptonic.plate.sampling import driven_region, tile_names
 from haptonic.response import FrequencyResponse
-from haptonic.vibrometry.guides import MIRROR, Mirror, mirror_beside, strips_of
+from haptonic.response.measures import along, sides
+from haptonic.vibrometry.guides import MIRROR, Mirror, guides_of, mirror_beside, strips_of
 from haptonic.vibrometry.maps import (
     LatticeGap,
     MeasuredGap,
+    clean_contrast,
+    clean_rms,
     decay_along,
     gap_edges,
     lattice_decay,
     measured_gap,
+    wavenumber_map,
 )
 
 # name of all points on lattices while the gap is looked for; longer than any name of a study
 LATTICE = "the points on the lattices of the plate, all together"
+
+
+def region_levels(response: FrequencyResponse, driven: str | None) -> tuple[xr.Dataset, list[str]]:
+    """``rms`` (region) and, of a driven region, ``contrast`` (pair) with its ``error_of_contrast``, each
+    without noise; and what noise hides."""
+    data, hides = xr.Dataset(), list[str]()
+    named = {name: clean_rms(response, name) for name in response.regions if name}
+    if named:
+        data["rms"] = along(named, "region")
+    levels = {
+        pair: clean_contrast(response, *sides(response, *names))
+        for pair, names in compared(response, driven).items()
+    }
+    if levels:
+        data["contrast"] = along({pair: level["level"] for pair, level in levels.items()}, "pair")
+        data["error_of_contrast"] = along({pair: level["error"] for pair, level in levels.items()}, "pair")
+    for pair, level in levels.items():
+        if hidden := int(np.isnan(level["level"].values).sum()):
+            hides.append(f"noise hides the contrast of {pair} at {hidden} line{'s' if hidden > 1 else ''}")
+    return data, hides
+
+
+def guide_waves(response: FrequencyResponse, layout: Layout) -> tuple[xr.Dataset, list[str]]:
+    """``waves`` (guide, frequency, step) with their ``wavenumber``; and why a guide has none."""
+    waves, reasons = dict[str, xr.DataArray](), list[str]()
+    for guide in guides_of(layout):
+        try:
+            waves[guide.region] = wavenumber_map(response, guide.region, guide.along)
+        except HaptonicError as error:
+            reasons.append(f"no waves along {guide.region}: {error.given}; {error.cause}")
+    return _by_guide(waves) if waves else xr.Dataset(), reasons
+
+
+def _by_guide(waves: Mapping[str, xr.DataArray]) -> xr.Dataset:
+    """Waves along guides, whose wavenumbers are as many as each guide has points; NaN behind them."""
+    longest = max(one.sizes["wavenumber"] for one in waves.values())
+    lines = next(iter(waves.values()))["frequency"]
+    amplitude = np.full((len(waves), len(lines), longest), np.nan)
+    wavenumber = np.full((len(waves), longest), np.nan)
+    for row, one in enumerate(waves.values()):
+        amplitude[row, :, : one.sizes["wavenumber"]] = one.values
+        wavenumber[row, : one.sizes["wavenumber"]] = one["wavenumber"].values
+    first = next(iter(waves.values()))
+    shorter = {WORD: "a shorter guide has fewer wavenumbers"}
+    return xr.Dataset(
+        {"waves": (("guide", "frequency", "step"), amplitude, {"units": first.attrs["units"], **shorter})},
+        coords={
+            "guide": np.array(list(waves), dtype=str),
+            "frequency": lines,
+            "wavenumber": (("guide", "step"), wavenumber, {"units": "rad/m", **shorter}),
+        },
+    )
 
 
 def lattice_gap(response: FrequencyResponse, plate: Plate, data: xr.Dataset) -> LatticeGap:

@@ -168,9 +168,7 @@ class _Search:
         for data in self._run("refine", tasks.gap_dataset, [task], [visit.share]):
             for gap in gaps_of(data):
                 if gap.complete and gap.between[0] == visit.band:
-                    below = self.brief.carrier - gap.lower - gap.lower_error
-                    above = gap.upper - gap.upper_error - self.brief.carrier
-                    found.append(_Refined(visit, values, gap, min(below, above)))
+                    found.append(_Refined(visit, values, gap, gap.margin(self.brief.carrier)))
         return found
 
     def refusal(self, summits: Sequence[Visited]) -> HaptonicError:

@@ -74,7 +74,7 @@ def _findings(result: PlateResult) -> list[str]:
     gap = result.gap
     for line in split(result.maps, "frequency"):
         frequency = float(line["frequency"])
-        where = "in" if gap and gap.lower < frequency < gap.upper else "outside of"
+        where = "in" if gap and gap.holds(frequency) else "outside of"
         for name, level in split(line.get("contrast"), "pair").items():
             verdict = "the vibration stays there" if level >= LOCALISED else (
                 "the whole plate vibrates" if level < EVERYWHERE else "part of it goes elsewhere"

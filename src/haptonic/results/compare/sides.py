@@ -139,7 +139,7 @@ def of_table(
             allowed=f"one of {', '.join(WAVEVECTORS)}",
             cause=f"the first column of {path.name} goes from {axis[0]:g} to {axis[-1]:g}, and nobody says "
             "of what",
-            next_step=f"say it: --wavevector {_likely(axis, corners)}; share is of the whole path, segments "
+            next_step=f"say it: --wavevector={_likely(axis, corners)}; share is of the whole path, segments "
             "count its corners from 0",
         )
     position = _position(path, axis, unit, corners)
@@ -220,6 +220,6 @@ def _in_hertz(path: Path, numbers: Numbers, first: int, given: str | None) -> di
             given=", ".join(sorted(filter(None, set(taken.values())))) or "nothing",
             allowed="Hz, kHz, MHz, ...",
             cause=f"columns of {path.name} have no unit, or none of a frequency",
-            next_step="say it: --frequency-unit kHz",
+            next_step="say it: --frequency-unit=kHz",
         )
     return {k: to_si(f"1 {given or unit or usual}", "Hz", "--frequency-unit") for k, unit in taken.items()}

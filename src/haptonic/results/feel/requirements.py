@@ -6,7 +6,9 @@ from collections.abc import Collection, Mapping
 from dataclasses import dataclass
 from typing import Literal
 
+from haptonic.bloch import Gap
 from haptonic.friction.lubrication import CUE_THRESHOLD, WEBER_FRACTION
+from haptonic.plots.text import khz
 from haptonic.results.feel.reduction import Reduction
 
 FAR = 2.0  # times the smallest drop that people feel: what a driven region should reach
@@ -28,7 +30,7 @@ def requirements(
     rise: float,
     constant: float,
     frequency: float,
-    gap: tuple[float, float] | None,
+    gap: Gap | None,
 ) -> list[Requirement]:
     """One for every region, one for the time that the vibration takes, one for the gap.
 
@@ -36,7 +38,7 @@ def requirements(
     ----------
     driven : regions that a drive is to make slippery; the others are to stay as they are
     rise, constant : 10 to 90 % rise time and time constant with a finger on the driven region, s
-    frequency, gap : of the drive, and the edges of the gap around the carrier, Hz
+    frequency : of the drive, Hz; gap : around the carrier
     """
     found = [
         _driven(name, felt) if name in driven else _idle(name, felt) for name, felt in reductions.items()
@@ -69,12 +71,14 @@ def _time(rise: float, constant: float) -> Requirement:
     )
 
 
-def _in_gap(frequency: float, gap: tuple[float, float] | None) -> Requirement:
+def _in_gap(frequency: float, gap: Gap | None) -> Requirement:
     if gap is None:
         return Requirement("red", "the drive lies in a band gap", "no gap around the carrier")
-    reason = f"{frequency / 1e3:.2f} kHz, gap {gap[0] / 1e3:.2f} to {gap[1] / 1e3:.2f} kHz"
+    edges = f"{khz(gap.lower, gap.lower_error)} to {khz(gap.upper, gap.upper_error)} kHz"
     return Requirement(
-        "green" if gap[0] < frequency < gap[1] else "red", "the drive lies in a band gap", reason
+        "green" if gap.holds(frequency) else "red",
+        "the drive lies in a band gap",
+        f"{frequency / 1e3:.2f} kHz, gap {edges}",
     )
 
 

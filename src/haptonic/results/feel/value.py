@@ -3,33 +3,31 @@
 from __future__ import annotations
 
 import json
-import math
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
 
 import numpy as np
-import scipy
 from numpy.typing import NDArray
 
 from haptonic import plots
-from haptonic.arrays import Array
-from haptonic.errors import StudyError
+from haptonic.bloch import Gap
 from haptonic.friction.lubrication import (
     CUE_THRESHOLD,
     WEBER_FRACTION,
     Fingertip,
     Margin,
     Touch,
-    predict,
     rise_time,
     time_constant,
 )
+from haptonic.friction.lubrication.law import End, FrictionLaw
 from haptonic.friction.phrases import change
 from haptonic.gate import declared
 from haptonic.later import Axes, Figure, xarray as xr
 from haptonic.plate import Plate
 from haptonic.plate.sampling import driven_regions
+from haptonic.plate.touch import whole_finger_on
 from haptonic.response import Reference
 from haptonic.results.feel.reduction import Reduction
 from haptonic.results.feel.requirements import Requirement, requirements
@@ -38,11 +36,7 @@ from haptonic.results.result import Result, figure
 from haptonic.results.table import Column, Table
 from haptonic.units import format_quantity
 
-STRONGEST = 1e4  # V or N: no drive is looked for beyond
-SMALLEST, LARGEST = 1e-9, 5e-5  # m, amplitudes between which the law of friction is tabulated
-LOGARITHMS = np.linspace(np.log(SMALLEST), np.log(LARGEST), 200)
-AMPLITUDES = np.exp(LOGARITHMS)
-ENDS = ("value", "low", "high")
+ENDS: tuple[End, ...] = ("value", "low", "high")
 CURVE = 41  # drives of the curve of reduction against drive
 MARKS = {"green": "●", "amber": "▲", "red": "■"}  # told apart without their colour too
 COLUMNS = (
@@ -55,23 +49,11 @@ COLUMNS = (
 BEYOND = 2.0  # times the drive: where that curve ends
 
 
-def check_reduction(reduction: float) -> None:
-    """Raise StudyError for what is no share of friction that can be taken away."""
-    if not 0 < reduction < 1:
-        raise StudyError.out_of_range(
-            argument="reduction",
-            given=f"{reduction:g}",
-            allowed="a share above 0 and below 1",
-            cause="a percentage was given, or what is left of the friction",
-            next_step="give 0.5 for half the friction",
-        )
-
-
 @dataclass(frozen=True, eq=False, repr=False)
 class Feel(Result):
     """Friction that a finger meets on a plate, over that without vibration.
 
-    plate : what vibrates; gap : edges of its lattice's gap around the carrier, Hz, if there is one
+    plate : what vibrates; gap : of its lattice around the carrier, if there is one
     loaded : from `haptonic.plate.loaded.loaded`; diameter : of the finger's disc, m
     touch : frequency, force and speed; skin : what the lubrication models know of the finger
     drive : amplitude of the first drive, V or N
@@ -82,7 +64,7 @@ class Feel(Result):
     data_file = "feel"
 
     plate: Plate
-    gap: tuple[float, float] | None
+    gap: Gap | None
     loaded: xr.Dataset
     diameter: float
     touch: Touch
@@ -113,42 +95,25 @@ class Feel(Result):
     @cached_property
     def below(self) -> dict[str, NDArray[np.bool_]]:
         """(point,) places at which the whole finger lies on a region, or its middle if it is too small."""
-        return {name: self._places_on(name) for name in self.regions}
-
-    def _places_on(self, region: str) -> NDArray[np.bool_]:
-        inside = self.loaded["region"].values == region
         points = np.stack([self.loaded["x"].values, self.loaded["y"].values], axis=1)
-        if inside.all():
-            return np.asarray(inside)
-        clear = scipy.spatial.cKDTree(points[~inside]).query(points)[0] > 0.5 * self.diameter
-        layout = self.plate.layout
-        edges = np.array([layout.x[0], layout.y[0]]), np.array([layout.x[-1], layout.y[-1]])
-        room = np.minimum(points - edges[0], edges[1] - points).min(axis=1) >= 0.5 * self.diameter
-        whole = inside & clear & room
-        return whole if whole.any() else np.asarray(inside)
+        of = {name: self.loaded["region"].values == name for name in self.regions}
+        return {
+            name: whole_finger_on(points, inside, self.plate.layout, self.diameter)
+            for name, inside in of.items()
+        }
 
     @cached_property
-    def law(self) -> xr.Dataset:
-        """``value``, ``low`` and ``high`` against amplitude: mu / mu0 by load sharing, and the band.
-
-        Where the plate would strike the skin through the film, the value is that of intermittent contact.
-        """
-        found = predict(xr.DataArray(AMPLITUDES, dims="amplitude"), self.touch, self.skin)
-        shared = found["load_sharing"]
-        value = shared.where(np.isfinite(shared), found["intermittent"])
-        return xr.Dataset({"value": value, "low": found["low"], "high": found["high"]})
-
-    def _left(self, end: str, load: str, drive: float) -> Array:
-        """(point,) mu / mu0 with a finger of some damping."""
-        moved = self.loaded["amplitude"].sel(load=load).values * drive
-        return np.asarray(np.interp(np.log(np.maximum(moved, SMALLEST)), LOGARITHMS, self.law[end].values))
+    def law(self) -> FrictionLaw:
+        """mu / mu0 against amplitude."""
+        return FrictionLaw.of(self.touch, self.skin)
 
     def friction(self, drive: float | None = None) -> xr.Dataset:
         """``value`` (point,) mu / mu0; ``low`` and ``high``, the band of both models, skin and damping."""
         drive = self.drive if drive is None else drive
+        moved = self.loaded["amplitude"] * drive
         return xr.Dataset(  # the least friction is with the least damping
-            {end: ("point", self._left(end, end, drive)) for end in ENDS}
-            | {"amplitude": self.loaded["amplitude"].sel(load="value", drop=True) * drive},
+            {end: ("point", self.law.at(moved.sel(load=end).values, end)) for end in ENDS}
+            | {"amplitude": moved.sel(load="value", drop=True)},
             attrs={"origin": "simulated", "drive": f"{drive:g} {self.unit}"},
         )
 
@@ -182,24 +147,9 @@ class Feel(Result):
         return made.assign_coords(region=np.array(self.regions, dtype=str))
 
     def drive_for(self, reduction: float, region: str) -> float | None:
-        """Amplitude of the drive, V or N, for a mean reduction; None if none up to `STRONGEST` gives it."""
-        check_reduction(reduction)
-
-        def missing(logarithm: float) -> float:
-            left = self._left("value", "value", math.exp(logarithm))[where]
-            return 1 - float(left.mean()) - reduction
-
-        where = self.below[region]
-        low, high = math.log(1e-3 * self.drive), math.log(self.drive)
-        while missing(high) < 0:
-            high += math.log(2)
-            if high > math.log(STRONGEST):
-                return None
-        return (
-            math.exp(scipy.optimize.brentq(missing, low, high, xtol=1e-4))
-            if missing(low) < 0
-            else math.exp(low)
-        )
+        """Amplitude of the drive, V or N, for a mean reduction on a region; see `FrictionLaw`."""
+        per_unit = self.loaded["amplitude"].sel(load="value").values[self.below[region]]
+        return self.law.drive_for(reduction, per_unit, self.drive)
 
     def amplitude(self, region: str, load: str = "value") -> float:
         """Mean amplitude below a finger on a region, m."""
@@ -342,7 +292,7 @@ class Feel(Result):
 
     def facts(self) -> dict[str, Any]:
         return {
-            "gap_hz": self.gap,
+            "gap_hz": (self.gap.lower, self.gap.upper) if self.gap else None,
             "drive": {"amplitude": self.drive, "unit": self.unit},
             "driven": self.driven,
             "regions": split(self.by_region, "region"),

@@ -20,8 +20,9 @@ from haptonic.plate.datasets import part_name
 from haptonic.plate.levels import below_finger, compared, contrasts
 from haptonic.plate.sampling import driven_region, reference_of, resonance_of
 from haptonic.response import FrequencyResponse, rms, write
+from haptonic.response.measures import along
 from haptonic.results.common import write_netcdf
-from haptonic.results.plain import along, split
+from haptonic.results.plain import split
 from haptonic.results.plan import border_text
 from haptonic.results.plate.tables import lines_table, modes_table, power_table
 from haptonic.results.result import Result, figure, file

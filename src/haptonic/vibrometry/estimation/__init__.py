@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import hashlib
+import json
 from collections.abc import Iterator
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -55,6 +56,18 @@ class Estimate:
     quality: Quality
     report: ReadReport
     averages: int
+
+    @classmethod
+    def by_instrument(cls, response: FrequencyResponse, report: ReadReport) -> Estimate:
+        """A response that the instrument estimated: of its records nothing is known but the coherence."""
+        data, points = response.dataset, response.dataset.sizes["point"]
+        median = np.full(points, np.nan)
+        if "coherence" in data:
+            median = np.median(data["coherence"].values, axis=0).astype(float)
+        known = json.loads(data.attrs["inputs"]).get("points")
+        names = known if isinstance(known, list) and len(known) == points else range(1, points + 1)
+        quality = assessed(tuple(map(str, names)), np.zeros(points), np.zeros(points), median)
+        return cls(response, quality, report, 0)
 
     def repaired(self, *flags: str) -> Estimate:
         """Points with one of these flags replaced by their neighbours, and marked.

@@ -12,6 +12,7 @@ from haptonic.arrays import Array
 from haptonic.errors import ScanError
 from haptonic.later import xarray as xr
 from haptonic.response import FrequencyResponse
+from haptonic.response.measures import power_contrast
 from haptonic.units import Hertz, In
 
 LEAST_STEP = 6.0  # dB by which the contrast has to rise, or there is no gap to speak of
@@ -141,8 +142,9 @@ def region_statistics(response: FrequencyResponse, low: float, high: float) -> x
 
 
 def _contrast(above: Array, below: Array) -> Array:
+    """Where something is silent it is finite, so that percentiles can be taken."""
     tiny = np.finfo(float).tiny
-    return np.asarray(10 * np.log10(np.maximum(above, tiny) / np.maximum(below, tiny)))
+    return power_contrast(np.maximum(above, tiny), np.maximum(below, tiny))
 
 
 def _energy(response: FrequencyResponse, mask: NDArray[np.bool_]) -> Array:

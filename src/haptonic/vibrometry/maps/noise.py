@@ -10,7 +10,7 @@ from haptonic.arrays import Array, Bools
 from haptonic.gate import WORD
 from haptonic.later import xarray as xr
 from haptonic.response import FrequencyResponse
-from haptonic.response.measures import spectrum, squares
+from haptonic.response.measures import power_contrast, spectrum, squares
 
 LINES = 256  # that are converted to double precision at a time
 TRUSTED = 0.125  # dB, standard error up to which a level is told: four of them are half a decibel
@@ -81,8 +81,7 @@ def clean_contrast(response: FrequencyResponse, over: Bools, under: Bools) -> xr
     """
     (upper, upper_error), (lower, lower_error) = (region_power(response, one) for one in (over, under))
     error = np.hypot(_decibels(upper, upper_error), _decibels(lower, lower_error))
-    with np.errstate(divide="ignore", invalid="ignore"):
-        level = np.where(error <= TRUSTED, 10 * np.log10(upper / lower), np.nan)
+    level = np.where(error <= TRUSTED, power_contrast(upper, lower), np.nan)
     rows = {"level": level, "error": np.where(np.isfinite(error), error, np.nan)}
     return xr.Dataset(
         {name: spectrum(response, row, "dB").assign_attrs(HIDDEN) for name, row in rows.items()}

@@ -21,6 +21,12 @@ SUSPECT = 0.1  # share of the energy there that makes a warning
 SAME_COLUMN = 1e-6  # of the extent, within which points lie at the same depth
 
 
+def grid_step(response: FrequencyResponse) -> float:
+    """Distance of a point to its nearest neighbour, as most points have it, m."""
+    distance, _ = scipy.spatial.cKDTree(response.points).query(response.points, k=2)
+    return float(np.median(distance[:, 1]))
+
+
 def warn_if_aliased(step: float, wavelength: float, what: str = "the shortest wave") -> bool:
     """Whether a grid is too coarse for a wavelength: steps above half of it. It also warns.
 

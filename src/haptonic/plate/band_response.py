@@ -1,4 +1,4 @@
-"""From a plate to its result, by way of the store."""
+"""All that is found of a plate over a band: its response, maps, energies, modes, and how it all moves."""
 
 from __future__ import annotations
 
@@ -8,83 +8,20 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from haptonic.bloch import Gap
 from haptonic.errors import StudyError
 from haptonic.later import xarray as xr
 from haptonic.plate import Band, Fineness, Plate, PlateModel, modes_between
 from haptonic.plate.damping import real_times
 from haptonic.plate.datasets import body_dataset, lines_dataset, modes_dataset
 from haptonic.plate.levels import ABOVE, BELOW, marked_lines
-from haptonic.plate.sampling import (
-    NEAR,
-    grid_points,
-    reference_of,
-    resonance_of,
-    unit_drives,
-)
+from haptonic.plate.sampling import NEAR, grid_points, reference_of, resonance_of, unit_drives
 from haptonic.plate.settings import ResponseSettings
 from haptonic.progress import Progress, silent
-from haptonic.response import FrequencyResponse, from_plain, plain
-from haptonic.results.common import stamped
-from haptonic.results.plate.value import PlateResult
-from haptonic.store import Store, content_key
+from haptonic.response import FrequencyResponse, plain
 
 
-def compute_plate(
-    plate: Plate,
-    settings: ResponseSettings,
-    *,
-    carrier: float,
-    gap: Gap | None,
-    inputs: Mapping[str, Any],
-    store: Store,
-    fineness: Fineness | None = None,
-    progress: Progress = silent,
-) -> PlateResult:
-    """How a plate answers its drives, from the store if it was computed before.
-
-    Parameters
-    ----------
-    carrier : Hz, near which modes are listed
-    gap : for the maps below, in and above it; without one the only map is at the carrier
-    inputs : plain values of what was asked; fineness : of the mesh, if not the usual one
-    progress : called with the shifts done and planned, then with the lines that are answered one by one
-
-    Raises
-    ------
-    StudyError : nothing drives the plate, or it has no loss
-    ResourceError : the basis would need more memory than there is
-    HaptonicError : lines that cannot be made as exact as asked for
-    """
-    reference_of(plate)
-    _need_loss(plate)
-    edges = None if gap is None else [gap.lower, gap.upper]
-    keys = [
-        content_key(
-            {"part": part, "plate": plate, "settings": settings, "carrier": carrier, "gap": edges,
-             "fineness": fineness, "inputs": inputs}
-        )
-        for part in ("plate response", "plate maps", "plate lines", "plate modes", "plate body")
-    ]  # fmt: skip
-    kept = [dataset for key in keys if (dataset := store.get(key)) is not None]
-    if len(kept) < len(keys):
-        kept = _computed(plate, settings, carrier, edges, inputs, fineness, progress)
-        for key, dataset in zip(keys, kept, strict=True):
-            store.put(key, dataset)
-    response, marked, lines, modes, body = kept
-    return PlateResult(
-        plate=plate,
-        gap=gap,
-        carrier=carrier,
-        response=from_plain(response),
-        marked=from_plain(marked),
-        lines=lines,
-        modes=modes,
-        body=body,
-    )
-
-
-def _need_loss(plate: Plate) -> None:
+def need_loss(plate: Plate) -> None:
+    """Raise StudyError for a plate whose resonances nothing bounds."""
     if not plate.loss_factor:
         raise StudyError.missing(
             argument="plate.loss_factor",
@@ -95,15 +32,32 @@ def _need_loss(plate: Plate) -> None:
         )
 
 
-def _computed(
+def band_response(
     plate: Plate,
     settings: ResponseSettings,
     carrier: float,
     gap: list[float] | None,
+    *,
     inputs: Mapping[str, Any],
-    fineness: Fineness | None,
-    progress: Progress,
-) -> list[xr.Dataset]:
+    fineness: Fineness | None = None,
+    progress: Progress = silent,
+) -> dict[str, xr.Dataset]:
+    """The ``response`` at the lines asked for and at those of the ``maps``, what is known at all ``lines``,
+    the ``modes`` near the carrier, and the ``body``, as it moves at the carrier.
+
+    Parameters
+    ----------
+    carrier : Hz, near which modes are listed
+    gap : edges, Hz, for the maps below, in and above it; without one the only map is at the carrier
+    inputs : plain values of what was asked; fineness : of the mesh, if not the usual one
+    progress : called with the shifts done and planned, then with the lines that are answered one by one
+
+    Raises
+    ------
+    StudyError : nothing drives the plate
+    ResourceError : the basis would need more memory than there is
+    HaptonicError : lines that cannot be made as exact as asked for
+    """
     low, high = settings.lowest, settings.highest
     model = PlateModel.of(plate, high, fineness)
 
@@ -132,10 +86,10 @@ def _computed(
     lines = lines_dataset(plate, vibration, band)
     shapes = model.displaced(points, found.vectors)
     at_resonance = int(marked[np.abs(every[marked] - resonance_of(every[marked], carrier, gap)).argmin()])
-    return [
-        response(main, "finite plate"),
-        response(marked, "finite plate, the frequencies of its maps"),
-        stamped(lines, inputs),
-        stamped(modes_dataset(plate, band, found, shapes, points, regions), inputs),
-        stamped(body_dataset(band, vibration, at_resonance), inputs),
-    ]
+    return {
+        "response": response(main, "finite plate"),
+        "maps": response(marked, "finite plate, the frequencies of its maps"),
+        "lines": lines,
+        "modes": modes_dataset(plate, band, found, shapes, points, regions),
+        "body": body_dataset(band, vibration, at_resonance),
+    }

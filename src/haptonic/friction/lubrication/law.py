@@ -1,0 +1,81 @@
+"""The law of friction that a touch has: mu / mu0 against the amplitude of the vibration below the finger."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import Literal
+
+import numpy as np
+import scipy
+
+from haptonic.arrays import Array
+from haptonic.errors import StudyError
+from haptonic.friction.lubrication.parameters import Fingertip, Touch
+from haptonic.friction.lubrication.prediction import predict
+from haptonic.later import xarray as xr
+
+End = Literal["value", "low", "high"]
+
+STRONGEST = 1e4  # V or N: no drive is looked for beyond
+SMALLEST, LARGEST = 1e-9, 5e-5  # m, amplitudes between which the law is tabulated
+LOGARITHMS = np.linspace(np.log(SMALLEST), np.log(LARGEST), 200)
+
+
+def check_reduction(reduction: float) -> None:
+    """Raise StudyError for what is no share of friction that can be taken away."""
+    if not 0 < reduction < 1:
+        raise StudyError.out_of_range(
+            argument="reduction",
+            given=f"{reduction:g}",
+            allowed="a share above 0 and below 1",
+            cause="a percentage was given, or what is left of the friction",
+            next_step="give 0.5 for half the friction",
+        )
+
+
+@dataclass(frozen=True, eq=False)
+class FrictionLaw:
+    """mu / mu0 at amplitudes evenly spaced in their logarithm: the value, and the ends of the band.
+
+    Where the plate would strike the skin through the film, the value is that of intermittent contact.
+    """
+
+    value: Array
+    low: Array
+    high: Array
+
+    @classmethod
+    def of(cls, touch: Touch, skin: Fingertip) -> FrictionLaw:
+        """By load sharing, with the band of both models and of all plausible parameters; see `predict`."""
+        found = predict(xr.DataArray(np.exp(LOGARITHMS), dims="amplitude"), touch, skin)
+        shared = found["load_sharing"]
+        value = shared.where(np.isfinite(shared), found["intermittent"])
+        return cls(value.values, found["low"].values, found["high"].values)
+
+    def at(self, amplitude: Array, end: End = "value") -> Array:
+        """mu / mu0 at amplitudes, m."""
+        known = np.log(np.maximum(amplitude, SMALLEST))
+        return np.asarray(np.interp(known, LOGARITHMS, getattr(self, end)))
+
+    def drive_for(self, reduction: float, per_unit: Array, usual: float) -> float | None:
+        """Amplitude of the drive for a mean reduction over places; None if none up to `STRONGEST` gives it.
+
+        Parameters
+        ----------
+        per_unit : (place,) amplitude of vibration, m per unit of the drive
+        usual : drive about which it is looked for; none below a thousandth of it is told
+        """
+        check_reduction(reduction)
+
+        def missing(logarithm: float) -> float:
+            return 1 - float(self.at(per_unit * math.exp(logarithm)).mean()) - reduction
+
+        low, high = math.log(1e-3 * usual), math.log(usual)
+        while missing(high) < 0:
+            high += math.log(2)
+            if high > math.log(STRONGEST):
+                return None
+        if missing(low) >= 0:
+            return math.exp(low)
+        return math.exp(scipy.optimize.brentq(missing, low, high, xtol=1e-4))
