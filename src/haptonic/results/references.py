@@ -13,6 +13,7 @@ An example brings them in a folder beside its study, ``references/touchpad.toml`
     path = "gaps.complete=True.lower_hz"
 
 A path leads into what an analysis answers in JSON; ``name=text`` takes the first of a list that has it so.
+Names in it are written as they are, dots and all.
 """
 
 from __future__ import annotations
@@ -130,18 +131,24 @@ class References(_FileTable):
         return f" ({found} of {self.title})" if found else ""
 
 
-def found_at(answer: Mapping[str, Any], path: str) -> Any:
-    """The value that a path leads to in an answer; None if there is none."""
-    here: Any = answer
-    for step in path.split("."):
-        name, sign, wanted = step.partition("=")
-        if sign:
-            items = here if isinstance(here, list) else []
-            here = next((one for one in items if str(one.get(name)) == wanted), None)
-        elif isinstance(here, Mapping):
-            here = here.get(step)
-        elif isinstance(here, list) and step.isdigit() and int(step) < len(here):
-            here = here[int(step)]
-        else:
-            return None
-    return here
+def found_at(answer: Any, path: str) -> Any:
+    """The value that a path leads to in an answer; None if there is none.
+
+    A name may hold dots and signs of equality of its own: of the steps that the path can begin with, the
+    longest is taken.
+    """
+    if not path:
+        return answer
+    if isinstance(answer, Mapping):
+        steps = list(answer.items())
+    elif isinstance(answer, list):
+        inside = [one for one in answer if isinstance(one, Mapping)]
+        steps = [(f"{name}={value}", one) for one in inside for name, value in one.items()]
+        steps += [(str(number), one) for number, one in enumerate(answer)]
+    else:
+        return None
+    fitting = [(step, below) for step, below in steps if f"{path}.".startswith(f"{step}.")]
+    if not fitting:
+        return None
+    step, below = max(fitting, key=lambda one: len(one[0]))  # of equal ones the first
+    return found_at(below, path[len(step) + 1 :])

@@ -1,0 +1,41 @@
+"""Paths into answers: they reach what is called anything."""
+
+from __future__ import annotations
+
+import pytest
+from hypothesis import assume, given, strategies as st
+
+from haptonic.results.references import found_at
+from hostile import names
+
+
+@given(st.lists(names, min_size=2, max_size=2, unique=True), names)
+def test_a_path_reaches_whatever_it_is_called(two, mode):
+    one, other = two
+    assume(not one.startswith(f"{other}.") and not other.startswith(f"{one}."))  # else the longer is meant
+    answer = {"guides": {name: {mode: number} for number, name in enumerate(two)},
+              "pairs": [{"pair": name, "contrast": number} for number, name in enumerate(two)]}  # fmt: skip
+    for number, name in enumerate(two):
+        assert found_at(answer, f"guides.{name}.{mode}") == number
+        assert found_at(answer, f"pairs.pair={name}.contrast") == number
+
+
+@pytest.mark.parametrize(
+    ("path", "value"),
+    [
+        ("gaps.complete=True.lower", 2.0),  # the first of two
+        ("gaps.1.lower", 2.0),
+        ("gaps.complete=True", {"complete": True, "lower": 2.0}),
+        ("gaps.complete=Tru.lower", None),
+        ("gaps.3.lower", None),
+        ("gaps.0.lower.of", None),
+        ("modes.WG 1.5", 7),
+        ("modes.WG 1", {"6": 1}),
+        ("modes.WG 1.6", 1),
+        ("modes.WG", None),
+        ("nothing", None),
+    ],
+)
+def test_a_path_takes_the_first_and_the_longest(path, value):
+    gaps = [{"complete": False, "lower": 1.0}] + [{"complete": True, "lower": low} for low in (2.0, 3.0)]
+    assert found_at({"gaps": gaps, "modes": {"WG 1": {"6": 1}, "WG 1.5": 7}}, path) == value
