@@ -324,7 +324,8 @@ def _kinds(annotation: Any) -> Iterator[type]:
 
 
 def _choices(annotation: Any) -> tuple[str, ...]:
-    return tuple(get_args(annotation)) if get_origin(annotation) is Literal else ()
+    literals = [part for part in _parts(annotation) if get_origin(part) is Literal]
+    return tuple(word for part in literals for word in get_args(part))
 
 
 def _plain_bounds(field: FieldInfo) -> str:
