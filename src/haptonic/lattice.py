@@ -129,8 +129,7 @@ class Lattice:
     Raises
     ------
     GeometryError : a period that is not positive, one too many or too few, or far longer than the other; a
-        cell of six sides one of which is next to nothing; vectors that are nearly parallel, that are given
-        beside a name or a period, or none of whose sums lies along x
+        cell of six sides one of which is next to nothing; vectors that `check_vectors` refuses
     """
 
     form: (
@@ -165,9 +164,14 @@ class Lattice:
         default=None,
         title="First vector",
         description="Along x and y, in place of a named lattice and its pitch; its symmetry is found.",
+        examples=['["7 mm", "0 mm"]'],
     )
     second: tuple[Annotated[float, COORDINATE], Annotated[float, COORDINATE]] | None = Field(
-        alias="a2", default=None, title="Second vector", description="See a1."
+        alias="a2",
+        default=None,
+        title="Second vector",
+        description="See a1.",
+        examples=['["3.5 mm", "6 mm"]'],
     )
 
     @model_validator(mode="before")
@@ -235,16 +239,12 @@ class Lattice:
             raise handed_on(error.changed(GeometryError, given=told, next_step="change them"), "a1") from None
 
     @cached_property
-    def _as_named(self) -> dict[str, Any] | None:
-        return recognised(self.given)
-
-    @cached_property
     def named(self) -> Lattice:
         """The same lattice by name and sizes: itself, unless it was given by vectors.
 
         Vectors within `MEANT` of those of a square or a triangle, say, have its symmetry, and its sizes.
         """
-        return self if self.first is None else Lattice(**(self._as_named or {}))
+        return self if self.first is None else Lattice(**dict[str, Any](recognised(self.given) or {}))
 
     @property
     def name(self) -> str:

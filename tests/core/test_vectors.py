@@ -11,6 +11,8 @@ from five_parts import refusing
 from haptonic.brillouin import IrreducibleZone
 from haptonic.cell import Pillar, Site, UnitCell
 from haptonic.errors import GeometryError, StudyError
+from haptonic.fields import table
+from haptonic.fields.problems import example_at
 from haptonic.lattice import Lattice
 from haptonic.study import loads
 
@@ -114,3 +116,8 @@ def test_what_spans_no_lattice_is_refused(text, code, key, words):
 def test_refusals_from_python_name_the_cell():
     with refusing(GeometryError, "out-of-range", "cell.a2", "parallel"):
         Lattice(a1=(7e-3, 0.0), a2=(14e-3, 0.0))
+
+
+def test_the_examples_of_both_keys_span_a_lattice():
+    lines = [example_at(table(UnitCell, "cell.")[f"cell.{key}"]) for key in ("a1", "a2")]
+    assert loads(STUDY.format("\n".join(lines))).cell.lattice.name == "centred"

@@ -34,7 +34,7 @@ class Key:
     quantity : the declaration itself, for a quantity or number; the first one's of a list
     count : how many there are in a list
     numbers : paths of the study's numbers that a text may name; see `haptonic.fields.of_number`
-    example : a text that may be given, where one is declared
+    example : a text that may be given, where one is declared; of several quantities, as a file has the list
     """
 
     path: str
