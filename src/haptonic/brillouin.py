@@ -17,7 +17,8 @@ from numpy.typing import NDArray
 
 from haptonic.arrays import Array
 from haptonic.errors import GeometryError
-from haptonic.lattice import SAME, Lattice, PointGroup, voronoi_cell
+from haptonic.lattice import Lattice, PointGroup
+from haptonic.translations import SAME, voronoi_cell
 
 # names of the middles of the zone's sides, in the order of the path, and of its corners; Γ is the centre
 NAMES = {

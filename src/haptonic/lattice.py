@@ -11,15 +11,15 @@ from collections.abc import Callable
 from dataclasses import dataclass, replace
 from functools import cached_property
 from itertools import product
-from typing import Annotated, Literal
+from typing import Annotated, Any, Literal
 
 import numpy as np
-from numpy.typing import NDArray
-from pydantic import Field
+from pydantic import Field, model_validator
 
 from haptonic.arrays import Array
 from haptonic.errors import GeometryError
-from haptonic.fields import Quantity, described, needed, problem, remade, setting, size
+from haptonic.fields import LARGEST, Quantity, described, handed_on, problem, remade, setting, size
+from haptonic.translations import SAME, check_vectors, recognised, shortest, vector_text, voronoi_cell
 from haptonic.units import format_quantity
 
 __all__ = ["Lattice", "PointGroup"]
@@ -29,7 +29,6 @@ Operation = tuple[tuple[int, int], tuple[int, int]]
 HALF_TURN: Operation = ((-1, 0), (0, -1))
 DIAGONAL: Operation = ((0, 1), (1, 0))
 
-SAME = 1e-9  # relative: lengths, and entries of matrices, that differ by less are equal
 # Of the periods of a rectangle: no mesh has a use for more, and its square is far from 1 / SAME.
 MOST_ELONGATED = 1000.0
 # Of a cell of six sides, in radii of the circle within: at 4e-5 bands were still those of the square that it
@@ -41,6 +40,7 @@ FURTHER: dict[str, tuple[str, ...]] = {
     "square": (), "rectangular": ("pitch_y",), "triangular": (), "centred": ("pitch_y",),
     "oblique": ("pitch_2", "angle"), "honeycomb": (), "kagome": (), "lieb": (),
 }  # fmt: skip
+COORDINATE = Quantity("m", at_least=-LARGEST, at_most=LARGEST)
 LETTERS = {0: "x", 90: "y", 135: "d"}  # names of mirrors, by the angle of their normals in degrees
 
 
@@ -123,23 +123,30 @@ class Lattice:
 
     ``name`` is that of the symmetry that is meant. A rectangle whose sides happen to be equal stays one, so
     that a sweep of a side meets no other zone there. ``pitch`` is the yardstick of every geometric tolerance.
+    A lattice given by two vectors, ``Lattice(a1=..., a2=...)``, is what it is by its name, see `named`, and
+    sites at shares count in the vectors that were given.
 
     Raises
     ------
     GeometryError : a period that is not positive, one too many or too few, or far longer than the other; a
-        cell of six sides one of which is next to nothing
+        cell of six sides one of which is next to nothing; vectors that `check_vectors` refuses
     """
 
-    name: Literal[
-        "square", "rectangular", "triangular", "centred", "oblique", "honeycomb", "kagome", "lieb"
-    ] = Field(
+    form: (
+        Literal["square", "rectangular", "triangular", "centred", "oblique", "honeycomb", "kagome", "lieb"]
+        | None
+    ) = Field(
         alias="lattice",
         default="square",
         title="Lattice",
         description="How the cells repeat in the plane; the last three have two sites or three each.",
     )
-    pitch: Annotated[float, size(100e-6, 100e-3)] = needed(
-        "Period of the lattice; along x for a rectangular or a centred one."
+    period: Annotated[float, size(100e-6, 100e-3)] | None = Field(
+        alias="pitch",
+        default=None,
+        title="Pitch",
+        description="Period of the lattice; along x for a rectangular or a centred one. Needed unless a1 and "
+        "a2 are given.",
     )
     pitch_y: Annotated[float, size(100e-6, 100e-3)] | None = setting(
         None,
@@ -152,8 +159,42 @@ class Lattice:
     angle: Annotated[float, Quantity("rad", above=0.0, below=math.pi, typical=USUAL_ANGLE)] | None = setting(
         None, "From the first pitch, along x, to that of an oblique lattice."
     )
+    first: tuple[Annotated[float, COORDINATE], Annotated[float, COORDINATE]] | None = Field(
+        alias="a1",
+        default=None,
+        title="First vector",
+        description="Along x and y, in place of a named lattice and its pitch; its symmetry is found.",
+        examples=['["7 mm", "0 mm"]'],
+    )
+    second: tuple[Annotated[float, COORDINATE], Annotated[float, COORDINATE]] | None = Field(
+        alias="a2",
+        default=None,
+        title="Second vector",
+        description="See a1.",
+        examples=['["3.5 mm", "6 mm"]'],
+    )
+
+    @model_validator(mode="before")
+    @classmethod
+    def _without_default(cls, given: Any) -> Any:
+        """Vectors have no name beside them unless somebody wrote it there."""
+        named = getattr(given, "kwargs", given)
+        by_vectors = isinstance(named, dict) and any(named.get(key) is not None for key in ("a1", "a2"))
+        return {"lattice": None, **named} if by_vectors else given
 
     def __post_init__(self) -> None:
+        if self.first is not None or self.second is not None:
+            self._check_vectors()
+            return
+        if self.period is None:
+            raise problem(
+                "missing",
+                "nothing",
+                "a pitch, or two vectors a1 and a2",
+                "the pitch was left out",
+                'add pitch = "7 mm"',
+                at="pitch",
+            )
         for field in ("pitch_y", "pitch_2", "angle"):
             value, needed = getattr(self, field), field in FURTHER[self.name]
             having = [name for name, others in FURTHER.items() if field in others]
@@ -187,6 +228,45 @@ class Lattice:
                 at="lattice",
             )
 
+    def _check_vectors(self) -> None:
+        given = {"lattice": self.form, "pitch": self.period, "pitch_y": self.pitch_y,
+                 "pitch_2": self.pitch_2, "angle": self.angle}  # fmt: skip
+        check_vectors(self.first, self.second, beside=[key for key, one in given.items() if one is not None])
+        try:
+            self.named  # noqa: B018
+        except GeometryError as error:
+            told = " and ".join(vector_text(one) for one in self.given)
+            raise handed_on(error.changed(GeometryError, given=told, next_step="change them"), "a1") from None
+
+    @cached_property
+    def named(self) -> Lattice:
+        """The same lattice by name and sizes: itself, unless it was given by vectors.
+
+        Vectors within `MEANT` of those of a square or a triangle, say, have its symmetry, and its sizes.
+        """
+        return self if self.first is None else Lattice(**dict[str, Any](recognised(self.given) or {}))
+
+    @property
+    def name(self) -> str:
+        """Of the symmetry that is meant, or that vectors have."""
+        assert self.named.form is not None
+        return self.named.form
+
+    @property
+    def pitch(self) -> float:
+        """Period, m; along x."""
+        assert self.named.period is not None
+        return self.named.period
+
+    def counted(self, shares: Array) -> Array:
+        """(2,) shares of the translations from those of the vectors that were given, if any were."""
+        if self.first is None:
+            return shares
+        steps = np.round(self.given @ np.linalg.inv(self.vectors))
+        found = shares @ steps
+        near = np.round(found)
+        return np.asarray(np.where(np.abs(found - near) < SAME, near, found) % 1.0)
+
     @classmethod
     def square(cls, pitch: float) -> Lattice:
         """Square lattice of period ``pitch`` (m)."""
@@ -215,6 +295,8 @@ class Lattice:
     @cached_property
     def vectors(self) -> Array:
         """(2, 2): the rows are a1 and a2, m."""
+        if self.named is not self:
+            return self.named.vectors
         first = (self.pitch, 0.0)
         match self.name:
             case "triangular" | "honeycomb" | "kagome":
@@ -228,6 +310,11 @@ class Lattice:
                 second = (self.pitch_2 * math.cos(self.angle), self.pitch_2 * math.sin(self.angle))
                 return shortest(np.array([first, second]))
         return np.array([first, (0.0, self.pitch_y or self.pitch)])
+
+    @property
+    def given(self) -> Array:
+        """(2, 2) vectors that sites count in, as rows, m: those that were given, or else `vectors`."""
+        return self.vectors if self.first is None else np.array([self.first, self.second])
 
     @property
     def a1(self) -> tuple[float, float]:
@@ -246,8 +333,13 @@ class Lattice:
 
     def scaled(self, factor: float) -> Lattice:
         """The same lattice with all periods multiplied by ``factor``."""
-        periods = {name: getattr(self, name) for name in ("pitch", "pitch_y", "pitch_2")}
-        return remade(self, **{name: value and value * factor for name, value in periods.items()})
+        periods = {name: getattr(self, name) for name in ("period", "pitch_y", "pitch_2")}
+        vectors = {name: getattr(self, name) for name in ("first", "second")}
+        return remade(
+            self,
+            **{name: value and value * factor for name, value in periods.items()},
+            **{name: value and tuple(factor * one for one in value) for name, value in vectors.items()},
+        )
 
     @property
     def area(self) -> float:
@@ -306,44 +398,3 @@ class Lattice:
     def wavevector(self, kappa: Array) -> Array:
         """(..., 2) wavevectors in rad/m from (..., 2) phases: k . a_j = kappa_j."""
         return np.asarray(kappa) @ np.linalg.inv(self.vectors).T
-
-
-def shortest(vectors: Array) -> Array:
-    """(2, 2) the shortest two translations that span the same lattice, in the same sense of turning.
-
-    By Lagrange's reduction. Of translations of equal length those that are given stay.
-    """
-    one, other = vectors
-    while True:
-        along = float(one @ other / (one @ one))
-        if abs(along) > 0.5 + SAME:
-            other = other - round(along) * one
-        elif other @ other < (1 - SAME) * (one @ one):
-            one, other = other, -one
-        else:
-            return np.array([one, other])
-
-
-def voronoi_cell(vectors: NDArray[np.floating]) -> tuple[tuple[tuple[int, int], ...], Array]:
-    """What lies nearer to the origin than to any other point of a lattice: a polygon of four or six sides.
-
-    vectors : (2, 2) translations, as rows
-
-    Returns
-    -------
-    the translations across its sides, anticlockwise from the lowest side on, and (sides, 2) its corners, each
-    at the beginning of its side
-    """
-    counts = [pair for pair in product(range(-2, 3), repeat=2) if pair != (0, 0)]
-    points = np.array(counts) @ vectors
-    apart = np.linalg.norm(0.5 * points[:, None] - points, axis=2)
-    np.fill_diagonal(apart, np.inf)
-    on_border = np.flatnonzero(apart.min(axis=1) > 0.5 * np.linalg.norm(points, axis=1) * (1 + SAME))
-    angle = np.arctan2(points[on_border, 1], points[on_border, 0])
-    order = on_border[np.argsort((angle + 0.5 * np.pi + SAME) % (2 * np.pi))]
-    middles = 0.5 * points[order]
-    corners = [
-        np.linalg.solve(np.stack([one, other]), [one @ one, other @ other])
-        for one, other in zip(np.roll(middles, 1, axis=0), middles, strict=True)
-    ]
-    return tuple(counts[number] for number in order), np.array(corners)

@@ -5,7 +5,10 @@ from __future__ import annotations
 import pytest
 
 from five_parts import assert_five_parts
-from haptonic.analyses import NAMES, named
+from haptonic.analyses import NAMES, named, tolerance
+from haptonic.analyses.analysis import NoOptions
+from haptonic.analyses.costs import gaps
+from haptonic.study import loads
 from quick import QUICK_CELL
 
 pytestmark = pytest.mark.usefixtures("empty_pictures")
@@ -104,3 +107,13 @@ def test_the_table_names_the_waves_of_a_gap(both, inside, tmp_path):
 def test_a_finite_plate_of_such_a_cell_is_refused(both, inside):
     both.write_text(STUDY + PLATE, encoding="utf-8")
     assert_five_parts(inside("bands", both), code="unsupported", argument="cell.faces")
+
+
+def test_the_forecast_of_tolerances_counts_both_faces():
+    """A design beside the study's own takes longer, by a factor that was measured."""
+    both = loads(STUDY)
+    one = loads(STUDY.replace('faces = "both"', 'faces = "one"'))
+    assert both.cell.is_mirrored
+    assert not one.cell.is_mirrored
+    spent = [tolerance.cost(study, NoOptions()).seconds - gaps(study).seconds for study in (both, one)]
+    assert spent[0] == pytest.approx(tolerance.BOTH * spent[1])

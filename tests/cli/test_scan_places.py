@@ -19,7 +19,7 @@ from haptonic.plate.parts import Force, Plate
 from haptonic.response import FrequencyResponse
 from haptonic.store import Store
 from haptonic.study import loads
-from haptonic.vibrometry.guides import guides_of, mirror_beside, strips_of
+from haptonic.vibrometry.guides import guides_of, mirror_beside, strips_of, without_mode
 from haptonic.vibrometry.on_plate import lattice_gap
 from haptonic.vibrometry.theory import computed_waves, guided
 from tiny_scan import TINY
@@ -134,6 +134,8 @@ class TestOtherLattices:
         """A row of a kagome lattice begins with single pillars; below the guide pairs lie beside it."""
         layout = laid(self.AROUND, CELLS["kagome"])
         assert [guide.lattice for guide in guides_of(layout)] == [None]
+        assert without_mode(layout) == ["no mode computed along p: its border cuts a row of the lattice o"]
+        assert without_mode(laid(self.AROUND, CELLS["triangular"])) == []
         both = {one.inwards: one.face for one in strips_of(layout, mirror_beside(layout, "p"))}
         assert both[-1] is None
         assert both[1] is not None

@@ -24,7 +24,8 @@ BASE = {
     "progress",
     "units",
 }
-CORE = BASE | {"materials", "lattice", "brillouin", "cell", "elements", "solvers", "superelement", "bloch"}
+LATTICES = {"translations", "lattice", "brillouin"}
+CORE = BASE | LATTICES | {"materials", "cell", "elements", "solvers", "superelement", "bloch"}
 LOWER = CORE | {"design", "friction", "plate", "response", "store", "updating", "vibrometry"}
 EVERYWHERE = {"later"}  # stands for libraries of others
 ALLOWED: dict[str, set[str]] = {
@@ -38,15 +39,16 @@ ALLOWED: dict[str, set[str]] = {
     "units": {"errors"},
     "fields": {"errors", "names", "units"},
     "materials": BASE,
-    "lattice": BASE,
-    "brillouin": BASE | {"lattice"},
+    "translations": BASE,
+    "lattice": BASE | {"translations"},
+    "brillouin": BASE | {"lattice", "translations"},
     "solvers": {"arrays", "errors"},
     "paths": {"errors", "units"},
     "progress": set(),
     "parallel": set(),
     "store": {"errors", "gate", "paths"},
     "jobs": BASE | {"store"},
-    "cell": BASE | {"materials", "lattice", "brillouin"},
+    "cell": BASE | LATTICES | {"materials"},
     "elements": {"arrays", "cell", "materials"},
     "superelement": {"arrays", "cell", "elements", "errors", "lattice", "materials", "parallel", "solvers"},
     "bloch": {

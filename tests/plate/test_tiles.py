@@ -237,6 +237,25 @@ def test_joined_tiles_have_the_dynamic_stiffness_of_the_single_ones_together():
     assert errors[1] < errors[0]
 
 
+@pytest.mark.parametrize("name", CELLS)
+def test_tiles_joined_twice_are_those_joined_once(name):
+    """Two by two of two by two have the free waves of four by four, and move the same points alike."""
+    size = SIZES[name][0][1], SIZES[name][1][1]
+    four = joined_tile(single(name), size, (2, 2), ORDERS, HIGHEST)
+    twice = joined_tile(four, (2 * size[0], 2 * size[1]), (2, 2), ORDERS, HIGHEST, (2, 2))
+    once = joined_tile(single(name), size, (4, 4), ORDERS, HIGHEST)
+    solved = [la.eigh(one.elastic, one.mass, subset_by_index=[6, 17]) for one in (twice, once)]
+    (values, modes), (others, meant) = solved
+    assert np.sqrt(values) == pytest.approx(np.sqrt(others), rel=1e-4)
+    assert np.sqrt(others[-1]) > 0.1 * HZ * HIGHEST
+    where = np.random.default_rng(9).uniform(0, 4, (40, 2)) * size
+    ours, theirs = twice.inside.normal_at(where) @ modes, once.inside.normal_at(where) @ meant
+    fit = np.linalg.lstsq(theirs, ours, rcond=None)[
+        0
+    ]  # equal but for signs and turns among equal frequencies
+    assert theirs @ fit == pytest.approx(ours, abs=1e-2 * np.abs(ours).max())
+
+
 def test_an_opened_tile_answers_the_rest_of_its_trace_as_the_closed_one():
     """What is condensed into it moves freely; a motion of the rest is followed, and lifted, alike."""
     closed = joined_tiles(1e-3)

@@ -41,7 +41,7 @@ from haptonic.vibrometry import (
 )
 from haptonic.vibrometry.estimation.quality import check_flags
 from haptonic.vibrometry.estimation.spectra import Estimator, WindowName
-from haptonic.vibrometry.guides import Mirror, guides_of, mirror_beside
+from haptonic.vibrometry.guides import Mirror, guides_of, mirror_beside, without_mode
 from haptonic.vibrometry.maps.waves import grid_step
 from haptonic.vibrometry.of_settings import Tiles, drive_for, plan_for
 from haptonic.vibrometry.on_plate import (
@@ -205,6 +205,7 @@ def compute_scan(
         span = float(response.frequency[0]), float(response.frequency[-1])
         parts = layout, on.bands, span, on.gap, guides_of(layout), mirror
         waves = store.kept({"kind": "waves beside a scan", "of": parts}, lambda: computed_waves(*parts))
+        told += without_mode(layout)
         shortest = 2 * np.pi / float(waves["wavenumber"].max())
         warn_if_aliased(grid_step(response), shortest, f"the flexural wave at {span[1] / 1e3:.4g} kHz")
     if registration.misfit > FAR * grid_step(response):

@@ -74,7 +74,7 @@ def bands_dataset(
         "projection_error": model.fine.projection_error,
         "counts_checked": checked,
         "counts_missed": missed,
-        "lattice": json.dumps(asdict(cell.lattice)),
+        "lattice": json.dumps(asdict(cell.lattice.named)),
         "point_group": json.dumps(cell.point_group.operations),
         "zone": json.dumps(cell.zone.corners),
         "path_labels": json.dumps(path.labels),

@@ -17,7 +17,7 @@ from haptonic.cell.geometry import LEAST_CLEARANCE, UnitCell
 from haptonic.cell.rows import Rows
 from haptonic.cell.tile import SiteTile
 from haptonic.errors import GeometryError
-from haptonic.lattice import SAME
+from haptonic.translations import SAME
 
 FINEST = 48  # denominator of a share of a period, up to which it is taken for a fraction
 MOST_PIECES = 4  # of a side of a brick; more would be finer than its mesh

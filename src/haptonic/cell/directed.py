@@ -13,7 +13,8 @@ import numpy as np
 from haptonic.arrays import Array
 from haptonic.errors import GeometryError
 from haptonic.fields import Quantity, problem, setting
-from haptonic.lattice import SAME, Lattice
+from haptonic.lattice import Lattice
+from haptonic.translations import SAME
 
 Translations = Annotated[float, Quantity("", at_least=-20, at_most=20)]
 MOST_CROSSING = 20  # translations, as many as a study may give

@@ -110,7 +110,7 @@ class UnitCell(TileShape):
                 "put it into the tables of the sites, as [cell.site.pillar], or leave these out",
                 at="pillar",
             )
-        check_shares(self.site, self.lattice.vectors, self.lattice.name)
+        check_shares(self.site, self.lattice.given, self.lattice.name)
         shares = self.shares
         least = 2 * LEAST_CLEARANCE * self.lattice.pitch
         if (pair := apart(shares, self.lattice.vectors, least)) is not None:
@@ -135,7 +135,7 @@ class UnitCell(TileShape):
         """(n, 2) places of the sites in shares of the translations, empty ones included."""
         if self.is_simple:
             return np.zeros((1, 2))
-        return shares_of(self.site, self.lattice.vectors, self.lattice.name)
+        return shares_of(self.site, self.lattice)
 
     @cached_property
     def pillars(self) -> tuple[Pillar | None, ...]:

@@ -18,7 +18,7 @@ from haptonic.cell.directed import Directed, check_along
 from haptonic.cell.geometry import UnitCell
 from haptonic.cell.tile import FreeEdge, PlacedTile
 from haptonic.errors import GeometryError
-from haptonic.lattice import SAME
+from haptonic.translations import SAME
 
 LEAST_COLUMNS = 2
 Line = tuple[UnitCell, ...]

@@ -17,7 +17,7 @@ from haptonic.cell.directed import Directed, check_along
 from haptonic.cell.geometry import UnitCell
 from haptonic.cell.sites import placed_tiles
 from haptonic.cell.tile import MEET, FreeEdge, PlacedTile
-from haptonic.lattice import SAME
+from haptonic.translations import SAME
 
 MARGIN = 0.5  # of a face's longest side as seen along the rows: from its farthest point to the straight line
 

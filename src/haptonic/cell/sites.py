@@ -17,8 +17,9 @@ from haptonic.cell.pillar import Faces, Pillar
 from haptonic.cell.tile import HALF_TURNED, PlacedTile, SiteTile, TileShape
 from haptonic.errors import GeometryError
 from haptonic.fields import Quantity, described, problem, setting
-from haptonic.lattice import LEAST_SIDE, SAME, Lattice, Operation
+from haptonic.lattice import LEAST_SIDE, Lattice, Operation
 from haptonic.materials import Material, is_symmetry
+from haptonic.translations import SAME
 
 Plate = tuple[float, Material, Faces]  # thickness, m, and the faces that pillars stand on
 SHARE = Quantity("", at_least=0.0, below=1.0)
@@ -111,11 +112,11 @@ def site_map(
     return None
 
 
-def shares_of(sites: Sequence[Site], vectors: Array, lattice: str) -> Array:
+def shares_of(sites: Sequence[Site], lattice: Lattice) -> Array:
     """(n, 2) shares of the translations, of every site with what stays empty between them."""
-    if lattice in SITES:
-        return np.array(SITES[lattice] + EMPTY.get(lattice, ()))
-    return np.array([one.shares(vectors) for one in sites])
+    if lattice.name in SITES:
+        return np.array(SITES[lattice.name] + EMPTY.get(lattice.name, ()))
+    return np.array([lattice.counted(np.asarray(one.shares(lattice.given))) for one in sites])
 
 
 def check_shares(sites: Sequence[Site], vectors: Array, lattice: str) -> None:

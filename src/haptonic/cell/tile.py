@@ -13,8 +13,8 @@ import numpy as np
 
 from haptonic.arrays import Array
 from haptonic.cell.pillar import Faces, Pillar
-from haptonic.lattice import SAME
 from haptonic.materials import Material, is_symmetry
+from haptonic.translations import SAME
 
 Sides = tuple[int, int]  # where a turn or mirror of a polygon takes its first two sides
 

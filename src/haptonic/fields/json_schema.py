@@ -61,7 +61,7 @@ def _from_inside(kind: type) -> Iterator[Slot]:
 def _slot(slot: Slot, path: str, keys: dict[str, Key]) -> Schema:
     key = keys[path]
     about: Schema = {"title": key.title, "description": _described(key)}
-    if key.example:
+    if key.example and key.kind != "quantities":
         about["examples"] = [key.example]
     match key.kind:
         case "table":

@@ -34,7 +34,7 @@ class Key:
     quantity : the declaration itself, for a quantity or number; the first one's of a list
     count : how many there are in a list
     numbers : paths of the study's numbers that a text may name; see `haptonic.fields.of_number`
-    example : a text that may be given, where one is declared
+    example : a text that may be given, where one is declared; of several quantities, as a file has the list
     """
 
     path: str
@@ -324,7 +324,8 @@ def _kinds(annotation: Any) -> Iterator[type]:
 
 
 def _choices(annotation: Any) -> tuple[str, ...]:
-    return tuple(get_args(annotation)) if get_origin(annotation) is Literal else ()
+    literals = [part for part in _parts(annotation) if get_origin(part) is Literal]
+    return tuple(word for part in literals for word in get_args(part))
 
 
 def _plain_bounds(field: FieldInfo) -> str:

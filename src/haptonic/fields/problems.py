@@ -205,7 +205,7 @@ def allowed_at(key: Key | None) -> str:
 def example_at(key: Key) -> str:
     """A line for the study file that gives the key."""
     name = key.path.rpartition(".")[2]
-    known = [key.example, *key.known_names, *key.numbers]
+    known = ["" if key.kind == "quantities" else key.example, *key.known_names, *key.numbers]
     if told := next(filter(None, known), key.default if key.kind == "text" else None):
         return f'{name} = "{told}"'
     if key.kind in {"table", "tables", "entries"}:
@@ -219,7 +219,7 @@ def example_at(key: Key) -> str:
 
 def _list(key: Key) -> str:
     assert key.quantity is not None
-    return f"[{', '.join([key.quantity.example] * key.count)}]"
+    return key.example or f"[{', '.join([key.quantity.example] * key.count)}]"
 
 
 def _cause(kind: str, message: str, listed: bool) -> str:

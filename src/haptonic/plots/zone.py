@@ -121,7 +121,8 @@ def _surface(dataset: xr.Dataset) -> ZoneSurface:
     given, operations, corners = (
         json.loads(dataset.attrs[name]) for name in ("lattice", "point_group", "zone")
     )
-    lattice = Lattice(lattice=given.pop("name"), **given)
+    sizes = {name: given[name] for name in ("pitch_y", "pitch_2", "angle")}
+    lattice = Lattice(lattice=given["form"], pitch=given["period"], **sizes)
     return ZoneSurface(
         zone=IrreducibleZone(
             lattice,

@@ -37,12 +37,15 @@ class Mirror(LatticeRows):
 @dataclass(frozen=True)
 class Guiding:
     """A region as a guide. along : its longer side; width : across, m; lattice : name of the one that lies on
-    both of its sides, each the image of the other, if it is so"""
+    both of its sides, each the image of the other, if it is so
+
+    ``cut`` is the lattice whose border cuts a row there, so that no mode of the guide is computed."""
 
     region: str
     along: Axis
     width: float
     lattice: str | None
+    cut: str | None = None
 
 
 def guides_of(layout: Layout) -> list[Guiding]:
@@ -57,11 +60,27 @@ def guides_of(layout: Layout) -> list[Guiding]:
         along: Axis = "x" if width > height else "y"
         sides = [one for one in _mirrors(layout, name) if one.depth != along and one.symmetric]
         faces = [one.face for one in sides if one.face is not None]
-        if len(faces) == 2 and len({one.name for one in sides}) == 1:
-            found.append(Guiding(name, along, round(abs(faces[0] - faces[1]), 12), sides[0].name))
-        else:
-            found.append(Guiding(name, along, min(width, height), None))
+        between = sides[0].name if len(sides) == 2 and len({one.name for one in sides}) == 1 else None
+        whole = between is not None and len(faces) == 2
+        found.append(
+            Guiding(
+                region=name,
+                along=along,
+                width=round(abs(faces[0] - faces[1]), 12) if whole else min(width, height),
+                lattice=between if whole else None,
+                cut=None if whole else between,
+            )
+        )
     return found
+
+
+def without_mode(layout: Layout) -> list[str]:
+    """Why no guided mode is computed along some guides, though a lattice lies on both of their sides."""
+    return [
+        f"no mode computed along {one.region}: its border cuts a row of the lattice {one.cut}"
+        for one in guides_of(layout)
+        if one.cut is not None
+    ]
 
 
 def mirror_beside(layout: Layout, region: str) -> Mirror | None:
