@@ -168,7 +168,8 @@ class TestOneFile:
         reader = read(whole)
         identifiers = [attributes["id"] for _, attributes in reader.tags if "id" in attributes]
         assert len(set(identifiers)) == len(identifiers)
-        targets = [link["href"].removeprefix("#") for link in reader.of("a")]
+        past_the_contents, *targets = [link["href"].removeprefix("#") for link in reader.of("a")]
+        assert past_the_contents == "dispersion"
         chapters = [one for one in targets if not one.startswith("picture-")]
         assert chapters == ["dispersion", "modes", "sweeps", "mirror", "comparison", "appendix"]
         assert set(targets) <= set(identifiers)
