@@ -29,7 +29,7 @@ def wavevector_at(zone: IrreducibleZone, text: str) -> tuple[Array, str]:
     ------
     StudyError : none of these
     """
-    corners = zone.corner_phases
+    corners, text = zone.corner_phases, str(text)  # a call from Python may give a number
 
     def corner(name: str) -> str | None:
         name = GAMMA.get(name.upper(), name.upper().replace("'", "\N{PRIME}"))
@@ -48,10 +48,10 @@ def wavevector_at(zone: IrreducibleZone, text: str) -> tuple[Array, str]:
             return kappa, f"{'middle' if share == 0.5 else f'{share:g}'} of {start}-{stop}"
     labels = list(corners)
     raise StudyError.malformed(
-        argument="--modes-at",
+        argument="modes_at",
         given=shown(text),
         allowed=f'a corner ({", ".join(labels)}), a share between two ("0.3 {labels[0]}-{labels[1]}") or the '
         f'phases k.a1 and k.a2 over pi, at most {LARGEST:g} ("0.5, 0.25")',
         cause="it names no wavevector of this lattice",
-        next_step=f"write --modes-at {labels[-1]}, or leave it out for the middle of {labels[1]}-{labels[2]}",
+        next_step=f"name {labels[-1]}, or leave it out for the middle of {labels[1]}-{labels[2]}",
     )
