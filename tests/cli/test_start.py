@@ -131,6 +131,13 @@ def printed(width: int, head: str, lines: dict[str, str]) -> list[str]:
     return voice.out.file.getvalue().splitlines()
 
 
+@pytest.mark.parametrize("file", ["a.toml", "a longer name.toml"])
+def test_what_commands_of_a_template_do_stands_in_one_column(file):
+    for text in new.templates().values():
+        lines = [line for line in new.heading(new.adapted(text, Path(file))) if new.COMMAND.match(line)]
+        assert len({line.rindex("   ") for line in lines}) == 1, lines
+
+
 def test_the_trials_of_the_template_can_be_tried(inside, tmp_path):
     """Simulated records are read by the sensor of the study that they were made for."""
     study = tmp_path / "mine.toml"

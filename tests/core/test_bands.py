@@ -5,6 +5,7 @@ from dataclasses import replace
 from functools import cache
 from itertools import pairwise
 from pathlib import Path
+from threading import Event
 
 import numpy as np
 import pytest
@@ -13,7 +14,15 @@ from brute import assembled, frequencies, periodic_projection
 from hypothesis import given, settings, strategies as st
 from strategies import ALUMINIUM, reference_cell
 
-from haptonic.bloch import BlochModel, Resolution, bands_dataset, bloch_pencil, gaps as gaps_module, gaps_of
+from haptonic.bloch import (
+    BlochModel,
+    Resolution,
+    bands as bands_module,
+    bands_dataset,
+    bloch_pencil,
+    gaps as gaps_module,
+    gaps_of,
+)
 from haptonic.bloch.bands import count_check
 from haptonic.bloch.character import NAMES, characters
 from haptonic.bloch.gaps import SEARCH_GOAL, complete_gaps
@@ -326,6 +335,26 @@ def test_a_band_that_was_lost_is_noticed(monkeypatch):
     assert any(below)
     assert checked > 0
     assert missed >= sum(below)
+
+
+def test_counts_and_diagram_are_made_at_the_same_time(monkeypatch):
+    """Each goes on once the other has begun, so one after the other would not end."""
+    begun = {"count_check": Event(), "diagram": Event()}
+
+    def meeting(name, other):
+        work = getattr(bands_module, name)
+
+        def met(*asked):
+            begun[name].set()
+            assert begun[other].wait(20), f"{other} waits for {name}"
+            return work(*asked)
+
+        monkeypatch.setattr(bands_module, name, met)
+
+    meeting("count_check", "diagram")
+    meeting("diagram", "count_check")
+    coarse = BandSettings(count=8, points=12, mesh=MeshSettings(2, 1))
+    assert bands_dataset(reference_cell(), coarse).attrs["counts_missed"] == 0
 
 
 # --- group velocity and symmetry ------------------------------------------------------------------------

@@ -61,6 +61,11 @@ def test_what_is_no_wavevector(text):
     refused(lambda: wavevector_at(ZONES["square"], text), "modes_at", "Γ, X, M", kind=StudyError)
 
 
+@pytest.mark.parametrize("given", [3, (0.5, 0.25)])
+def test_what_is_no_text_is_refused_in_python(given):
+    refused(lambda: wavevector_at(ZONES["square"], given), "modes_at", '"0.5, 0.25"', kind=StudyError)
+
+
 def test_modes_at_a_corner_are_those_of_the_diagram(tmp_path):
     study = loads(QUICK_CELL)
     bands = study.bands(modes_at="M")

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import base64
+import json
 import re
-from dataclasses import replace
+from dataclasses import fields, replace
 from datetime import UTC, datetime
 from html.parser import HTMLParser
 from pathlib import Path
@@ -14,11 +15,12 @@ import pytest
 from matplotlib.figure import Figure
 
 from five_parts import refusing
+from haptonic.cell import MeshPlan
 from haptonic.errors import ResourceError
 from haptonic.fields import unchecked
 from haptonic.report import Absent, Chapter, Results, Table, write_report
 from haptonic.report.chapters import IN_ORDER, comparison, dispersion, mirror, sweeps
-from haptonic.report.page import page
+from haptonic.report.page import MESH, _appendix, page
 from haptonic.report.trend import fitted_power, trend_of
 from haptonic.results.references import References
 from haptonic.results.sweeps import Sweep, Sweeps
@@ -166,7 +168,8 @@ class TestOneFile:
         reader = read(whole)
         identifiers = [attributes["id"] for _, attributes in reader.tags if "id" in attributes]
         assert len(set(identifiers)) == len(identifiers)
-        targets = [link["href"].removeprefix("#") for link in reader.of("a")]
+        past_the_contents, *targets = [link["href"].removeprefix("#") for link in reader.of("a")]
+        assert past_the_contents == "dispersion"
         chapters = [one for one in targets if not one.startswith("picture-")]
         assert chapters == ["dispersion", "modes", "sweeps", "mirror", "comparison", "appendix"]
         assert set(targets) <= set(identifiers)
@@ -379,6 +382,17 @@ class TestComparison:
         assert "(Fig. 4A of the paper)" in text
         without = read(page(mirrored(references=None))).text
         assert "the paper" not in without.replace("[daunizeau-haptics]", "")
+
+
+def test_every_number_of_a_mesh_has_words_and_every_tile_its_column():
+    assert set(MESH) == {one.name for one in fields(MeshPlan)}
+    bands = reference_bands()
+    plan = json.loads(bands.attrs["mesh"])
+    bands.attrs["mesh"] = json.dumps([plan, plan | {"pillar_layers": 17}])
+    (told,) = (one for one in _appendix(results(bands=bands)).tables if one.title.startswith("Mesh"))
+    assert told.head == ("What", "Tile 1", "Tile 2")
+    layers = str(plan["pillar_layers"])
+    assert [row[1:] for row in told.texts if row[0] == MESH["pillar_layers"]] == [(layers, "17")]
 
 
 def test_an_accuracy_that_was_not_reached_is_a_finding():

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from concurrent.futures import ThreadPoolExecutor
 from dataclasses import asdict
 from typing import Any
 
@@ -53,17 +54,21 @@ def bands_dataset(
     """
     model = bloch_model(cell, settings, or_best=True)
     path = cell.zone.path(settings.points)
-    along = diagram(model, path)
-    gaps = complete_gaps(model)
-    dataset = _diagram_dataset(along)
-    listed = (*gaps, *parity_gaps(model, gaps), *partial_gaps(along, gaps))
-    dataset = dataset.merge(_gaps_dataset(listed))
     kappa, name = wavevector_at(cell.zone, modes_at or f"{path.labels[1]}-{path.labels[2]}")
-    dataset = dataset.merge(mode_shapes(model, kappa))
-    if surface:
-        dataset = dataset.merge(_surface_dataset(model))
-    levels = [gap.centre for gap in gaps] or [float(along.frequency[:, -1].min())]
-    checked, missed = count_check(model, levels)
+    gaps = complete_gaps(model)
+
+    def shown() -> xr.Dataset:
+        along = diagram(model, path)
+        listed = (*gaps, *parity_gaps(model, gaps), *partial_gaps(along, gaps))
+        parts = [_gaps_dataset(listed), mode_shapes(model, kappa)]
+        return xr.merge([_diagram_dataset(along), *parts, *([_surface_dataset(model)] if surface else [])])
+
+    # the counts have a mesh of their own, and take as long as all that is shown
+    with ThreadPoolExecutor(1) as aside:
+        showing = aside.submit(shown)
+        levels = [gap.centre for gap in gaps] or [float(showing.result()["frequency"][:, -1].min())]
+        checked, missed = count_check(model, levels)
+        dataset = showing.result()
     tiling = model.fine.tiling
     dataset.attrs = {
         "mesh": _mesh_attribute(model),

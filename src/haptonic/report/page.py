@@ -25,6 +25,23 @@ from haptonic.study.schema import Description
 from haptonic.units import format_quantity
 
 TEMPLATE = "page.html"
+MESH = {
+    "order": "Order of the elements around the pillar and in the core",
+    "outward": "Order across the rings",
+    "upward": "Order along z in the plate",
+    "along": "Order along z in the pillar",
+    "thin": "Order across the thin rings and layers",
+    "foot_rings": "Thin rings on either side of the pillar's foot",
+    "step_rings": "Thin rings on either side of its step",
+    "bridges": "Rings inside and outside, layers above and below that lead from the thin ones to the rest",
+    "pillar_layers": "Layers of elements in the pillar",
+    "step_layers": "Layers of elements above its step",
+    "blocks": "Elements along a side of the core",
+    "plate_layers": "Layers of elements in the plate",
+    "sides": "Sides of the tile",
+    "levels": "Nodes through the thickness where tiles meet, 0 if its own",
+    "near_rim": "Nodes through the thickness at the rim beyond those elsewhere",
+}  # of the fields of a `haptonic.cell.MeshPlan`
 LIBRARIES = ("haptonic", "numpy", "scipy", "xarray", "matplotlib", "meshio")
 
 
@@ -89,7 +106,7 @@ def _length(value: float) -> str:
 
 
 def _appendix(results: Results) -> Chapter:
-    tables = [_inputs(results.study), _mesh(results), _errors(results), _versions(results)]
+    tables = [part(results) for part in (_inputs, _mesh, _model, _errors, _versions)]
     if results.timings:
         rows = tuple((name, f"{seconds:.1f}") for name, seconds in results.timings.items())
         tables.append(
@@ -106,10 +123,9 @@ def _appendix(results: Results) -> Chapter:
     )
 
 
-def _inputs(study: Description) -> Table:
+def _inputs(results: Results) -> Table:
     """Every key that has a value, defaults included, and the constants of a material given by name."""
-    keys = table(Description)
-    rows = []
+    study, keys, rows = results.study, table(Description), []
     for path, value, quantity in leaves(study):
         key = key_of(path, keys)
         assert key is not None, path
@@ -122,27 +138,23 @@ def _inputs(study: Description) -> Table:
 
 
 def _mesh(results: Results) -> Table:
+    """The plan of every tile."""
+    plans = json.loads(results.bands.attrs["mesh"])
+    plans = [plans] if isinstance(plans, dict) else plans  # a single one stands for itself
+    heads = [f"Tile {number}" for number in range(1, len(plans) + 1)] if len(plans) > 1 else ["Value"]
+    rows = tuple((words, *(str(plan[key]) for plan in plans)) for key, words in MESH.items())
+    return Table("Mesh, chosen by the accuracy asked for.", ("What", *heads), rows)
+
+
+def _model(results: Results) -> Table:
     data = results.bands.attrs
-    names = {
-        "order": "Order of the elements around the pillar and in the core",
-        "outward": "Order across the rings",
-        "upward": "Order along z",
-        "thin": "Order across the thin rings and layers",
-        "foot_rings": "Thin rings on either side of the pillar's foot",
-        "pillar_layers": "Layers of elements in the pillar",
-        "step_layers": "Layers of elements above its step",
-        "blocks": "Elements along a side of the core",
-        "plate_layers": "Layers of elements in the plate",
-    }
-    plan = json.loads(data["mesh"])
-    rows = [(names.get(key, key.replace("_", " ")), str(value)) for key, value in plan.items()]
-    rows += [
+    rows = (
         ("Unknowns of the cell", f"{int(data['unknowns']):,}".replace(",", " ")),
         ("Unknowns after condensation", str(int(data["condensed_unknowns"]))),
         ("Unknowns at every wavevector", str(int(data["basis_size"]))),
         ("Accuracy asked for", f"{float(data['accuracy']):.1g} of every frequency"),
-    ]
-    return Table("Mesh and model, chosen by the accuracy asked for.", ("What", "Value"), tuple(rows))
+    )
+    return Table("Model.", ("What", "Value"), rows)
 
 
 def _errors(results: Results) -> Table:

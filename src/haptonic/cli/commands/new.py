@@ -129,9 +129,11 @@ def commands(text: str) -> list[str]:
 
 
 def adapted(text: str, path: Path) -> str:
-    """With the file's own name in the commands of the heading."""
+    """With the file's own name in the commands of the heading, and what they do in a column behind them."""
     name = f'"{path}"' if " " in str(path) else str(path)
-    for line in heading(text):
-        if COMMAND.match(line):
-            text = text.replace(line, re.sub(r"\bFILE\b", lambda _: name, line), 1)
+    found = {line: match for line in heading(text) if (match := COMMAND.match(line))}
+    asked = {line: re.sub(r"\bFILE\b", lambda _: name, match[1]) for line, match in found.items()}
+    width = max(map(len, asked.values()), default=0)
+    for line, match in found.items():
+        text = text.replace(line, f"#   {asked[line]:{width}}   {line[match.end() :].strip()}".rstrip(), 1)
     return text
