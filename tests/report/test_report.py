@@ -305,6 +305,7 @@ class TestWords:
         cell = replace(reference_study().cell, material="aluminium-paper")
         text = read(page(results(study=study_with(cell=cell), sweeps=()))).text
         assert "material: youngs_modulus" in text
+        assert "70 GPa" in text
 
     def test_run_times_are_listed(self, whole):
         assert (

@@ -175,6 +175,18 @@ def test_a_path_that_an_analysis_takes_may_be_a_text_and_nothing_else(name, tmp_
             assert error.argument == path
 
 
+TEXTS_AND_SWITCHES = ("str", "str | None", "bool", "bool | None")
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_a_text_or_a_switch_that_an_analysis_takes_is_nothing_else(name, tmp_path):
+    analysis, needed = named(name), dict.fromkeys(NEEDING_PATHS[name], tmp_path)
+    for one in fields(analysis.options):
+        if one.type in TEXTS_AND_SWITCHES:
+            error = refused(lambda one=one: analysis.chosen(needed | {one.name: 3}))
+            assert (error.code, error.argument) == ("malformed", one.name)
+
+
 @pytest.mark.parametrize(("name", "option"), [("scan", "path"), ("friction", "path"), ("compare", "second")])
 def test_what_an_analysis_cannot_do_without_is_asked_for_by_its_name(name, option):
     error = refused(lambda: Study(cell=CELL).run(name, **({"first": "a.toml"} if name == "compare" else {})))

@@ -18,6 +18,7 @@ from haptonic.units import to_si
 FLAG = re.compile(r"(?<![\w-])--[a-z][a-z-]*")
 COMMAND = "haptonic "
 KEPT = "the designs that were finished are kept; the same command goes on from there"
+WORDS = {bool: "True or False", str: "a text", type(None): "None"}
 
 
 @dataclass(frozen=True)
@@ -104,7 +105,7 @@ class Analysis:
 
         Raises
         ------
-        StudyError : there is no such option, one that is needed is missing, or a path is none
+        StudyError : there is no such option, one that is needed is missing, or a value is of another kind
         """
         known = {one.name: one for one in fields(self.options)}
         kinds = get_type_hints(self.options)
@@ -123,6 +124,8 @@ class Analysis:
         asked = {
             name: one.value(given[name]) if (one := option_of(known[name])) else given[name] for name in given
         }
+        for name, value in asked.items():
+            _check_kind(name, value, get_args(kinds[name]) or (kinds[name],))
         paths = {name: source(one, name, StudyError) for name, one in asked.items()
                  if one is not None and Path in (kinds[name], *get_args(kinds[name]))}  # fmt: skip
         return self.options(**asked | paths)
@@ -161,6 +164,20 @@ class Analysis:
         """Of the files that it may write about a study of this name; see `Result.names`."""
         names = self.result.names(options)
         return [one.replace("STUDY", stem) if isinstance(one, str) else one for one in names]
+
+
+def _check_kind(name: str, value: Any, kinds: tuple[Any, ...]) -> None:
+    """Raise StudyError for what should be a text, or yes or no, and is not; others check themselves."""
+    if not {*kinds} <= WORDS.keys() or isinstance(value, kinds):
+        return
+    allowed = " or ".join(WORDS[one] for one in kinds)
+    raise StudyError.malformed(
+        argument=name,
+        given=repr(value),
+        allowed=allowed,
+        cause="a value of another type",
+        next_step=f"give {allowed}, or leave it out",
+    )
 
 
 def option_of(one: Any) -> Option | None:

@@ -8,11 +8,12 @@ import platform
 from dataclasses import replace
 from importlib.metadata import version
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 
 from haptonic.bloch import gaps_of
-from haptonic.fields import table
+from haptonic.fields import Quantity, table
 from haptonic.fields.keys import key_of, leaves
 from haptonic.materials import built_in_name
 from haptonic.pages import filled
@@ -129,12 +130,16 @@ def _inputs(results: Results) -> Table:
     for path, value, quantity in leaves(study):
         key = key_of(path, keys)
         assert key is not None, path
-        shown = format_quantity(value, quantity.unit) if quantity else str(value) or "-"
-        rows.append((path, key.title, shown))
+        rows.append((path, key.title, _shown(value, quantity)))
     if built_in_name(study.cell.material):
-        constants = study.cell.material.to_dict()
-        rows += [(f"material: {name}", "", str(value)) for name, value in constants.items()]
+        material = study.cell.material
+        rows.append(("material: kind", "", str(material.to_dict()["kind"])))
+        rows += [(f"material: {path}", "", _shown(value, unit)) for path, value, unit in leaves(material)]
     return Table("Inputs, defaults included.", ("Key", "Title", "Value"), tuple(rows))
+
+
+def _shown(value: Any, quantity: Quantity | None) -> str:
+    return format_quantity(value, quantity.unit) if quantity else str(value) or "-"
 
 
 def _mesh(results: Results) -> Table:
