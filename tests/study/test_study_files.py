@@ -22,6 +22,12 @@ class TestUnreadableFiles:
         assert "no such file" in error.cause
         assert "touchpad.toml" in error.next_step
 
+    def test_a_link_to_nothing_is_not_told_its_own_name(self, tmp_path):
+        (tmp_path / "linked.toml").symlink_to(tmp_path / "gone.toml")
+        error = self.refused(tmp_path / "linked.toml")
+        assert "link" in error.cause
+        assert "linked.toml" not in error.next_step
+
     def test_no_such_folder(self, tmp_path):
         assert "folder does not exist" in self.refused(tmp_path / "none" / "study.toml").next_step
 
