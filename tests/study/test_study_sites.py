@@ -142,7 +142,12 @@ REFUSED = {
     ),
     "no place": (SQUARE + UNEQUAL, "cell.site[1].at", "at = [0, 0]"),
     "two places": (SQUARE + FREE.replace("0.4]", '0.4]\nposition = ["1 mm", "1 mm"]'), "at", "both"),
-    "outside": (SQUARE + FREE.replace("0.4", "1.4"), "cell.site[2].at[2]", "below 1"),
+    "outside": (SQUARE + FREE.replace("0.4", "1.4"), "cell.site[2].at[2]", "whole translations off"),
+    "overlapping": (
+        SQUARE + FREE.split("[[cell.site]]\nposition")[0].replace('"1/3", 0.4', "0.15, 0"),
+        "cell.site[1].pillar.diameter",
+        "overlaps",
+    ),
     "beyond the edge": (SQUARE + FREE.replace('"5.5 mm"', '"7.5 mm"'), "cell.site[3].position", "outside"),
     "no number": (SQUARE + FREE.replace('"1/3"', '"1/0"'), "cell.site[2].at[1]", "1/0"),
     "one place twice": (SQUARE + FREE.replace('"1/3", 0.4', "0, 0"), "cell.site[2].at", "one place"),

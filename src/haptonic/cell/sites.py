@@ -22,7 +22,7 @@ from haptonic.materials import Material, is_symmetry
 from haptonic.translations import SAME
 
 Plate = tuple[float, Material, Faces]  # thickness, m, and the faces that pillars stand on
-SHARE = Quantity("", at_least=0.0, below=1.0)
+SHARE = Quantity("", at_least=0.0, below=1.0, hint="take whole translations off it")
 PLACE = Quantity("m")
 MIRRORS = (np.diag([-1.0, 1.0, 1.0]), np.diag([1.0, -1.0, 1.0]))
 MOST_SITES = 12  # of one cell
@@ -314,20 +314,8 @@ def check_tiles(tiles: Sequence[PlacedTile], given: int, pitch: float, least: fl
                 'write the shares as fractions, such as "1/3", or move a site by a hundredth of the pitch',
                 at=f"{at}.at" if number <= given else "site",
             )
-        pointed = float(np.linalg.norm(tile.corners, axis=1).max() / tile.inradius)
-        if pointed > MOST_POINTED and len(tiles) > 1:
-            raise problem(
-                "out-of-range",
-                f"a tile whose farthest corner is {pointed:.3g} times as far as its nearest side",
-                f"at most {MOST_POINTED:g} times",
-                "another site is so near on one side, and none on the other, that elements would fold",
-                "move the two sites apart, or make them one",
-                at=f"{at}.at" if number <= given else "site",
-            )
         pillar = tile.pillar
-        if pillar is None:
-            continue
-        if pillar.section == "square" and (one.is_turned or not tile.is_upright):
+        if pillar is not None and pillar.section == "square" and (one.is_turned or not tile.is_upright):
             raise problem(
                 "unsupported",
                 "square",
@@ -336,7 +324,7 @@ def check_tiles(tiles: Sequence[PlacedTile], given: int, pitch: float, least: fl
                 'write section = "round"',
                 at=f"{at}.pillar.section" if number <= given else "pillar.section",
             )
-        if tile.clearance < least:
+        if pillar is not None and tile.clearance < least:  # before what follows from it
             beyond = 2 * (pillar.widest - pillar.radius)
             room = 2 * (tile.inradius - least) - beyond
             raise problem(
@@ -348,6 +336,16 @@ def check_tiles(tiles: Sequence[PlacedTile], given: int, pitch: float, least: fl
                 "the pillar overlaps the next one, or touches the edge half-way to it",
                 "choose a thinner pillar, or move the sites apart",
                 at=f"{at}.pillar.diameter" if number <= given else "pillar.diameter",
+            )
+        pointed = float(np.linalg.norm(tile.corners, axis=1).max() / tile.inradius)
+        if pointed > MOST_POINTED and len(tiles) > 1:
+            raise problem(
+                "out-of-range",
+                f"a tile whose farthest corner is {pointed:.3g} times as far as its nearest side",
+                f"at most {MOST_POINTED:g} times",
+                "another site is so near on one side, and none on the other, that elements would fold",
+                "move the two sites apart, or make them one",
+                at=f"{at}.at" if number <= given else "site",
             )
 
 
