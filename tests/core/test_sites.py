@@ -60,7 +60,8 @@ def model(name, order=3, rings=1):
 @cache
 def whole(cell, order=2, steps=3, block=20):
     """The pencil before any reduction to a small basis, on the mesh that each tile has alone."""
-    plans = meeting([Resolution(order, 1).plan(one.tile) for one in cell.tiles])
+    tiles = [one.tile for one in cell.tiles]
+    plans = meeting([Resolution(order, 1).plan(tile, tile.area / cell.area) for tile in tiles])
     return lattice_pencil(Tiling.condensed(cell, plans, steps, block, measured=False))
 
 

@@ -178,7 +178,7 @@ def test_every_field_of_what_is_asked_changes_the_key(kind):
 
 def test_less_symmetry_than_the_lattice_is_another_cell():
     """The fault that was found: two cells that are unequal and had one key."""
-    lower = UnitCell(with_field(CELL.lattice, "name", "rectangular"), 1.5e-3, CELL.material)
+    lower = UnitCell(with_field(CELL.lattice, "form", "rectangular"), 1.5e-3, CELL.material)
     whole = UnitCell(CELL.lattice, 1.5e-3, CELL.material)
     assert lower != whole
     assert key_of(gaps_key, (lower, ASKED)) != key_of(gaps_key, (whole, ASKED))

@@ -71,6 +71,8 @@ def _read(path: Path) -> str:
         with path.open("rb") as file:
             content = file.read(LARGEST_FILE + 1)
     except FileNotFoundError:
+        if path.is_symlink():  # its own name is the nearest
+            raise _unreadable(path, "it is a link to a file that is not there", "mend the link") from None
         raise _unreadable(path, "no such file", _similar(path)) from None
     except IsADirectoryError:
         raise _unreadable(path, "it is a folder", _studies_in(path)) from None
