@@ -138,7 +138,10 @@ class MeshPlan:
             around = round((order + 2) * SHEET_WAVES) if sheet else order + 2
             around, blocks = _divided(around + more + bool(more))
             outward = (order + 3 if sheet else order) + more // 2
-            return cls(around, 0, 0, blocks=blocks, outward=outward, upward=order, thin=order)
+            # Of a plate as thick as half its pitch, of Poisson ratio 0.44, order 3 through it left 2.8e-2, 4
+            # 6e-4, 5 2.4e-4, 6 nothing: what an odd one leaves, the lower one does not tell.
+            upward = order + order % 2 if order > 4 else order
+            return cls(around, 0, 0, blocks=blocks, outward=outward, upward=upward, thin=order)
         if cell.is_sheet:
             return cls._of_sheet(cell, cell.pillar, order, foot_rings, shorter)
         neck = (THIN_NECK if cell.is_thin else WIDE_NECK) / _neck(cell, cell.pillar)
