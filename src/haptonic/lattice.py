@@ -40,7 +40,7 @@ FURTHER: dict[str, tuple[str, ...]] = {
     "square": (), "rectangular": ("pitch_y",), "triangular": (), "centred": ("pitch_y",),
     "oblique": ("pitch_2", "angle"), "honeycomb": (), "kagome": (), "lieb": (),
 }  # fmt: skip
-COORDINATE = Quantity("m", at_least=-LARGEST, at_most=LARGEST)
+Coordinate = Annotated[float, Quantity("m", at_least=-LARGEST, at_most=LARGEST)]
 LETTERS = {0: "x", 90: "y", 135: "d"}  # names of mirrors, by the angle of their normals in degrees
 
 
@@ -159,14 +159,14 @@ class Lattice:
     angle: Annotated[float, Quantity("rad", above=0.0, below=math.pi, typical=USUAL_ANGLE)] | None = setting(
         None, "From the first pitch, along x, to that of an oblique lattice."
     )
-    first: tuple[Annotated[float, COORDINATE], Annotated[float, COORDINATE]] | None = Field(
+    first: tuple[Coordinate, Coordinate] | None = Field(
         alias="a1",
         default=None,
         title="First vector",
         description="Along x and y, in place of a named lattice and its pitch; its symmetry is found.",
         examples=['["7 mm", "0 mm"]'],
     )
-    second: tuple[Annotated[float, COORDINATE], Annotated[float, COORDINATE]] | None = Field(
+    second: tuple[Coordinate, Coordinate] | None = Field(
         alias="a2",
         default=None,
         title="Second vector",

@@ -12,7 +12,7 @@ from haptonic.arrays import Array, Bools
 from haptonic.cell import MeshPlan, Period, Pillar, TileShape
 from haptonic.cell.edges import between_edges, is_unbridged
 from haptonic.cell.pieces import Meshed, pieces_of
-from haptonic.cell.plan import USUAL_BANDS, shorter_waves
+from haptonic.cell.plan import USUAL_BANDS, orders_for_bands
 from haptonic.superelement.symmetry import folds_of
 from haptonic.superelement.trace import trace_levels
 
@@ -126,7 +126,7 @@ class Resolution:
         if is_unbridged(tile, self.foot_rings):
             factor = max(factor, UNBRIDGED)
         if self.order > 3:
-            finer = shorter_waves(tile, self.bands * share) - shorter_waves(tile, USUAL_BANDS * share)
+            finer = orders_for_bands(tile, self.bands * share) - orders_for_bands(tile, USUAL_BANDS * share)
             factor = min(factor * (1.0 + FOR_BANDS * max(finer, 0.0)), max(factor, self._of_edge_alone))
         return factor * CROSSED if narrow and self.order < 5 else factor
 

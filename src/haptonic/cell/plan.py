@@ -131,7 +131,7 @@ class MeshPlan:
         error: there they are of one order more. Along a pillar that is no prism, and so is meshed to its
         top, all get three orders more: bending of a slender one would err most of all there.
         """
-        shorter = shorter_waves(cell, bands) if bands else 0.0
+        shorter = orders_for_bands(cell, bands) if bands else 0.0
         more = math.ceil(shorter - ROUNDING)
         if cell.pillar is None:
             sheet = cell.is_sheet  # in order 4 it lost 1.5 % where one more left 0.6 %
@@ -335,7 +335,7 @@ def _near_rim(cell: TileShape) -> int:
     return next((more for near, more in NEAR_RIM.items() if share < near * (1 - ROUNDING)), 0)
 
 
-def shorter_waves(cell: TileShape, bands: float) -> float:
+def orders_for_bands(cell: TileShape, bands: float) -> float:
     """Orders more than usual that so many bands need along the longer side of the cell.
 
     They are pi for each wavelength that the last band of a plain plate has there beyond those of the usual
