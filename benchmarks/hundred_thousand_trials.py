@@ -22,11 +22,11 @@ import numpy as np
 import pandas as pd
 from record import peak_memory, write
 
+from haptonic.analyses.friction import compute_friction
 from haptonic.friction.protocol import Protocol
 from haptonic.friction.recordings import Sensor
 from haptonic.friction.signals import Rules
 from haptonic.friction.simulation import Truth, strokes
-from haptonic.results import compute_friction
 
 PARTICIPANTS = 42  # of 240 trials each: 10 080
 TIMES = 10

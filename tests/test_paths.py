@@ -11,6 +11,7 @@ import pytest
 from matplotlib.figure import Figure
 
 from haptonic import load, plots, read_scan
+from haptonic.analyses.friction import compute_friction
 from haptonic.analyses.simulate_friction import read_amplitudes
 from haptonic.cli.running import folder_for
 from haptonic.errors import HaptonicError
@@ -18,7 +19,6 @@ from haptonic.friction.recordings import Sensor, read_calibration
 from haptonic.friction.signals import Rules
 from haptonic.paths import source, target
 from haptonic.response import read
-from haptonic.results import compute_friction
 from haptonic.results.common import refuse_taken
 from haptonic.store import Store
 from haptonic.study import load_trials

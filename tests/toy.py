@@ -6,10 +6,10 @@ from dataclasses import dataclass
 
 from haptonic import plots
 from haptonic.analyses.analysis import Analysis, option
+from haptonic.analyses.runner import Runner
 from haptonic.later import Axes, Figure, xarray as xr
 from haptonic.results.cost import Cost
 from haptonic.results.result import Result, figure
-from haptonic.results.runner import Runner
 from haptonic.results.table import Column, Table
 from haptonic.study.schema import Description
 

@@ -12,10 +12,10 @@ from hypothesis import given, strategies as st
 
 from five_parts import assert_five_parts, refused
 from haptonic.analyses import compare, named
+from haptonic.analyses.runner import Runner
 from haptonic.channels.numbers import read_numbers
 from haptonic.errors import ChannelError
 from haptonic.results.compare import Comparison, of_dataset, of_table, path_in
-from haptonic.results.runner import Runner
 from haptonic.store import Store
 from haptonic.study.loading import load_as
 from quick import QUICK_CELL

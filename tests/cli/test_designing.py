@@ -21,10 +21,10 @@ import haptonic as package
 from five_parts import assert_five_parts
 from haptonic import workshop
 from haptonic.analyses import export
+from haptonic.analyses.runner import Runner
 from haptonic.bloch import Resolution, gaps_of
 from haptonic.cli.app import app
 from haptonic.design import quick
-from haptonic.results import Runner
 from haptonic.store import Store
 from haptonic.workshop import Part, part_drawing
 
@@ -287,7 +287,7 @@ class TestTolerance:
     def test_it_refuses_to_overwrite_before_computing(self, here, asking, tmp_path, monkeypatch):
         (tmp_path / "out").mkdir()
         (tmp_path / "out" / "tolerance.svg").write_text("mine")
-        monkeypatch.setattr("haptonic.results.runner.Runner.gaps", lambda *_: pytest.fail("computed"))
+        monkeypatch.setattr("haptonic.analyses.runner.Runner.gaps", lambda *_: pytest.fail("computed"))
         assert_five_parts(
             here("tolerance", asking(TOLERANCE), "--out", tmp_path / "out"),
             "tolerance.svg",
@@ -379,7 +379,7 @@ class TestExport:
 
     @pytest.mark.parametrize(("option", "number"), [("--columns", 0), ("--rows", -1)])
     def test_impossible_numbers_of_cells(self, here, asking, tmp_path, option, number, monkeypatch):
-        monkeypatch.setattr("haptonic.results.runner.Runner.gaps", lambda *_: pytest.fail("computed"))
+        monkeypatch.setattr("haptonic.analyses.runner.Runner.gaps", lambda *_: pytest.fail("computed"))
         ran = here("export", asking(TOLERANCE), "--out", tmp_path / "out", option, number)
         assert_five_parts(ran, option.strip("-"), str(number), "positive integer")
         assert not (tmp_path / "out").exists()

@@ -257,7 +257,7 @@ def test_a_strip_too_narrow_for_its_mode_is_refused(inside, fine):
 
 def test_ends_that_no_rows_close_are_refused_before_anything_is_computed(inside, study, monkeypatch):
     """An oblique lattice has no rows at a right angle to the strip; a square one has them."""
-    monkeypatch.setattr("haptonic.results.runner.Runner.gaps", lambda *_: pytest.fail("computed"))
+    monkeypatch.setattr("haptonic.analyses.runner.Runner.gaps", lambda *_: pytest.fail("computed"))
     ends = ("[[sweep]]", '[waveguide]\nends = "mirror"\n\n[[sweep]]')
     oblique = ('pitch = "7 mm"', 'lattice = "oblique"\npitch = "7 mm"\npitch_2 = "8 mm"\nangle = "77 deg"')
     vary = (

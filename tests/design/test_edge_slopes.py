@@ -3,13 +3,13 @@
 import numpy as np
 import pytest
 
+from haptonic.analyses.runner import design_gaps
 from haptonic.bloch import gaps_of
 from haptonic.bloch.pencil import eigenpairs
 from haptonic.bloch.settings import BandSettings, MeshSettings
 from haptonic.design.edges import edge_slopes
 from haptonic.design.parameters import values_of
 from haptonic.design.quick import QuickDesign
-from haptonic.results.runner import design_gaps
 from made_up import reference_study
 
 PATHS = ("cell.pillar.height", "material.density")

@@ -12,6 +12,7 @@ from hypothesis import assume, given, settings, strategies as st
 from five_parts import refusing
 from haptonic.analyses.designing import refusals, tasks
 from haptonic.analyses.designing.search import _rounded, compute_design
+from haptonic.analyses.runner import Runner
 from haptonic.bloch import Gap, Resolution, gaps_of
 from haptonic.bloch.settings import BandSettings, MeshSettings
 from haptonic.cell import Pillar, Step, UnitCell
@@ -24,7 +25,6 @@ from haptonic.design.settings import DesignLimits
 from haptonic.errors import ResourceError, StudyError
 from haptonic.lattice import Lattice
 from haptonic.materials import IsotropicMaterial, material
-from haptonic.results import Runner
 from haptonic.store import Store
 
 MM = 1e-3

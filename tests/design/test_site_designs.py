@@ -10,6 +10,7 @@ from hypothesis import given, settings, strategies as st
 from haptonic.analyses.designing import tasks
 from haptonic.analyses.designing.front import compute_front
 from haptonic.analyses.designing.search import compute_design
+from haptonic.analyses.runner import Runner
 from haptonic.bloch import Resolution, gaps_of
 from haptonic.bloch.settings import BandSettings, MeshSettings
 from haptonic.cell import Pillar, Site, UnitCell
@@ -21,7 +22,6 @@ from haptonic.design.settings import DesignLimits
 from haptonic.errors import GeometryError
 from haptonic.lattice import Lattice
 from haptonic.materials import IsotropicMaterial
-from haptonic.results import Runner
 
 MM = 1e-3
 ALUMINIUM = IsotropicMaterial(70e9, 0.33, 2700.0, name="aluminium")

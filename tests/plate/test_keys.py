@@ -14,9 +14,11 @@ import pytest
 import xarray as xr
 from small import CELL, COARSE, busy_plate
 
+from haptonic.analyses.bands import compute_bands
 from haptonic.analyses.designing.tasks import front_task, look_task
 from haptonic.analyses.feel import compute_loaded
 from haptonic.analyses.plate import compute_plate
+from haptonic.analyses.runner import Runner
 from haptonic.bloch.settings import BandSettings, MeshSettings
 from haptonic.cell import Pillar, UnitCell
 from haptonic.cell.pillar import Step
@@ -28,8 +30,6 @@ from haptonic.lattice import Lattice
 from haptonic.materials import IsotropicMaterial
 from haptonic.plate.settings import ResponseSettings
 from haptonic.progress import silent
-from haptonic.results import Runner
-from haptonic.results.bands import compute_bands
 from haptonic.store import Store, content_key
 
 MATERIAL = IsotropicMaterial(

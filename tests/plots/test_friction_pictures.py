@@ -8,9 +8,9 @@ import numpy as np
 import pytest
 import xarray as xr
 
+from haptonic.analyses.friction import compute_friction
 from haptonic.friction.recordings import Sensor
 from haptonic.friction.signals import Rules
-from haptonic.results import compute_friction
 from haptonic.results.friction import MOST_SHEETS
 from trial_folders import made_up, written
 

@@ -16,6 +16,7 @@ from test_report import read, results
 from five_parts import refusing
 from haptonic import plots
 from haptonic.analyses import scanning
+from haptonic.analyses.friction import compute_friction
 from haptonic.cli.console import Voice
 from haptonic.cli.running import show
 from haptonic.errors import FrictionError, HaptonicWarning
@@ -25,7 +26,6 @@ from haptonic.names import cell, from_cell
 from haptonic.report.chapters import plate as plates, scan as scans
 from haptonic.report.chapters.trials import chapter
 from haptonic.report.page import page
-from haptonic.results import compute_friction
 from haptonic.results.quality import quality
 from haptonic.store import Store
 from haptonic.study import loads

@@ -5,12 +5,12 @@ from types import SimpleNamespace
 
 import pytest
 
+from haptonic.analyses.friction import compute_friction
 from haptonic.friction.phrases import averages
 from haptonic.friction.recordings import Sensor
 from haptonic.friction.signals import Rules
 from haptonic.report import Absent, Chapter, Results
 from haptonic.report.chapters.trials import chapter
-from haptonic.results import compute_friction
 from haptonic.results.references import References
 from trial_folders import made_up, written
 

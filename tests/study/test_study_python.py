@@ -9,13 +9,13 @@ from test_study_writing import studies
 from five_parts import refused, refusing
 from haptonic.analyses import NAMES, named
 from haptonic.analyses.analysis import option_of
+from haptonic.analyses.runner import Runner
 from haptonic.cell import Pillar, UnitCell
 from haptonic.errors import HaptonicError, StudyError
 from haptonic.fields import numbers, table, with_numbers
 from haptonic.fields.keys import key_of
 from haptonic.lattice import Lattice
 from haptonic.materials import OrthotropicMaterial, material
-from haptonic.results.runner import Runner
 from haptonic.store import canonical
 from haptonic.study import Study, loads
 

@@ -8,11 +8,11 @@ from dataclasses import MISSING, dataclass, field, fields
 from pathlib import Path
 from typing import Any, Literal, get_args, get_type_hints
 
+from haptonic.analyses.runner import Runner
 from haptonic.errors import HaptonicError, StudyError
 from haptonic.paths import source
 from haptonic.results.cost import Cost
 from haptonic.results.result import Result
-from haptonic.results.runner import Runner
 from haptonic.units import to_si
 
 FLAG = re.compile(r"(?<![\w-])--[a-z][a-z-]*")

@@ -2,14 +2,21 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
+from typing import Any
 
 from haptonic.analyses.analysis import Analysis, option
 from haptonic.analyses.costs import meshes
+from haptonic.analyses.runner import Runner
+from haptonic.bloch import bands_dataset
+from haptonic.bloch.settings import BandSettings
 from haptonic.bloch.wavevectors import wavevector_at
-from haptonic.results.bands import Bands, compute_bands
+from haptonic.cell import UnitCell
+from haptonic.results.bands import Bands
+from haptonic.results.common import stamped
 from haptonic.results.cost import Cost
-from haptonic.results.runner import Runner
+from haptonic.store import Store
 from haptonic.study.schema import Description
 
 DIAGRAM, PER_WAVEVECTOR = 2.5, 0.02  # s, of names, shapes and counts; of ten bands
@@ -45,6 +52,34 @@ def compute(study: Description, options: BandsOptions, runner: Runner) -> Bands:
         study.cell, study.bands_settings, surface=options.surface, inputs=study.inputs(),
         carrier=study.carrier, store=runner.store, modes_at=options.modes_at,
     )  # fmt: skip
+
+
+def compute_bands(
+    cell: UnitCell,
+    settings: BandSettings,
+    *,
+    surface: bool,
+    inputs: Mapping[str, Any],
+    carrier: float | None,
+    store: Store,
+    modes_at: str | None = None,
+) -> Bands:
+    """Bands of a cell, from the store if they were computed before.
+
+    Parameters
+    ----------
+    surface : also sample the whole zone evenly
+    modes_at : wavevector of the mode shapes, see `haptonic.bloch.wavevectors`
+    inputs : plain values of what was asked, for the result's attributes
+    carrier : Hz, marked in the diagram
+    """
+    dataset = store.kept(
+        {"kind": "bands", "surface": surface, "modes_at": modes_at, "cell": cell, "settings": settings},
+        lambda: bands_dataset(cell, settings, surface=surface, modes_at=modes_at),
+    )
+    if carrier is not None:
+        dataset.attrs["carrier_hz"] = carrier
+    return Bands(stamped(dataset, inputs))
 
 
 def cost(study: Description, options: BandsOptions) -> Cost:

@@ -11,11 +11,11 @@ import numpy as np
 
 from haptonic import plots
 from haptonic.analyses.analysis import Analysis, NoOptions
+from haptonic.analyses.runner import Runner
 from haptonic.later import Figure, xarray as xr
 from haptonic.plate import Plate
 from haptonic.results.cost import Cost
 from haptonic.results.result import Result, figure, file
-from haptonic.results.runner import Runner
 from haptonic.results.table import Table
 from haptonic.study.schema import Description
 from haptonic.vibrometry.chirp import Drive, drive_notes, write_drive

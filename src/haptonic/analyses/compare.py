@@ -7,13 +7,13 @@ from functools import cached_property
 from pathlib import Path
 
 from haptonic.analyses.analysis import Analysis, option
+from haptonic.analyses.bands import compute_bands
+from haptonic.analyses.runner import Runner
 from haptonic.channels.numbers import read_numbers
 from haptonic.errors import StudyError, shown
 from haptonic.fields import remade, table
 from haptonic.later import xarray as xr
-from haptonic.results.bands import compute_bands
 from haptonic.results.compare import Comparison, of_dataset, of_file, of_table, path_in
-from haptonic.results.runner import Runner
 from haptonic.study.loading import load_as
 from haptonic.study.schema import Description
 

@@ -9,6 +9,7 @@ from haptonic.analyses.costs import gaps
 from haptonic.analyses.designing.front import compute_front
 from haptonic.analyses.designing.search import compute_design
 from haptonic.analyses.needs import need_carrier
+from haptonic.analyses.runner import Runner
 from haptonic.design.brief import Brief
 from haptonic.design.quick import QUICK
 from haptonic.errors import StudyError
@@ -17,7 +18,6 @@ from haptonic.materials import IsotropicMaterial
 from haptonic.results.common import stamped
 from haptonic.results.cost import Cost
 from haptonic.results.design import Design
-from haptonic.results.runner import Runner
 from haptonic.study.schema import Description
 
 # of what one mesh is foreseen to take, for a design that a search sees: twenty drawn searches of squares took

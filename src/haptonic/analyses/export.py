@@ -10,11 +10,11 @@ from typing import Any
 from haptonic import workshop
 from haptonic.analyses import tolerance
 from haptonic.analyses.analysis import Analysis, NoOptions, option
+from haptonic.analyses.runner import Runner
 from haptonic.cell import UnitCell
 from haptonic.later import xarray as xr
 from haptonic.results.cost import BASE, Cost
 from haptonic.results.result import Result
-from haptonic.results.runner import Runner
 from haptonic.results.tolerance import percent
 from haptonic.study.schema import Description
 from haptonic.workshop.part import Part

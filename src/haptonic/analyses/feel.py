@@ -9,6 +9,7 @@ from typing import Any
 from haptonic.analyses import plate as vibration
 from haptonic.analyses.analysis import Analysis, option
 from haptonic.analyses.needs import fineness, gap_of_plate, has_plate, need_carrier, response_settings
+from haptonic.analyses.runner import Runner
 from haptonic.errors import StudyError
 from haptonic.friction.lubrication.law import check_reduction
 from haptonic.friction.lubrication.settings import VOLTAGE
@@ -22,7 +23,6 @@ from haptonic.progress import Progress
 from haptonic.results.common import stamped
 from haptonic.results.cost import Cost
 from haptonic.results.feel.value import Feel
-from haptonic.results.runner import Runner
 from haptonic.store import Store
 from haptonic.study.schema import Description
 from haptonic.units import format_quantity

@@ -2,18 +2,23 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
 from haptonic.analyses.analysis import Analysis, option
 from haptonic.analyses.costs import size_of
+from haptonic.analyses.runner import Runner
+from haptonic.friction.recordings import Exclusion, Sensor, analysed
+from haptonic.friction.signals import Rules
+from haptonic.friction.statistics.summary import summary
 from haptonic.paths import source
 from haptonic.plate.sampling import driven_region
+from haptonic.progress import Progress, silent
 from haptonic.results.cost import Cost
-from haptonic.results.friction import FrictionResult, compute_friction
+from haptonic.results.friction import FrictionResult
 from haptonic.results.references import References
-from haptonic.results.runner import Runner
 from haptonic.study.loading import load_trials_as
 from haptonic.study.schema import Description
 from haptonic.study.trial_tables import TrialSettings
@@ -59,6 +64,40 @@ def compute(study: None, options: FrictionOptions, runner: Runner) -> FrictionRe
         workers=runner.workers, progress=runner.progress,
     )  # fmt: skip
     return replace(found, published=options.references.friction if options.references else {})
+
+
+def compute_friction(
+    path: Path | str,
+    sensor: Sensor,
+    rules: Rules,
+    excluded: Sequence[Exclusion] = (),
+    *,
+    driven: str | None = None,
+    workers: int = 0,
+    progress: Progress = silent,
+) -> FrictionResult:
+    """Read and measure all trials, and say what they prove.
+
+    Parameters
+    ----------
+    path : a folder with ``trials.csv``, or a single table; see `haptonic.friction.recordings.analysed`
+    driven : the waveguide that carries the vibration; else the one with the largest reduction
+
+    Raises
+    ------
+    ResourceError : no such file or folder
+    FrictionError : a table that is wrong, no trial that counts, or no waveguide of that name
+    """
+    path = source(path, "folder of trials")
+    read = analysed(path, sensor, rules, excluded, workers=workers, progress=progress)
+    return FrictionResult(
+        source=path,
+        sensor=sensor,
+        rules=rules,
+        trials=read.trials,
+        guessed=read.remarks,
+        found=summary(read.trials, driven),
+    )
 
 
 def _asked(path: Path, study: Path | None) -> tuple[TrialSettings, Description | None]:

@@ -10,6 +10,7 @@ import numpy as np
 from haptonic.analyses.analysis import KEPT, Analysis, NoOptions
 from haptonic.analyses.costs import gaps
 from haptonic.analyses.needs import has_mirror, need_carrier, need_rows
+from haptonic.analyses.runner import Runner
 from haptonic.arrays import Array
 from haptonic.bloch import Resolution
 from haptonic.bloch.evanescent import bloch_waves
@@ -31,7 +32,6 @@ from haptonic.parallel import one_thread
 from haptonic.results.common import stamped
 from haptonic.results.cost import BASE, Cost
 from haptonic.results.layers import Layers
-from haptonic.results.runner import Runner
 from haptonic.study.schema import Description
 
 CHUNK = 12  # frequencies of one task

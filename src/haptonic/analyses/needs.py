@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from haptonic.analyses.runner import Runner
 from haptonic.bloch import Gap
 from haptonic.bloch.gaps import gap_at
 from haptonic.bloch.reach import check_memory, started
@@ -12,7 +13,6 @@ from haptonic.errors import StudyError
 from haptonic.plate import Fineness, Plate
 from haptonic.plate.reduction import BLOCK, STEPS
 from haptonic.plate.settings import ResponseSettings
-from haptonic.results.runner import Runner
 from haptonic.study.schema import Description
 
 

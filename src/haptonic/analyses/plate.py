@@ -9,6 +9,7 @@ from typing import Any
 from haptonic.analyses.analysis import Analysis, option
 from haptonic.analyses.costs import gaps, response
 from haptonic.analyses.needs import fineness, gap_of_plate, has_plate, need_carrier, response_settings
+from haptonic.analyses.runner import Runner
 from haptonic.bloch import Gap
 from haptonic.plate import Fineness, Plate
 from haptonic.plate.band_response import band_response, need_loss
@@ -20,7 +21,6 @@ from haptonic.response import from_plain
 from haptonic.results.common import stamped
 from haptonic.results.cost import Cost
 from haptonic.results.plate.value import PlateResult
-from haptonic.results.runner import Runner
 from haptonic.store import Store, content_key
 from haptonic.study.schema import Description
 

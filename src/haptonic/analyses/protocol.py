@@ -6,13 +6,13 @@ import numpy as np
 
 from haptonic.analyses.analysis import Analysis, NoOptions
 from haptonic.analyses.experiments import protocol_of, task_of
+from haptonic.analyses.runner import Runner
 from haptonic.friction.statistics import Population, participants_needed, power, smallest_shown
 from haptonic.gate import declared
 from haptonic.later import xarray as xr
 from haptonic.results.common import stamped
 from haptonic.results.cost import Cost
 from haptonic.results.protocol import TrialPlan
-from haptonic.results.runner import Runner
 from haptonic.study.schema import Description
 
 MOST_DRAWN = 20  # participants up to which the power is always computed

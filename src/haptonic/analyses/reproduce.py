@@ -18,8 +18,11 @@ from haptonic import report
 from haptonic.analyses import NAMES, named
 from haptonic.analyses.analysis import KEPT, Analysis, option
 from haptonic.analyses.experiments import protocol_of, truth_of
+from haptonic.analyses.friction import compute_friction
 from haptonic.analyses.needs import has_plate
+from haptonic.analyses.runner import Runner
 from haptonic.analyses.scanning import rescanned
+from haptonic.analyses.simulate_friction import simulated_friction
 from haptonic.errors import FrictionError, HaptonicError, HaptonicWarning, ScanError, StudyError
 from haptonic.fields import read, remade
 from haptonic.friction.recordings import Sensor
@@ -29,12 +32,10 @@ from haptonic.report import Results
 from haptonic.results.bands import Bands
 from haptonic.results.cost import Cost
 from haptonic.results.feel.value import Feel
-from haptonic.results.friction import FrictionResult, compute_friction
+from haptonic.results.friction import FrictionResult
 from haptonic.results.plate.value import PlateResult
 from haptonic.results.references import References, Variant, found_at
 from haptonic.results.result import Result
-from haptonic.results.runner import Runner
-from haptonic.results.simulated_trials import simulated_friction
 from haptonic.results.table import Table
 from haptonic.study.schema import Description
 

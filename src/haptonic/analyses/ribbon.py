@@ -9,6 +9,7 @@ import numpy as np
 
 from haptonic.analyses.analysis import Analysis, NoOptions
 from haptonic.analyses.costs import meshes
+from haptonic.analyses.runner import Runner
 from haptonic.bloch.gaps import gap_at, widest_gap
 from haptonic.bloch.model import bloch_model
 from haptonic.bloch.ribbon import RibbonModel, bulk_bands
@@ -20,7 +21,6 @@ from haptonic.parallel import one_thread
 from haptonic.results.common import stamped
 from haptonic.results.cost import Cost
 from haptonic.results.ribbon import RibbonWaves
-from haptonic.results.runner import Runner
 from haptonic.study.ribbon_tables import RibbonSettings
 from haptonic.study.schema import Description
 from haptonic.units import format_quantity

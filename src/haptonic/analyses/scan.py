@@ -12,6 +12,7 @@ import numpy as np
 
 from haptonic.analyses.analysis import Analysis, option
 from haptonic.analyses.costs import size_of
+from haptonic.analyses.runner import Runner
 from haptonic.analyses.scanning import Estimation, OnPlate, compute_scan, on_plate
 from haptonic.analyses.verdict import compared, cost_of
 from haptonic.arrays import Array
@@ -19,7 +20,6 @@ from haptonic.errors import ScanError, StudyError, shown
 from haptonic.paths import source
 from haptonic.response import read
 from haptonic.results.cost import BASE, Cost
-from haptonic.results.runner import Runner
 from haptonic.results.scan.value import ScanResult
 from haptonic.study.loading import load_as
 from haptonic.study.schema import Description

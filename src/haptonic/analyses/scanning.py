@@ -12,6 +12,7 @@ import numpy as np
 
 from haptonic.analyses.analysis import option
 from haptonic.analyses.needs import gap_of_plate, need_carrier, response_settings
+from haptonic.analyses.runner import Runner
 from haptonic.arrays import Array
 from haptonic.bloch import Gap
 from haptonic.bloch.settings import BandSettings
@@ -24,7 +25,6 @@ from haptonic.plate.sampling import driven_region, tile_names
 from haptonic.progress import Progress, silent
 from haptonic.response import FrequencyResponse, average_spectrum
 from haptonic.results.plate.value import PlateResult
-from haptonic.results.runner import Runner
 from haptonic.results.scan import ScanResult, SimulatedScan
 from haptonic.store import Store
 from haptonic.study.schema import Description

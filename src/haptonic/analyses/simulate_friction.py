@@ -7,13 +7,18 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, Literal
 
+import numpy as np
+
 from haptonic.analyses.analysis import Analysis, option
 from haptonic.analyses.experiments import protocol_of, truth_of
+from haptonic.analyses.runner import Runner
 from haptonic.errors import FrictionError, ResourceError, shown
+from haptonic.friction.protocol import Protocol
+from haptonic.friction.simulation import Truth, people
+from haptonic.friction.trial_list import Per
 from haptonic.paths import source
 from haptonic.results.cost import Cost
-from haptonic.results.runner import Runner
-from haptonic.results.simulated_trials import SimulatedFriction, simulated_friction
+from haptonic.results.simulated_trials import SimulatedFriction
 from haptonic.study.schema import Description
 
 FILM, STROKE = 3.0, 0.006  # s, of load sharing; of a stroke that is made up and written
@@ -87,6 +92,31 @@ def compute(study: Description, options: SimulateFrictionOptions, runner: Runner
         truth, protocol, count, seed=options.seed, study=study.to_toml(), suffix=f".{options.form}",
         per=options.per, raw=options.raw,
     )  # fmt: skip
+
+
+def simulated_friction(
+    truth: Truth,
+    protocol: Protocol,
+    participants: int,
+    *,
+    seed: int,
+    study: str,
+    suffix: str = ".csv",
+    per: Per = "trial",
+    raw: bool = False,
+) -> SimulatedFriction:
+    """Make people up; see `SimulatedFriction`."""
+    group = people(truth, participants, np.random.default_rng(seed))
+    return SimulatedFriction(
+        truth=truth,
+        protocol=protocol,
+        group=tuple(group),
+        seed=seed,
+        study=study,
+        suffix=suffix,
+        per=per,
+        raw=raw,
+    )
 
 
 def cost(study: Description, options: SimulateFrictionOptions) -> Cost:

@@ -9,11 +9,11 @@ from haptonic.analyses import plate
 from haptonic.analyses.analysis import Analysis, option
 from haptonic.analyses.costs import gaps, response
 from haptonic.analyses.needs import response_settings
+from haptonic.analyses.runner import Runner
 from haptonic.analyses.scanning import on_plate
 from haptonic.analyses.verdict import response_in
 from haptonic.plate.settings import ResponseSettings
 from haptonic.results.cost import Cost
-from haptonic.results.runner import Runner
 from haptonic.results.scan.simulated import Kind, SimulatedScan, kind_of
 from haptonic.study.schema import Description
 from haptonic.vibrometry.of_settings import drive_for, plan_for, response_for

@@ -8,6 +8,7 @@ import numpy as np
 
 from haptonic.analyses.analysis import KEPT, Analysis, NoOptions
 from haptonic.analyses.costs import gaps
+from haptonic.analyses.runner import Runner, design_gaps
 from haptonic.cell import UnitCell
 from haptonic.cell.cantilever import euler_bernoulli, timoshenko
 from haptonic.errors import StudyError
@@ -17,7 +18,6 @@ from haptonic.later import xarray as xr
 from haptonic.materials import IsotropicMaterial
 from haptonic.results.common import stamped
 from haptonic.results.cost import Cost
-from haptonic.results.runner import Runner, design_gaps
 from haptonic.results.sweeps import Sweep, Sweeps
 from haptonic.study.schema import Description
 from haptonic.study.sweeps import SweepSettings

@@ -10,6 +10,7 @@ import numpy as np
 from haptonic.analyses.analysis import KEPT, Analysis, NoOptions
 from haptonic.analyses.costs import gaps
 from haptonic.analyses.needs import need_carrier
+from haptonic.analyses.runner import Runner
 from haptonic.bloch.gaps import need_gap_at
 from haptonic.design.edges import beside_dataset, edge_slopes, linear
 from haptonic.design.parameters import values_of
@@ -28,7 +29,6 @@ from haptonic.jobs import Task
 from haptonic.later import xarray as xr
 from haptonic.results.common import stamped
 from haptonic.results.cost import Cost
-from haptonic.results.runner import Runner
 from haptonic.results.tolerance import Tolerance
 from haptonic.study.schema import Description
 

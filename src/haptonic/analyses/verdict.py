@@ -11,6 +11,7 @@ import numpy as np
 from haptonic.analyses import plate as vibration
 from haptonic.analyses.analysis import Analysis, option
 from haptonic.analyses.needs import fineness, response_settings
+from haptonic.analyses.runner import Runner
 from haptonic.arrays import Ints
 from haptonic.errors import ResponseError, ScanError
 from haptonic.plate import Plate
@@ -18,7 +19,6 @@ from haptonic.plate.answer import responded
 from haptonic.plate.sampling import reference_of, region_names, unit_drives
 from haptonic.response import FrequencyResponse, read
 from haptonic.results.cost import Cost
-from haptonic.results.runner import Runner
 from haptonic.results.verdict import AFTER, BEFORE, MEASURED, Verdict
 from haptonic.study.schema import Description
 from haptonic.units import format_quantity

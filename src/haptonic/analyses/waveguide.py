@@ -11,6 +11,7 @@ from haptonic.analyses.analysis import Analysis, option
 from haptonic.analyses.costs import gaps
 from haptonic.analyses.layers import SQUARE_FACE
 from haptonic.analyses.needs import has_mirror, need_carrier, need_rows
+from haptonic.analyses.runner import Runner
 from haptonic.bloch.gaps import need_gap_at
 from haptonic.bloch.layers import plain_plate
 from haptonic.bloch.mirrors import condensed_rows
@@ -24,7 +25,6 @@ from haptonic.parallel import one_thread
 from haptonic.results.common import stamped
 from haptonic.results.cost import BASE, Cost
 from haptonic.results.guides import Guides
-from haptonic.results.runner import Runner
 from haptonic.study.schema import Description
 
 MOST_LENGTHS = 6  # of waveguides that are compared

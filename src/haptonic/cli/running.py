@@ -11,6 +11,7 @@ from typing import Annotated, Any, get_type_hints
 import typer
 
 from haptonic.analyses.analysis import Analysis, option_of, path_of
+from haptonic.analyses.runner import Runner
 from haptonic.cli.console import Voice, speaking
 from haptonic.cli.watching import watched
 from haptonic.errors import HaptonicError
@@ -18,7 +19,6 @@ from haptonic.paths import target
 from haptonic.results.common import refuse_taken
 from haptonic.results.cost import LONG
 from haptonic.results.result import Result, taken
-from haptonic.results.runner import Runner
 from haptonic.results.table import FORMS, Table, check_form
 from haptonic.store import Store
 from haptonic.study import load

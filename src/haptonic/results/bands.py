@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -11,18 +11,14 @@ from typing import Any
 import numpy as np
 
 from haptonic import plots, vtu
-from haptonic.bloch import Gap, bands_dataset, gaps_of
+from haptonic.bloch import Gap, gaps_of
 from haptonic.bloch.bands import mode_names
 from haptonic.bloch.reach import rounded_up
-from haptonic.bloch.settings import BandSettings
-from haptonic.cell import UnitCell
 from haptonic.later import Axes, Figure, pandas as pd, xarray as xr
 from haptonic.plots.text import khz
-from haptonic.results.common import stamped
 from haptonic.results.plain import plain
 from haptonic.results.result import Result, figure, file
 from haptonic.results.table import Column, Table, Uncertain
-from haptonic.store import Store
 from haptonic.units import format_quantity
 
 WRITTEN = [
@@ -188,31 +184,3 @@ def counted(checked: int, missed: int) -> str:
         return "Bands were not counted by another method: where it would be done, one lies within its error."
     missing = f"{missed or 'no'} band{'s' * (missed != 1)} missing"
     return f"Counted by another method, in {checked} comparison{'s' * (checked != 1)}: {missing}."
-
-
-def compute_bands(
-    cell: UnitCell,
-    settings: BandSettings,
-    *,
-    surface: bool,
-    inputs: Mapping[str, Any],
-    carrier: float | None,
-    store: Store,
-    modes_at: str | None = None,
-) -> Bands:
-    """Bands of a cell, from the store if they were computed before.
-
-    Parameters
-    ----------
-    surface : also sample the whole zone evenly
-    modes_at : wavevector of the mode shapes, see `haptonic.bloch.wavevectors`
-    inputs : plain values of what was asked, for the result's attributes
-    carrier : Hz, marked in the diagram
-    """
-    dataset = store.kept(
-        {"kind": "bands", "surface": surface, "modes_at": modes_at, "cell": cell, "settings": settings},
-        lambda: bands_dataset(cell, settings, surface=surface, modes_at=modes_at),
-    )
-    if carrier is not None:
-        dataset.attrs["carrier_hz"] = carrier
-    return Bands(stamped(dataset, inputs))

@@ -10,13 +10,11 @@ from typing import Any
 
 from haptonic import plots
 from haptonic.friction.phrases import AVERAGES
-from haptonic.friction.recordings import Exclusion, Sensor, analysed, traces
+from haptonic.friction.recordings import Sensor, traces
 from haptonic.friction.signals import Rules, exclusions, write_trials
-from haptonic.friction.statistics.summary import Summary, summary
+from haptonic.friction.statistics.summary import Summary
 from haptonic.later import Axes, Figure, pandas as pd, xarray as xr
 from haptonic.names import cell
-from haptonic.paths import source as checked
-from haptonic.progress import Progress, silent
 from haptonic.results.friction_tables import conditions_table, excluded_table, reported, tests_tables
 from haptonic.results.plain import determined, plain, split
 from haptonic.results.quality import quality
@@ -148,40 +146,6 @@ class FrictionResult(Result):
             "drift": found.drift,
         }
         return {name: determined(plain(one)) for name, one in reported.items()}
-
-
-def compute_friction(
-    source: Path | str,
-    sensor: Sensor,
-    rules: Rules,
-    excluded: Sequence[Exclusion] = (),
-    *,
-    driven: str | None = None,
-    workers: int = 0,
-    progress: Progress = silent,
-) -> FrictionResult:
-    """Read and measure all trials, and say what they prove.
-
-    Parameters
-    ----------
-    source : a folder with ``trials.csv``, or a single table; see `haptonic.friction.recordings.analysed`
-    driven : the waveguide that carries the vibration; else the one with the largest reduction
-
-    Raises
-    ------
-    ResourceError : no such file or folder
-    FrictionError : a table that is wrong, no trial that counts, or no waveguide of that name
-    """
-    source = checked(source, "folder of trials")
-    read = analysed(source, sensor, rules, excluded, workers=workers, progress=progress)
-    return FrictionResult(
-        source=source,
-        sensor=sensor,
-        rules=rules,
-        trials=read.trials,
-        guessed=read.remarks,
-        found=summary(read.trials, driven),
-    )
 
 
 def _write_rows(rows: list[dict[str, Any]], origin: str, path: Path) -> None:

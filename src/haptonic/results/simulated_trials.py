@@ -171,31 +171,6 @@ class SimulatedFriction(Result):
         return {"folder": str(folder), "files": len(self.file_names)}
 
 
-def simulated_friction(
-    truth: Truth,
-    protocol: Protocol,
-    participants: int,
-    *,
-    seed: int,
-    study: str,
-    suffix: str = ".csv",
-    per: Per = "trial",
-    raw: bool = False,
-) -> SimulatedFriction:
-    """Make people up; see `SimulatedFriction`."""
-    group = people(truth, participants, np.random.default_rng(seed))
-    return SimulatedFriction(
-        truth=truth,
-        protocol=protocol,
-        group=tuple(group),
-        seed=seed,
-        study=study,
-        suffix=suffix,
-        per=per,
-        raw=raw,
-    )
-
-
 def _channels(strokes: list[Stroke], matrix: NDArray[np.float64] | None) -> dict[str, NDArray[np.float64]]:
     """Channels by name, strokes one after the other."""
     axes = np.hstack([stroke.axes for stroke in strokes])

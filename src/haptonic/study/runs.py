@@ -10,12 +10,12 @@ from typing import TYPE_CHECKING, Any
 
 from haptonic import analyses
 from haptonic.analyses import named
+from haptonic.analyses.runner import Runner
 from haptonic.errors import StudyError
 from haptonic.fields import extended
 from haptonic.progress import Progress, in_notebook
 from haptonic.results.plan import sentence_of
 from haptonic.results.result import Result
-from haptonic.results.runner import Runner
 from haptonic.store import Store
 from haptonic.study.loading import load_as, load_trials_as, loads_as
 from haptonic.study.schema import Description

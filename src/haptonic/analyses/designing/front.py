@@ -9,13 +9,13 @@ from dataclasses import asdict
 import numpy as np
 
 from haptonic.analyses.designing.tasks import front_dataset, front_task, visits_of
+from haptonic.analyses.runner import Runner
 from haptonic.design.brief import Brief
 from haptonic.design.parameters import PILLAR, UNITS
 from haptonic.design.quick import QUICK
 from haptonic.gate import declared
 from haptonic.jobs import Task
 from haptonic.later import xarray as xr
-from haptonic.results.runner import Runner
 
 
 def compute_front(

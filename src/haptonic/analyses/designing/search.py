@@ -12,6 +12,7 @@ import numpy as np
 from haptonic.analyses.designing import tasks
 from haptonic.analyses.designing.refusals import held_back_by, out_of_reach, uncomputed
 from haptonic.analyses.designing.tasks import all_seen, visits_of
+from haptonic.analyses.runner import Runner
 from haptonic.arrays import Array
 from haptonic.bloch import Gap, gaps_of
 from haptonic.bloch.reach import rounded_up
@@ -24,7 +25,6 @@ from haptonic.jobs import Task
 from haptonic.later import xarray as xr
 from haptonic.results.common import stamped
 from haptonic.results.design import Design
-from haptonic.results.runner import Runner
 
 POLISH_STEPS = 5  # designs computed at most once the coarse model has been corrected
 LAST_STEPS = 20  # of the best climb at most, before it is said what holds it back
