@@ -15,8 +15,8 @@ from test_report import read, results
 
 from five_parts import refusing
 from haptonic import plots
-from haptonic.analyses import scanning
 from haptonic.analyses.friction import compute_friction
+from haptonic.analyses.simulate_scan import rescanned
 from haptonic.cli.console import Voice
 from haptonic.cli.running import show
 from haptonic.errors import FrictionError, HaptonicWarning
@@ -139,7 +139,7 @@ def test_pages_of_a_plate_and_its_scan_hold_text_only(tmp_path, monkeypatch):
         drive = drive_for(question, study.mounted_plate())
     asked = replace(response_for(question, 1e-3, drive), points=126)
     plate = study.plate(settings=asked, store=store)
-    scan = scanning.rescanned(study, plate, seed=2, store=store)
+    scan = rescanned(study, plate, seed=2, store=store)
     monkeypatch.setattr("haptonic.report.page.IN_ORDER", (plates.chapter, scans.chapter))
     seen = read(page(results(study=study, plate=plate, scan=scan)))
     assert not FORBIDDEN & {tag for tag, _ in seen.tags}

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from five_parts import refusing
-from haptonic.analyses import scanning
+from haptonic.analyses.simulate_scan import rescanned
 from haptonic.errors import HaptonicWarning, ScanError
 from haptonic.report import Absent, Chapter, Results
 from haptonic.report.chapters.scan import chapter
@@ -43,7 +43,7 @@ def plate(study, store):
 
 @pytest.fixture(scope="module")
 def scan(study, plate, store):
-    return scanning.rescanned(study, plate, seed=2, store=store)
+    return rescanned(study, plate, seed=2, store=store)
 
 
 def test_the_scan_returns_the_plate_that_it_was_made_of(plate, scan):
@@ -86,4 +86,4 @@ def test_lines_that_no_periodic_drive_has_are_refused(study, plate):
     for shift in (30.0, -30.0):
         moved = plate.response.dataset.assign_coords(frequency=plate.response.frequency + shift)
         with refusing(ScanError, "out-of-range", "plate.response"):
-            scanning.rescanned(study, replace(plate, response=FrequencyResponse(moved)))
+            rescanned(study, replace(plate, response=FrequencyResponse(moved)))

@@ -21,8 +21,8 @@ from haptonic.analyses.experiments import protocol_of, truth_of
 from haptonic.analyses.friction import compute_friction
 from haptonic.analyses.needs import has_plate
 from haptonic.analyses.runner import Runner
-from haptonic.analyses.scanning import rescanned
 from haptonic.analyses.simulate_friction import simulated_friction
+from haptonic.analyses.simulate_scan import rescanned
 from haptonic.errors import FrictionError, HaptonicError, HaptonicWarning, ScanError, StudyError
 from haptonic.fields import read, remade
 from haptonic.friction.recordings import Sensor

@@ -1,37 +1,32 @@
-"""From the content of scan files to all that a scan tells, with the plate of a study or without one; and
-from a computed plate to the scan that it would have."""
+"""From the content of scan files to all that a scan tells, with the plate of a study or without one."""
 
 from __future__ import annotations
 
 import json
-import warnings
 from dataclasses import dataclass, replace
 from pathlib import Path
 
 import numpy as np
 
 from haptonic.analyses.analysis import option
-from haptonic.analyses.needs import gap_of_plate, need_carrier, response_settings
+from haptonic.analyses.needs import gap_of_plate, need_carrier
 from haptonic.analyses.runner import Runner
 from haptonic.arrays import Array
 from haptonic.bloch import Gap
 from haptonic.bloch.settings import BandSettings
-from haptonic.errors import HaptonicWarning, ResponseError, ScanError
-from haptonic.fields import unchecked
+from haptonic.errors import ResponseError, ScanError
 from haptonic.later import xarray as xr
 from haptonic.plate import Plate
 from haptonic.plate.levels import marked_lines
 from haptonic.plate.sampling import driven_region, tile_names
 from haptonic.progress import Progress, silent
 from haptonic.response import FrequencyResponse, average_spectrum
-from haptonic.results.plate.value import PlateResult
-from haptonic.results.scan import ScanResult, SimulatedScan
+from haptonic.results.scan import ScanResult
 from haptonic.store import Store
 from haptonic.study.schema import Description
 from haptonic.vibrometry import (
     Estimate,
     MeasuredGap,
-    ReadReport,
     Registration,
     Scan,
     estimate,
@@ -43,7 +38,7 @@ from haptonic.vibrometry.estimation.quality import check_flags
 from haptonic.vibrometry.estimation.spectra import Estimator, WindowName
 from haptonic.vibrometry.guides import Mirror, guides_of, mirror_beside, without_mode
 from haptonic.vibrometry.maps.waves import grid_step
-from haptonic.vibrometry.of_settings import Tiles, drive_for, plan_for
+from haptonic.vibrometry.of_settings import Tiles, plan_for
 from haptonic.vibrometry.on_plate import (
     contrast_range,
     decay_in,
@@ -56,7 +51,6 @@ from haptonic.vibrometry.theory import computed_waves
 
 FAR = 0.5  # of a step of the grid: a worse misfit of a registration is told
 SAME_SCALE = 0.05  # by which a registration may scale before it is told
-SHIFTED = 0.01  # of the distance of lines, by which a computed line may be off one of a periodic drive
 
 
 def flags_of(text: str) -> tuple[str, ...]:
@@ -274,67 +268,3 @@ def _beside_lattice(
             data.update(decay.rename(error="error_of_decay"))
             data.attrs["decay"] = json.dumps(decay.attrs)
     return found, reasons
-
-
-def rescanned(
-    study: Description,
-    computed: PlateResult,
-    *,
-    seed: int = 0,
-    store: Store | None = None,
-    progress: Progress = silent,
-) -> ScanResult:
-    """What a scan of a plate that was computed would tell: simulated records, analysed like measured ones.
-
-    The drive's period is that whose lines are the computed ones, so nothing of the plate is computed again; a
-    line that is off by a hundredth of the lines' distance or less counts as the drive's.
-
-    Parameters
-    ----------
-    computed : of the same study
-    progress : called with the points analysed and their number
-
-    Raises
-    ------
-    ScanError : lines that no periodic drive has, or a scan of other points than the plate was computed at
-    """
-    lines = computed.response.frequency
-    settings = _periodic(lines, study)
-    driven = (round(settings.lowest * settings.record) + np.arange(len(lines))) / settings.record
-    response = FrequencyResponse(computed.response.dataset.assign_coords(frequency=driven))
-    with warnings.catch_warnings():  # a simulated plate is in its steady state, however short the period
-        warnings.filterwarnings("ignore", "the period of", HaptonicWarning)
-        signal = drive_for(settings, computed.plate)
-    made = SimulatedScan.of(computed.plate, settings, signal, response, gap=computed.gap, seed=seed)
-    scan = Scan(made.records, ReadReport("simulated records", "memory", len(made.records.names)))
-    on = OnPlate(
-        plate=computed.plate,
-        scan=settings,
-        carrier=computed.carrier,
-        gap=computed.gap,
-        bands=study.bands_settings,
-    )
-    return compute_scan(scan, Estimation(), on, store=store or Store.default(), progress=progress)
-
-
-def _periodic(lines: Array, study: Description) -> ScanSettings:
-    """The study's scan with a drive that has these lines, evenly spaced, Hz, at the points of the plate."""
-    spacing = float(lines[-1] - lines[0]) / max(len(lines) - 1, 1)
-    first = round(lines[0] / spacing) if spacing else 0
-    if first < 1 or abs(lines[0] - first * spacing) > SHIFTED * spacing:
-        raise ScanError.out_of_range(
-            argument="plate.response",
-            given=f"{len(lines)} lines from {lines[0]:g} to {lines[-1]:g} Hz",
-            allowed="evenly spaced lines at multiples of their distance, as a periodic drive has them",
-            cause="the lowest frequency is no multiple of the distance of the lines",
-            next_step="choose lowest, highest and points of [plate.response] so that it is",
-        )
-    rate = np.ceil(max(study.scan_settings.rate, 2 * lines[-1]) / spacing) * spacing
-    return unchecked(  # `drive` refuses what no drive has; a scan in earnest has more lines
-        study.scan_settings,
-        lowest=first * spacing,
-        highest=(first + len(lines) - 1) * spacing,
-        rate=float(rate),
-        record=1 / spacing,
-        grid=response_settings(study).grid,
-    )

@@ -5,12 +5,9 @@ from __future__ import annotations
 import json
 from collections.abc import Callable
 from dataclasses import asdict, dataclass, replace
-from functools import cached_property, partial
+from functools import partial
 from pathlib import Path, PurePosixPath
 from typing import Any, Literal
-
-import numpy as np
-import scipy
 
 from haptonic.bloch import Gap
 from haptonic.errors import HaptonicError, ScanError
@@ -21,11 +18,9 @@ from haptonic.plate.sampling import driven_region
 from haptonic.response import FrequencyResponse, write
 from haptonic.results.common import Writer
 from haptonic.results.result import Result
-from haptonic.vibrometry import TimeScan, estimate, write_records, write_uff, write_uff_records
+from haptonic.vibrometry import TimeScan, write_records, write_uff, write_uff_records
 from haptonic.vibrometry.chirp import Drive
 from haptonic.vibrometry.exports import csv_files, write_mat, write_mat_records, write_tdms
-from haptonic.vibrometry.instrument import recorded
-from haptonic.vibrometry.of_settings import plan_for
 from haptonic.vibrometry.on_plate import contrast_range
 from haptonic.vibrometry.readers.folder import GEOMETRY
 from haptonic.vibrometry.settings import ScanSettings
@@ -33,7 +28,6 @@ from haptonic.vibrometry.settings import ScanSettings
 Kind = Literal["time", "frf"]
 
 STAGE = (12e-3, 7e-3)  # m, where the corner of the plate lies in the coordinates of the stage
-NEAR = 0.01  # of the grid, within which a point of the plan is one of the response
 TIME: dict[str, Callable[[TimeScan, Path], None]] = {
     "h5": write_records, "uff": write_uff_records, "mat": write_mat_records, "tdms": write_tdms,
 }  # fmt: skip
@@ -53,6 +47,7 @@ class SimulatedScan(Result):
     true : the plate's response at the points of the plan, in the order of the stage, on the plate
     records : what the instrument gives of it, in the coordinates of the stage
     form : of its file; kind : time records or responses
+    estimated : what an instrument that estimates responses itself would store, if these are written
     """
 
     title = "Simulated scan"
@@ -66,51 +61,7 @@ class SimulatedScan(Result):
     seed: int
     form: str = "h5"
     kind: Kind = "time"
-
-    @classmethod
-    def of(
-        cls,
-        plate: Plate,
-        settings: ScanSettings,
-        signal: Drive,
-        response: FrequencyResponse,
-        *,
-        gap: Gap | None = None,
-        seed: int,
-    ) -> SimulatedScan:
-        """The scan of a plate whose response is known at the points of the plan and the lines of the drive.
-
-        Raises
-        ------
-        ScanError : a response at other points or lines
-        """
-        plan = plan_for(settings, plate).points
-        distance, order = scipy.spatial.cKDTree(response.points).query(plan)
-        if distance.max() > NEAR * settings.grid:
-            raise ScanError.mismatch(
-                argument="response",
-                given=f"no point within {distance.max() * 1e3:.3g} mm of a planned one",
-                allowed="a response at the points of the scan plan",
-                cause="it was computed on another grid, or for another plate",
-                next_step="compute it with the grid of [scan], or leave --from out",
-            )
-        true = FrequencyResponse(response.dataset.isel(point=order))
-        if true.dataset.attrs["quantity"] != "velocity":
-            true = true.velocity()
-        points = true.points + np.array(STAGE)
-        moved = FrequencyResponse(
-            true.dataset.assign_coords(x=("point", points[:, 0]), y=("point", points[:, 1]))
-        )
-        records = recorded(moved, signal, settings.instrument, averages=settings.averages, seed=seed)
-        return cls(
-            plate=plate, settings=settings, signal=signal, gap=gap, true=true, records=records, seed=seed
-        )
-
-    @cached_property
-    def estimated(self) -> FrequencyResponse:
-        """What an instrument that estimates responses itself would store."""
-        found = estimate(self.records, band=self.signal.band, workers=2)
-        return found.response
+    estimated: FrequencyResponse | None = None
 
     @property
     def dataset(self) -> xr.Dataset:
@@ -129,6 +80,7 @@ class SimulatedScan(Result):
         truth: dict[Any, Writer] = {"truth.json": lambda path: path.write_text(text, "utf-8")}
         if self.kind == "time":
             return {f"scan.{self.form}": partial(TIME[self.form], self.records)} | truth
+        assert self.estimated is not None
         if self.form == "csv":
             return {FOLDER / name: writer for name, writer in csv_files(self.estimated).items()} | truth
         return {f"scan.{self.form}": partial(FRF[self.form], self.estimated)} | truth
