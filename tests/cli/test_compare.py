@@ -12,10 +12,11 @@ from hypothesis import given, strategies as st
 
 from five_parts import assert_five_parts, refused
 from haptonic.analyses import compare, named
+from haptonic.analyses.comparing import of_dataset, of_table, path_in
 from haptonic.analyses.runner import Runner
 from haptonic.channels.numbers import read_numbers
 from haptonic.errors import ChannelError
-from haptonic.results.compare import Comparison, of_dataset, of_table, path_in
+from haptonic.results.comparison import Comparison
 from haptonic.store import Store
 from haptonic.study.loading import load_as
 from quick import QUICK_CELL

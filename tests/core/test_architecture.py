@@ -76,7 +76,7 @@ ALLOWED: dict[str, set[str]] = {
     "workshop": BASE | {"cell", "plate", "plots", "store"},
     "pages": {"plots"},
     # from here on down to the command line: what is told, what is asked, what is computed, what shows it
-    "results": LOWER | {"channels", "pages", "plots", "vtu"},
+    "results": LOWER | {"pages", "plots", "vtu"},
     "description": LOWER - {"store"} | {"results"},
     "report": LOWER | {"description", "pages", "plots", "results"},
     "analyses": LOWER | {"channels", "description", "jobs", "plots", "report", "results", "workshop"},

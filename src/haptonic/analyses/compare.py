@@ -8,12 +8,13 @@ from pathlib import Path
 
 from haptonic.analyses.analysis import Analysis, option
 from haptonic.analyses.bands import compute_bands
+from haptonic.analyses.comparing import of_dataset, of_file, of_table, path_in
 from haptonic.analyses.runner import Runner
 from haptonic.channels.numbers import read_numbers
 from haptonic.errors import StudyError, shown
 from haptonic.fields import remade, table
 from haptonic.later import xarray as xr
-from haptonic.results.compare import Comparison, of_dataset, of_file, of_table, path_in
+from haptonic.results.comparison import Comparison
 from haptonic.study.loading import load_as
 from haptonic.study.schema import Description
 

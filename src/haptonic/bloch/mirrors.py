@@ -25,6 +25,7 @@ PHASES = np.linspace(0.0, np.pi, 5)  # along the rows, at which the decay is fol
 SHOWN_WAVES = 8  # of each frequency in the complex band structure: those that reach farthest
 MOST_ROWS = 60  # tried for a given insulation
 GOALS = (20.0, 40.0, 60.0)  # dB
+LEAST_SHARE = 1e-30  # of the energy: below it rounding is all that is left
 
 
 @lru_cache(maxsize=2)
@@ -159,3 +160,34 @@ def carrier_dataset(found: Mapping[str, Scattering]) -> xr.Dataset:
         arrays[f"carrier_{name}"] = ("incident", "many", "outgoing"), values, {"units": "1", **silent}
     coords = {"many": np.arange(1, MOST_ROWS + 1), "incident": list(FAMILIES), "outgoing": list(OUTGOING)}
     return xr.Dataset(arrays, coords=coords)
+
+
+def passed_by_rows(dataset: xr.Dataset, families: Sequence[str]) -> xr.Dataset:
+    """(incident, rows) what many rows do at the carrier to each kind of wave that propagates there.
+
+    Parameters
+    ----------
+    dataset : with ``carrier_transmitted`` and ``carrier_reflected`` (incident, outgoing, many), shares of the
+        incident energy
+    families : kinds of waves that propagate at the carrier
+
+    Returns
+    -------
+    ``insulation`` : all transmitted energy, dB below the incident one; ``same_wave`` : that of the incident
+    kind alone; ``dissipated`` : share of the incident energy that the rows turn into heat
+    """
+    data = dataset[["carrier_transmitted", "carrier_reflected"]].sel(incident=families).rename(many="rows")
+    passed, reflected = data["carrier_transmitted"], data["carrier_reflected"]
+    alike = xr.DataArray(families, dims="incident")
+    return xr.Dataset(
+        {
+            "insulation": _decibels(passed.sum("outgoing")),
+            "same_wave": _decibels(passed.sel(outgoing=alike).drop_vars("outgoing")),
+            "dissipated": 1 - (passed + reflected).sum("outgoing"),
+        }
+    )
+
+
+def _decibels(share: xr.DataArray) -> xr.DataArray:
+    """Below the incident energy."""
+    return xr.DataArray(-10 * np.log10(share.clip(min=LEAST_SHARE))).assign_attrs(units="dB")

@@ -15,13 +15,12 @@ from haptonic.bloch.mirrors import (
     GOALS,
     MOST_ROWS,
     first_reaching,
+    passed_by_rows,
 )
 from haptonic.later import Axes, Figure, xarray as xr
 from haptonic.results.plain import plain, split
 from haptonic.results.result import Result, figure
 from haptonic.results.table import Column, Table
-
-LEAST_SHARE = 1e-30  # of the energy
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -58,22 +57,8 @@ class Layers(Result):
 
     @cached_property
     def at_carrier(self) -> xr.Dataset:
-        """(incident, rows) what many rows do at the carrier to each kind of wave that propagates there.
-
-        ``insulation`` : all transmitted energy, dB below the incident one; ``same_wave`` : that of the
-        incident kind alone; ``dissipated`` : share of the incident energy that the rows turn into heat
-        """
-        names = ["carrier_transmitted", "carrier_reflected"]
-        data = self.dataset[names].sel(incident=self.families).rename(many="rows")
-        passed, left = data[names[0]], data[names[0]] + data[names[1]]
-        alike = xr.DataArray(self.families, dims="incident")
-        return xr.Dataset(
-            {
-                "insulation": _decibels(passed.sum("outgoing")),
-                "same_wave": _decibels(passed.sel(outgoing=alike).drop_vars("outgoing")),
-                "dissipated": 1 - left.sum("outgoing"),
-            }
-        )
+        """(incident, rows) what many rows do at the carrier; see `haptonic.bloch.mirrors.passed_by_rows`."""
+        return passed_by_rows(self.dataset, self.families)
 
     @property
     def few_rows(self) -> xr.Dataset:
@@ -152,8 +137,3 @@ class Layers(Result):
             },
             "spectrum": spectrum,
         }
-
-
-def _decibels(share: xr.DataArray) -> xr.DataArray:
-    """Below the incident energy; rounding is all that is left below `LEAST_SHARE`."""
-    return xr.DataArray(-10 * np.log10(share.clip(min=LEAST_SHARE))).assign_attrs(units="dB")

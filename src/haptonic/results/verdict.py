@@ -23,7 +23,7 @@ from haptonic.results.plain import split
 from haptonic.results.result import Result, figure, file
 from haptonic.results.table import Cell, Column, Table, Uncertain
 from haptonic.units import format_quantity
-from haptonic.updating.agreement import Agreement
+from haptonic.updating.agreement import UNRESOLVED, Agreement, paired
 from haptonic.updating.fit import Fit
 from haptonic.vibrometry.maps.gap import MeasuredGap
 
@@ -35,7 +35,6 @@ PAIR_COLUMNS = (
     Column("model damping", shown="%", form=".3f", of="computed_damping"),
     Column("MAC", form=".3f", of="mac"),
 )  # fmt: skip
-UNRESOLVED = dict.fromkeys(("measured_damping", "computed_damping"), "the lines are too far apart to tell")
 MEASURED, BEFORE, AFTER = "measurement", "model as given", "model fitted"
 
 
@@ -241,20 +240,6 @@ def pairs_table(one: Agreement, model: str) -> Table:
         f"{len(one.computed.frequency)} of the {model}"
     )
     return Table.of(title, paired(one).isel(pair=slice(MOST_ROWS)), "pair", PAIR_COLUMNS)
-
-
-def paired(one: Agreement) -> xr.Dataset:
-    """(pair) frequencies of shapes that belong together, their difference, damping, and MAC."""
-    first, second = ([getattr(pair, which) for pair in one.pairs] for which in ("first", "second"))
-    measured, computed = one.measured.frequency[first], one.computed.frequency[second]
-    numbers = {
-        "measured": (measured, "Hz"), "computed": (computed, "Hz"),
-        "frequency_difference": (computed / measured - 1, "1"), "mac": ([p.mac for p in one.pairs], "1"),
-        "measured_damping": (one.measured.damping[first], "1"),
-        "computed_damping": (one.computed.damping[second], "1"),
-    }  # fmt: skip
-    made = xr.Dataset({name: ("pair", values, {"units": u}) for name, (values, u) in numbers.items()})
-    return declared(made, **UNRESOLVED)
 
 
 def _facts_of(one: Agreement) -> dict[str, Any]:

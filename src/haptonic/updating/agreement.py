@@ -9,10 +9,13 @@ import scipy
 
 from haptonic.arrays import Array, Complex
 from haptonic.errors import ScanError
+from haptonic.gate import declared
+from haptonic.later import xarray as xr
 from haptonic.response import FrequencyResponse, frac, mac
 from haptonic.updating.shapes import How, Pair, Shapes, pairs, shapes_of
 
 NEAR = 0.25  # of the distance of neighbouring points, within which two points are one
+UNRESOLVED = dict.fromkeys(("measured_damping", "computed_damping"), "the lines are too far apart to tell")
 SAME = 1e-6  # of a frequency, within which two lines are one
 
 
@@ -51,6 +54,20 @@ def agreement(measured: FrequencyResponse, computed: FrequencyResponse, how: How
         mac=mac(first.shape, second.shape) if both else np.zeros((len(first.shape), len(second.shape))),
         pairs=tuple(pairs(first, second)),
     )
+
+
+def paired(one: Agreement) -> xr.Dataset:
+    """(pair) frequencies of shapes that belong together, their difference, damping, and MAC."""
+    first, second = ([getattr(pair, which) for pair in one.pairs] for which in ("first", "second"))
+    measured, computed = one.measured.frequency[first], one.computed.frequency[second]
+    numbers = {
+        "measured": (measured, "Hz"), "computed": (computed, "Hz"),
+        "frequency_difference": (computed / measured - 1, "1"), "mac": ([p.mac for p in one.pairs], "1"),
+        "measured_damping": (one.measured.damping[first], "1"),
+        "computed_damping": (one.computed.damping[second], "1"),
+    }  # fmt: skip
+    made = xr.Dataset({name: ("pair", values, {"units": u}) for name, (values, u) in numbers.items()})
+    return declared(made, **UNRESOLVED)
 
 
 def normal_of(response: FrequencyResponse) -> Complex:

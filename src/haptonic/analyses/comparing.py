@@ -1,22 +1,20 @@
-"""What is compared: bands of ours, from a study or a result, and those that another program exported."""
+"""Reads what is compared: bands of ours, of a result, and those that another program exported."""
 
 from __future__ import annotations
 
 import json
-from collections.abc import Mapping
-from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 
 from haptonic.arrays import Array
-from haptonic.bloch import Gap, gaps_of
+from haptonic.bloch import gaps_of
 from haptonic.channels.hdf5 import arrays_of
 from haptonic.channels.numbers import Numbers, read_numbers
 from haptonic.errors import ChannelError, StudyError, shown
 from haptonic.foreign.process import ask
 from haptonic.later import xarray as xr
+from haptonic.results.comparison import BandSet
 from haptonic.units import to_si
 
 WAVEVECTORS = ("rad/m", "rad/mm", "1/m", "share", "segments")
@@ -29,43 +27,6 @@ PARTS = {
     **dict.fromkeys(("gap_complete", "gap_direction", "gap_samples", "gap_waves"), ("gap",)),
 }  # of bands.nc
 LENGTHS = {"rad/m": 1.0, "1/m": 1.0, "rad/mm": 1e3}
-
-
-@dataclass(frozen=True, eq=False)
-class BandSet:
-    """Bands along a path.
-
-    name : how it is called
-    position : (wavevector,) corners of the path count 0, 1, 2, ...; between them the share of the way
-    frequency : (wavevector, band) ascending, Hz; NaN where there is none
-    labels : of the corners; length : of the path, rad/m
-    gaps : complete ones, known of ours
-    inputs : plain values of the study, of ours; ours : whether haptonic computed it
-    left : columns of a table that hold no frequencies, as it calls them
-    """
-
-    name: str
-    position: Array
-    frequency: Array
-    labels: tuple[str, ...]
-    gaps: tuple[Gap, ...]
-    inputs: Mapping[str, Any]
-    ours: bool = True
-    left: tuple[str, ...] = ()
-
-    def at(self, position: Array) -> Array:
-        """(position, band) Hz, linear between the wavevectors; NaN beyond them."""
-        columns = [np.interp(position, self.position, f, np.nan, np.nan) for f in self.frequency.T]
-        return np.stack(columns, axis=1)
-
-    def on_path(self) -> dict[tuple[int, int], tuple[float, float]]:
-        """(lower, upper) edges of the gaps along the path, Hz, by their bands."""
-        lower, upper = np.nanmax(self.frequency, axis=0), np.nanmin(self.frequency, axis=0)
-        return {
-            (k + 1, k + 2): (float(lower[k]), float(upper[k + 1]))
-            for k in range(len(lower) - 1)
-            if upper[k + 1] > lower[k]
-        }
 
 
 def of_dataset(name: str, data: xr.Dataset) -> BandSet:

@@ -10,9 +10,9 @@ import numpy as np
 
 from haptonic import plots
 from haptonic.arrays import Array
+from haptonic.bloch import Gap
 from haptonic.later import Axes, Figure, xarray as xr
 from haptonic.results.common import stamped
-from haptonic.results.compare.sides import BandSet
 from haptonic.results.result import Result, figure
 from haptonic.results.table import Cell, Column, Table
 from haptonic.units import format_quantity
@@ -20,6 +20,43 @@ from haptonic.units import format_quantity
 LOW = 0.05  # of the highest frequency, below which a share of the frequency tells nothing
 FEW = 3  # differences that are told in a sentence
 OTHER_BAND = 0.1  # relative difference from which on two bands of one number are hardly the same one
+
+
+@dataclass(frozen=True, eq=False)
+class BandSet:
+    """Bands along a path.
+
+    name : how it is called
+    position : (wavevector,) corners of the path count 0, 1, 2, ...; between them the share of the way
+    frequency : (wavevector, band) ascending, Hz; NaN where there is none
+    labels : of the corners; length : of the path, rad/m
+    gaps : complete ones, known of ours
+    inputs : plain values of the study, of ours; ours : whether haptonic computed it
+    left : columns of a table that hold no frequencies, as it calls them
+    """
+
+    name: str
+    position: Array
+    frequency: Array
+    labels: tuple[str, ...]
+    gaps: tuple[Gap, ...]
+    inputs: Mapping[str, Any]
+    ours: bool = True
+    left: tuple[str, ...] = ()
+
+    def at(self, position: Array) -> Array:
+        """(position, band) Hz, linear between the wavevectors; NaN beyond them."""
+        columns = [np.interp(position, self.position, f, np.nan, np.nan) for f in self.frequency.T]
+        return np.stack(columns, axis=1)
+
+    def on_path(self) -> dict[tuple[int, int], tuple[float, float]]:
+        """(lower, upper) edges of the gaps along the path, Hz, by their bands."""
+        lower, upper = np.nanmax(self.frequency, axis=0), np.nanmin(self.frequency, axis=0)
+        return {
+            (k + 1, k + 2): (float(lower[k]), float(upper[k + 1]))
+            for k in range(len(lower) - 1)
+            if upper[k + 1] > lower[k]
+        }
 
 
 @dataclass(frozen=True, eq=False, repr=False)
