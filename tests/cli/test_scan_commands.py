@@ -370,7 +370,8 @@ class TestScan:
             y=stage.imag[on], reference="A1, V", origin="simulated",
         )  # fmt: skip
         corners = corner + turn * np.array([0, 56e-3, 56e-3 + 21e-3j, 21e-3j])
-        of = scanning.on_plate(study, np.stack([corners.real, corners.imag], axis=1), store=store)
+        seen_at = scanning.PlateInScan(corners=np.stack([corners.real, corners.imag], axis=1))
+        of = scanning.on_plate(study, seen_at, store=store)
         report = ReadReport("made up", "memory", len(seen.points))
         result = compute_scan(Scan(seen, report), Estimation(), of, store=store)
         assert result.registration.angle == pytest.approx(np.radians(-5.0))

@@ -10,6 +10,7 @@ from haptonic.analyses.analysis import Analysis, option
 from haptonic.analyses.bands import compute_bands
 from haptonic.analyses.comparing import of_dataset, of_file, of_table, path_in
 from haptonic.analyses.runner import Runner
+from haptonic.analyses.shared import UnitsOfFile
 from haptonic.channels.numbers import read_numbers
 from haptonic.errors import StudyError, shown
 from haptonic.fields import remade, table
@@ -22,8 +23,8 @@ RESULT = "bands.nc"  # in the folder of `haptonic bands`
 FINE = 201  # wavevectors of a study, so that straight lines between them are no worse than its accuracy
 
 
-@dataclass(frozen=True)
-class CompareOptions:
+@dataclass(frozen=True, kw_only=True)
+class CompareOptions(UnitsOfFile):
     """What may be chosen."""
 
     first: Path = option(help="A study, or the folder of its bands.", place="before")
@@ -31,7 +32,6 @@ class CompareOptions:
     wavevector: str | None = option(
         None, "Of the table: rad/m, rad/mm, share (of the path) or segments.", metavar="UNIT"
     )
-    frequency_unit: str | None = option(None, "Of the table, if it does not say it.", metavar="UNIT")
 
     @cached_property
     def studies(self) -> dict[Path, Description]:

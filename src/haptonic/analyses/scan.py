@@ -2,20 +2,17 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
-import numpy as np
-
 from haptonic.analyses.analysis import Analysis, option
 from haptonic.analyses.costs import size_of
 from haptonic.analyses.runner import Runner
-from haptonic.analyses.scanning import Estimation, OnPlate, compute_scan, on_plate
+from haptonic.analyses.scanning import Estimation, OnPlate, PlateInScan, compute_scan, on_plate
+from haptonic.analyses.shared import UnitsOfFile
 from haptonic.analyses.verdict import compared, cost_of
-from haptonic.arrays import Array
 from haptonic.errors import ScanError, StudyError, shown
 from haptonic.paths import source
 from haptonic.response import read
@@ -23,7 +20,6 @@ from haptonic.results.cost import BASE, Cost
 from haptonic.results.scan.value import ScanResult
 from haptonic.study.loading import load_as
 from haptonic.study.schema import Description
-from haptonic.units import to_si
 from haptonic.vibrometry import read_scan
 
 PROGRESS = "estimating"  # folder in which an estimation that was stopped goes on
@@ -50,27 +46,8 @@ def names_of(variables: str) -> Mapping[str, str]:
     return {meaning.strip(): name.strip() for meaning, name in pairs}
 
 
-def corners_of(text: str) -> Array:
-    """Four corners written as eight numbers and a unit.
-
-    Raises
-    ------
-    ScanError : another form
-    """
-    *numbers, unit = re.split(r"[\s,;]+", text.strip()) or [""]
-    if len(numbers) != 8:
-        raise ScanError.malformed(
-            argument="--corners",
-            given=f'"{text}"',
-            allowed='eight numbers and a unit of length, such as "0 0 127 0 127 140 0 140 mm"',
-            cause="a number is missing, or the unit",
-            next_step="give x and y of the four corners, from the lower left one anticlockwise",
-        )
-    return np.array([to_si(f"{number} {unit}", "m", "--corners") for number in numbers]).reshape(4, 2)
-
-
 @dataclass(frozen=True, kw_only=True)
-class ScanOptions(Estimation):
+class ScanOptions(UnitsOfFile, PlateInScan, Estimation):
     """What is read, and how it is analysed."""
 
     path: Path = option(help="Scan file, or a folder with one CSV a point.", metavar="PATH", place="before")
@@ -81,14 +58,8 @@ class ScanOptions(Estimation):
     at: float | None = option(
         None, "Of the operating shape; else the loudest.", unit="Hz", metavar="FREQUENCY"
     )
-    corners: Any = option(
-        None, "The plate's corners as the scan has them, from the lower left anticlockwise: "
-        '"0 0 127 0 127 140 0 140 mm".', read=corners_of, metavar="PLACES",
-    )  # fmt: skip
-    mirrored: bool = option(False, "The scan saw the plate's map from behind.")
     unit: str = option("m/s/V", "Of responses or records in files that give none.")
     length_unit: str | None = option(None, 'Of coordinates, where it is not the file\'s, such as "mm".')
-    frequency_unit: str | None = option(None, 'Of frequencies in files that give none, such as "kHz".')
     variables: Any = option(
         None, "Names in a MATLAB file, such as response=FRF,x=X.", read=names_of,
         metavar="MEANING=NAME,...",
@@ -166,7 +137,7 @@ def _on(study: Description, options: ScanOptions, runner: Runner) -> OnPlate:
             cause="the study describes a lattice, and no plate that was scanned",
             next_step="add [plate], or leave the study out",
         )  # fmt: skip
-    return on_plate(study, options.corners, mirrored=options.mirrored, store=runner.store)
+    return on_plate(study, options, store=runner.store)
 
 
 def cost(study: Description | None, options: ScanOptions) -> Cost:

@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import json
+import re
 from dataclasses import dataclass, replace
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 
@@ -24,6 +26,7 @@ from haptonic.response import FrequencyResponse, average_spectrum
 from haptonic.results.scan import ScanResult
 from haptonic.store import Store
 from haptonic.study.schema import Description
+from haptonic.units import to_si
 from haptonic.vibrometry import (
     Estimate,
     MeasuredGap,
@@ -86,14 +89,44 @@ class Estimation:
     )
 
 
+def corners_of(text: str) -> Array:
+    """Four corners written as eight numbers and a unit.
+
+    Raises
+    ------
+    ScanError : another form
+    """
+    *numbers, unit = re.split(r"[\s,;]+", text.strip()) or [""]
+    if len(numbers) != 8:
+        raise ScanError.malformed(
+            argument="--corners",
+            given=f'"{text}"',
+            allowed='eight numbers and a unit of length, such as "0 0 127 0 127 140 0 140 mm"',
+            cause="a number is missing, or the unit",
+            next_step="give x and y of the four corners, from the lower left one anticlockwise",
+        )
+    return np.array([to_si(f"{number} {unit}", "m", "--corners") for number in numbers]).reshape(4, 2)
+
+
+@dataclass(frozen=True, kw_only=True)
+class PlateInScan:
+    """Where a scan sees the plate.
+
+    corners : (4, 2) of the plate, m; else the points are fitted to the planned ones
+    """
+
+    corners: Any = option(
+        None, "The plate's corners as the scan has them, from the lower left anticlockwise: "
+        '"0 0 127 0 127 140 0 140 mm".', read=corners_of, metavar="PLACES",
+    )  # fmt: skip
+    mirrored: bool = option(False, "The scan saw the plate's map from behind.")
+
+
 @dataclass(frozen=True)
 class OnPlate:
     """What a study says about a scanned plate.
 
-    carrier : Hz; gap : of its lattice; bands : what is asked of its bands
-    corners : (4, 2) of the plate as the scan sees them, from the lower left one anticlockwise, m; else the
-        points are fitted to the planned ones
-    mirrored : the scan sees the plate from behind
+    carrier : Hz; gap : of its lattice; bands : what is asked of its bands; seen : where the scan has it
     """
 
     plate: Plate
@@ -101,18 +134,15 @@ class OnPlate:
     carrier: float
     gap: Gap | None
     bands: BandSettings
-    corners: Array | None = None
-    mirrored: bool = False
+    seen: PlateInScan = PlateInScan()
 
 
-def on_plate(
-    study: Description, corners: Array | None = None, *, mirrored: bool = False, store: Store | None = None
-) -> OnPlate:
+def on_plate(study: Description, seen: PlateInScan = PlateInScan(), *, store: Store | None = None) -> OnPlate:
     """What an analysis of a scan has to know of the plate; see `compute_scan`.
 
     Parameters
     ----------
-    corners, mirrored : see `OnPlate`
+    seen : where the scan has the plate
 
     Raises
     ------
@@ -126,8 +156,7 @@ def on_plate(
         carrier=carrier,
         gap=gap,
         bands=study.bands_settings,
-        corners=corners,
-        mirrored=mirrored,
+        seen=seen,
     )
 
 
@@ -241,11 +270,11 @@ def _estimated(
 
 def _registration(response: FrequencyResponse, on: OnPlate) -> Registration:
     layout = on.plate.layout
-    if on.corners is not None:
+    if on.seen.corners is not None:
         right, top = layout.x[-1], layout.y[-1]
         corners = np.array([[0.0, 0.0], [right, 0.0], [right, top], [0.0, top]])
-        return register_by_corners(on.corners, corners, mirrored=on.mirrored)
-    return register_by_fit(response.points, plan_for(on.scan, on.plate).points, mirrored=on.mirrored)
+        return register_by_corners(on.seen.corners, corners, mirrored=on.seen.mirrored)
+    return register_by_fit(response.points, plan_for(on.scan, on.plate).points, mirrored=on.seen.mirrored)
 
 
 def _beside_lattice(

@@ -12,6 +12,7 @@ import numpy as np
 from haptonic.analyses.analysis import Analysis, option
 from haptonic.analyses.experiments import protocol_of, truth_of
 from haptonic.analyses.runner import Runner
+from haptonic.analyses.shared import Seeded
 from haptonic.errors import FrictionError, ResourceError, shown
 from haptonic.friction.protocol import Protocol
 from haptonic.friction.simulation import Truth, people
@@ -60,12 +61,11 @@ def read_amplitudes(given: str | Path) -> dict[str, float]:
     return {str(name): float(value) for name, value in values.items()}
 
 
-@dataclass(frozen=True)
-class SimulateFrictionOptions:
+@dataclass(frozen=True, kw_only=True)
+class SimulateFrictionOptions(Seeded):
     """What may be chosen."""
 
     participants: int | None = option(None, "How many; else the study's.", metavar="N")
-    seed: int = option(0, "Of all that is drawn.", metavar="N", least=0)
     form: Literal["csv", "h5", "mat", "tdms"] = option("csv", "Of the force records.", flag="--format")
     per: Literal["trial", "block"] = option("trial", "What a file holds.")
     raw: bool = option(False, "Six gauge voltages of 16 bits and a calibration, not forces.")

@@ -15,6 +15,7 @@ from haptonic.analyses.costs import gaps, response
 from haptonic.analyses.needs import response_settings
 from haptonic.analyses.runner import Runner
 from haptonic.analyses.scanning import Estimation, OnPlate, compute_scan, on_plate
+from haptonic.analyses.shared import Seeded
 from haptonic.analyses.verdict import response_in
 from haptonic.arrays import Array
 from haptonic.bloch import Gap
@@ -41,15 +42,14 @@ SHIFTED = 0.01  # of the distance of lines, by which a computed line may be off 
 RECORDED = 0.008  # s, of a point that is made up and written
 
 
-@dataclass(frozen=True)
-class SimulateScanOptions:
+@dataclass(frozen=True, kw_only=True)
+class SimulateScanOptions(Seeded):
     """What may be chosen."""
 
     form: Literal["h5", "nc", "uff", "mat", "csv", "tdms"] = option(
         "h5", "Of the scan's file.", flag="--format"
     )
     time: bool | None = option(None, "Records, or responses; else what the format has.", flag="--time/--frf")
-    seed: int = option(0, "Of noise and dropouts.", least=0)
     response: Any = option(
         None, "The plate's response, instead of computing it.", read=response_in, flag="--from",
         metavar="FILE",
