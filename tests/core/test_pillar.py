@@ -190,10 +190,11 @@ def test_a_step_needs_to_be_a_step(pillar):
 
 
 class _Waisted(Pillar):
-    """A body with a number that no other has: what is asked of a pillar asks for its widths."""
+    """A body with a number that no other has: what is told of a pillar follows its widths at all heights."""
 
     def half_width(self, height: float, stage: int) -> float:
-        return super().half_width(height, stage) * (1 - 0.1 * height / self.height)
+        share = height / self.height
+        return super().half_width(height, stage) * (1 - 0.4 * share * (1 - share))
 
 
 @pytest.mark.parametrize(
@@ -208,3 +209,11 @@ class _Waisted(Pillar):
 )
 def test_a_prism_is_told_by_its_widths(pillar, is_prism):
     assert pillar.is_prism is is_prism
+
+
+def test_a_waist_between_equal_ends_counts():
+    straight, waisted = (kind(3e-3, 8e-3) for kind in (Pillar, _Waisted))
+    assert waisted.broadest == straight.broadest
+    assert waisted.narrowest == pytest.approx(0.9 * straight.narrowest)
+    # integral of (1 - 0.4 s (1 - s))^2 over s from 0 to 1
+    assert waisted.volume / straight.volume == pytest.approx(1 - 0.8 / 6 + 0.16 / 30)
