@@ -129,7 +129,7 @@ class Lattice:
     Raises
     ------
     GeometryError : a period that is not positive, one too many or too few, or far longer than the other; a
-        cell of six sides one of which is next to nothing; vectors that `check_vectors` refuses
+        cell of six sides one of which is next to nothing; vectors that span no plane, or none with a name
     """
 
     form: (
@@ -244,7 +244,7 @@ class Lattice:
 
         Vectors within `MEANT` of those of a square or a triangle, say, have its symmetry, and its sizes.
         """
-        return self if self.first is None else Lattice(**dict[str, Any](recognised(self.given) or {}))
+        return self if self.first is None else Lattice(**dict[str, Any](recognised(self.given)))
 
     @property
     def name(self) -> str:

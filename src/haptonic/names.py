@@ -9,7 +9,7 @@ from __future__ import annotations
 import hashlib
 import re
 from collections import Counter
-from collections.abc import Iterable, Mapping
+from collections.abc import Collection, Iterable, Mapping
 
 LONGEST_PART = 40  # characters of a name in a file's name, far below every system's limit
 LONGEST_SLUG = 24
@@ -45,6 +45,18 @@ def hidden_in(name: str) -> str | None:
     """The first character of a name that is a control character, or None."""
     found = _HIDDEN.search(name) or _LINES.search(name)
     return found[0] if found else None
+
+
+def names_in(text: str, known: Collection[str]) -> tuple[str, ...]:
+    """Names with commas between; a known name may hold commas itself, and the longest one is taken."""
+    parts, found = text.split(","), list[str]()
+    while parts:
+        joined = {count: ",".join(parts[:count]) for count in range(len(parts), 0, -1)}
+        count = next((k for k, name in joined.items() if name in known or name.strip() in known), 1)
+        name = joined[count] if joined[count] in known else joined[count].strip()
+        found += [name] if name else []
+        parts = parts[count:]
+    return tuple(found)
 
 
 def visible(text: str) -> str:

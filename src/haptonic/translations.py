@@ -60,11 +60,32 @@ def voronoi_cell(vectors: NDArray[np.floating]) -> tuple[tuple[tuple[int, int], 
     return tuple(counts[number] for number in order), np.array(corners)
 
 
-def recognised(vectors: Array) -> dict[str, float | str] | None:
+def recognised(vectors: Array) -> dict[str, float | str]:
     """What names the lattice of two translations (2, 2): arguments of `haptonic.lattice.Lattice`.
 
-    None if no translation lies along x, so that no name stands for the lattice.
+    Raises
+    ------
+    PydanticCustomError : a lattice that is turned against the x axis
     """
+    found, least = _named(vectors), shortest(vectors)
+    is_box = len(voronoi_cell(least)[0]) == 4
+    if found is not None and not (is_box and found["lattice"] in ("centred", "oblique")):
+        return found
+    upright = least if is_box else vectors
+    turned = upright @ np.array([upright[0], (-upright[0, 1], upright[0, 0])]).T / np.linalg.norm(upright[0])
+    one, other = (vector_text(vector) for vector in turned)
+    raise problem(
+        "unsupported",
+        " and ".join(vector_text(one) for one in vectors),
+        "vectors some sum of which lies along x; a square or a rectangle has its sides along x and y",
+        "the lattice is turned against the x axis",
+        f"write a1 = {one} and a2 = {other}, and turn the axes of a material that has any",
+        at="a1",
+    )
+
+
+def _named(vectors: Array) -> dict[str, float | str] | None:
+    """See `recognised`; None if no translation lies along x, so that no name stands for the lattice."""
     one, other = shortest(vectors)
     least, area = float(np.linalg.norm(one)), float(abs(np.linalg.det(vectors)))
     counts = np.array(list(product(range(-6, 7), repeat=2)))
@@ -102,14 +123,13 @@ def recognised(vectors: Array) -> dict[str, float | str] | None:
 def check_vectors(
     first: tuple[float, float] | None, second: tuple[float, float] | None, beside: Sequence[str]
 ) -> None:
-    """Refuse two vectors (m) that span no lattice, or none that a cell can have.
+    """Refuse two vectors (m) that span no lattice.
 
     beside : keys of the lattice that are given as well
 
     Raises
     ------
-    PydanticCustomError : one of them missing or of no length, nearly parallel ones, a lattice given twice,
-        one that is turned against the x axis
+    PydanticCustomError : one of them missing or of no length, nearly parallel ones, a lattice given twice
     """
     if beside:
         raise problem(
@@ -131,31 +151,14 @@ def check_vectors(
                 at=key,
             )
     vectors = np.array([first, second])
-    told = " and ".join(vector_text(one) for one in vectors)
     if abs(np.linalg.det(vectors)) < LEAST_SINE * np.linalg.norm(vectors, axis=1).prod():
         raise problem(
             "out-of-range",
-            told,
+            " and ".join(vector_text(one) for one in vectors),
             f"vectors at an angle whose sine is at least {LEAST_SINE:g}",
             "they are parallel, or nearly, and span no plane",
             "turn one of them away from the other",
             at="a2",
-        )
-    found, least = recognised(vectors), shortest(vectors)
-    is_box = len(voronoi_cell(least)[0]) == 4
-    if found is None or (is_box and found["lattice"] in ("centred", "oblique")):
-        upright = least if is_box else vectors
-        turned = (
-            upright @ np.array([upright[0], (-upright[0, 1], upright[0, 0])]).T / np.linalg.norm(upright[0])
-        )
-        one, other = (vector_text(vector) for vector in turned)
-        raise problem(
-            "unsupported",
-            told,
-            "vectors some sum of which lies along x; a square or a rectangle has its sides along x and y",
-            "the lattice is turned against the x axis",
-            f"write a1 = {one} and a2 = {other}, and turn the axes of a material that has any",
-            at="a1",
         )
 
 

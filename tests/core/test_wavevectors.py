@@ -63,7 +63,8 @@ def test_what_is_no_wavevector(text):
 
 @pytest.mark.parametrize("given", [3, (0.5, 0.25)])
 def test_what_is_no_text_is_refused_in_python(given):
-    refused(lambda: wavevector_at(ZONES["square"], given), "modes_at", '"0.5, 0.25"', kind=StudyError)
+    study = loads(QUICK_CELL)
+    refused(lambda: study.bands(modes_at=given), repr(given), code="malformed", argument="modes_at")
 
 
 def test_modes_at_a_corner_are_those_of_the_diagram(tmp_path):

@@ -206,6 +206,15 @@ class TestSensor:
         read = analysed(folder, Sensor(calibration=calibration), Rules())
         assert read.trials["friction"].values == pytest.approx(TRUE, rel=1e-6)
         assert "G0, G1, G2, G3, G4, G5" in " ".join(read.remarks)
+        commas = {f"G{n}": f"G, {n}" for n in range(6)}
+        named = written(
+            tmp_path / "b", MADE,
+            change=lambda found: {commas.get(name, name): one for name, one in change(found).items()},
+        )  # fmt: skip
+        sensor = Sensor(calibration=calibration, gauges=",".join(commas.values()))
+        assert friction_in(named, sensor)["friction"].values == pytest.approx(TRUE, rel=1e-6)
+        again = Sensor(calibration=calibration, gauges=",".join([*list(commas.values())[:5], "G, 0"]))
+        refused(lambda: friction_in(named, again), code="malformed", argument="trials.sensor.gauges")
         turned = analysed(folder, Sensor(calibration=opposite), Rules())
         assert turned.trials["friction"].values == pytest.approx(TRUE, rel=1e-6)
         assert "sign was turned" in " ".join(turned.remarks)

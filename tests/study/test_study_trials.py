@@ -53,7 +53,7 @@ def test_a_file_with_trials_alone(tmp_path):
         section.sensor.matrix(tmp_path)
     pd.DataFrame(2 * np.eye(6)).to_csv(tmp_path / "m.csv", header=False, index=False)
     sensor = section.sensor
-    assert sensor.gauge_names == ("a", "b", "c", "d", "e", "f")
+    assert sensor.gauges == "a, b,c,d, e, f"
     assert sensor.matrix(tmp_path) == pytest.approx(2 * np.eye(6))
     assert (sensor.normal, sensor.largest_gauge) == ("-Fz", 5.0)
     path.write_text(ALONE.replace("bias_window", "bias_windw"))

@@ -30,7 +30,7 @@ def wavevector_at(zone: IrreducibleZone, text: str, argument: str = "modes_at") 
     ------
     StudyError : none of these
     """
-    corners, text = zone.corner_phases, str(text)  # a call from Python may give a number
+    corners = zone.corner_phases
 
     def corner(name: str) -> str | None:
         name = GAMMA.get(name.upper(), name.upper().replace("'", "\N{PRIME}"))

@@ -18,6 +18,7 @@ from haptonic.plate.parts import Actuator, Finger, Force
 from haptonic.plate.settings import ResponseSettings
 from haptonic.response.checks import REST, THE_REST
 from haptonic.study.plate_map import check_map, drawn
+from haptonic.vibrometry.of_settings import CLAMPS
 
 CHANGEABLE = [path for path in UNITS if path.startswith("cell.") and path != "cell.thickness"]
 LATTICE = "lattice"  # the name of the study's own cell in [plate.tiles]
@@ -107,13 +108,15 @@ class PlateSettings:
     @field_validator("tiles")
     @classmethod
     def _no_words_of_ours(cls, tiles: Entries[str]) -> Entries[str]:
+        rest = "this word stands for all points outside of a region"
+        taken = {
+            REST: rest,
+            THE_REST: rest,
+            CLAMPS: "in skip of [scan] this word stands for all held corners",
+        }
         for name in tiles.values():
-            if name in (REST, THE_REST):
-                raise problem(
-                    "conflict",
-                    shown(name), "any other name", "this word stands for all points outside of a region",
-                    "choose another name",
-                )  # fmt: skip
+            if name in taken:
+                raise problem("conflict", shown(name), "any other name", taken[name], "choose another name")
         return tiles
 
     def __post_init__(self) -> None:

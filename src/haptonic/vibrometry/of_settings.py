@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 
 from haptonic.arrays import Array
 from haptonic.errors import ScanError
+from haptonic.names import names_in
 from haptonic.plate import Plate
 from haptonic.plate.layout import Layout
 from haptonic.plate.sampling import grid_points, reference_of, tile_names
@@ -50,7 +51,7 @@ def plan_for(settings: ScanSettings, plate: Plate) -> ScanPlan:
     layout = plate.layout
     known = (*layout.regions, *layout.cells, CLAMPS)
     excluded: list[Region] = []
-    for name in settings.skipped(known):
+    for name in names_in(settings.skip, known):
         if name not in known:
             raise ScanError.unknown("scan.skip", name, known, "the plate has no such region or lattice")
         excluded += held_corners(plate) if name == CLAMPS else [Tiles(layout, name)]

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection
 from typing import Annotated
 
 from pydantic import Field
@@ -62,14 +61,3 @@ class ScanSettings:
     def lines(self) -> float:
         """Of its spectrum, between the frequencies, about."""
         return (self.highest - self.lowest) * self.record
-
-    def skipped(self, known: Collection[str]) -> tuple[str, ...]:
-        """Names of what has no points; a known name may hold commas itself, and the longest one is taken."""
-        parts, found = self.skip.split(","), list[str]()
-        while parts:
-            joined = {count: ",".join(parts[:count]) for count in range(len(parts), 0, -1)}
-            count = next((k for k, name in joined.items() if name in known or name.strip() in known), 1)
-            name = joined[count] if joined[count] in known else joined[count].strip()
-            found += [name] if name else []
-            parts = parts[count:]
-        return tuple(found)

@@ -16,10 +16,12 @@ from haptonic.errors import FrictionError, HaptonicError, shown
 from haptonic.fields import Quantity, described, handed_on, problem, setting
 from haptonic.friction.recordings.channel_map import ChannelMap, ScaledChannel, no_rate
 from haptonic.later import pandas as pd
+from haptonic.names import names_in
 from haptonic.paths import source
 from haptonic.units import to_si
 
 AXES = ("Fx", "Fy", "Fz", "Tx", "Ty", "Tz")
+SIX = 6  # gauges of a sensor
 WORST_CONDITION = 1e6  # of a calibration matrix; beyond, two gauges say the same
 # What a channel may be called where the study does not say; the first that is there is taken.
 GUESSES = {
@@ -95,12 +97,11 @@ class Sensor:
     )
 
     def __post_init__(self) -> None:
-        names = set(self.gauge_names)
-        if self.gauges and len(names) != 6:
+        if self.gauges and (count := self.gauges.count(",") + 1) < SIX:  # more, if names hold commas
             raise problem(
                 "malformed",
                 shown(self.gauges), "six different names with commas between them",
-                f"there are {len(names)}", 'write gauges = "G0, G1, G2, G3, G4, G5"', at="gauges",
+                f"there are {count}", 'write gauges = "G0, G1, G2, G3, G4, G5"', at="gauges",
             )  # fmt: skip
         axes = [name.removeprefix("-").strip() for name in (self.normal, self.tangential) if name]
         if self.calibration and not set(axes) <= set(AXES[:3]):
@@ -109,11 +110,6 @@ class Sensor:
                 " and ".join(axes), "Fx, Fy or Fz where a calibration makes the forces",
                 "the name of a raw channel was given", 'write normal = "Fz"', at="normal",
             )  # fmt: skip
-
-    @property
-    def gauge_names(self) -> tuple[str, ...]:
-        """Of the raw channels, in the order of the calibration's columns."""
-        return tuple(name for part in self.gauges.split(",") if (name := part.strip()))
 
     def matrix(self, folder: Path) -> Array | None:
         """(6, 6) Fx Fy Fz Tx Ty Tz (N, N m) for one volt of each gauge, if there is a calibration.
@@ -161,7 +157,7 @@ class Sensor:
                 channels[GUESSES[meaning][0].capitalize()]  # refused, with the names that there are
         if raw and calibration is not None:
             matrix = self._rows(calibration)
-            gauges = self.gauge_names or _guessed_gauges(names, channels)
+            gauges = self._gauges(channels) or _guessed_gauges(names, channels)
             if not self.gauges:
                 remarks.append(f"the channels {', '.join(gauges)} were taken as the gauges, in this order")
         if "time" not in scaled and self.rate is None and channels.rate is None:
@@ -170,6 +166,19 @@ class Sensor:
             scaled=scaled, rate=self.rate, gauges=gauges, matrix=matrix, largest_force=self.largest_force,
             largest_gauge=self.largest_gauge, remarks=tuple(remarks), sign_unknown=not self.normal,
         )  # fmt: skip
+
+    def _gauges(self, channels: Group) -> tuple[str, ...]:
+        """The raw channels that the study names, in the order of the calibration's columns."""
+        gauges = names_in(self.gauges, channels.signals)
+        if gauges and (len(gauges) != SIX or len(set(gauges)) != SIX):
+            raise FrictionError.malformed(
+                argument="trials.sensor.gauges",
+                given=shown(self.gauges),
+                allowed="six different names with commas between them",
+                cause=f"there are {len(set(gauges))} among {len(gauges)}",
+                next_step='write gauges = "G0, G1, G2, G3, G4, G5"',
+            )
+        return gauges
 
     def _scaled(self, meaning: str, asked: str, channels: Group) -> ScaledChannel:
         turned = asked.startswith("-")
