@@ -5,7 +5,14 @@ from __future__ import annotations
 import pytest
 from hypothesis import assume, given, strategies as st
 
+from five_parts import refusing
+from haptonic.analyses.reproduce import changed
+from haptonic.cell import Pillar, UnitCell
+from haptonic.errors import HaptonicError, StudyError
+from haptonic.lattice import Lattice
+from haptonic.materials import material
 from haptonic.results.references import found_at
+from haptonic.study import Study
 from hostile import names
 
 
@@ -39,3 +46,17 @@ def test_a_path_reaches_whatever_it_is_called(two, mode):
 def test_a_path_takes_the_first_and_the_longest(path, value):
     gaps = [{"complete": False, "lower": 1.0}] + [{"complete": True, "lower": low} for low in (2.0, 3.0)]
     assert found_at({"gaps": gaps, "modes": {"WG 1": {"6": 1}, "WG 1.5": 7}}, path) == value
+
+
+def test_a_variant_changes_numbers_by_their_paths_and_all_else_by_keys_of_the_file():
+    site = tuple({"at": (at, at), "pillar": Pillar(2e-3, high)} for at, high in ((0.0, 5e-3), (0.5, 6e-3)))
+    lattice = Lattice.rectangular(7e-3, 6e-3)
+    study = Study(cell=UnitCell(lattice, 1.5e-3, material("aluminium-paper"), site=site))
+    found = changed(study, {"cell.site[2].pillar.height": "7 mm", "material": "steel"}, "variant")
+    assert [pillar.height for pillar in found.cell.pillars] == [5e-3, 7e-3]
+    assert found.cell.material == material("steel")
+    assert changed(study, {}, "variant").cell == study.cell
+    with refusing(StudyError, "unknown", "cell.thicknes"):
+        changed(study, {"cell.thicknes": "1 mm"}, "variant")
+    with refusing(HaptonicError, "malformed", "cell.thickness"):
+        changed(study, {"cell.thickness": "1 kHz"}, "variant")

@@ -24,7 +24,7 @@ from haptonic.analyses.runner import Runner
 from haptonic.analyses.simulate_friction import simulated_friction
 from haptonic.analyses.simulate_scan import rescanned
 from haptonic.errors import FrictionError, HaptonicError, HaptonicWarning, ScanError, StudyError
-from haptonic.fields import read, remade
+from haptonic.fields import read
 from haptonic.friction.recordings import Sensor
 from haptonic.friction.statistics import Alarms, Population, false_alarms
 from haptonic.later import xarray as xr
@@ -38,6 +38,8 @@ from haptonic.results.references import References, Variant, found_at
 from haptonic.results.result import Result
 from haptonic.results.table import Table
 from haptonic.study.schema import Description
+from haptonic.study.sweeps import numeric_parameters
+from haptonic.units import to_si
 
 ALARMS = 400  # simulated experiments without an effect
 WRITTEN = ("bands", "sweep", "layers", "plate", "feel")  # whose files come to lie beside the report
@@ -204,23 +206,45 @@ def _alarms(study: Description) -> dict[str, Alarms]:
 
 def _varied(study: Description, variant: Variant, runner: Runner) -> float | None:
     """The value of a variant; None if it has none, or if the study cannot be changed so."""
-    data = tomllib.loads(remade(study, sweep_settings=()).to_toml())
-    for key, value in variant.change.items():
-        *tables, name = key.split(".")
-        table = data
-        for inner in tables:
-            table = table.setdefault(inner, {})
-        table[name] = value
     runner.progress(0, 0, variant.label)
     one = named(variant.analysis)
     try:
-        changed = read(type(study), data, variant.label)
-        found = one.compute(changed, one.options(), Runner(runner.store))
+        found = one.compute(
+            changed(study, variant.change, variant.label), one.options(), Runner(runner.store)
+        )
     except HaptonicError as error:
         warnings.warn(f"{variant.table}, {variant.label}: {error}", HaptonicWarning, stacklevel=2)
         return None
     value = found_at(found.to_json(), variant.path)
     return float(value) if isinstance(value, int | float) else None
+
+
+def changed(study: Description, changes: Mapping[str, Any], origin: str) -> Description:
+    """One design: a study without sweeps, with numbers changed by their paths, all else by keys of its file.
+
+    Parameters
+    ----------
+    changes : new values as a study file has them; whole tables, lists and names too
+    origin : what an error calls the study
+
+    Raises
+    ------
+    HaptonicError : no such key, or a value that it cannot have
+    """
+    units, known = numeric_parameters(), study.parameters()
+    texts = {path: text for path, text in changes.items() if path in known and isinstance(text, str)}
+    study = study.with_parameters({path: to_si(text, units[path], path) for path, text in texts.items()})
+    others = {key: value for key, value in changes.items() if key not in texts}
+    if not others:
+        return study
+    data = tomllib.loads(study.to_toml())
+    for key, value in others.items():
+        *tables, name = key.split(".")
+        table = data
+        for inner in tables:
+            table = table.setdefault(inner, {})
+        table[name] = value
+    return read(type(study), data, origin)
 
 
 def cost(study: Description, options: ReproduceOptions) -> Cost:
