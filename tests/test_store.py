@@ -457,7 +457,7 @@ def test_asking_whether_a_folder_can_be_written_leaves_nothing_behind(tmp_path):
         refuse_taken(folder, ["a.nc"], overwrite=False)
     assert [path.name for path in tmp_path.rglob("*")] == ["there"]
     (tmp_path / "there" / "a.nc").touch()
-    with pytest.raises(ResourceError, match=r"a\.nc"):
+    with refusing(ResourceError, "repeated", "output file", "a.nc"):
         refuse_taken(tmp_path / "there", ["a.nc"], overwrite=False)
 
 

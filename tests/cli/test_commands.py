@@ -145,7 +145,7 @@ def test_unreadable_files_and_folders(inside, study, tmp_path):
     assert_five_parts(
         inside("bands", tmp_path / "none.toml"), "none.toml", code="unreadable", argument="study"
     )
-    assert_five_parts(inside("bands", tmp_path), str(tmp_path))
+    assert_five_parts(inside("bands", tmp_path), str(tmp_path), code="unreadable", argument="study")
     (tmp_path / "binary.toml").write_bytes(bytes(range(256)))
     assert_five_parts(inside("bands", tmp_path / "binary.toml"), code="unreadable", argument="study")
     blocked = tmp_path / "file"
@@ -227,7 +227,9 @@ def test_reproduce_ends_with_a_report(haptonic, inside, study, tmp_path):
     assert {"layers.nc", "layers.svg", "layers.png", "decay.svg", "decay.png"} <= names
     assert 'id="mirror"' in page
     assert "no waveguide" in ran.err  # the gap of so coarse a mesh is not certain
-    assert_five_parts(inside("reproduce", study(), "--out", out), str(out))
+    assert_five_parts(
+        inside("reproduce", study(), "--out", out), str(out), code="repeated", argument="output file"
+    )
 
 
 @pytest.mark.parametrize(

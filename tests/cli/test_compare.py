@@ -121,12 +121,16 @@ def test_whatever_parts_the_columns_the_bands_come_out(tmp_path_factory, export,
     if not heads:
         refused(
             lambda: of_table(path, *path_in(ours()), None, unit),
-            "--wavevector",
             wavevector,
+            code="missing",
+            argument="--wavevector",
             kind=ChannelError,
         )
         refused(
-            lambda: of_table(path, *path_in(ours()), wavevector, None), "--frequency-unit", kind=ChannelError
+            lambda: of_table(path, *path_in(ours()), wavevector, None),
+            code="missing",
+            argument="--frequency-unit",
+            kind=ChannelError,
         )
     result = Comparison(of_dataset("ours", ours()), side)
     assert np.nanmax(np.abs(result.relative)) < 1e-6
@@ -169,7 +173,11 @@ def test_a_unit_that_is_none(tmp_path, unit, code, argument, given):
     path = tmp_path / "theirs.csv"
     path.write_text("0,1\n1,2\n")
     refused(lambda: of_table(path, *path_in(ours()), "segments", unit), given, code=code, argument=argument)
-    refused(lambda: of_table(path, *path_in(ours()), unit, "Hz"), "--wavevector", "segments")
+    refused(
+        lambda: of_table(path, *path_in(ours()), unit, "Hz"),
+        code="missing",
+        argument="--wavevector",
+    )
 
 
 def test_two_columns_of_the_wavevector_make_a_way(tmp_path):
@@ -277,13 +285,27 @@ class TestCommand:
     def test_what_cannot_be_compared(self, inside, tmp_path):
         one, table = self.folder / "one.toml", tmp_path / "theirs.csv"
         table.write_text("0,1\n3,2\n")
-        assert_five_parts(inside("compare", table, one), f"compare {one} {table}")
-        assert_five_parts(inside("compare", one, self.folder / "other.toml"), "path")
-        assert_five_parts(inside("compare", one, table), "--wavevector=segments")
-        assert_five_parts(inside("compare", one, table, "--wavevector", "segments"), "--frequency-unit")
-        assert_five_parts(inside("compare", one, tmp_path), "bands")
+        assert_five_parts(
+            inside("compare", table, one), f"compare {one} {table}", code="conflict", argument="FIRST"
+        )
+        assert_five_parts(
+            inside("compare", one, self.folder / "other.toml"), "path", code="mismatch", argument="SECOND"
+        )
+        assert_five_parts(
+            inside("compare", one, table), "--wavevector=segments", code="missing", argument="--wavevector"
+        )
+        assert_five_parts(
+            inside("compare", one, table, "--wavevector", "segments"),
+            code="missing",
+            argument="--frequency-unit",
+        )
+        assert_five_parts(
+            inside("compare", one, tmp_path), code="unreadable", argument="bands of an earlier run"
+        )
         (tmp_path / "bands.nc").write_bytes(b"\x89HDF\r\n\x1a\n" + bytes(200))
-        assert_five_parts(inside("compare", one, tmp_path), "bands")
+        assert_five_parts(
+            inside("compare", one, tmp_path), code="unreadable", argument="bands of an earlier run"
+        )
         assert_five_parts(inside("compare", one, tmp_path / "none.csv"))
         assert_five_parts(inside("compare", one, tmp_path / "none.toml"))
 
@@ -292,7 +314,7 @@ class TestCommand:
         for second in ("one", "two"):
             assert inside("compare", self.folder / "one.toml", self.folder / f"{second}.toml").code == 0
         again = inside("compare", self.folder / "one.toml", self.folder / "two.toml")
-        assert_five_parts(again, "--overwrite")
+        assert_five_parts(again, "--overwrite", code="repeated", argument="output file")
         assert {path.name for path in (tmp_path / "results").iterdir()} == {
             "one-one-compare",
             "one-two-compare",
@@ -306,11 +328,18 @@ class TestCommand:
         )
         table = tmp_path / "comsol.csv"
         table.write_text("% Model:,bands.mph\n% k,Eigenfrequency (Hz)\n0,10+0.1i\n3,20000+2i\n")
-        assert_five_parts(inside("compare", self.folder / "one.toml", table), "--wavevector=segments")
+        assert_five_parts(
+            inside("compare", self.folder / "one.toml", table),
+            "--wavevector=segments",
+            code="missing",
+            argument="--wavevector",
+        )
         table.write_text("k,f\n0,10\n3,20000\n")
         asked = ["compare", self.folder / "one.toml", table, "--wavevector", "segments"]
-        assert_five_parts(inside(*asked), "--frequency-unit")
-        assert_five_parts(inside(*asked[:3], "--wavevector", "share"), "first column")
+        assert_five_parts(inside(*asked), code="missing", argument="--frequency-unit")
+        assert_five_parts(
+            inside(*asked[:3], "--wavevector", "share"), code="mismatch", argument="comsol.csv, first column"
+        )
 
 
 def test_a_study_is_read_once(tmp_path, monkeypatch):

@@ -309,7 +309,9 @@ class TestTolerance:
     @pytest.mark.parametrize("carrier", ["40 kHz", "70 kHz"])
     def test_a_carrier_outside_the_gap(self, here, asking, carrier):
         path = asking(TOLERANCE, changes=(("60 kHz", carrier),))
-        assert_five_parts(here("tolerance", path), "carrier", carrier, "haptonic design")
+        assert_five_parts(
+            here("tolerance", path), carrier, "haptonic design", code="no-answer", argument="carrier"
+        )
 
     @pytest.mark.parametrize(
         ("name", "spread", "words"),
@@ -321,7 +323,7 @@ class TestTolerance:
     )
     def test_spreads_that_make_no_body(self, here, asking, name, spread, words):
         path = asking("[tolerance]\nsamples = 16\n", SPREAD.format(name, spread), changes=(FINE,))
-        assert_five_parts(here("tolerance", path), "tolerance.of", name, words, "2 times", "smaller spreads")
+        assert_five_parts(here("tolerance", path), name, words, code="out-of-range", argument="tolerance.of")
 
 
 class TestExport:
@@ -381,7 +383,7 @@ class TestExport:
     def test_impossible_numbers_of_cells(self, here, asking, tmp_path, option, number, monkeypatch):
         monkeypatch.setattr("haptonic.analyses.runner.Runner.gaps", lambda *_: pytest.fail("computed"))
         ran = here("export", asking(TOLERANCE), "--out", tmp_path / "out", option, number)
-        assert_five_parts(ran, option.strip("-"), str(number), "positive integer")
+        assert_five_parts(ran, option.strip("-"), str(number), code="out-of-range")
         assert not (tmp_path / "out").exists()
 
     def test_nothing_is_written_if_the_tolerances_cannot_be_found(self, here, asking, tmp_path):

@@ -194,7 +194,9 @@ def test_nothing_is_computed_if_a_file_is_in_the_way(inside, study, tmp_path):
     out.mkdir()
     for command, name in (("layers", "decay.svg"), ("waveguide", "waveguide.png")):
         (out / name).write_text("mine")
-        assert_five_parts(inside(command, study(), "--out", out, store=store), name)
+        assert_five_parts(
+            inside(command, study(), "--out", out, store=store), name, code="repeated", argument="output file"
+        )
         assert (out / name).read_text() == "mine"
         assert not list(store.rglob("*.nc"))
 

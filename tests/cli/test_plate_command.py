@@ -75,18 +75,18 @@ def test_plate_answers_one_frequency(inside, plated, monkeypatch):
 
 
 @pytest.mark.parametrize(
-    ("change", "at", "argument"),
+    ("change", "at", "code", "argument"),
     [
-        (("loss_factor = 5e-3", "loss_factor = 0.0"), (), "plate.loss_factor"),
-        (('voltage = "10 V"', 'voltage = "0 V"'), (), "plate.actuator"),
-        (("rows = 2", "rows = 2"), ("--at", "9 mm"), "--at"),
-        (("order = 2", "order = 4"), ("--at", "900 kHz"), "frequency"),
-        (("o11o", "o1zo"), (), "plate.map"),
+        (("loss_factor = 5e-3", "loss_factor = 0.0"), (), "missing", "plate.loss_factor"),
+        (('voltage = "10 V"', 'voltage = "0 V"'), (), "missing", "plate.actuator"),
+        (("rows = 2", "rows = 2"), ("--at", "9 mm"), "malformed", "--at"),
+        (("order = 2", "order = 4"), ("--at", "900 kHz"), "out-of-range", "frequency"),
+        (("o11o", "o1zo"), (), "unknown", "plate.map"),
     ],
 )
-def test_plate_refuses(inside, plated, change, at, argument):
+def test_plate_refuses(inside, plated, change, at, code, argument):
     ran = inside("plate", plated(change), "--json", *at)
-    assert_five_parts(ran, argument)
+    assert_five_parts(ran, code=code, argument=argument)
 
 
 def test_a_study_without_a_plate_says_so(inside, study):

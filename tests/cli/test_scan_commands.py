@@ -161,21 +161,21 @@ class TestChirp:
         assert not (tmp_path / "out" / "scan_plan.csv").exists()
 
     @pytest.mark.parametrize(
-        ("old", "new", "argument"),
+        ("old", "new", "code", "argument"),
         [
-            ('lowest = "30 kHz"', 'lowest = "90 kHz"', "scan.highest"),
-            ('rate = "200 kHz"', 'rate = "100 kHz"', "scan.highest"),
-            ('record = "3 ms"', 'record = "3 us"', "scan.record"),
-            ("averages = 2", 'skip = "WG3"', "scan.skip"),
-            ("averages = 2", 'skip = "WG1, WG2, lattice"', "excluded"),
-            ("averages = 2", "averages = 0", "scan.averages"),
-            ("averages = 2", "avrages = 2", "scan.avrages"),
+            ('lowest = "30 kHz"', 'lowest = "90 kHz"', "conflict", "scan.highest"),
+            ('rate = "200 kHz"', 'rate = "100 kHz"', "out-of-range", "scan.highest"),
+            ('record = "3 ms"', 'record = "3 us"', "out-of-range", "scan.record"),
+            ("averages = 2", 'skip = "WG3"', "unknown", "scan.skip"),
+            ("averages = 2", 'skip = "WG1, WG2, lattice"', "out-of-range", "excluded"),
+            ("averages = 2", "averages = 0", "out-of-range", "scan.averages"),
+            ("averages = 2", "avrages = 2", "unknown", "scan.avrages"),
         ],
     )
-    def test_it_refuses(self, inside, tmp_path, old, new, argument):
+    def test_it_refuses(self, inside, tmp_path, old, new, code, argument):
         path = tmp_path / "bad.toml"
         path.write_text(TINY.replace(old, new), "utf-8")
-        assert_five_parts(inside("chirp", path, "--json"), argument)
+        assert_five_parts(inside("chirp", path, "--json"), code=code, argument=argument)
 
     def test_a_region_is_skipped(self, study):
         both = study.scan_settings
@@ -299,7 +299,10 @@ class TestTwin:
         ):
             other.write_text(TINY.replace(old, new), "utf-8")
             assert_five_parts(
-                inside("simulate", "scan", other, "--from", answer, "--out", tmp_path / "out"), word
+                inside("simulate", "scan", other, "--from", answer, "--out", tmp_path / "out"),
+                word,
+                code="mismatch",
+                argument="response",
             )
 
     def test_it_does_not_replace_a_scan(self, inside, tiny, answer, recorded):

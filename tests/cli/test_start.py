@@ -81,7 +81,7 @@ class TestTemplates:
         slip = name[:at] + name[at + 1 :]
         with pytest.raises(StudyError) as refused:
             new.resolved(slip, "my.toml", TEMPLATES)
-        assert_told(refused.value, slip)
+        assert_told(refused.value, slip, code="unknown", argument="TEMPLATE")
         assert refused.value.next_step == f"haptonic new {name} my.toml"
 
     @pytest.mark.parametrize(
@@ -103,7 +103,7 @@ class TestTemplates:
     def test_a_file_in_the_way_stays(self, inside, tmp_path):
         mine = tmp_path / "my.toml"
         mine.write_text("mine")
-        assert_five_parts(inside("new", mine), "my.toml", "--overwrite")
+        assert_five_parts(inside("new", mine), "my.toml", "--overwrite", code="repeated", argument="FILE")
         assert mine.read_text() == "mine"
         assert inside("new", mine, "--overwrite").code == 0
         assert load(mine).title == "My cell"
@@ -198,7 +198,9 @@ class TestKeys:
         assert all(name in KEYS or pattern_of(name) in KEYS for name in names)
 
     def test_one_that_finds_nothing_names_the_nearest(self, inside):
-        assert_five_parts(inside("keys", "thicknes s"), "haptonic keys thickness")
+        assert_five_parts(
+            inside("keys", "thicknes s"), "haptonic keys thickness", code="unknown", argument="pattern"
+        )
 
 
 class TestMaterials:
@@ -223,7 +225,9 @@ class TestMaterials:
         assert told["steel"]["youngs_modulus"] == 210e9
 
     def test_an_unknown_one(self, inside):
-        assert_five_parts(inside("materials", "steal"), "haptonic materials steel")
+        assert_five_parts(
+            inside("materials", "steal"), "haptonic materials steel", code="unknown", argument="pattern"
+        )
 
 
 @pytest.fixture(scope="session")

@@ -229,7 +229,7 @@ def test_a_wave_that_does_not_come_is_refused(angle):
 
 def test_what_cannot_be_scattered_is_refused():
     reference, omega = rows("reference"), 50.0 * KILOHERTZ
-    with pytest.raises(StudyError, match="S1 at 50 kHz"):
+    with refusing(StudyError, "no-answer", "layers.incident", "S1 at 50 kHz"):
         Interface.met_by(reference, omega, "S1", 0.0)
     steep = Interface.met_by(reference, omega, "A0", 1.2)
     with refusing(StudyError, "no-answer", "layers.incident"):

@@ -58,7 +58,9 @@ def test_two_phases_are_taken_over_pi(one, other, between):
     "text", ["", "Q", "X-Q", "1.2 X-M", "-0.1 X-M", "0.5", "3, 0", "a, b", "X-", "-X", "nan, 1"]
 )
 def test_what_is_no_wavevector(text):
-    refused(lambda: wavevector_at(ZONES["square"], text), "modes_at", "Γ, X, M", kind=StudyError)
+    refused(
+        lambda: wavevector_at(ZONES["square"], text), code="malformed", argument="modes_at", kind=StudyError
+    )
 
 
 @pytest.mark.parametrize("given", [3, (0.5, 0.25)])

@@ -7,6 +7,7 @@ import numpy as np
 import pandas as pd
 import pytest
 
+from five_parts import refusing
 from haptonic.channels import opened
 from haptonic.errors import HaptonicError
 from haptonic.friction.signals.tables import read_columns
@@ -68,7 +69,7 @@ def test_time_records(tmp_path, stolen, name):
     records = InMemory(np.ones((6, 1, 40)), np.ones((6, 1, 40)))
     write_records(TimeScan(records, tuple("abcdef"), places, places, 1, 40, 1e5, Reference("A1", "V")), path)
     stolen(path, name)
-    with pytest.raises(HaptonicError, match="another file"):
+    with refusing(HaptonicError, "unreadable", "file of time records", "another file"):
         read_scan(path)
 
 
@@ -81,7 +82,7 @@ def test_a_response(tmp_path, stolen):
         tmp_path / "a.nc",
     )
     stolen(tmp_path / "a.nc", "x")
-    with pytest.raises(HaptonicError, match="another file"):
+    with refusing(HaptonicError, "unreadable", "file of a frequency response", "another file"):
         read(tmp_path / "a.nc")
 
 
@@ -91,7 +92,7 @@ def test_matlab(tmp_path, stolen):
         file["h"] = np.ones((6, 3), dtype=complex).view([("real", "f8"), ("imag", "f8")])
         file["f"], file["y"] = np.arange(1.0, 4), np.zeros(6)
     stolen(path, "x")
-    with pytest.raises(HaptonicError, match="no coordinates"):
+    with refusing(HaptonicError, "mismatch", "a.mat: x, y or points", "no coordinates"):
         read_scan(path, frequency_unit="Hz", length_unit="m")
     with h5py.File(path, "r+") as file:
         file["xs"] = np.arange(6) * 1e-3

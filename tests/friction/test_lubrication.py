@@ -271,24 +271,34 @@ class TestPerception:
     ],
 )
 def test_bad_amplitudes_are_refused(amplitude, word):
-    refused(lambda: shared_friction(amplitude, TOUCH, FINGER.values), word, "amplitude")
-    refused(lambda: intermittent_friction(amplitude, TOUCH, FINGER.values), word)
+    refused(
+        lambda: shared_friction(amplitude, TOUCH, FINGER.values),
+        word,
+        code="out-of-range",
+        argument="amplitude",
+    )
+    refused(
+        lambda: intermittent_friction(amplitude, TOUCH, FINGER.values),
+        word,
+        code="out-of-range",
+        argument="amplitude",
+    )
 
 
 @pytest.mark.parametrize(
-    ("numbers", "word"),
+    ("numbers", "code", "given"),
     [
-        ({"frequency": 58.8}, "58.8 Hz"),
-        ({"frequency": float("nan")}, "nan"),
-        ({"frequency": "58.8 mm"}, "'58.8 mm'"),
-        ({"frequency": 58.8e3, "force": 0.0}, "0 N"),
-        ({"frequency": 58.8e3, "force": 500.0}, "500 N"),
-        ({"frequency": 58.8e3, "speed": 78.0}, "78 m/s"),
-        ({"frequency": 58.8e3, "force": True}, "True"),
+        ({"frequency": 58.8}, "out-of-range", "58.8 Hz"),
+        ({"frequency": float("nan")}, "out-of-range", "nan"),
+        ({"frequency": "58.8 mm"}, "malformed", "'58.8 mm'"),
+        ({"frequency": 58.8e3, "force": 0.0}, "out-of-range", "0 N"),
+        ({"frequency": 58.8e3, "force": 500.0}, "out-of-range", "500 N"),
+        ({"frequency": 58.8e3, "speed": 78.0}, "out-of-range", "78 m/s"),
+        ({"frequency": 58.8e3, "force": True}, "malformed", "True"),
     ],
 )
-def test_bad_touches_are_refused(numbers, word):
-    refused(lambda: Touch(**numbers), word, "touch.")
+def test_bad_touches_are_refused(numbers, code, given):
+    refused(lambda: Touch(**numbers), given, code=code, argument=f"touch.{list(numbers)[-1]}")
 
 
 @pytest.mark.parametrize(

@@ -71,9 +71,9 @@ class TestFilters:
             code="unknown",
             argument="filter",
         )
-        refused(lambda: smoothed(np.ones(50), 1.0), "1 Hz", "kHz")
-        refused(lambda: smoothed(np.ones(50), float("nan")), "nan")
-        refused(lambda: smoothed(np.ones(9), 1000.0), "9 samples")
+        refused(lambda: smoothed(np.ones(50), 1.0), "1 Hz", code="out-of-range", argument="rate")
+        refused(lambda: smoothed(np.ones(50), float("nan")), "nan", code="out-of-range", argument="rate")
+        refused(lambda: smoothed(np.ones(9), 1000.0), "9 samples", code="too-few", argument="signals")
 
 
 class TestMeasure:
@@ -373,15 +373,15 @@ class TestFiles:
         path = tmp_path / "t.csv"
         good.to_csv(path, index=False)
         assert read_trials(path)["participant"].values.tolist() == ["1", "1"]  # a name, though a number
-        for bad, word in (
-            (good.assign(friction=[0.2, np.nan]), "trial 2"),
-            (good.assign(friction=[-0.2, 0.4]), "-0.2"),
-            (good.assign(friction=[20.0, 40.0]), "friction 20"),
-            (good.drop(columns="friction"), "column friction"),
-            (good.assign(participant=["1", None]), "participant of"),
+        for bad, shown, code, argument in (
+            (good.assign(friction=[0.2, np.nan]), "trial 2", "malformed", "t.csv"),
+            (good.assign(friction=[-0.2, 0.4]), "-0.2", "malformed", "t.csv"),
+            (good.assign(friction=[20.0, 40.0]), "friction 20", "malformed", "t.csv"),
+            (good.drop(columns="friction"), "actuation", "missing", "column friction"),
+            (good.assign(participant=["1", None]), "''", "malformed", "block 1, trial 2"),
         ):
             bad.to_csv(path, index=False)
-            refused(lambda: read_trials(path), word)
+            refused(lambda: read_trials(path), shown, code=code, argument=argument)
         good.to_csv(path, index=False)
         refused(
             lambda: write_trials(read_trials(path), tmp_path / "t.xlsx"),

@@ -88,13 +88,16 @@ class TestPairs:
     def test_bad_tables_are_refused(self):
         whole = table(self.ROWS)
         refused(lambda: paired(whole, "WG3"), "WG3", code="unknown", argument="waveguide")
-        refused(lambda: paired(whole, "WG2"), "trials on WG2")
-        refused(lambda: paired(whole.drop_vars("excluded"), "WG1"), "column excluded")
-        refused(lambda: paired(xr.Dataset(), "WG1"), "no columns")
+        refused(lambda: paired(whole, "WG2"), code="too-few", argument="trials on WG2")
+        refused(lambda: paired(whole.drop_vars("excluded"), "WG1"), code="mismatch", argument="trials")
+        refused(lambda: paired(xr.Dataset(), "WG1"), "no columns", code="mismatch", argument="trials")
         refused(
-            lambda: paired(whole.assign(excluded=("stroke", ["no contact"] * 9)), "WG1"), "0 of them usable"
+            lambda: paired(whole.assign(excluded=("stroke", ["no contact"] * 9)), "WG1"),
+            "0 of them usable",
+            code="too-few",
+            argument="trials on WG1",
         )
-        refused(lambda: paired(whole, "WG1").of("a"), "participant")
+        refused(lambda: paired(whole, "WG1").of("a"), code="unknown", argument="participant")
 
 
 class TestTests:

@@ -176,7 +176,7 @@ class TestProtocol:
 
     @pytest.mark.parametrize("numbers", [{"blocks": 7}, {"trials": 0}, {"trials": 30.0}, {"blocks": True}])
     def test_bad_protocols_are_refused(self, numbers):
-        refused(lambda: Protocol(**numbers), "even number")
+        refused(lambda: Protocol(**numbers), code="out-of-range", argument=f"protocol.{next(iter(numbers))}")
 
     def test_no_participant_is_refused(self):
         for number in (0, -1, 2.5, True):

@@ -87,25 +87,25 @@ class TestOtherFiles:
             read(tmp_path / "a.nc")
 
     def test_a_folder(self, tmp_path):
-        with pytest.raises(ResourceError, match="folder"):
+        with refusing(ResourceError, "unreadable", "file of a frequency response", "folder"):
             read(tmp_path)
 
     @pytest.mark.parametrize("content", [b"", b"frequency;x;y\n", b"CDF\x01" + bytes(100)])
     def test_no_netcdf_4(self, tmp_path, content):
         (tmp_path / "a.nc").write_bytes(content)
-        with pytest.raises(ResponseError, match="not a NetCDF 4 file"):
+        with refusing(ResponseError, "unreadable", "file of a frequency response", "not a NetCDF 4 file"):
             read(tmp_path / "a.nc")
 
     def test_half_of_a_file(self, tmp_path):
         write(made(), tmp_path / "a.nc")
         whole = (tmp_path / "a.nc").read_bytes()
         (tmp_path / "a.nc").write_bytes(whole[: len(whole) // 2])
-        with pytest.raises(ResponseError, match="damaged"):
+        with refusing(ResponseError, "unreadable", "file of a frequency response", "damaged"):
             read(tmp_path / "a.nc")
 
     def test_another_kind_of_result(self, tmp_path):
         made().dataset.drop_vars("response").to_netcdf(tmp_path / "a.nc", engine="h5netcdf")
-        with pytest.raises(ResponseError, match="of another kind"):
+        with refusing(ResponseError, "unreadable", "file of a frequency response", "of another kind"):
             read(tmp_path / "a.nc")
 
     @pytest.mark.parametrize("lost", ["response_imag", "x", "direction"])
@@ -120,7 +120,7 @@ class TestOtherFiles:
         write(made(), tmp_path / "a.nc")
         with xr.load_dataset(tmp_path / "a.nc", engine="h5netcdf") as data:
             data.assign_attrs(form=2).to_netcdf(tmp_path / "b.nc", engine="h5netcdf")
-        with pytest.raises(ResponseError, match="later haptonic"):
+        with refusing(ResponseError, "unreadable", "file of a frequency response", "later haptonic"):
             read(tmp_path / "b.nc")
 
     def test_numbers_that_were_changed_to_nonsense(self, tmp_path):

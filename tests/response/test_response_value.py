@@ -171,7 +171,7 @@ class TestGrid:
             made(x=np.zeros(5), y=np.array([0, 1, 2.4, 3, 4]), region=None).grid()
 
     def test_two_points_on_one_place_are_refused(self):
-        with pytest.raises(ResponseError, match="2 points at x = 2 mm, y = 0 mm"):
+        with refusing(ResponseError, "repeated", "points", "2 points at x = 2 mm, y = 0 mm"):
             made(x=np.array([0, 2e-3, 2e-3]), y=np.zeros(3), region=None).grid()
 
 

@@ -104,7 +104,7 @@ def test_only_what_lies_on_the_way_is_made_anew():
     assert other.trials is study.trials
     assert other.cell.lattice is study.cell.lattice
     assert other.cell.material == material("steel")
-    with pytest.raises(StudyError, match="step"):
+    with refusing(StudyError, "unknown", "name of a number", "step"):
         with_numbers(study, {"cell.pillar.step.height": 1e-3})
 
 

@@ -163,12 +163,12 @@ class TestEdges:
         two = LatticeRows(Rectangle(14e-3, 0.0, 2 * PITCH, CELLS * PITCH), "x", 14e-3, 1, PITCH, PITCH, 2)
         with pytest.raises(ScanError) as caught:
             decay_along(field(whole), [two])
-        assert_told(caught.value, "fewer than three rows")
+        assert_told(caught.value, "fewer than three rows", code="too-few", argument="strips")
         plain = field(whole)
         holes = np.flatnonzero((np.arange(len(X)) % 7 != 3) | (X > 0.05))
         with pytest.raises(ScanError) as caught:
             decay_along(FrequencyResponse(plain.dataset.isel(point=holes)), [STRIP])
-        assert_told(caught.value, "without a missing point")
+        assert_told(caught.value, "without a missing point", code="too-few", argument="strips")
 
 
 def noisy(level, repeats=6, points=400, seed=2):

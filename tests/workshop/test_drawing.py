@@ -318,16 +318,16 @@ def test_a_fine_tolerance_is_not_shown_as_zero():
 
 
 @pytest.mark.parametrize(
-    ("tolerances", "message"),
+    ("tolerances", "code"),
     [
-        ({"cell.pillar.diametre": 1e-5}, 'write "cell.pillar.diameter"'),
-        ({"cell.thickness": 0.02}, "it is in mm or degrees"),
-        ({"cell.thickness": -1e-6}, "wrong sign"),
-        ({"cell.thickness": math.nan}, "wrong sign"),
+        ({"cell.pillar.diametre": 1e-5}, "unknown"),
+        ({"cell.thickness": 0.02}, "out-of-range"),
+        ({"cell.thickness": -1e-6}, "out-of-range"),
+        ({"cell.thickness": math.nan}, "out-of-range"),
     ],
 )
-def test_tolerances_that_mean_nothing_are_refused(tolerances, message):
-    with pytest.raises(StudyError, match=message):
+def test_tolerances_that_mean_nothing_are_refused(tolerances, code):
+    with refusing(StudyError, code, f"tolerances.{next(iter(tolerances))}"):
         part_drawing(Part.piece(STEPPED), "Plate", tolerances=tolerances)
 
 
@@ -352,7 +352,7 @@ def test_a_tolerance_is_that_of_the_table_which_gives_the_pillar():
     found = words(part_drawing(part, "Plate", tolerances={"cell.site[2].pillar.height": 2e-5}))
     assert "5.000 ±0.020" in found
     assert "4" in found
-    with pytest.raises(StudyError, match=r"cell\.site"):
+    with refusing(StudyError, "unknown", "tolerances.cell.pillar.height"):
         part_drawing(part, "Plate", tolerances={"cell.pillar.height": 2e-5})
     assert set(dimensions_of(OTHERS["oblique"])) >= {"cell.pitch", "cell.pitch_2", "cell.angle"}
     assert "cell.pitch_y" not in dimensions_of(OTHERS["honeycomb"])

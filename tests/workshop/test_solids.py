@@ -263,9 +263,13 @@ class TestEveryWriter:
         assert [p.name for p in tmp_path.iterdir()] == [path.name]
 
 
-@pytest.mark.parametrize("size", [(0, 1), (1, -2), (2.0, 1), (True, 1)], ids=str)
-def test_a_number_of_cells_is_a_positive_integer(size):
-    with pytest.raises(GeometryError, match="a positive integer"):
+@pytest.mark.parametrize(
+    ("size", "argument"),
+    [((0, 1), "columns"), ((1, -2), "rows"), ((2.0, 1), "columns"), ((True, 1), "columns")],
+    ids=str,
+)
+def test_a_number_of_cells_is_a_positive_integer(size, argument):
+    with refusing(GeometryError, "out-of-range", argument):
         Part.piece(ALL["reference"], *size)
 
 
