@@ -11,6 +11,7 @@ import pytest
 from matplotlib.figure import Figure
 
 from haptonic import load, plots, read_scan
+from haptonic.analyses import named
 from haptonic.analyses.friction import compute_friction
 from haptonic.analyses.simulate_friction import read_amplitudes
 from haptonic.cli.running import folder_for
@@ -128,14 +129,14 @@ def test_a_store_that_cannot_be_is_told(kind, monkeypatch):
 @pytest.mark.parametrize("kind", NO_NAMES)
 def test_an_output_folder_that_cannot_be_is_told_before_the_work(kind):
     def out():
-        folder = folder_for(Path("study.toml"), Path(NO_NAMES[kind]), False, "bands")
+        folder = folder_for(named("bands"), Path("study.toml"), Path(NO_NAMES[kind]), False)
         refuse_taken(folder, ["bands.nc"], overwrite=False)
 
     five_parts_of(out)
 
 
 def test_a_study_with_the_longest_name_has_a_folder_or_five_parts():
-    five_parts_of(folder_for, Path(f"{'a' * 250}.toml"), None, False, "bands")
+    five_parts_of(folder_for, named("bands"), Path(f"{'a' * 250}.toml"), None, False)
 
 
 def test_good_paths_are_paths(tmp_path, monkeypatch):

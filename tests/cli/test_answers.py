@@ -12,9 +12,10 @@ import pytest
 from hypothesis import given, strategies as st
 
 from haptonic.analyses import NAMES, named
+from haptonic.analyses.analysis import MEASURED, STUDIES
 from haptonic.analyses.reproduce import Reproduction
 from haptonic.cli.console import Voice
-from haptonic.cli.running import MEASURED, SCREEN, SENTENCES, STUDIES, folder_for, show
+from haptonic.cli.running import SCREEN, SENTENCES, show
 from haptonic.results.bands import Bands
 from haptonic.results.scan.value import ScanResult
 from haptonic.results.table import Table
@@ -85,13 +86,13 @@ def test_more_than_three_sentences_are_for_those_who_ask(numbers):
 
 @pytest.mark.parametrize("name", [*(f"{one}.toml" for one in STUDIES), *(f"{one}.csv" for one in MEASURED)])
 def test_files_that_commands_name_alike_are_told_apart_by_their_folders(name):
-    folders = {folder_for(Path(f"results/{one}/{name}"), None, False, "export") for one in ("a", "b")}
-    assert folders == {Path("results/a-export"), Path("results/b-export")}
+    folders = [named("export").folder_of(Path(f"results/{one}/{name}")) for one in ("a", "b")]
+    assert folders == ["a-export", "b-export"]
 
 
 @pytest.mark.parametrize("name", MEASURED)
 def test_a_study_that_is_called_as_a_measurement_gives_its_own_name(name):
-    assert folder_for(Path(f"mine/{name}.toml"), None, False, "protocol") == Path(f"results/{name}-protocol")
+    assert named("protocol").folder_of(Path(f"mine/{name}.toml")) == f"{name}-protocol"
 
 
 def test_the_answer_is_there_before_the_pictures_are_drawn(inside, study, tmp_path, monkeypatch):
@@ -109,8 +110,8 @@ def test_the_answer_is_there_before_the_pictures_are_drawn(inside, study, tmp_pa
 
 @pytest.mark.parametrize("name", NAMES)
 def test_the_folder_of_a_command_can_be_typed_as_it_stands(name):
-    folder = folder_for(Path("mine.toml"), None, False, named(name).folder or name)
-    assert shlex.split(str(folder)) == [str(folder)]
+    folder = named(name).folder_of(Path("mine.toml"))
+    assert shlex.split(folder) == [folder]
 
 
 def test_a_pipe_gets_no_line_of_a_bar(inside, study, tmp_path):

@@ -6,9 +6,9 @@ import pytest
 
 from five_parts import assert_five_parts
 from haptonic.analyses import NAMES, named
-from haptonic.cli.commands.new import templates
 from haptonic.results.cost import Cost
 from haptonic.study import loads
+from haptonic.study.templates import templates
 
 TEMPLATES = templates()
 PLANNED = {
@@ -207,10 +207,14 @@ class TestWatching:
     def test_what_was_there_before_is_not_replaced(self, watched, tmp_path):
         (tmp_path / "out").mkdir()
         (tmp_path / "out" / "plan.png").touch()
-        assert_five_parts(watched(), "--overwrite")
+        assert_five_parts(watched(), "--overwrite", code="repeated", argument="output file")
 
     def test_it_has_many_answers_and_so_no_json(self, inside, file):
-        assert_five_parts(inside("plan", file("touchpad"), "--watch", "--json"), "--watch")
+        assert_five_parts(
+            inside("plan", file("touchpad"), "--watch", "--json"),
+            code="conflict",
+            argument="--watch",
+        )
 
 
 def test_a_long_command_says_so_before_it_starts(inside, study, monkeypatch, tmp_path):

@@ -27,9 +27,9 @@ from haptonic.fields import remade, table
 from haptonic.fields.json_schema import json_schema
 from haptonic.fields.keys import pattern_of
 from haptonic.materials import library
-from haptonic.study import Study, load, loads
+from haptonic.study import Study, load, loads, templates
 
-TEMPLATES = new.templates()
+TEMPLATES = templates.templates()
 STUDIES = sorted((Path(__file__).parents[2] / "studies").glob("*.toml"))
 KEYS = table(Study)
 EVERY_KEY = (Path(__file__).parents[1] / "data" / "every_key.toml").read_text("utf-8")
@@ -48,7 +48,7 @@ class TestTemplates:
         """As written by `haptonic new`, then on a coarse mesh."""
         path = tmp_path / "mine.toml"
         assert inside("new", name, path).code == 0
-        first = new.commands(path.read_text("utf-8"))[0]
+        first = templates.commands(path.read_text("utf-8"))[0]
         assert first.split()[2] == str(path)
         study = load(path)
         coarse = remade(study.bands_settings, points=9, accuracy=2e-2)
@@ -61,9 +61,9 @@ class TestTemplates:
     @pytest.mark.parametrize("name", TEMPLATES)
     def test_it_teaches(self, name):
         text = TEMPLATES[name]
-        assert new.about(text).endswith((".", "?"))
+        assert templates.about(text).endswith((".", "?"))
         assert all(line.isascii() and len(line) <= 120 for line in text.splitlines())
-        for command in new.commands(text):
+        for command in templates.commands(text):
             words = command.split()[1:]
             assert words[0] in commands.NAMES or any(
                 " ".join(words).startswith(one) for one in analyses.NAMES
@@ -121,7 +121,7 @@ class TestTemplates:
         said = inside("new").out
         for name, text in TEMPLATES.items():
             assert name in said
-            assert squeezed(new.about(text)) in squeezed(said)
+            assert squeezed(templates.about(text)) in squeezed(said)
 
 
 def printed(width: int, head: str, lines: dict[str, str]) -> list[str]:
@@ -133,8 +133,9 @@ def printed(width: int, head: str, lines: dict[str, str]) -> list[str]:
 
 @pytest.mark.parametrize("file", ["a.toml", "a longer name.toml"])
 def test_what_commands_of_a_template_do_stands_in_one_column(file):
-    for text in new.templates().values():
-        lines = [line for line in new.heading(new.adapted(text, Path(file))) if new.COMMAND.match(line)]
+    for text in templates.templates().values():
+        adapted = templates.heading(templates.adapted(text, Path(file)))
+        lines = [line for line in adapted if templates.COMMAND.match(line)]
         assert len({line.rindex("   ") for line in lines}) == 1, lines
 
 

@@ -17,6 +17,8 @@ from haptonic.units import to_si
 
 FLAG = re.compile(r"(?<![\w-])--[a-z][a-z-]*")
 COMMAND = "haptonic "
+# names that analyses give to their files: to studies, and to what was measured
+STUDIES, MEASURED = ("design", "fitted"), ("response", "scan", "trials")
 KEPT = "the designs that were finished are kept; the same command goes on from there"
 WORDS = {bool: "True or False", str: "a text", type(None): "None"}
 
@@ -159,6 +161,14 @@ class Analysis:
         if self.planned is not None:
             return self.planned(study)
         return self.reported is not None and self.reported(study) is not None
+
+    def folder_of(self, about: Path) -> str:
+        """Name of the folder for the files that it gives about a study or a measurement."""
+        path = about.absolute()
+        # two designs, or two scans, are files of one name in folders that tell them apart
+        of_analyses = STUDIES if path.suffix == ".toml" else MEASURED
+        stem = path.parent.name if path.stem in of_analyses else path.stem
+        return f"{stem}-{self.folder or self.name}".replace(" ", "-")  # a space ends a path in a shell
 
     def names(self, options: Any, stem: str) -> list[Any]:
         """Of the files that it may write about a study of this name; see `Result.names`."""

@@ -43,8 +43,6 @@ WORKERS = Annotated[
     int, typer.Option("--workers", metavar="N", help="Worker processes on this machine; 0 works in this one.")
 ]
 DRY_RUN = Annotated[bool, typer.Option("--dry-run", help="Only tell time and memory that it will need.")]
-# names that commands give to their files: to studies, and to what was measured
-STUDIES, MEASURED = ("design", "fitted"), ("response", "scan", "trials")
 WATCH = Annotated[bool, typer.Option("--watch", help="Draw anew whenever the study is saved, until Ctrl-C.")]
 SCHEDULER = Annotated[
     str | None, typer.Option("--scheduler", metavar="ADDRESS", help="A running Dask scheduler to work on.")
@@ -160,7 +158,7 @@ def once(analysis: Analysis, given: dict[str, Any], voice: Voice) -> None:
         return
     about = path_of(options) if analysis.study != "needed" else file
     assert about is not None, f"{analysis.name} is asked of nothing"
-    folder = folder_for(about, out, json and not analysis.writes, analysis.folder or analysis.name)
+    folder = folder_for(analysis, about, out, json)
     refuse_taken(folder, taken(folder, analysis.names(options, about.stem)), overwrite=overwrite)
     if cost and cost.seconds >= LONG:
         voice.say(cost.sentence)
@@ -212,13 +210,8 @@ def show(result: Result, voice: Voice, *, every: bool) -> None:
         voice.tell(f"more with --tables: {', '.join(kept)}")
 
 
-def folder_for(about: Path, out: Path | None, json: bool, ending: str) -> Path | None:
+def folder_for(analysis: Analysis, about: Path, out: Path | None, json: bool) -> Path | None:
     """Where a command's files go; nowhere if a machine asks and names no folder."""
-    if out is None and json:
+    if out is None and json and not analysis.writes:
         return None
-    path = about.absolute()
-    # two designs, or two scans, are files of one name in folders that tell them apart
-    of_commands = STUDIES if path.suffix == ".toml" else MEASURED
-    stem = path.parent.name if path.stem in of_commands else path.stem
-    # a space in a path ends it in a shell
-    return target(Path("results") / f"{stem}-{ending.replace(' ', '-')}" if out is None else out)
+    return target(Path("results") / analysis.folder_of(about) if out is None else out)

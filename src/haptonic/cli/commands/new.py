@@ -4,8 +4,6 @@ from __future__ import annotations
 
 import os
 import re
-from importlib.resources import files
-from itertools import takewhile
 from pathlib import Path
 from typing import Annotated
 
@@ -17,19 +15,9 @@ from haptonic.cli.listing import pairs
 from haptonic.errors import StudyError, nearest, shown
 from haptonic.paths import target
 from haptonic.store import write_atomically
+from haptonic.study.templates import ENDING, about, adapted, commands, templates
 
 USUAL = "bare-cell"
-ENDING = ".toml"
-COMMAND = re.compile(r"^#   (haptonic .*?)(  |$)")  # in the comments that head a template
-
-
-def templates() -> dict[str, str]:
-    """Text of every template by its name, the simplest first."""
-    folder = files("haptonic").joinpath("templates")
-    found = {
-        one.name.removesuffix(ENDING).replace("_", "-"): one.read_text("utf-8") for one in folder.iterdir()
-    }
-    return dict(sorted(found.items(), key=lambda pair: pair[1].count("\n")))
 
 
 def complete(incomplete: str) -> list[str]:
@@ -110,30 +98,3 @@ def refuse_taken(path: Path, overwrite: bool) -> None:
         cause="it is a folder" if path.is_dir() else "a file of this name is there",
         next_step="choose another name" + ("" if path.is_dir() else ", or give --overwrite to replace it"),
     )
-
-
-def heading(text: str) -> list[str]:
-    """The comments before the first key."""
-    return list(takewhile(lambda line: line.startswith("#"), text.splitlines()))
-
-
-def about(text: str) -> str:
-    """What a template is for: the heading down to its first command."""
-    lines = takewhile(lambda line: not COMMAND.match(line), heading(text))
-    return " ".join(line.removeprefix("#").strip() for line in lines)
-
-
-def commands(text: str) -> list[str]:
-    """What can be asked of a template, in the order of its heading."""
-    return [found[1].strip() for line in heading(text) if (found := COMMAND.match(line))]
-
-
-def adapted(text: str, path: Path) -> str:
-    """With the file's own name in the commands of the heading, and what they do in a column behind them."""
-    name = f'"{path}"' if " " in str(path) else str(path)
-    found = {line: match for line in heading(text) if (match := COMMAND.match(line))}
-    asked = {line: re.sub(r"\bFILE\b", lambda _: name, match[1]) for line, match in found.items()}
-    width = max(map(len, asked.values()), default=0)
-    for line, match in found.items():
-        text = text.replace(line, f"#   {asked[line]:{width}}   {line[match.end() :].strip()}".rstrip(), 1)
-    return text
