@@ -550,3 +550,4 @@ def test_sweeps_of_several_lengths_and_numbers_of_gaps_are_one_dataset():
     assert rows.dataset["gap_lower"].sizes == {"sweep": 2, **long["gap_lower"].sizes}
     assert np.isnan(rows.dataset["value"][1, -1])
     assert rows.to_json()["sweeps"][1]["designs"][-1]["gaps"]
+    assert " is at 0.8: " in rows.summary()[0]  # a bare number has no unit

@@ -25,6 +25,12 @@ class Sweep:
     dataset: xr.Dataset
     failed: dict[int, dict[str, str]]
 
+    @property
+    def unit(self) -> str:
+        """SI unit of the swept value; empty where it is a bare number."""
+        unit = str(self.dataset["value"].attrs["units"])
+        return "" if unit == "1" else unit
+
     def drawn(self, *, ax: Axes | None = None) -> Figure:
         """Gaps against the swept value, with the pillar's own resonances."""
         return plots.sweep(self.dataset, ax=ax)
@@ -46,7 +52,7 @@ class Sweep:
 
     def table(self) -> Table:
         """The widest complete gap of each design."""
-        data, unit = self.dataset, self.dataset["value"].attrs["units"]
+        data = self.dataset
         rows: list[tuple[Cell, ...]] = []
         for step, value in enumerate(data["value"].values):
             gaps = self.gaps_at(step)
@@ -56,7 +62,7 @@ class Sweep:
             rows.append((float(value), count, *((edges[1] - edges[0], *edges) if edges else (None,) * 3)))
         return Table(
             "sweep",
-            (Column(data.attrs["expression"], "" if unit == "1" else unit), "gaps",
+            (Column(data.attrs["expression"], self.unit), "gaps",
              *(Column(name, "Hz", "kHz", ".2f") for name in ("widest", "from", "to"))),
             rows,
         )  # fmt: skip
@@ -102,7 +108,7 @@ class Sweeps(Result):
                 said.append(f"No design along {name} has a complete gap.")
                 continue
             best, step = max(gaps, key=lambda pair: pair[0]["upper_hz"] - pair[0]["lower_hz"])
-            value = format_quantity(float(one.dataset["value"][step]), one.dataset["value"].attrs["units"])
+            value = format_quantity(float(one.dataset["value"][step]), one.unit)
             said.append(
                 f"Along {name}, the widest complete gap of {count} designs is at {value}: "
                 f"{best['lower_hz'] / 1e3:.2f} to {best['upper_hz'] / 1e3:.2f} kHz."
