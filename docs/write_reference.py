@@ -9,7 +9,7 @@ from pkgutil import walk_packages
 
 import haptonic
 from haptonic.analyses import NAMES, named
-from haptonic.analyses.analysis import option_of
+from haptonic.analyses.options import option_of
 
 PAGE = Path(__file__).parent / "reference.md"
 

@@ -5,7 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from haptonic import plots
-from haptonic.analyses.analysis import Analysis, option
+from haptonic.analyses.analysis import Analysis
+from haptonic.analyses.options import option
 from haptonic.analyses.runner import Runner
 from haptonic.later import Axes, Figure, xarray as xr
 from haptonic.results.cost import Cost

@@ -6,8 +6,8 @@ import pytest
 
 from five_parts import assert_five_parts
 from haptonic.analyses import NAMES, named, tolerance
-from haptonic.analyses.analysis import NoOptions
 from haptonic.analyses.costs import gaps
+from haptonic.analyses.options import NoOptions
 from haptonic.study import loads
 from quick import QUICK_CELL
 

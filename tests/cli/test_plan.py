@@ -7,8 +7,7 @@ import pytest
 from five_parts import assert_five_parts
 from haptonic.analyses import NAMES, named
 from haptonic.results.cost import Cost
-from haptonic.study import loads
-from haptonic.study.templates import templates
+from haptonic.study import loads, templates
 
 TEMPLATES = templates()
 PLANNED = {

@@ -27,9 +27,10 @@ from haptonic.fields import remade, table
 from haptonic.fields.json_schema import json_schema
 from haptonic.fields.keys import pattern_of
 from haptonic.materials import library
-from haptonic.study import Study, load, loads, templates
+from haptonic.study import Study, Template, load, loads, templates
+from haptonic.study.template import COMMAND
 
-TEMPLATES = templates.templates()
+TEMPLATES = templates()
 STUDIES = sorted((Path(__file__).parents[2] / "studies").glob("*.toml"))
 KEYS = table(Study)
 EVERY_KEY = (Path(__file__).parents[1] / "data" / "every_key.toml").read_text("utf-8")
@@ -48,7 +49,7 @@ class TestTemplates:
         """As written by `haptonic new`, then on a coarse mesh."""
         path = tmp_path / "mine.toml"
         assert inside("new", name, path).code == 0
-        first = templates.commands(path.read_text("utf-8"))[0]
+        first = Template(path.read_text("utf-8")).commands[0]
         assert first.split()[2] == str(path)
         study = load(path)
         coarse = remade(study.bands_settings, points=9, accuracy=2e-2)
@@ -61,9 +62,9 @@ class TestTemplates:
     @pytest.mark.parametrize("name", TEMPLATES)
     def test_it_teaches(self, name):
         text = TEMPLATES[name]
-        assert templates.about(text).endswith((".", "?"))
+        assert text.about.endswith((".", "?"))
         assert all(line.isascii() and len(line) <= 120 for line in text.splitlines())
-        for command in templates.commands(text):
+        for command in text.commands:
             words = command.split()[1:]
             assert words[0] in commands.NAMES or any(
                 " ".join(words).startswith(one) for one in analyses.NAMES
@@ -121,7 +122,7 @@ class TestTemplates:
         said = inside("new").out
         for name, text in TEMPLATES.items():
             assert name in said
-            assert squeezed(templates.about(text)) in squeezed(said)
+            assert squeezed(text.about) in squeezed(said)
 
 
 def printed(width: int, head: str, lines: dict[str, str]) -> list[str]:
@@ -133,9 +134,8 @@ def printed(width: int, head: str, lines: dict[str, str]) -> list[str]:
 
 @pytest.mark.parametrize("file", ["a.toml", "a longer name.toml"])
 def test_what_commands_of_a_template_do_stands_in_one_column(file):
-    for text in templates.templates().values():
-        adapted = templates.heading(templates.adapted(text, Path(file)))
-        lines = [line for line in adapted if templates.COMMAND.match(line)]
+    for text in templates().values():
+        lines = [line for line in text.adapted(Path(file)).heading if COMMAND.match(line)]
         assert len({line.rindex("   ") for line in lines}) == 1, lines
 
 

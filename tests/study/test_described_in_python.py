@@ -14,7 +14,7 @@ import haptonic
 from five_parts import refused
 from haptonic import Study
 from haptonic.analyses import NAMES, named
-from haptonic.analyses.analysis import option_of
+from haptonic.analyses.options import option_of
 from haptonic.cell import Pillar, UnitCell
 from haptonic.errors import HaptonicError
 from haptonic.fields.keys import slots

@@ -8,7 +8,7 @@ from test_study_writing import studies
 
 from five_parts import refused, refusing
 from haptonic.analyses import NAMES, named
-from haptonic.analyses.analysis import option_of
+from haptonic.analyses.options import option_of
 from haptonic.analyses.runner import Runner
 from haptonic.cell import Pillar, UnitCell
 from haptonic.errors import HaptonicError, StudyError

@@ -5,7 +5,7 @@ import pytest
 
 from five_parts import assert_told
 from haptonic.analyses import ribbon
-from haptonic.analyses.analysis import NoOptions
+from haptonic.analyses.options import NoOptions
 from haptonic.errors import HaptonicError
 from haptonic.study import loads
 

@@ -4,16 +4,16 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Mapping
-from dataclasses import MISSING, dataclass, field, fields
+from dataclasses import MISSING, dataclass, fields
 from pathlib import Path
 from typing import Any, Literal, get_args, get_type_hints
 
+from haptonic.analyses.options import NoOptions, option_of
 from haptonic.analyses.runner import Runner
 from haptonic.errors import HaptonicError, StudyError
 from haptonic.paths import source
 from haptonic.results.cost import Cost
 from haptonic.results.result import Result
-from haptonic.units import to_si
 
 FLAG = re.compile(r"(?<![\w-])--[a-z][a-z-]*")
 COMMAND = "haptonic "
@@ -21,45 +21,6 @@ COMMAND = "haptonic "
 STUDIES, MEASURED = ("design", "fitted"), ("response", "scan", "trials")
 KEPT = "the designs that were finished are kept; the same command goes on from there"
 WORDS = {bool: "True or False", str: "a text", type(None): "None"}
-
-
-@dataclass(frozen=True)
-class Option:
-    """What is known of something that may be chosen, besides its name, type and default.
-
-    unit : SI unit of a quantity, which may be given as a text such as "58.8 kHz"
-    read : what becomes of a text otherwise
-    metavar : stands for the value in a help; flag : what a command line calls it
-    place : whether a command line takes it by its place, before the study or behind it
-    """
-
-    help: str
-    unit: str = ""
-    read: Callable[[str], Any] | None = None
-    metavar: str | None = None
-    flag: str = ""
-    place: Literal["option", "before", "behind"] = "option"
-    least: int | None = None
-
-    def value(self, given: Any) -> Any:
-        """What was given, read if it is a text for a quantity."""
-        if not isinstance(given, str):
-            return given
-        if self.unit:
-            return to_si(given, self.unit, self.flag)
-        return self.read(given) if self.read else given
-
-
-def option(default: Any = MISSING, help: str = "", **more: Any) -> Any:
-    """A field of an options class; see `Option`."""
-    if default is MISSING:
-        return field(metadata={"option": Option(help, **more)})
-    return field(default=default, metadata={"option": Option(help, **more)})
-
-
-@dataclass(frozen=True)
-class NoOptions:
-    """Nothing may be chosen."""
 
 
 def nothing(study: Any, options: Any) -> None:
@@ -188,20 +149,3 @@ def _check_kind(name: str, value: Any, kinds: tuple[Any, ...]) -> None:
         cause="a value of another type",
         next_step=f"give {allowed}, or leave it out",
     )
-
-
-def option_of(one: Any) -> Option | None:
-    """What is declared of a field of an options class; None for one that only Python can give."""
-    found: Option | None = one.metadata.get("option")
-    if found is None or found.flag:
-        return found
-    return Option(**{**vars(found), "flag": f"--{one.name.replace('_', '-')}"})
-
-
-def path_of(options: Any) -> Path | None:
-    """The file or folder that is analysed, if the options name one; several are one name after the other."""
-    placed = [one.name for one in fields(options) if (found := option_of(one)) and found.place == "before"]
-    paths = [Path(getattr(options, name)) for name in placed]
-    if len(paths) < 2:
-        return next(iter(paths), None)
-    return Path("-".join(path.absolute().stem for path in paths) + paths[0].suffix)

@@ -6,8 +6,9 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
 
-from haptonic.analyses.analysis import Analysis, option
+from haptonic.analyses.analysis import Analysis
 from haptonic.analyses.costs import meshes
+from haptonic.analyses.options import option
 from haptonic.analyses.runner import Runner
 from haptonic.bloch import bands_dataset
 from haptonic.bloch.settings import BandSettings

@@ -10,7 +10,8 @@ from typing import Any
 import numpy as np
 
 from haptonic import plots
-from haptonic.analyses.analysis import Analysis, NoOptions
+from haptonic.analyses.analysis import Analysis
+from haptonic.analyses.options import NoOptions
 from haptonic.analyses.runner import Runner
 from haptonic.later import Figure, xarray as xr
 from haptonic.plate import Plate

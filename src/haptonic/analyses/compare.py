@@ -6,11 +6,11 @@ from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
 
-from haptonic.analyses.analysis import Analysis, option
+from haptonic.analyses.analysis import Analysis
 from haptonic.analyses.bands import compute_bands
 from haptonic.analyses.comparing import of_dataset, of_file, of_table, path_in
+from haptonic.analyses.options import UnitsOfFile, option
 from haptonic.analyses.runner import Runner
-from haptonic.analyses.shared import UnitsOfFile
 from haptonic.channels.numbers import read_numbers
 from haptonic.errors import StudyError, shown
 from haptonic.fields import remade, table

@@ -4,11 +4,12 @@ from __future__ import annotations
 
 from dataclasses import dataclass, replace
 
-from haptonic.analyses.analysis import KEPT, Analysis, option
+from haptonic.analyses.analysis import KEPT, Analysis
 from haptonic.analyses.costs import gaps
 from haptonic.analyses.designing.front import compute_front
 from haptonic.analyses.designing.search import compute_design
 from haptonic.analyses.needs import need_carrier
+from haptonic.analyses.options import option
 from haptonic.analyses.runner import Runner
 from haptonic.design.brief import Brief
 from haptonic.design.quick import QUICK

@@ -9,7 +9,8 @@ from typing import Any
 
 from haptonic import workshop
 from haptonic.analyses import tolerance
-from haptonic.analyses.analysis import Analysis, NoOptions, option
+from haptonic.analyses.analysis import Analysis
+from haptonic.analyses.options import NoOptions, option
 from haptonic.analyses.runner import Runner
 from haptonic.cell import UnitCell
 from haptonic.later import xarray as xr

@@ -7,8 +7,9 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 from haptonic.analyses import plate as vibration
-from haptonic.analyses.analysis import Analysis, option
+from haptonic.analyses.analysis import Analysis
 from haptonic.analyses.needs import fineness, gap_of_plate, has_plate, need_carrier, response_settings
+from haptonic.analyses.options import option
 from haptonic.analyses.runner import Runner
 from haptonic.errors import StudyError
 from haptonic.friction.lubrication.law import check_reduction

@@ -7,8 +7,9 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
-from haptonic.analyses.analysis import Analysis, option
+from haptonic.analyses.analysis import Analysis
 from haptonic.analyses.costs import size_of
+from haptonic.analyses.options import option
 from haptonic.analyses.runner import Runner
 from haptonic.friction.recordings import Exclusion, Sensor, analysed
 from haptonic.friction.signals import Rules

@@ -7,9 +7,10 @@ from dataclasses import asdict, replace
 
 import numpy as np
 
-from haptonic.analyses.analysis import KEPT, Analysis, NoOptions
+from haptonic.analyses.analysis import KEPT, Analysis
 from haptonic.analyses.costs import gaps
 from haptonic.analyses.needs import has_mirror, need_carrier, need_rows
+from haptonic.analyses.options import NoOptions
 from haptonic.analyses.runner import Runner
 from haptonic.arrays import Array
 from haptonic.bloch import Resolution

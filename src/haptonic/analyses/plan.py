@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from haptonic.analyses import NAMES, named
-from haptonic.analyses.analysis import Analysis, NoOptions
+from haptonic.analyses.analysis import Analysis
+from haptonic.analyses.options import NoOptions
 from haptonic.analyses.runner import Runner
 from haptonic.results.plan import StudyPlan
 from haptonic.study.schema import Description

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import numpy as np
 
-from haptonic.analyses.analysis import Analysis, NoOptions
+from haptonic.analyses.analysis import Analysis
 from haptonic.analyses.experiments import protocol_of, task_of
+from haptonic.analyses.options import NoOptions
 from haptonic.analyses.runner import Runner
 from haptonic.friction.statistics import Population, participants_needed, power, smallest_shown
 from haptonic.gate import declared

@@ -16,10 +16,11 @@ from typing import Any, TypeVar
 
 from haptonic import report
 from haptonic.analyses import NAMES, named
-from haptonic.analyses.analysis import KEPT, Analysis, option
+from haptonic.analyses.analysis import KEPT, Analysis
 from haptonic.analyses.experiments import protocol_of, truth_of
 from haptonic.analyses.friction import compute_friction
 from haptonic.analyses.needs import has_plate
+from haptonic.analyses.options import option
 from haptonic.analyses.runner import Runner
 from haptonic.analyses.simulate_friction import simulated_friction
 from haptonic.analyses.simulate_scan import rescanned

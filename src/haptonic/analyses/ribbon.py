@@ -7,8 +7,9 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from haptonic.analyses.analysis import Analysis, NoOptions
+from haptonic.analyses.analysis import Analysis
 from haptonic.analyses.costs import meshes
+from haptonic.analyses.options import NoOptions
 from haptonic.analyses.runner import Runner
 from haptonic.bloch.gaps import gap_at, widest_gap
 from haptonic.bloch.model import bloch_model

@@ -7,6 +7,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
+from haptonic.analyses.options import option
 from haptonic.bloch import Gap, gaps_dataset, gaps_of
 from haptonic.bloch.settings import BandSettings
 from haptonic.cell import UnitCell
@@ -26,8 +27,8 @@ class Runner:
     """
 
     store: Store = field(default_factory=Store.default)
-    workers: int = 0
-    scheduler: str | None = None
+    workers: int = option(0, "Worker processes on this machine; 0 works in this one.", metavar="N")
+    scheduler: str | None = option(None, "A running Dask scheduler to work on.", metavar="ADDRESS")
     progress: Progress = silent
     about: Path | None = None
     folder: Path | None = None

@@ -7,11 +7,11 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
-from haptonic.analyses.analysis import Analysis, option
+from haptonic.analyses.analysis import Analysis
 from haptonic.analyses.costs import size_of
+from haptonic.analyses.options import UnitsOfFile, option
 from haptonic.analyses.runner import Runner
 from haptonic.analyses.scanning import Estimation, OnPlate, PlateInScan, compute_scan, on_plate
-from haptonic.analyses.shared import UnitsOfFile
 from haptonic.analyses.verdict import compared, cost_of
 from haptonic.errors import ScanError, StudyError, shown
 from haptonic.paths import source

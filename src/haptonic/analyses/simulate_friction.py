@@ -9,10 +9,10 @@ from typing import Any, Literal
 
 import numpy as np
 
-from haptonic.analyses.analysis import Analysis, option
+from haptonic.analyses.analysis import Analysis
 from haptonic.analyses.experiments import protocol_of, truth_of
+from haptonic.analyses.options import Seeded, option
 from haptonic.analyses.runner import Runner
-from haptonic.analyses.shared import Seeded
 from haptonic.errors import FrictionError, ResourceError, shown
 from haptonic.friction.protocol import Protocol
 from haptonic.friction.simulation import Truth, people

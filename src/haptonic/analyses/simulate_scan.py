@@ -10,12 +10,12 @@ import numpy as np
 import scipy
 
 from haptonic.analyses import plate
-from haptonic.analyses.analysis import Analysis, option
+from haptonic.analyses.analysis import Analysis
 from haptonic.analyses.costs import gaps, response
 from haptonic.analyses.needs import response_settings
+from haptonic.analyses.options import Seeded, option
 from haptonic.analyses.runner import Runner
 from haptonic.analyses.scanning import Estimation, OnPlate, compute_scan, on_plate
-from haptonic.analyses.shared import Seeded
 from haptonic.analyses.verdict import response_in
 from haptonic.arrays import Array
 from haptonic.bloch import Gap

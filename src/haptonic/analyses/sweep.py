@@ -6,8 +6,9 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from haptonic.analyses.analysis import KEPT, Analysis, NoOptions
+from haptonic.analyses.analysis import KEPT, Analysis
 from haptonic.analyses.costs import gaps
+from haptonic.analyses.options import NoOptions
 from haptonic.analyses.runner import Runner, design_gaps
 from haptonic.cell import UnitCell
 from haptonic.cell.cantilever import euler_bernoulli, timoshenko

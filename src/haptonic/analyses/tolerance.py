@@ -7,9 +7,10 @@ from dataclasses import asdict
 
 import numpy as np
 
-from haptonic.analyses.analysis import KEPT, Analysis, NoOptions
+from haptonic.analyses.analysis import KEPT, Analysis
 from haptonic.analyses.costs import gaps
 from haptonic.analyses.needs import need_carrier
+from haptonic.analyses.options import NoOptions
 from haptonic.analyses.runner import Runner
 from haptonic.bloch.gaps import need_gap_at
 from haptonic.design.edges import beside_dataset, edge_slopes, linear

@@ -9,8 +9,9 @@ from typing import Any
 import numpy as np
 
 from haptonic.analyses import plate as vibration
-from haptonic.analyses.analysis import Analysis, option
+from haptonic.analyses.analysis import Analysis
 from haptonic.analyses.needs import fineness, response_settings
+from haptonic.analyses.options import option
 from haptonic.analyses.runner import Runner
 from haptonic.arrays import Ints
 from haptonic.errors import ResponseError, ScanError

@@ -7,10 +7,11 @@ from dataclasses import asdict, dataclass
 
 import numpy as np
 
-from haptonic.analyses.analysis import Analysis, option
+from haptonic.analyses.analysis import Analysis
 from haptonic.analyses.costs import gaps
 from haptonic.analyses.layers import SQUARE_FACE
 from haptonic.analyses.needs import has_mirror, need_carrier, need_rows
+from haptonic.analyses.options import option
 from haptonic.analyses.runner import Runner
 from haptonic.bloch.gaps import need_gap_at
 from haptonic.bloch.layers import plain_plate

@@ -3,14 +3,15 @@
 from __future__ import annotations
 
 import inspect
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from dataclasses import MISSING, fields
 from pathlib import Path
 from typing import Annotated, Any, get_type_hints
 
 import typer
 
-from haptonic.analyses.analysis import Analysis, option_of, path_of
+from haptonic.analyses.analysis import Analysis
+from haptonic.analyses.options import option_of, path_of
 from haptonic.analyses.runner import Runner
 from haptonic.cli.console import Voice, speaking
 from haptonic.cli.watching import watched
@@ -39,14 +40,8 @@ SHARED: dict[str, Any] = {
     ],
     "overwrite": Annotated[bool, typer.Option("--overwrite", help="Replace files of an earlier run.")],
 }
-WORKERS = Annotated[
-    int, typer.Option("--workers", metavar="N", help="Worker processes on this machine; 0 works in this one.")
-]
 DRY_RUN = Annotated[bool, typer.Option("--dry-run", help="Only tell time and memory that it will need.")]
 WATCH = Annotated[bool, typer.Option("--watch", help="Draw anew whenever the study is saved, until Ctrl-C.")]
-SCHEDULER = Annotated[
-    str | None, typer.Option("--scheduler", metavar="ADDRESS", help="A running Dask scheduler to work on.")
-]
 
 
 def command(analysis: Analysis) -> Callable[..., None]:
@@ -64,10 +59,7 @@ def command(analysis: Analysis) -> Callable[..., None]:
     if analysis.watches:
         shared.append(inspect.Parameter("watch", last, default=False, annotation=WATCH))
     if analysis.parallel:
-        shared += [
-            inspect.Parameter("workers", last, default=0, annotation=WORKERS),
-            inspect.Parameter("scheduler", last, default=None, annotation=SCHEDULER),
-        ]
+        shared += [made for place, made in declared(Runner) if place == "option"]
     every = [*own, *shared]
     run.__name__ = analysis.name.replace(" ", "_")
     run.__annotations__ = {one.name: one.annotation for one in every}
@@ -87,27 +79,9 @@ def _folder_option(analysis: Analysis) -> Any:
 
 def parameters(analysis: Analysis) -> list[inspect.Parameter]:
     """Of the command: what it takes by place, the study among it, then the options of the record."""
-    kinds = get_type_hints(analysis.options)
     placed: dict[str, list[inspect.Parameter]] = {"before": [], "behind": [], "option": []}
-    for one in fields(analysis.options):
-        known = option_of(one)
-        if known is None:
-            continue
-        kind = kinds[one.name]
-        if known.unit or known.read:
-            kind = str if one.default is MISSING else str | None
-        metavar = known.metavar or (one.name.upper() if known.place != "option" else None)
-        words: dict[str, Any] = {"help": known.help, "metavar": metavar, "min": known.least}
-        made = (
-            typer.Option(*known.flag.split(), **words) if known.place == "option" else typer.Argument(**words)
-        )
-        text = known.unit or known.read  # nothing given is told from a text; the record knows its default
-        default = inspect.Parameter.empty if one.default is MISSING else None if text else one.default
-        placed[known.place].append(
-            inspect.Parameter(
-                one.name, inspect.Parameter.KEYWORD_ONLY, default=default, annotation=Annotated[kind, made]
-            )
-        )
+    for place, made in declared(analysis.options):
+        placed[place].append(made)
     study: list[inspect.Parameter] = []
     if analysis.study != "none":
         needed = analysis.study == "needed"
@@ -121,6 +95,31 @@ def parameters(analysis: Analysis) -> list[inspect.Parameter]:
             )
         ]  # fmt: skip
     return [*placed["before"], *study, *placed["behind"], *placed["option"]]
+
+
+def declared(options: type[Any]) -> Iterator[tuple[str, inspect.Parameter]]:
+    """Of what a class declares as options: where a command line takes it, and its parameter."""
+    kinds = get_type_hints(options)
+    for one in fields(options):
+        known = option_of(one)
+        if known is None:
+            continue
+        kind = kinds[one.name]
+        if known.unit or known.read:
+            kind = str if one.default is MISSING else str | None
+        metavar = known.metavar or (one.name.upper() if known.place != "option" else None)
+        words: dict[str, Any] = {"help": known.help, "metavar": metavar, "min": known.least}
+        made = (
+            typer.Option(*known.flag.split(), **words) if known.place == "option" else typer.Argument(**words)
+        )
+        text = known.unit or known.read  # nothing given is told from a text; the record knows its default
+        default = inspect.Parameter.empty if one.default is MISSING else None if text else one.default
+        yield (
+            known.place,
+            inspect.Parameter(
+                one.name, inspect.Parameter.KEYWORD_ONLY, default=default, annotation=Annotated[kind, made]
+            ),
+        )
 
 
 def answered(analysis: Analysis, given: dict[str, Any]) -> None:

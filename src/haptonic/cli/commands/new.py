@@ -15,9 +15,10 @@ from haptonic.cli.listing import pairs
 from haptonic.errors import StudyError, nearest, shown
 from haptonic.paths import target
 from haptonic.store import write_atomically
-from haptonic.study.templates import ENDING, about, adapted, commands, templates
+from haptonic.study import Template, templates
 
 USUAL = "bare-cell"
+ENDING = ".toml"
 
 
 def complete(incomplete: str) -> list[str]:
@@ -38,21 +39,21 @@ def run(template: First = None, file: Second = None, overwrite: Over = False, js
     with speaking(json) as voice:
         known = templates()
         if template is None:
-            pairs(voice, {name: about(text) for name, text in known.items()})
+            pairs(voice, {name: text.about for name, text in known.items()})
             voice.tell("`haptonic new touchpad my.toml` writes one of them.")
-            voice.answer({"templates": {name: about(text) for name, text in known.items()}})
+            voice.answer({"templates": {name: text.about for name, text in known.items()}})
             return
         name, path = resolved(template, file, known)
         refuse_taken(path, overwrite)
-        text = adapted(known[name], path)
+        text = known[name].adapted(path)
         write_atomically(path, lambda draft: draft.write_text(text, "utf-8"))
-        first = commands(text)[0]
+        first = text.commands[0]
         voice.tell(f"written: {path}, from the template {name}. Next:")
         voice.tell(f"  {first}")  # a line of its own, to be copied
-        voice.answer({"file": str(path), "template": name, "next": commands(text)})
+        voice.answer({"file": str(path), "template": name, "next": text.commands})
 
 
-def resolved(template: str, file: str | None, known: dict[str, str]) -> tuple[str, Path]:
+def resolved(template: str, file: str | None, known: dict[str, Template]) -> tuple[str, Path]:
     """The template and the file that two arguments name, or one.
 
     Raises
