@@ -34,7 +34,7 @@ HEAVY = (
     "xarray",
 )
 LATTICE = ROOT / "templates" / "bare_cell.toml"
-SAID = f"print(*[name for name in {HEAVY} if name in sys.modules], file=sys.stderr)"
+SAID = f"print(*[name for name in {HEAVY} if sys.modules.get(name)], file=sys.stderr)"
 
 
 @pytest.mark.parametrize("name", LAZY)
@@ -64,6 +64,25 @@ def test_a_command_needs_no_library_that_only_other_commands_need(asked, tmp_pat
     """What is loaded is the same on every machine, unlike the time that it takes."""
     words = asked.replace("STUDY", str(LATTICE)).replace("FOLDER", str(tmp_path / "out")).split()
     assert ran("from haptonic.cli import main; main()", *words) <= {"pint"}  # for the units of a study
+
+
+def test_the_program_does_not_load_what_only_xarray_asks_for(tmp_path):
+    """Dask, which this environment has, and pint, until somebody needs them."""
+    study = str(LATTICE.with_name("touchpad.toml"))
+    loaded = ran("from haptonic.cli import main; main()", "protocol", study, "--out", str(tmp_path / "out"))
+    assert {"matplotlib", "xarray"} <= loaded
+    assert not {"dask", "distributed", "pint"} & loaded
+
+
+def test_what_was_left_out_is_admitted():
+    done = (
+        "from haptonic.later import leave_out; leave_out(); from haptonic.units import to_si; "
+        "from haptonic.jobs import _remote_workers\n"
+        "assert to_si('1 inch', 'm', 'pitch') == 0.0254\n"
+        "try: _remote_workers('tcp://127.0.0.1:1').__enter__()\n"
+        "except Exception as error: assert 'not running' in str(error), error"
+    )
+    assert {"dask", "distributed", "pint"} <= ran(done)
 
 
 def test_every_command_knows_its_options_before_it_loads_what_computes():

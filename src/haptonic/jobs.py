@@ -20,7 +20,7 @@ from typing import TYPE_CHECKING, Any
 
 from haptonic.errors import HaptonicError, ResourceError, shown
 from haptonic.gate import passed
-from haptonic.later import xarray as xr
+from haptonic.later import admitted, xarray as xr
 from haptonic.parallel import StartError, finished
 from haptonic.progress import Progress, silent
 from haptonic.store import Store, content_key, fingerprint
@@ -239,6 +239,7 @@ def _died_twice(argument: object) -> ResourceError:
 @contextmanager
 def _remote_workers(address: str) -> Iterator[Client]:
     # Importing distributed takes most of a second, which only a run that uses it should pay.
+    admitted("dask")
     from distributed import Client
     from distributed.utils import LoopRunner
 

@@ -6,6 +6,7 @@ a second to load, and what only lists, plans or refuses need not wait for them.
 
 from __future__ import annotations
 
+import sys
 from importlib import import_module
 from types import ModuleType
 from typing import TYPE_CHECKING, Any
@@ -57,3 +58,18 @@ else:
     elementwise = _Later("scipy.optimize.elementwise")
     sparse, sparse_linalg = _Later("scipy.sparse"), _Later("scipy.sparse.linalg")
     csgraph = _Later("scipy.sparse.csgraph")
+
+ASKED_FOR = ("dask", "pint")  # by xarray, wherever they are installed, to know their arrays; it has none here
+
+
+def leave_out() -> None:
+    """Let nobody import what only xarray asks for, which takes 0.6 s; for a process that is ours alone."""
+    for name in ASKED_FOR:
+        sys.modules.setdefault(name, None)  # type: ignore[arg-type]  # documented: an import of it fails
+
+
+def admitted(name: str) -> Any:
+    """The module of this name after all, imported now."""
+    if sys.modules.get(name, ...) is None:
+        del sys.modules[name]
+    return import_module(name)

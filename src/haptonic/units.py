@@ -17,6 +17,7 @@ from functools import cache
 from typing import TYPE_CHECKING, Annotated
 
 from haptonic.errors import HaptonicError, nearest, shown
+from haptonic.later import admitted
 
 if TYPE_CHECKING:
     import pint
@@ -85,11 +86,10 @@ def registry() -> pint.UnitRegistry[Fraction]:
     """The unit registry; made on first use.
 
     Importing pint and building a registry takes most of a second, and the units of the table above, which
-    nearly every study uses, need neither: so this one import waits inside the function.
+    nearly every study uses, need neither.
     """
-    import pint
-
-    return pint.UnitRegistry(non_int_type=Fraction)
+    made: pint.UnitRegistry[Fraction] = admitted("pint").UnitRegistry(non_int_type=Fraction)
+    return made
 
 
 def to_si(text: object, unit: str, argument: str) -> float:

@@ -47,6 +47,7 @@ def test_plate_writes_its_files_and_tables(inside, plated, tmp_path):
     assert response.dataset.attrs["origin"] == "simulated"
     assert response.frequency[[0, -1]] == pytest.approx([2e3, 20e3])
     lines = xr.load_dataset(out / "plate.nc", engine="h5netcdf")
+    assert lines["part"].values.tolist() == ["lattice", "region WG", "actuator A1"]
     assert float(lines["solver_error"].max()) <= 1e-3
     total = lines["dissipated"].sum("loss")
     np.testing.assert_allclose(total, lines["given"], rtol=1e-4)

@@ -86,7 +86,6 @@ ALLOWED: dict[str, set[str]] = {
 TOP = {"__init__", "__main__"}
 INSIDE_FUNCTIONS = {
     "solvers": {"pypardiso", "sksparse"},
-    "units": {"pint"},
     "foreign": {"fcntl", "nptdms", "psutil", "scipy"},  # a child process loads what a file needs and no more
     "jobs": {"dask", "distributed"},
     "workshop": {"netgen"},

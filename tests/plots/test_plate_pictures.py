@@ -8,6 +8,7 @@ from dataclasses import replace
 import matplotlib as mpl
 import numpy as np
 import pytest
+import xarray as xr
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 from PIL import Image
@@ -28,6 +29,12 @@ CONTRAST = {
     "WG1 over the rest of the plate": np.where(INSIDE, 25.0, 0.0),
 }
 VELOCITY = {"WG1": np.full(401, 1e-4), "WG2": np.where(INSIDE, 1e-6, 1e-4), "rest": FREQUENCY * 1e-10}
+LOW = replace(plate().actuators[0], centre=(37e-3, 7e-3), size=(6e-3, 5e-3, 0.5e-3))
+PLACES = np.stack(np.meshgrid(np.arange(0, 0.128, 2e-3), np.arange(0, 0.014, 2e-3)), -1).reshape(-1, 2)
+FRICTION = xr.Dataset(
+    {end: ("point", np.linspace(0.1, 0.9, len(PLACES))) for end in ("value", "low", "high")},
+    {"x": ("point", PLACES[:, 0]), "y": ("point", PLACES[:, 1])},
+)
 IMPEDANCE = 30 + 1 / (2j * np.pi * FREQUENCY[1:] * 1.8e-9)
 
 
@@ -59,6 +66,8 @@ PICTURES = {
         held(Support("corners", "clamped", length=6e-3), layout=notched())
     ),
     "plan, low": lambda: plots.plate_plan(Plate(prototype(rows=2))),
+    "plan, two rows": lambda: plots.plate_plan(replace(plate(), layout=prototype(rows=2), actuators=(LOW,))),
+    "friction": lambda: plots.friction_map(FRICTION, prototype(), title="58.8 kHz, simulated"),
 }
 
 
@@ -90,7 +99,7 @@ class TestEveryPicture:
             assert box.x1 <= figure.bbox.width
 
     def test_axes_name_what_they_show_with_its_unit(self, drawn, name):
-        known = {"kHz", "dB", "mm", "µm/s/V", "mm/s/V", "m/s/V", "m/s/N", "Ω", "deg"}
+        known = {"kHz", "dB", "mm", "µm/s/V", "mm/s/V", "m/s/V", "m/s/N", "Ω", "deg", "dimensionless"}
         panels = drawn[name].axes
         assert panels[0].get_ylabel()
         for axes in panels:

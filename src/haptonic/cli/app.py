@@ -8,6 +8,7 @@ import typer
 
 from haptonic import __version__
 from haptonic.cli.helping import Listed
+from haptonic.later import leave_out
 
 app = typer.Typer(
     name="haptonic",
@@ -21,6 +22,7 @@ app = typer.Typer(
 
 def main() -> None:
     """Entry point of the program."""
+    leave_out()
     app()
 
 

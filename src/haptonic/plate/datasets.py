@@ -34,8 +34,13 @@ def _by_part(plate: Plate, stored: Mapping[PartKey, Array], model: PlateModel) -
 
 
 def part_name(plate: Plate, tile: str) -> str:
-    """Of a region or a lattice on the dimension ``part``; its first word says which of them it is."""
-    return f"{'lattice' if tile in plate.layout.cells else 'region'} {tile}"
+    """Of a region or a lattice on the dimension ``part``; its first word says which of them it is.
+
+    The study's own lattice has no name but that word.
+    """
+    if tile not in plate.layout.cells:
+        return f"region {tile}"
+    return tile if tile == "lattice" else f"lattice {tile}"
 
 
 def lines_dataset(plate: Plate, vibration: Vibration, band: Band) -> xr.Dataset:

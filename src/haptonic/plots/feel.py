@@ -22,9 +22,9 @@ from haptonic.plots.stage import stage
 from haptonic.plots.text import label
 
 PANELS = {
-    "low": "least friction that is plausible",
+    "low": "least friction\nthat is plausible",
     "value": "prediction",
-    "high": "most friction that is plausible",
+    "high": "most friction\nthat is plausible",
 }
 
 
@@ -47,7 +47,7 @@ def friction_map(friction: xr.Dataset, layout: Layout, *, title: str = "") -> Fi
     panels[0].set_ylabel("y (mm)")
     figure.suptitle(title, fontsize=9.5)
     bar = figure.colorbar(image, ax=list(panels), location="bottom", shrink=0.6, aspect=30, pad=0.02)
-    bar.set_label("friction with over without vibration, µ / µ₀; finger's middle at each point")
+    bar.set_label("friction over that without vibration, finger's middle at each point (dimensionless)")
     return figure
 
 

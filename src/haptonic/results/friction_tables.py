@@ -78,7 +78,7 @@ def conditions_table(result: FrictionResult) -> Table:
         "mean of ratios",
         "ratio of means",
         "force / N",
-        "mm/s",
+        "speed / (mm/s)",
     )
     rows: list[tuple[Cell, ...]] = []
     for one in _few(result, result.found.conditions):

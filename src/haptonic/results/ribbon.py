@@ -19,13 +19,14 @@ COLUMNS = (
     Column("frequency", shown="kHz", form=".4f", error="frequency_error"),
     Column("phase / pi", form=".4f", of="phase_share"),
     Column("wavenumber", form=".1f"),
-    Column("across", form=".0f", of="nodal_lines"),
+    Column("nodal lines across", form=".0f", of="nodal_lines"),
     Column("intervals along", form=".0f", of="intervals"),
     Column("group velocity", form=".0f", of="group_velocity"),
-    Column("in the guide", form=".3f", of="guide_share"),
+    Column("in the guide", shown="%", form=".1f", of="guide_share"),
     Column("decay", form=".1f"),
 )
-ALONG = ("wavenumber", "across", "intervals along", "group velocity")  # what a defect's modes have not
+# what a defect's modes have not
+ALONG = ("wavenumber", "nodal lines across", "intervals along", "group velocity")
 
 
 @dataclass(frozen=True, eq=False, repr=False)

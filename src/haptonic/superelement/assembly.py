@@ -50,9 +50,9 @@ class Assembler:
     @cached_property
     def signs(self) -> tuple[NDArray[np.int8], ...]:
         """For each symmetry class (pairs, 9) what it does to the stiffness of a pair of nodes."""
+        first, second = self.ends
         return tuple(
-            (sign[self.ends[0]][:, :, None] * sign[self.ends[1]][:, None, :]).reshape(-1, 9)
-            for sign in self.folding.sign
+            np.repeat(sign, 3, axis=1)[first] * np.tile(sign, 3)[second] for sign in self.folding.sign
         )
 
     def paired(self, elements: tuple[ElementMatrices, ...]) -> Array:

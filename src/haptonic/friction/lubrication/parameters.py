@@ -93,7 +93,7 @@ PARAMETERS = {
     "static_friction": Parameter(
         value=0.42, unit="", title="coefficient of friction without vibration",
         bounds=(0.0, 10.0), plausible=(0.3, 0.6), mark="computed",
-        source="from the drop of 0.23, which is 55 %, of [daunizeau-haptics]",
+        source="from the drop of 0.23, which is 55 %, that Daunizeau, Gueorguiev, Haliyo and Hayward found",
     ),
     "stiffness_ratio": Parameter(
         value=2 / 3, unit="", title="tangential over normal stiffness of the contact",

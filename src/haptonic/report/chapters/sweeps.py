@@ -41,7 +41,8 @@ def chapter(results: Results) -> Chapter | Absent:
         identifier="sweeps",
         paragraphs=(
             "Each column is one design; all its other sizes are those of the study. The lines are bending "
-            "resonances of the pillar alone, clamped at its foot: by equation (3) of [daunizeau-haptics], "
+            "resonances of the pillar alone, clamped at its foot: by equation (3) of Daunizeau, "
+            "Gueorguiev, Haliyo and Hayward, “Phononic Crystals Applied to Localised Surface Haptics”, "
             "which takes it as slender, and with shear and rotary inertia (Timoshenko). In the grey region "
             "gaps were not looked for.",
         ),

@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 MODES = (
     Column("frequency", shown="kHz", form=".3f"),
     Column("solver's error", form=".0e", of="solver_error"),
-    Column("name"),
+    Column("nodal lines", of="name"),
     Column("Q", form=".0f", of="quality_factor"),
     Column("rise", shown="ms", form=".2f", of="rise_time"),
     Column("{}", shown="%", form=".1f", of="strain_energy"),

@@ -157,8 +157,8 @@ class PlateResult(Result):
 
     def summary(self) -> list[str]:
         line = self.maps.sel(frequency=self.resonance)
-        levels = [f"{name} by {level:.1f} dB" for name, level in split(line.get("contrast"), "pair").items()]
-        said = f"At {self.resonance / 1e3:.3f} kHz {self.driven} vibrates more: {'; '.join(levels)}."
+        levels = [f"{name} {level:.1f} dB" for name, level in split(line.get("contrast"), "pair").items()]
+        said = f"Contrast at {self.resonance / 1e3:.3f} kHz: {'; '.join(levels)}."
         basis = int(self.lines.attrs["basis"])
         found = f" on {basis} vectors" if basis else ", each line solved by itself"
         return [

@@ -253,12 +253,12 @@ class ScanResult(Result):
         """Velocities, contrasts and decay at the frequencies of the operating shapes; then the verdict."""
         columns = (
             Column("frequency", shown="kHz", form=".3f"),
-            Column("rms", form=".3g", of="average"),
+            Column("rms of all", form=".3g", of="average"),
             Column("rms of {}", form=".3g", of="rms"),
             Column("{}", form=".1f", of="contrast"),
             Column("decay", form=".1f", ends=("low", "high")),
-            Column("computed from", form=".1f", of="computed_least"),
-            Column("to", form=".1f", of="computed_largest"),
+            Column("least computed decay", form=".1f", of="computed_least"),
+            Column("largest computed decay", form=".1f", of="computed_largest"),
         )
         told = self.at_shapes
         known = [column for column in columns if (column.of or column.name) in told]
