@@ -26,7 +26,7 @@ UNITS = {
     "Hz": "_hz",
     "m/s": "_m_per_s",
     "m/s/V": "_m_per_s_per_v",
-    "dB/cell": "_db_per_cell",
+    "dB/row": "_db_per_row",
     "1": "",
     "": "",
 }

@@ -386,11 +386,35 @@ class TestExport:
         assert_five_parts(ran, option.strip("-"), str(number), code="out-of-range")
         assert not (tmp_path / "out").exists()
 
-    def test_nothing_is_written_if_the_tolerances_cannot_be_found(self, here, asking, tmp_path):
-        path = asking(TOLERANCE, changes=(("60 kHz", "40 kHz"),))
-        assert_five_parts(
-            here("export", path, "--out", tmp_path / "out"), code="no-answer", argument="carrier"
-        )
+    @pytest.mark.parametrize(
+        ("changes", "said"),
+        [
+            ((("60 kHz", "40 kHz"),), "see carrier: no complete gap of the cell holds it"),
+            ((('carrier = "60 kHz"', ""),), "see carrier: the study does not say which frequency"),
+        ],
+        ids=["no gap", "no carrier"],
+    )
+    def test_a_drawing_without_a_gap_to_keep_has_nominal_sizes_and_says_why(
+        self, here, asking, tmp_path, changes, said
+    ):
+        ran = here("export", asking(TOLERANCE, changes=changes), "--out", tmp_path / "out", "--json")
+        assert ran.code == 0, ran.err
+        told = json.loads(ran.out)
+        assert said in told["why_no_tolerances"]
+        assert said in " ".join(ran.err.split())
+        assert told["tolerances"] == {}
+        (file,) = (tmp_path / "out").glob("*-drawing.dxf")
+        drawn = ezdxf.readfile(file).paperspace("Drawing")
+        assert len(drawn.query("DIMENSION")) > 3
+        words = " ".join(one.plain_text() for one in drawn.query("TEXT MTEXT"))
+        assert said in words
+        assert "ISO 2768-m" in words
+
+    def test_what_is_asked_wrongly_of_spreads_is_refused_and_nothing_is_written(self, here, asking, tmp_path):
+        names = ("cell.pillar.height", "cell.pillar.diameter", "cell.thickness")
+        path = asking("[tolerance]\nsamples = 19\n", *(SPREAD.format(name, "20 um") for name in names))
+        ran = here("export", path, "--out", tmp_path / "out")
+        assert_five_parts(ran, code="too-few", argument="tolerance.samples")
         assert not (tmp_path / "out").exists()
         assert here("export", path, "--out", tmp_path / "out", "--dxf").code == 0
 

@@ -108,6 +108,7 @@ class TestOtherLattices:
         assert (beside.depth, beside.rows) == ("x", 6)
         assert (beside.period, beside.pitch) == pytest.approx((2 * high, 0.5 * PITCH))
         # the first column stands half a pitch inside, and its tiles reach a quarter towards the guide
+        assert beside.spacing == pytest.approx(np.sqrt(high * PITCH))
         assert guide.width == pytest.approx(1.5 * PITCH)
         for mirror in strips_of(layout, beside):
             inside = mirror.area.holds(np.array([(x, y) for x, y, _ in layout.standing]))

@@ -5,10 +5,13 @@ from collections import Counter
 import numpy as np
 import pytest
 from hypothesis import given, strategies as st
-from strategies import lattices, upright_lattices
+from strategies import ALUMINIUM, lattices, upright_lattices
 
 from five_parts import refusing
+from haptonic.bloch import bands_dataset
+from haptonic.bloch.settings import BandSettings
 from haptonic.brillouin import IrreducibleZone
+from haptonic.cell import UnitCell
 from haptonic.errors import GeometryError
 from haptonic.lattice import Lattice
 
@@ -86,6 +89,13 @@ def test_too_few_points_are_refused():
         zone_of(Lattice.square(1.0)).path(6)
     with refusing(GeometryError, "too-few", "bands.points", "at least 9"):
         zone_of(Lattice.rectangular(1.0, 2.0)).path(8)
+
+
+def test_too_few_points_are_refused_before_anything_is_meshed(monkeypatch):
+    monkeypatch.setattr("haptonic.bloch.bands.bloch_model", lambda *_, **__: pytest.fail("computed"))
+    cell = UnitCell(Lattice.oblique(7e-3, 8e-3, 1.3), 1.5e-3, ALUMINIUM)
+    with refusing(GeometryError, "too-few", "bands.points", "at least 17"):
+        bands_dataset(cell, BandSettings(points=16))
 
 
 def doubled_area(corners):

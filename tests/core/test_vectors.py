@@ -118,6 +118,57 @@ def test_refusals_from_python_name_the_cell():
         Lattice(a1=(7e-3, 0.0), a2=(14e-3, 0.0))
 
 
+SWEEP = '\n[[sweep]]\nvary = "{}"\nfrom = "{}"\nto = "{}"\nsteps = 3\n'
+VECTORS = STUDY.format('a1 = ["7 mm", "0 mm"]\na2 = ["3.5 mm", "6 mm"]')
+SITES = """
+[[cell.site]]
+at = [0, 0]
+pillar = { diameter = "2 mm", height = "5 mm" }
+[[cell.site]]
+position = ["3 mm", "3.5 mm"]
+"""
+
+
+def swept(text: str) -> list[UnitCell]:
+    study = loads(text)
+    return [one.cell for one in study.designs(study.sweep_settings[0])]
+
+
+def test_a_sweep_of_a_vector_meets_the_lattices_of_a_sweep_by_name():
+    """The height of a centred rectangle is twice that of the vector; a vector moved aside is a shear."""
+    by_name = STUDY.format('lattice = "centred"\npitch = "7 mm"\npitch_y = "12 mm"')
+    named = swept(by_name + SWEEP.format("cell.pitch_y", "11 mm", "13 mm"))
+    found = swept(VECTORS + SWEEP.format("cell.a2[2]", "5.5 mm", "6.5 mm"))
+    for one, other in zip(found, named, strict=True):
+        assert one.lattice.vectors == pytest.approx(other.lattice.vectors, abs=1e-12)
+    sheared = swept(VECTORS + SWEEP.format("cell.a2[1]", "0 mm", "3.5 mm"))
+    assert [one.lattice.name for one in sheared] == ["rectangular", "oblique", "centred"]
+    assert [one.area for one in sheared] == pytest.approx([42e-6] * 3)
+
+
+def test_a_sweep_moves_a_site():
+    sites = STUDY.format('pitch = "7 mm"').split("[cell.pillar]")[0] + SITES
+    moved = swept(sites + SWEEP.format("cell.site[2].position[1]", "3 mm", "4 mm"))
+    assert [one.shares[1, 0] for one in moved] == pytest.approx([3 / 7, 3.5 / 7, 4 / 7])
+
+
+@pytest.mark.parametrize("table", ["design.vary", "tolerance.of"])
+@pytest.mark.parametrize("path", ["cell.a1[1]", "cell.a2", "cell.site[2].at[1]", "cell.site[1].position[2]"])
+def test_designs_and_tolerances_keep_the_symmetry_and_name_the_way(table, path):
+    rest = "from = 1\nto = 2" if table == "design.vary" else "spread = 1"
+    with refusing(StudyError, "unsupported", f"{table}[1].parameter", "cell.pitch_2 or cell.angle"):
+        loads(f'{VECTORS}\n[[{table}]]\nparameter = "{path}"\n{rest}\n')
+
+
+@pytest.mark.parametrize(
+    ("path", "words"),
+    [("cell.a2[0]", "count from 1"), ("cell.a2[3]", 'write "cell.a2[2]"'), ("cell.a2", 'write "cell.a2[1]"')],
+)
+def test_a_coordinate_that_does_not_exist_is_refused(path, words):
+    with refusing(StudyError, "unknown", "sweep[1].vary", words):
+        loads(VECTORS + SWEEP.format(path, "5 mm", "6 mm"))
+
+
 def test_the_examples_of_both_keys_span_a_lattice():
     lines = [example_at(table(UnitCell, "cell.")[f"cell.{key}"]) for key in ("a1", "a2")]
     assert loads(STUDY.format("\n".join(lines))).cell.lattice.name == "centred"

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 import xarray as xr
@@ -36,7 +38,9 @@ X, Y = (
         np.arange(25) * 2e-3, 1e-3 + np.arange(42) * 2e-3
     )  # the lattice, and plate on both sides
 )
-STRIP = LatticeRows(Rectangle(14e-3, 0.0, ROWS * PITCH, CELLS * PITCH), "x", 14e-3, 1, PITCH, PITCH, ROWS)
+STRIP = LatticeRows(
+    Rectangle(14e-3, 0.0, ROWS * PITCH, CELLS * PITCH), "x", 14e-3, 1, PITCH, PITCH, PITCH, ROWS
+)
 WAVES = np.pi * np.arange(1, CELLS) / CELLS
 
 
@@ -127,7 +131,7 @@ class TestEdges:
             plain.values, frequency=LINES, x=Y, y=-X, reference="A1, V", origin="simulated",
         )  # fmt: skip
         area = Rectangle(0.0, -STRIP.start - ROWS * PITCH, CELLS * PITCH, ROWS * PITCH)
-        strip = LatticeRows(area, "y", -STRIP.start, -1, PITCH, PITCH, ROWS)
+        strip = LatticeRows(area, "y", -STRIP.start, -1, PITCH, PITCH, PITCH, ROWS)
         assert decay_along(turned, [strip]).values == pytest.approx(
             decay_along(plain, [STRIP]).values, abs=1e-6
         )
@@ -159,8 +163,23 @@ class TestEdges:
         assert (nothing.lower, nothing.upper) == (None, None)
         assert "noise" in nothing.reasons[0]
 
+    @pytest.mark.parametrize("deep", [0.8, 1.6])
+    def test_rows_half_a_pitch_deep_tell_the_same_edges(self, monkeypatch, deep):
+        """The same pillars counted in rows of half the depth: half the fading in each, the same gap."""
+        prescribed = exponent
+        monkeypatch.setitem(globals(), "exponent", lambda lines, *ends: prescribed(lines, *ends, deep))
+        seen, half = field(whole), replace(STRIP, pitch=PITCH / 2, rows=2 * ROWS)
+        one, other = gap_edges(decay_along(seen, [STRIP])), gap_edges(decay_along(seen, [half]), 0.5)
+        assert one.reasons == other.reasons == ()
+        for mine, same in ((one.lower, other.lower), (one.upper, other.upper)):
+            assert same.frequency == pytest.approx(mine.frequency, rel=1e-3)
+        shallow = replace(half, rows=4)
+        with pytest.raises(ScanError) as caught:
+            decay_along(seen, [shallow])
+        assert_told(caught.value, "five where they are half a pitch deep", code="too-few")
+
     def test_what_cannot_be_done_is_refused(self):
-        two = LatticeRows(Rectangle(14e-3, 0.0, 2 * PITCH, CELLS * PITCH), "x", 14e-3, 1, PITCH, PITCH, 2)
+        two = replace(STRIP, rows=2)
         with pytest.raises(ScanError) as caught:
             decay_along(field(whole), [two])
         assert_told(caught.value, "fewer than three rows", code="too-few", argument="strips")

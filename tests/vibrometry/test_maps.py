@@ -278,7 +278,7 @@ class TestDecay:
         found = lattice_decay(response, "lattice", depth="x", start=0.021, pitch=7e-3, inwards=inwards)
         assert found["decay"].values == pytest.approx([5, 15, 0], abs=1e-9)
         assert found["error"].values.max() < 1e-9
-        assert found["decay"].attrs["units"] == "dB/cell"
+        assert found["decay"].attrs["units"] == "dB/row"
         assert found.attrs["depths"] == 11
 
     def test_the_interval_holds_the_truth_as_often_as_it_says(self):

@@ -13,6 +13,7 @@ from haptonic.analyses.analysis import Analysis
 from haptonic.analyses.options import NoOptions, option
 from haptonic.analyses.runner import Runner
 from haptonic.cell import UnitCell
+from haptonic.errors import HaptonicError
 from haptonic.later import xarray as xr
 from haptonic.results.cost import BASE, Cost
 from haptonic.results.result import Result
@@ -26,6 +27,7 @@ FILES = 3.0  # s, of outlines, solids and the drawing of a cell
 PER_FACE, BYTES_OF_FACE = 1e-3, 6e4  # s and B, of a face of a solid
 PER_PAIR = 1.5e-7  # s, of two of them
 DRAWN = 0.04  # s, of a pillar on the drawing of a plate
+UNANSWERED = {"missing", "no-answer", "too-large"}  # no carrier, no gap that holds it, none within reach
 
 
 @dataclass(frozen=True)
@@ -182,7 +184,12 @@ def drawn_tolerances(study: Description, runner: Runner) -> tuple[dict[str, floa
     section = study.tolerance_settings
     if not section.of:
         return {}, "the study gives no spreads, [tolerance] of"
-    result = tolerance.compute(study, NoOptions(), runner)
+    try:
+        result = tolerance.compute(study, NoOptions(), runner)
+    except HaptonicError as error:  # what is wrong with the spreads themselves is refused
+        if error.code not in UNANSWERED:
+            raise
+        return {}, f"there is no gap to keep, see {error.argument}: {error.cause}"
     shown = dimensions_of(study.cell)
     drawn = {s.parameter: result.loosest * s.half_range for s in section.of if s.parameter in shown}
     if not drawn:

@@ -52,8 +52,8 @@ def bands_dataset(
     ResourceError : no mesh that fits memory and time tells errors below `COARSEST`; where some do and none
         reaches the accuracy, the best of them answers, and its error is in ``largest_error``
     """
+    path = cell.zone.path(settings.points)  # first: it refuses too few points
     model = bloch_model(cell, settings, or_best=True)
-    path = cell.zone.path(settings.points)
     kappa, name = wavevector_at(cell.zone, modes_at or f"{path.labels[1]}-{path.labels[2]}")
     gaps = complete_gaps(model)
 

@@ -230,7 +230,7 @@ def need_gap_at(gaps: Sequence[Gap], carrier: float) -> Gap:
             argument="carrier",
             given=format_quantity(carrier, "Hz"),
             allowed="a frequency in a complete gap of the cell, by more than the errors of its edges",
-            cause=f"the cell has no such gap there{nearest}",
+            cause=f"no complete gap of the cell holds it{nearest}",
             next_step="find a cell for this carrier with `haptonic design`, or look higher, with more bands "
             "([bands] count)",
         )

@@ -2,20 +2,24 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Sequence
 
+from pydantic import field_validator
+
 from haptonic.cell import UnitCell
-from haptonic.fields import ByPattern, OfNumber, described, table
+from haptonic.fields import ByPattern, OfNumber, described, problem, table
 from haptonic.fields.keys import pattern_of
 
 UNITS = ByPattern({
     path: key.unit
     for path, key in sorted(table(UnitCell, "cell.").items(), key=lambda one: one[0].startswith("material."))
-    # the bands are those without loss; sites stay where they are
+    # the bands are those without loss; one mesh is followed, so lattices and sites keep their symmetry
     if key.quantity and key.kind != "quantities" and path != "material.loss_factor"
 })  # fmt: skip
 """Every number of a cell that its bands depend on, and its SI unit; the material's come last."""
 
+COORDINATE = re.compile(r"cell\.(a[12]|site\[\d+\]\.(at|position))(\[\d+\])?")
 PILLAR = ".pillar."
 HEIGHT = ".pillar.height"
 FILLET = ".pillar.fillet"
@@ -38,6 +42,20 @@ class OfCell(OfNumber):
     def known(cls) -> Sequence[str]:
         """Paths of the numbers of a cell."""
         return tuple(UNITS)
+
+    @field_validator("parameter", mode="before")
+    @classmethod
+    def _keeps_symmetry(cls, path: object) -> object:
+        if isinstance(path, str) and COORDINATE.fullmatch(path):
+            raise problem(
+                "unsupported",
+                path,
+                "sizes and angles of the cell and of its pillars, and constants of the material",
+                "a coordinate of a vector or a site changes the symmetry, and with it mesh and zone",
+                "give the lattice by its name and name cell.pitch, cell.pitch_y, cell.pitch_2 or cell.angle, "
+                "or vary the coordinate in a [[sweep]]",
+            )
+        return path
 
 
 def values_of(cell: UnitCell) -> dict[str, float]:

@@ -55,9 +55,12 @@ def unknown_number(
     absent : names that exist elsewhere, and why not here
     at : the key that gives the name; by default it is an argument itself
     """
-    cause = absent.get(str(name), "no numeric parameter has this name")
-    slip, next_step = str(name) not in absent, "name one of the list"
-    return StudyError.unknown(at or "name of a number", name, known, cause, slip=slip, next_step=next_step)
+    from_zero = "[0]" in str(name)
+    usual = "numbers in brackets count from 1" if from_zero else "no numeric parameter has this name"
+    cause = absent.get(str(name), usual)
+    slip, next_step = str(name) not in absent and not from_zero, "name one of the list"
+    written = [path.replace("[]", "[1]") for path in known]
+    return StudyError.unknown(at or "name of a number", name, written, cause, slip=slip, next_step=next_step)
 
 
 def _changed(value: Any, changes: dict[str, float], prefix: str, make: Callable[..., Any]) -> Any:

@@ -24,7 +24,7 @@ if TYPE_CHECKING:
 
 FLOOR = -80.0  # dB below the largest line, the lowest that a spectrum of a drive shows
 LEAST_COHERENCE = 0.8  # the lowest that colours show, unless there are lower ones
-STRONG = 20.0  # dB per cell, beyond which colours do not change
+STRONG = 20.0  # dB per row, beyond which colours do not change
 ROWS = 600  # of a map of waves at most: more than its picture has
 RANGE = 1e-3  # of the largest amplitude, the smallest that a map of waves tells apart
 BAD = {
@@ -110,7 +110,7 @@ def decay_map(
     origin: str,
     ax: Axes | None = None,
 ) -> Figure:
-    """How waves of a phase fade from row to row of a lattice (dB per cell), and the edges told by it."""
+    """How waves of a phase fade from row to row of a lattice (dB per row), and the edges told by it."""
     on = stage(ax, 9.5)
     axes = on.axes
     shown = fades[:: max(1, fades.sizes["frequency"] // ROWS)]
@@ -118,7 +118,7 @@ def decay_map(
         shown["phase"].values / np.pi, shown["frequency"].values / 1e3, shown.values,
         cmap=style.perceptual(), vmin=0, vmax=STRONG, shading="nearest", rasterized=True,
     )  # fmt: skip
-    on.figure.colorbar(mesh, ax=axes, label="fading (dB/cell); white: noise hides it", extend="max")
+    on.figure.colorbar(mesh, ax=axes, label="fading (dB/row); white: noise hides it", extend="max")
     handles: list[Artist] = []
     for number, border in enumerate(computed or ()):
         line = axes.axhline(border / 1e3, color=style.RED, ls=style.DASHED, lw=1.2)
@@ -198,7 +198,7 @@ def measured_decay(
     origin: str,
     ax: Axes | None = None,
 ) -> Figure:
-    """Decay through a lattice in dB per cell against frequency, beside the computed evanescent waves."""
+    """Decay through a lattice in dB per row against frequency, beside the computed evanescent waves."""
     on = stage(ax, 8.6)
     axes = on.axes
     lines = decay["frequency"].values / 1e3
@@ -220,7 +220,7 @@ def measured_decay(
         handles.append(axes.axvspan(gap[0] / 1e3, gap[1] / 1e3, facecolor=style.GAP, lw=0, zorder=0,
                                     label="computed gap"))  # fmt: skip
     axes.axhline(0, color=style.INK, lw=0.7, zorder=1)
-    axes.set(xlabel="frequency (kHz)", ylabel="decay (dB per cell)", title=origin, xlim=(lines[0], lines[-1]))
+    axes.set(xlabel="frequency (kHz)", ylabel="decay (dB per row)", title=origin, xlim=(lines[0], lines[-1]))
     on.legend(handles, ncols=2)
     return on.figure
 

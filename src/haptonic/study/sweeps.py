@@ -20,11 +20,7 @@ from haptonic.units import format_quantity
 def numeric_parameters() -> Mapping[str, str]:
     """SI unit of every parameter that an expression can name, by path: what decides the bands."""
     keys = table(UnitCell, "cell.") | table(BandSettings, "bands.")
-    units = {
-        path: key.quantity.unit
-        for path, key in keys.items()
-        if key.quantity and key.kind != "quantities"  # sites stay where they are
-    }
+    units = {path + "[]" * (key.count > 1): key.unit for path, key in keys.items() if key.quantity}
     return ByPattern({"carrier": CARRIER.unit, **units})
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Literal
@@ -145,6 +146,7 @@ def _mirror(layout: Layout, depth: Axis, inwards: Literal[1, -1], first: int, be
         inwards=inwards,
         pitch=pitch,
         period=rows.period,
+        spacing=math.sqrt(rows.area / len(rows.depths)),
         rows=count,
         name=name,
         symmetric=depth in cell.point_group.mirrors,

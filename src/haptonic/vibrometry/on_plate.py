@@ -96,7 +96,8 @@ def lattice_gap(response: FrequencyResponse, plate: Plate, data: xr.Dataset) -> 
     except (ScanError, ResponseError) as error:
         return LatticeGap(None, None, (f"no edges of the gap: {error.given}",))
     data["fading"] = fades
-    return gap_edges(fades)
+    assert mirror is not None
+    return gap_edges(fades, mirror.pitch / mirror.spacing)
 
 
 def contrast_range(response: FrequencyResponse, plate: Plate) -> MeasuredGap:

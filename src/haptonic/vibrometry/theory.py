@@ -47,7 +47,7 @@ def computed_waves(
     Returns
     -------
     ``wavenumber`` (frequency) of A0 in plain plate, rad/m; ``attenuation`` (mirror_frequency, phase), dB per
-    cell; ``guided_frequency`` and ``guided_wavenumber`` (guide, step), NaN where a guide has no mode
+    row; ``guided_frequency`` and ``guided_wavenumber`` (guide, step), NaN where a guide has no mode
     """
     cell = layout.cells[mirror.name] if mirror else next(iter(layout.cells.values()))
     widths = sorted({(one.width, one.along) for one in guides if mirror and one.lattice == mirror.name})
@@ -79,7 +79,7 @@ def computed_waves(
         )
         at = np.linspace(*around, FADING)
         fades = attenuation(rows(side), 2 * np.pi * at, np.array(PHASES))
-        made["attenuation"] = ("mirror_frequency", "phase"), fades, {"units": "dB/cell"}
+        made["attenuation"] = ("mirror_frequency", "phase"), fades, {"units": "dB/row"}
         made = made.assign_coords(
             mirror_frequency=("mirror_frequency", at, {"units": "Hz"}), phase=("phase", list(PHASES))
         )

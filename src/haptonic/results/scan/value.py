@@ -291,7 +291,7 @@ class ScanResult(Result):
         found = self.data[names].sel(frequency=list(self.shapes), method="nearest")
         if "decay" in found and (fading := self._fading) is not None:
             near = fading["attenuation"].interp(frequency=list(self.shapes))
-            beyond = {"units": "dB/cell", WORD: "it was computed around the gap only"}
+            beyond = {"units": "dB/row", WORD: "it was computed around the gap only"}
             found["computed_least"] = "frequency", near.min("phase").values, beyond
             found["computed_largest"] = "frequency", near.max("phase").values, beyond
         return found

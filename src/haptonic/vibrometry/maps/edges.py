@@ -20,6 +20,9 @@ from haptonic.vibrometry.maps.waves import Axis
 from haptonic.vibrometry.planning import Rectangle
 
 LEAST_ROWS = 3  # a wave and its reflection need three rows to be told apart
+# Spacings of pillars: three rows of a triangular lattice are 2.8 deep. In four of half a pitch, 2.1 deep, an
+# upper edge was told 5 kHz below the computed one.
+LEAST_DEPTH = 2.5
 DEGREE = 5  # of the splines across the rows
 PLACES = 8  # in a row, at which neighbouring rows are compared
 MARGIN = 2.5  # steps of the grid beside a strip that the splines use
@@ -28,8 +31,9 @@ LOUD = 4.0  # times the noise: what is weaker is not used
 LINES = 256  # that are transformed at a time
 
 HEARD = 0.5  # of the phases at a line, and of the lines beside an edge, that have to be louder than noise
-FADES = 4.0  # dB per cell, above which waves of large phase count as decaying; in a band 0.5 to 3 were found
-STOPPED = 1.5  # dB per cell, above which those of small phase do, which reach farther; in a band 0.3 to 1
+# dB from a pillar to the next, wherever rows are, as measured on square lattices
+FADES = 4.0  # above which waves of large phase count as decaying; in a band 0.5 to 3 were found
+STOPPED = 1.5  # above which those of small phase do, which reach farther; in a band 0.3 to 1
 BESIDE = 0.06  # of a frequency, on either side of an edge, over which what fades and what passes is averaged
 NARROWEST = 0.02  # of a frequency; a narrower range is not looked at
 METHOD = 0.012  # of an edge, its standard error by rows that are few: that of six plates, see docs/scan.md
@@ -41,6 +45,7 @@ class LatticeRows:
 
     area : of all of them; depth : axis across the rows; start : where the first one begins, m
     inwards : -1 towards smaller coordinates; pitch : of rows; period : of the cells along them, m
+    spacing : of pillars, the root of the area that one has, m
     """
 
     area: Rectangle
@@ -49,6 +54,7 @@ class LatticeRows:
     inwards: Literal[1, -1]
     pitch: float
     period: float
+    spacing: float
     rows: int
 
 
@@ -88,23 +94,27 @@ def decay_along(response: FrequencyResponse, strips: Sequence[LatticeRows]) -> x
 
     Parameters
     ----------
-    strips : of one lattice; those with fewer than three rows are left out
+    strips : of one lattice; those with fewer than three rows, or less deep than such, are left out
 
     Returns
     -------
-    (frequency, phase) dB per cell, phase from 0 to pi; NaN where noise hides it
+    (frequency, phase) dB per row, phase from 0 to pi; NaN where noise hides it
 
     Raises
     ------
-    ScanError : no strip with three rows
+    ScanError : no strip with three rows, which are more where they are less than a pitch deep
     ResponseError : points that are not on a regular grid
     """
-    usable = [strip for strip in strips if strip.rows >= LEAST_ROWS]
+    usable = [
+        strip
+        for strip in strips
+        if strip.rows >= LEAST_ROWS and strip.rows * strip.pitch >= LEAST_DEPTH * strip.spacing
+    ]
     if not usable:
         raise ScanError.too_few(
             argument="strips", given="fewer than three rows of a lattice, one behind the other",
-            allowed="three rows or more",
-            cause="two rows cannot tell a wave that fades from one that is reflected",
+            allowed="three rows or more, five where they are half a pitch deep",
+            cause="so few rows cannot tell a wave that fades from one that is reflected",
             next_step="compare contrast and decay with the computed gap, or build a plate with three rows",
         )  # fmt: skip
     count = max(2, min(round(_length(strip) / strip.period) for strip in usable))
@@ -125,11 +135,11 @@ def decay_along(response: FrequencyResponse, strips: Sequence[LatticeRows]) -> x
         20 * np.abs(np.log10(np.abs(multiplier))),
         dims=("frequency", "phase"),
         coords={"frequency": response.dataset["frequency"], "phase": ("phase", phases, {"units": "rad"})},
-        attrs={"units": "dB/cell"} | HIDDEN, name="decay",
+        attrs={"units": "dB/row"} | HIDDEN, name="decay",
     )  # fmt: skip
 
 
-def gap_edges(fades: xr.DataArray) -> LatticeGap:
+def gap_edges(fades: xr.DataArray, depth: float = 1.0) -> LatticeGap:
     """Edges of the widest range in which waves with phases of more than a quarter turn fade.
 
     An edge counts if a band lies beside it and waves of smaller phase stop there as well: else it may be
@@ -137,11 +147,11 @@ def gap_edges(fades: xr.DataArray) -> LatticeGap:
 
     Parameters
     ----------
-    fades : see `decay_along`
+    fades : see `decay_along`; depth : of a row, in spacings of pillars
     """
     lines = np.asarray(fades["frequency"].values, float)
     large = fades["phase"].values > np.pi / 2
-    most, others = (_mean_of_heard(fades.values[:, one]) for one in (large, ~large))
+    most, others = (_mean_of_heard(fades.values[:, one] / depth) for one in (large, ~large))
     if np.isnan(most).all() or np.isnan(others).all():
         return LatticeGap(None, None, ("no edges of the gap: noise hides the waves in the lattice",))
     heard = np.isfinite(most) & np.isfinite(others)

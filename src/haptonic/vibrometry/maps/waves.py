@@ -127,7 +127,7 @@ def lattice_decay(
     inwards: Literal[1, -1] = 1,
     confidence: float = 0.95,
 ) -> xr.Dataset:
-    """How much a lattice weakens a vibration for each cell, by a straight line through levels in dB.
+    """How much a lattice weakens a vibration from row to row, by a straight line through levels in dB.
 
     Energies are averaged over points of equal depth. The structure within the cells is not fitted: it is part
     of the residual, and so of the confidence interval.
@@ -136,13 +136,13 @@ def lattice_decay(
     ----------
     region : of the lattice
     depth : axis into the lattice
-    start, pitch : where the lattice begins, and length of a cell along that axis, m
+    start, pitch : where the lattice begins, and depth of a row along that axis, m
     inwards : -1 if the lattice lies towards smaller coordinates
     confidence : of the interval
 
     Returns
     -------
-    ``decay``, ``error`` (standard), ``low``, ``high`` in dB per cell against frequency; positive is weaker
+    ``decay``, ``error`` (standard), ``low``, ``high`` in dB per row against frequency; positive is weaker
 
     Raises
     ------
@@ -178,7 +178,7 @@ def lattice_decay(
     lines = {"frequency": response.dataset["frequency"]}
     rows = {"decay": -slope, "error": error, "low": -slope - reach, "high": -slope + reach}
     return xr.Dataset(
-        {name: ("frequency", values, {"units": "dB/cell"}) for name, values in rows.items()},
+        {name: ("frequency", values, {"units": "dB/row"}) for name, values in rows.items()},
         coords=lines,
         attrs={"region": region, "confidence": confidence, "depths": count, "pitch": pitch},
     )
