@@ -7,12 +7,12 @@ from functools import cached_property
 
 import numpy as np
 
-from haptonic.arrays import Array
+from haptonic.arrays import Array, Bools
 from haptonic.cell import HexMesh, MeshPlan, TileShape, mesh_cell
 from haptonic.cell.quadrature import interpolation, lobatto
 from haptonic.elements import element_matrices
-from haptonic.later import linalg as la
-from haptonic.superelement.assembly import Assembler, FoldedStiffness, assembler_of
+from haptonic.later import linalg as la, sparse as sp
+from haptonic.superelement.assembly import Assembler, assembler_of
 from haptonic.superelement.interior import Bounded
 from haptonic.superelement.symmetry import DIAGONAL, Folding, fold, folds_of
 from haptonic.superelement.trace import FoldedTrace, trace_levels
@@ -132,18 +132,17 @@ class FoldedMesh:
         inside = (self.representative_mass[: folding.interior, None] * alive).ravel()
         return FoldedCell(trace, stiffness.interior(), Bounded(lateral, outer_stiffness, outer_mass, inside))
 
-    def pillar_stiffness(self, q: int) -> FoldedStiffness:
-        """The pillar's share of the stiffness of one class; it reaches no lateral face."""
+    def pillar_stiffness(self, q: int) -> sp.csr_array:
+        """(3 representatives, 3 representatives) the pillar's share of the stiffness of one class."""
         return self.assembler.assembled_pillar(self.paired, q)
 
     @cached_property
-    def above(self) -> Array:
-        """(3 interior,) 1 for unknowns above the plate's top."""
+    def above(self) -> Bools:
+        """(3 representatives,) True for unknowns above the plate's top."""
         if self.mesh.topology.free:
-            return np.ones(3 * self.folding.interior)
-        heights = self.mesh.points[self.folding.origin[: self.folding.interior], 2]
-        top = self.mesh.points[self.mesh.topology.rim[-1, 0], 2]
-        return np.repeat(heights > top, 3).astype(float)
+            return np.ones(3 * len(self.folding.origin), dtype=bool)
+        heights = self.mesh.points[self.folding.origin, 2]
+        return np.repeat(heights > self.mesh.points[self.mesh.topology.rim[-1, 0], 2], 3)
 
 
 def _on_own(trace: FoldedTrace, form: Array) -> Array:
