@@ -105,24 +105,24 @@ class FoldedStiffness:
         """Numbers on the interior pattern, zero where a component vanishes."""
         return self.blocks[self.assembler.inner].ravel()[self.assembler.source]
 
-    def coupling(self) -> Array:
-        """(3 interior, 3 boundary) dense part between interior and boundary."""
-        return self._dense(self.assembler.coupling, 0)
+    def coupling(self) -> sp.csr_array:
+        """(3 interior, 3 boundary) between interior and boundary."""
+        return self._between(self.assembler.coupling, 0)
 
-    def boundary(self) -> Array:
-        """(3 boundary, 3 boundary) dense part, symmetric."""
-        upper = self._dense(self.assembler.outer, self.assembler.folding.interior)
-        return np.asarray(np.triu(upper) + np.triu(upper, 1).T)
+    def boundary(self) -> sp.csr_array:
+        """(3 boundary, 3 boundary) symmetric."""
+        upper = self._between(self.assembler.outer, self.assembler.folding.interior)
+        return sp.triu(upper) + sp.triu(upper, 1).T
 
-    def _dense(self, chosen: Ints, first_row: int) -> Array:
+    def _between(self, chosen: Ints, first: int) -> sp.csr_array:
+        """Of representatives from a first one on, up to the boundary or beyond, and those on the boundary."""
         folding = self.assembler.folding
-        rows = len(folding.origin) - folding.interior if first_row else folding.interior
-        columns = len(folding.origin) - folding.interior
-        dense = np.zeros((rows, 3, columns, 3))
-        row = self.assembler.rows[chosen] - first_row
-        column = self.assembler.columns[chosen] - folding.interior
-        dense[row, :, column, :] = self.blocks[chosen]
-        return dense.reshape(3 * rows, 3 * columns)
+        boundary = len(folding.origin) - folding.interior
+        rows = boundary if first else folding.interior
+        row = 3 * (self.assembler.rows[chosen] - first)[:, None, None] + np.arange(3)[:, None]
+        column = 3 * (self.assembler.columns[chosen] - folding.interior)[:, None, None] + np.arange(3)
+        places = (np.broadcast_to(one, (len(chosen), 3, 3)).ravel() for one in (row, column))
+        return sp.csr_array((self.blocks[chosen].ravel(), tuple(places)), shape=(3 * rows, 3 * boundary))
 
 
 @lru_cache(maxsize=16)
