@@ -74,12 +74,12 @@ def constrained_brute_force(cell, plan, kappa, count):
     return frequencies(K, mass, P, count)
 
 
-def exact_modes(solver, mass, inertia, steps, block):
-    """All interior modes below a frequency, dense: in contrast to a Krylov space the same folded or not."""
+def exact_modes(solver, mass, inertia, steps, block, highest=1e6):
+    """All interior modes below a frequency, Hz: in contrast to a Krylov space the same folded or not."""
     root = np.sqrt(mass)[:, None]
     flexibility = root * solver.solve(np.diag(root[:, 0]))
     inverse, vectors = np.linalg.eigh(0.5 * (flexibility + flexibility.T))
-    kept = inverse > 1 / (2 * np.pi * 1e6) ** 2
+    kept = inverse > 1 / (2 * np.pi * highest) ** 2
     modes = np.divide(vectors[:, kept], root, out=np.zeros((len(mass), kept.sum())), where=root > 0)
     moved = solver.solve(mass[:, None] * modes)
     return 1 / inverse[kept], modes, solver.solve(inertia), moved

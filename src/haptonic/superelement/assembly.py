@@ -62,19 +62,29 @@ class Assembler:
 
     def assembled(self, paired: Array, symmetry_class: int) -> FoldedStiffness:
         """Stiffness of one symmetry class from the stiffness between pairs of nodes."""
-        return self._gathered(self.gather, paired * self.signs[symmetry_class])
+        blocks = self.gather @ (paired * self.signs[symmetry_class])
+        return FoldedStiffness(self, np.asarray(blocks).reshape(-1, 3, 3))
 
-    def assembled_pillar(self, paired: Array, symmetry_class: int) -> FoldedStiffness:
-        """The share of the pillar in that."""
-        chosen = self.in_pillar
-        return self._gathered(self._gather_pillar, paired[chosen] * self.signs[symmetry_class][chosen])
+    def assembled_pillar(self, paired: Array, symmetry_class: int) -> sp.csr_array:
+        """(3 representatives, 3 representatives) the share of the pillar in that."""
+        chosen, (gather, place) = self.in_pillar, self._of_pillar
+        blocks = gather @ (paired[chosen] * self.signs[symmetry_class][chosen])
+        numbers = np.asarray(blocks).ravel()[place.data]
+        return sp.csr_array((numbers, place.indices, place.indptr), shape=place.shape)
 
     @cached_property
-    def _gather_pillar(self) -> sp.csr_array:
-        return self.gather[:, self.in_pillar]
-
-    def _gathered(self, gather: sp.csr_array, numbers: Array) -> FoldedStiffness:
-        return FoldedStiffness(self, np.asarray(gather @ numbers).reshape(-1, 3, 3))
+    def _of_pillar(self) -> tuple[sp.csr_array, sp.csr_array]:
+        """What adds the pillar's pairs into blocks, and where each of their numbers stands in its matrix."""
+        gather = self.gather[:, self.in_pillar]
+        met = np.flatnonzero(np.diff(gather.indptr))
+        number = np.arange(9 * len(met)).reshape(-1, 3, 3)
+        row = (3 * self.rows[met, None] + np.arange(3)).repeat(3, axis=1).ravel()
+        column = np.tile(3 * self.columns[met, None] + np.arange(3), 3).ravel()
+        off = row // 3 != column // 3  # the upper triangle holds blocks on the diagonal whole
+        both = np.concatenate([row, column[off]]), np.concatenate([column, row[off]])
+        size = 3 * len(self.folding.origin)
+        place = np.concatenate([number.ravel(), number.ravel()[off]])
+        return gather[met], sp.csr_array((place, both), shape=(size, size))
 
 
 @dataclass(frozen=True)
@@ -91,32 +101,28 @@ class FoldedStiffness:
         data[self.assembler.diagonal] = np.where(pivots == 0.0, pivots.max(), pivots)
         return data
 
-    def matrix(self) -> sp.csr_array:
-        """(3 interior, 3 interior), zero where a component vanishes."""
-        return self.assembler.pattern.matrix(self.unsprung())
-
     def unsprung(self) -> Array:
         """Numbers on the interior pattern, zero where a component vanishes."""
         return self.blocks[self.assembler.inner].ravel()[self.assembler.source]
 
-    def coupling(self) -> Array:
-        """(3 interior, 3 boundary) dense part between interior and boundary."""
-        return self._dense(self.assembler.coupling, 0)
+    def coupling(self) -> sp.csr_array:
+        """(3 interior, 3 boundary) between interior and boundary."""
+        return self._between(self.assembler.coupling, 0)
 
-    def boundary(self) -> Array:
-        """(3 boundary, 3 boundary) dense part, symmetric."""
-        upper = self._dense(self.assembler.outer, self.assembler.folding.interior)
-        return np.asarray(np.triu(upper) + np.triu(upper, 1).T)
+    def boundary(self) -> sp.csr_array:
+        """(3 boundary, 3 boundary) symmetric."""
+        upper = self._between(self.assembler.outer, self.assembler.folding.interior)
+        return sp.triu(upper) + sp.triu(upper, 1).T
 
-    def _dense(self, chosen: Ints, first_row: int) -> Array:
+    def _between(self, chosen: Ints, first: int) -> sp.csr_array:
+        """Of representatives from a first one on, up to the boundary or beyond, and those on the boundary."""
         folding = self.assembler.folding
-        rows = len(folding.origin) - folding.interior if first_row else folding.interior
-        columns = len(folding.origin) - folding.interior
-        dense = np.zeros((rows, 3, columns, 3))
-        row = self.assembler.rows[chosen] - first_row
-        column = self.assembler.columns[chosen] - folding.interior
-        dense[row, :, column, :] = self.blocks[chosen]
-        return dense.reshape(3 * rows, 3 * columns)
+        boundary = len(folding.origin) - folding.interior
+        rows = boundary if first else folding.interior
+        row = 3 * (self.assembler.rows[chosen] - first)[:, None, None] + np.arange(3)[:, None]
+        column = 3 * (self.assembler.columns[chosen] - folding.interior)[:, None, None] + np.arange(3)
+        places = (np.broadcast_to(one, (len(chosen), 3, 3)).ravel() for one in (row, column))
+        return sp.csr_array((self.blocks[chosen].ravel(), tuple(places)), shape=(3 * rows, 3 * boundary))
 
 
 @lru_cache(maxsize=16)

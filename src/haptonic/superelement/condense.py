@@ -23,11 +23,12 @@ from haptonic.cell import HexMesh, MeshPlan, TileShape
 from haptonic.later import linalg as la
 from haptonic.solvers import Solver, definite
 from haptonic.superelement.folded import FoldedMesh
-from haptonic.superelement.interior import CraigBampton, reduced
+from haptonic.superelement.interior import CraigBampton
 from haptonic.superelement.lifting import ClassLifting, DiagonalImage, Lifting, lifted
 from haptonic.superelement.measures import ENERGIES, ClassMeasures, Measures
 from haptonic.superelement.parallel import for_each_class
 from haptonic.superelement.sections import PillarSections, mirrored_momenta, section_sizes
+from haptonic.superelement.thirds import reduced_by_thirds
 from haptonic.superelement.trace import FoldedTrace, TraceOperation
 
 
@@ -120,9 +121,15 @@ def condensed(shared: FoldedMesh, steps: int, *, block: int, measured: bool) -> 
     def mirrored(original: CondensedClass) -> CondensedClass:
         return original.mirrored(DiagonalImage.of(shared.cell, shared.levels, mesh.topology))
 
-    pieces = for_each_class(
-        shared, lambda q, solver: _condense_class(shared, q, solver, steps, block, measured), mirrored
-    )
+    found = reduced_by_thirds(shared, (), steps, block)
+
+    def work(q: int, solver: Solver) -> CondensedClass:
+        folded = shared.symmetry_class(q)
+        own = found[q] if found else folded.reduced(solver, steps, block)
+        part = ClassLifting(folded.trace, shared.through, own.static, own.modes)
+        return CondensedClass.of(part, own, ClassMeasures.of(shared, q, folded, own) if measured else None)
+
+    pieces = for_each_class(shared, work, mirrored)
 
     sizes = section_sizes(mesh, shared.nodal_mass) if measured else None
     return assembled(shared.cell, (mesh,), shared.levels, pieces, sizes)
@@ -226,13 +233,3 @@ class CondensedClass:
             momenta_of_trace=mirrored_momenta(mirror.trace.applied(self.momenta_of_trace.T).T),
             momenta_of_modes=mirrored_momenta(self.momenta_of_modes),
         )
-
-
-def _condense_class(
-    shared: FoldedMesh, q: int, solver: Solver, steps: int, block: int, measured: bool
-) -> CondensedClass:
-    folded = shared.symmetry_class(q)
-    solver.factorise(folded.interior)
-    own = reduced(solver, folded.body, steps, block)
-    part = ClassLifting(folded.trace, shared.through, own.static, own.modes)
-    return CondensedClass.of(part, own, ClassMeasures.of(shared, q, folded, own) if measured else None)

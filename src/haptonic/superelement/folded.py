@@ -7,13 +7,14 @@ from functools import cached_property
 
 import numpy as np
 
-from haptonic.arrays import Array
+from haptonic.arrays import Array, Bools
 from haptonic.cell import HexMesh, MeshPlan, TileShape, mesh_cell
 from haptonic.cell.quadrature import interpolation, lobatto
 from haptonic.elements import element_matrices
-from haptonic.later import linalg as la
-from haptonic.superelement.assembly import Assembler, FoldedStiffness, assembler_of
-from haptonic.superelement.interior import Bounded
+from haptonic.later import linalg as la, sparse as sp
+from haptonic.solvers import Solver
+from haptonic.superelement.assembly import Assembler, assembler_of
+from haptonic.superelement.interior import Bounded, CraigBampton, reduced
 from haptonic.superelement.symmetry import DIAGONAL, Folding, fold, folds_of
 from haptonic.superelement.trace import FoldedTrace, trace_levels
 
@@ -31,6 +32,11 @@ class FoldedCell:
     trace: FoldedTrace
     interior: Array
     body: Bounded
+
+    def reduced(self, solver: Solver, steps: int, block: int) -> CraigBampton:
+        """See `haptonic.superelement.interior.reduced`."""
+        solver.factorise(self.interior)
+        return reduced(solver, self.body, steps, block)
 
 
 def through_levels(cell: TileShape, mesh: HexMesh, levels: int) -> Array:
@@ -109,46 +115,28 @@ class FoldedMesh:
         """
         folding = self.folding
         trace = FoldedTrace(self.mesh.topology, folding, q, self.levels)
-        through = self.through[-len(self.mesh.topology.upper_rim) :]
+        motion = trace.on_levels(self.through, np.eye(len(trace.kept)))
+        motion = motion.reshape(3 * trace.rim_size, len(trace.kept))
+        motion = motion if on_ends is None else la.block_diag(motion, on_ends)
         stiffness = self.assembler.assembled(self.paired, q)
-        shape = (len(through), trace.sites, 3)
-        rim = trace.rim_size
-        coupling, outer = stiffness.coupling(), stiffness.boundary()
-        lateral = np.tensordot(through.T, coupling[:, : 3 * rim].reshape(len(coupling), *shape), axes=(1, 1))
-        held = outer[: 3 * rim, : 3 * rim].reshape(*shape, *shape)
-        held = np.einsum("lk,lpcmqd,mj->kpcjqd", through, held, through, optimize=True)
-        mass = self.representative_mass[folding.interior :]
-        weights = np.einsum("lk,lp,lj->kpj", through, mass[:rim].reshape(shape[:2]), through)
-        inertia = np.einsum("kpj,pq,cd->kpcjqd", weights, np.eye(trace.sites), np.eye(3))
-        lateral = trace.fold_levels(np.moveaxis(lateral, 0, 1)).reshape(len(lateral[0]), -1)[:, trace.kept]
-        outer_stiffness, outer_mass = (_on_own(trace, form) for form in (held, inertia))
-        if on_ends is not None:  # no element reaches from there to the sides
-            lateral = np.hstack([lateral, coupling[:, 3 * rim :] @ on_ends])
-            above = on_ends.T @ outer[3 * rim :, 3 * rim :] @ on_ends
-            outer_stiffness = la.block_diag(outer_stiffness, above)
-            above = on_ends.T @ (np.repeat(mass[rim:], 3)[:, None] * on_ends)
-            outer_mass = la.block_diag(outer_mass, above)
+        mass = np.repeat(self.representative_mass[folding.interior :], 3)
         alive = folding.sign[q][folding.origin[: folding.interior]] != 0
-        inside = (self.representative_mass[: folding.interior, None] * alive).ravel()
-        return FoldedCell(trace, stiffness.interior(), Bounded(lateral, outer_stiffness, outer_mass, inside))
+        body = Bounded(
+            coupling=stiffness.coupling() @ motion,
+            outer_stiffness=motion.T @ (stiffness.boundary() @ motion),
+            outer_mass=motion.T @ (mass[:, None] * motion),
+            mass=(self.representative_mass[: folding.interior, None] * alive).ravel(),
+        )
+        return FoldedCell(trace, stiffness.interior(), body)
 
-    def pillar_stiffness(self, q: int) -> FoldedStiffness:
-        """The pillar's share of the stiffness of one class; it reaches no lateral face."""
+    def pillar_stiffness(self, q: int) -> sp.csr_array:
+        """(3 representatives, 3 representatives) the pillar's share of the stiffness of one class."""
         return self.assembler.assembled_pillar(self.paired, q)
 
     @cached_property
-    def above(self) -> Array:
-        """(3 interior,) 1 for unknowns above the plate's top."""
+    def above(self) -> Bools:
+        """(3 representatives,) True for unknowns above the plate's top."""
         if self.mesh.topology.free:
-            return np.ones(3 * self.folding.interior)
-        heights = self.mesh.points[self.folding.origin[: self.folding.interior], 2]
-        top = self.mesh.points[self.mesh.topology.rim[-1, 0], 2]
-        return np.repeat(heights > top, 3).astype(float)
-
-
-def _on_own(trace: FoldedTrace, form: Array) -> Array:
-    """(b, b) a form on a class's own share of the trace, from one on all levels (l, p, 3, l, p, 3)."""
-    for _ in range(2):
-        form = np.moveaxis(trace.fold_levels(form), (3, 4, 5), (0, 1, 2))
-    size = 3 * trace.own_levels * trace.sites
-    return np.asarray(form.reshape(size, size)[np.ix_(trace.kept, trace.kept)])
+            return np.ones(3 * len(self.folding.origin), dtype=bool)
+        heights = self.mesh.points[self.folding.origin, 2]
+        return np.repeat(heights > self.mesh.points[self.mesh.topology.rim[-1, 0], 2], 3)

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Protocol
 
 import numpy as np
 
 from haptonic.arrays import Array
-from haptonic.later import linalg as la
+from haptonic.later import linalg as la, sparse as sp
 
 # motions of the boundary whose inertia the interior's modes have to answer: these and as many as it gets
 # directions; with 24 whatever it gets, 25 bands lost up to ten times what the truncation told
@@ -61,6 +62,42 @@ class CraigBampton:
     values: Array
     to_modes: Array
     truncation: Array
+
+    def unfolded(self, inside: sp.csr_array, boundary: Array) -> CraigBampton:
+        """The same of a body of which this is a part, no other part of it moving.
+
+        inside : (n, own n) its fields from those of the part; boundary : (b, own b), the transpose of what
+            gives the part's boundary from the body's
+        """
+        spread = la.block_diag(boundary, np.eye(len(self.values)))
+        return CraigBampton(
+            static=inside @ (self.static @ boundary.T),
+            modes=inside @ self.modes,
+            stiffness=boundary @ self.stiffness @ boundary.T,
+            mass=boundary @ self.mass @ boundary.T,
+            values=self.values,
+            to_modes=boundary @ self.to_modes,
+            truncation=spread @ self.truncation @ spread.T,
+        )
+
+    @classmethod
+    def together(cls, parts: Sequence[CraigBampton]) -> CraigBampton:
+        """A body from its parts, which nothing couples, all on its own boundary."""
+        count = len(parts[0].mass)
+        corner, sides, modal = (
+            [one.truncation[rows, columns] for one in parts]
+            for rows, columns in (np.s_[:count, :count], np.s_[:count, count:], np.s_[count:, count:])
+        )
+        side = np.hstack(sides)
+        return cls(
+            static=np.sum([one.static for one in parts], axis=0),
+            modes=np.hstack([one.modes for one in parts]),
+            stiffness=np.sum([one.stiffness for one in parts], axis=0),
+            mass=np.sum([one.mass for one in parts], axis=0),
+            values=np.concatenate([one.values for one in parts]),
+            to_modes=np.hstack([one.to_modes for one in parts]),
+            truncation=np.block([[np.sum(corner, axis=0), side], [side.T, la.block_diag(*modal)]]),
+        )
 
 
 def reduced(solver: Factorised, body: Bounded, steps: int, block: int) -> CraigBampton:

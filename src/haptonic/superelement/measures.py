@@ -44,31 +44,26 @@ class ClassMeasures:
         cls, shared: FoldedMesh, q: int, folded: FoldedCell, own: CraigBampton, on_ends: Array | None = None
     ) -> ClassMeasures:
         """Measures of a reduced class; ``on_ends`` as for `FoldedMesh.symmetry_class`."""
-        trace, body = folded.trace, folded.body
-        fields = np.hstack([own.static, own.modes])
+        trace, inner, count = folded.trace, len(folded.body.mass), own.static.shape[1]
         lateral, rim = len(trace.kept), trace.rim_size
-        pillar = shared.pillar_stiffness(q)
-        stiff = pillar.matrix().tocsr()
-        rows = np.flatnonzero(np.diff(stiff.indptr))  # most of a cell is no pillar
-        strain = fields[rows].T @ (stiff[rows][:, rows] @ fields[rows])
-        whole, mass, in_pillar = fields, body.mass, shared.above
-        if on_ends is not None:  # its values follow from the boundary's unknowns behind the trace
-            top = np.zeros((len(on_ends), fields.shape[1]))
-            top[:, lateral : own.static.shape[1]] = on_ends
-            crossed = fields.T @ (pillar.coupling()[:, 3 * rim :] @ top)
-            strain += crossed + crossed.T + top.T @ (pillar.boundary()[3 * rim :, 3 * rim :] @ top)
-            whole = np.concatenate([fields, top])
-            above = shared.representative_mass[shared.folding.interior + rim :]
-            mass = np.concatenate([mass, np.repeat(above, 3)])
-            in_pillar = np.concatenate([in_pillar, np.ones(len(top))])
-        pillar_mass, vertical_mass = (
-            _gram(whole[kept], mass[kept]) for kept in (np.flatnonzero(in_pillar), np.s_[2::3])
-        )
-        vertical_mass[:lateral, :lateral] += body.outer_mass[:lateral, :lateral] * trace.is_vertical
-        momenta = momentum_forms(shared.mesh, shared.folding, q, shared.nodal_mass)
-        seen = np.r_[: len(fields), len(fields) + 3 * rim : momenta.shape[1]][: len(whole)]
+        # of all representatives; what the sides do is no motion of a pillar, and counted apart
+        fields = np.zeros((3 * len(shared.folding.origin), count + own.modes.shape[1]))
+        fields[:inner, :count], fields[:inner, count:] = own.static, own.modes
+        if on_ends is not None:
+            fields[inner + 3 * rim :, lateral:count] = on_ends
+        stiff = shared.pillar_stiffness(q)
+        # no force acts inside a pillar that follows its ends: of its rows those on the plate and on the ends
+        # do work then
+        loaded = np.diff(stiff.indptr) > 0
+        loaded[:inner] &= np.repeat(shared.folding.origin < shared.mesh.topology.first_above, 3)[:inner]
+        held = fields[loaded, :count].T @ (stiff[np.flatnonzero(loaded)] @ fields[:, :count])
+        moved = (stiff @ fields[:, count:]).T @ fields
+        strain = np.block([[held, moved[:, :count].T], [moved]])
+        mass = np.repeat(shared.representative_mass, 3)
+        pillar_mass, vertical_mass = (_gram(fields[kept], mass[kept]) for kept in (shared.above, np.s_[2::3]))
+        vertical_mass[:lateral, :lateral] += folded.body.outer_mass[:lateral, :lateral] * trace.is_vertical
         energies = dict(zip(ENERGIES, (strain, pillar_mass, vertical_mass), strict=True))
-        return cls(energies, np.asarray(momenta[:, seen] @ whole))
+        return cls(energies, momentum_forms(shared.mesh, shared.folding, q, shared.nodal_mass) @ fields)
 
     def on(self, fields: Array) -> ClassMeasures:
         """The same on other unknowns, from which these follow as ``fields`` (b + m, k)."""

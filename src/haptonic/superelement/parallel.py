@@ -7,19 +7,22 @@ from __future__ import annotations
 
 from collections import deque
 from collections.abc import Callable
+from contextlib import suppress
 from typing import TypeVar
 
 from haptonic.parallel import each
-from haptonic.solvers import Solver, chosen
-from haptonic.superelement.assembly import Assembler
+from haptonic.solvers import Pattern, Solver, chosen
 from haptonic.superelement.folded import FoldedMesh
 
 Result = TypeVar("Result")
 
-KEPT_SOLVERS = 6  # analysed solvers that wait for the next cell of the same topology
-KEPT_ENTRIES = 5_000_000  # of a pattern; the factors of larger ones would hold too much memory
+# Analysed solvers that wait for the next cell of the same topology. A hexagon's six parts at two orders take
+# twelve, and squares between may have four.
+KEPT_SOLVERS = 16
+# Of a pattern, and of all that wait; the factors of more would hold too much memory.
+KEPT_ENTRIES, KEPT_IN_ALL = 5_000_000, 30_000_000
 
-_idle: deque[tuple[Assembler, Solver]] = deque(maxlen=KEPT_SOLVERS)
+_idle: deque[tuple[Pattern, Solver]] = deque(maxlen=KEPT_SOLVERS)
 
 
 def for_each_class(
@@ -32,25 +35,33 @@ def for_each_class(
     classes, images = shared.classes_and_images()
 
     def one(q: int) -> Result:
-        solver = _taken(shared.assembler)
-        result = work(q, solver)
-        if len(shared.assembler.pattern.indices) <= KEPT_ENTRIES:
-            _idle.append((shared.assembler, solver))
-        return result
+        return with_solver(shared.assembler.pattern, lambda solver: work(q, solver))
 
     by_class = dict(zip(classes, each(one, classes), strict=True))
     by_class |= {q: mirrored(by_class[original]) for q, original in images.items()}
     return [by_class[q] for q in sorted(by_class)]
 
 
-def _taken(assembler: Assembler) -> Solver:
-    """An idle solver that has analysed the assembler's pattern, or a new one."""
+def with_solver(pattern: Pattern, work: Callable[[Solver], Result]) -> Result:
+    """``work(solver)`` with a solver for a pattern, which waits for the next work on the same then."""
+    solver = _taken(pattern)
+    result = work(solver)
+    if len(pattern.indices) <= KEPT_ENTRIES:
+        _idle.append((pattern, solver))
+    with suppress(IndexError):  # another thread may be faster
+        while sum(len(one.indices) for one, _ in tuple(_idle)) > KEPT_IN_ALL:
+            _idle.popleft()
+    return result
+
+
+def _taken(pattern: Pattern) -> Solver:
+    """An idle solver that has analysed a pattern, or a new one."""
     for _ in range(len(_idle)):
         try:
             whose, solver = _idle.popleft()
         except IndexError:  # another thread was faster
             break
-        if whose is assembler and isinstance(solver, chosen()):
+        if whose is pattern and isinstance(solver, chosen()):
             return solver
         _idle.append((whose, solver))
-    return chosen()(assembler.pattern)
+    return chosen()(pattern)

@@ -23,7 +23,6 @@ from haptonic.later import linalg as la
 from haptonic.solvers import Solver, definite
 from haptonic.superelement.condense import Superelement, assembled, condensed
 from haptonic.superelement.folded import FoldedMesh
-from haptonic.superelement.interior import reduced
 from haptonic.superelement.lifting import DiagonalImage
 from haptonic.superelement.measures import ClassMeasures
 from haptonic.superelement.parallel import KEPT_ENTRIES, for_each_class
@@ -31,6 +30,7 @@ from haptonic.superelement.pillar_body import PARITIES, Kinds, PillarBody
 from haptonic.superelement.sections import section_sizes
 from haptonic.superelement.stacked import FootClass, Storey, joined
 from haptonic.superelement.symmetry import DIAGONAL, Folding, folds_of
+from haptonic.superelement.thirds import reduced_by_thirds
 
 LEAST_ORDER, PER_LAYER = 8, 2  # of the polynomials along the body, and what each layer of a mesh adds
 FOR_SECTION = 4  # directions in each block of a foot's Krylov space beyond those that a whole cell has
@@ -146,8 +146,18 @@ def _foot(tile: TileShape, mesh: HexMesh, ends: Ends, steps: int, block: int, me
             return _feet[key]
     shared = FoldedMesh.of_mesh(tile, HexMesh(topology, points), open_top=ends[1] is not None)
 
+    block += FOR_SECTION * sum(end.kinds for end in ends if end is not None)
+    on_ends = [_on_ends(shared, q, ends) for q in range(shared.folding.classes)]
+    found = reduced_by_thirds(shared, on_ends, steps, block)
+
     def work(q: int, solver: Solver) -> tuple[int, FootClass]:
-        return q, _condense_foot(shared, q, solver, ends, steps, block, measured)
+        folded = shared.symmetry_class(q, on_ends[q])
+        own = found[q] if found else folded.reduced(solver, steps, block)
+        measures = ClassMeasures.of(shared, q, folded, own, on_ends[q]) if measured else None
+        parities = _parities(shared.folding, q)
+        return q, FootClass(
+            trace=folded.trace, parities=parities, on_ends=on_ends[q], own=own, measures=measures
+        )
 
     foot = _Foot(
         levels=shared.levels,
@@ -164,22 +174,16 @@ def _foot(tile: TileShape, mesh: HexMesh, ends: Ends, steps: int, block: int, me
     return foot
 
 
-def _condense_foot(
-    shared: FoldedMesh, q: int, solver: Solver, ends: Ends, steps: int, block: int, measured: bool
-) -> FootClass:
+def _on_ends(shared: FoldedMesh, q: int, ends: Ends) -> Array:
+    """(3 representatives, s) motions of a foot's open ends in a class, from the sections' unknowns."""
     folding, topology = shared.folding, shared.mesh.topology
-    parities = _parities(folding, q)
-    on_ends, kinds = np.zeros((0, 0)), 0
     levels: tuple[Ints, ...] = (np.arange(topology.level_start[1]), topology.top)
+    motions = []
     for end, level in zip(ends, levels, strict=True):
         if end is not None:
             x, y, _ = shared.mesh.points[folding.origin[np.unique(folding.node[level])]].T
-            on_ends, kinds = la.block_diag(on_ends, end.on_level(parities, x, y)), kinds + end.kinds
-    folded = shared.symmetry_class(q, on_ends)
-    solver.factorise(folded.interior)
-    own = reduced(solver, folded.body, steps, block + FOR_SECTION * kinds)
-    measures = ClassMeasures.of(shared, q, folded, own, on_ends) if measured else None
-    return FootClass(trace=folded.trace, parities=parities, on_ends=on_ends, own=own, measures=measures)
+            motions.append(end.on_level(_parities(folding, q), x, y))
+    return np.asarray(la.block_diag(np.zeros((0, 0)), *motions))
 
 
 def _parities(folding: Folding, q: int) -> tuple[Kinds, ...]:

@@ -80,15 +80,6 @@ class FoldedTrace:
         """Number of levels with unknowns of the class's own."""
         return int(self._behind[0].max()) + 1
 
-    def fold_levels(self, whole: Array) -> Array:
-        """(..., own levels, places, 3) linear forms from those of all levels (..., levels, places, 3)."""
-        if self.own_levels == self.levels:
-            return whole
-        own = np.zeros((*whole.shape[:-3], self.own_levels, *whole.shape[-2:]))
-        for level, (behind, sign) in enumerate(zip(*self._behind, strict=True)):
-            own[..., behind, :, :] += sign * whole[..., level, :, :]
-        return own
-
     @cached_property
     def kept(self) -> Ints:
         """(b,) own unknowns among (level, representative place, component)."""
@@ -107,7 +98,9 @@ class FoldedTrace:
         """(t,) own unknown behind each unknown of the whole trace (0 where its sign is 0)."""
         own = np.zeros(self.own_levels * self.sites * 3, dtype=np.int64)
         own[self.kept] = np.arange(len(self.kept))
-        return np.asarray(own.reshape(-1, self.sites, 3)[self._behind[0]][:, self._place].ravel())
+        return np.asarray(
+            own.reshape(self.own_levels, self.sites, 3)[self._behind[0]][:, self._place].ravel()
+        )
 
     @cached_property
     def sign(self) -> Array:
@@ -143,10 +136,11 @@ class FoldedTrace:
         trace = np.zeros((self.own_levels * self.sites * 3, own.shape[1]), dtype=own.dtype)
         trace[self.kept] = own
         behind, sign = self._behind
-        trace = trace.reshape(self.own_levels, self.sites, 3, -1)[behind] * sign[:, None, :, None]
+        count = own.shape[1]
+        trace = trace.reshape(self.own_levels, self.sites, 3, count)[behind] * sign[:, None, :, None]
         upper = through[-len(self.topology.upper_rim) :]
-        rim = np.tensordot(upper, trace.reshape(self.levels, -1), axes=1)
-        return rim.reshape(-1, 3, own.shape[1])
+        rim = np.tensordot(upper, trace.reshape(self.levels, 3 * self.sites * count), axes=1)
+        return rim.reshape(self.rim_size, 3, count)
 
 
 @dataclass(frozen=True, eq=False)

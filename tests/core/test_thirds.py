@@ -1,0 +1,98 @@
+"""Tiles that a third of a turn leaves as they are, folded by it, against the same folded by mirrors alone."""
+
+import sys
+from dataclasses import replace
+from functools import partial
+
+import numpy as np
+import pytest
+from strategies import ALUMINIUM
+from test_superelement import PLY, exact_modes
+
+from haptonic.bloch.centred import lattice_pencil
+from haptonic.bloch.pencil import eigenpairs
+from haptonic.bloch.resolution import Resolution
+from haptonic.cell import Pillar, UnitCell
+from haptonic.cell.pillar import Step
+from haptonic.lattice import Lattice
+from haptonic.superelement import FoldedMesh, Tiling, condense
+from haptonic.superelement.thirds import reduced_by_thirds
+
+HEXAGON = UnitCell(Lattice.triangular(7e-3), 2e-3, ALUMINIUM, Pillar(3.5e-3, 9e-3))
+HONEYCOMB = UnitCell(Lattice(lattice="honeycomb", pitch=12e-3), 2e-3, ALUMINIUM, Pillar(2.5e-3, 6e-3))
+CELLS = {
+    "hexagon": HEXAGON,
+    "plain": HEXAGON.without_pillar(),
+    "both faces": replace(HEXAGON, faces="both"),
+    "triangle": HONEYCOMB,  # with one mirror along its axes
+    "step": replace(HEXAGON, pillar=Pillar(3.5e-3, 9e-3, step=Step(2.5e-3, 5e-3))),
+}
+
+
+@pytest.mark.parametrize(
+    "name",
+    [
+        "hexagon",
+        "plain",
+        "triangle",
+        *(pytest.param(name, marks=pytest.mark.nightly) for name in ("both faces", "step")),
+    ],
+)
+def test_thirds_and_mirrors_alone_condense_to_the_same(monkeypatch, name):
+    cell, plans = CELLS[name], Resolution(1, 0).plans(CELLS[name])
+    modules = [
+        sys.modules[f"haptonic.superelement.{one}"] for one in ("interior", "condense", "substructured")
+    ]
+    monkeypatch.setattr(modules[0], "interior_modes", partial(exact_modes, highest=1e7))
+    used, found = [], []
+
+    def thirds(*given):
+        used.append(reduced_by_thirds(*given))
+        return used[-1]
+
+    for way in (thirds, lambda *given: {}):
+        for module in modules[1:]:
+            monkeypatch.setattr(module, "reduced_by_thirds", way)
+        modules[2]._feet.clear()
+        found.append(Tiling.condensed(cell, plans, 2, 10))
+    assert used
+    assert all(used)
+    traces = np.s_[: found[0].trace_size]
+    motion = np.random.default_rng(0).standard_normal((found[0].trace_size, 2))
+    for ours, theirs in [
+        *((getattr(one, form)[traces, traces] for one in found) for form in ("stiffness", "mass")),
+        *(
+            (getattr(one.measures, form)[traces, traces] for one in found)
+            for form in ("pillar_stiffness", "vertical_mass")
+        ),
+        [one.lifted(np.pad(motion, ((0, one.size - len(motion)), (0, 0)))) for one in found],
+        [eigenpairs(lattice_pencil(one), np.array([0.9, 0.4]), 10)[0] for one in found],
+    ]:
+        assert np.abs(ours - theirs).max() <= 1e-9 * np.abs(theirs).max()
+
+
+@pytest.mark.parametrize(
+    "cell",
+    [
+        replace(HEXAGON, material=PLY),
+        replace(HEXAGON, lattice=Lattice.oblique(7e-3, 6e-3, np.radians(70))),
+        replace(HEXAGON, lattice=Lattice.square(7e-3)),
+        UnitCell(Lattice(lattice="kagome", pitch=12e-3), 2e-3, ALUMINIUM, Pillar(2.5e-3, 6e-3)),
+    ],
+    ids=["ply", "oblique", "square", "kagome"],
+)
+def test_other_tiles_keep_their_mirrors(cell):
+    meshes = [
+        FoldedMesh.of(one.tile, plan)
+        for one, plan in zip(cell.tiles, Resolution(1, 0).plans(cell), strict=True)
+    ]
+    assert not any(reduced_by_thirds(mesh, (), 2, 10) for mesh in meshes)
+
+
+def test_the_six_turns_of_a_lattice_share_its_frequencies():
+    """To rounding: by mirrors alone the rows of a representation get directions of their own."""
+    pencil = lattice_pencil(Tiling.single(condense(HEXAGON, *Resolution(1, 1).plans(HEXAGON))))
+    group = [np.linalg.inv(np.array(one)).T for one in HEXAGON.point_group.operations]
+    assert len(group) == 12
+    found = np.array([eigenpairs(pencil, turn @ np.array([0.9, 0.4]), 10)[0] for turn in group])
+    assert np.abs(found / found[0] - 1).max() < 1e-8
