@@ -15,7 +15,8 @@ test: $(VENV)/ready-test
 	$(BIN)/mypy
 	OMP_NUM_THREADS=1 $(BIN)/pytest -n $(CORES) --dist worksteal -m "not nightly"
 
-nightly: $(VENV)/ready-test
+# The gallery's cells run as in the documentation, with what it needs.
+nightly: $(VENV)/ready-test $(VENV)/ready-docs
 	OMP_NUM_THREADS=$(CORES) $(BIN)/pytest -m "nightly or hypothesis" --hypothesis-profile=anew
 
 # A selection of the tests with the oldest packages that pyproject.toml allows.

@@ -13,8 +13,8 @@ from haptonic.errors import GeometryError
 from haptonic.later import sparse as sp
 
 FLAT = 1e-9  # of the tile's extent, within which a node lies at z = 0
-# In local coordinates, which run from -1 to 1, by which a point may miss its element: sizes of tiles count to a
-# billionth of the thickness, positions to 1e-12 m, and an element may be a hundredth of a tile wide.
+# In local coordinates, which run from -1 to 1, by which a point may miss its element: sizes of tiles count to
+# a billionth of the thickness, positions to 1e-12 m, and an element may be a hundredth of a tile wide.
 OUTSIDE = 1e-6
 BULGE = 0.2  # of an element's size, by which its curved sides may leave the box around its nodes
 STEPS = 40  # of Newton's method at most; a dozen are many
