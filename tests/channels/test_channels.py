@@ -71,7 +71,7 @@ def test_every_ending_is_read_and_what_is_none_of_it_is_refused(tmp_path, suffix
     st.sampled_from([",", ";", "\t"]),
     st.booleans(),
     st.sampled_from(["\n", "\r\n", "\r"]),
-    st.sampled_from(["utf-8", "utf-8-sig", "latin-1"]),
+    st.sampled_from(["utf-8", "utf-8-sig", "latin-1", "utf-16"]),
     st.sampled_from(["", "# rig 2, 1 kHz\n", "\n"]),
     st.integers(0, 3),
     st.lists(st.tuples(st.floats(-1e6, 1e6), st.floats(-1e6, 1e6)), min_size=1, max_size=5),

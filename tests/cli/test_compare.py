@@ -113,7 +113,7 @@ def exports(draw: st.DrawFn):
 def test_whatever_parts_the_columns_the_bands_come_out(tmp_path_factory, export, data):
     text, wavevector, unit, heads, position = export
     path = tmp_path_factory.mktemp("export") / "theirs.txt"
-    path.write_text(text, encoding=data.draw(st.sampled_from(["utf-8", "utf-8-sig"])), newline="")
+    path.write_text(text, encoding=data.draw(st.sampled_from(["utf-8", "utf-8-sig", "utf-16"])), newline="")
     said = (None, None) if heads else (wavevector, unit)
     side = of_table(path, *path_in(ours()), *said)
     assert side.position == pytest.approx(position, abs=1e-6)

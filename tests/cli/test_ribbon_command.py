@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 import xarray as xr
 
+from haptonic.results.ribbon import RibbonWaves
 from quick import QUICK_CELL
 
 FINER = QUICK_CELL.replace("order = 2", "order = 3").replace("foot_rings = 0", "foot_rings = 1")
@@ -44,6 +45,14 @@ def test_ribbon_writes_its_files_and_says_what_is_held(ran):
         assert words in said, said
     names = {"frequency_hz", "frequency_error_hz", "group_velocity_m_per_s", "decay_db_per_row"}
     assert names <= set(told["guided"])
+
+
+def test_errors_that_may_hide_a_wave_are_told(ran):
+    data = xr.load_dataset(ran[1] / "ribbon.nc", engine="h5netcdf")
+    none = data.assign(guided=0 * data["guided"])
+    unsure = none.assign(frequency_error=none["frequency_error"] + 1e3)
+    assert "hide" not in RibbonWaves(none).summary()[0]
+    assert "Errors of up to 1 kHz may hide one" in RibbonWaves(unsure).summary()[0]
 
 
 DEFECT = """

@@ -24,7 +24,7 @@ from haptonic.results.bands import Bands
 from made_up import made_up_sweep, reference_bands, reference_guides, reference_layers
 
 MODULES = (test_designs, test_mirror_pictures, test_plate_pictures, test_verdict_pictures)
-SEVERAL = re.compile("decay|tolerance|.*search|impedance|maps|before|no contrast|frac|guide, real")
+SEVERAL = re.compile("decay|friction|tolerance|.*search|impedance|maps|before|no contrast|frac|guide, real")
 PICTURES = {
     "dispersion": lambda: plots.dispersion(reference_bands(), carrier_hz=60e3),
     "density": lambda: plots.density_of_states(reference_bands()),

@@ -7,6 +7,7 @@ begin with "#" are comments, and so is a title above the names; a comment that s
 
 from __future__ import annotations
 
+import codecs
 import csv
 import io
 import re
@@ -150,12 +151,16 @@ def text_of(path: Path) -> str:
         content = source(path, path.name, ChannelError).read_bytes()
     except ChannelError as error:
         raise _no_table(path, error.cause) from error
-    if b"\0" in content:
-        raise _no_table(path, "bytes that no text has; UTF-16, or damaged")
-    try:
-        return content.decode("utf-8-sig")
-    except UnicodeDecodeError:
-        return content.decode("latin-1")
+    if content.startswith((codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE)):  # a spreadsheet's "Unicode text"
+        text = content.decode("utf-16", errors="replace")
+    else:
+        try:
+            text = content.decode("utf-8-sig")
+        except UnicodeDecodeError:
+            text = content.decode("latin-1")
+    if "\0" in text:
+        raise _no_table(path, "bytes that no text has")
+    return text
 
 
 def write(path: Path, table: Mapping[str, Sequence[Any] | Samples]) -> None:

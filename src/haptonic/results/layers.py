@@ -86,7 +86,7 @@ class Layers(Result):
         decay, rows = float(self.dataset.attrs["carrier_attenuation_db"]), self.dataset.sizes["rows"]
         passed = [
             f"incident {family}: {rows} rows let "
-            f"{-self.insulation(family)[rows - 1]:.0f} dB through at the carrier"
+            f"{-self.insulation(family)[rows - 1]:z.0f} dB through at the carrier"
             for family in self.families
         ]
         return [

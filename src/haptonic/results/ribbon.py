@@ -14,6 +14,7 @@ from haptonic.results.result import Result, figure
 from haptonic.results.table import Column, Table
 
 MOST_TOLD = 40  # modes in the table, those nearest to the middle of the gap
+HIDING = 0.1  # of the range, from which errors are said to hide modes: these lie between errors of bulk bands
 MOST = 0.5  # share of the energy from which a mode belongs to the guide more than to what is around it
 COLUMNS = (
     Column("frequency", shown="kHz", form=".4f", error="frequency_error"),
@@ -68,7 +69,10 @@ class RibbonWaves(Result):
         where = f"from {low / 1e3:.4g} to {high / 1e3:.4g} kHz"
         best = self.best
         if best is None:
-            return [f"The ribbon holds no wave between the bulk bands {where}."]
+            largest = float(self.dataset["frequency_error"].values.max(initial=0.0))
+            unsure = f" Errors of up to {largest / 1e3:.2g} kHz may hide one: ask for more accuracy."
+            none = f"The ribbon holds no wave between the bulk bands {where}."
+            return [none + unsure if largest > HIDING * (high - low) else none]
         kind = f"The {self.dataset.attrs['kind']}"
         intervals = float(best["intervals"])
         across = float(best["nodal_lines"])
