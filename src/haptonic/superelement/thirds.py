@@ -39,7 +39,7 @@ INDEPENDENT = 1e-9  # share of the largest motion of an end below which one repe
 
 @dataclass(frozen=True, eq=False)
 class ClassPart:
-    """ClassPart of a symmetry class, or of two as each other's image; its inner unknowns come first.
+    """Part of a symmetry class, or of two as each other's image; its inner unknowns come first.
 
     fields : of each class (3 representatives, n) sparse, its fields from the part's; the first one is solved
     behind : (n,) the representative at which each unknown is a component of displacement
