@@ -290,7 +290,7 @@ class TestOmissions:
         ("spoil", "reason", "word"),
         [
             (spoiled("remove", None), "unreadable record", "no such file"),
-            (spoiled("bytes", b"\xff\xfe\x00\x81"), "unreadable record", "damaged"),
+            (spoiled("bytes", b"\x00\x81\xff\xfe"), "unreadable record", "damaged"),
             (spoiled("bytes", b""), "unreadable record", "damaged"),
             (spoiled("", lambda t: t.drop(columns="Fy")), "unreadable record", "channel Fy"),
             (spoiled("", lambda t: t.assign(Fz=2000.0)), "unreadable record", "2000 N"),

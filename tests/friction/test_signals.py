@@ -336,7 +336,7 @@ class TestFiles:
     def test_files_that_cannot_be_read(self, tmp_path):
         (tmp_path / "b.nc").write_bytes(b"no such thing")
         (tmp_path / "b.h5").write_bytes(b"no such thing")
-        (tmp_path / "b.csv").write_bytes(b"\xff\xfe\x00\x81")
+        (tmp_path / "b.csv").write_bytes(b"\x00\x81\xff\xfe")
         for name in ("a.csv", "a.nc", "a.h5", "b.nc", "b.h5", "b.csv"):
             with pytest.raises(ResourceError):
                 list(read_records(tmp_path / name))
