@@ -86,7 +86,7 @@ def told(name: str, study: haptonic.Study, kept: Path | None) -> dict[str, Any]:
 
 
 def beside(fades: xr.DataArray, edge: float) -> dict[str, list[float]]:
-    """How waves of small and of large phase fade within 4 % below and above an edge, dB per cell."""
+    """How waves of small and of large phase fade within 4 % below and above an edge, dB per row."""
     around = fades.sel(frequency=slice(0.96 * edge, edge)), fades.sel(frequency=slice(edge, 1.04 * edge))
     large = fades["phase"].values > np.pi / 2
     return {

@@ -515,7 +515,7 @@ def edges(record: dict[str, Any]) -> str:
 
 Edges of the gap as computed of the lattice and as simulated scans of plates tell them, with the default instrument.
 The last two columns are how waves of phases below and above π/2 fade within 4 % below and above the computed upper
-edge, dB per cell: no common change shows that edge. The standard error was chosen with all plates but
+edge, dB per row: no common change shows that edge. The standard error was chosen with all plates but
 {" and ".join(f'"{name}"' for name in record["held_out"])}.
 
 {table(heads, rows)}
