@@ -12,9 +12,9 @@ from record import STUDY, write
 import haptonic
 from haptonic.analyses.designing.search import compute_design
 from haptonic.analyses.needs import need_carrier
+from haptonic.analyses.runner import Runner
 from haptonic.design.brief import Brief
 from haptonic.design.settings import DesignLimits
-from haptonic.results import Runner
 from haptonic.store import Store
 
 BOUNDS = {"cell.pillar.diameter": (2e-3, 5e-3), "cell.pillar.height": (5e-3, 18e-3)}

@@ -19,6 +19,7 @@ import numpy as np
 from record import write
 
 from haptonic.analyses.designing.search import compute_design
+from haptonic.analyses.runner import Runner
 from haptonic.bloch import Gap
 from haptonic.bloch.settings import BandSettings
 from haptonic.cell import Pillar, UnitCell
@@ -28,7 +29,6 @@ from haptonic.design.settings import DesignLimits, DesignSettings
 from haptonic.errors import HaptonicError
 from haptonic.lattice import Lattice
 from haptonic.materials import IsotropicMaterial, material
-from haptonic.results import Runner
 from haptonic.store import Store, write_atomically
 
 MATERIALS = ("aluminium-paper", "soda-lime-glass", "borosilicate-glass", "brass", "steel")
