@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import ast
 import importlib
 import subprocess
 import sys
@@ -12,6 +13,7 @@ import pytest
 import haptonic
 
 ROOT = Path(haptonic.__file__).parent
+BENCHMARKS = Path(__file__).parents[1] / "benchmarks"
 LAZY = sorted(
     "haptonic" + str(stub.parent)[len(str(ROOT)) :].replace("/", ".") for stub in ROOT.rglob("__init__.pyi")
 )
@@ -87,3 +89,13 @@ def test_what_was_left_out_is_admitted():
 
 def test_every_command_knows_its_options_before_it_loads_what_computes():
     assert ran("from haptonic import analyses\nfor name in analyses.NAMES: analyses.named(name)") == set()
+
+
+@pytest.mark.parametrize("script", sorted(BENCHMARKS.glob("*.py")), ids=lambda path: path.stem)
+def test_benchmarks_import_names_that_exist(script):
+    """They run for hours and seldom: a name that moved would be missed for long."""
+    for node in ast.walk(ast.parse(script.read_text("utf-8"))):
+        if isinstance(node, ast.ImportFrom) and (node.module or "").startswith("haptonic"):
+            module = importlib.import_module(node.module)
+            for one in node.names:
+                assert hasattr(module, one.name) or importlib.import_module(f"{node.module}.{one.name}")
