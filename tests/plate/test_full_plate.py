@@ -149,27 +149,37 @@ def test_a_force_across_cells_is_the_sum_of_its_parts():
     assert moved == pytest.approx(together, rel=1e-6)
 
 
+def off(whole, model, reference, frequency):
+    """Error of a model's answer to the patch in the energy norm."""
+    ours = answered(model, {"A": 1.0}, [HZ * frequency])[:, 0]
+    error, seen = full.energy_error(whole, model, reference, ours, HZ * frequency)
+    assert seen > 0.3
+    return error
+
+
 @pytest.mark.nightly
 def test_the_products_own_orders_at_the_carrier_against_the_full_model():
     """4 x 3 cells with a waveguide and a patch, a third of a million unknowns; modes above the flat bands.
 
-    Measured: frequencies 0.01 to 0.05 % high, 0.9 % of the energy norm.
+    Measured: frequencies 0.01 to 0.05 % high; of the energy norm 0.93 % at a resonance, 1.04 and 2.95 %
+    half-way between the next two pairs, where it is small; order 5 along edges leaves 0.78 and 0.87 %.
     """
     whole, model = whole_of("prototype", (4, 1, 4)), model_of("prototype", 70e3, Fineness())
+    finer = model_of("prototype", 70e3, Fineness(along=5))
     exact = full.frequencies(whole, 16, 57e3, full.quickly_factorised)
     exact = exact[exact > 53e3]
     found = modes(model, 53e3, 1.003 * exact[-1])
     assert len(found) == len(exact) > 5
     assert found == pytest.approx(exact, rel=3e-3)
     k = int(np.searchsorted(found, 56e3))
-    for frequency in (found[k], 0.5 * (found[k] + found[k + 1])):
+    between = 0.5 * (found[k:-1] + found[k + 1 :])[:2]
+    for frequency, allowed in ((found[k], 1e-2), *((one, 3.2e-2) for one in between)):
         # what a shift of the frequency within 0.3 % does at a resonance is told above
         shift = exact[k] / found[k] if frequency == found[k] else 1.0
         reference = full.answer_by_iteration(whole, whole.drive["A"], HZ * frequency * shift)
-        ours = answered(model, {"A": 1.0}, [HZ * frequency])[:, 0]
-        error, seen = full.energy_error(whole, model, reference, ours, HZ * frequency)
-        assert seen > 0.3
-        assert error < 1e-2
+        assert off(whole, model, reference, frequency) < allowed
+        if shift == 1.0:  # what is left there is the order of the traces
+            assert off(whole, finer, reference, frequency) < 1e-2
 
 
 # -- the thick plate on hard simple supports --------------------------------------------------------

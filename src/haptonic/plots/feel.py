@@ -37,14 +37,19 @@ def friction_map(friction: xr.Dataset, layout: Layout, *, title: str = "") -> Fi
     friction : ``value``, ``low`` and ``high`` (point,) mu / mu0; ``x`` and ``y`` of a grid, m
     title : of all three maps: frequency, drive, origin
     """
-    column = (style.WIDTH - 2.0) / 3
-    tall = column * (layout.y[-1] - layout.y[0]) / (layout.x[-1] - layout.x[0])
-    figure = style.blank(min(tall, 16.0) + 3.6)
-    panels = figure.subplots(1, 3, sharey=True)
+    slenderness = (layout.y[-1] - layout.y[0]) / (layout.x[-1] - layout.x[0])
+    stacked = slenderness < 0.5  # side by side, the maps of a wide plate would be low strips
+    if stacked:
+        figure = style.blank(3 * (11.0 * slenderness + 1.2) + 3.6)
+        panels = figure.subplots(3, 1, sharex=True)
+    else:
+        figure = style.blank(min((style.WIDTH - 2.0) / 3 * slenderness, 16.0) + 3.6)
+        panels = figure.subplots(1, 3, sharey=True)
     for axes, (end, words) in zip(panels, PANELS.items(), strict=True):
         image = _draw_friction(axes, friction, end, layout)
-        axes.set_title(words, fontsize=9)
-    panels[0].set_ylabel("y (mm)")
+        axes.set_title(words.replace("\n", " ") if stacked else words, fontsize=9)
+        axes.set_ylabel("y (mm)")
+        axes.label_outer()
     figure.suptitle(title, fontsize=9.5)
     bar = figure.colorbar(image, ax=list(panels), location="bottom", shrink=0.6, aspect=30, pad=0.02)
     bar.set_label("friction over that without vibration, finger's middle at each point (dimensionless)")

@@ -229,7 +229,7 @@ def measured_decay(
 def point_quality(points: Array, quality: Quality, *, origin: str, ax: Axes | None = None) -> Figure:
     """Median coherence of every point of a scan, and the points with flags."""
     width, height = np.maximum(np.ptp(points, axis=0), 1e-9)
-    on = stage(ax, min(max(9.0 * height / width, 4.0), 16.0) + 3.5, 13.0)
+    on = stage(ax, min(max(9.0 * height / width, 2.0), 16.0) + 4.5, 11.0)
     axes = on.axes
     known = np.isfinite(quality.coherence)
     x, y = 1e3 * points.T
@@ -241,7 +241,8 @@ def point_quality(points: Array, quality: Quality, *, origin: str, ax: Axes | No
             x[known], y[known], area, quality.coherence[known], marker="s", linewidths=0,
             cmap=style.perceptual(), vmin=least, vmax=1, rasterized=True,
         )  # fmt: skip
-        on.figure.colorbar(image, ax=axes, label="median coherence (dimensionless)")
+        bar = on.figure.colorbar(image, ax=axes, location="bottom", aspect=25, pad=0.03)
+        bar.set_label("median coherence (dimensionless)")
     else:
         axes.scatter(x, y, area, marker="s", linewidths=0, color=style.PALE_INK, rasterized=True)
     for flag, (colour, marker) in BAD.items():
