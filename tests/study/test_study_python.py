@@ -193,6 +193,13 @@ def test_what_an_analysis_cannot_do_without_is_asked_for_by_its_name(name, optio
     assert (error.code, error.argument) == ("missing", option)
 
 
+@pytest.mark.parametrize("name", NAMES)
+def test_an_option_without_its_name_is_refused(name):
+    error = refused(lambda: getattr(Study(cell=CELL), name.replace(" ", "_"))("measured.uff"))
+    assert (error.code, error.argument) == ("malformed", f"options of {name}")
+    assert all(f"{one.name}=" in error.allowed for one in fields(named(name).options))
+
+
 QUANTITIES = [
     (name, one.name)
     for name in NAMES

@@ -10,7 +10,7 @@ from typing import Any, Literal, get_args, get_type_hints
 
 from haptonic.analyses.options import NoOptions, option_of
 from haptonic.analyses.runner import Runner
-from haptonic.errors import HaptonicError, StudyError
+from haptonic.errors import HaptonicError, StudyError, shown
 from haptonic.paths import source
 from haptonic.results.cost import Cost
 from haptonic.results.result import Result
@@ -92,6 +92,19 @@ class Analysis:
         paths = {name: source(one, name, StudyError) for name, one in asked.items()
                  if one is not None and Path in (kinds[name], *get_args(kinds[name]))}  # fmt: skip
         return self.options(**asked | paths)
+
+    def by_name_only(self, value: object) -> StudyError:
+        """The error of an option that Python gave by its place: which it is meant for nobody can tell."""
+        known = {one.name: option_of(one) for one in fields(self.options)}
+        # those that the command takes by their place as well come first
+        names = sorted(known, key=lambda name: (one := known[name]) is None or one.place == "option")
+        return StudyError.malformed(
+            argument=f"options of {self.name}",
+            given=shown(value),
+            allowed=", ".join(f"{name}=..." for name in names) or "none: there is nothing to choose",
+            cause="a value without the name of its option",
+            next_step=f"write its name before it, such as {names[0]}=..." if names else "leave it out",
+        )
 
     def run(self, study: Any, runner: Runner, given: Mapping[str, Any]) -> Result:
         """Check, then compute, as Python asks: errors name options as Python has them, not their flags."""

@@ -34,7 +34,7 @@ class Study(Description):
     def run(
         self,
         name: str,
-        *,
+        *unnamed: object,
         store: Store | None = None,
         workers: int = 0,
         scheduler: str | None = None,
@@ -48,12 +48,14 @@ class Study(Description):
         store : where results are kept; the user's own by default
         workers, scheduler : see `haptonic.jobs.run_all`
         progress : called with what is done and what is planned; by default a notebook shows a bar
-        options : those of its command
+        options : those of its command; ``unnamed`` ones are refused
 
         Raises
         ------
         StudyError : there is no such analysis or option, or the study lacks what it needs
         """
+        if unnamed:
+            raise named(name).by_name_only(unnamed[0])
         with in_notebook(name) if progress is None else nullcontext(progress) as told:
             runner = Runner(Store.default() if store is None else store, workers, scheduler, told)
             return named(name).run(self, runner, options)
