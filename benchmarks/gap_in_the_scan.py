@@ -63,7 +63,7 @@ def told(name: str, study: haptonic.Study, kept: Path | None) -> dict[str, Any]:
     if kept is not None:
         response = read(kept / f"{name}.nc")
     else:
-        response = study.plate(asked=asked, store=store).response
+        response = study.plate(settings=asked, store=store).response
     made = study.simulate_scan(seed=1, response=response)
     on = scanning.on_plate(study)
     scan = Scan(made.records, ReadReport("twin", "memory", len(made.records.names)))

@@ -56,7 +56,7 @@ def main() -> None:
     assert section is not None
     asked = response_for(question, section.response.tolerance, drive_for(question, study.mounted_plate()))
     start = time.perf_counter()
-    response = study.plate(asked=asked, store=store).response
+    response = study.plate(settings=asked, store=store).response
     computing = time.perf_counter() - start
     on, found = scanning.on_plate(study), []
     for seed in SEEDS:
