@@ -11,6 +11,7 @@ from five_parts import refusing
 from haptonic.bloch.model import bloch_model
 from haptonic.bloch.settings import BandSettings
 from haptonic.cell import HexMesh, MeshPlan, Pillar, UnitCell, mesh_cell
+from haptonic.cell.plan import PRISM_LAYER, layers_along
 from haptonic.cell.quadrature import lobatto
 from haptonic.errors import GeometryError
 from haptonic.lattice import Lattice
@@ -162,6 +163,13 @@ def test_the_plain_plate_is_a_box(lattice, share, order):
     assert len(pillar) == 0
     assert plate.min() > 0
     assert plate.sum() == pytest.approx(lattice.area * cell.thickness)
+
+
+@given(st.integers(0, 8), st.floats(1e-4, 1e-2), st.floats(0.01, 100.0))
+def test_layers_along_a_pillar_that_lie_between_two_numbers_scale_with_it(count, diameter, factor):
+    pillar = Pillar(diameter=diameter, height=(count + 0.5) * PRISM_LAYER * diameter)
+    larger = Pillar(diameter=factor * pillar.diameter, height=factor * pillar.height)
+    assert layers_along(larger) == layers_along(pillar) == [count + 2]
 
 
 @given(cells(), st.floats(0.01, 100.0))

@@ -310,7 +310,7 @@ def layers_along(pillar: Pillar) -> list[int]:
     """
     longest = PRISM_LAYER if pillar.is_prism else LAYER_LENGTH
     lengths = [(high - low) / (2 * width) for low, high, width in pillar.stages]
-    layers = [1 + max(1, round(length / longest)) for length in lengths]
+    layers = [1 + max(1, _rounded(length / longest)) for length in lengths]
     if pillar.step is not None and lengths[0] > SHORT_STAGE:
         layers[0] += 1
     return layers
@@ -347,7 +347,12 @@ def orders_for_bands(cell: TileShape, bands: float) -> float:
 
 def _around(turn: float, more: float) -> tuple[int, int]:
     """Order and number of elements around a quarter turn that needs ``turn`` orders, and more for bands."""
-    return _divided(round(turn + more)) if more else (round(turn), 1)
+    return _divided(_rounded(turn + more)) if more else (_rounded(turn), 1)
+
+
+def _rounded(value: float) -> int:
+    """The nearest whole number; of a half the upper one, whatever rounding errors it has."""
+    return round((1 + ROUNDING) * value)
 
 
 def _divided(order: int) -> tuple[int, int]:
