@@ -140,9 +140,9 @@ def test_the_report_tells_what_a_finger_feels(plated, monkeypatch, store_folder)
     made = chapter(Results(study, {"feel": result}))
     assert isinstance(made, Chapter)
     assert len(made.pictures) == 2
-    felt = result.reductions()["WG"]
+    felt = result.friction.reductions()["WG"]
     assert any(str(felt) in words for words in made.findings)
-    assert any(f"{result.quality():.0f}; the vibration" in words for words in made.findings)
+    assert any(f"{result.friction.quality():.0f}; the vibration" in words for words in made.findings)
     assert not any("paper" in words for words in made.findings)  # it is not its plate
     assert all("imulated" in picture.caption for picture in made.pictures)
     assert isinstance(chapter(Results(study, {})), Absent)

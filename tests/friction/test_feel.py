@@ -20,12 +20,13 @@ from haptonic.friction.lubrication import (
     intermittent_friction,
     shared_friction,
 )
+from haptonic.friction.lubrication.on_plate import FrictionOnPlate, Reduction
 from haptonic.lattice import Lattice
 from haptonic.materials import material
 from haptonic.plate.layout import Layout
+from haptonic.plate.loaded import whole_finger_by_region
 from haptonic.plate.parts import Force, Plate
 from haptonic.plate.sampling import driven_regions
-from haptonic.results.feel.reduction import Reduction
 from haptonic.results.feel.requirements import FAR, requirements
 from haptonic.results.feel.value import Feel
 
@@ -63,14 +64,25 @@ def made(drive=150.0, idle=0.1, speed=0.078, **finger):
         attrs={"frequency_hz": 58.8e3, "reference": "F, N", "solver_error": 1e-4, "haptonic_version": "0"},
     )  # fmt: skip
     skin = Fingertip().having(**finger) if finger else Fingertip()
-    return Feel(PLATE, gap(52e3, 60e3), loaded, 10e-3, Touch(58.8e3, 0.5, speed), skin, drive)
+    return felt_on(loaded, 10e-3, Touch(58.8e3, 0.5, speed), skin, drive)
+
+
+def felt_on(loaded, diameter, touch, skin, drive):
+    return FrictionOnPlate(
+        loaded=loaded,
+        below=whole_finger_by_region(loaded, LAYOUT, diameter),
+        driven=driven_regions(PLATE),
+        touch=touch,
+        skin=skin,
+        drive=drive,
+    )
 
 
 @settings(max_examples=6, deadline=None)
 @given(st.floats(5.0, 400.0), st.floats(0.05, 0.9))
 def test_friction_is_that_of_the_models_at_each_amplitude(drive, idle):
     found = made(drive, idle)
-    friction = found.friction()
+    friction = found.at_points()
     for region, share in (("A", 1.0), ("B", idle)):
         amplitude = LOADED[2] * share * drive
         exact = float(shared_friction(amplitude, found.touch, found.skin.values))
@@ -129,7 +141,7 @@ def test_places_are_those_where_the_whole_finger_lies_on_the_region():
     for edge in (x, 21e-3 - x, y, 28e-3 - y):  # the plate's rim and the lattice
         assert edge[inside].min() >= 5e-3 - 1.1e-3
     assert ((x > 6e-3) & (x < 15e-3) & (y > 6e-3) & (y < 22e-3) <= inside).all()
-    wide = Feel(PLATE, None, found.loaded, 40e-3, found.touch, found.skin, 1.0)
+    wide = felt_on(found.loaded, 40e-3, found.touch, found.skin, 1.0)
     np.testing.assert_array_equal(wide.below["A"], found.loaded["region"].values == "A")
 
 
@@ -159,7 +171,7 @@ def test_every_region_that_a_drive_moves_is_driven_and_to_be_felt(strengths, dri
 
 
 def test_what_is_written_says_what_was_assumed_and_that_it_is_simulated():
-    data = made(contact_gap=4e-6).dataset
+    data = Feel(PLATE, gap(52e3, 60e3), made(contact_gap=4e-6)).dataset
     assert data.attrs["origin"] == "simulated"
     assert '"mark": "given"' in data.attrs["assumptions"]
     assert '"mark": "assumed"' in data.attrs["assumptions"]

@@ -13,12 +13,13 @@ from haptonic.analyses.options import option
 from haptonic.analyses.runner import Runner
 from haptonic.errors import StudyError
 from haptonic.friction.lubrication.law import check_reduction
+from haptonic.friction.lubrication.on_plate import FrictionOnPlate
 from haptonic.friction.lubrication.settings import VOLTAGE
 from haptonic.later import xarray as xr
 from haptonic.plate import Plate
-from haptonic.plate.loaded import LOADS, highest, loaded
+from haptonic.plate.loaded import LOADS, highest, loaded, whole_finger_by_region
 from haptonic.plate.parts import Actuator
-from haptonic.plate.sampling import check_grid, drives_of, reference_of
+from haptonic.plate.sampling import check_grid, driven_regions, drives_of, reference_of
 from haptonic.plate.sweep import check_cost
 from haptonic.progress import Progress
 from haptonic.results.common import stamped
@@ -78,17 +79,15 @@ def compute(study: Description, options: FeelOptions, runner: Runner) -> Feel:
         gap=(gap.lower, gap.upper) if gap else None,
         grid=own.grid, tolerance=own.tolerance, fineness=chosen,
     )  # fmt: skip
-    touch, skin = finger.at(found.attrs["frequency_hz"]), finger.skin
-    return Feel(
-        plate=plate,
-        gap=gap,
+    friction = FrictionOnPlate(
         loaded=found,
-        diameter=finger.pad.diameter,
-        touch=touch,
-        skin=skin,
+        below=whole_finger_by_region(found, plate.layout, finger.pad.diameter),
+        driven=driven_regions(plate),
+        touch=finger.at(found.attrs["frequency_hz"]),
+        skin=finger.skin,
         drive=drive,
-        reduction=options.reduction,
     )
+    return Feel(plate, gap, friction, options.reduction)
 
 
 def compute_loaded(

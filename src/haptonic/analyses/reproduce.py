@@ -184,7 +184,7 @@ def _timed(timings: dict[str, float], part: str) -> Iterator[None]:
 def _trials(study: Description, feel: Feel, runner: Runner) -> FrictionResult:
     """Trials of made-up people on the plate as it is computed, analysed like measured ones."""
     protocol, count = protocol_of(study), study.protocol_settings.participants
-    truth = truth_of(study, {name: feel.amplitude(name) for name in feel.regions})
+    truth = truth_of(study, {name: feel.friction.amplitude(name) for name in feel.friction.regions})
     made = simulated_friction(
         truth, protocol, count, seed=0, study=study.to_toml(), suffix=".h5", per="block"
     )

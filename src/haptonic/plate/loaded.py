@@ -7,10 +7,11 @@ from dataclasses import replace
 
 import numpy as np
 
-from haptonic.arrays import Array
+from haptonic.arrays import Array, Bools
 from haptonic.gate import WORD
 from haptonic.later import xarray as xr
 from haptonic.plate import Band, Fineness, Plate, PlateModel, PlateModes, modes_between
+from haptonic.plate.layout import Layout
 from haptonic.plate.sampling import (
     NEAR,
     driven_region,
@@ -20,7 +21,7 @@ from haptonic.plate.sampling import (
     reference_of,
     unit_drives,
 )
-from haptonic.plate.touch import Sites, below_finger
+from haptonic.plate.touch import Sites, below_finger, whole_finger_on
 from haptonic.progress import Progress, silent
 
 FREE = "free"  # the vibration that no finger damps
@@ -134,3 +135,15 @@ def _loaded_quality(
     square = np.array([(shape[disc] ** 2).mean() for disc in places.discs])
     lost = np.array([0.0, *damping])[:, None] * square / np.sqrt(values[best])
     return float(modes.frequency[best]), 1 / (1 / modes.quality[best] + lost)
+
+
+def whole_finger_by_region(found: xr.Dataset, layout: Layout, diameter: float) -> dict[str, Bools]:
+    """Of every region of plain plate, (point,) the places at which the whole finger lies on it.
+
+    found : from `loaded`; diameter : of the finger's disc, m
+    """
+    points = np.stack([found["x"].values, found["y"].values], axis=1)
+    return {
+        name: whole_finger_on(points, found["region"].values == name, layout, diameter)
+        for name in layout.regions
+    }

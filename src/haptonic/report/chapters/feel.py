@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 
 from haptonic.friction.lubrication import CUE_THRESHOLD, WEBER_FRACTION, explained
+from haptonic.friction.lubrication.on_plate import FrictionOnPlate
 from haptonic.friction.phrases import change
 from haptonic.report.chapter import Absent, Chapter, Finding, Results, Table
 from haptonic.results.feel.value import Feel
@@ -17,66 +18,67 @@ def chapter(results: Results) -> Chapter | Absent:
     result = results.of(Feel)
     if result is None:
         return Absent(TITLE, "it was not computed in this run")
+    friction, touch = result.friction, result.friction.touch
     words = {
         "friction": "Maps of friction over the plate.",
         "reduction": "Reduction of each region against the drive, with bands.",
     }
-    assumed = [str(one["title"]) for one in result.skin.assumptions().values() if one["mark"] == "assumed"]
+    assumed = [str(one["title"]) for one in friction.skin.assumptions().values() if one["mark"] == "assumed"]
     return Chapter(
         title=TITLE,
         identifier="feel",
         paragraphs=(
-            f"A finger of {result.touch.force:g} N that slides at {1e3 * result.touch.speed:g} mm/s damps "
+            f"A finger of {touch.force:g} N that slides at {1e3 * touch.speed:g} mm/s damps "
             "the plate wherever it lies; amplitudes are those that are left below it. Friction follows from "
             "them by a film of squeezed air that shares the load with the skin, which gives the value, or by "
             "intermittent contact; the band spans both.",
             f"Nobody measured this fingertip. Assumed: {'; '.join(assumed)}; the damping that it adds.",
         ),
-        findings=(*_findings(result), *_inversion(results, result)),
+        findings=(*_findings(friction), *_inversion(results, friction)),
         pictures=results.pictures(result, words),
         tables=(
             *result.tables(),
-            *_published(results, result),
+            *_published(results, friction),
         ),
     )
 
 
-def _findings(result: Feel) -> list[str]:
+def _findings(friction: FrictionOnPlate) -> list[str]:
     said: list[str] = [
         Finding(
-            f"{name}{' (driven)' if name in result.driven else ''}: "
-            f"{change(felt.value, felt.low, felt.high)}; {_noticed(result, name)}.",
+            f"{name}{' (driven)' if name in friction.driven else ''}: "
+            f"{change(one.value, one.low, one.high)}; {_noticed(friction, name)}.",
             "reduction",
         )
-        for name, felt in result.reductions().items()
+        for name, one in friction.reductions().items()
     ]
-    mode = result.loaded.attrs["mode_hz"]
+    mode = friction.loaded.attrs["mode_hz"]
     if math.isfinite(mode):
         said.append(
             f"A finger on the driven region lowers the quality factor of the mode at {mode / 1e3:.2f} kHz "
-            f"from {result.quality('free'):.0f} to {result.quality():.0f}; the vibration then takes "
-            f"{1e3 * result.rise:.1f} ms from 10 to 90 %. Cues of {1e3 * CUE_THRESHOLD:.1f} ms are felt."
+            f"from {friction.quality('free'):.0f} to {friction.quality():.0f}; the vibration then takes "
+            f"{1e3 * friction.rise:.1f} ms from 10 to 90 %. Cues of {1e3 * CUE_THRESHOLD:.1f} ms are felt."
         )
     return said
 
 
-def _noticed(result: Feel, region: str) -> str:
-    drive = result.drive_for(WEBER_FRACTION, region)
+def _noticed(friction: FrictionOnPlate, region: str) -> str:
+    drive = friction.drive_for(WEBER_FRACTION, region)
     if drive is None:
         return "no drive makes it noticed"
-    return f"it is noticed from {drive:.3g} {result.unit} on"
+    return f"it is noticed from {drive:.3g} {friction.unit} on"
 
 
-def _inversion(results: Results, result: Feel) -> list[str]:
+def _inversion(results: Results, friction: FrictionOnPlate) -> list[str]:
     """What ratio of amplitudes measured reductions need, and what the simulated plate has."""
     known = results.references
-    if known is None or not {"driven", "idle"} <= known.friction.keys() or not result.ratio:
+    if known is None or not {"driven", "idle"} <= known.friction.keys() or not friction.ratio:
         return []
     driven, left = known.friction["driven"], known.friction["idle"]
-    found = explained(driven, left, result.touch, result.skin)["ratio"]
+    found = explained(driven, left, friction.touch, friction.skin)["ratio"]
     value, low, high = (float(found.sel(quantity=end)) for end in ("value", "low", "high"))
-    idle, ratio = next(iter(result.ratio.items()))
-    margin = result.margins[idle]
+    idle, ratio = next(iter(friction.ratio.items()))
+    margin = friction.margins[idle]
     return [
         f"Reductions of {_percent(driven)} and {_percent(left)}, which {known.title} has measured, "
         f"need an amplitude {value:.1f} times as large on the driven guide as on the idle one ({low:.1f} to "
@@ -88,14 +90,14 @@ def _inversion(results: Results, result: Feel) -> list[str]:
     ]
 
 
-def _published(results: Results, result: Feel) -> tuple[Table, ...]:
+def _published(results: Results, friction: FrictionOnPlate) -> tuple[Table, ...]:
     """Reductions beside those that were measured."""
     known = results.references.friction if results.references else {}
-    if not result.driven or not {"driven", "idle"} <= known.keys():
+    if not friction.driven or not {"driven", "idle"} <= known.keys():
         return ()
     rows = [
-        (name, str(one), _percent(known["driven" if name in result.driven else "idle"]))
-        for name, one in result.reductions().items()
+        (name, str(one), _percent(known["driven" if name in friction.driven else "idle"]))
+        for name, one in friction.reductions().items()
     ]
     head = ("region", "predicted, with its interval", "measured")
     return (Table("Reduction of friction, and what was measured on people.", head, rows),)

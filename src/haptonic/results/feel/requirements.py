@@ -8,8 +8,8 @@ from typing import Literal
 
 from haptonic.bloch import Gap
 from haptonic.friction.lubrication import CUE_THRESHOLD, WEBER_FRACTION
+from haptonic.friction.lubrication.on_plate import Reduction
 from haptonic.plots.text import khz
-from haptonic.results.feel.reduction import Reduction
 
 FAR = 2.0  # times the smallest drop that people feel: what a driven region should reach
 Colour = Literal["green", "amber", "red"]
