@@ -14,6 +14,7 @@ from hypothesis import given, settings, strategies as st
 
 from haptonic.bloch.resolution import Resolution
 from haptonic.errors import HaptonicWarning, ResourceError
+from haptonic.plate.reduction import BLOCK, STEPS
 from haptonic.store import Store
 from haptonic.study import loads
 from quick import PROTOTYPE
@@ -109,7 +110,7 @@ def test_a_mesh_that_somebody_chose_is_held_or_refused_with_one_that_is(
 
     cell = loads(text.format(order, rings)).cell
     error = outcome(order)
-    needed = Resolution(order, rings, 3, 20).memory(cell)
+    needed = Resolution(order, rings, STEPS, BLOCK).memory(cell)
     if isinstance(error, KeyboardInterrupt):
         assert needed < 1.1 * free
         return
