@@ -126,23 +126,6 @@ def test_the_trace_stiffness_does_not_depend_on_the_folding(monkeypatch):
         assert np.abs(a - b).max() < 1e-9 * np.abs(b).max()
 
 
-def test_the_image_of_a_class_in_the_diagonal_stands_for_the_class(monkeypatch):
-    """A square cell with one of four classes mirrored, against the same with all four computed."""
-    monkeypatch.setattr(sys.modules["haptonic.superelement.interior"], "interior_modes", exact_modes)
-    plan, kappa = MeshPlan(3, 0, 2), np.array([0.9, 0.4])
-    one = condense(reference_cell(), plan)
-    assert sum(part.image is not None for part in one.parts) == 1
-    monkeypatch.setattr(folded.FoldedMesh, "classes_and_images", lambda shared: (list(range(4)), {}))
-    all_four = condense(reference_cell(), plan)
-    assert not any(part.image for part in all_four.parts)
-    trace = slice(0, one.trace_size)
-    for name in ("stiffness", "mass"):
-        ours, theirs = getattr(one, name)[trace, trace], getattr(all_four, name)[trace, trace]
-        assert np.abs(ours - theirs).max() < 1e-9 * np.abs(theirs).max()
-    values = [eigenpairs(bloch_pencil(Tiling.single(each)), kappa, 8)[0] for each in (one, all_four)]
-    assert values[0] == pytest.approx(values[1], rel=1e-8)
-
-
 def test_a_cell_is_folded_by_what_lattice_and_material_share():
     mirrors = [(-1, 1, 1), (1, -1, 1)]
     for cell in (reference_cell(), replace(reference_cell(), material=PLY), RECTANGULAR):

@@ -28,7 +28,6 @@ class Assembler:
     rows, columns : (blocks,) representatives that a block couples, row <= column
     inner : blocks among interior nodes only; pattern : these, as a scalar upper triangle
     source : for each entry of the pattern its position among the raveled inner blocks
-    diagonal : (3 interior,) position of each diagonal entry in the pattern
     coupling : blocks between interior (row) and boundary (column); outer : blocks among boundary nodes
     """
 
@@ -43,7 +42,6 @@ class Assembler:
     inner: Ints
     pattern: Pattern
     source: Ints
-    diagonal: Ints
     coupling: Ints
     outer: Ints
 
@@ -97,8 +95,9 @@ class FoldedStiffness:
     def interior(self) -> Array:
         """Numbers on the interior pattern; components that the class forces to vanish hang on springs."""
         data = self.unsprung()
-        pivots = data[self.assembler.diagonal]
-        data[self.assembler.diagonal] = np.where(pivots == 0.0, pivots.max(), pivots)
+        diagonal = self.assembler.pattern.indptr[:-1]
+        pivots = data[diagonal]
+        data[diagonal] = np.where(pivots == 0.0, pivots.max(), pivots)
         return data
 
     def unsprung(self) -> Array:
@@ -169,7 +168,6 @@ def assembler_of(topology: Topology, folding: Folding) -> Assembler:
         inner=inner,
         pattern=Pattern(indptr.astype(np.int32), j.astype(np.int32)),
         source=entry[order],
-        diagonal=np.flatnonzero(i == j),
         coupling=np.flatnonzero(~is_inner & (rows < folding.interior)),
         outer=np.flatnonzero(rows >= folding.interior),
     )

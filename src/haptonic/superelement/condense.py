@@ -21,14 +21,14 @@ import numpy as np
 from haptonic.arrays import Array, Fields
 from haptonic.cell import HexMesh, MeshPlan, TileShape
 from haptonic.later import linalg as la
-from haptonic.solvers import Solver, definite
+from haptonic.parallel import each
+from haptonic.solvers import definite
 from haptonic.superelement.folded import FoldedMesh
 from haptonic.superelement.interior import CraigBampton
-from haptonic.superelement.lifting import ClassLifting, DiagonalImage, Lifting, lifted
+from haptonic.superelement.lifting import ClassLifting, Lifting, lifted
 from haptonic.superelement.measures import ENERGIES, ClassMeasures, Measures
-from haptonic.superelement.parallel import for_each_class
-from haptonic.superelement.sections import PillarSections, mirrored_momenta, section_sizes
-from haptonic.superelement.thirds import reduced_by_thirds
+from haptonic.superelement.parts import reduced_by_parts
+from haptonic.superelement.sections import PillarSections, section_sizes
 from haptonic.superelement.trace import FoldedTrace, TraceOperation
 
 
@@ -118,21 +118,15 @@ def condensed(shared: FoldedMesh, steps: int, *, block: int, measured: bool) -> 
     """The superelement of a mesh that is folded already; see `condense`."""
     mesh = shared.mesh
 
-    def mirrored(original: CondensedClass) -> CondensedClass:
-        return original.mirrored(DiagonalImage.of(shared.cell, shared.levels, mesh.topology))
+    found = reduced_by_parts(shared, (), steps, block)
 
-    found = reduced_by_thirds(shared, (), steps, block)
-
-    def work(q: int, solver: Solver) -> CondensedClass:
-        folded = shared.symmetry_class(q)
-        own = found[q] if found else folded.reduced(solver, steps, block)
-        part = ClassLifting(folded.trace, shared.through, own.static, own.modes)
-        return CondensedClass.of(part, own, ClassMeasures.of(shared, q, folded, own) if measured else None)
-
-    pieces = for_each_class(shared, work, mirrored)
+    def piece(q: int) -> CondensedClass:
+        own = found[q]
+        part = ClassLifting(shared.traces[q], shared.through, own.static, own.modes)
+        return CondensedClass.of(part, own, ClassMeasures.of(shared, q, own) if measured else None)
 
     sizes = section_sizes(mesh, shared.nodal_mass) if measured else None
-    return assembled(shared.cell, (mesh,), shared.levels, pieces, sizes)
+    return assembled(shared.cell, (mesh,), shared.levels, each(piece, range(len(found))), sizes)
 
 
 def assembled(
@@ -191,9 +185,6 @@ class ClassForm:
         count = len(trace.kept)
         return cls.unfolded(trace, form[:count, :count], form[:count, count:], form[count:, count:])
 
-    def mirrored(self, mirror: TraceOperation) -> ClassForm:
-        return ClassForm(mirror.form(self.corner), mirror.applied(self.side), self.modal)
-
 
 @dataclass(frozen=True)
 class CondensedClass:
@@ -224,12 +215,3 @@ class CondensedClass:
             forms |= {name: ClassForm.split(trace, form) for name, form in measured.energies.items()}
             momenta = measured.momenta
         return cls(part, forms, trace.unfold_rows(momenta[:, :count].T).T, momenta[:, count:])
-
-    def mirrored(self, mirror: DiagonalImage) -> CondensedClass:
-        """The class that consists of this one's mirror images."""
-        return CondensedClass(
-            part=self.part.mirrored(mirror),
-            forms={name: form.mirrored(mirror.trace) for name, form in self.forms.items()},
-            momenta_of_trace=mirrored_momenta(mirror.trace.applied(self.momenta_of_trace.T).T),
-            momenta_of_modes=mirrored_momenta(self.momenta_of_modes),
-        )

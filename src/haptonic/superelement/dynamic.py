@@ -15,15 +15,15 @@ gives modes of the mesh itself, see `haptonic.bloch.exact`.
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 import numpy as np
 
 from haptonic.arrays import Array, Fields
 from haptonic.solvers import Solver
 from haptonic.superelement.folded import FoldedMesh
-from haptonic.superelement.lifting import ClassLifting, DiagonalImage, lifted
-from haptonic.superelement.parallel import for_each_class
+from haptonic.superelement.lifting import ClassLifting, lifted
+from haptonic.superelement.parts import ClassPart, PartForms, for_each_part
 
 
 @dataclass(frozen=True)
@@ -51,27 +51,18 @@ class DynamicStiffness:
 
 
 @dataclass(frozen=True)
-class _DynamicClass:
-    """One symmetry class; the last two are its answers to the diagonal images of the loads."""
+class _Share:
+    """What a part has of one symmetry class; see `DynamicStiffness`.
+
+    static : (3 interior, b) how the inside follows the boundary
+    """
 
     below: int
     matrix: Array
     mass: Array
-    part: ClassLifting
+    static: Array
     held: Fields
     force: Fields
-    image_held: Fields
-    image_force: Fields
-
-    def mirrored(self, mirror: DiagonalImage) -> _DynamicClass:
-        return replace(
-            self,
-            matrix=mirror.trace.form(self.matrix),
-            mass=mirror.trace.form(self.mass),
-            part=replace(self.part, image=mirror),
-            held=mirror.applied(self.image_held),
-            force=mirror.trace.applied(self.image_force),
-        )
 
 
 def dynamic_stiffness(shared: FoldedMesh, omega: float, loads: Fields | None = None) -> DynamicStiffness:
@@ -79,50 +70,52 @@ def dynamic_stiffness(shared: FoldedMesh, omega: float, loads: Fields | None = N
 
     ``loads`` (nodes, 3, k), N, act on the nodes of one cell.
     """
-    topology, diagonal = shared.mesh.topology, shared.assembler.diagonal
+    topology = shared.mesh.topology
     loads = np.zeros((topology.nodes, 3, 0)) if loads is None else loads
-    mirror = (
-        DiagonalImage.of(shared.cell, shared.levels, topology) if shared.classes_and_images()[1] else None
-    )
-    images = loads if mirror is None else mirror.applied(loads)
 
-    def one(q: int, solver: Solver) -> _DynamicClass:
-        folded = shared.symmetry_class(q)
-        body, trace, unfold = folded.body, folded.trace, folded.trace.unfold_form
-        shifted = folded.interior.copy()
-        shifted[diagonal] -= omega**2 * body.mass
+    def one(part: ClassPart, solver: Solver) -> dict[int, _Share]:
+        forms = PartForms.of(shared, part, ())
+        body, shifted = forms.body, forms.interior.copy()
+        shifted[part.pattern.indptr[:-1]] -= omega**2 * body.mass
         below = solver.factorise(shifted, definite=False)
         inside = solver.solve(-body.coupling)
         own = body.outer_stiffness - omega**2 * body.outer_mass + body.coupling.T @ inside
         inertia = body.outer_mass + inside.T @ (body.mass[:, None] * inside)
-        answers = []
-        for load in (loads, images):
-            share = _folded_load(shared, q, load)
-            answers.append(
-                (_unfolded(shared, q, _solved(solver, share)), trace.unfold_rows(inside.T @ share))
+        shares = {}
+        for q, boundary in forms.boundary.items():
+            fields, unfold = part.inside[q], shared.traces[q].unfold_form
+            load = fields.T @ _folded_load(shared, q, loads)
+            static = fields @ (inside @ boundary.T)
+            shares[q] = _Share(
+                below=below,
+                matrix=unfold(boundary @ (0.5 * (own + own.T)) @ boundary.T),
+                mass=unfold(boundary @ inertia @ boundary.T),
+                static=static,
+                held=_unfolded(shared, q, fields @ _solved(solver, load)),
+                force=shared.traces[q].unfold_rows(boundary @ (inside.T @ load)),
             )
-        (held, force), (image_held, image_force) = answers
-        part = ClassLifting(trace, shared.through, inside, np.zeros((len(inside), 0)))
-        return _DynamicClass(
-            below=below, matrix=unfold(0.5 * (own + own.T)), mass=unfold(inertia), part=part,
-            held=held, force=force, image_held=image_held, image_force=image_force,
-        )  # fmt: skip
+        return shares
 
-    def mirrored(original: _DynamicClass) -> _DynamicClass:
-        assert mirror is not None
-        return original.mirrored(mirror)
-
-    pieces = for_each_class(shared, one, mirrored)
+    pieces = for_each_part(shared, one)
+    every = [share for piece in pieces for share in piece.values()]
     on_rim = np.tensordot(shared.through.T, loads[topology.rim], axes=1)
     return DynamicStiffness(
         omega=omega,
-        below=sum(piece.below for piece in pieces),
-        matrix=np.sum([piece.matrix for piece in pieces], axis=0),
-        mass=np.sum([piece.mass for piece in pieces], axis=0),
-        parts=tuple(piece.part for piece in pieces),
-        held=np.sum([piece.held for piece in pieces], axis=0),
+        below=sum(share.below for share in every),
+        matrix=np.sum([share.matrix for share in every], axis=0),
+        mass=np.sum([share.mass for share in every], axis=0),
+        parts=tuple(
+            ClassLifting(
+                trace=shared.traces[q],
+                through=shared.through,
+                static=(static := np.sum([piece[q].static for piece in pieces if q in piece], axis=0)),
+                modes=static[:, :0],
+            )
+            for q in range(shared.folding.classes)
+        ),
+        held=np.sum([share.held for share in every], axis=0),
         force=on_rim.reshape(3 * shared.levels * topology.rim.shape[1], loads.shape[2])
-        + np.sum([piece.force for piece in pieces], axis=0),
+        + np.sum([share.force for share in every], axis=0),
     )
 
 

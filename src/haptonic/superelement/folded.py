@@ -12,31 +12,10 @@ from haptonic.cell import HexMesh, MeshPlan, TileShape, mesh_cell
 from haptonic.cell.quadrature import interpolation, lobatto
 from haptonic.elements import element_matrices
 from haptonic.later import linalg as la, sparse as sp
-from haptonic.solvers import Solver
 from haptonic.superelement.assembly import Assembler, assembler_of
-from haptonic.superelement.interior import Bounded, CraigBampton, reduced
-from haptonic.superelement.symmetry import DIAGONAL, Folding, fold, folds_of
+from haptonic.superelement.interior import Bounded
+from haptonic.superelement.symmetry import Folding, fold, folds_of
 from haptonic.superelement.trace import FoldedTrace, trace_levels
-
-
-@dataclass(frozen=True)
-class FoldedCell:
-    """One symmetry class of a cell; interior unknowns are (representative, component).
-
-    trace : the class's share of the trace
-    interior : numbers of the interior stiffness on the pattern of the classes
-    body : the other forms; the boundary is the trace, then the open ends; the mass of a component that the
-        class forces to vanish is 0
-    """
-
-    trace: FoldedTrace
-    interior: Array
-    body: Bounded
-
-    def reduced(self, solver: Solver, steps: int, block: int) -> CraigBampton:
-        """See `haptonic.superelement.interior.reduced`."""
-        solver.factorise(self.interior)
-        return reduced(solver, self.body, steps, block)
 
 
 def through_levels(cell: TileShape, mesh: HexMesh, levels: int) -> Array:
@@ -99,24 +78,27 @@ class FoldedMesh:
     def folding(self) -> Folding:
         return self.assembler.folding
 
-    def classes_and_images(self) -> tuple[list[int], dict[int, int]]:
-        """Symmetry classes to compute, and those that are images of another in the diagonal of a square."""
-        both = np.column_stack([self.folding.parity, self.folding.middle])
-        parity = [tuple(int(sign) for sign in signs) for signs in both]
-        images = {}
-        if len(parity[0]) == 3 and self.cell.has_symmetry(DIAGONAL):  # it exchanges the mirrors x and y
-            images = {parity.index((-1, 1, m)): parity.index((1, -1, m)) for m in {one[2] for one in parity}}
-        return [q for q in range(len(parity)) if q not in images], images
+    @cached_property
+    def traces(self) -> tuple[FoldedTrace, ...]:
+        """The share that each class has of the trace."""
+        classes = range(self.folding.classes)
+        return tuple(FoldedTrace(self.mesh.topology, self.folding, q, self.levels) for q in classes)
 
-    def symmetry_class(self, q: int, on_ends: Array | None = None) -> FoldedCell:
-        """The matrices of one class.
+    def rim_motion(self, q: int) -> Array:
+        """(3 rim, b) motion of the representatives on the rim from a class's share of the trace."""
+        trace = self.traces[q]
+        motion = trace.on_levels(self.through, np.eye(len(trace.kept)))
+        return motion.reshape(3 * trace.rim_size, len(trace.kept))
+
+    def symmetry_class(self, q: int, on_ends: Array | None = None) -> tuple[Array, Bounded]:
+        """Numbers of one class's interior stiffness on the pattern of the classes, and its other forms.
+
+        Interior unknowns are (representative, component), the boundary is the trace, then the open ends. The
+        mass of a component that the class forces to vanish is 0.
 
         ``on_ends`` (3 representatives, s) gives the motions that open ends have, besides the trace's.
         """
-        folding = self.folding
-        trace = FoldedTrace(self.mesh.topology, folding, q, self.levels)
-        motion = trace.on_levels(self.through, np.eye(len(trace.kept)))
-        motion = motion.reshape(3 * trace.rim_size, len(trace.kept))
+        folding, motion = self.folding, self.rim_motion(q)
         motion = motion if on_ends is None else la.block_diag(motion, on_ends)
         stiffness = self.assembler.assembled(self.paired, q)
         mass = np.repeat(self.representative_mass[folding.interior :], 3)
@@ -127,7 +109,7 @@ class FoldedMesh:
             outer_mass=motion.T @ (mass[:, None] * motion),
             mass=(self.representative_mass[: folding.interior, None] * alive).ravel(),
         )
-        return FoldedCell(trace, stiffness.interior(), body)
+        return stiffness.interior(), body
 
     def pillar_stiffness(self, q: int) -> sp.csr_array:
         """(3 representatives, 3 representatives) the pillar's share of the stiffness of one class."""

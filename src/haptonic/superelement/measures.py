@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from haptonic.arrays import Array
-from haptonic.superelement.folded import FoldedCell, FoldedMesh
+from haptonic.superelement.folded import FoldedMesh
 from haptonic.superelement.interior import CraigBampton
 from haptonic.superelement.sections import PillarSections, momentum_forms
 
@@ -40,17 +40,16 @@ class ClassMeasures:
     momenta: Array
 
     @classmethod
-    def of(
-        cls, shared: FoldedMesh, q: int, folded: FoldedCell, own: CraigBampton, on_ends: Array | None = None
-    ) -> ClassMeasures:
+    def of(cls, shared: FoldedMesh, q: int, own: CraigBampton, on_ends: Array | None = None) -> ClassMeasures:
         """Measures of a reduced class; ``on_ends`` as for `FoldedMesh.symmetry_class`."""
-        trace, inner, count = folded.trace, len(folded.body.mass), own.static.shape[1]
-        lateral, rim = len(trace.kept), trace.rim_size
+        inner, count = own.static.shape
+        on_rim = shared.rim_motion(q)
+        rim, lateral = on_rim.shape
         # of all representatives; what the sides do is no motion of a pillar, and counted apart
         fields = np.zeros((3 * len(shared.folding.origin), count + own.modes.shape[1]))
         fields[:inner, :count], fields[:inner, count:] = own.static, own.modes
         if on_ends is not None:
-            fields[inner + 3 * rim :, lateral:count] = on_ends
+            fields[inner + rim :, lateral:count] = on_ends
         stiff = shared.pillar_stiffness(q)
         # no force acts inside a pillar that follows its ends: of its rows those on the plate and on the ends
         # do work then
@@ -61,7 +60,7 @@ class ClassMeasures:
         strain = np.block([[held, moved[:, :count].T], [moved]])
         mass = np.repeat(shared.representative_mass, 3)
         pillar_mass, vertical_mass = (_gram(fields[kept], mass[kept]) for kept in (shared.above, np.s_[2::3]))
-        vertical_mass[:lateral, :lateral] += folded.body.outer_mass[:lateral, :lateral] * trace.is_vertical
+        vertical_mass[:lateral, :lateral] += _gram(on_rim[2::3], mass[inner : inner + rim : 3])
         energies = dict(zip(ENERGIES, (strain, pillar_mass, vertical_mass), strict=True))
         return cls(energies, momentum_forms(shared.mesh, shared.folding, q, shared.nodal_mass) @ fields)
 

@@ -1,7 +1,4 @@
-"""Symmetry classes side by side: they share nothing but read-only arrays.
-
-Threads of our own on the classes beat threads inside the linear algebra, whose matrices are small here.
-"""
+"""Analysed solvers that wait for the next work on the same pattern, whichever thread does it."""
 
 from __future__ import annotations
 
@@ -10,9 +7,7 @@ from collections.abc import Callable
 from contextlib import suppress
 from typing import TypeVar
 
-from haptonic.parallel import each
 from haptonic.solvers import Pattern, Solver, chosen
-from haptonic.superelement.folded import FoldedMesh
 
 Result = TypeVar("Result")
 
@@ -23,23 +18,6 @@ KEPT_SOLVERS = 16
 KEPT_ENTRIES, KEPT_IN_ALL = 5_000_000, 30_000_000
 
 _idle: deque[tuple[Pattern, Solver]] = deque(maxlen=KEPT_SOLVERS)
-
-
-def for_each_class(
-    shared: FoldedMesh, work: Callable[[int, Solver], Result], mirrored: Callable[[Result], Result]
-) -> list[Result]:
-    """``work(class, solver)`` for every symmetry class, in order; no two at a time share a solver.
-
-    A class that is the diagonal's image of another gets what ``mirrored`` makes of the other's result.
-    """
-    classes, images = shared.classes_and_images()
-
-    def one(q: int) -> Result:
-        return with_solver(shared.assembler.pattern, lambda solver: work(q, solver))
-
-    by_class = dict(zip(classes, each(one, classes), strict=True))
-    by_class |= {q: mirrored(by_class[original]) for q, original in images.items()}
-    return [by_class[q] for q in sorted(by_class)]
 
 
 def with_solver(pattern: Pattern, work: Callable[[Solver], Result]) -> Result:

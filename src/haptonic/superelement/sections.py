@@ -90,12 +90,6 @@ def momentum_forms(mesh: HexMesh, folding: Folding, symmetry_class: int, nodal_m
     return sp.csr_array((values, (rows, columns)), shape=(4 * count, 3 * len(folding.origin)))
 
 
-def mirrored_momenta(momenta: Array) -> Array:
-    """Momenta (4 sections, k) of fields from those of their images in the diagonal: x and y change places."""
-    x, y, z, turning = np.split(momenta, 4)
-    return np.concatenate([y, x, z, -turning])
-
-
 def section_sizes(mesh: HexMesh, nodal_mass: Array) -> Array:
     """(3, sections) height (m), mass (kg) and inertia about the axis (kg m^2) of a mesh's pillar sections."""
     heights, nodes, level = section_levels(mesh)

@@ -13,7 +13,7 @@ from haptonic.cell import HexMesh
 from haptonic.later import linalg as la
 from haptonic.superelement.condense import ClassForm, CondensedClass
 from haptonic.superelement.interior import Bounded, CraigBampton, reduced
-from haptonic.superelement.lifting import DiagonalImage, unfolded
+from haptonic.superelement.lifting import unfolded
 from haptonic.superelement.measures import ENERGIES, ClassMeasures
 from haptonic.superelement.pillar_body import Kinds, PillarBody
 from haptonic.superelement.trace import FoldedTrace
@@ -201,7 +201,6 @@ class SubstructuredPart:
     numbers: _Numbers
     static: Array
     modes: Array
-    image: DiagonalImage | None = None
 
     @property
     def trace(self) -> FoldedTrace:
@@ -211,19 +210,15 @@ class SubstructuredPart:
     def count(self) -> int:
         return int(self.modes.shape[1])
 
-    def mirrored(self, mirror: DiagonalImage) -> SubstructuredPart:
-        return replace(self, image=mirror)
-
     def members(self, number: int, trace: Fields, inner: Fields) -> tuple[Fields, Fields]:
         """Boundary and modes of a foot, and unknowns of the body upon it, from those of the class."""
         own = inner[self.numbers.feet[number]]
         return np.vstack([trace, own]) if number == 0 else own, inner[self.numbers.bodies[number]]
 
     def lifted(self, trace: Fields, amplitudes: Fields) -> Fields:
-        own = self.trace.fold(self.image.trace.applied(trace) if self.image else trace)
+        own = self.trace.fold(trace)
         inner = self.static @ own + self.modes @ amplitudes
-        field = np.concatenate([
+        return np.concatenate([
             storey.lifted(one, *self.members(number, own, inner))
             for number, (one, storey) in enumerate(zip(self.feet, self.storeys, strict=True))
         ])  # fmt: skip
-        return self.image.applied(field) if self.image else field

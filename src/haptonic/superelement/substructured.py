@@ -20,17 +20,17 @@ from haptonic.cell import HexMesh, MeshPlan, TileShape, mesh_cell
 from haptonic.cell.edges import FOOT_LAYER
 from haptonic.cell.pieces import pieces_of
 from haptonic.later import linalg as la
-from haptonic.solvers import Solver, definite
+from haptonic.parallel import each
+from haptonic.solvers import definite
 from haptonic.superelement.condense import Superelement, assembled, condensed
 from haptonic.superelement.folded import FoldedMesh
-from haptonic.superelement.lifting import DiagonalImage
 from haptonic.superelement.measures import ClassMeasures
-from haptonic.superelement.parallel import KEPT_ENTRIES, for_each_class
+from haptonic.superelement.parallel import KEPT_ENTRIES
+from haptonic.superelement.parts import reduced_by_parts
 from haptonic.superelement.pillar_body import PARITIES, Kinds, PillarBody
 from haptonic.superelement.sections import section_sizes
 from haptonic.superelement.stacked import FootClass, Storey, joined
 from haptonic.superelement.symmetry import DIAGONAL, Folding, folds_of
-from haptonic.superelement.thirds import reduced_by_thirds
 
 LEAST_ORDER, PER_LAYER = 8, 2  # of the polynomials along the body, and what each layer of a mesh adds
 FOR_SECTION = 4  # directions in each block of a foot's Krylov space beyond those that a whole cell has
@@ -62,18 +62,15 @@ def condense_by_parts(
         Storey.of(mesh, body, one.base, foot.through)
         for one, mesh, body, foot in zip(pieces, meshes, bodies, feet, strict=True)
     ]
-    first = feet[0]
-    made = {q: joined([one.classes[q] for one in feet], storeys, steps, block) for q in first.classes}
-    if first.images:
-        mirror = DiagonalImage.of(cell, first.levels, *(one.mesh.topology for one in storeys))
-        made |= {q: made[original].mirrored(mirror) for q, original in first.images.items()}
+    made = each(
+        lambda of_class: joined(of_class, storeys, steps, block),
+        zip(*(one.classes for one in feet), strict=True),
+    )
     sizes = (
         [storey.sizes(foot.sizes) for storey, foot in zip(storeys, feet, strict=True)] if measured else None
     )
     whole = tuple(one.mesh for one in storeys)
-    return assembled(
-        cell, whole, first.levels, [made[q] for q in sorted(made)], np.hstack(sizes) if sizes else None
-    )
+    return assembled(cell, whole, feet[0].levels, made, np.hstack(sizes) if sizes else None)
 
 
 def pillar_body_of(tile: TileShape, mesh: HexMesh, *, is_cut: bool = False) -> PillarBody | None:
@@ -106,14 +103,12 @@ def pillar_body_of(tile: TileShape, mesh: HexMesh, *, is_cut: bool = False) -> P
 class _Foot:
     """All that stands below a body, down to the one that it stands on itself, condensed.
 
-    levels, through : as of a `FoldedMesh`; classes : by number
-    images : those that are diagonal images of another; sizes : of the pillar's sections below the body
+    levels, through : as of a `FoldedMesh`; sizes : of the pillar's sections below the body
     """
 
     levels: int
     through: Array
-    classes: dict[int, FootClass]
-    images: dict[int, int]
+    classes: tuple[FootClass, ...]
     sizes: Array
 
 
@@ -148,22 +143,21 @@ def _foot(tile: TileShape, mesh: HexMesh, ends: Ends, steps: int, block: int, me
 
     block += FOR_SECTION * sum(end.kinds for end in ends if end is not None)
     on_ends = [_on_ends(shared, q, ends) for q in range(shared.folding.classes)]
-    found = reduced_by_thirds(shared, on_ends, steps, block)
+    found = reduced_by_parts(shared, on_ends, steps, block)
 
-    def work(q: int, solver: Solver) -> tuple[int, FootClass]:
-        folded = shared.symmetry_class(q, on_ends[q])
-        own = found[q] if found else folded.reduced(solver, steps, block)
-        measures = ClassMeasures.of(shared, q, folded, own, on_ends[q]) if measured else None
-        parities = _parities(shared.folding, q)
-        return q, FootClass(
-            trace=folded.trace, parities=parities, on_ends=on_ends[q], own=own, measures=measures
+    def foot_class(q: int) -> FootClass:
+        return FootClass(
+            trace=shared.traces[q],
+            parities=_parities(shared.folding, q),
+            on_ends=on_ends[q],
+            own=found[q],
+            measures=ClassMeasures.of(shared, q, found[q], on_ends[q]) if measured else None,
         )
 
     foot = _Foot(
         levels=shared.levels,
         through=shared.through,
-        classes=dict(for_each_class(shared, work, lambda original: original)),
-        images=shared.classes_and_images()[1],
+        classes=tuple(each(foot_class, range(len(found)))),
         sizes=section_sizes(shared.mesh, shared.nodal_mass),
     )
     if len(shared.assembler.pattern.indices) <= KEPT_ENTRIES:

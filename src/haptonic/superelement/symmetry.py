@@ -23,6 +23,7 @@ Folds = tuple[tuple[Sides, tuple[int, int, int]], ...]  # operations, and what e
 MIRRORS = np.diag([-1.0, 1.0, 1.0]), np.diag([1.0, -1.0, 1.0])  # across x and across y
 THROUGH = np.array([1, 1, -1], dtype=np.int8)  # what the mirror in the middle plane does to components
 DIAGONAL = np.array([[0.0, 1.0, 0.0], [1.0, 0.0, 0.0], [0.0, 0.0, 1.0]])  # exchanges x and y
+THIRD = np.array([[-0.5, -np.sqrt(0.75), 0.0], [np.sqrt(0.75), -0.5, 0.0], [0.0, 0.0, 1.0]])  # of a turn
 
 
 def folds_of(tile: TileShape) -> Folds:

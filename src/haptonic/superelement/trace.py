@@ -88,11 +88,6 @@ class FoldedTrace:
         alive = self.folding.sign[self.symmetry_class][on_rim] != 0
         return np.flatnonzero(alive & (self._behind[1][-self.own_levels :, None] != 0))
 
-    @property
-    def is_vertical(self) -> Array:
-        """(b,) 1 for own unknowns along z."""
-        return np.asarray(self.kept % 3 == 2, dtype=float)
-
     @cached_property
     def number(self) -> Ints:
         """(t,) own unknown behind each unknown of the whole trace (0 where its sign is 0)."""
@@ -169,7 +164,3 @@ class TraceOperation:
         """Image of (t, k) traces, or of the rows (t, k) of linear forms on them."""
         moved = trace.reshape(self.levels, len(self.sites), 3, -1)[:, self.sites]
         return np.asarray(self.turn @ moved).reshape(trace.shape)
-
-    def form(self, own: Array) -> Array:
-        """(t, t) quadratic form that has on a trace the value of ``own`` on its image."""
-        return np.asarray(self.applied(self.applied(own).T).T)

@@ -1,4 +1,4 @@
-"""Tiles that a third of a turn leaves as they are, folded by it, against the same folded by mirrors alone."""
+"""Tiles folded by a third of a turn or by the diagonal's mirror, against those folded by mirrors alone."""
 
 import sys
 from dataclasses import replace
@@ -15,10 +15,10 @@ from haptonic.bloch.resolution import Resolution
 from haptonic.cell import Pillar, UnitCell
 from haptonic.cell.pillar import Step
 from haptonic.lattice import Lattice
-from haptonic.superelement import FoldedMesh, Tiling, condense
-from haptonic.superelement.thirds import reduced_by_thirds
+from haptonic.superelement import FoldedMesh, Tiling, condense, parts
 
 HEXAGON = UnitCell(Lattice.triangular(7e-3), 2e-3, ALUMINIUM, Pillar(3.5e-3, 9e-3))
+SQUARE = replace(HEXAGON, lattice=Lattice.square(7e-3))
 HONEYCOMB = UnitCell(Lattice(lattice="honeycomb", pitch=12e-3), 2e-3, ALUMINIUM, Pillar(2.5e-3, 6e-3))
 CELLS = {
     "hexagon": HEXAGON,
@@ -26,6 +26,8 @@ CELLS = {
     "both faces": replace(HEXAGON, faces="both"),
     "triangle": HONEYCOMB,  # with one mirror along its axes
     "step": replace(HEXAGON, pillar=Pillar(3.5e-3, 9e-3, step=Step(2.5e-3, 5e-3))),
+    "square": SQUARE,
+    "square, both faces": replace(SQUARE, faces="both"),
 }
 
 
@@ -35,28 +37,31 @@ CELLS = {
         "hexagon",
         "plain",
         "triangle",
-        *(pytest.param(name, marks=pytest.mark.nightly) for name in ("both faces", "step")),
+        "square",
+        *(
+            pytest.param(name, marks=pytest.mark.nightly)
+            for name in ("both faces", "step", "square, both faces")
+        ),
     ],
 )
-def test_thirds_and_mirrors_alone_condense_to_the_same(monkeypatch, name):
+def test_parts_and_mirrors_alone_condense_to_the_same(monkeypatch, name):
     cell, plans = CELLS[name], Resolution(1, 0).plans(CELLS[name])
-    modules = [
-        sys.modules[f"haptonic.superelement.{one}"] for one in ("interior", "condense", "substructured")
-    ]
-    monkeypatch.setattr(modules[0], "interior_modes", partial(exact_modes, highest=1e7))
-    used, found = [], []
+    interior, substructured = (
+        sys.modules[f"haptonic.superelement.{one}"] for one in ("interior", "substructured")
+    )
+    monkeypatch.setattr(interior, "interior_modes", partial(exact_modes, highest=1e7))
+    used, found, parts_of_mesh = [], [], parts.parts_of_mesh
 
-    def thirds(*given):
-        used.append(reduced_by_thirds(*given))
+    def further(mesh):
+        used.append(parts_of_mesh(mesh))
         return used[-1]
 
-    for way in (thirds, lambda *given: {}):
-        for module in modules[1:]:
-            monkeypatch.setattr(module, "reduced_by_thirds", way)
-        modules[2]._feet.clear()
+    for way in (further, lambda mesh: parts.whole_classes(mesh.assembler)):
+        monkeypatch.setattr(parts, "parts_of_mesh", way)
+        substructured._feet.clear()
         found.append(Tiling.condensed(cell, plans, 2, 10))
     assert used
-    assert all(used)
+    assert all(any(not part.is_class for part in every) for every in used)
     traces = np.s_[: found[0].trace_size]
     motion = np.random.default_rng(0).standard_normal((found[0].trace_size, 2))
     for ours, theirs in [
@@ -76,17 +81,16 @@ def test_thirds_and_mirrors_alone_condense_to_the_same(monkeypatch, name):
     [
         replace(HEXAGON, material=PLY),
         replace(HEXAGON, lattice=Lattice.oblique(7e-3, 6e-3, np.radians(70))),
-        replace(HEXAGON, lattice=Lattice.square(7e-3)),
         UnitCell(Lattice(lattice="kagome", pitch=12e-3), 2e-3, ALUMINIUM, Pillar(2.5e-3, 6e-3)),
     ],
-    ids=["ply", "oblique", "square", "kagome"],
+    ids=["ply", "oblique", "kagome"],
 )
 def test_other_tiles_keep_their_mirrors(cell):
     meshes = [
         FoldedMesh.of(one.tile, plan)
         for one, plan in zip(cell.tiles, Resolution(1, 0).plans(cell), strict=True)
     ]
-    assert not any(reduced_by_thirds(mesh, (), 2, 10) for mesh in meshes)
+    assert all(part.is_class for mesh in meshes for part in parts.parts_of_mesh(mesh))
 
 
 def test_the_six_turns_of_a_lattice_share_its_frequencies():
