@@ -19,6 +19,7 @@ from haptonic.plate.layout import Block
 from haptonic.plate.reduction import block_tile, cell_tile
 from haptonic.plate.skeleton import TraceOrders, numbered
 from haptonic.superelement import FoldedMesh, dynamic_stiffness
+from haptonic.superelement.trace import trace_levels
 
 HZ = 2 * np.pi
 ORDERS, HIGHEST = TraceOrders(3, 2), 60e3
@@ -328,3 +329,14 @@ def test_pure_bending_of_plain_tiles(name):
     assert tile.inside.normal_at(where) @ trace == pytest.approx(
         field(*where.T, np.zeros(20))[:, 2], abs=3e-5 * x[-1] ** 2
     )
+
+
+@pytest.mark.parametrize("order", [2, 4])
+def test_at_the_order_of_its_mesh_a_plate_has_the_unknowns_of_bands(order):
+    """A trace of bands is a polynomial along each edge and through the thickness too, in another order."""
+    plan = MeshPlan.suited(CELL, order, 1)
+    levels, places = trace_levels(plan), FoldedMesh.of(CELL, plan).mesh.topology.rim.shape[1]
+    onto = reduction._onto_rim(plan, ((PITCH,), (PITCH,)), levels, TraceOrders(places // 4, levels - 1))
+    places_of = np.eye(len(onto))[np.abs(onto).argmax(axis=0)].T
+    assert places_of.sum(axis=1) == pytest.approx(1)
+    assert onto == pytest.approx(places_of, abs=1e-12)
