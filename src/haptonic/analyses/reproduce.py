@@ -22,11 +22,11 @@ from haptonic.analyses.friction import compute_friction
 from haptonic.analyses.needs import has_plate
 from haptonic.analyses.options import option
 from haptonic.analyses.runner import Runner
-from haptonic.analyses.simulate_friction import simulated_friction
 from haptonic.analyses.simulate_scan import rescanned
 from haptonic.errors import FrictionError, HaptonicError, HaptonicWarning, ScanError, StudyError
 from haptonic.fields import read
 from haptonic.friction.recordings import Sensor
+from haptonic.friction.simulation import Experiment
 from haptonic.friction.statistics import Alarms, Population, false_alarms
 from haptonic.later import xarray as xr
 from haptonic.report import Results
@@ -37,6 +37,7 @@ from haptonic.results.friction import FrictionResult
 from haptonic.results.plate.value import PlateResult
 from haptonic.results.references import References, Variant, found_at
 from haptonic.results.result import Result
+from haptonic.results.simulated_trials import SimulatedFriction
 from haptonic.results.table import Table
 from haptonic.study.schema import Description
 from haptonic.study.sweeps import numeric_parameters
@@ -185,8 +186,8 @@ def _trials(study: Description, feel: Feel, runner: Runner) -> FrictionResult:
     """Trials of made-up people on the plate as it is computed, analysed like measured ones."""
     protocol, count = protocol_of(study), study.protocol_settings.participants
     truth = truth_of(study, {name: feel.friction.amplitude(name) for name in feel.friction.regions})
-    made = simulated_friction(
-        truth, protocol, count, seed=0, study=study.to_toml(), suffix=".h5", per="block"
+    made = SimulatedFriction(
+        experiment=Experiment(truth, protocol, count), study=study.to_toml(), suffix=".h5", per="block"
     )
     with TemporaryDirectory() as name:
         made.put(Path(name), runner.progress)
