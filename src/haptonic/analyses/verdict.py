@@ -22,6 +22,7 @@ from haptonic.response import FrequencyResponse, read
 from haptonic.results.cost import Cost
 from haptonic.results.verdict import AFTER, BEFORE, MEASURED, Verdict
 from haptonic.study.schema import Description
+from haptonic.study.template import ENDING
 from haptonic.units import format_quantity
 from haptonic.updating.agreement import agreement, normal_of, together
 from haptonic.updating.fit import Fit, SmallModel, fitted
@@ -36,7 +37,7 @@ FITTED = 0.2  # of the time for the plate's response, for every number that is f
 
 def response_in(given: str) -> FrequencyResponse:
     """A response from its file, which a command line takes before the study."""
-    if Path(given).suffix == ".toml":
+    if Path(given).suffix == ENDING:
         raise ResponseError.conflict(
             argument="response",
             given=given,

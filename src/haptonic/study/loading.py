@@ -12,6 +12,7 @@ from haptonic.errors import HaptonicWarning, StudyError, nearest, shown
 from haptonic.fields import read, table
 from haptonic.paths import source
 from haptonic.study.schema import Description
+from haptonic.study.template import ENDING
 from haptonic.study.trial_tables import TrialSettings, TrialsFile
 
 S = TypeVar("S", bound=Description)
@@ -161,7 +162,7 @@ def _unreadable(path: Path, cause: str, next_step: str) -> StudyError:
 def _similar(path: Path) -> str:
     """The nearest file name in the same folder, as a suggestion."""
     try:
-        names = [entry.name for entry in path.parent.iterdir() if entry.suffix == ".toml"]
+        names = [entry.name for entry in path.parent.iterdir() if entry.suffix == ENDING]
     except OSError:
         return "check the path: its folder does not exist either"
     guess = nearest(path.name, names)
@@ -169,5 +170,5 @@ def _similar(path: Path) -> str:
 
 
 def _studies_in(folder: Path) -> str:
-    names = sorted(entry.name for entry in folder.glob("*.toml"))
+    names = sorted(entry.name for entry in folder.glob(f"*{ENDING}"))
     return f"give a file in it: {', '.join(names[:5])}" if names else "give the path of a .toml file"
