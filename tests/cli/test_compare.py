@@ -300,7 +300,7 @@ class TestCommand:
             argument="--frequency-unit",
         )
         assert_five_parts(
-            inside("compare", one, tmp_path), code="unreadable", argument="bands of an earlier run"
+            inside("compare", one, tmp_path), code="not-found", argument="bands of an earlier run"
         )
         (tmp_path / "bands.nc").write_bytes(b"\x89HDF\r\n\x1a\n" + bytes(200))
         assert_five_parts(

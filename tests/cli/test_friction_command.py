@@ -148,9 +148,9 @@ def test_reference_values_stand_beside_ours_where_they_are_given(inside, tmp_pat
         ('[trials.sensor]\ngauges = "a, b"\n', "malformed", "trials.sensor.gauges", ""),
         (
             '[trials.sensor]\ncalibration = "none.csv"\n',
-            "unreadable",
+            "not-found",
             "trials.sensor.calibration",
-            "cannot be read",
+            "none.csv",
         ),
         ('[trials.sensor]\nnormal = "G2"\ncalibration = "c.csv"\n', "unknown", "trials.sensor.normal", ""),
         ('[trials]\ndriven = "WG9"\n', "unknown", "waveguide", "WG9"),
@@ -172,11 +172,11 @@ def test_bad_studies_are_refused(inside, tmp_path, text, code, argument, given):
 
 def test_bad_places_are_refused(inside, tmp_path):
     assert_five_parts(
-        inside("friction", tmp_path / "none", "--json"), code="unreadable", argument="folder of trials"
+        inside("friction", tmp_path / "none", "--json"), code="not-found", argument="folder of trials"
     )
-    assert_five_parts(inside("friction", tmp_path, "--json"), code="unreadable", argument="folder of trials")
+    assert_five_parts(inside("friction", tmp_path, "--json"), code="not-found", argument="folder of trials")
     assert_five_parts(
-        inside("friction", tmp_path / "none.csv", "--json"), code="unreadable", argument="table of trials"
+        inside("friction", tmp_path / "none.csv", "--json"), code="not-found", argument="table of trials"
     )
     folder = written(tmp_path / "trials", MADE[:8], change=lambda f: {"a": f["time"], "b": f["Fz"]})
     assert_five_parts(

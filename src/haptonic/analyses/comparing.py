@@ -57,13 +57,12 @@ def of_file(path: Path) -> xr.Dataset:
         )
         of_dataset("", data)
     except (ChannelError, OSError, MemoryError, KeyError, ValueError, TypeError, IndexError) as error:
-        raise StudyError.unreadable(
+        missing = isinstance(error, FileNotFoundError)
+        raise (StudyError.not_found if missing else StudyError.unreadable)(
             argument="bands of an earlier run",
             given=shown(str(path), 200),
             allowed="bands.nc of `haptonic bands`, or its folder",
-            cause="there is no such file"
-            if isinstance(error, FileNotFoundError)
-            else "another file, or damaged",
+            cause="there is no such file" if missing else "another file, or damaged",
             next_step="give the study, or run `haptonic bands` again",
         ) from error
     return data

@@ -34,7 +34,7 @@ def read_amplitudes(given: str | Path) -> dict[str, float]:
         values: Any = json.loads(path.read_text(encoding="utf-8"))
     except (OSError, ValueError) as error:
         missing = isinstance(error, FileNotFoundError)
-        raise ResourceError.unreadable(
+        raise (ResourceError.not_found if missing else ResourceError.unreadable)(
             argument="--from",
             given=path,
             allowed='a JSON file such as {"WG1": 1e-6, "WG2": 3e-7}',
