@@ -73,7 +73,7 @@ REFUSED = {
     "two periods": (lambda: Lattice(pitch=1e-3, pitch_y=1e-3), "conflict", "cell.pitch_y", "pitch_y"),
     "too many": (
         lambda: UnitCell(CELL.lattice, 1e-3, "steel", None, (), "one", 7),
-        "too-few",
+        "malformed",
         "cell.argument_7",
         "",
     ),
