@@ -31,12 +31,12 @@ LENGTHS = {"rad/m": 1.0, "1/m": 1.0, "rad/mm": 1e3}
 
 def of_dataset(name: str, data: xr.Dataset) -> BandSet:
     """Bands that haptonic computed."""
-    corners = data["distance"].values[json.loads(data.attrs["path_corners"])]
+    labels, corners = path_in(data)
     return BandSet(
         name=name,
         position=np.interp(data["distance"].values, corners, np.arange(len(corners))),
         frequency=np.sort(data["frequency"].values, axis=1),
-        labels=tuple(json.loads(data.attrs["path_labels"])),
+        labels=labels,
         gaps=tuple(gap for gap in gaps_of(data) if gap.complete),
         inputs=json.loads(data.attrs["inputs"]),
     )

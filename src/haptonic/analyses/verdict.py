@@ -171,11 +171,12 @@ def _on_plate(plate: Plate, scan: FrequencyResponse) -> tuple[FrequencyResponse,
     layout, points = plate.layout, scan.points
     names = region_names(layout, points)
     kept = np.array([k for k, name in enumerate(names) if name is not None], dtype=np.int64)
-    if len(kept) < 3 or len(kept) < (1 - MOST_BESIDE) * len(points):
+    left_out = len(points) - len(kept)
+    if len(kept) < 3 or left_out > MOST_BESIDE * len(points):
         low, high = points.min(axis=0) * 1e3, points.max(axis=0) * 1e3
         raise ScanError.mismatch(
             argument="points",
-            given=f"{len(points) - len(kept)} of {len(points)} beside the plate; x from {low[0]:.4g} to "
+            given=f"{left_out} of {len(points)} beside the plate; x from {low[0]:.4g} to "
             f"{high[0]:.4g} mm, y from {low[1]:.4g} to {high[1]:.4g} mm",
             allowed=f"points on the plate, {layout.x[-1] * 1e3:.4g} x {layout.y[-1] * 1e3:.4g} mm from its "
             "lower left corner",
@@ -183,9 +184,8 @@ def _on_plate(plate: Plate, scan: FrequencyResponse) -> tuple[FrequencyResponse,
             next_step="register the scan to the plate first",
         )
     region = np.array([names[k] for k in kept], dtype=str)
-    return FrequencyResponse(scan.dataset.isel(point=kept).assign_coords(region=("point", region))), len(
-        points
-    ) - len(kept)
+    inside = scan.dataset.isel(point=kept).assign_coords(region=("point", region))
+    return FrequencyResponse(inside), left_out
 
 
 def _measured(plate: Plate, scan: FrequencyResponse, picked: Ints) -> MeasuredResponse:

@@ -65,12 +65,13 @@ def resolved(template: str, file: str | None, known: dict[str, Template]) -> tup
     guess = nearest(name, known)
     if name not in known:
         swapped = file is not None and file in known
-        raise StudyError(
-            "unknown",
-            argument="TEMPLATE",
-            given=shown(template),
-            allowed=f"one of {', '.join(known)}",
-            cause="template and file stand in the wrong order" if swapped else "there is no such template",
+        cause = "template and file stand in the wrong order" if swapped else "there is no such template"
+        raise StudyError.unknown(
+            "TEMPLATE",
+            template,
+            known,
+            cause,
+            slip=False,
             next_step=f"haptonic new {file} {template}"
             if swapped
             else f"haptonic new {guess} {file or f'my{ENDING}'}"
