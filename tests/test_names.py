@@ -161,10 +161,8 @@ def test_a_study_takes_every_allowed_name_and_keeps_it(regions, actuator):
 @given(any_text, st.sampled_from("\x00\x07\x1b\x7f\x85\n\t\u2028\u202e\u2066"), st.integers(0, 40))
 def test_a_name_with_a_control_character_is_refused_with_its_path(text, control, at):
     name = (text[:at] + control + text[at:])[:39] + control
-    with pytest.raises(StudyError) as error:
+    with refusing(StudyError, "malformed", "plate.actuator[1].name") as error:
         loads(with_names("WG1", "WG2", name))
-    assert error.value.argument.endswith("plate.actuator[1].name")
-    assert "control character" in error.value.cause
     assert not CONTROLS.search(str(error.value))
 
 

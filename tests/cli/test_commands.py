@@ -143,11 +143,11 @@ def test_accuracy_beyond_the_memory_says_how_much(inside, study):
 
 def test_unreadable_files_and_folders(inside, study, tmp_path):
     assert_five_parts(
-        inside("bands", tmp_path / "none.toml"), "none.toml", code="unreadable", argument="study"
+        inside("bands", tmp_path / "none.toml"), "none.toml", code="not-found", argument="study"
     )
     assert_five_parts(inside("bands", tmp_path), str(tmp_path), code="unreadable", argument="study")
     (tmp_path / "binary.toml").write_bytes(bytes(range(256)))
-    assert_five_parts(inside("bands", tmp_path / "binary.toml"), code="unreadable", argument="study")
+    assert_five_parts(inside("bands", tmp_path / "binary.toml"), code="malformed", argument="study")
     blocked = tmp_path / "file"
     blocked.write_text("")
     assert_five_parts(

@@ -300,7 +300,7 @@ class TestCommand:
             argument="--frequency-unit",
         )
         assert_five_parts(
-            inside("compare", one, tmp_path), code="unreadable", argument="bands of an earlier run"
+            inside("compare", one, tmp_path), code="not-found", argument="bands of an earlier run"
         )
         (tmp_path / "bands.nc").write_bytes(b"\x89HDF\r\n\x1a\n" + bytes(200))
         assert_five_parts(
@@ -320,26 +320,22 @@ class TestCommand:
             "one-two-compare",
         }
 
-    def test_what_a_table_does_not_say_is_asked_before_bands_are_computed(
-        self, inside, tmp_path, monkeypatch
-    ):
-        monkeypatch.setattr(
-            "haptonic.analyses.compare.compute_bands", lambda *_, **__: pytest.fail("computed")
-        )
+    def test_what_a_table_does_not_say_is_asked_before_bands_are_computed(self, inside, tmp_path):
+        store = tmp_path / "store"
         table = tmp_path / "comsol.csv"
         table.write_text("% Model:,bands.mph\n% k,Eigenfrequency (Hz)\n0,10+0.1i\n3,20000+2i\n")
         assert_five_parts(
-            inside("compare", self.folder / "one.toml", table),
+            inside("compare", self.folder / "one.toml", table, store=store),
             "--wavevector=segments",
             code="missing",
             argument="--wavevector",
         )
         table.write_text("k,f\n0,10\n3,20000\n")
         asked = ["compare", self.folder / "one.toml", table, "--wavevector", "segments"]
-        assert_five_parts(inside(*asked), code="missing", argument="--frequency-unit")
-        assert_five_parts(
-            inside(*asked[:3], "--wavevector", "share"), code="mismatch", argument="comsol.csv, first column"
-        )
+        assert_five_parts(inside(*asked, store=store), code="missing", argument="--frequency-unit")
+        shares = inside(*asked[:3], "--wavevector", "share", store=store)
+        assert_five_parts(shares, code="mismatch", argument="comsol.csv, first column")
+        assert not store.exists()
 
 
 def test_a_study_is_read_once(tmp_path, monkeypatch):
@@ -355,11 +351,11 @@ def test_a_study_is_read_once(tmp_path, monkeypatch):
     assert read == [study]
 
 
-def test_what_is_wrong_with_the_second_study_is_said_before_the_first_is_computed(tmp_path, monkeypatch):
+def test_what_is_wrong_with_the_second_study_is_said_before_the_first_is_computed(tmp_path):
     for name, text in (("a.toml", QUICK_CELL), ("b.toml", "[cell]\n")):
         (tmp_path / name).write_text(text)
-    monkeypatch.setattr(compare, "compute_bands", lambda *_, **__: pytest.fail("bands were computed"))
     asked = {"first": tmp_path / "a.toml", "second": tmp_path / "b.toml"}
     refused(
         lambda: named("compare").run(None, Runner(Store(tmp_path / "store")), asked), argument="cell.pitch"
     )
+    assert not (tmp_path / "store").exists()

@@ -19,7 +19,6 @@ from scipy.stats import truncnorm
 
 import haptonic as package
 from five_parts import assert_five_parts
-from haptonic import workshop
 from haptonic.analyses import export
 from haptonic.analyses.runner import Runner
 from haptonic.bloch import Resolution, gaps_of
@@ -153,15 +152,12 @@ class TestDesign:
         for name in ("search.svg", "front.png"):
             assert (tmp_path / "again" / name).read_bytes() == (out / name).read_bytes()
 
-    def test_it_refuses_to_overwrite_before_computing(self, here, question, tmp_path, monkeypatch):
+    def test_it_refuses_to_overwrite_before_computing(self, inside, question, tmp_path):
         out = tmp_path / "out"
         out.mkdir()
         (out / "front.nc").write_text("mine")
-        monkeypatch.setattr(
-            "haptonic.analyses.design.compute_design", lambda *_, **__: pytest.fail("computed")
-        )
         assert_five_parts(
-            here("design", question, "--out", out, "--pareto"),
+            inside("design", question, "--out", out, "--pareto", store=tmp_path / "store"),
             "front.nc",
             "overwrite",
             code="repeated",
@@ -169,6 +165,7 @@ class TestDesign:
         )
         assert [path.name for path in out.iterdir()] == ["front.nc"]
         assert (out / "front.nc").read_text() == "mine"
+        assert not (tmp_path / "store").exists()
 
     def test_bounds_that_contradict_each_other(self, here, asking):
         path = asking('[design]\nslenderness = 3\nreach = "20 mm"\n', HEIGHT)
@@ -207,12 +204,10 @@ class TestDesign:
             assert_five_parts(here(command, path), "nothing", code="missing", argument="carrier")
 
     @pytest.mark.parametrize("tables", [[HEIGHT], [PITCH], []], ids=["no pitch", "only the pitch", "nothing"])
-    def test_pareto_needs_the_pitch_and_says_so_before_computing(self, here, asking, tables, monkeypatch):
-        monkeypatch.setattr(
-            "haptonic.analyses.design.compute_design", lambda *_, **__: pytest.fail("computed")
-        )
-        ran = here("design", asking(*tables), "--pareto")
+    def test_pareto_needs_the_pitch_and_says_so_before_computing(self, inside, asking, tables, tmp_path):
+        ran = inside("design", asking(*tables), "--pareto", store=tmp_path / "store")
         assert_five_parts(ran, code="missing", argument="design.vary")
+        assert not (tmp_path / "store").exists()
 
     def test_an_error_is_one_object_for_machines(self, here, study):
         ran = here("design", study(), "--json")
@@ -221,7 +216,7 @@ class TestDesign:
 
 
 class TestTolerance:
-    def test_chances_and_export_with_the_tolerances_found(self, inside, asking, here, tmp_path, monkeypatch):
+    def test_chances_and_export_with_the_tolerances_found(self, inside, asking, here, tmp_path):
         path, out = asking(TOLERANCE, changes=(FINE,)), tmp_path / "out"
         ran = inside("tolerance", path, "--json", "--out", out)
         assert ran.code == 0, ran.err
@@ -260,41 +255,32 @@ class TestTolerance:
             assert words in spoken.out, words
         assert (tmp_path / "again" / "tolerance.svg").read_bytes() == (out / "tolerance.svg").read_bytes()
 
-        shown = []
-        draw = workshop.part_drawing
-
-        def noted(*args, **options):
-            shown.append(options["tolerances"])
-            return draw(*args, **options)
-
-        monkeypatch.setattr(workshop, "part_drawing", noted)
         exported = here("export", path, "--out", tmp_path / "files", "--drawing")
         assert exported.code == 0, exported.err
         assert {p.name for p in (tmp_path / "files").iterdir()} == {"asking.pdf", "asking-drawing.dxf"}
-        wanted = pytest.approx(answer["loosest_factor"] * 3 * 20e-6)
-        assert shown == [{"cell.pillar.height": wanted}]  # both files from one sheet
+        wanted = answer["loosest_factor"] * 3 * 20e-6
         sheet = ezdxf.readfile(tmp_path / "files" / "asking-drawing.dxf").paperspace("Drawing")
         styles = [(d.get_measurement(), d.override()) for d in sheet.query("DIMENSION")]
         (height,) = [(m * s.get("dimlfac"), s) for m, s in styles if s.get("dimtol")]
         assert height[0] == pytest.approx(14.7)
-        assert height[1].get("dimtp") == height[1].get("dimtm") == pytest.approx(1e3 * wanted.expected)
+        assert height[1].get("dimtp") == height[1].get("dimtm") == pytest.approx(1e3 * wanted)
         texts = " ".join(
             text.get_text() for text in part_drawing(
-                Part.piece(package.load(path).cell), "", tolerances=shown[0]
+                Part.piece(package.load(path).cell), "", tolerances={"cell.pillar.height": wanted}
             ).figure().findobj(Text))  # fmt: skip
-        assert f"14.700 ±{1e3 * shown[0]['cell.pillar.height']:.3f}" in texts
+        assert f"14.700 ±{1e3 * wanted:.3f}" in texts
 
-    def test_it_refuses_to_overwrite_before_computing(self, here, asking, tmp_path, monkeypatch):
+    def test_it_refuses_to_overwrite_before_computing(self, inside, asking, tmp_path):
         (tmp_path / "out").mkdir()
         (tmp_path / "out" / "tolerance.svg").write_text("mine")
-        monkeypatch.setattr("haptonic.analyses.runner.Runner.gaps", lambda *_: pytest.fail("computed"))
         assert_five_parts(
-            here("tolerance", asking(TOLERANCE), "--out", tmp_path / "out"),
+            inside("tolerance", asking(TOLERANCE), "--out", tmp_path / "out", store=tmp_path / "store"),
             "tolerance.svg",
             code="repeated",
             argument="output file",
         )
         assert (tmp_path / "out" / "tolerance.svg").read_text() == "mine"
+        assert not (tmp_path / "store").exists()
 
     def test_no_spreads(self, here, study):
         assert_five_parts(here("tolerance", study()), code="missing", argument="tolerance.of")
@@ -380,11 +366,12 @@ class TestExport:
         assert (folder / "quick.pdf").read_text() == "mine"
 
     @pytest.mark.parametrize(("option", "number"), [("--columns", 0), ("--rows", -1)])
-    def test_impossible_numbers_of_cells(self, here, asking, tmp_path, option, number, monkeypatch):
-        monkeypatch.setattr("haptonic.analyses.runner.Runner.gaps", lambda *_: pytest.fail("computed"))
-        ran = here("export", asking(TOLERANCE), "--out", tmp_path / "out", option, number)
+    def test_impossible_numbers_of_cells(self, inside, asking, tmp_path, option, number):
+        asked = ("export", asking(TOLERANCE), "--out", tmp_path / "out", option, number)
+        ran = inside(*asked, store=tmp_path / "store")
         assert_five_parts(ran, option.strip("-"), str(number), code="out-of-range")
         assert not (tmp_path / "out").exists()
+        assert not (tmp_path / "store").exists()
 
     @pytest.mark.parametrize(
         ("changes", "said"),
@@ -444,15 +431,13 @@ class TestExport:
         """In the drawing, on the terminal if some were asked for, and to machines."""
         found = SimpleNamespace(loosest=0.0, plate=0.42)
         monkeypatch.setattr("haptonic.analyses.tolerance.compute", lambda *_: found)
-        figures, draw = [], workshop.part_drawing
-        monkeypatch.setattr(
-            workshop, "part_drawing", lambda *a, **o: figures.append(draw(*a, **o)) or figures[-1]
-        )
         for machine in ([], ["--json"]):
             out = tmp_path / f"files{len(machine)}"
             ran = here("export", asking(*spreads), "--out", out, "--drawing", *machine)
             assert ran.code == 0, ran.err
             assert (said in ran.err.replace("\n", " ")) == bool(spreads)
-            words = " ".join(text.get_text() for text in figures[-1].figure().findobj(Text))
+            (file,) = out.glob("*-drawing.dxf")
+            drawn = ezdxf.readfile(file).paperspace("Drawing")
+            words = " ".join(one.plain_text() for one in drawn.query("TEXT MTEXT"))
             assert f"No dimension has a tolerance of its own: {said.split(',')[0]}" in words
         assert said in json.loads(ran.out)["why_no_tolerances"]

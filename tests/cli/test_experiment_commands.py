@@ -290,7 +290,7 @@ class TestTwin:
         none = tmp_path / "none.json"
         assert_five_parts(
             inside("simulate", "friction", path, *folder, "--from", none),
-            code="unreadable",
+            code="not-found",
             argument="--from",
         )
         assert_five_parts(

@@ -92,11 +92,10 @@ def test_bad_options_are_refused(inside, plated, options, code, argument, given)
     assert_five_parts(inside("feel", plated(), *options, "--json"), given, code=code, argument=argument)
 
 
-def test_a_wrong_reduction_is_refused_before_anything_is_computed(inside, plated, monkeypatch):
-    monkeypatch.setattr("haptonic.analyses.feel.compute", lambda *_, **__: pytest.fail("computed"))
-    assert_five_parts(
-        inside("feel", plated(), "--reduction", "55", "--json"), code="out-of-range", argument="reduction"
-    )
+def test_a_wrong_reduction_is_refused_before_anything_is_computed(inside, plated, tmp_path):
+    ran = inside("feel", plated(), "--reduction", "55", "--json", store=tmp_path / "store")
+    assert_five_parts(ran, code="out-of-range", argument="reduction")
+    assert not (tmp_path / "store").exists()
 
 
 def test_a_voltage_for_a_plate_that_a_force_drives_is_refused(inside, plated):

@@ -11,8 +11,9 @@ import pytest
 import xarray as xr
 
 from five_parts import assert_five_parts
+from haptonic.analyses import named
+from haptonic.analyses.runner import Runner
 from haptonic.friction.phrases import averages
-from haptonic.results import FrictionResult
 from trial_folders import edited, made_up, written
 
 ROOT = Path(__file__).parents[2]
@@ -128,13 +129,13 @@ def test_a_study_elsewhere_and_the_driven_waveguide(inside, study, tmp_path):
     assert (found["driven"], found["driven_chosen"]) == ("WG2", "as the study says")
 
 
-def test_reference_values_stand_beside_ours_where_they_are_given(inside, tmp_path, monkeypatch):
-    asked = []
-    monkeypatch.setattr(FrictionResult, "put", lambda self, *_: asked.append(dict(self.published)))
+def test_reference_values_stand_beside_ours_where_they_are_given(tmp_path):
     folder, known = written(tmp_path / "trials", MADE), ROOT / "studies" / "references" / "touchpad.toml"
-    assert inside("friction", folder, "--references", known, "--out", tmp_path / "a").code == 0
-    assert inside("friction", folder, "--out", tmp_path / "b").code == 0
-    assert asked == [{"driven": 0.55, "idle": 0.11, "stopped": 0.8}, {}]
+    asked = {"path": folder, "references": known}
+    assert named("friction").run(None, Runner(), asked).published == {
+        "driven": 0.55, "idle": 0.11, "stopped": 0.8,
+    }  # fmt: skip
+    assert named("friction").run(None, Runner(), {"path": folder}).published == {}
 
 
 @pytest.mark.parametrize(
@@ -148,9 +149,9 @@ def test_reference_values_stand_beside_ours_where_they_are_given(inside, tmp_pat
         ('[trials.sensor]\ngauges = "a, b"\n', "malformed", "trials.sensor.gauges", ""),
         (
             '[trials.sensor]\ncalibration = "none.csv"\n',
-            "unreadable",
+            "not-found",
             "trials.sensor.calibration",
-            "cannot be read",
+            "none.csv",
         ),
         ('[trials.sensor]\nnormal = "G2"\ncalibration = "c.csv"\n', "unknown", "trials.sensor.normal", ""),
         ('[trials]\ndriven = "WG9"\n', "unknown", "waveguide", "WG9"),
@@ -172,11 +173,11 @@ def test_bad_studies_are_refused(inside, tmp_path, text, code, argument, given):
 
 def test_bad_places_are_refused(inside, tmp_path):
     assert_five_parts(
-        inside("friction", tmp_path / "none", "--json"), code="unreadable", argument="folder of trials"
+        inside("friction", tmp_path / "none", "--json"), code="not-found", argument="folder of trials"
     )
-    assert_five_parts(inside("friction", tmp_path, "--json"), code="unreadable", argument="folder of trials")
+    assert_five_parts(inside("friction", tmp_path, "--json"), code="not-found", argument="folder of trials")
     assert_five_parts(
-        inside("friction", tmp_path / "none.csv", "--json"), code="unreadable", argument="table of trials"
+        inside("friction", tmp_path / "none.csv", "--json"), code="not-found", argument="table of trials"
     )
     folder = written(tmp_path / "trials", MADE[:8], change=lambda f: {"a": f["time"], "b": f["Fz"]})
     assert_five_parts(

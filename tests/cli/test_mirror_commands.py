@@ -257,9 +257,8 @@ def test_a_strip_too_narrow_for_its_mode_is_refused(inside, fine):
     assert not written(path)
 
 
-def test_ends_that_no_rows_close_are_refused_before_anything_is_computed(inside, study, monkeypatch):
+def test_ends_that_no_rows_close_are_refused_before_anything_is_computed(inside, study, tmp_path):
     """An oblique lattice has no rows at a right angle to the strip; a square one has them."""
-    monkeypatch.setattr("haptonic.analyses.runner.Runner.gaps", lambda *_: pytest.fail("computed"))
     ends = ("[[sweep]]", '[waveguide]\nends = "mirror"\n\n[[sweep]]')
     oblique = ('pitch = "7 mm"', 'lattice = "oblique"\npitch = "7 mm"\npitch_2 = "8 mm"\nangle = "77 deg"')
     vary = (
@@ -267,6 +266,8 @@ def test_ends_that_no_rows_close_are_refused_before_anything_is_computed(inside,
         '"cell.pillar.height"\nfrom = "9 mm"\nto = "10 mm"',
     )
     path = study(ends, oblique, vary)
-    assert_five_parts(inside("waveguide", path), "right angle", code="unsupported", argument="waveguide.ends")
+    ran = inside("waveguide", path, store=tmp_path / "store")
+    assert_five_parts(ran, "right angle", code="unsupported", argument="waveguide.ends")
+    assert not (tmp_path / "store").exists()
     ran = inside("waveguide", study(ends), "--dry-run")
     assert ran.code == 0, ran.err

@@ -124,8 +124,8 @@ def test_files_of_a_verdict_in_the_way_stop_it_before_the_work(inside, folder, t
     [
         (("--against", "model.nc"), "missing", "--against", "without its study"),
         (("true.toml", "--against", "wrong.toml"), "conflict", "--against", ""),
-        (("--against", "none.toml"), "unreadable", "study", ""),
-        (("true.toml", "--against", "none.nc"), "unreadable", "file of a frequency response", "none.nc"),
+        (("--against", "none.toml"), "not-found", "study", ""),
+        (("true.toml", "--against", "none.nc"), "not-found", "file of a frequency response", "none.nc"),
         (("--against", "cell.toml"), "missing", "plate", ""),
         (("true.toml", "--against", "measured.nc"), "mismatch", "computed", ""),
     ],

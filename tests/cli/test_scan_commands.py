@@ -283,7 +283,7 @@ class TestTwin:
         [
             (("--format", "nc", "--time"), "conflict", "--format"),
             (("--format", "tdms", "--frf"), "conflict", "--format"),
-            (("--from", "nothing.nc"), "unreadable", "file of a frequency response"),
+            (("--from", "nothing.nc"), "not-found", "file of a frequency response"),
         ],
     )
     def test_it_refuses(self, inside, tiny, tmp_path, options, code, argument):
@@ -429,7 +429,7 @@ class TestScan:
     @pytest.mark.parametrize(
         ("arguments", "code", "argument", "given"),
         [
-            (("nothing.h5",), "unreadable", "path", "no such file"),
+            (("nothing.h5",), "not-found", "path", "nothing.h5"),
             (("SCAN", "--corners", "0 0 1 1 mm"), "malformed", "--corners", ""),
             (("SCAN", "STUDY", "--corners", "0 0 1 1 mm"), "malformed", "--corners", ""),
             (("SCAN", "STUDY", "--corners", "0 0 1 0 1 1 0 1 kg"), "malformed", "--corners", ""),

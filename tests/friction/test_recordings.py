@@ -242,8 +242,7 @@ class TestSensor:
         refused(lambda: read_calibration(tmp_path / "m.csv"), given, code=code, argument=argument)
         refused(
             lambda: read_calibration(tmp_path / "none.csv"),
-            "cannot be read",
-            code="unreadable",
+            code="not-found",
             argument="trials.sensor.calibration",
         )
         (tmp_path / "t.csv").write_text("a,b\nc,d\n")
@@ -377,7 +376,7 @@ class TestTables:
             (lambda t: t.assign(trial=1), "repeated", "records", "more than once"),
             (lambda t: t.iloc[:0], "malformed", "trials.csv", "[0] rows"),
             (lambda t: t.assign(start="soon", stop=1.0), "malformed", "trials.csv", ""),
-            (lambda t: t.assign(file="gone.csv"), "unreadable", "gone.csv: gone.csv", "no such file"),
+            (lambda t: t.assign(file="gone.csv"), "not-found", "gone.csv: gone.csv", ""),
         ],
     )
     def test_wrong_tables_are_refused(self, tmp_path, change, code, argument, given):
@@ -386,7 +385,7 @@ class TestTables:
 
     def test_folders_without_a_table(self, tmp_path):
         for folder in (tmp_path, tmp_path / "none"):
-            with refusing(ResourceError, "unreadable", "folder of trials"):
+            with refusing(ResourceError, "not-found", "folder of trials"):
                 friction_in(folder)
         with pytest.raises(ResourceError):
             friction_in(tmp_path / "none.csv")

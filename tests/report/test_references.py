@@ -8,7 +8,7 @@ from hypothesis import assume, given, strategies as st
 from five_parts import refusing
 from haptonic.analyses.reproduce import changed
 from haptonic.cell import Pillar, UnitCell
-from haptonic.errors import HaptonicError, StudyError
+from haptonic.errors import StudyError
 from haptonic.lattice import Lattice
 from haptonic.materials import material
 from haptonic.results.references import found_at
@@ -48,7 +48,7 @@ def test_a_path_takes_the_first_and_the_longest(path, value):
     assert found_at({"gaps": gaps, "modes": {"WG 1": {"6": 1}, "WG 1.5": 7}}, path) == value
 
 
-def test_a_variant_changes_numbers_by_their_paths_and_all_else_by_keys_of_the_file():
+def test_a_variant_changes_what_its_file_gives_by_keys():
     site = tuple({"at": (at, at), "pillar": Pillar(2e-3, high)} for at, high in ((0.0, 5e-3), (0.5, 6e-3)))
     lattice = Lattice.rectangular(7e-3, 6e-3)
     study = Study(cell=UnitCell(lattice, 1.5e-3, material("aluminium-paper"), site=site))
@@ -58,5 +58,7 @@ def test_a_variant_changes_numbers_by_their_paths_and_all_else_by_keys_of_the_fi
     assert changed(study, {}, "variant").cell == study.cell
     with refusing(StudyError, "unknown", "cell.thicknes"):
         changed(study, {"cell.thicknes": "1 mm"}, "variant")
-    with refusing(HaptonicError, "malformed", "cell.thickness"):
+    with refusing(StudyError, "malformed", "cell.thickness"):
         changed(study, {"cell.thickness": "1 kHz"}, "variant")
+    with refusing(StudyError, "malformed", "cell.site"):
+        changed(study, {"cell.site[3].pillar.height": "7 mm"}, "variant")

@@ -180,12 +180,13 @@ class TestOneFile:
         assert any(meta.get("name") == "viewport" for meta in reader.of("meta"))
         assert "@media print" in whole
 
-    def test_a_light_has_its_colour_and_its_word(self, monkeypatch, empty_pictures):
-        lights = Table(
-            "lights", ("light", "demand"), [("● green", "a"), ("▲ amber", "b"), ("", "red"), ("5", "red")]
-        )
-        monkeypatch.setattr(Toy, "tables", lambda toy: [lights])
-        content = page(replace(results(), parts={**results().parts, "toy": Toy(2)}))
+    def test_a_light_has_its_colour_and_its_word(self, empty_pictures):
+        class Lights(Toy):
+            def tables(self):
+                rows = [("● green", "a"), ("▲ amber", "b"), ("", "red"), ("5", "red")]
+                return [Table("lights", ("light", "demand"), rows)]
+
+        content = page(replace(results(), parts={**results().parts, "toy": Lights(2)}))
         assert re.findall(r'class="light (\w+)">(.*?)</th>', content) == [
             ("green", "● green"),
             ("amber", "▲ amber"),

@@ -83,7 +83,7 @@ def test_any_reader_of_netcdf_finds_its_way(tmp_path):
 
 class TestOtherFiles:
     def test_a_missing_file(self, tmp_path):
-        with refusing(ResourceError, "unreadable", "file of a frequency response"):
+        with refusing(ResourceError, "not-found", "file of a frequency response"):
             read(tmp_path / "a.nc")
 
     def test_a_folder(self, tmp_path):

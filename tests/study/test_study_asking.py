@@ -135,13 +135,13 @@ class TestRefusals:
         assert [word for word in words if word not in str(error)] == []
 
     def test_bounds_of_an_unknown_parameter_are_not_a_problem_of_their_own(self):
-        assert "problem" not in refused(BASE + vary("cell.pich", '"6 mm"', '"7 mm"')).next_step
+        error = refused(BASE + vary("cell.pich", '"6 mm"', '"7 mm"'))
+        assert len(error.next_step.splitlines()) == 1
 
     def test_a_fillet_does_not_shrink_to_a_sharp_edge(self):
         filleted = BASE.replace('height = "14.7 mm"', 'height = "14.7 mm"\nfillet = "0.5 mm"')
         error = refused(filleted + vary("cell.pillar.fillet", 0, '"0.6 mm"'))
-        assert error.argument == "touchpad.toml: design.vary[1].from"
-        assert "another mesh" in error.cause
+        assert (error.code, error.argument) == ("out-of-range", "touchpad.toml: design.vary[1].from")
         loads(filleted + vary("cell.pillar.fillet", '"50 um"', '"0.6 mm"'))
 
     def test_pitch_along_y_belongs_to_a_rectangle(self):
@@ -157,8 +157,7 @@ class TestRefusals:
         """The design found could not be written as a study. They can have a spread, which needs none."""
         text = PLAIN + vary("material.density", '"7000 kg/m^3"', '"8000 kg/m^3"')
         error = refused(text)
-        assert error.argument == "touchpad.toml: design.vary[1].parameter"
-        assert "[material] table" in error.cause
+        assert (error.code, error.argument) == ("missing", "touchpad.toml: design.vary[1].parameter")
         assert loads(PLAIN + of("material.density", '"10 kg/m^3"')).tolerance_settings.of[0].spread == 10
 
 

@@ -143,7 +143,7 @@ def test_bad_value_is_refused(case, edited):
 
 
 def test_misspelt_key_is_not_reported_as_missing_too(edited):
-    assert "problem" not in refused(edited(("diameter =", "diametre ="))).next_step
+    assert len(refused(edited(("diameter =", "diametre ="))).next_step.splitlines()) == 1
 
 
 def test_all_problems_are_reported_at_once(edited):
@@ -153,9 +153,8 @@ def test_all_problems_are_reported_at_once(edited):
         )
     )
     assert error.argument == "touchpad.toml: cell.pillar.heigth"
-    assert "3 other problems" in error.next_step
-    for path in ("cell.pitch", "material.poisson_ratio", "bands.points"):
-        assert path in error.next_step
+    told = re.findall(r"^ +(\S+): got ", error.next_step, re.M)
+    assert sorted(told) == ["bands.points", "cell.pitch", "material.poisson_ratio"]
 
 
 KEYS = table(Study)
@@ -199,13 +198,12 @@ def test_a_key_in_any_place_but_its_own_is_refused_there(every_key_text):
 @pytest.mark.parametrize("beside", ["", 'material = "steel"'])
 def test_a_material_in_the_cell_is_told_where_it_belongs(beside):
     error = refused(f'{beside}\n[cell]\npitch = "7 mm"\nthickness = "1 mm"\nmaterial = "brass"')
-    assert error.argument.endswith("cell.material")
-    assert "move it to the top" in error.next_step
+    assert (error.code, error.argument) == ("unknown", "touchpad.toml: cell.material")
 
 
 def test_list_of_problems_is_cut():
     error = refused("material = 'steel'\n[cell]\n" + "".join(f"zzz{number} = 1\n" for number in range(100)))
-    assert "101 other problems" in error.next_step  # the other unknown keys, and the two sizes left out
+    assert " 101 " in error.next_step  # the other unknown keys, and the two sizes left out
     assert len(error.next_step.splitlines()) < 30
 
 

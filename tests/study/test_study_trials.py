@@ -49,7 +49,7 @@ def test_a_file_with_trials_alone(tmp_path):
     assert study is None
     assert rules_in(section) == Rules("none", 0.05, force=(0.3, 2.0), speed=(0.05, 0.2))
     assert section.exclude == (Exclusion("P1", "ill"),)
-    with refusing(FrictionError, "unreadable", "trials.sensor.calibration", "cannot be read"):
+    with refusing(FrictionError, "not-found", "trials.sensor.calibration"):
         section.sensor.matrix(tmp_path)
     pd.DataFrame(2 * np.eye(6)).to_csv(tmp_path / "m.csv", header=False, index=False)
     sensor = section.sensor

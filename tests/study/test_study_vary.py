@@ -123,40 +123,38 @@ def test_dimensional_sweep_reads_units(edited):
 
 
 @pytest.mark.parametrize(
-    ("text", "cause"),
+    ("text", "code", "named"),
     [
-        ("", "empty"),
-        ("   ", "empty"),
-        ("cell.pitch " * 100, "too long"),
-        ("2 * 3", "no parameter"),
-        ("cell.pitch cell.thickness", "where * or / belongs"),
-        ("cell.pitch *", "missing at the end"),
-        ("* cell.pitch", "where a name or number belongs"),
-        ("cell.pitch * / 2", "where a name or number belongs"),
-        ("cell.pitch ** 2", "where a name or number belongs"),
-        ("cell.pitch / (2 * cell.thickness)", "'(' at position 14"),
-        ("cell.pitch ^ 2", "'^' at position 12"),
-        ("cell.pitch + 1", "'+' at position 12"),
-        ("-cell.pitch", "'-' at position 1"),
-        ("cell.pitch * 0", "not a positive"),
-        ("cell.pitch * 1e999", "not a positive"),
-        ("cell.pitch * 1e300 * 1e300", "outside the range"),
-        ("cell.pitch / 1e300 / 1e300", "outside the range"),
-        ("cell.pitch * cell.pitch", "more than once"),
-        ("cell.pitch / cell.pitch", "more than once"),
-        ("cell['pitch']", "'[' at position 5"),
-        ("cell.pitch; import os", "';' at position 11"),
-        ("cell..pitch", "'.' at position 5"),
-        ("cell.p\u00eftch", "position 7"),
-        ("lambda: 0", "':' at position 7"),
+        ("", "missing", ""),
+        ("   ", "missing", ""),
+        ("cell.pitch " * 100, "too-large", ""),
+        ("2 * 3", "missing", ""),
+        ("cell.pitch cell.thickness", "malformed", '"cell.thickness"'),
+        ("cell.pitch *", "malformed", ""),
+        ("* cell.pitch", "malformed", '"*"'),
+        ("cell.pitch * / 2", "malformed", '"/"'),
+        ("cell.pitch ** 2", "malformed", '"*"'),
+        ("cell.pitch / (2 * cell.thickness)", "malformed", "'(' at position 14"),
+        ("cell.pitch ^ 2", "malformed", "'^' at position 12"),
+        ("cell.pitch + 1", "malformed", "'+' at position 12"),
+        ("-cell.pitch", "malformed", "'-' at position 1"),
+        ("cell.pitch * 0", "out-of-range", "0"),
+        ("cell.pitch * 1e999", "out-of-range", "1e999"),
+        ("cell.pitch * 1e300 * 1e300", "out-of-range", ""),
+        ("cell.pitch / 1e300 / 1e300", "out-of-range", ""),
+        ("cell.pitch * cell.pitch", "repeated", '"cell.pitch"'),
+        ("cell.pitch / cell.pitch", "repeated", '"cell.pitch"'),
+        ("cell['pitch']", "malformed", "'[' at position 5"),
+        ("cell.pitch; import os", "malformed", "';' at position 11"),
+        ("cell..pitch", "malformed", "'.' at position 5"),
+        ("cell.p\u00eftch", "malformed", "position 7"),
+        ("lambda: 0", "malformed", "':' at position 7"),
     ],
 )
-def test_text_outside_the_grammar_is_refused(text, cause):
-    with pytest.raises(StudyError) as caught:
+def test_text_outside_the_grammar_is_refused(text, code, named):
+    with refusing(StudyError, code, "sweep.vary") as caught:
         parse(text)
-    assert cause in caught.value.cause
-    assert caught.value.argument == "sweep.vary"
-    assert all(caught.value.parts().values())
+    assert named in caught.value.cause
 
 
 @settings(deadline=None)
@@ -214,12 +212,10 @@ def test_sweep_that_divides_by_zero_is_refused(edited, vary, zero, ends):
         ("cell.pillar.diameter / cell.pitch", vary),
         ("from = 0.2", f"from = {low}"), ("to = 0.8", f"to = {high}"),
     )  # fmt: skip
-    with pytest.raises(StudyError) as caught:
+    with refusing(StudyError, "out-of-range", "study: sweep[1].vary") as caught:
         loads(text)
-    assert caught.value.argument == "study: sweep[1].vary"
-    assert caught.value.cause == f"{zero} is zero in this study"
+    assert zero in caught.value.cause
     assert zero in caught.value.next_step
-    assert all(caught.value.parts().values())
 
 
 def test_sweep_that_multiplies_by_zero_is_refused(edited):

@@ -153,7 +153,7 @@ class TestNoFaultOfTheFile:
         monkeypatch.setattr(Path, "open", raising(PermissionError))
         with pytest.raises(ResourceError) as caught:
             read_scan(path)
-        assert_told(caught.value, code="unreadable", argument="path")
+        assert_told(caught.value, code="forbidden", argument="path")
 
     @pytest.mark.parametrize("form", ["mat", "h5", "uff"])
     def test_too_little_memory(self, tmp_path, monkeypatch, form):
@@ -173,7 +173,7 @@ class TestNoFaultOfTheFile:
             monkeypatch.setitem(READERS, 2411, hiding(MemoryError))
         with pytest.raises(ResourceError) as caught:
             read_scan(path)
-        assert_told(caught.value, code="unreadable", argument="path")
+        assert_told(caught.value, code="too-large", argument="path")
 
     def test_records_that_announce_more_than_there_is(self, tmp_path):
         path = self.written(tmp_path, "h5")

@@ -367,7 +367,7 @@ class TestOtherFiles:
         assert_told(caught.value, name, code="unreadable")
 
     def test_nothing_there(self, tmp_path):
-        with refusing(ScanError, "unreadable", "path", "no such file"):
+        with refusing(ScanError, "not-found", "path", "a.uff"):
             read_scan(tmp_path / "a.uff")
 
 

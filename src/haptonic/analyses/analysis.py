@@ -14,6 +14,7 @@ from haptonic.errors import HaptonicError, StudyError, shown
 from haptonic.paths import source
 from haptonic.results.cost import Cost
 from haptonic.results.result import Result
+from haptonic.study.template import ENDING
 
 FLAG = re.compile(r"(?<![\w-])--[a-z][a-z-]*")
 COMMAND = "haptonic "
@@ -140,7 +141,7 @@ class Analysis:
         """Name of the folder for the files that it gives about a study or a measurement."""
         path = about.absolute()
         # two designs, or two scans, are files of one name in folders that tell them apart
-        of_analyses = STUDIES if path.suffix == ".toml" else MEASURED
+        of_analyses = STUDIES if path.suffix == ENDING else MEASURED
         stem = path.parent.name if path.stem in of_analyses else path.stem
         return f"{stem}-{self.folder or self.name}".replace(" ", "-")  # a space ends a path in a shell
 

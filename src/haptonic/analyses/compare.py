@@ -18,6 +18,7 @@ from haptonic.later import xarray as xr
 from haptonic.results.comparison import Comparison
 from haptonic.study.loading import load_as
 from haptonic.study.schema import Description
+from haptonic.study.template import ENDING
 
 RESULT = "bands.nc"  # in the folder of `haptonic bands`
 FINE = 201  # wavevectors of a study, so that straight lines between them are no worse than its accuracy
@@ -42,7 +43,7 @@ class CompareOptions(UnitsOfFile):
 
 def kind_of(path: Path) -> str:
     """ "study", "result" or "table"."""
-    if path.suffix == ".toml":
+    if path.suffix == ENDING:
         return "study"
     return "result" if path.suffix == ".nc" or path.is_dir() else "table"
 

@@ -31,12 +31,12 @@ LENGTHS = {"rad/m": 1.0, "1/m": 1.0, "rad/mm": 1e3}
 
 def of_dataset(name: str, data: xr.Dataset) -> BandSet:
     """Bands that haptonic computed."""
-    corners = data["distance"].values[json.loads(data.attrs["path_corners"])]
+    labels, corners = path_in(data)
     return BandSet(
         name=name,
         position=np.interp(data["distance"].values, corners, np.arange(len(corners))),
         frequency=np.sort(data["frequency"].values, axis=1),
-        labels=tuple(json.loads(data.attrs["path_labels"])),
+        labels=labels,
         gaps=tuple(gap for gap in gaps_of(data) if gap.complete),
         inputs=json.loads(data.attrs["inputs"]),
     )
@@ -57,13 +57,12 @@ def of_file(path: Path) -> xr.Dataset:
         )
         of_dataset("", data)
     except (ChannelError, OSError, MemoryError, KeyError, ValueError, TypeError, IndexError) as error:
-        raise StudyError.unreadable(
+        missing = isinstance(error, FileNotFoundError)
+        raise (StudyError.not_found if missing else StudyError.unreadable)(
             argument="bands of an earlier run",
             given=shown(str(path), 200),
             allowed="bands.nc of `haptonic bands`, or its folder",
-            cause="there is no such file"
-            if isinstance(error, FileNotFoundError)
-            else "another file, or damaged",
+            cause="there is no such file" if missing else "another file, or damaged",
             next_step="give the study, or run `haptonic bands` again",
         ) from error
     return data

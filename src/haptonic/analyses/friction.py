@@ -20,11 +20,11 @@ from haptonic.progress import Progress, silent
 from haptonic.results.cost import Cost
 from haptonic.results.friction import FrictionResult
 from haptonic.results.references import References
+from haptonic.results.simulated_trials import STUDY
 from haptonic.study.loading import load_trials_as
 from haptonic.study.schema import Description
 from haptonic.study.trial_tables import TrialSettings
 
-STUDY = "study.toml"  # beside the trials
 TESTED, BYTE_OF_TRIALS = 4.0, 6e-8  # s, of statistics and pictures; of a byte that is read and filtered
 
 

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import MISSING, dataclass, field, fields
+from os import PathLike, fspath
 from pathlib import Path
 from typing import Any, Literal
 
@@ -32,12 +33,10 @@ class Option:
     least: int | None = None
 
     def value(self, given: Any) -> Any:
-        """What was given, read if it is a text for a quantity."""
-        if not isinstance(given, str):
-            return given
-        if self.unit:
+        """What was given, read if it is a text, or the path of a file that is read."""
+        if self.unit and isinstance(given, str):
             return to_si(given, self.unit, self.flag)
-        return self.read(given) if self.read else given
+        return self.read(fspath(given)) if self.read and isinstance(given, str | PathLike) else given
 
 
 def option(default: Any = MISSING, help: str = "", **more: Any) -> Any:

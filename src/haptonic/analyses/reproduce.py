@@ -22,11 +22,11 @@ from haptonic.analyses.friction import compute_friction
 from haptonic.analyses.needs import has_plate
 from haptonic.analyses.options import option
 from haptonic.analyses.runner import Runner
-from haptonic.analyses.simulate_friction import simulated_friction
 from haptonic.analyses.simulate_scan import rescanned
 from haptonic.errors import FrictionError, HaptonicError, HaptonicWarning, ScanError, StudyError
 from haptonic.fields import read
 from haptonic.friction.recordings import Sensor
+from haptonic.friction.simulation import Experiment
 from haptonic.friction.statistics import Alarms, Population, false_alarms
 from haptonic.later import xarray as xr
 from haptonic.report import Results
@@ -37,10 +37,9 @@ from haptonic.results.friction import FrictionResult
 from haptonic.results.plate.value import PlateResult
 from haptonic.results.references import References, Variant, found_at
 from haptonic.results.result import Result
+from haptonic.results.simulated_trials import SimulatedFriction
 from haptonic.results.table import Table
 from haptonic.study.schema import Description
-from haptonic.study.sweeps import numeric_parameters
-from haptonic.units import to_si
 
 ALARMS = 400  # simulated experiments without an effect
 WRITTEN = ("bands", "sweep", "layers", "plate", "feel")  # whose files come to lie beside the report
@@ -185,8 +184,8 @@ def _trials(study: Description, feel: Feel, runner: Runner) -> FrictionResult:
     """Trials of made-up people on the plate as it is computed, analysed like measured ones."""
     protocol, count = protocol_of(study), study.protocol_settings.participants
     truth = truth_of(study, {name: feel.friction.amplitude(name) for name in feel.friction.regions})
-    made = simulated_friction(
-        truth, protocol, count, seed=0, study=study.to_toml(), suffix=".h5", per="block"
+    made = SimulatedFriction(
+        experiment=Experiment(truth, protocol, count), study=study.to_toml(), suffix=".h5", per="block"
     )
     with TemporaryDirectory() as name:
         made.put(Path(name), runner.progress)
@@ -221,31 +220,33 @@ def _varied(study: Description, variant: Variant, runner: Runner) -> float | Non
 
 
 def changed(study: Description, changes: Mapping[str, Any], origin: str) -> Description:
-    """One design: a study without sweeps, with numbers changed by their paths, all else by keys of its file.
+    """One design: a study without sweeps, with what its file gives changed.
 
     Parameters
     ----------
-    changes : new values as a study file has them; whole tables, lists and names too
+    changes : new values by key of the file, ``cell.site[2].pillar.height``; whole tables and lists too
     origin : what an error calls the study
 
     Raises
     ------
     HaptonicError : no such key, or a value that it cannot have
     """
-    units, known = numeric_parameters(), study.parameters()
-    texts = {path: text for path, text in changes.items() if path in known and isinstance(text, str)}
-    study = study.with_parameters({path: to_si(text, units[path], path) for path, text in texts.items()})
-    others = {key: value for key, value in changes.items() if key not in texts}
-    if not others:
-        return study
-    data = tomllib.loads(study.to_toml())
-    for key, value in others.items():
-        *tables, name = key.split(".")
-        table = data
-        for inner in tables:
-            table = table.setdefault(inner, {})
-        table[name] = value
+    data = tomllib.loads(study.with_parameters({}).to_toml())
+    for key, value in changes.items():
+        data = _with(data, key.replace("[", ".").replace("]", "").split("."), value)
     return read(type(study), data, origin)
+
+
+def _with(given: Any, steps: list[str], value: Any) -> Any:
+    """What a file gives, with another value where these steps end; those into a list count from 1."""
+    if not steps:
+        return value
+    step, *left = steps
+    if isinstance(given, list) and step in map(str, range(1, len(given) + 1)):
+        row = int(step) - 1
+        return [*given[:row], _with(given[row], left, value), *given[row + 1 :]]
+    table = given if isinstance(given, dict) else {}  # a step that leads nowhere is refused when it is read
+    return table | {step: _with(table.get(step), left, value)}
 
 
 def cost(study: Description, options: ReproduceOptions) -> Cost:

@@ -69,11 +69,15 @@ class Runner:
             scheduler=self.scheduler, progress=counted,
         )  # fmt: skip
 
-    def gaps(self, cell: UnitCell, settings: BandSettings, done: int = 0) -> tuple[Gap, ...]:
+    def gaps(self, cell: UnitCell, settings: BandSettings) -> tuple[Gap, ...]:
         """Complete gaps of a cell, the task of one design of a sweep."""
-        task = Task({"kind": "gaps", "cell": cell, "settings": settings}, (cell, settings))
-        (dataset,) = self.run(design_gaps, [task], done)
+        (dataset,) = self.run(design_gaps, [gaps_task(cell, settings)], 0)
         return gaps_of(dataset)
+
+
+def gaps_task(cell: UnitCell, settings: BandSettings) -> Task:
+    """The complete gaps of a cell, to be computed by `design_gaps`."""
+    return Task({"kind": "gaps", "cell": cell, "settings": settings}, (cell, settings))
 
 
 def design_gaps(design: tuple[UnitCell, BandSettings]) -> xr.Dataset:

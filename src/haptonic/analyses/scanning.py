@@ -42,13 +42,7 @@ from haptonic.vibrometry.estimation.spectra import Estimator, WindowName
 from haptonic.vibrometry.guides import Mirror, guides_of, mirror_beside, without_mode
 from haptonic.vibrometry.maps.waves import grid_step
 from haptonic.vibrometry.of_settings import Tiles, plan_for
-from haptonic.vibrometry.on_plate import (
-    contrast_range,
-    decay_in,
-    guide_waves,
-    lattice_gap,
-    region_levels,
-)
+from haptonic.vibrometry.on_plate import contrast_range, decay_in, guide_waves, lattice_gap, region_levels
 from haptonic.vibrometry.settings import ScanSettings
 from haptonic.vibrometry.theory import computed_waves
 

@@ -7,16 +7,12 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, Literal
 
-import numpy as np
-
 from haptonic.analyses.analysis import Analysis
 from haptonic.analyses.experiments import protocol_of, truth_of
 from haptonic.analyses.options import Seeded, option
 from haptonic.analyses.runner import Runner
 from haptonic.errors import FrictionError, ResourceError, shown
-from haptonic.friction.protocol import Protocol
-from haptonic.friction.simulation import Truth, people
-from haptonic.friction.trial_list import Per
+from haptonic.friction.simulation import Experiment
 from haptonic.paths import source
 from haptonic.results.cost import Cost
 from haptonic.results.simulated_trials import SimulatedFriction
@@ -38,7 +34,7 @@ def read_amplitudes(given: str | Path) -> dict[str, float]:
         values: Any = json.loads(path.read_text(encoding="utf-8"))
     except (OSError, ValueError) as error:
         missing = isinstance(error, FileNotFoundError)
-        raise ResourceError.unreadable(
+        raise (ResourceError.not_found if missing else ResourceError.unreadable)(
             argument="--from",
             given=path,
             allowed='a JSON file such as {"WG1": 1e-6, "WG2": 3e-7}',
@@ -87,35 +83,12 @@ def compute(study: Description, options: SimulateFrictionOptions, runner: Runner
     protocol = protocol_of(study)
     protocol.order(count)
     runner.progress(0, 0, "friction by load sharing")
-    truth = truth_of(study, options.amplitudes)
-    return simulated_friction(
-        truth, protocol, count, seed=options.seed, study=study.to_toml(), suffix=f".{options.form}",
-        per=options.per, raw=options.raw,
-    )  # fmt: skip
-
-
-def simulated_friction(
-    truth: Truth,
-    protocol: Protocol,
-    participants: int,
-    *,
-    seed: int,
-    study: str,
-    suffix: str = ".csv",
-    per: Per = "trial",
-    raw: bool = False,
-) -> SimulatedFriction:
-    """Make people up; see `SimulatedFriction`."""
-    group = people(truth, participants, np.random.default_rng(seed))
     return SimulatedFriction(
-        truth=truth,
-        protocol=protocol,
-        group=tuple(group),
-        seed=seed,
-        study=study,
-        suffix=suffix,
-        per=per,
-        raw=raw,
+        experiment=Experiment(truth_of(study, options.amplitudes), protocol, count, options.seed),
+        study=study.to_toml(),
+        suffix=f".{options.form}",
+        per=options.per,
+        raw=options.raw,
     )
 
 

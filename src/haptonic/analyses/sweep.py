@@ -9,12 +9,12 @@ import numpy as np
 from haptonic.analyses.analysis import KEPT, Analysis
 from haptonic.analyses.costs import gaps
 from haptonic.analyses.options import NoOptions
-from haptonic.analyses.runner import Runner, design_gaps
+from haptonic.analyses.runner import Runner, design_gaps, gaps_task
 from haptonic.cell import UnitCell
 from haptonic.cell.cantilever import euler_bernoulli, timoshenko
 from haptonic.errors import StudyError
 from haptonic.gate import declared
-from haptonic.jobs import Outcome, Task
+from haptonic.jobs import Outcome
 from haptonic.later import xarray as xr
 from haptonic.materials import IsotropicMaterial
 from haptonic.results.common import stamped
@@ -40,12 +40,7 @@ def check(study: Description, options: NoOptions) -> None:
 def compute(study: Description, options: NoOptions, runner: Runner) -> Sweeps:
     """Complete gaps of every design; those that could not be computed are left out, and it is said."""
     rows = [[design.cell for design in study.designs(sweep)] for sweep in study.sweep_settings]
-    settings = study.bands_settings
-    tasks = [
-        Task({"kind": "gaps", "cell": cell, "settings": settings}, (cell, settings))
-        for row in rows
-        for cell in row
-    ]
+    tasks = [gaps_task(cell, study.bands_settings) for row in rows for cell in row]
     outcomes = iter(runner.tried(design_gaps, tasks, 0))
     each = zip(study.sweep_settings, rows, strict=True)
     return Sweeps(tuple(swept(study, sweep, row, [next(outcomes) for _ in row]) for sweep, row in each))

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import json
-from dataclasses import asdict
+from dataclasses import asdict, replace
 
 import numpy as np
 
@@ -16,15 +16,7 @@ from haptonic.bloch.gaps import need_gap_at
 from haptonic.design.edges import beside_dataset, edge_slopes, linear
 from haptonic.design.parameters import values_of
 from haptonic.design.quick import QUICK
-from haptonic.design.tolerance import (
-    REACH,
-    Chances,
-    Surface,
-    edges_of,
-    first_order,
-    samples,
-    terms_needed,
-)
+from haptonic.design.tolerance import REACH, Chances, Surface, edges_of, first_order, samples, terms_needed
 from haptonic.errors import HaptonicError, StudyError
 from haptonic.jobs import Task
 from haptonic.later import xarray as xr
@@ -100,13 +92,7 @@ def compute(study: Description, options: NoOptions, runner: Runner) -> Tolerance
     chances = Chances(
         surface=surface, spreads=spreads, carrier=carrier, margin=section.margin, pillars=section.pillars
     )
-    straight = Chances(
-        surface=linear(gap, slopes * widths[:, None]),
-        spreads=spreads,
-        carrier=carrier,
-        margin=section.margin,
-        pillars=section.pillars,
-    )
+    straight = replace(chances, surface=linear(gap, slopes * widths[:, None]))
     variance = first_order(slopes, spreads)
     dataset = xr.Dataset(
         {

@@ -22,6 +22,7 @@ from haptonic.response import FrequencyResponse, read
 from haptonic.results.cost import Cost
 from haptonic.results.verdict import AFTER, BEFORE, MEASURED, Verdict
 from haptonic.study.schema import Description
+from haptonic.study.template import ENDING
 from haptonic.units import format_quantity
 from haptonic.updating.agreement import agreement, normal_of, together
 from haptonic.updating.fit import Fit, SmallModel, fitted
@@ -36,7 +37,7 @@ FITTED = 0.2  # of the time for the plate's response, for every number that is f
 
 def response_in(given: str) -> FrequencyResponse:
     """A response from its file, which a command line takes before the study."""
-    if Path(given).suffix == ".toml":
+    if Path(given).suffix == ENDING:
         raise ResponseError.conflict(
             argument="response",
             given=given,
@@ -170,11 +171,12 @@ def _on_plate(plate: Plate, scan: FrequencyResponse) -> tuple[FrequencyResponse,
     layout, points = plate.layout, scan.points
     names = region_names(layout, points)
     kept = np.array([k for k, name in enumerate(names) if name is not None], dtype=np.int64)
-    if len(kept) < 3 or len(kept) < (1 - MOST_BESIDE) * len(points):
+    left_out = len(points) - len(kept)
+    if len(kept) < 3 or left_out > MOST_BESIDE * len(points):
         low, high = points.min(axis=0) * 1e3, points.max(axis=0) * 1e3
         raise ScanError.mismatch(
             argument="points",
-            given=f"{len(points) - len(kept)} of {len(points)} beside the plate; x from {low[0]:.4g} to "
+            given=f"{left_out} of {len(points)} beside the plate; x from {low[0]:.4g} to "
             f"{high[0]:.4g} mm, y from {low[1]:.4g} to {high[1]:.4g} mm",
             allowed=f"points on the plate, {layout.x[-1] * 1e3:.4g} x {layout.y[-1] * 1e3:.4g} mm from its "
             "lower left corner",
@@ -182,9 +184,8 @@ def _on_plate(plate: Plate, scan: FrequencyResponse) -> tuple[FrequencyResponse,
             next_step="register the scan to the plate first",
         )
     region = np.array([names[k] for k in kept], dtype=str)
-    return FrequencyResponse(scan.dataset.isel(point=kept).assign_coords(region=("point", region))), len(
-        points
-    ) - len(kept)
+    inside = scan.dataset.isel(point=kept).assign_coords(region=("point", region))
+    return FrequencyResponse(inside), left_out
 
 
 def _measured(plate: Plate, scan: FrequencyResponse, picked: Ints) -> MeasuredResponse:

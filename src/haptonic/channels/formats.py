@@ -61,7 +61,7 @@ def opened(path: Path) -> SignalFile:
     """
     try:
         if not path.is_file():  # a name that is too long for any file raises an error
-            raise _refused(path, "no such file", "check its name")
+            raise _refused(path, "no such file", "check its name", code="not-found")
         form = format_of(path)
         if form is None:
             raise _refused(path, f'"{path.suffix}" is no ending of a format that is read', "save it as CSV")
@@ -74,8 +74,9 @@ def opened(path: Path) -> SignalFile:
         raise _refused(path, found, "check your right to read it, and the disk") from error
 
 
-def _refused(path: Path, given: str, next_step: str) -> ChannelError:
-    return ChannelError.unreadable(
+def _refused(path: Path, given: str, next_step: str, code: str = "unreadable") -> ChannelError:
+    return ChannelError(
+        code,
         argument=path.name,
         given=given,
         allowed=f"a readable file that ends in {', '.join(SUFFIXES)}",

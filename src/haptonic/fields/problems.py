@@ -73,7 +73,7 @@ def _in_parts(details: Any, keys: Mapping[str, Key]) -> StudyError:
         where = ".".join(part for part in (path, context["at"]) if part) or "the study"
         return StudyError(context["code"], argument=where, **{name: context[name] for name in PARTS})
     if kind == EXTRA:
-        return StudyError.too_few(
+        return StudyError.malformed(
             argument=path, given=shown(details["input"], 40), allowed="values for the fields that there are",
             cause="there are more arguments than fields", next_step="give fields by their names",
         )  # fmt: skip

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from typing import Any
 
 import numpy as np
 from matplotlib.artist import Artist
@@ -59,15 +60,13 @@ def conditions(
     top = max((one.friction[0] + np.nan_to_num(one.friction[1]) for one in drawn), default=1.0)
     for place, person in enumerate(people):
         for g, guide in enumerate(guides):
-            colour = LOOKS[g % len(LOOKS)][0]
             for a, side in enumerate(("off", "on")):
                 one = shown[person, guide, side]
                 if not one.used:
                     continue
                 x = place - 0.4 + bar * (2 * g + a + 0.5)
                 axes.bar(
-                    x, one.friction[0], 0.92 * bar, color=colour if side == "on" else "white",
-                    edgecolor=colour, lw=1.2, hatch=None if side == "on" else "///", zorder=2,
+                    x, one.friction[0], 0.92 * bar, **_look(g, side), lw=1.2, zorder=2,
                     gid=f"{person} {guide} {side}",
                 )  # fmt: skip
                 if np.isfinite(one.friction[1]):
@@ -78,12 +77,7 @@ def conditions(
     axes.set_ylabel("coefficient of friction")
     axes.set_title("mean and one standard deviation of trials" + _mark(origin))
     handles: list[Artist] = [
-        Patch(
-            facecolor=LOOKS[g % len(LOOKS)][0] if side == "on" else "white",
-            edgecolor=LOOKS[g % len(LOOKS)][0],
-            hatch=None if side == "on" else "///",
-            label=label(f"{guide}, vibration {side}"),
-        )
+        Patch(**_look(g, side), label=label(f"{guide}, vibration {side}"))
         for g, guide in enumerate(guides)
         for side in ("off", "on")
     ]
@@ -92,6 +86,13 @@ def conditions(
         lines = [*_said(reductions, stopped, driven, published)]
         on.figure.suptitle("\n".join(lines), fontsize=8.5, x=0.02, ha="left")
     return on.figure
+
+
+def _look(guide: int, side: str) -> dict[str, Any]:
+    """Of the bars of a waveguide, filled with the vibration on and hatched with it off."""
+    colour = LOOKS[guide % len(LOOKS)][0]
+    filled = {"facecolor": colour} if side == "on" else {"facecolor": "white", "hatch": "///"}
+    return {**filled, "edgecolor": colour}
 
 
 def _said(
@@ -224,9 +225,7 @@ def _curves(
     middle, scale = y + 0.46, 0.36 / high
     axes.plot(at[[0, -1]], [middle, middle], color=style.PALE_INK, lw=0.4, zorder=1)
     colours = (style.BLUE, style.ORANGE)
-    lines = [
-        np.column_stack([at, middle + scale * np.clip(one, -high, high)]) for one in forces
-    ]  # fmt: skip
+    lines = [np.column_stack([at, middle + scale * np.clip(one, -high, high)]) for one in forces]
     axes.add_collection(LineCollection(lines, colors=colours, linewidths=0.8, zorder=3), autolim=False)
     if steady.any():
         edges = np.flatnonzero(np.diff(np.concatenate([[0], steady.astype(int), [0]])))

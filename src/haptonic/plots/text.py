@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 import re
+from typing import SupportsFloat
 
 from haptonic.names import visible
 
@@ -75,6 +76,11 @@ def absolute(units: str, largest: float, drive: float | None) -> tuple[str, floa
 def driven(units: str, drive: float | None) -> str:
     """Of a response with these units, the amplitude of its drive in words; empty where it is not known."""
     return "" if drive is None else f" at {drive:g} {units.rpartition('/')[2]}"
+
+
+def in_percent(share: SupportsFloat) -> str:
+    """A share in whole percent."""
+    return f"{100 * float(share):.0f} %"
 
 
 def in_pi(phase: float) -> str:

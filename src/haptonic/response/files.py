@@ -69,11 +69,14 @@ def read(path: Path | str) -> FrequencyResponse:
             raise _foreign(path, "links to another file, which are not followed")
         return _made(arrays_of(path, content, [name for name in PARTS if name in content["sets"]]), says)
     except FileNotFoundError as error:
-        raise _unreadable(path, "there is no such file", "check the name and the folder") from error
+        next_step = "check the name and the folder"
+        raise _refused("not-found", path, "there is no such file", next_step) from error
     except (PermissionError, IsADirectoryError) as error:
-        raise _unreadable(path, "it is a folder, or you may not read it", "choose a readable file") from error
+        cause = "it is a folder, or you may not read it"
+        raise _refused("unreadable", path, cause, "choose a readable file") from error
     except MemoryError as error:
-        raise _unreadable(path, "it does not fit into memory, or it is damaged", "copy it again") from error
+        cause = "it does not fit into memory, or it is damaged"
+        raise _refused("unreadable", path, cause, "copy it again") from error
     except ChannelError as error:
         raise _foreign(path, f"not a NetCDF 4 file, or one that is damaged ({error.given})") from error
     except (KeyError, ValueError, TypeError, AttributeError, OverflowError) as error:
@@ -116,8 +119,9 @@ def _foreign(path: Path, found: str) -> ResponseError:
     )
 
 
-def _unreadable(path: Path, cause: str, next_step: str) -> ResourceError:
-    return ResourceError.unreadable(
+def _refused(code: str, path: Path, cause: str, next_step: str) -> ResourceError:
+    return ResourceError(
+        code,
         argument="file of a frequency response",
         given=path,
         allowed="a file that can be read",

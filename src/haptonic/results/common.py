@@ -48,8 +48,8 @@ def refuse_taken(folder: Path | None, names: Iterable[str | PurePosixPath], *, o
 def write_netcdf(dataset: xr.Dataset, path: Path) -> None:
     """NetCDF 4 by h5netcdf; names of variables may hold those of regions, see `haptonic.names.variable`."""
     passed(dataset)
-    names = {name: written for name in dataset.variables if (written := variable(str(name))) != name}
-    names |= {name: written for name in dataset.dims if (written := variable(str(name))) != name}
+    every = (*dataset.variables, *dataset.dims)
+    names = {name: written for name in every if (written := variable(str(name))) != name}
     with hdf5.written(path) as file:
         dataset.rename(names).to_netcdf(file, engine="h5netcdf")
 

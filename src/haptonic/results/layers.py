@@ -11,12 +11,7 @@ import numpy as np
 from haptonic import plots
 from haptonic.arrays import Array
 from haptonic.bloch import Gap
-from haptonic.bloch.mirrors import (
-    GOALS,
-    MOST_ROWS,
-    first_reaching,
-    passed_by_rows,
-)
+from haptonic.bloch.mirrors import GOALS, MOST_ROWS, first_reaching, passed_by_rows
 from haptonic.later import Axes, Figure, xarray as xr
 from haptonic.results.plain import plain, split
 from haptonic.results.result import Result, figure

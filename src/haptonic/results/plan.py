@@ -18,10 +18,6 @@ from haptonic.results.table import Cell, Column, Table
 from haptonic.units import format_quantity
 
 
-def _has_plate(plan: StudyPlan) -> bool:
-    return plan.plate is not None
-
-
 @dataclass(frozen=True, eq=False, repr=False)
 class StudyPlan(Result):
     """What a study describes.
@@ -118,7 +114,9 @@ class StudyPlan(Result):
         ]
 
     @figure(
-        "plan", "The plate seen from the face with the pillars, as the study describes it.", when=_has_plate
+        "plan",
+        "The plate seen from the face with the pillars, as the study describes it.",
+        when=lambda plan: plan.plate,
     )
     def _plan(self, *, ax: Axes | None = None) -> Figure:
         assert self.plate is not None

@@ -16,6 +16,7 @@ from haptonic.friction.protocol import Protocol, imbalance
 from haptonic.friction.signals import Label
 from haptonic.friction.trial_list import NAME, write_list
 from haptonic.later import Axes, Figure, xarray as xr
+from haptonic.plots.text import in_percent
 from haptonic.results.plain import split
 from haptonic.results.result import Result, figure, file
 from haptonic.results.sheet import sheet
@@ -75,30 +76,33 @@ class TrialPlan(Result):
     def statements(self) -> list[str]:
         """What this number of participants can and cannot prove."""
         people = f"{self.participants} participant{'s' * (self.participants != 1)}"
-        wanted = _percent(self.dataset.attrs["wanted"])
+        wanted = in_percent(self.dataset.attrs["wanted"])
         said = []
         for guide in self.protocol.waveguides:
             row = self.dataset.sel(waveguide=guide)
-            effect = f"{guide}, {_percent(row['reduction'])} less friction assumed"
+            effect = f"{guide}, {in_percent(row['reduction'])} less friction assumed"
             needed = f"{float(row['needed']):.0f}" if np.isfinite(row["needed"]) else "more than 60"
             if self.participants < 2:
                 said.append(f"{effect}: one participant proves nothing about others; {needed} are needed.")
                 continue
-            chance = _percent(row["power"].sel(participants=self.participants))
+            chance = in_percent(row["power"].sel(participants=self.participants))
             said.append(
                 f"{effect}: {people} show it, also for other people, with a chance of {chance}; "
                 f"{wanted} needs {needed}."
             )
         least = float(self.dataset["shown"])
         if np.isfinite(least):
-            said.append(f"{people} show reductions of {_percent(least)} and more with a chance of {wanted}.")
+            said.append(
+                f"{people} show reductions of {in_percent(least)} and more with a chance of {wanted}."
+            )
         elif self.participants > 1:
             said.append(f"{people} show no reduction at all with a chance of {wanted}.")
         idle = self.dataset.sel(waveguide=self.protocol.waveguides[1])
         if float(idle["reduction"]) >= WEBER_FRACTION:
             said.append(
-                f"That nobody feels {self.protocol.waveguides[1]} (less than {_percent(WEBER_FRACTION)}) "
-                f"cannot be proved by any number of people if its reduction is {_percent(idle['reduction'])}."
+                f"That nobody feels {self.protocol.waveguides[1]} (less than {in_percent(WEBER_FRACTION)}) "
+                f"cannot be proved by any number of people if its reduction is "
+                f"{in_percent(idle['reduction'])}."
             )
         said.append(
             f"A test over the {self.protocol.pairs * self.participants} pairs of trials finds smaller "
@@ -166,7 +170,3 @@ class TrialPlan(Result):
     @file("sheet.html")
     def _write_sheet(self, path: Path) -> None:
         path.write_text(sheet(self), encoding="utf-8")
-
-
-def _percent(share: Any) -> str:
-    return f"{100 * float(share):.0f} %"

@@ -6,7 +6,6 @@ from importlib.metadata import version
 from typing import TYPE_CHECKING
 
 from haptonic.pages import Picture, filled
-from haptonic.progress import Progress, silent
 from haptonic.results.table import Table
 
 if TYPE_CHECKING:
@@ -16,14 +15,13 @@ TEMPLATE = "quality.html"
 MOST_LISTED = 500  # excluded trials; trials.csv has them all
 
 
-def quality(result: FrictionResult, progress: Progress = silent) -> str:
-    """The page as text; ``progress`` is called with the sheets done and all of them."""
+def quality(result: FrictionResult) -> str:
+    """The page as text."""
     blocks, more = result.blocks()
     pictures = []
     for person, block, figure in result.sheets(blocks):
         name = f"Participant {person}, block {block}"
         pictures.append(Picture(figure, name, f"{name}: the forces of every trial"))
-        progress(len(pictures), len(blocks))
     return filled(
         TEMPLATE,
         origin=result.origin,

@@ -101,7 +101,8 @@ class References(_FileTable):
         try:
             data = tomllib.loads(file.read_text("utf-8"))
         except (OSError, ValueError) as error:
-            raise StudyError.unreadable(
+            missing = isinstance(error, FileNotFoundError)
+            raise (StudyError.not_found if missing else StudyError.unreadable)(
                 argument="references", given=str(path), allowed="a TOML file with reference values",
                 cause=str(error), next_step="check the name, or write the file anew",
             ) from None  # fmt: skip

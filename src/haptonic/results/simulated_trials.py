@@ -11,13 +11,11 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
-from haptonic.friction.protocol import Protocol
-from haptonic.friction.simulation import Person, Stroke, Truth, people, recorded
-from haptonic.friction.simulation.files import SIMULATED, WRITERS
-from haptonic.friction.simulation.gauges import GAUGES, calibration, voltages
-from haptonic.friction.simulation.strokes import AXES, RATE, samples_of
+from haptonic.friction.simulation import Experiment
+from haptonic.friction.simulation.files import SIMULATED, WRITERS, channels_of
+from haptonic.friction.simulation.gauges import calibration
+from haptonic.friction.simulation.strokes import RATE, samples_of
 from haptonic.friction.trial_list import NAME, Per, file_of, write_list
 from haptonic.later import xarray as xr
 from haptonic.paths import inside
@@ -34,9 +32,6 @@ TRUTH, STUDY, CALIBRATION = "truth.json", "study.toml", "calibration.csv"
 class SimulatedFriction(Result):
     """Trials of people who do not exist.
 
-    truth, protocol : what is true of them, and the order of their trials
-    group : the people
-    seed : of all that is drawn
     study : text of the study file
     suffix : of the files: ".csv", ".h5", ".mat" or ".tdms"
     per : whether a file holds a trial or a block
@@ -45,30 +40,27 @@ class SimulatedFriction(Result):
 
     title = "Simulated trials"
 
-    truth: Truth
-    protocol: Protocol
-    group: tuple[Person, ...]
-    seed: int
+    experiment: Experiment
     study: str
-    suffix: str
-    per: Per
-    raw: bool
+    suffix: str = ".csv"
+    per: Per = "trial"
+    raw: bool = False
 
     @property
     def dataset(self) -> xr.Dataset:
         """True friction and reductions of every participant."""
-        guides = self.protocol.waveguides
-        reduction = [[1 - one.remaining[guide] for guide in guides] for one in self.group]
+        people, guides = self.experiment.people, self.experiment.protocol.waveguides
+        reduction = [[1 - one.remaining[guide] for guide in guides] for one in people]
         return xr.Dataset(
             {
-                "friction": ("participant", [one.friction for one in self.group], {"units": "1"}),
+                "friction": ("participant", [one.friction for one in people], {"units": "1"}),
                 "reduction": (("participant", "waveguide"), reduction, {"units": "1"}),
             },
             coords={
-                "participant": [f"P{k}" for k in range(1, len(self.group) + 1)],
+                "participant": [f"P{k}" for k in range(1, len(people) + 1)],
                 "waveguide": list(guides),
             },
-            attrs={"origin": "simulated", "seed": self.seed},
+            attrs={"origin": "simulated", "seed": self.experiment.seed},
         )
 
     @classmethod
@@ -79,14 +71,13 @@ class SimulatedFriction(Result):
     @property
     def file_names(self) -> list[str]:
         """Of all files."""
-        labels = self.protocol.order(len(self.group))
-        records = dict.fromkeys(file_of(label, self.suffix, self.per) for label in labels)
+        records = dict.fromkeys(file_of(label, self.suffix, self.per) for label in self.experiment.labels)
         return [*records, TRUTH, STUDY, *([CALIBRATION] if self.raw else []), NAME]
 
     def facts(self) -> dict[str, Any]:
         """The truth."""
-        truth, people, film = self.truth, self.truth.people, self.truth.film
-        guides = self.protocol.waveguides
+        truth, people, film = self.experiment.truth, self.experiment.truth.people, self.experiment.truth.film
+        guides = self.experiment.protocol.waveguides
         driven, idle = (1 - truth.remaining[guide] for guide in guides)
         return {
             "origin": SIMULATED,
@@ -107,7 +98,7 @@ class SimulatedFriction(Result):
                     "friction": person.friction,
                     "reduction": {guide: 1 - person.remaining[guide] for guide in guides},
                 }
-                for number, person in enumerate(self.group, start=1)
+                for number, person in enumerate(self.experiment.people, start=1)
             },
             "sensor": {
                 "noise_n": people.noise,
@@ -126,16 +117,15 @@ class SimulatedFriction(Result):
         ----------
         progress : called with the trials written and all of them
         """
-        labels = self.protocol.order(len(self.group))
-        matrix = calibration() if self.raw else None
-        rng = np.random.default_rng(self.seed)
-        group = people(self.truth, len(self.group), rng)  # drawn again, so that the strokes follow them
-        strokes = recorded(self.truth, self.protocol, group, rng)
-        done = 0
-        for name, shared in groupby(strokes, key=lambda one: file_of(one.trial.label, self.suffix, self.per)):
-            many = list(shared)
-            write_atomically(inside(draft, name), partial(WRITERS[self.suffix[1:]], _channels(many, matrix)))
-            done += len(many)
+        labels, matrix, done = self.experiment.labels, calibration() if self.raw else None, 0
+        files = groupby(
+            self.experiment.strokes(), key=lambda one: file_of(one.trial.label, self.suffix, self.per)
+        )
+        for name, shared in files:
+            strokes = list(shared)
+            channels = channels_of(strokes, matrix)
+            write_atomically(inside(draft, name), partial(WRITERS[self.suffix[1:]], channels))
+            done += len(strokes)
             progress(done, len(labels))
         write_atomically(draft / STUDY, lambda path: path.write_text(self.study, encoding="utf-8"))
         text = json.dumps(self.to_json(), indent=1) + "\n"
@@ -144,7 +134,7 @@ class SimulatedFriction(Result):
             write_atomically(
                 draft / CALIBRATION, lambda path: np.savetxt(path, matrix, fmt="%.9g", delimiter=",")
             )
-        lasting = samples_of(self.truth) / RATE if self.per == "block" else None
+        lasting = samples_of(self.experiment.truth) / RATE if self.per == "block" else None
         listed = partial(
             write_list, labels, suffix=self.suffix, per=self.per, origin="simulated", lasting=lasting
         )
@@ -155,7 +145,7 @@ class SimulatedFriction(Result):
 
     def tables(self) -> list[Table]:
         """True reductions, of the population and of every participant."""
-        truth, guides = self.facts(), self.protocol.waveguides
+        truth, guides = self.facts(), self.experiment.protocol.waveguides
         rows = [
             (name, row["friction"], *(row["reduction"][guide] for guide in guides))
             for name, row in {"population": truth["population"], **truth["participants"]}.items()
@@ -169,13 +159,3 @@ class SimulatedFriction(Result):
 
     def located(self, folder: Path) -> dict[str, Any]:
         return {"folder": str(folder), "files": len(self.file_names)}
-
-
-def _channels(strokes: list[Stroke], matrix: NDArray[np.float64] | None) -> dict[str, NDArray[np.float64]]:
-    """Channels by name, strokes one after the other."""
-    axes = np.hstack([stroke.axes for stroke in strokes])
-    names = AXES if matrix is None else GAUGES
-    values = axes if matrix is None else voltages(axes, matrix)
-    time = np.arange(axes.shape[1]) / RATE
-    position = np.concatenate([stroke.position for stroke in strokes])
-    return {"time": time, **dict(zip(names, values, strict=True)), "position": position}

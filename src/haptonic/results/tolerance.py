@@ -8,9 +8,7 @@ from typing import Any
 from haptonic import plots
 from haptonic.bloch import Gap
 from haptonic.design.parameters import UNITS
-from haptonic.design.tolerance import (
-    REACH,
-)
+from haptonic.design.tolerance import REACH
 from haptonic.later import Figure, xarray as xr
 from haptonic.results.plain import split
 from haptonic.results.result import Result, figure

@@ -38,14 +38,6 @@ PAIR_COLUMNS = (
 MEASURED, BEFORE, AFTER = "measurement", "model as given", "model fitted"
 
 
-def _has_mac(result: Verdict) -> bool:
-    return bool(result.agreements[result.last].mac.size)
-
-
-def _has_fit(result: Verdict) -> bool:
-    return result.study is not None
-
-
 @dataclass(frozen=True, eq=False, repr=False)
 class Verdict(Result):
     """A measurement beside its model, at the same points and lines.
@@ -116,7 +108,7 @@ class Verdict(Result):
         layout = self.plate.layout
         return plots.frac_maps(self.measured.points, frac, layout, measured=self.labels[MEASURED])
 
-    @figure("mac", "Agreement of shapes.", when=_has_mac)
+    @figure("mac", "Agreement of shapes.", when=lambda result: result.agreements[result.last].mac.size)
     def _mac(self, *, ax: Axes | None = None) -> Figure:
         last, labels = self.agreements[self.last], self.labels
         return plots.mac_matrix(last, measured=labels[MEASURED], computed=labels[self.last], ax=ax)
@@ -129,7 +121,7 @@ class Verdict(Result):
     def _write_model(self, path: Path) -> None:
         write(self.responses[self.last], path)
 
-    @file("fitted.toml", when=_has_fit)
+    @file("fitted.toml", when=lambda result: result.study is not None)
     def _write_study(self, path: Path) -> None:
         path.write_text(self.study or "", "utf-8")
 

@@ -12,6 +12,7 @@ from haptonic.errors import HaptonicWarning, StudyError, nearest, shown
 from haptonic.fields import read, table
 from haptonic.paths import source
 from haptonic.study.schema import Description
+from haptonic.study.template import ENDING
 from haptonic.study.trial_tables import TrialSettings, TrialsFile
 
 S = TypeVar("S", bound=Description)
@@ -72,28 +73,32 @@ def _read(path: Path) -> str:
             content = file.read(LARGEST_FILE + 1)
     except FileNotFoundError:
         if path.is_symlink():  # its own name is the nearest
-            raise _unreadable(path, "it is a link to a file that is not there", "mend the link") from None
-        raise _unreadable(path, "no such file", _similar(path)) from None
+            raise _refused(
+                "not-found", path, "it is a link to a file that is not there", "mend the link"
+            ) from None
+        raise _refused("not-found", path, "no such file", _similar(path)) from None
     except IsADirectoryError:
-        raise _unreadable(path, "it is a folder", _studies_in(path)) from None
+        raise _refused("unreadable", path, "it is a folder", _studies_in(path)) from None
     except PermissionError:
-        raise _unreadable(path, "it may not be read by you", "change its permissions, or copy it") from None
+        next_step = "change its permissions, or copy it"
+        raise _refused("forbidden", path, "it may not be read by you", next_step) from None
     except (OSError, ValueError) as error:
         cause = getattr(error, "strerror", None) or str(error)
-        raise _unreadable(path, f"the system says: {cause}", "check the path") from None
+        raise _refused("unreadable", path, f"the system says: {cause}", "check the path") from None
     if len(content) > LARGEST_FILE:
-        raise _unreadable(path, f"it is larger than {LARGEST_FILE} bytes", "check that it is a study file")
+        cause = f"it is larger than {LARGEST_FILE} bytes"
+        raise _refused("too-large", path, cause, "check that it is a study file")
     if content.startswith((b"\xff\xfe", b"\xfe\xff")):
-        raise _unreadable(path, "it is encoded as UTF-16", "save it as UTF-8")
+        raise _refused("encoding", path, "it is encoded as UTF-16", "save it as UTF-8")
     if b"\0" in content:
-        raise _unreadable(path, "it is a binary file", "give the .toml file that describes the study")
+        next_step = f"give the {ENDING} file that describes the study"
+        raise _refused("malformed", path, "it is a binary file", next_step)
     try:
         text = content.decode("utf-8-sig")
     except UnicodeDecodeError as error:
         line = content[: error.start].count(b"\n") + 1
-        raise _unreadable(
-            path, f"line {line} holds bytes that are not UTF-8 text", "save it as UTF-8"
-        ) from None
+        cause = f"line {line} holds bytes that are not UTF-8 text"
+        raise _refused("encoding", path, cause, "save it as UTF-8") from None
     return text
 
 
@@ -148,8 +153,9 @@ def _malformed(text: str, origin: str, error: Exception) -> StudyError:
     )
 
 
-def _unreadable(path: Path, cause: str, next_step: str) -> StudyError:
-    return StudyError.unreadable(
+def _refused(code: str, path: Path, cause: str, next_step: str) -> StudyError:
+    return StudyError(
+        code,
         argument="study",
         given=shown(str(path), 200),
         allowed="a readable text file in TOML",
@@ -161,13 +167,13 @@ def _unreadable(path: Path, cause: str, next_step: str) -> StudyError:
 def _similar(path: Path) -> str:
     """The nearest file name in the same folder, as a suggestion."""
     try:
-        names = [entry.name for entry in path.parent.iterdir() if entry.suffix == ".toml"]
+        names = [entry.name for entry in path.parent.iterdir() if entry.suffix == ENDING]
     except OSError:
-        return "check the path: its folder does not exist either"
+        return f"check the path: its folder {path.parent} does not exist either"
     guess = nearest(path.name, names)
     return f"did you mean {path.parent / guess}?" if guess else "check the path"
 
 
 def _studies_in(folder: Path) -> str:
-    names = sorted(entry.name for entry in folder.glob("*.toml"))
-    return f"give a file in it: {', '.join(names[:5])}" if names else "give the path of a .toml file"
+    names = sorted(entry.name for entry in folder.glob(f"*{ENDING}"))
+    return f"give a file in it: {', '.join(names[:5])}" if names else f"give the path of a {ENDING} file"

@@ -7,7 +7,7 @@ from importlib.resources import files
 from itertools import takewhile
 from pathlib import Path
 
-ENDING = ".toml"
+ENDING = ".toml"  # of a study file
 COMMAND = re.compile(r"^#   (haptonic .*?)(  |$)")  # in the comments that head a template
 
 

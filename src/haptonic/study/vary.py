@@ -88,15 +88,16 @@ def parse(text: str) -> Expression:
     ------
     StudyError : text outside the grammar, no name at all, or a first name that stands there twice
     """
-    if not text.strip() or len(text) > LONGEST_TEXT:
-        raise _refused(text, "the text is empty" if not text.strip() else "the text is too long")
+    if not text.strip():
+        raise _refused("missing", text, "the text is empty")
+    if len(text) > LONGEST_TEXT:
+        raise _refused("too-large", text, "the text is too long")
     names: list[tuple[str, int]] = []
     constant, power, factor_next = 1.0, 1, True
     for kind, token in _tokens(text):
         if factor_next == (kind == "operator"):
-            raise _refused(
-                text, f'"{token}" stands where {"a name or number" if factor_next else "* or /"} belongs'
-            )
+            belongs = "a name or number" if factor_next else "* or /"
+            raise _refused("malformed", text, f'"{token}" stands where {belongs} belongs')
         if kind == "name":
             names.append((token, power))
         elif kind == "number":
@@ -105,14 +106,16 @@ def parse(text: str) -> Expression:
             power = 1 if token == "*" else -1
         factor_next = kind == "operator"
     if factor_next:
-        raise _refused(text, "a name or number is missing at the end")
+        raise _refused("malformed", text, "a name or number is missing at the end")
     if not names:
-        raise _refused(text, "no parameter is named, so nothing would vary")
+        raise _refused("missing", text, "no parameter is named, so nothing would vary")
     if not (math.isfinite(constant) and constant > 0):
-        raise _refused(text, "its numbers multiply to something outside the range of numbers")
+        cause = "its numbers multiply to something outside the range of numbers"
+        raise _refused("out-of-range", text, cause)
     varied = names[0][0]
     if [name for name, _ in names].count(varied) > 1:
-        raise _refused(text, f'"{varied}" is the parameter that varies and stands there more than once')
+        cause = f'"{varied}" is the parameter that varies and stands there more than once'
+        raise _refused("repeated", text, cause)
     powers: dict[str, int] = {}
     for name, each in names:
         powers[name] = powers.get(name, 0) + each
@@ -174,7 +177,7 @@ def _tokens(text: str) -> Iterator[tuple[str, str]]:
         if match is None:
             character = text[position]
             cause = f"{character!a} at position {position + 1} is not part of the grammar"
-            raise _refused(text, cause, _INSTEAD.get(character, ""))
+            raise _refused("malformed", text, cause, _INSTEAD.get(character, ""))
         assert match.lastgroup is not None
         yield match.lastgroup, match.group()
         position = match.end()
@@ -183,7 +186,7 @@ def _tokens(text: str) -> Iterator[tuple[str, str]]:
 def _positive(text: str, token: str) -> float:
     number = float(token)
     if not (math.isfinite(number) and number > 0):
-        raise _refused(text, f"{token} is not a positive finite number")
+        raise _refused("out-of-range", text, f"{token} is not a positive finite number")
     return number
 
 
@@ -194,8 +197,9 @@ def _reduced(unit: str) -> str:
     return "" if not simple and registry().Unit(unit).dimensionless else unit
 
 
-def _refused(text: str, cause: str, instead: str = "") -> StudyError:
-    return StudyError.malformed(
+def _refused(code: str, text: str, cause: str, instead: str = "") -> StudyError:
+    return StudyError(
+        code,
         argument="sweep.vary",
         given=shown(text),
         allowed=GRAMMAR,

@@ -10,7 +10,7 @@ import typer
 from haptonic.cli.commands import Json
 from haptonic.cli.console import Voice, speaking
 from haptonic.cli.listing import entry, pairs
-from haptonic.errors import StudyError, nearest, shown
+from haptonic.errors import StudyError, nearest
 from haptonic.fields import Key, table
 from haptonic.fields.problems import allowed_at, example_at
 from haptonic.study import Study
@@ -73,14 +73,11 @@ def matching(keys: dict[str, Key], pattern: str) -> dict[str, Key]:
         return found
     words = {part for path in keys for part in (path, *path.replace("[]", "").split("."))}
     guess = nearest(wanted, sorted(words))
-    raise StudyError(
-        "unknown",
-        argument="pattern",
-        given=shown(pattern),
+    raise StudyError.unknown(
+        "pattern", pattern, words, "no key of the study file has it", slip=False,
         allowed="part of a path such as cell.pillar, or a word of a key's help",
-        cause="no key of the study file has it",
         next_step=f"haptonic keys {guess}" if guess else "list them all with `haptonic keys`",
-    )
+    )  # fmt: skip
 
 
 def _plain(path: str) -> str:

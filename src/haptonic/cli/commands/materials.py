@@ -10,7 +10,7 @@ import typer
 from haptonic.cli.commands import Json
 from haptonic.cli.console import speaking
 from haptonic.cli.listing import entry
-from haptonic.errors import StudyError, nearest, shown
+from haptonic.errors import StudyError, nearest
 from haptonic.materials import IsotropicMaterial, Material, PiezoelectricMaterial, library
 from haptonic.results.table import Column, Table
 from haptonic.units import format_quantity
@@ -27,16 +27,11 @@ def run(pattern: Pattern = None, json: Json = False) -> None:
         found = {name: solid for name, solid in library().items() if (pattern or "").lower() in name}
         if not found:
             guess = nearest(str(pattern).lower(), library())
-            raise StudyError(
-                "unknown",
-                argument="pattern",
-                given=shown(pattern),
-                allowed=f"part of one of {', '.join(library())}",
-                cause="no built-in material has it in its name",
-                next_step=f"haptonic materials {guess}"
-                if guess
-                else "give its constants in a [material] table",
-            )
+            instead = f"haptonic materials {guess}" if guess else "give its constants in a [material] table"
+            raise StudyError.unknown(
+                "pattern", pattern, library(), "no built-in material has it in its name", slip=False,
+                allowed=f"part of one of {', '.join(library())}", next_step=instead,
+            )  # fmt: skip
         voice.answer({"materials": {name: solid.to_dict() for name, solid in found.items()}})
         if pattern is None:
             voice.show(overview(found))

@@ -15,10 +15,9 @@ from haptonic.cli.listing import pairs
 from haptonic.errors import StudyError, nearest, shown
 from haptonic.paths import target
 from haptonic.store import write_atomically
-from haptonic.study import Template, templates
+from haptonic.study import ENDING, Template, templates
 
 USUAL = "bare-cell"
-ENDING = ".toml"
 
 
 def complete(incomplete: str) -> list[str]:
@@ -40,7 +39,7 @@ def run(template: First = None, file: Second = None, overwrite: Over = False, js
         known = templates()
         if template is None:
             pairs(voice, {name: text.about for name, text in known.items()})
-            voice.tell("`haptonic new touchpad my.toml` writes one of them.")
+            voice.tell(f"`haptonic new touchpad my{ENDING}` writes one of them.")
             voice.answer({"templates": {name: text.about for name, text in known.items()}})
             return
         name, path = resolved(template, file, known)
@@ -66,15 +65,16 @@ def resolved(template: str, file: str | None, known: dict[str, Template]) -> tup
     guess = nearest(name, known)
     if name not in known:
         swapped = file is not None and file in known
-        raise StudyError(
-            "unknown",
-            argument="TEMPLATE",
-            given=shown(template),
-            allowed=f"one of {', '.join(known)}",
-            cause="template and file stand in the wrong order" if swapped else "there is no such template",
+        cause = "template and file stand in the wrong order" if swapped else "there is no such template"
+        raise StudyError.unknown(
+            "TEMPLATE",
+            template,
+            known,
+            cause,
+            slip=False,
             next_step=f"haptonic new {file} {template}"
             if swapped
-            else f"haptonic new {guess} {file or 'my.toml'}"
+            else f"haptonic new {guess} {file or f'my{ENDING}'}"
             if guess
             else "`haptonic new` tells what they are",
         )

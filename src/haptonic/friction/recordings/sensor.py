@@ -223,7 +223,7 @@ def read_calibration(path: Path) -> Array:
     ------
     FrictionError : no such file, another shape, text, or rows that depend on each other
     """
-    path = source(path, "trials.sensor.calibration", FrictionError)
+    path, code = source(path, "trials.sensor.calibration", FrictionError), "unreadable"
     try:
         table = pd.read_csv(path, header=None, comment="#")
         if len(table) == 7:
@@ -232,8 +232,9 @@ def read_calibration(path: Path) -> Array:
             table = table.iloc[:, 1:]
         matrix = np.asarray(table, dtype=float)
         given = f"{matrix.shape[0]} x {matrix.shape[1]} numbers"
-    except OSError:
+    except OSError as error:
         matrix, given = np.empty((0, 0)), f"{path}, which cannot be read"
+        code = "not-found" if isinstance(error, FileNotFoundError) else code
     except ValueError:  # also an empty file, and one with rows of unequal length
         matrix, given = np.empty((0, 0)), f"{path}, which is no table of numbers"
     cause = "another file, or the matrix of a sensor with another number of axes"
@@ -247,7 +248,8 @@ def read_calibration(path: Path) -> Array:
         rank = np.linalg.matrix_rank(whole)
         given = f"a matrix of rank {rank}, condition number {condition:.2g}"
         cause = "a row was copied twice or left at zero"
-    raise FrictionError.unreadable(
+    raise FrictionError(
+        code,
         argument="trials.sensor.calibration",
         given=given,
         allowed="a CSV file of six rows (Fx Fy Fz Tx Ty Tz) by six gauges, of full rank",

@@ -59,7 +59,7 @@ class TrialTable:
         """
         path = folder / TABLE
         if not path.is_file():
-            raise ResourceError.unreadable(
+            raise ResourceError.not_found(
                 argument="folder of trials",
                 given=folder,
                 allowed=f"a folder with {TABLE}: participant, block, trial, waveguide, actuation, file",

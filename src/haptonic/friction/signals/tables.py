@@ -118,7 +118,7 @@ def read_columns(path: Path, required: Sequence[str]) -> dict[str, Column]:
         columns = _READERS[path.suffix](path)
     except (OSError, MemoryError, ChannelError) as error:
         missing = isinstance(error, FileNotFoundError)
-        raise ResourceError.unreadable(
+        raise (ResourceError.not_found if missing else ResourceError.unreadable)(
             argument="table of trials",
             given=path,
             allowed=f"a readable {FORMATS[path.suffix]} file",

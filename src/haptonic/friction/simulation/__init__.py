@@ -4,10 +4,11 @@ Everything that comes from here is labelled as simulated.
 """
 
 from haptonic.friction.simulation.film import Film, explaining, film_of
-from haptonic.friction.simulation.strokes import Stroke, recorded, strokes
+from haptonic.friction.simulation.strokes import Experiment, Stroke, recorded, strokes
 from haptonic.friction.simulation.truth import Person, Trial, Truth, coefficients, people, trials
 
 __all__ = [
+    "Experiment",
     "Film",
     "Person",
     "Stroke",

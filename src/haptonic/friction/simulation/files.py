@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 
 import numpy as np
@@ -10,14 +10,29 @@ import numpy as np
 from haptonic.arrays import Array
 from haptonic.channels import Channel, Group, delimited, hdf5, matlab, tdms
 from haptonic.channels.signals import ORIGIN, SIMULATED
+from haptonic.friction.simulation.gauges import GAUGES, voltages
+from haptonic.friction.simulation.strokes import AXES, RATE, Stroke
 
-__all__ = ["SIMULATED", "WRITERS"]
+__all__ = ["SIMULATED", "WRITERS", "channels_of"]
 
 Channels = Mapping[str, Array]
 
 GROUP = "records"  # of a TDMS file, which cannot do without
 DIGITS = 6  # behind the point, in text: 1 uN, 1 um
 UNITS = {"time": "s", "position": "m"}
+
+
+def channels_of(strokes: Sequence[Stroke], calibration: Array | None = None) -> Channels:
+    """Channels of a file by name, strokes one after the other.
+
+    calibration : of the sensor; its gauges' voltages then stand for forces and torques
+    """
+    axes = np.hstack([stroke.axes for stroke in strokes])
+    names = AXES if calibration is None else GAUGES
+    values = axes if calibration is None else voltages(axes, calibration)
+    time = np.arange(axes.shape[1]) / RATE
+    position = np.concatenate([stroke.position for stroke in strokes])
+    return {"time": time, **dict(zip(names, values, strict=True)), "position": position}
 
 
 def unit_of(channel: str) -> str:

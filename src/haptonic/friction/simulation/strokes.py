@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 import scipy
@@ -46,6 +47,41 @@ class Stroke:
         return Record(normal=self.axes[2], tangential=self.axes[1], rate=RATE, position=self.position)
 
 
+@dataclass(frozen=True)
+class Experiment:
+    """Strokes of people who do not exist; equal ones are equal to the last digit.
+
+    truth, protocol : what is true of the people, and the order of their trials
+    participants : their number
+    seed : of all that is drawn
+    """
+
+    truth: Truth
+    protocol: Protocol
+    participants: int
+    seed: int = 0
+
+    @property
+    def labels(self) -> list[Label]:
+        """Every trial in its order."""
+        return self.protocol.order(self.participants)
+
+    @cached_property
+    def people(self) -> list[Person]:
+        """Those that ``seed`` draws."""
+        return people(self.truth, self.participants, np.random.default_rng(self.seed))
+
+    def strokes(self) -> Iterator[Stroke]:
+        """What the sensor records, one by one: those of a participant fill some 20 MB.
+
+        Raises
+        ------
+        FrictionError : no participant, or a waveguide of which the truth says nothing
+        """
+        rng = np.random.default_rng(self.seed)
+        return recorded(self.truth, self.protocol, people(self.truth, self.participants, rng), rng)
+
+
 def strokes(
     truth: Truth, protocol: Protocol, participants: int, seed: int = 0
 ) -> Iterator[tuple[Label, Record, float]]:
@@ -55,8 +91,7 @@ def strokes(
     ------
     FrictionError : no participant, or a waveguide of which the truth says nothing
     """
-    rng = np.random.default_rng(seed)
-    for stroke in recorded(truth, protocol, people(truth, participants, rng), rng):
+    for stroke in Experiment(truth, protocol, participants, seed).strokes():
         yield stroke.trial.label, stroke.record, stroke.trial.friction
 
 

@@ -7,6 +7,7 @@ import math
 from haptonic.friction.lubrication import CUE_THRESHOLD, WEBER_FRACTION, explained
 from haptonic.friction.lubrication.on_plate import FrictionOnPlate
 from haptonic.friction.phrases import change
+from haptonic.plots.text import in_percent
 from haptonic.report.chapter import Absent, Chapter, Finding, Results, Table
 from haptonic.results.feel.value import Feel
 
@@ -80,13 +81,13 @@ def _inversion(results: Results, friction: FrictionOnPlate) -> list[str]:
     idle, ratio = next(iter(friction.ratio.items()))
     margin = friction.margins[idle]
     return [
-        f"Reductions of {_percent(driven)} and {_percent(left)}, which {known.title} has measured, "
+        f"Reductions of {in_percent(driven)} and {in_percent(left)}, which {known.title} has measured, "
         f"need an amplitude {value:.1f} times as large on the driven guide as on the idle one ({low:.1f} to "
         f"{high:.1f} over the plausible parameters), that is {_decibels(value)}. Below a finger the "
         f"simulated plate has {ratio:.1f} times, {_decibels(ratio)}.",
-        f"In the simulation the lattice stops {_percent(margin.stopped)} of the reduction; on the measured "
-        f"plate it is {_percent(1 - left / driven)}. A scan of both regions on one scale would say how much "
-        "a plate lets through.",
+        f"In the simulation the lattice stops {in_percent(margin.stopped)} of the reduction; on the measured "
+        f"plate it is {in_percent(1 - left / driven)}. A scan of both regions on one scale would say how "
+        "much a plate lets through.",
     ]
 
 
@@ -96,15 +97,11 @@ def _published(results: Results, friction: FrictionOnPlate) -> tuple[Table, ...]
     if not friction.driven or not {"driven", "idle"} <= known.keys():
         return ()
     rows = [
-        (name, str(one), _percent(known["driven" if name in friction.driven else "idle"]))
+        (name, str(one), in_percent(known["driven" if name in friction.driven else "idle"]))
         for name, one in friction.reductions().items()
     ]
     head = ("region", "predicted, with its interval", "measured")
     return (Table("Reduction of friction, and what was measured on people.", head, rows),)
-
-
-def _percent(share: float) -> str:
-    return f"{100 * share:.0f} %"
 
 
 def _decibels(ratio: float) -> str:

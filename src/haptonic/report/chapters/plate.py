@@ -81,14 +81,11 @@ def _findings(result: PlateResult) -> list[str]:
             )  # fmt: skip
             told = f"{name} at {frequency / 1e3:.2f} kHz, {where} the gap: {level:.1f} dB; {verdict}."
             said.append(Finding(told, "maps"))
-    named = [
-        (str(mode["name"].values), float(mode["frequency"]))
-        for mode in (result.modes.isel(mode=k) for k in range(result.modes.sizes["mode"]))
-    ]
-    lobes = [f"{name} at {frequency / 1e3:.2f} kHz" for name, frequency in named if has_one_lobe(name)]
-    if lobes:
-        said.append(f"Modes near the carrier with one lobe across a guide: {'; '.join(lobes)}.")
-    lobed = [k for k, (name, _) in enumerate(named) if has_one_lobe(name)]
+    names, frequencies = result.modes["name"].values.tolist(), result.modes["frequency"].values / 1e3
+    lobed = [k for k, name in enumerate(names) if has_one_lobe(name)]
+    if lobed:
+        told = "; ".join(f"{names[k]} at {frequencies[k]:.2f} kHz" for k in lobed)
+        said.append(f"Modes near the carrier with one lobe across a guide: {told}.")
     if lobed and result.driven is not None:
         stored = result.modes["strain_energy"]
         part = {name: part_name(result.plate, name) for name in (result.driven, *result.plate.layout.cells)}
@@ -97,7 +94,7 @@ def _findings(result: PlateResult) -> list[str]:
         quality, plate_alone = float(result.modes["quality_factor"][k]), 1 / result.plate.loss_factor
         lattice = sum(float(stored.sel(part=part[name])[k]) for name in result.plate.layout.cells)
         said.append(
-            f"The driven guide's mode {named[k][0]} has a quality factor of {quality:.0f}; the plate's loss "
+            f"The driven guide's mode {names[k]} has a quality factor of {quality:.0f}; the plate's loss "
             f"alone would give {plate_alone:.0f}. The mirrors hold {100 * lattice:.0f} % of its strain "
             "energy and have the plate's loss factor, so they cost no quality while theirs is no larger: "
             f"the {100 * (1 - quality / plate_alone):.1f} % that are missing go into patch, bond and "

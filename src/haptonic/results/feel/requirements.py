@@ -9,7 +9,7 @@ from typing import Literal
 from haptonic.bloch import Gap
 from haptonic.friction.lubrication import CUE_THRESHOLD, WEBER_FRACTION
 from haptonic.friction.lubrication.on_plate import Reduction
-from haptonic.plots.text import khz
+from haptonic.plots.text import in_percent, khz
 
 FAR = 2.0  # times the smallest drop that people feel: what a driven region should reach
 Colour = Literal["green", "amber", "red"]
@@ -50,7 +50,7 @@ def _driven(name: str, felt: Reduction) -> Requirement:
     wanted = FAR * WEBER_FRACTION
     colour: Colour = "green" if felt.low >= wanted else "amber" if felt.value >= wanted else "red"
     return Requirement(
-        colour, f"{name} is felt clearly", f"reduction {felt}, wanted {_percent(wanted)} or more"
+        colour, f"{name} is felt clearly", f"reduction {felt}, wanted {in_percent(wanted)} or more"
     )
 
 
@@ -59,7 +59,7 @@ def _idle(name: str, felt: Reduction) -> Requirement:
         "green" if felt.high <= WEBER_FRACTION else "amber" if felt.value <= WEBER_FRACTION else "red"
     )
     return Requirement(
-        colour, f"{name} is not felt", f"reduction {felt}, wanted {_percent(WEBER_FRACTION)} or less"
+        colour, f"{name} is not felt", f"reduction {felt}, wanted {in_percent(WEBER_FRACTION)} or less"
     )
 
 
@@ -80,10 +80,6 @@ def _in_gap(frequency: float, gap: Gap | None) -> Requirement:
         "the drive lies in a band gap",
         f"{frequency / 1e3:.2f} kHz, gap {edges}",
     )
-
-
-def _percent(share: float) -> str:
-    return f"{100 * share:.0f} %"
 
 
 def _milliseconds(time: float) -> str:

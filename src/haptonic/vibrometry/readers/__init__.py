@@ -119,7 +119,10 @@ def read_scan(
     """
     path = source(path, "path")
     if not path.exists():
-        raise _refused(path, "there is no such file", "the name is misspelt", "check the name and the folder")
+        cause, next_step = "the name is misspelt, or it lies elsewhere", "check the name and the folder"
+        raise ScanError.not_found(
+            argument="path", given=path, allowed=FORMATS, cause=cause, next_step=next_step
+        )
     try:
         length, frequency = (
             _one(length_unit, "m", "length_unit"),
@@ -127,10 +130,12 @@ def read_scan(
         )
         return _read(path, variables, unit, length, frequency, reference, origin, title)
     except PermissionError as error:
-        raise _unreadable(path, "you may not read it", "ask for the right to read it, or copy it") from error
+        next_step = "ask for the right to read it, or copy it"
+        raise _unopened("forbidden", path, "you may not read it", next_step) from error
     except MemoryError as error:
         cause = "its form is read as a whole and does not fit into memory, or it is damaged"
-        raise _unreadable(path, cause, "export it in HDF5 or TDMS, which are read in parts") from error
+        next_step = "export it in HDF5 or TDMS, which are read in parts"
+        raise _unopened("too-large", path, cause, next_step) from error
 
 
 def _read(
@@ -262,10 +267,9 @@ def _format(path: Path) -> Format:
     raise _refused(path, "a file of an unknown format", "another program wrote it", next_step)
 
 
-def _unreadable(path: Path, cause: str, next_step: str) -> ResourceError:
-    return ResourceError.unreadable(
-        argument="path", given=path, allowed="a file that can be read", cause=cause, next_step=next_step
-    )
+def _unopened(code: str, path: Path, cause: str, next_step: str) -> ResourceError:
+    allowed = "a file that can be read"
+    return ResourceError(code, argument="path", given=path, allowed=allowed, cause=cause, next_step=next_step)
 
 
 def _refused(path: Path, found: str, cause: str, next_step: str) -> ScanError:
