@@ -39,7 +39,7 @@ class TestPlaces:
     def test_the_mirror_lies_between_the_guides(self, study):
         layout = study.mounted_plate().layout
         mirror = mirror_beside(layout, "WG1")
-        assert (mirror.depth, mirror.inwards, mirror.rows) == ("x", 1, 2)
+        assert (mirror.depth, mirror.inwards, mirror.rows, mirror.repeat) == ("x", 1, 2, 1)
         assert (mirror.start, mirror.pitch) == pytest.approx((21e-3, 7e-3))
         back = mirror_beside(layout, "WG2")
         assert (back.depth, back.inwards, back.start) == ("x", -1, pytest.approx(35e-3))
@@ -95,7 +95,7 @@ class TestOtherLattices:
         assert sorted(one.rows for one in both) == [3, 4]
         high = np.sqrt(0.75) * PITCH
         assert (above.depth, above.rows, above.inwards, above.symmetric) == ("y", 4, 1, True)
-        assert (above.period, above.pitch) == pytest.approx((PITCH, high))
+        assert (above.period, above.pitch, above.repeat) == pytest.approx((PITCH, high, 2))
         assert (above.start, above.face) == pytest.approx((4 * high, 4 * high))
         # whole bricks only: half of one is missing at either end of every other row
         assert (above.area.x, above.area.width) == pytest.approx((0.5 * PITCH, 5 * PITCH))
@@ -105,7 +105,7 @@ class TestOtherLattices:
 
         layout = laid(self.BESIDE, CELLS["triangular"])
         (guide,), beside = guides_of(layout), mirror_beside(layout, "p")
-        assert (beside.depth, beside.rows) == ("x", 6)
+        assert (beside.depth, beside.rows, beside.repeat) == ("x", 6, 2)
         assert (beside.period, beside.pitch) == pytest.approx((2 * high, 0.5 * PITCH))
         # the first column stands half a pitch inside, and its tiles reach a quarter towards the guide
         assert beside.spacing == pytest.approx(np.sqrt(high * PITCH))
