@@ -131,6 +131,19 @@ class TestOtherLattices:
         found = lattice_gap(response, plate, xr.Dataset())
         assert "no images of themselves" in found.reasons[0]
 
+    def test_rows_that_are_offset_tell_how_waves_fade_and_no_edge(self):
+        layout, data = laid(self.BESIDE, CELLS["triangular"]), xr.Dataset()
+        lines = [np.arange(0, ends[-1], 1.5e-3) for ends in (layout.x, layout.y)]
+        x, y = (axis.ravel() for axis in np.meshgrid(*lines))
+        values = np.random.default_rng(1).normal(size=(3, len(x), 1)) + 0j
+        response = FrequencyResponse.of(
+            values, frequency=[1e3, 2e3, 3e3], x=x, y=y, reference="F, N", origin="simulated"
+        )
+        found = lattice_gap(response, Plate(layout, forces=(Force("F", (4.5 * PITCH, 2 * PITCH)),)), data)
+        assert np.isfinite(data["fading"]).all()
+        assert (found.lower, found.upper) == (None, None)
+        assert "rows are offset" in found.reasons[0]
+
     def test_a_border_within_a_row_tells_no_guide(self):
         """A row of a kagome lattice begins with single pillars; below the guide pairs lie beside it."""
         layout = laid(self.AROUND, CELLS["kagome"])
