@@ -39,7 +39,7 @@ class TestPlaces:
     def test_the_mirror_lies_between_the_guides(self, study):
         layout = study.mounted_plate().layout
         mirror = mirror_beside(layout, "WG1")
-        assert (mirror.depth, mirror.inwards, mirror.rows) == ("x", 1, 2)
+        assert (mirror.depth, mirror.inwards, mirror.rows, mirror.repeat) == ("x", 1, 2, 1)
         assert (mirror.start, mirror.pitch) == pytest.approx((21e-3, 7e-3))
         back = mirror_beside(layout, "WG2")
         assert (back.depth, back.inwards, back.start) == ("x", -1, pytest.approx(35e-3))
@@ -95,7 +95,7 @@ class TestOtherLattices:
         assert sorted(one.rows for one in both) == [3, 4]
         high = np.sqrt(0.75) * PITCH
         assert (above.depth, above.rows, above.inwards, above.symmetric) == ("y", 4, 1, True)
-        assert (above.period, above.pitch) == pytest.approx((PITCH, high))
+        assert (above.period, above.pitch, above.repeat) == pytest.approx((PITCH, high, 2))
         assert (above.start, above.face) == pytest.approx((4 * high, 4 * high))
         # whole bricks only: half of one is missing at either end of every other row
         assert (above.area.x, above.area.width) == pytest.approx((0.5 * PITCH, 5 * PITCH))
@@ -105,7 +105,7 @@ class TestOtherLattices:
 
         layout = laid(self.BESIDE, CELLS["triangular"])
         (guide,), beside = guides_of(layout), mirror_beside(layout, "p")
-        assert (beside.depth, beside.rows) == ("x", 6)
+        assert (beside.depth, beside.rows, beside.repeat) == ("x", 6, 2)
         assert (beside.period, beside.pitch) == pytest.approx((2 * high, 0.5 * PITCH))
         # the first column stands half a pitch inside, and its tiles reach a quarter towards the guide
         assert beside.spacing == pytest.approx(np.sqrt(high * PITCH))
@@ -130,6 +130,19 @@ class TestOtherLattices:
         plate = Plate(lying, forces=(Force("F", (3 * PITCH, 3.5 * lying.y[-1] / 8)),))
         found = lattice_gap(response, plate, xr.Dataset())
         assert "no images of themselves" in found.reasons[0]
+
+    def test_rows_that_are_offset_tell_how_waves_fade_and_no_edge(self):
+        layout, data = laid(self.BESIDE, CELLS["triangular"]), xr.Dataset()
+        lines = [np.arange(0, ends[-1], 1.5e-3) for ends in (layout.x, layout.y)]
+        x, y = (axis.ravel() for axis in np.meshgrid(*lines))
+        values = np.random.default_rng(1).normal(size=(3, len(x), 1)) + 0j
+        response = FrequencyResponse.of(
+            values, frequency=[1e3, 2e3, 3e3], x=x, y=y, reference="F, N", origin="simulated"
+        )
+        found = lattice_gap(response, Plate(layout, forces=(Force("F", (4.5 * PITCH, 2 * PITCH)),)), data)
+        assert np.isfinite(data["fading"]).all()
+        assert (found.lower, found.upper) == (None, None)
+        assert "rows are offset" in found.reasons[0]
 
     def test_a_border_within_a_row_tells_no_guide(self):
         """A row of a kagome lattice begins with single pillars; below the guide pairs lie beside it."""

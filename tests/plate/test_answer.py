@@ -11,6 +11,7 @@ from hypothesis import given, settings, strategies as st
 from small import COARSE, LOSS, PITCH, busy_plate, drawn, glued, plain_plate
 from whole import answered, dynamic, energy, finger_impedance, forms, foundations, lossless
 
+from bricks import CELLS, laid
 from five_parts import refusing
 from haptonic.errors import GeometryError, HaptonicError, ResourceError
 from haptonic.plate import krylov, sweep
@@ -66,7 +67,7 @@ def test_the_error_is_below_its_bound_and_that_below_the_tolerance(drives):
 def test_a_band_is_made_of_what_a_forecast_counts():
     model, reduced = busy(), busy_band().reduced
     asked = ResponseSettings(lowest=2e3, highest=30e3, points=15)
-    counted = Counted.of(busy_plate(), asked)
+    counted = Counted.of(busy_plate(), asked, COARSE)
     assert counted.tiles == 12
     # the patch lies on two of them, the force on one
     blocks = [len(block.tiles) for block, attached in blocks_of(model.plate).items() if attached]
@@ -79,6 +80,15 @@ def test_a_band_is_made_of_what_a_forecast_counts():
     kept = [extra.kept.shape[1] for extra in reduced.extras if extra.extra is not reduced.extras[-1].extra]
     assert counted.directions == pytest.approx(sum(kept), rel=0.4)
     assert (counted.lines, counted.points) == (15, pytest.approx(12 * PITCH**2 / 4e-6))
+
+
+@pytest.mark.parametrize(("name", "kinds"), [("square", 1), ("triangular", 2)])
+def test_bricks_in_rows_that_are_offset_have_more_unknowns(name, kinds):
+    """Each lies on two tiles of the map, and joins with those of its own row only."""
+    plate = Plate(laid("oooo " * 4, CELLS[name]), forces=(Force("F", (9e-3, 9e-3)),))
+    counted = Counted.of(plate, ResponseSettings(), COARSE)
+    assert counted.kinds == kinds
+    assert counted.unknowns == pytest.approx(PlateModel.of(plate, 30e3, COARSE).assembly.size, rel=0.15)
 
 
 def test_several_drives_of_a_lossy_plate_start_more_vectors():

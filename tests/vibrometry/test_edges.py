@@ -39,8 +39,17 @@ X, Y = (
     )  # the lattice, and plate on both sides
 )
 STRIP = LatticeRows(
-    Rectangle(14e-3, 0.0, ROWS * PITCH, CELLS * PITCH), "x", 14e-3, 1, PITCH, PITCH, PITCH, ROWS
+    area=Rectangle(14e-3, 0.0, ROWS * PITCH, CELLS * PITCH),
+    depth="x",
+    start=14e-3,
+    inwards=1,
+    pitch=PITCH,
+    period=PITCH,
+    spacing=PITCH,
+    repeat=1,
+    rows=ROWS,
 )
+OFFSET = replace(STRIP, pitch=PITCH / 2, rows=2 * ROWS, repeat=2)
 WAVES = np.pi * np.arange(1, CELLS) / CELLS
 
 
@@ -53,7 +62,7 @@ def exponent(lines, lower, upper, deep=1.6):
 def field(edges, noise=0.0, averages=0, seed=1, reflected=0.4, grain=0.0):
     """Waves of many phases along the rows, and what comes back of them; ``edges`` of a phase, or None.
 
-    grain : by which they differ within a cell, each row offset by half a period against the next
+    grain : by which they differ within a cell of rows half a pitch deep, each offset by half a period
     """
     chance = np.random.default_rng(seed)
     cells = (X - STRIP.start) / PITCH
@@ -66,7 +75,7 @@ def field(edges, noise=0.0, averages=0, seed=1, reflected=0.4, grain=0.0):
         values += (there + reflected * back[:, None] * np.exp(np.outer(gamma, cells - ROWS))) * np.cos(
             phase * Y / PITCH
         )
-    values *= 1 + grain * np.cos(2 * np.pi * Y / PITCH) * np.cos(np.pi * cells)
+    values *= 1 + grain * np.cos(2 * np.pi * Y / PITCH) * np.cos(2 * np.pi * cells)
     coherence = None
     if averages:
         scatter = chance.normal(size=(2, averages, *values.shape))
@@ -118,12 +127,14 @@ class TestEdges:
         assert inside.median().item() == pytest.approx(20 * np.log10(np.e) * 1.6, rel=0.03)
         assert seen.sel(frequency=slice(41e3, 50e3))[:, phases].median().item() < 0.5
 
-    def test_rows_that_are_offset_fade_alike(self):
-        """A wave of a phase has one and the same mean over the period at equal depths of all rows."""
-        plain, offset = (decay_along(field(whole, grain=grain), [STRIP])[:, 1:-1] for grain in (0.0, 0.3))
+    @pytest.mark.parametrize("grain", [0.3, 2.0])
+    def test_rows_that_are_offset_fade_alike(self, grain):
+        """Waves of a phase and of 2 pi less it are one wave; from row to row these are of opposite sign."""
+        plain = decay_along(field(whole), [STRIP])[:, 1:]
+        offset = decay_along(field(whole, grain=grain), [OFFSET])[:, 1:]
         inside = plain.sel(frequency=slice(55e3, 59e3))
         assert float(inside.min()) > 5
-        assert offset.sel(frequency=slice(55e3, 59e3)).values == pytest.approx(inside.values, rel=0.06)
+        assert 2 * offset.sel(frequency=slice(55e3, 59e3)).values == pytest.approx(inside.values, rel=0.06)
 
     def test_a_strip_along_the_other_axis_and_backwards_is_the_same(self):
         plain = field(whole)
@@ -131,7 +142,7 @@ class TestEdges:
             plain.values, frequency=LINES, x=Y, y=-X, reference="A1, V", origin="simulated",
         )  # fmt: skip
         area = Rectangle(0.0, -STRIP.start - ROWS * PITCH, CELLS * PITCH, ROWS * PITCH)
-        strip = LatticeRows(area, "y", -STRIP.start, -1, PITCH, PITCH, PITCH, ROWS)
+        strip = replace(STRIP, area=area, depth="y", start=-STRIP.start, inwards=-1)
         assert decay_along(turned, [strip]).values == pytest.approx(
             decay_along(plain, [STRIP]).values, abs=1e-6
         )
@@ -168,15 +179,16 @@ class TestEdges:
         """The same pillars counted in rows of half the depth: half the fading in each, the same gap."""
         prescribed = exponent
         monkeypatch.setitem(globals(), "exponent", lambda lines, *ends: prescribed(lines, *ends, deep))
-        seen, half = field(whole), replace(STRIP, pitch=PITCH / 2, rows=2 * ROWS)
-        one, other = gap_edges(decay_along(seen, [STRIP])), gap_edges(decay_along(seen, [half]), 0.5)
+        seen = field(whole, grain=2.0)
+        one = gap_edges(decay_along(field(whole), [STRIP]))
+        other = gap_edges(decay_along(seen, [OFFSET]), 0.5)
         assert one.reasons == other.reasons == ()
         for mine, same in ((one.lower, other.lower), (one.upper, other.upper)):
             assert same.frequency == pytest.approx(mine.frequency, rel=1e-3)
-        shallow = replace(half, rows=4)
+        shallow = replace(OFFSET, rows=4)
         with pytest.raises(ScanError) as caught:
             decay_along(seen, [shallow])
-        assert_told(caught.value, "five where they are half a pitch deep", code="too-few")
+        assert_told(caught.value, "five where each is offset by half a period", code="too-few")
 
     def test_what_cannot_be_done_is_refused(self):
         two = replace(STRIP, rows=2)

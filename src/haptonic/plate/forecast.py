@@ -7,12 +7,19 @@ The times were measured part by part on five plates of 48 to 340 tiles with one 
 from __future__ import annotations
 
 import math
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
+import numpy as np
+
 from haptonic.materials import IsotropicMaterial
-from haptonic.plate.blocks import blocks_of
+from haptonic.plate.blocks import Attached, blocks_of, kind_of
+from haptonic.plate.layout import Block, Layout
+from haptonic.plate.model import OPEN_FROM
 from haptonic.plate.parts import Plate
+from haptonic.plate.recipes import Fineness
 from haptonic.plate.settings import ResponseSettings
+from haptonic.plate.skeleton import Skeleton, TraceOrders
 from haptonic.plate.sweep import (
     BLOCK,
     COPIES,
@@ -25,8 +32,7 @@ from haptonic.plate.sweep import (
     pillars_modes,
 )
 
-PER_TILE, PER_TILE_OF_FEW = 39, 70  # unknowns; 37 to 39 and 57 to 80 seen
-FEW = 150  # tiles, about, below which those at free edges keep all of theirs
+INSIDE = 17  # modes kept of a tile, beside the unknowns on the lines between blocks; 15 to 21 seen
 PARTED = 0.8  # further shifts for each `MODES` modes; 0 to 1.1 seen
 # times `MODES` below a band, with which it is answered anew from rest: seen with 4.3, not with 1.5
 MISSED = 2.5
@@ -35,7 +41,7 @@ DIRECTIONS = 40  # of what a patch loses, or a support that is elastic; 30 to 94
 
 FIXED, FIXED_MEMORY = 4.0, 1.2e9  # s and bytes, of files and of what is there anyway
 SINGLE, SINGLE_FIXED = 0.01, 8.0  # s of a tile while one frequency is answered, and of the rest
-PER_KIND = 1.3  # s, of the tiles of a lattice or of plain plate
+PER_KIND = 1.3  # s, of each tile that a kind of brick covers, and of plain plate
 GLUED, STEEPER = 0.46, 1.6  # s of a tile below a patch, and how that grows with the tiles of one block
 SOLVED = 6e-5  # s, of a shift for each unknown
 ORTHOGONAL, TURNED = 1e-10, 1e-9  # s, of vectors squared for each unknown, and of vectors cubed
@@ -48,7 +54,8 @@ SEEN = 5e-10  # s, of a point at a line for each vector
 class Counted:
     """What a response between two frequencies is made of.
 
-    tiles, kinds : of the plate's map; lattices and plain plate
+    tiles : of the plate's map, a brick being one
+    kinds : tiles of bricks that differ, and one of plain plate
     glued : tiles of each block that carries something
     unknowns, directions : about, of the equations and of losses other than the plate's
     shifts : of each basis, about; a second one from rest on where many modes lie below the band, none for a
@@ -68,7 +75,7 @@ class Counted:
     points: float
 
     @classmethod
-    def of(cls, plate: Plate, asked: ResponseSettings) -> Counted:
+    def of(cls, plate: Plate, asked: ResponseSettings, fineness: Fineness | None = None) -> Counted:
         """Of a plate; the pillars' modes are those of cantilevers, those of the plate between them
 
             N = A k^2 / (4 pi),   k^2 = omega sqrt(rho h / D),   D = E h^3 / (12 (1 - nu^2))
@@ -79,8 +86,9 @@ class Counted:
         ------
         GeometryError : things glued so close to a lattice that no block of plain tiles holds them
         """
-        layout = plate.layout
+        layout, blocks = plate.layout, blocks_of(plate)
         tiles = len(layout.blocks)
+        kinds = {kind_of(layout, block): block for block in map(layout.block, layout.bricks)}
         area = sum(layout.area(name) for name in set(layout.there.values()))
         elastic = [one for one in plate.supports if one.where == "corners" or one.hold == "spring"]
         losses = len(plate.actuators) + len(elastic)
@@ -95,9 +103,9 @@ class Counted:
             starts.append(0.0)
         return cls(
             tiles=tiles,
-            kinds=len(layout.cells) + bool(layout.regions),
-            glued=tuple(len(block.tiles) for block, attached in blocks_of(plate).items() if attached),
-            unknowns=tiles * (PER_TILE if tiles > FEW else PER_TILE_OF_FEW),
+            kinds=sum(len(block.tiles) for block in kinds.values()) + bool(layout.regions),
+            glued=tuple(len(block.tiles) for block, attached in blocks.items() if attached),
+            unknowns=_between(layout, blocks, (fineness or Fineness()).trace) + INSIDE * tiles,
             directions=DIRECTIONS * losses,
             shifts=tuple(parted(low) for low in starts),
             forces=max(BLOCK, drives * (1 + LOSSES * bool(losses)) + FEWEST_RANDOM),
@@ -134,6 +142,18 @@ class Counted:
     @property
     def _pairs(self) -> float:
         return 0.5 * self.directions**2
+
+
+def _between(layout: Layout, blocks: Mapping[Block, Sequence[Attached]], orders: TraceOrders) -> int:
+    """Unknowns on the lines between blocks, without those that are condensed into a block.
+
+    Bricks in rows that are offset have more edges, and join to fewer and smaller blocks.
+    """
+    skeleton = Skeleton.of(layout, list(blocks), orders)
+    if skeleton.size < OPEN_FROM:
+        return skeleton.size
+    opened = skeleton.alone(np.zeros(0, int), [block for block, attached in blocks.items() if attached])
+    return skeleton.size - sum(map(len, opened))
 
 
 def _modes(plate: Plate, area: float, high: float) -> float:

@@ -138,6 +138,7 @@ def _mirror(layout: Layout, depth: Axis, inwards: Literal[1, -1], first: int, be
     if not count:
         return None
     area = Rectangle(across[0], up[0], across[-1] - across[0], up[-1] - up[0])
+    offset = float(rows.step @ rows.turn[1]) / rows.period
     face = _face(layout, Block(block.rows, deep) if depth == "x" else Block(deep, block.columns), rows, pitch)
     return Mirror(
         area=area,
@@ -147,6 +148,7 @@ def _mirror(layout: Layout, depth: Axis, inwards: Literal[1, -1], first: int, be
         pitch=pitch,
         period=rows.period,
         spacing=math.sqrt(rows.area / len(rows.depths)),
+        repeat=1 if abs(offset - round(offset)) < CLOSE else 2,
         rows=count,
         name=name,
         symmetric=depth in cell.point_group.mirrors,

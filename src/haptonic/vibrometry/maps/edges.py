@@ -19,10 +19,7 @@ from haptonic.vibrometry.maps.noise import HIDDEN, averages_of, noise_power
 from haptonic.vibrometry.maps.waves import Axis
 from haptonic.vibrometry.planning import Rectangle
 
-LEAST_ROWS = 3  # a wave and its reflection need three rows to be told apart
-# Spacings of pillars: three rows of a triangular lattice are 2.8 deep. In four of half a pitch, 2.1 deep, an
-# upper edge was told 5 kHz below the computed one.
-LEAST_DEPTH = 2.5
+LEAST_DEPTH = 2.5  # spacings of pillars
 DEGREE = 5  # of the splines across the rows
 PLACES = 8  # in a row, at which neighbouring rows are compared
 MARGIN = 2.5  # steps of the grid beside a strip that the splines use
@@ -46,6 +43,7 @@ class LatticeRows:
     area : of all of them; depth : axis across the rows; start : where the first one begins, m
     inwards : -1 towards smaller coordinates; pitch : of rows; period : of the cells along them, m
     spacing : of pillars, the root of the area that one has, m
+    repeat : rows from one to the next that lies straight behind it: 2 where each is offset by half a period
     """
 
     area: Rectangle
@@ -55,6 +53,7 @@ class LatticeRows:
     pitch: float
     period: float
     spacing: float
+    repeat: int
     rows: int
 
 
@@ -87,14 +86,18 @@ class LatticeGap:
 def decay_along(response: FrequencyResponse, strips: Sequence[LatticeRows]) -> xr.DataArray:
     """By how much waves of a phase fade from row to row, whatever is reflected.
 
-    A wave of phase q along the strip and its reflection give neighbouring rows u with u[n-1] + u[n+1] =
-    2 cos(k) u[n] at equal places in the cell. cos(k) is the fit to all places, rows, strips and lines nearby,
-    and |Im k| tells how it fades: zero in a band, also where the strip resonates. If several waves of a
-    phase matter it is something between theirs.
+    A wave of phase q along the strip and its reflection give rows u that lie straight behind each other
+    u[n-1] + u[n+1] = 2 cos(k) u[n] at equal places in the cell. cos(k) is the fit to all places, rows,
+    strips and lines nearby, and |Im k| tells how it fades: zero in a band, also where the strip resonates. If
+    several waves of a phase matter it is something between theirs.
+
+    Where rows are offset by half a period, a mirror turns a wave of phase pi that is multiplied by m from row
+    to row into one multiplied by -m: as large, with 2 cos(k) of the other sign, of which nothing is left on
+    average. Every other row has m^2 of both.
 
     Parameters
     ----------
-    strips : of one lattice; those with fewer than three rows, or less deep than such, are left out
+    strips : of one lattice; those with fewer than three rows straight behind each other are left out
 
     Returns
     -------
@@ -102,20 +105,21 @@ def decay_along(response: FrequencyResponse, strips: Sequence[LatticeRows]) -> x
 
     Raises
     ------
-    ScanError : no strip with three rows, which are more where they are less than a pitch deep
+    ScanError : no strip that is deep enough
     ResponseError : points that are not on a regular grid
     """
     usable = [
         strip
         for strip in strips
-        if strip.rows >= LEAST_ROWS and strip.rows * strip.pitch >= LEAST_DEPTH * strip.spacing
+        # a wave and its reflection need three rows to be told apart
+        if strip.rows > 2 * strip.repeat and strip.rows * strip.pitch >= LEAST_DEPTH * strip.spacing
     ]
     if not usable:
         raise ScanError.too_few(
-            argument="strips", given="fewer than three rows of a lattice, one behind the other",
-            allowed="three rows or more, five where they are half a pitch deep",
+            argument="strips", given="fewer than three rows of a lattice, one straight behind the other",
+            allowed="three rows or more, five where each is offset by half a period against the next",
             cause="so few rows cannot tell a wave that fades from one that is reflected",
-            next_step="compare contrast and decay with the computed gap, or build a plate with three rows",
+            next_step="compare contrast and decay with the computed gap, or build a plate with more rows",
         )  # fmt: skip
     count = max(2, min(round(_length(strip) / strip.period) for strip in usable))
     phases = np.linspace(0, np.pi, count + 1)
@@ -132,7 +136,7 @@ def decay_along(response: FrequencyResponse, strips: Sequence[LatticeRows]) -> x
     cosine = np.divide(product, clean, out=np.full(product.shape, np.nan + 0j), where=clean > LOUD * noise)
     multiplier = cosine + np.sqrt(cosine**2 - 1)
     return xr.DataArray(
-        20 * np.abs(np.log10(np.abs(multiplier))),
+        20 / usable[0].repeat * np.abs(np.log10(np.abs(multiplier))),
         dims=("frequency", "phase"),
         coords={"frequency": response.dataset["frequency"], "phase": ("phase", phases, {"units": "rad"})},
         attrs={"units": "dB/row"} | HIDDEN, name="decay",
@@ -236,16 +240,17 @@ def _compared(response: FrequencyResponse, strip: LatticeRows, phases: Array) ->
     product = np.zeros((len(whole), len(phases)), complex)
     energy, noise = np.zeros((2, len(whole), len(phases)))
     heard = _noise(part, strip.depth, along, whole)
+    inner = slice(strip.repeat, -strip.repeat)
     for start in range(0, len(whole), LINES):
         lines = slice(start, start + LINES)
         seen = spline @ (whole.values[lines] @ waves)
         rows = seen.reshape(len(seen), strip.rows, PLACES, 2, len(phases))
-        middle, sides = rows[:, 1:-1], rows[:, :-2] + rows[:, 2:]
+        middle, sides = rows[:, inner], rows[:, : -2 * strip.repeat] + rows[:, 2 * strip.repeat :]
         product[lines] = (middle.conj() * sides).sum(axis=(1, 2, 3))
         energy[lines] = 2 * (np.abs(middle) ** 2).sum(axis=(1, 2, 3))
         if heard is not None:
             power = spline**2 @ (heard[lines] @ np.abs(waves) ** 2)
-            each = power.reshape(rows.shape)[:, 1:-1]
+            each = power.reshape(rows.shape)[:, inner]
             noise[lines] = 2 * each.sum(axis=(1, 2, 3))
     return product, energy, noise
 
