@@ -72,3 +72,26 @@ def test_hdf5_files_that_do_not_fit(tmp_path: Path, limit: int) -> None:
         5 if limit < 5000 else 1
     )
     assert ".haptonic" not in done.stdout
+
+
+@pytest.mark.skipif(not Path("/dev/full").exists(), reason="there is no device that is always full")
+@pytest.mark.parametrize("words", ["keys", "materials --json", "--version", "--help"])
+def test_a_full_disk_behind_standard_output_is_told(words):
+    with Path("/dev/full").open("w") as full:
+        done = subprocess.run(
+            [sys.executable, "-m", "haptonic", *words.split()],
+            stdout=full, stderr=subprocess.PIPE, text=True, check=False,
+        )  # fmt: skip
+    assert done.returncode == 2
+    assert "Traceback" not in done.stderr
+    assert done.stderr.startswith("standard output: got ")
+    assert "code: unwritable" in done.stderr
+
+
+def test_a_terminal_without_a_letter_shows_another(monkeypatch):
+    monkeypatch.setenv("PYTHONIOENCODING", "ascii")
+    done = subprocess.run(
+        [sys.executable, "-m", "haptonic", "keys", "cell"], capture_output=True, text=True, check=False
+    )
+    assert (done.returncode, done.stderr) == (0, "")
+    assert "?m" in done.stdout

@@ -11,7 +11,7 @@ from hypothesis import given, strategies as st
 from five_parts import refusing
 from haptonic.errors import NumericalError
 from haptonic.friction.signals import write_trials
-from haptonic.gate import declared, json_of, passed
+from haptonic.gate import declared, json_from, json_of, passed
 from haptonic.jobs import Task, run_all
 from haptonic.response import FrequencyResponse
 from haptonic.response.files import write
@@ -156,3 +156,9 @@ def test_json_knows_no_nan_and_says_where_it_is(values, bad, place):
     assert set(caught.value.parts()) == PARTS
     assert all(caught.value.parts().values())
     assert caught.value.argument == f"result bands.error_hz[{place}]"
+
+
+@pytest.mark.parametrize("text", ["", "{", "[1, 2", "[" * 100_000])
+def test_json_of_others_is_read_or_no_json(text):
+    with pytest.raises(ValueError):
+        json_from(text)

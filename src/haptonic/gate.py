@@ -55,6 +55,19 @@ def json_of(values: object) -> str:
     return json.dumps(values, allow_nan=False)
 
 
+def json_from(text: str) -> Any:
+    """What a file of somebody else holds as JSON.
+
+    Raises
+    ------
+    ValueError : it is not JSON, or nested deeper than anything that is meant
+    """
+    try:
+        return json.loads(text)
+    except RecursionError:
+        raise ValueError("lists within lists, a thousand deep") from None
+
+
 def _numbers(values: object, name: str) -> Iterator[tuple[str, float]]:
     if isinstance(values, float):
         yield name, values

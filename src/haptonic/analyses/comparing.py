@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 from pathlib import Path
 
 import numpy as np
@@ -13,6 +12,7 @@ from haptonic.channels.hdf5 import arrays_of
 from haptonic.channels.numbers import Numbers, read_numbers
 from haptonic.errors import ChannelError, StudyError, shown
 from haptonic.foreign.process import ask
+from haptonic.gate import json_from
 from haptonic.later import xarray as xr
 from haptonic.results.comparison import BandSet
 from haptonic.units import to_si
@@ -38,7 +38,7 @@ def of_dataset(name: str, data: xr.Dataset) -> BandSet:
         frequency=np.sort(data["frequency"].values, axis=1),
         labels=labels,
         gaps=tuple(gap for gap in gaps_of(data) if gap.complete),
-        inputs=json.loads(data.attrs["inputs"]),
+        inputs=json_from(data.attrs["inputs"]),
     )
 
 
@@ -70,8 +70,8 @@ def of_file(path: Path) -> xr.Dataset:
 
 def path_in(data: xr.Dataset) -> tuple[tuple[str, ...], Array]:
     """Names of the corners of a result's path, and how far along it they lie, rad/m."""
-    corners = data["distance"].values[json.loads(data.attrs["path_corners"])]
-    return tuple(json.loads(data.attrs["path_labels"])), corners
+    corners = data["distance"].values[json_from(data.attrs["path_corners"])]
+    return tuple(json_from(data.attrs["path_labels"])), corners
 
 
 def of_table(

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, Literal
@@ -13,6 +12,7 @@ from haptonic.analyses.options import Seeded, option
 from haptonic.analyses.runner import Runner
 from haptonic.errors import FrictionError, ResourceError, shown
 from haptonic.friction.simulation import Experiment
+from haptonic.gate import json_from
 from haptonic.paths import source
 from haptonic.results.cost import Cost
 from haptonic.results.simulated_trials import SimulatedFriction
@@ -31,7 +31,7 @@ def read_amplitudes(given: str | Path) -> dict[str, float]:
     """
     path = source(given, "--from")
     try:
-        values: Any = json.loads(path.read_text(encoding="utf-8"))
+        values: Any = json_from(path.read_text(encoding="utf-8"))
     except (OSError, ValueError) as error:
         missing = isinstance(error, FileNotFoundError)
         raise (ResourceError.not_found if missing else ResourceError.unreadable)(

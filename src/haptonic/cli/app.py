@@ -2,12 +2,17 @@
 
 from __future__ import annotations
 
+import errno
+import io
+import os
+import sys
 from typing import Annotated
 
 import typer
 
 from haptonic import __version__
 from haptonic.cli.helping import Listed
+from haptonic.errors import ResourceError
 from haptonic.later import leave_out
 
 app = typer.Typer(
@@ -20,10 +25,32 @@ app = typer.Typer(
 )
 
 
+# why a write to standard output fails: its disk, or what it is sent to
+UNHEARD = errno.ENOSPC, errno.EDQUOT, errno.EFBIG, errno.EIO
+
+
 def main() -> None:
     """Entry point of the program."""
     leave_out()
-    app()
+    for stream in (sys.stdout, sys.stderr):
+        if isinstance(stream, io.TextIOWrapper):
+            stream.reconfigure(errors="replace")  # a letter that the terminal has not is shown as "?"
+    try:
+        app()
+    except OSError as error:
+        if error.filename is not None or error.errno not in UNHEARD:
+            raise
+        # what is left of the answer would fail again when the process ends
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        refusal = ResourceError.unwritable(
+            argument="standard output",
+            given=error.strerror,
+            allowed="a terminal, or a file with room for the answer",
+            cause="the disk is full, or what read the answer is gone",
+            next_step="send it elsewhere; files that were asked for are written",
+        )
+        print(refusal, file=sys.stderr)
+        raise SystemExit(2) from None
 
 
 @app.callback(invoke_without_command=True)

@@ -6,7 +6,6 @@ understands it.
 
 from __future__ import annotations
 
-import json
 from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
@@ -18,7 +17,7 @@ from haptonic import hdf5
 from haptonic.channels.hdf5 import arrays_of
 from haptonic.errors import ChannelError, ResourceError, ResponseError
 from haptonic.foreign.process import ask
-from haptonic.gate import passed
+from haptonic.gate import json_from, passed
 from haptonic.later import xarray as xr
 from haptonic.paths import source
 from haptonic.response.value import FrequencyResponse
@@ -104,7 +103,7 @@ def _made(parts: Mapping[str, NDArray[Any]], notes: Mapping[Any, Any]) -> Freque
         coherence=parts.get("coherence"),
         region=[str(name) for name in parts["region"]] if "region" in parts else None,
         title=notes["title"],
-        inputs=json.loads(notes["inputs"]),
+        inputs=json_from(notes["inputs"]),
     )
     return FrequencyResponse(made.dataset.assign_attrs(haptonic_version=notes["haptonic_version"]))
 
