@@ -160,5 +160,5 @@ def test_json_knows_no_nan_and_says_where_it_is(values, bad, place):
 
 @pytest.mark.parametrize("text", ["", "{", "[1, 2", "[" * 100_000])
 def test_json_of_others_is_read_or_no_json(text):
-    with pytest.raises(ValueError, match="Expecting|deep"):
+    with pytest.raises(ValueError, match=r"Expecting|deep"):
         json_from(text)
