@@ -16,6 +16,7 @@ gives modes of the mesh itself, see `haptonic.bloch.exact`.
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import reduce
 
 import numpy as np
 
@@ -85,7 +86,7 @@ def dynamic_stiffness(shared: FoldedMesh, omega: float, loads: Fields | None = N
         for q, boundary in forms.boundary.items():
             fields, unfold = part.inside[q], shared.traces[q].unfold_form
             load = fields.T @ _folded_load(shared, q, loads)
-            static = fields @ (inside @ boundary.T)
+            static = inside if part.is_class else fields @ (inside @ boundary.T)
             shares[q] = _Share(
                 below=below,
                 matrix=unfold(boundary @ (0.5 * (own + own.T)) @ boundary.T),
@@ -108,7 +109,7 @@ def dynamic_stiffness(shared: FoldedMesh, omega: float, loads: Fields | None = N
             ClassLifting(
                 trace=shared.traces[q],
                 through=shared.through,
-                static=(static := np.sum([piece[q].static for piece in pieces if q in piece], axis=0)),
+                static=(static := reduce(np.add, [piece[q].static for piece in pieces if q in piece])),
                 modes=static[:, :0],
             )
             for q in range(shared.folding.classes)

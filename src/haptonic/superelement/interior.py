@@ -83,6 +83,8 @@ class CraigBampton:
     @classmethod
     def together(cls, parts: Sequence[CraigBampton]) -> CraigBampton:
         """A body from its parts, which nothing couples, all on its own boundary."""
+        if len(parts) == 1:
+            return parts[0]
         count = len(parts[0].mass)
         corner, sides, modal = (
             [one.truncation[rows, columns] for one in parts]
