@@ -5,8 +5,12 @@ from __future__ import annotations
 import os
 import stat
 from pathlib import Path, PurePosixPath, PureWindowsPath
+from typing import TypeVar, Unpack
 
-from haptonic.errors import HaptonicError, ResourceError, shown
+from haptonic.errors import HaptonicError, Parts, ResourceError, shown
+
+E = TypeVar("E", bound=HaptonicError)
+
 
 LONGEST = 255  # bytes of one name, on every common file system
 # Without it, opening a pipe that nobody writes to would wait for ever; files take no notice of it.
@@ -42,6 +46,14 @@ def source(given: object, argument: str, kind: type[HaptonicError] = ResourceErr
     finally:
         os.close(handle)
     return path
+
+
+def unread(kind: type[E], error: Exception, **parts: Unpack[Parts]) -> E:
+    """The error of a file that was not read: `not-found` if there is none, else `unreadable` as given."""
+    if not isinstance(error, FileNotFoundError):
+        return kind("unreadable", **parts)
+    parts["cause"], parts["next_step"] = "there is no such file", "check the name and the folder"
+    return kind("not-found", **parts)
 
 
 def target(given: object, argument: str = "--out") -> Path:

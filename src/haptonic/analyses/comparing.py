@@ -14,6 +14,7 @@ from haptonic.errors import ChannelError, StudyError, shown
 from haptonic.foreign.process import ask
 from haptonic.gate import json_from
 from haptonic.later import xarray as xr
+from haptonic.paths import unread
 from haptonic.results.comparison import BandSet
 from haptonic.units import to_si
 
@@ -57,12 +58,13 @@ def of_file(path: Path) -> xr.Dataset:
         )
         of_dataset("", data)
     except (ChannelError, OSError, MemoryError, KeyError, ValueError, TypeError, IndexError) as error:
-        missing = isinstance(error, FileNotFoundError)
-        raise (StudyError.not_found if missing else StudyError.unreadable)(
+        raise unread(
+            StudyError,
+            error,
             argument="bands of an earlier run",
             given=shown(str(path), 200),
             allowed="bands.nc of `haptonic bands`, or its folder",
-            cause="there is no such file" if missing else "another file, or damaged",
+            cause="another file, or damaged",
             next_step="give the study, or run `haptonic bands` again",
         ) from error
     return data

@@ -13,7 +13,7 @@ from haptonic.analyses.runner import Runner
 from haptonic.errors import FrictionError, ResourceError, shown
 from haptonic.friction.simulation import Experiment
 from haptonic.gate import json_from
-from haptonic.paths import source
+from haptonic.paths import source, unread
 from haptonic.results.cost import Cost
 from haptonic.results.simulated_trials import SimulatedFriction
 from haptonic.study.schema import Description
@@ -33,13 +33,14 @@ def read_amplitudes(given: str | Path) -> dict[str, float]:
     try:
         values: Any = json_from(path.read_text(encoding="utf-8"))
     except (OSError, ValueError) as error:
-        missing = isinstance(error, FileNotFoundError)
-        raise (ResourceError.not_found if missing else ResourceError.unreadable)(
+        raise unread(
+            ResourceError,
+            error,
             argument="--from",
             given=path,
             allowed='a JSON file such as {"WG1": 1e-6, "WG2": 3e-7}',
-            cause="there is no such file" if missing else "it cannot be read, or is not JSON",
-            next_step="check the name and the folder" if missing else "write it anew",
+            cause="it cannot be read, or is not JSON",
+            next_step="write it anew",
         ) from None
     if isinstance(values, dict) and isinstance(values.get("regions"), dict):  # what `haptonic feel` says
         values = {name: region.get("amplitude_m") for name, region in values["regions"].items()}

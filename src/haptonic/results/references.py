@@ -26,7 +26,7 @@ from typing import Annotated, Any
 from pydantic import BaseModel, ConfigDict, Field, ValidationError
 
 from haptonic.errors import StudyError, shown
-from haptonic.paths import source
+from haptonic.paths import source, unread
 from haptonic.units import to_si
 
 FOLDER = "references"
@@ -101,8 +101,8 @@ class References(_FileTable):
         try:
             data = tomllib.loads(file.read_text("utf-8"))
         except (OSError, ValueError) as error:
-            missing = isinstance(error, FileNotFoundError)
-            raise (StudyError.not_found if missing else StudyError.unreadable)(
+            raise unread(
+                StudyError, error,
                 argument="references", given=str(path), allowed="a TOML file with reference values",
                 cause=str(error), next_step="check the name, or write the file anew",
             ) from None  # fmt: skip

@@ -18,6 +18,7 @@ from haptonic.friction.signals.record import Label, Record
 from haptonic.gate import declared, passed
 from haptonic.later import pandas as pd, xarray as xr
 from haptonic.names import cell, visible
+from haptonic.paths import unread
 
 Column = NDArray[Any]
 
@@ -117,15 +118,14 @@ def read_columns(path: Path, required: Sequence[str]) -> dict[str, Column]:
     try:
         columns = _READERS[path.suffix](path)
     except (OSError, MemoryError, ChannelError) as error:
-        missing = isinstance(error, FileNotFoundError)
-        raise (ResourceError.not_found if missing else ResourceError.unreadable)(
+        raise unread(
+            ResourceError,
+            error,
             argument="table of trials",
             given=path,
             allowed=f"a readable {FORMATS[path.suffix]} file",
-            cause="there is no such file"
-            if missing
-            else "it is damaged, or of another kind than its name says",
-            next_step="check the name and the folder" if missing else "open it in another program to see",
+            cause="it is damaged, or of another kind than its name says",
+            next_step="open it in another program to see",
         ) from error
     for name in required:
         if name not in columns:
