@@ -37,6 +37,11 @@ NAMED_IN_THE_ISSUE = {
         "cell.pillar.diameter",
         ["6.9 mm", "less than 6.86 mm"],
     ),
+    "no room between rows": (
+        ('lattice = "square"\n' + PITCH, 'a1 = ["7 mm", "0 mm"]\na2 = ["7 mm", "0.1 mm"]'),
+        "cell.pillar.diameter",
+        ["no pillar", "nearly parallel"],
+    ),
     "zero size": (('"1.5 mm"', '"0 mm"'), "cell.thickness", ["zero"]),
     "negative size": (('"14.7 mm"', '"-14.7 mm"'), "cell.pillar.height", ["negative"]),
     "NaN in a text": ((PITCH, 'pitch = "nan mm"'), "cell.pitch", ["not a finite number"]),

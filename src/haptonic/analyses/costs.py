@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
+from haptonic.analyses.needs import fineness
 from haptonic.bloch.reach import started
 from haptonic.plate.forecast import Counted
 from haptonic.plate.parts import Plate
@@ -33,9 +34,9 @@ def gaps(study: Description) -> Cost:
     return meshes(study, second=0.0) + Cost(ZONE)
 
 
-def response(mounted: Plate, asked: ResponseSettings) -> Cost:
-    """Of a plate."""
-    counted = Counted.of(mounted, asked)
+def response(study: Description, mounted: Plate, asked: ResponseSettings) -> Cost:
+    """Of the study's plate."""
+    counted = Counted.of(mounted, asked, fineness(study))
     return Cost(counted.seconds, counted.memory)
 
 

@@ -8,7 +8,7 @@ from typing import Any
 
 from haptonic.analyses import plate as vibration
 from haptonic.analyses.analysis import Analysis
-from haptonic.analyses.needs import fineness, gap_of_plate, has_plate, need_carrier, response_settings
+from haptonic.analyses.needs import checked_fineness, gap_of_plate, has_plate, need_carrier, response_settings
 from haptonic.analyses.options import option
 from haptonic.analyses.runner import Runner
 from haptonic.errors import StudyError
@@ -71,7 +71,7 @@ def compute(study: Description, options: FeelOptions, runner: Runner) -> Feel:
     finger.at(middle)  # refused before anything is computed
     check_cost(plate, highest(middle))
     check_grid(plate, own.grid, len(LOADS))
-    chosen = fineness(study)
+    chosen = checked_fineness(study)
     gap = gap_of_plate(study, plate, carrier, runner)
     found = compute_loaded(
         runner.store, study.inputs(), runner.progress, plate=plate,

@@ -40,12 +40,7 @@ def response_settings(study: Description) -> ResponseSettings:
 
 
 def fineness(study: Description) -> Fineness | None:
-    """Of the finite plate's mesh, if [mesh] says one.
-
-    Raises
-    ------
-    ResourceError : a mesh of a cell that this machine cannot hold, foreseen before anything is computed
-    """
+    """Of the finite plate's mesh, if [mesh] says one."""
     mesh = study.bands_settings.mesh
     order, rings = mesh.order, mesh.foot_rings
     if order is None and rings is None:
@@ -53,9 +48,21 @@ def fineness(study: Description) -> Fineness | None:
     usual = Fineness()
     order = usual.cell if order is None else order
     rings = usual.rings if rings is None else rings
-    for cell in study.mounted_plate().layout.cells.values():
-        check_memory(cell, Resolution(order, rings, STEPS, BLOCK))
     return Fineness(min(order, usual.along), usual.through, cell=order, rings=rings, plain=order)
+
+
+def checked_fineness(study: Description) -> Fineness | None:
+    """The same, once it is sure that it can be had.
+
+    Raises
+    ------
+    ResourceError : a mesh of a cell that this machine cannot hold, foreseen before anything is computed
+    """
+    chosen = fineness(study)
+    if chosen is not None:
+        for cell in study.mounted_plate().layout.cells.values():
+            check_memory(cell, Resolution(chosen.cell, chosen.rings, STEPS, BLOCK))
+    return chosen
 
 
 def gap_of_plate(study: Description, plate: Plate, carrier: float, runner: Runner) -> Gap | None:

@@ -8,7 +8,7 @@ from typing import Any
 
 from haptonic.analyses.analysis import Analysis
 from haptonic.analyses.costs import gaps, response
-from haptonic.analyses.needs import fineness, gap_of_plate, has_plate, need_carrier, response_settings
+from haptonic.analyses.needs import checked_fineness, gap_of_plate, has_plate, need_carrier, response_settings
 from haptonic.analyses.options import option
 from haptonic.analyses.runner import Runner
 from haptonic.bloch import Gap
@@ -61,7 +61,7 @@ def compute(study: Description, options: PlateOptions, runner: Runner) -> PlateR
     check_cost(plate, settings.highest, single=at is not None)
     place = "plate.response.grid" if options.settings is None else "scan.grid"
     check_grid(plate, settings.grid, settings.points, place)
-    chosen = fineness(study)  # refused before a gap is looked for
+    chosen = checked_fineness(study)  # refused before a gap is looked for
     return compute_plate(
         plate,
         settings,
@@ -135,8 +135,8 @@ def cost(study: Description, options: PlateOptions) -> Cost:
     """Of a plate's response, and of its lattice's gap."""
     plate, settings = study.mounted_plate(), response_settings(study)
     if options.at is not None:
-        return response(plate, settings.single(options.at))
-    return gaps(study) + response(plate, settings)
+        return response(study, plate, settings.single(options.at))
+    return gaps(study) + response(study, plate, settings)
 
 
 ANALYSIS = Analysis(

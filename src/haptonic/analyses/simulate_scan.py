@@ -200,7 +200,7 @@ def cost(study: Description, options: SimulateScanOptions) -> Cost:
     lines = ResponseSettings(
         lowest=asked.lowest, highest=asked.highest, points=round(asked.lines), grid=asked.grid
     )
-    return response(mounted, lines) + gaps(study) + made
+    return response(study, mounted, lines) + gaps(study) + made
 
 
 ANALYSIS = Analysis(

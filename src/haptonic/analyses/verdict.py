@@ -10,7 +10,7 @@ import numpy as np
 
 from haptonic.analyses import plate as vibration
 from haptonic.analyses.analysis import Analysis
-from haptonic.analyses.needs import fineness, response_settings
+from haptonic.analyses.needs import checked_fineness, response_settings
 from haptonic.analyses.options import option
 from haptonic.analyses.runner import Runner
 from haptonic.arrays import Ints
@@ -87,12 +87,13 @@ def compared(
     scan = scan.between(settings.lowest or float(lines[0]), settings.highest or float(lines[-1]))
     _check(plate, scan)
     scan, left_out = _on_plate(plate, scan)
+    chosen = checked_fineness(study)
 
     def whole(of: Plate, title: str) -> FrequencyResponse:
         progress(0, 0, f"response of the {title}")
         return responded(
             of, scan.frequency, scan.points, [str(name) for name in scan.dataset["region"].values],
-            tolerance, fineness=fineness(study), title=title, inputs=study.inputs(),
+            tolerance, fineness=chosen, title=title, inputs=study.inputs(),
         )  # fmt: skip
 
     if computed is not None:
@@ -105,8 +106,7 @@ def compared(
         picked = np.sort(np.random.default_rng(0).permutation(len(scan.points))[: settings.points])
         seen = _measured(plate, scan, picked)
         small = SmallModel.of(
-            plate, settings.vary, seen.frequency, seen.points, seen.drives, tolerance, fineness(study),
-            progress,
+            plate, settings.vary, seen.frequency, seen.points, seen.drives, tolerance, chosen, progress,
         )  # fmt: skip
         fit = fitted(small, seen, progress)
         responses[AFTER] = whole(fit.plate, AFTER)

@@ -41,6 +41,7 @@ def first_rung(cell: UnitCell, accuracy: float) -> int:
 
 LONGEST = 60.0  # s of one processor, foreseen for all meshes that are tried for an accuracy of `USUAL`
 USUAL = 2e-3  # for finer ones as the root of their ratio: who asks for more digits waits longer
+LITTLE = 0.5  # of the same; see `is_little`
 LATE = 1.5  # times the same for the mesh that follows an answer: who has waited wants no refusal by a hair
 MOST_MEMORY = 0.9  # of what is free
 
@@ -69,6 +70,14 @@ def most_bands(cell: UnitCell, fewer_than: int, accuracy: float) -> int:
     return 0
 
 
+def is_little(seconds: float, accuracy: float) -> bool:
+    """Whether a first mesh is tried though the second may not fit.
+
+    Of 14 drawn cells with such meshes the first was enough for all.
+    """
+    return seconds <= LITTLE * longest(accuracy)
+
+
 def _fit(cell: UnitCell, tried: list[Resolution], accuracy: float) -> bool:
     """Whether meshes fit the time for an accuracy together, and the memory one by one."""
     free = float(psutil.virtual_memory().available)
@@ -81,9 +90,9 @@ def _fit(cell: UnitCell, tried: list[Resolution], accuracy: float) -> bool:
 def within_reach(cell: UnitCell, count: int, refused: float) -> float:
     """The best accuracy above a refused one whose meshes are foreseen to fit time and memory, or infinity.
 
-    A rung told up to four times what it is tried for, so those up to the one after it have to fit; an
-    interior of two blocks may have to grow. It is a forecast: a slender pillar on a plate of 0.1 to 0.15
-    pitches told 1 to 2 % at order 4, ten times what that is tried for.
+    A rung told up to four times what it is tried for, so those up to the one after it have to fit, unless it
+    takes little itself; an interior of two blocks may have to grow. It is a forecast: a slender pillar on a
+    plate of 0.1 to 0.15 pitches told 1 to 2 % at order 4, ten times what that is tried for.
     """
     for rung in range(len(LADDER) - 1, -1, -1):
         accuracy = 2 * EXPECTED[rung]
@@ -93,7 +102,8 @@ def within_reach(cell: UnitCell, count: int, refused: float) -> float:
         tried = [one.for_bands(count) for one in LADDER[first : max(first, rung) + 2]]
         if tried[-1].steps == LEAST_STEPS:
             tried.append(tried[-1].grown())
-        if _fit(cell, tried, accuracy):
+        alone = first == rung and is_little(tried[0].seconds(cell), accuracy)
+        if alone or _fit(cell, tried, accuracy):
             return accuracy
     return math.inf
 
@@ -164,6 +174,8 @@ def check_start(cell: UnitCell, count: int, accuracy: float) -> None:
     spent = 0.0
     for rung in started(cell, count, accuracy):
         spent += check_cost(cell, rung, accuracy, spent)
+        if is_little(spent, accuracy):
+            return
 
 
 def rounded_up(value: float, digits: int = 2) -> float:

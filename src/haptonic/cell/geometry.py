@@ -290,6 +290,15 @@ class UnitCell(TileShape):
 def _too_wide(pillar: Pillar, room: float) -> Exception:
     """A pillar, or its fillet, for which half the width that there is (m) is not enough."""
     free = "so that a hundredth of the pitch stays free on either side"
+    if room <= 0:
+        return problem(
+            "out-of-range",
+            f"{pillar.diameter * 1e3:g} mm",
+            f"no pillar, {free}",
+            "the lattice's translations are nearly parallel, so that its rows nearly meet",
+            "turn one of the translations away from the other",
+            at="pillar.diameter",
+        )
     sharp = replace(pillar, fillet=0.0)
     if pillar.arc is not None and sharp.widest < room:
         most = pillar.fillet * (room - pillar.radius) / (pillar.arc.centre[0] - pillar.radius)
