@@ -141,7 +141,7 @@ def compared(brief: Brief) -> dict[str, Any]:
         "carrier_hz": brief.carrier,
         "material": brief.cell.material.name,
         "varied": len(brief.paths),
-        "slenderness": brief.slenderness,
+        "slenderness": brief.allowed.slenderness,
         "scan": {"designs": len(found), "margin": best, "cpu_s": time.process_time() - start},
         "search": search,
         "as_good": best is None or bool((search["margin"] or -1.0) >= best - TOLERANCE),

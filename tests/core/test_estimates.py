@@ -40,7 +40,7 @@ def hertz(cell, plan: MeshPlan, count: int) -> np.ndarray:
 def test_what_the_interior_leaves_out_is_told_for_many_bands(number):
     """25 bands, among them those of a pillar that hardly moves the cell's sides."""
     cell, resolution, count = drawn(SEED, number).cell, Resolution(2, 1, 3, 24), 25
-    exact = hertz(cell, resolution.for_bands(count).plan(cell), count)
+    exact = hertz(cell, resolution.for_bands(cell, count).plan(cell), count)
     model = BlochModel.of(cell, resolution, count, measured=False, many=False)
     while model.truncation > TRUSTED_TRUNCATION:
         model = BlochModel.of(cell, model.resolution.grown(), count, measured=False, many=False)
@@ -97,7 +97,7 @@ def test_what_more_of_the_interior_mends_is_not_laid_on_the_mesh():
 def test_a_mesh_resolves_the_waves_of_the_bands_that_are_asked_for(thickness):
     """Twenty bands of a plain plate, whose waves are shorter than those of ten."""
     cell = UnitCell(Lattice.square(7e-3), thickness * 7e-3, material("aluminium-2017a"))
-    found = hertz(cell, Resolution(5, 1).for_bands(20).plan(cell), 20)
+    found = hertz(cell, Resolution(5, 1).for_bands(cell, 20).plan(cell), 20)
     exact = np.array([plain_plate(cell, kappa, 20) for kappa in SEEN])
     assert found[exact > REST * exact.max()] == pytest.approx(exact[exact > REST * exact.max()], rel=2e-3)
 

@@ -63,7 +63,7 @@ def test_what_fits_at_its_first_mesh_alone_starts_only_where_that_takes_little(
     """
     cell = cell_of(thickness, diameter, height)
     first = first_rung(cell, accuracy)
-    alone, after = (rung.for_bands(10).seconds(cell) for rung in LADDER[first : first + 2])
+    alone, after = (rung.for_bands(cell, 10).seconds(cell) for rung in LADDER[first : first + 2])
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(BlochModel, "of", lambda *_, **__: pytest.fail("a mesh was condensed"))
         patch.setattr(reach, "LONGEST", min(1.9 * alone, alone + 0.5 * after))
@@ -136,7 +136,8 @@ def test_twenty_bands_of_a_plain_plate_are_told_as_they_are(thickness):
 @settings(max_examples=1)
 def test_many_bands_get_depth_rather_than_width(thickness, diameter, height):
     """What the interior leaves out of forty bands is to be trusted, or nearly, at the first try."""
-    cell, resolution = cell_of(thickness, diameter, height), LADDER[0].for_bands(40)
+    cell = cell_of(thickness, diameter, height)
+    resolution = LADDER[0].for_bands(cell, 40)
     whole = condense_by_parts(
         cell, resolution.plan(cell), resolution.steps, block=resolution.block, measured=False
     )

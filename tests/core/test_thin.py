@@ -60,7 +60,7 @@ def test_a_refusal_by_cost_names_what_was_reached(reached):
 def test_what_a_first_mesh_takes_is_foreseen(thickness, diameter, height, count):
     """It is started within the limit, or refused before it is."""
     cell = thin_cell(thickness, diameter, height)
-    tried = LADDER[1].for_bands(count)
+    tried = LADDER[1].for_bands(cell, count)
     if tried.seconds(cell) <= LONGEST:
         assert check_cost(cell, tried, 2e-3) == tried.seconds(cell)
     else:

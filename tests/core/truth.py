@@ -160,7 +160,10 @@ def foreseen(question: Drawn) -> float:
     """Processor time of a truth as it is foreseen, s, for want of a better measure by the product."""
     if question.cell.pillar is None:
         return 0.0
-    used = [Resolution(*mesh, STEPS, BLOCK).for_bands(question.count) for mesh in _meshes(question.accuracy)]
+    used = [
+        Resolution(*mesh, STEPS, BLOCK).for_bands(question.cell, question.count)
+        for mesh in _meshes(question.accuracy)
+    ]
     return sum(resolution.seconds(question.cell) for resolution in used)
 
 
@@ -180,7 +183,7 @@ def _computed(cell: UnitCell, plan: MeshPlan, count: int, more: int) -> tuple[Ar
     # a stepped pillar whole in any case: its parts are what the product has
     whole = 3 * sum(plan.level_sizes) < WHOLE or (cell.pillar is not None and cell.pillar.step is not None)
     by = condense if whole else condense_by_parts
-    used = Resolution(plan.order, plan.foot_rings, STEPS, BLOCK).for_bands(count)
+    used = Resolution(plan.order, plan.foot_rings, STEPS, BLOCK).for_bands(cell, count)
     tiling = Tiling.single(by(cell, plan, used.steps, block=used.block + more, measured=False))
     pencil = CentredPencil.of(tiling)
     found, lost = [], []

@@ -23,7 +23,7 @@ from haptonic.analyses.needs import has_plate
 from haptonic.analyses.options import option
 from haptonic.analyses.runner import Runner
 from haptonic.analyses.simulate_scan import rescanned
-from haptonic.errors import FrictionError, HaptonicError, HaptonicWarning, ScanError, StudyError
+from haptonic.errors import HaptonicError, HaptonicWarning
 from haptonic.fields import read
 from haptonic.friction.recordings import Sensor
 from haptonic.friction.simulation import Experiment
@@ -164,10 +164,12 @@ def _of(runner: Runner, one: Analysis) -> Runner:
 
 
 def _tried(name: str, make: Callable[[], T]) -> T | None:
-    """A part of the report, or a warning that says why it is left out."""
+    """A part of the report, or a warning that says why it is left out; no report is without bands."""
     try:
         return make()
-    except (ScanError, StudyError, FrictionError) as error:
+    except HaptonicError as error:
+        if name == "bands":
+            raise
         warnings.warn(f"no {name}: {error.cause}", HaptonicWarning, stacklevel=2)
         return None
 

@@ -38,10 +38,19 @@ def check(study: Description, options: NoOptions) -> None:
 
 
 def compute(study: Description, options: NoOptions, runner: Runner) -> Sweeps:
-    """Complete gaps of every design; those that could not be computed are left out, and it is said."""
+    """Complete gaps of every design; those that could not be computed are left out, and it is said.
+
+    Raises
+    ------
+    HaptonicError : what the first design was refused for, if no design could be computed
+    """
     rows = [[design.cell for design in study.designs(sweep)] for sweep in study.sweep_settings]
     tasks = [gaps_task(cell, study.bands_settings) for row in rows for cell in row]
-    outcomes = iter(runner.tried(design_gaps, tasks, 0))
+    found = runner.tried(design_gaps, tasks, 0)
+    refused = [one.error for one in found if one.error is not None]
+    if len(refused) == len(found):
+        raise refused[0]
+    outcomes = iter(found)
     each = zip(study.sweep_settings, rows, strict=True)
     return Sweeps(tuple(swept(study, sweep, row, [next(outcomes) for _ in row]) for sweep, row in each))
 

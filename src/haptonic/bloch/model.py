@@ -89,7 +89,7 @@ class BlochModel:
         measured : whether the characters of modes will be asked for
         many : whether errors will be asked for at many wavevectors: the coarse pencil is reduced then
         """
-        resolution = resolution.for_bands(count)
+        resolution = resolution.for_bands(cell, count)
         goal = resolution.projection_goal
         steps, block = resolution.steps, resolution.block
 
@@ -263,7 +263,7 @@ def candidate_models(
         check_start(cell, count, accuracy)
     spent, reached, refused, grown = 0.0, math.inf, None, 0
     for rung in LADDER[first_rung(cell, accuracy) :] if resolution is None else (resolution,):
-        tried = rung.for_bands(count)
+        tried = rung.for_bands(cell, count)
         plans = tried.plans(cell)
         if plans == refused:  # without a pillar rings make no difference
             continue

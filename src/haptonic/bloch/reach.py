@@ -58,7 +58,7 @@ def started(cell: UnitCell, count: int, accuracy: float) -> list[Resolution]:
     well. A plain plate has no edge, and the first was enough for it.
     """
     first = first_rung(cell, accuracy)
-    return [rung.for_bands(count) for rung in LADDER[first : first + (2 if cell.has_pillars else 1)]]
+    return [rung.for_bands(cell, count) for rung in LADDER[first : first + (2 if cell.has_pillars else 1)]]
 
 
 def most_bands(cell: UnitCell, fewer_than: int, accuracy: float) -> int:
@@ -99,7 +99,7 @@ def within_reach(cell: UnitCell, count: int, refused: float) -> float:
         if accuracy <= refused:
             continue
         first = first_rung(cell, accuracy)
-        tried = [one.for_bands(count) for one in LADDER[first : max(first, rung) + 2]]
+        tried = [one.for_bands(cell, count) for one in LADDER[first : max(first, rung) + 2]]
         if tried[-1].steps == LEAST_STEPS:
             tried.append(tried[-1].grown())
         alone = first == rung and is_little(tried[0].seconds(cell), accuracy)

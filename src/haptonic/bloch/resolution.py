@@ -50,16 +50,18 @@ class Resolution:
     block: int = 10
     bands: int = USUAL_BANDS
 
-    def for_bands(self, count: int) -> Resolution:
-        """The same for so many bands: a mesh that resolves their waves, and more of the interior.
+    def for_bands(self, cell: Period, count: int) -> Resolution:
+        """The same for so many bands of a cell: a mesh that resolves their waves, and more of the interior.
 
         Depth counts, not width: of a pillar's sixty bands 2 blocks of 90 lost 10 %, 3 of 60 1 %, 5 of 40
-        0.1 %.
+        0.1 %. A tile has its share of the bands inside: for 24 of a Lieb lattice, 6 for each of its tiles,
+        blocks for 10 left out 1.2e-4, a thirtieth of what the mesh did.
         """
         if count <= self.bands:
             return self
-        deeper = math.ceil(math.log2(count / self.bands))
-        block = max(self.block, min(count, WIDEST))
+        own = count * max(one.tile.area for one in cell.tiles) / cell.area
+        deeper = max(math.ceil(math.log2(own / self.bands)), 0)
+        block = max(self.block, min(round(own), WIDEST))
         return replace(self, steps=self.steps + deeper, block=block, bands=count)
 
     def grown(self) -> Resolution:

@@ -105,7 +105,8 @@ class Sweeps(Result):
             gaps = [(gap, step) for step in range(one.dataset.sizes["step"]) for gap in one.gaps_at(step)]
             name, count = one.dataset.attrs["expression"], one.dataset.sizes["step"]
             if not gaps:
-                said.append(f"No design along {name} has a complete gap.")
+                what = "has a complete gap" if len(one.failed) < count else "could be computed"
+                said.append(f"No design along {name} {what}.")
                 continue
             best, step = max(gaps, key=lambda pair: pair[0]["upper_hz"] - pair[0]["lower_hz"])
             value = format_quantity(float(one.dataset["value"][step]), one.unit)
