@@ -3,13 +3,12 @@
 from __future__ import annotations
 
 import json
-import subprocess
 import sys
 
 import numpy as np
 import scipy.sparse as sp
 import scipy.sparse.linalg as spla
-from record import STUDY, fresh, peak_memory, timed, write
+from record import STUDY, apart, fresh, peak_memory, timed, write
 from threadpoolctl import threadpool_limits
 
 import haptonic
@@ -107,20 +106,13 @@ def exponent(rows: list[dict[str, float]], name: str) -> float:
     return float(np.polyfit(unknowns, values, 1)[0])
 
 
-def apart(*given: int) -> dict[str, float]:
-    """One measurement in a process of its own, for the sake of its peak memory."""
-    done = subprocess.run(
-        [sys.executable, __file__, *map(str, given)], capture_output=True, text=True, check=True
-    )
-    return json.loads(done.stdout.splitlines()[-1])
-
-
 if __name__ == "__main__":
     if len(sys.argv) > 1:
         numbers = [int(text) for text in sys.argv[1:]]
         print(json.dumps(one(*numbers) if len(numbers) == 1 else several(*numbers)))
     else:
-        orders, pillars = [apart(order) for order in ORDERS], [apart(*shape) for shape in PILLARS]
+        orders = [apart(__file__, order) for order in ORDERS]
+        pillars = [apart(__file__, *shape) for shape in PILLARS]
         write(
             "cost_growth",
             {

@@ -7,22 +7,23 @@ process, which has index work to do that a topology needs once, and a later one,
 from __future__ import annotations
 
 import json
-import subprocess
 import sys
 from dataclasses import replace
 
 import numpy as np
-from record import CORNERS, STUDY, fresh, peak_memory, timed, true_error, write
+from record import CORNERS, STUDY, apart, fresh, peak_memory, timed, true_error, write
 from threadpoolctl import threadpool_limits
 
 import haptonic
 from haptonic.bloch import BlochModel, bloch_model
 from haptonic.bloch.gaps import complete_gaps
+from haptonic.bloch.settings import BandSettings
 from haptonic.bloch.tracking import diagram
+from haptonic.cell import UnitCell
 from haptonic.lattice import Lattice
 
 
-def reference_cell(lattice: Lattice | None = None):
+def reference_cell(lattice: Lattice | None = None) -> tuple[UnitCell, BandSettings]:
     study = haptonic.load(STUDY)
     return fresh(replace(study.cell, lattice=lattice or study.cell.lattice)), study.bands_settings
 
@@ -107,11 +108,6 @@ def whole_command() -> dict[str, float]:
     return {"first_s": first, "later_s": later, "peak_memory_bytes": peak_memory()}
 
 
-def in_a_process_of_its_own(name: str) -> dict[str, float]:
-    done = subprocess.run([sys.executable, __file__, name], capture_output=True, text=True, check=True)
-    return json.loads(done.stdout.splitlines()[-1])
-
-
 MEASURED = {"measure": measure, "triangular": triangular, "whole_command": whole_command}
 
 if __name__ == "__main__":
@@ -121,5 +117,5 @@ if __name__ == "__main__":
     else:
         write(
             "diagram_in_a_second",
-            {name: in_a_process_of_its_own(name) for name in MEASURED},
+            {name: apart(__file__, name) for name in MEASURED},
         )

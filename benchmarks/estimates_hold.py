@@ -237,7 +237,7 @@ def numbers(count: int, stout: int, seed: int) -> list[int]:
     def seconds(number: int) -> float:
         question = drawn(seed, number)
         tried = started(question.cell, question.count, question.accuracy)
-        return foreseen(question) + sum(one.seconds(question.cell) for one in tried)
+        return float(foreseen(question) + sum(one.seconds(question.cell) for one in tried))
 
     return sorted((*range(count), *range(STOUT_FROM, STOUT_FROM + stout)), key=seconds)
 

@@ -99,7 +99,7 @@ class Bench:
         )
         self.points, _ = grid_points(self.plate, GRID)
         self.drive = drive(low=BAND[0], high=BAND[1], sample_rate=RATE, duration=PERIOD)
-        lines = np.fft.rfftfreq(len(self.drive.samples), 1 / RATE)
+        lines = np.asarray(np.fft.rfftfreq(len(self.drive.samples), 1 / RATE), dtype=np.float64)
         self.inside = (lines >= BAND[0] - 1) & (lines <= BAND[1] + 1)
         self.frequency = lines[self.inside]
         self.small = SmallModel.of(

@@ -16,6 +16,7 @@ from record import STUDY, write
 
 import haptonic
 from haptonic.analyses import scanning
+from haptonic.analyses.needs import response_settings
 from haptonic.analyses.scanning import Estimation, compute_scan
 from haptonic.response import FrequencyResponse, read
 from haptonic.store import Store
@@ -56,7 +57,7 @@ def told(name: str, study: haptonic.Study, kept: Path | None) -> dict[str, Any]:
     store = Store.default()
     asked = response_for(
         study.scan_settings,
-        study.finite_plate.response.tolerance,
+        response_settings(study).tolerance,
         drive_for(study.scan_settings, study.mounted_plate()),
     )
     response: FrequencyResponse

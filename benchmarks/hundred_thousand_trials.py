@@ -11,7 +11,6 @@ from __future__ import annotations
 
 import json
 import resource
-import subprocess
 import sys
 import tempfile
 import time
@@ -20,7 +19,7 @@ from pathlib import Path
 import h5py
 import numpy as np
 import pandas as pd
-from record import peak_memory, write
+from record import apart, peak_memory, write
 
 from haptonic.analyses.friction import compute_friction
 from haptonic.friction.protocol import Protocol
@@ -43,11 +42,7 @@ def main() -> None:
             names = np.repeat([f"P{number}" for number in people], len(table) // PARTICIPANTS)
             every = pd.concat([table] * times).assign(participant=names)
             every.to_csv(folder / "trials.csv", index=False)
-            # in a process of its own: peak memory is a process's
-            own = subprocess.run(
-                [sys.executable, __file__, name], capture_output=True, text=True, check=True
-            )  # fmt: skip
-            runs.append(json.loads(own.stdout))
+            runs.append(apart(__file__, name))
         size = sum(path.stat().st_size for path in folder.glob("*.h5"))
     write("hundred_thousand_trials", {"workers": WORKERS, "bytes_read": [size, size * TIMES], "runs": runs})
 

@@ -5,13 +5,12 @@ lines from zero to 100 kHz."""
 from __future__ import annotations
 
 import json
-import subprocess
 import sys
 import time
 from dataclasses import replace
 
 import numpy as np
-from record import STUDY, peak_memory, write
+from record import STUDY, apart, peak_memory, write
 
 import haptonic
 from haptonic.errors import ResourceError
@@ -63,12 +62,7 @@ def measured(rows: int) -> dict[str, object]:
 
 
 def main() -> None:
-    plates = []
-    for rows in ROWS:  # each in a process of its own: peak memory is a process's
-        own = subprocess.run(
-            [sys.executable, __file__, str(rows)], capture_output=True, text=True, check=True
-        )
-        plates.append(json.loads(own.stdout))
+    plates = [apart(__file__, rows) for rows in ROWS]
     write("plate_growth", {"plates": plates, "lines": POINTS, "one_hz": ONE, "exponents": exponents(plates)})
 
 
@@ -77,7 +71,8 @@ def exponents(plates: list[dict[str, float]]) -> dict[str, float]:
     found = {}
     for name in ("seconds", "peak_bytes", "basis", "unknowns", "one_seconds", "one_peak_bytes"):
         known = [(one["pillars"], one[name]) for one in plates if name in one]
-        found[name] = float(np.polyfit(*np.log(known).T, 1)[0])
+        pillars, value = np.log(np.array(known)).T
+        found[name] = float(np.polyfit(pillars, value, 1)[0])
     return found
 
 

@@ -7,6 +7,7 @@ import os
 import platform
 import resource
 import subprocess
+import sys
 import time
 from collections.abc import Callable
 from dataclasses import replace
@@ -75,6 +76,14 @@ def timed(work: Callable[[], Any], repeats: int = 1) -> tuple[float, Any]:
 def peak_memory() -> float:
     """Largest resident memory of this process so far, bytes."""
     return 1024.0 * resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
+
+
+def apart(script: str, *given: object) -> Any:
+    """What a script prints last, as JSON, in a process of its own: peak memory is a process's."""
+    done = subprocess.run(
+        [sys.executable, script, *map(str, given)], capture_output=True, text=True, check=True
+    )
+    return json.loads(done.stdout.splitlines()[-1])
 
 
 def true_error(frequencies: dict[str, np.ndarray]) -> float:

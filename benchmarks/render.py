@@ -470,7 +470,8 @@ def scan(record: dict[str, Any]) -> str:
             record["plain_contrast_db"], record["lower"], record["upper"], strict=True,
         )
     ]  # fmt: skip
-    computed, first, second = record["computed_gap_hz"], *record["runs"]
+    computed = record["computed_gap_hz"]
+    first, second = record["runs"]
     return f"""## The scan
 
 Simulated scans of the prototype at {record["points"]} points with the default instrument, and what their analysis

@@ -12,6 +12,7 @@ import itertools
 import json
 import tempfile
 import time
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -42,7 +43,7 @@ TOLERANCE = 2e-3  # of the carrier, by which the search may stay below the scan
 
 def drawn(count: int, seed: int) -> list[Brief]:
     """Briefs whose carrier, as a phase of the shear wave over a pitch, lies where pillars have their gaps."""
-    rng, briefs = np.random.default_rng(seed), []
+    rng, briefs = np.random.default_rng(seed), list[Brief]()
     while len(briefs) < count:
         stuff = material(str(rng.choice(MATERIALS)))
         assert isinstance(stuff, IsotropicMaterial)
@@ -155,9 +156,8 @@ def main(count: int, seed: int, parts: Path) -> None:
     for number, brief in enumerate(drawn(count, seed)):
         part = parts / f"{seed}-{number}.json"
         if not part.exists():
-            write_atomically(
-                part, lambda path, brief=brief: path.write_text(json.dumps(compared(brief)), "utf-8")
-            )
+            row = json.dumps(compared(brief))
+            write_atomically(part, partial(Path.write_text, data=row, encoding="utf-8"))
         rows.append(json.loads(part.read_text("utf-8")))
         print(number + 1, rows[-1], flush=True)
     write("search_finds_what_is_there", {"seed": seed, "tolerance": TOLERANCE, "briefs": rows})

@@ -16,6 +16,7 @@ from threadpoolctl import threadpool_limits
 
 import haptonic
 from haptonic.bloch import BlochModel, Resolution
+from haptonic.materials import IsotropicMaterial
 
 sys.path.insert(0, str(ROOT / "tests"))
 from peers.ngsolve_cell import PeerCell, meshed
@@ -56,6 +57,8 @@ def ours(resolution: Resolution) -> dict[str, float]:
 def theirs(settings: dict[str, int]) -> dict[str, float]:
     study = haptonic.load(STUDY)
     cell, material = study.cell, study.cell.material
+    assert cell.pillar is not None
+    assert isinstance(material, IsotropicMaterial)
     peer = PeerCell(
         cell.lattice.pitch, cell.lattice.pitch, cell.thickness, cell.pillar.diameter, cell.pillar.height,
         material.youngs_modulus, material.poisson_ratio, material.density,

@@ -1,17 +1,23 @@
-"""Write docs/reference.md: every public name of every package, from the sources; a test holds it to them."""
+"""Write what follows from the sources, a test holds it to them: docs/reference.md, every public name of every
+package, and the types of a study's methods, for editors and type checkers."""
 
 from __future__ import annotations
 
 import inspect
+import re
+from dataclasses import MISSING, Field, fields
 from importlib import import_module
 from pathlib import Path
 from pkgutil import walk_packages
+from textwrap import wrap
+from typing import Any, get_type_hints
 
 import haptonic
 from haptonic.analyses import NAMES, named
 from haptonic.analyses.options import option_of
 
 PAGE = Path(__file__).parent / "reference.md"
+METHODS = Path(haptonic.__file__).parent / "study" / "methods.pyi"
 
 
 def packages() -> list[str]:
@@ -52,5 +58,59 @@ def reference() -> str:
     return "\n".join(lines) + "\n"
 
 
+def methods() -> str:
+    """The types of what a study is asked for: a method for each analysis, with its options and its result."""
+    lines = []
+    for name, text in NAMES.items():
+        analysis = named(name)
+        kinds = get_type_hints(analysis.options)
+        given = [f"{one.name}: {_taken(one, kinds[one.name])}" for one in fields(analysis.options)]
+        lines += [
+            f"    def {name.replace(' ', '_')}(",
+            "        self,",
+            "        *,",
+            *(f"        {one}," for one in [*given, *EVERY]),
+            f"    ) -> {_named(analysis.result)}:",
+            *(f"        {line}" for line in wrap(f'"""{text}"""', 102)),
+            "",
+        ]
+    modules = set(re.findall(r"([a-z_.]+)\.[A-Z]", "\n".join(lines)))
+    ours = {one for one in modules if one.startswith("haptonic")}
+    head = [
+        '"""The methods of a study; docs/write_reference.py writes this from the table of analyses."""',
+        "",
+        *(f"import {one}" for one in sorted(modules - ours)),
+        "",
+        *(f"import {one}" for one in sorted(ours)),
+        "",
+        "class Methods:",
+    ]
+    return "\n".join(head + lines[:-1]) + "\n"
+
+
+EVERY = [
+    "store: haptonic.store.Store | None = None",
+    "workers: int = 0",
+    "scheduler: str | None = None",
+    "progress: haptonic.progress.Progress | None = None",
+]
+
+
+def _taken(one: Field[Any], kind: Any) -> str:
+    """The type of an option and its default; a quantity may be a text with its unit, a path a text."""
+    taken, known = _named(kind), option_of(one)
+    if "pathlib.Path" in taken or (known and known.unit):
+        taken = f"str | {taken}"
+    return taken if one.default is MISSING and one.default_factory is MISSING else f"{taken} = ..."
+
+
+def _named(kind: Any) -> str:
+    """A type as an annotation has it, with its module."""
+    if isinstance(kind, type) and not hasattr(kind, "__args__"):
+        return f"{kind.__module__}.{kind.__qualname__}".removeprefix("builtins.")
+    return str(kind).replace("'", '"')
+
+
 if __name__ == "__main__":
     PAGE.write_text(reference(), encoding="utf-8")
+    METHODS.write_text(methods(), encoding="utf-8")

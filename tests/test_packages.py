@@ -2,21 +2,16 @@
 
 from __future__ import annotations
 
-import ast
 import importlib
-import inspect
 import subprocess
 import sys
-from dataclasses import fields
 from pathlib import Path
 
 import pytest
 
 import haptonic
-from haptonic import analyses
 
 ROOT = Path(haptonic.__file__).parent
-BENCHMARKS = Path(__file__).parents[1] / "benchmarks"
 LAZY = sorted(
     "haptonic" + str(stub.parent)[len(str(ROOT)) :].replace("/", ".") for stub in ROOT.rglob("__init__.pyi")
 )
@@ -92,36 +87,3 @@ def test_what_was_left_out_is_admitted():
 
 def test_every_command_knows_its_options_before_it_loads_what_computes():
     assert ran("from haptonic import analyses\nfor name in analyses.NAMES: analyses.named(name)") == set()
-
-
-@pytest.mark.parametrize("script", sorted(BENCHMARKS.glob("*.py")), ids=lambda path: path.stem)
-def test_benchmarks_use_names_that_exist(script):
-    """They run for hours and seldom: a name or an argument that moved would be missed for long."""
-    tree = ast.parse(script.read_text("utf-8"))
-    imported = {}
-    for node in ast.walk(tree):
-        if isinstance(node, ast.ImportFrom) and (node.module or "").startswith("haptonic"):
-            module = importlib.import_module(node.module)
-            for one in node.names:
-                if not hasattr(module, one.name):
-                    importlib.import_module(f"{node.module}.{one.name}")
-                imported[one.asname or one.name] = getattr(module, one.name)
-    for call in ast.walk(tree):
-        if isinstance(call, ast.Call):
-            given = {one.arg for one in call.keywords if one.arg}
-            allowed = _arguments(call.func, imported)
-            assert allowed is None or given <= {*allowed}, ast.unparse(call)
-
-
-def _arguments(function, imported):
-    """Names of arguments of a function that a script calls; None of one that is not ours or takes any."""
-    name = getattr(function, "attr", "").replace("_", " ")
-    if name in analyses.NAMES:  # study.bands(...)
-        own = {one.name for one in fields(analyses.named(name).options)}
-        return own | inspect.signature(haptonic.Study.run).parameters.keys()
-    known = imported.get(getattr(function, "id", ""))
-    if not callable(known):
-        return None
-    parameters = inspect.signature(known).parameters
-    any_name = any(one.kind is one.VAR_KEYWORD for one in parameters.values())
-    return None if any_name else parameters.keys()

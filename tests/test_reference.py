@@ -14,10 +14,10 @@ sys.path.insert(0, str(DOCS))
 write_reference = import_module("write_reference")
 
 
-def test_the_page_is_that_of_these_sources():
-    assert write_reference.PAGE.read_text("utf-8") == write_reference.reference(), (
-        "run docs/write_reference.py"
-    )
+@pytest.mark.parametrize(("path", "made"), [("PAGE", "reference"), ("METHODS", "methods")])
+def test_what_is_written_is_that_of_these_sources(path, made):
+    written = getattr(write_reference, path).read_text("utf-8")
+    assert written == getattr(write_reference, made)(), "run docs/write_reference.py"
 
 
 def test_every_public_name_says_what_it_is():

@@ -203,7 +203,8 @@ def show(result: Result, voice: Voice, *, every: bool) -> None:
             voice.show(table)
         else:
             left.append(table)
-    kept = [f"{len(said) - SENTENCES} sentences"] if len(said) > SENTENCES and not every else []
+    beyond = 0 if every else len(said) - SENTENCES
+    kept = [f"{beyond} sentence{'s' * (beyond > 1)}"] if beyond > 0 else []
     kept += [f"{table.title} ({len(table.rows)})" for table in left]
     if kept:
         voice.tell(f"more with --tables: {', '.join(kept)}")

@@ -21,9 +21,14 @@ from haptonic.study.loading import load_as, load_trials_as, loads_as
 from haptonic.study.schema import Description
 from haptonic.study.trial_tables import TrialSettings
 
+if TYPE_CHECKING:  # there is no such module: its stub follows from the table of analyses
+    from haptonic.study.methods import Methods
+else:
+    Methods = object
+
 
 @extended
-class Study(Description):
+class Study(Description, Methods):
     """What a study file describes, and all that can be computed from it.
 
     It is read by `haptonic.study.load`. What can be computed stands in the table of `haptonic.analyses`: each

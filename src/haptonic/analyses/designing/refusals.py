@@ -88,7 +88,7 @@ def uncomputed(
     """
     values = zip(brief.paths, brief.values(summit.share), strict=True)
     named = ", ".join(f"{path} = {format_quantity(value, UNITS[path])}" for path, value in values)
-    coarse, (lower, upper) = "in the coarse model, ", in_khz(summit.lower, summit.upper)
+    coarse, (lower, upper) = " in the coarse model", in_khz(summit.lower, summit.upper)
     next_step = failure.next_step
     if computed is not None:
         accuracy, gap = computed
@@ -99,7 +99,7 @@ def uncomputed(
         given=failure.given,
         allowed=failure.allowed,
         cause=f"{failure.cause}; no design found can be computed as exactly as asked for. The best of them, "
-        f"{named}, has {coarse}a gap from {lower} to {upper} kHz",
+        f"{named}, has a gap from {lower} to {upper} kHz{coarse}",
         next_step=next_step,
     )
 

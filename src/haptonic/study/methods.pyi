@@ -1,0 +1,285 @@
+"""The methods of a study; docs/write_reference.py writes this from the table of analyses."""
+
+import pathlib
+import typing
+
+import haptonic.analyses.chirp
+import haptonic.analyses.export
+import haptonic.analyses.reproduce
+import haptonic.plate.settings
+import haptonic.progress
+import haptonic.results.bands
+import haptonic.results.comparison
+import haptonic.results.design
+import haptonic.results.feel.value
+import haptonic.results.friction
+import haptonic.results.guides
+import haptonic.results.layers
+import haptonic.results.plan
+import haptonic.results.plate.value
+import haptonic.results.protocol
+import haptonic.results.ribbon
+import haptonic.results.scan.simulated
+import haptonic.results.scan.value
+import haptonic.results.simulated_trials
+import haptonic.results.sweeps
+import haptonic.results.tolerance
+import haptonic.results.verdict
+import haptonic.store
+
+class Methods:
+    def plan(
+        self,
+        *,
+        store: haptonic.store.Store | None = None,
+        workers: int = 0,
+        scheduler: str | None = None,
+        progress: haptonic.progress.Progress | None = None,
+    ) -> haptonic.results.plan.StudyPlan:
+        """What a study describes, its map and sizes, and what each command will cost, before anything is
+        computed."""
+
+    def bands(
+        self,
+        *,
+        surface: bool = ...,
+        modes_at: str | None = ...,
+        store: haptonic.store.Store | None = None,
+        workers: int = 0,
+        scheduler: str | None = None,
+        progress: haptonic.progress.Progress | None = None,
+    ) -> haptonic.results.bands.Bands:
+        """Band diagram, gaps and mode shapes of the unit cell."""
+
+    def compare(
+        self,
+        *,
+        frequency_unit: str | None = ...,
+        first: str | pathlib.Path,
+        second: str | pathlib.Path,
+        wavevector: str | None = ...,
+        store: haptonic.store.Store | None = None,
+        workers: int = 0,
+        scheduler: str | None = None,
+        progress: haptonic.progress.Progress | None = None,
+    ) -> haptonic.results.comparison.Comparison:
+        """Bands of two studies or results beside each other, or of another program's table over ours."""
+
+    def sweep(
+        self,
+        *,
+        store: haptonic.store.Store | None = None,
+        workers: int = 0,
+        scheduler: str | None = None,
+        progress: haptonic.progress.Progress | None = None,
+    ) -> haptonic.results.sweeps.Sweeps:
+        """Complete gaps along the study's sweeps."""
+
+    def reproduce(
+        self,
+        *,
+        references: typing.Any = ...,
+        store: haptonic.store.Store | None = None,
+        workers: int = 0,
+        scheduler: str | None = None,
+        progress: haptonic.progress.Progress | None = None,
+    ) -> haptonic.analyses.reproduce.Reproduction:
+        """Everything the study describes, and one report that sets it beside reference values."""
+
+    def layers(
+        self,
+        *,
+        store: haptonic.store.Store | None = None,
+        workers: int = 0,
+        scheduler: str | None = None,
+        progress: haptonic.progress.Progress | None = None,
+    ) -> haptonic.results.layers.Layers:
+        """What rows of cells let through between two plain plates, and how many of them the carrier needs."""
+
+    def waveguide(
+        self,
+        *,
+        mode: str | None = ...,
+        store: haptonic.store.Store | None = None,
+        workers: int = 0,
+        scheduler: str | None = None,
+        progress: haptonic.progress.Progress | None = None,
+    ) -> haptonic.results.guides.Guides:
+        """Width, length and frequency of a waveguide between two such mirrors."""
+
+    def ribbon(
+        self,
+        *,
+        store: haptonic.store.Store | None = None,
+        workers: int = 0,
+        scheduler: str | None = None,
+        progress: haptonic.progress.Progress | None = None,
+    ) -> haptonic.results.ribbon.RibbonWaves:
+        """Waves along columns of cells side by side: projected bands, and what a guide or edge holds."""
+
+    def design(
+        self,
+        *,
+        pareto: bool = ...,
+        store: haptonic.store.Store | None = None,
+        workers: int = 0,
+        scheduler: str | None = None,
+        progress: haptonic.progress.Progress | None = None,
+    ) -> haptonic.results.design.Design:
+        """The cell whose gap holds the carrier with the widest margin, within the study's [design]."""
+
+    def tolerance(
+        self,
+        *,
+        store: haptonic.store.Store | None = None,
+        workers: int = 0,
+        scheduler: str | None = None,
+        progress: haptonic.progress.Progress | None = None,
+    ) -> haptonic.results.tolerance.Tolerance:
+        """The chance that the gap holds the carrier, the size that matters most, and the loosest
+        tolerances."""
+
+    def export(
+        self,
+        *,
+        step: bool = ...,
+        dxf: bool = ...,
+        stl: bool = ...,
+        drawing: bool = ...,
+        columns: int | None = ...,
+        rows: int | None = ...,
+        store: haptonic.store.Store | None = None,
+        workers: int = 0,
+        scheduler: str | None = None,
+        progress: haptonic.progress.Progress | None = None,
+    ) -> haptonic.analyses.export.Workshop:
+        """Files for the workshop, of the plate or a piece of lattice; all of them if none is named. The
+        drawing has the tolerances found, or says why not."""
+
+    def plate(
+        self,
+        *,
+        at: str | float | None = ...,
+        settings: haptonic.plate.settings.ResponseSettings | None = ...,
+        store: haptonic.store.Store | None = None,
+        workers: int = 0,
+        scheduler: str | None = None,
+        progress: haptonic.progress.Progress | None = None,
+    ) -> haptonic.results.plate.value.PlateResult:
+        """How the finite plate vibrates: response, localisation, energies, impedance, modes."""
+
+    def feel(
+        self,
+        *,
+        voltage: str | float | None = ...,
+        at: str | float | None = ...,
+        reduction: float | None = ...,
+        store: haptonic.store.Store | None = None,
+        workers: int = 0,
+        scheduler: str | None = None,
+        progress: haptonic.progress.Progress | None = None,
+    ) -> haptonic.results.feel.value.Feel:
+        """What a finger feels of the plate: a map of friction, reductions, whether they are noticed."""
+
+    def chirp(
+        self,
+        *,
+        store: haptonic.store.Store | None = None,
+        workers: int = 0,
+        scheduler: str | None = None,
+        progress: haptonic.progress.Progress | None = None,
+    ) -> haptonic.analyses.chirp.Excitation:
+        """The drive of a scan as WAV, CSV and HDF5, and the points in the order of the stage."""
+
+    def scan(
+        self,
+        *,
+        estimator: typing.Literal["H1", "H2", "Hv"] = ...,
+        window: typing.Literal["none", "hann", "exponential"] = ...,
+        decay: str | float | None = ...,
+        segment: str | float | None = ...,
+        overlap: float = ...,
+        align: bool = ...,
+        repair: tuple[str, ...] = ...,
+        corners: typing.Any = ...,
+        mirrored: bool = ...,
+        frequency_unit: str | None = ...,
+        path: str | pathlib.Path,
+        against: str | pathlib.Path | None = ...,
+        at: str | float | None = ...,
+        unit: str = ...,
+        length_unit: str | None = ...,
+        variables: typing.Any = ...,
+        reference: str | None = ...,
+        simulated: bool = ...,
+        store: haptonic.store.Store | None = None,
+        workers: int = 0,
+        scheduler: str | None = None,
+        progress: haptonic.progress.Progress | None = None,
+    ) -> haptonic.results.scan.value.ScanResult:
+        """Analyse a scan: responses, maps, contrast, the gap in it, waves; and how well a model fits."""
+
+    def protocol(
+        self,
+        *,
+        store: haptonic.store.Store | None = None,
+        workers: int = 0,
+        scheduler: str | None = None,
+        progress: haptonic.progress.Progress | None = None,
+    ) -> haptonic.results.protocol.TrialPlan:
+        """Order of friction trials: list, printed sheet, metronome, and how many participants are needed."""
+
+    def friction(
+        self,
+        *,
+        path: str | pathlib.Path,
+        study: str | pathlib.Path | None = ...,
+        references: typing.Any = ...,
+        store: haptonic.store.Store | None = None,
+        workers: int = 0,
+        scheduler: str | None = None,
+        progress: haptonic.progress.Progress | None = None,
+    ) -> haptonic.results.friction.FrictionResult:
+        """Coefficients of friction from force records, and what they prove."""
+
+    def verdict(
+        self,
+        *,
+        response: typing.Any,
+        computed: typing.Any = ...,
+        store: haptonic.store.Store | None = None,
+        workers: int = 0,
+        scheduler: str | None = None,
+        progress: haptonic.progress.Progress | None = None,
+    ) -> haptonic.results.verdict.Verdict:
+        """A response that a scan has given, once more against its plate's model: new unknowns, no records."""
+
+    def simulate_friction(
+        self,
+        *,
+        seed: int = ...,
+        participants: int | None = ...,
+        form: typing.Literal["csv", "h5", "mat", "tdms"] = ...,
+        per: typing.Literal["trial", "block"] = ...,
+        raw: bool = ...,
+        amplitudes: typing.Any = ...,
+        store: haptonic.store.Store | None = None,
+        workers: int = 0,
+        scheduler: str | None = None,
+        progress: haptonic.progress.Progress | None = None,
+    ) -> haptonic.results.simulated_trials.SimulatedFriction:
+        """Made-up strokes of made-up people, as a folder that `haptonic friction` reads; all simulated."""
+
+    def simulate_scan(
+        self,
+        *,
+        seed: int = ...,
+        form: typing.Literal["h5", "nc", "uff", "mat", "csv", "tdms"] = ...,
+        time: bool | None = ...,
+        response: typing.Any = ...,
+        store: haptonic.store.Store | None = None,
+        workers: int = 0,
+        scheduler: str | None = None,
+        progress: haptonic.progress.Progress | None = None,
+    ) -> haptonic.results.scan.simulated.SimulatedScan:
+        """What a laser vibrometer would record of the study's plate. Everything is marked as simulated."""
