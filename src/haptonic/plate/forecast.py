@@ -43,6 +43,7 @@ FIXED, FIXED_MEMORY = 4.0, 1.2e9  # s and bytes, of files and of what is there a
 SINGLE, SINGLE_FIXED = 0.01, 8.0  # s of a tile while one frequency is answered, and of the rest
 PER_KIND = 1.3  # s, of each tile that a kind of brick covers, and of plain plate
 GLUED, STEEPER = 0.46, 1.6  # s of a tile below a patch, and how that grows with the tiles of one block
+FINER = 4.0  # power of the tiles' order over the usual one, with which both grow; 3.7 seen at order 6
 SOLVED = 6e-5  # s, of a shift for each unknown
 ORTHOGONAL, TURNED = 1e-10, 1e-9  # s, of vectors squared for each unknown, and of vectors cubed
 PAIRED = 5e-10  # s, of a vector at a line for each pair of directions
@@ -57,6 +58,7 @@ class Counted:
     tiles : of the plate's map, a brick being one
     kinds : tiles of bricks that differ, and one of plain plate
     glued : tiles of each block that carries something
+    order : of the tiles' meshes over the usual one
     unknowns, directions : about, of the equations and of losses other than the plate's
     shifts : of each basis, about; a second one from rest on where many modes lie below the band, none for a
         single frequency
@@ -67,6 +69,7 @@ class Counted:
     tiles: int
     kinds: int
     glued: tuple[int, ...]
+    order: float
     unknowns: int
     directions: int
     shifts: tuple[float, ...]
@@ -86,7 +89,7 @@ class Counted:
         ------
         GeometryError : things glued so close to a lattice that no block of plain tiles holds them
         """
-        layout, blocks = plate.layout, blocks_of(plate)
+        layout, blocks, fine = plate.layout, blocks_of(plate), fineness or Fineness()
         tiles = len(layout.blocks)
         kinds = {kind_of(layout, block): block for block in map(layout.block, layout.bricks)}
         area = sum(layout.area(name) for name in set(layout.there.values()))
@@ -105,7 +108,8 @@ class Counted:
             tiles=tiles,
             kinds=sum(len(block.tiles) for block in kinds.values()) + bool(layout.regions),
             glued=tuple(len(block.tiles) for block, attached in blocks.items() if attached),
-            unknowns=_between(layout, blocks, (fineness or Fineness()).trace) + INSIDE * tiles,
+            order=max(fine.cell, fine.plain) / Fineness().cell,
+            unknowns=_between(layout, blocks, fine.trace) + INSIDE * tiles,
             directions=DIRECTIONS * losses,
             shifts=tuple(parted(low) for low in starts),
             forces=max(BLOCK, drives * (1 + LOSSES * bool(losses)) + FEWEST_RANDOM),
@@ -122,6 +126,7 @@ class Counted:
     def seconds(self) -> float:
         """Processor time, s."""
         made = PER_KIND * self.kinds + sum(GLUED * math.pow(one, STEEPER) for one in self.glued)
+        made *= math.pow(self.order, FINER)
         if not self.shifts:
             return SINGLE_FIXED + made + SINGLE * self.tiles
         bases = sum(map(self._of_basis, self.shifts, self.vectors))
