@@ -261,15 +261,15 @@ def candidate_models(
     check_thickness(cell)
     if resolution is None:
         check_start(cell, count, accuracy)
-    spent, reached, refused, grown = 0.0, math.inf, None, 0
+    spent, reached, refused, grown, inside = 0.0, math.inf, None, 0, (0, 0)
     for rung in LADDER[first_rung(cell, accuracy) :] if resolution is None else (resolution,):
         tried = rung.for_bands(cell, count)
         plans = tried.plans(cell)
         if plans == refused:  # without a pillar rings make no difference
             continue
         refused = plans
-        for _ in range(grown):  # what the mesh before lacked inside this one would lack as well
-            tried = tried.grown()
+        # what the mesh before lacked inside this one would lack as well
+        tried = replace(tried, steps=max(tried.steps, inside[0]), block=max(tried.block, inside[1]))
         while True:
             if resolution is None:
                 spent += check_cost(cell, tried, accuracy, spent, reached)
@@ -285,9 +285,11 @@ def candidate_models(
             enough = trusted and model.truncation <= TRUNCATION_SHARE * accuracy
             too_coarse = trusted and resolution is None and model.mesh_error > accuracy
             grown += not enough
+            wanted = tried if enough else tried.grown()
+            inside = wanted.steps, wanted.block
             if enough or too_coarse or grown > MOST_GROWTH:
                 break
-            tried = tried.grown()
+            tried = wanted
     raise ResourceError.inaccurate(
         argument="bands.accuracy",
         given=f"{accuracy:g}",
