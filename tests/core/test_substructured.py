@@ -2,7 +2,7 @@
 
 from dataclasses import replace
 from functools import cache
-from itertools import product
+from itertools import accumulate, product
 
 import numpy as np
 import pytest
@@ -20,6 +20,7 @@ from haptonic.cell.pieces import pieces_of
 from haptonic.lattice import Lattice
 from haptonic.materials import IsotropicMaterial, OrthotropicMaterial, material
 from haptonic.superelement import Tiling, condense, condense_by_parts, on_each, substructured
+from haptonic.superelement.kept import Kept
 from haptonic.superelement.pillar_body import PARITIES, PillarBody
 
 PLY = OrthotropicMaterial("ply", 20e9, 11e9, 9e9, 3e9, 2.5e9, 4e9, 3.1e9, 4.3e9, 5.7e9, density=1500.0)
@@ -330,7 +331,7 @@ def empty(monkeypatch):
         made.append(given)
         return of_mesh(*given, **named)
 
-    monkeypatch.setattr(substructured, "_feet", type(substructured._feet)())
+    substructured._feet.clear()
     monkeypatch.setattr(substructured.FoldedMesh, "of_mesh", counted)
     return made
 
@@ -410,9 +411,13 @@ def test_another_foot_is_another(empty, change):
     assert len(empty) == 2
 
 
-def test_few_feet_are_kept(empty):
-    cell = reference_cell()
-    for k in range(substructured.KEPT_FEET + 2):
-        wider = replace(cell, pillar=replace(cell.pillar, diameter=cell.pillar.diameter * (1 + 0.01 * k)))
-        condense_by_parts(wider, Resolution(2, 1).plan(wider), measured=False)
-    assert len(substructured._feet) == substructured.KEPT_FEET
+@given(st.lists(st.integers(1, 12), min_size=1, max_size=40))
+def test_what_waits_is_what_was_asked_for_last_up_to_a_size_in_all(asked):
+    kept = Kept(10, int)
+    for one in asked:
+        assert kept.of(one, lambda one=one: one) == one
+    last = [one for one in dict.fromkeys(reversed(asked)) if one <= 10]
+    waiting = [one for one, needed in zip(last, accumulate(last), strict=True) if needed <= 10]
+    assert len(kept) == len(waiting)
+    for one in waiting:
+        assert kept.of(one, lambda: pytest.fail("it was waiting")) == one

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from functools import cached_property, lru_cache
+from functools import cached_property
 
 import numpy as np
 from numpy.typing import NDArray
@@ -13,6 +13,7 @@ from haptonic.cell import Topology
 from haptonic.elements import ElementMatrices, coupled_pairs
 from haptonic.later import sparse as sp
 from haptonic.solvers import Pattern
+from haptonic.superelement.kept import Kept
 from haptonic.superelement.symmetry import Folding
 
 
@@ -124,9 +125,16 @@ class FoldedStiffness:
         return sp.csr_array((self.blocks[chosen].ravel(), tuple(places)), shape=(3 * rows, 3 * boundary))
 
 
-@lru_cache(maxsize=16)
+KEPT_PAIRS = 1e7  # of nodes of all that wait, of about 100 bytes each: 23 usual cells, each of two orders
+_assemblers = Kept[Assembler](KEPT_PAIRS, lambda one: len(one.weight))
+
+
 def assembler_of(topology: Topology, folding: Folding) -> Assembler:
-    """The index work of a topology; the same object for the same arguments."""
+    """The index work of a topology; the same object for the same arguments while it waits."""
+    return _assemblers.of((topology, folding), lambda: _assembler(topology, folding))
+
+
+def _assembler(topology: Topology, folding: Folding) -> Assembler:
     kept, ends, keys, weights, above = [], [], [], [], []
     count = len(folding.origin)
     for family, chosen, weight in zip(topology.families, folding.chosen, folding.weight, strict=True):

@@ -15,7 +15,7 @@ Result = TypeVar("Result")
 # twelve, and squares between may have four.
 KEPT_SOLVERS = 16
 # Of a pattern, and of all that wait; the factors of more would hold too much memory.
-KEPT_ENTRIES, KEPT_IN_ALL = 5_000_000, 30_000_000
+KEPT_ENTRIES, KEPT_IN_ALL = 5_000_000, 15_000_000
 
 _idle: deque[tuple[Pattern, Solver]] = deque(maxlen=KEPT_SOLVERS)
 

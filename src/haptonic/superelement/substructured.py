@@ -8,10 +8,8 @@ step is the foot of a further body, and stands on the first as that does on the 
 from __future__ import annotations
 
 import hashlib
-from collections import OrderedDict
 from dataclasses import dataclass
 from itertools import pairwise
-from threading import Lock
 
 import numpy as np
 
@@ -24,8 +22,8 @@ from haptonic.parallel import each
 from haptonic.solvers import definite
 from haptonic.superelement.condense import Superelement, assembled, condensed
 from haptonic.superelement.folded import FoldedMesh
+from haptonic.superelement.kept import Kept
 from haptonic.superelement.measures import ClassMeasures
-from haptonic.superelement.parallel import KEPT_ENTRIES
 from haptonic.superelement.parts import reduced_by_parts
 from haptonic.superelement.pillar_body import PARITIES, Kinds, PillarBody
 from haptonic.superelement.sections import section_sizes
@@ -34,7 +32,7 @@ from haptonic.superelement.symmetry import DIAGONAL, Folding, folds_of
 
 LEAST_ORDER, PER_LAYER = 8, 2  # of the polynomials along the body, and what each layer of a mesh adds
 FOR_SECTION = 4  # directions in each block of a foot's Krylov space beyond those that a whole cell has
-KEPT_FEET = 4  # that wait for the next design with the same
+KEPT_FEET = 5e6  # entries of stiffness of all that wait for the next design with the same: 16 usual ones
 
 
 @definite()
@@ -104,8 +102,10 @@ class _Foot:
     """All that stands below a body, down to the one that it stands on itself, condensed.
 
     levels, through : as of a `FoldedMesh`; sizes : of the pillar's sections below the body
+    entries : of the stiffness inside
     """
 
+    entries: int
     levels: int
     through: Array
     classes: tuple[FootClass, ...]
@@ -114,8 +114,7 @@ class _Foot:
 
 Ends = tuple[PillarBody | None, PillarBody | None]  # bodies below and above a foot
 
-_feet: OrderedDict[str, _Foot] = OrderedDict()
-_lock = Lock()
+_feet = Kept[_Foot](KEPT_FEET, lambda one: one.entries)
 
 
 def _foot(tile: TileShape, mesh: HexMesh, ends: Ends, steps: int, block: int, measured: bool) -> _Foot:
@@ -135,11 +134,13 @@ def _foot(tile: TileShape, mesh: HexMesh, ends: Ends, steps: int, block: int, me
     )
     content = [repr(about).encode(), points.tobytes(), tile.material.stiffness.tobytes()]
     key = hashlib.sha256(b"".join(content) + repr(tile.material.density).encode()).hexdigest()
-    with _lock:
-        if key in _feet:
-            _feet.move_to_end(key)
-            return _feet[key]
-    shared = FoldedMesh.of_mesh(tile, HexMesh(topology, points), open_top=ends[1] is not None)
+    whole = HexMesh(topology, points)
+    return _feet.of(key, lambda: _condensed(tile, whole, ends, steps, block, measured))
+
+
+def _condensed(tile: TileShape, mesh: HexMesh, ends: Ends, steps: int, block: int, measured: bool) -> _Foot:
+    """A foot between two bodies."""
+    shared = FoldedMesh.of_mesh(tile, mesh, open_top=ends[1] is not None)
 
     block += FOR_SECTION * sum(end.kinds for end in ends if end is not None)
     on_ends = [_on_ends(shared, q, ends) for q in range(shared.folding.classes)]
@@ -154,18 +155,13 @@ def _foot(tile: TileShape, mesh: HexMesh, ends: Ends, steps: int, block: int, me
             measures=ClassMeasures.of(shared, q, found[q], on_ends[q]) if measured else None,
         )
 
-    foot = _Foot(
+    return _Foot(
+        entries=len(shared.assembler.pattern.indices),
         levels=shared.levels,
         through=shared.through,
         classes=tuple(each(foot_class, range(len(found)))),
         sizes=section_sizes(shared.mesh, shared.nodal_mass),
     )
-    if len(shared.assembler.pattern.indices) <= KEPT_ENTRIES:
-        with _lock:
-            _feet[key] = foot
-            while len(_feet) > KEPT_FEET:
-                _feet.popitem(last=False)
-    return foot
 
 
 def _on_ends(shared: FoldedMesh, q: int, ends: Ends) -> Array:
