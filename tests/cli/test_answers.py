@@ -81,7 +81,8 @@ def test_more_than_three_sentences_are_for_those_who_ask(numbers):
 
     beyond = max(len(said) - SENTENCES, 0)
     assert told(every=True) == said
-    assert told(every=False) == said[:SENTENCES] + [f"more with --tables: {beyond} sentences"] * (beyond > 0)
+    more = f"more with --tables: {beyond} sentence{'' if beyond == 1 else 's'}"
+    assert told(every=False) == said[:SENTENCES] + [more] * (beyond > 0)
 
 
 @pytest.mark.parametrize("name", [*(f"{one}.toml" for one in STUDIES), *(f"{one}.csv" for one in MEASURED)])

@@ -201,7 +201,7 @@ def test_condensed_frequencies_against_brute_force_on_the_same_mesh(case):
     assert (lost[:6] < 2e-4).all()
     finer, _ = losses(case, 3)
     assert (finer < lost + 1e-9).all()
-    assert finer[-1] < 0.6 * lost[-1]
+    assert finer[-1] < 0.6 * lost[-1] + 1e-12, "or both are rounding: a small mesh is spanned whole"
 
 
 @pytest.mark.parametrize("case", CASES)
