@@ -85,19 +85,21 @@ def test_sweep_answers_every_design(haptonic, study, tmp_path):
 THIN_ONES = '[[sweep]]\nvary = "cell.thickness"\nfrom = "10 um"\nto = "20 um"\nsteps = 2\n'
 
 
-def test_a_sweep_of_which_no_design_can_be_computed_is_refused(inside, study):
+def test_a_sweep_of_which_no_design_can_be_computed_is_refused(inside, study, tmp_path):
     """It said that no design has a gap, and ended as if all were well."""
     whole = study().read_text()
     path = study((whole[whole.index("[[sweep]]") :], THIN_ONES))
-    assert_five_parts(inside("sweep", path), code="out-of-range", argument="cell.thickness")
-    report = inside("reproduce", path, "--json")
+    refused = inside("sweep", path, "--out", tmp_path / "swept")
+    assert_five_parts(refused, code="out-of-range", argument="cell.thickness")
+    assert not (tmp_path / "swept").exists()
+    report = inside("reproduce", path, "--out", tmp_path / "report", "--json")
     assert report.code == 0, report.err
     assert "no sweep: " in report.err
 
 
-def test_a_row_of_which_no_design_can_be_computed_says_so(inside, study):
+def test_a_row_of_which_no_design_can_be_computed_says_so(inside, study, tmp_path):
     path = study(("[[sweep]]", THIN_ONES + "\n[[sweep]]"))
-    ran = inside("sweep", path)
+    ran = inside("sweep", path, "--out", tmp_path / "swept")
     assert ran.code == 0, ran.err
     assert "No design along cell.thickness could be computed." in ran.out
     assert "design 2 of the sweep was left out" in ran.err
