@@ -69,7 +69,7 @@ def methods() -> str:
             f"    def {name.replace(' ', '_')}(",
             "        self,",
             "        *,",
-            *(f"        {one}," for one in [*given, *EVERY]),
+            *(f"        {one}," for one in [*given, *_of_run()]),
             f"    ) -> {_named(analysis.result)}:",
             *(f"        {line}" for line in wrap(f'"""{text}"""', 102)),
             "",
@@ -88,12 +88,14 @@ def methods() -> str:
     return "\n".join(head + lines[:-1]) + "\n"
 
 
-EVERY = [
-    "store: haptonic.store.Store | None = None",
-    "workers: int = 0",
-    "scheduler: str | None = None",
-    "progress: haptonic.progress.Progress | None = None",
-]
+def _of_run() -> list[str]:
+    """What every method takes besides its options, as `haptonic.Study.run` declares it."""
+    kinds = get_type_hints(haptonic.Study.run)
+    return [
+        f"{name}: {_named(kinds[name])} = {one.default!r}"
+        for name, one in inspect.signature(haptonic.Study.run).parameters.items()
+        if one.kind is one.KEYWORD_ONLY
+    ]
 
 
 def _taken(one: Field[Any], kind: Any) -> str:

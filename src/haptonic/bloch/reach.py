@@ -103,7 +103,7 @@ def within_reach(cell: UnitCell, count: int, refused: float) -> float:
         if tried[-1].steps == LEAST_STEPS:
             tried.append(tried[-1].grown())
         alone = first == rung and is_little(tried[0].seconds(cell), accuracy)
-        if alone or _fit(cell, tried, accuracy):
+        if _fit(cell, tried[:1] if alone else tried, accuracy):
             return accuracy
     return math.inf
 
