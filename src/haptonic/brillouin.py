@@ -98,6 +98,21 @@ class IrreducibleZone:
         """Phases of the labelled corners, rad."""
         return {label: np.pi * np.array(point) for label, point in self.corners}
 
+    @cached_property
+    def _borders(self) -> tuple[Array, Array]:
+        """(sides, 2) unit normals of the sides in the plane of phases, inwards, and (sides,) offsets."""
+        corners = np.array(list(self.corner_phases.values()))
+        along = np.roll(corners, -1, axis=0) - corners
+        across = np.column_stack([-along[:, 1], along[:, 0]]) / np.linalg.norm(along, axis=1)[:, None]
+        middle = corners.mean(axis=0)
+        across *= np.sign(((middle - corners) * across).sum(axis=1))[:, None]
+        return across, (corners * across).sum(axis=1)
+
+    def depth(self, kappa: Array) -> Array:
+        """(n,) distance of phases (n, 2) from the zone's border, rad; negative outside."""
+        normals, offsets = self._borders
+        return np.asarray((kappa @ normals.T - offsets).min(axis=1))
+
     def path(self, points: int) -> Path:
         """``points`` wavevectors once round the irreducible zone, corners included, ends counted both.
 

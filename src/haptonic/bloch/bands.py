@@ -186,7 +186,7 @@ def mode_shapes(model: BlochModel, kappa: Array) -> xr.Dataset:
     """Fields of all modes at one wavevector on the meshes of all tiles, with linear sub-cells for drawing."""
     tiling = model.fine.tiling
     solution = model.solve(kappa)
-    shapes = tiling.lifted(solution.fields)
+    shapes = model.displacement(solution)
     largest = np.abs(shapes).max(axis=(0, 1))
     turned = shapes / largest
     for k in range(turned.shape[2]):  # turn the phase so that the real part is largest

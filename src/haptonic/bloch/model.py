@@ -15,6 +15,7 @@ from haptonic.bloch.centred import lattice_pencil, parted
 from haptonic.bloch.pencil import Evaluated, SplitPencil, eigenpairs, hertz
 from haptonic.bloch.reach import check_cost, check_memory, check_start, check_thickness, first_rung
 from haptonic.bloch.reduced import ReducedCell
+from haptonic.bloch.representative import Representative
 from haptonic.bloch.resolution import LADDER, Resolution
 from haptonic.bloch.settings import COARSEST, BandSettings
 from haptonic.cell import UnitCell
@@ -37,17 +38,23 @@ REST = 1e-4  # share of the highest frequency below which a mode counts as a rig
 class Solution:
     """Modes at one wavevector, lowest first.
 
-    kappa : (2,) phases, rad
+    source : the wavevector, and that of the irreducible zone where it was solved
     frequency, error : (k,) Hz; the error bounds the distance to the exact frequency of the model
-    fields : (t + m, k) unknowns of the tiling, unit mass
+    fields : (t + m, k) unknowns of the tiling at ``source.kappa``, unit mass; `BlochModel.displacement` gives
+        the motion at `kappa`
     modes : (r, k) the same in the small basis; real, unless degenerate ones were turned
     """
 
-    kappa: Array
+    source: Representative
     frequency: Array
     error: Array
     fields: Complex
     modes: Fields
+
+    @property
+    def kappa(self) -> Array:
+        """(2,) phases of the wavevector, rad."""
+        return self.source.image
 
     def turned(self, turn: Fields) -> Solution:
         """The same with new modes = old modes @ turn, (k, k) unitary among degenerate ones."""
@@ -56,7 +63,7 @@ class Solution:
     def lowest(self, count: int) -> Solution:
         """The first ``count`` modes."""
         return Solution(
-            kappa=self.kappa,
+            source=self.source,
             frequency=self.frequency[:count],
             error=self.error[:count],
             fields=self.fields[:, :count],
@@ -67,6 +74,8 @@ class Solution:
 @dataclass(frozen=True)
 class BlochModel:
     """Frequencies, modes and group velocities of a cell at any wavevector.
+
+    The small basis serves the irreducible zone; `representative` carries every wavevector there.
 
     cell, resolution : what it was made from; count : how many bands it was made for
     fine : the model that answers; coarse : pencil of lower order, for the error estimate
@@ -132,13 +141,18 @@ class BlochModel:
                 found[parity] = replace(self, count=count, fine=fine, coarse=coarse)
         return found
 
+    def representative(self, kappa: Array) -> Representative:
+        """The wavevector of the irreducible zone that is equivalent to the phases (2,)."""
+        return Representative.of(self.cell.zone, self.cell.point_group, kappa)
+
     def frequencies(self, kappa: Array) -> Array:
         """(count,) Hz at the phases (2,), without anything else."""
-        return hertz(eigenpairs(self.fine.pencil, kappa, self.count)[0])
+        return hertz(eigenpairs(self.fine.pencil, self.representative(kappa).kappa, self.count)[0])
 
     def solve(self, kappa: Array, spare: int = 0) -> Solution:
         """Modes and error estimates at the phases (2,); ``spare`` more than the bands asked for."""
-        count = self.count + spare
+        count, source = self.count + spare, self.representative(kappa)
+        kappa = source.kappa
         values, modes = eigenpairs(self.fine.pencil, kappa, count + ABOVE)
         fields = self.fine.expanded(modes, kappa)
         frequency = hertz(values)
@@ -148,9 +162,13 @@ class BlochModel:
         error += self._lost(values, fields) + frequency * self.fine.projection_error
         error += self.fine.rounding / (8 * np.pi**2 * np.maximum(frequency, REST * self.highest))
         error = _ranked(frequency, error)
-        return Solution(kappa=kappa, frequency=frequency, error=error, fields=fields, modes=modes).lowest(
+        return Solution(source=source, frequency=frequency, error=error, fields=fields, modes=modes).lowest(
             count
         )
+
+    def displacement(self, solution: Solution) -> Complex:
+        """(nodes, 3, k) motion of the meshes of all tiles, one after the other, at `Solution.kappa`."""
+        return solution.source.fields(self.fine.tiling, solution.fields)
 
     def _lost(self, values: Array, fields: Complex) -> Array:
         """(k,) Hz by which the interior fields that were left out would lower each of k modes."""
@@ -207,9 +225,11 @@ class BlochModel:
     def gradient(self, kappa: Array, modes: Fields) -> Array:
         """(k, 2) exact derivatives of the frequencies with respect to the phases, Hz/rad.
 
-        ``modes`` are those of the small pencil at ``kappa``, of unit mass; degenerate ones must have been
+        ``modes`` are those that `solve` gives at ``kappa``, of unit mass; degenerate ones must have been
         turned so that the derivative is diagonal among them. At zero frequency it is not defined: NaN.
         """
+        source = self.representative(kappa)
+        kappa = source.kappa
         K, _ = self.fine.pencil.at(kappa)
         values = on_each(K, modes)
         frequency = hertz(values)
@@ -220,7 +240,7 @@ class BlochModel:
         moving = frequency > REST * self.highest
         slopes[~moving] = np.nan
         slopes[moving] /= 8 * np.pi**2 * frequency[moving, None]
-        return slopes
+        return source.gradient(slopes)
 
 
 def interior_error(values: Array, left_out: Array) -> Array:

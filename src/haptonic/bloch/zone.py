@@ -8,9 +8,9 @@ import numpy as np
 
 from haptonic.arrays import Array, Ints
 from haptonic.bloch.model import BlochModel
-from haptonic.bloch.pencil import eigenpairs, hertz
+from haptonic.bloch.representative import images
 from haptonic.brillouin import IrreducibleZone
-from haptonic.lattice import HALF_TURN, PointGroup
+from haptonic.lattice import PointGroup
 
 
 @dataclass(frozen=True)
@@ -50,20 +50,16 @@ class ZoneSurface:
 
     def unfolded(self, band: int) -> tuple[Array, Ints, Array]:
         """The band over the whole first zone, by the point group: wavevectors (rad/m), triangles, Hz."""
-        matrices = [np.array(operation) for operation in self.group.operations]
-        if HALF_TURN not in self.group:  # time reversal does what it would do
-            matrices += [-matrix for matrix in matrices]
-        images = [self.kappa @ np.linalg.inv(matrix) for matrix in matrices]
-        triangles = [self.triangles + copy * len(self.kappa) for copy in range(len(matrices))]
-        values = np.tile(self.frequency[:, band], len(matrices))
-        return self.zone.lattice.wavevector(np.concatenate(images)), np.concatenate(triangles), values
+        wavevectors, number = images(self.group, self.kappa)
+        starts = range(0, len(wavevectors), len(self.kappa))
+        triangles = np.concatenate([self.triangles + start for start in starts])
+        return self.zone.lattice.wavevector(wavevectors), triangles, self.frequency[number, band]
 
 
 def zone_surface(model: BlochModel, divisions: int) -> ZoneSurface:
     """Sample the irreducible zone on a regular triangulation."""
     kappa, triangles = model.cell.zone.triangles(divisions)
-    values = np.stack([eigenpairs(model.fine.pencil, point, model.count)[0] for point in kappa])
-    frequency = hertz(values)
+    frequency = np.stack([model.frequencies(point) for point in kappa])
     return ZoneSurface(
         zone=model.cell.zone,
         group=model.cell.point_group,

@@ -43,11 +43,12 @@ def beside_dataset(argument: tuple[Sequence[UnitCell], Gap]) -> xr.Dataset:
     band = gap.between[0]
     frequencies = []
     for cell in cells:
-        pencil = QuickDesign.of(cell, band + 2).model.fine.pencil
+        model = QuickDesign.of(cell, band + 2).model
         grid, _ = cell.zone.triangles(DIVISIONS)
         wavevectors = (*grid, np.array(gap.lower_kappa), np.array(gap.upper_kappa))
-        values = [eigenpairs(pencil, kappa, band + 1)[0][band - 1 :] for kappa in wavevectors]
-        frequencies.append(np.sqrt(np.array(values).T) / (2 * np.pi))
+        # the gap's wavevectors may lie a little outside the zone of a design of other angles
+        found = [model.frequencies(kappa)[band - 1 : band + 1] for kappa in wavevectors]
+        frequencies.append(np.array(found).T)
     return xr.Dataset({"frequency": (("design", "side", "wavevector"), np.array(frequencies))})
 
 
