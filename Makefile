@@ -31,7 +31,7 @@ lowest: $(VENV)/ready-dist
 # One script per claim; docs/benchmarks.md shows what they measured, with the kernels that OpenBLAS chooses itself.
 bench: $(VENV)/ready-test
 	cd benchmarks && for claim in diagram_in_a_second sweeps_in_twenty_seconds thousand_times_cheaper \
-		cost_growth estimates_hold mirror_in_thirty_seconds search_finds_what_is_there plate_in_half_a_minute \
+		cost_growth estimates_hold wavevectors_everywhere mirror_in_thirty_seconds search_finds_what_is_there plate_in_half_a_minute \
 		plate_growth rows_keep_it_there hundred_thousand_trials trials_tell_the_truth scan_twin gap_in_the_scan \
 		fit_covers_the_truth render; \
 		do env -u OPENBLAS_CORETYPE -u OPENBLAS_L2_SIZE ../$(BIN)/python $$claim.py || exit 1; done

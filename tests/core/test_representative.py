@@ -168,6 +168,8 @@ def test_over_several_zones_the_basis_adds_no_more_than_it_was_allowed(name):
         exact, _ = unreduced(the_model, kappa)
         solution = the_model.solve(kappa)
         assert (np.abs(solution.frequency - exact) <= solution.error).all()
+        # the interior's short space has not all symmetries of the mesh: up to 1e-4 of a frequency
+        assert solution.frequency == pytest.approx(exact, rel=1e-3, abs=REST * the_model.highest)
 
 
 def test_the_same_point_of_a_triangle_has_one_value():
