@@ -1,9 +1,9 @@
 """Claim: at any wavevector, in the irreducible zone or outside, a frequency is within its error.
 
 Wavevectors are drawn evenly over three by three zones of twelve cells: all lattices, pillars on one face and
-on both, one site, two and three, isotropic metals and a crystal, one without any symmetry. Each is asked of the
-model, which carries it into the irreducible zone, and of the unreduced pencil of a finer mesh at the wavevector
-itself, which knows neither a symmetry nor a basis. Each cell has a file, so a run that was stopped continues.
+on both, one site, two and three, isotropic metals and a crystal, one without any symmetry. The model carries
+each into the irreducible zone; the unreduced pencil of a finer mesh is solved at the wavevector itself and
+knows neither a symmetry nor a basis. Each cell has a file, so a run that was stopped continues.
 """
 
 from __future__ import annotations

@@ -89,3 +89,14 @@ def test_at_the_centre_three_modes_are_rigid(tmp_path):
     assert (data["mode_frequency"].values[:3] < 1.0).all()
     assert (data["mode_frequency"].values[3:] > 1e3).all()
     loads(QUICK_CELL).bands(modes_at="G").plot("modes")
+
+
+def test_modes_at_equivalent_wavevectors_are_alike():
+    """Three phases that name the same point M of a triangular lattice, outside the irreducible zone too."""
+    study = loads(QUICK_CELL.replace("[cell]", '[cell]\nlattice = "triangular"'))
+    first, *others = (study.bands(modes_at=text).dataset for text in ("M", "-1, 1", "0, -1"))
+    for other in others:
+        for name in ("mode_frequency", "mode_error"):
+            assert other[name].values == pytest.approx(first[name].values, rel=1e-9)
+        assert (other["mode_name"].values == first["mode_name"].values).all()
+    assert others[0]["mode_kappa"].values == pytest.approx([-np.pi, np.pi])
