@@ -67,6 +67,8 @@ def compute_design(
     if best is None or best.margin <= 0:
         raise search.refusal(summits)
     dataset = stamped(all_seen(brief, search.history), inputs)
+    if settings.resolution is None:
+        dataset.attrs |= {"accuracy": settings.accuracy, "largest_error": best.gap.relative_error}
     dataset.attrs["left_out"] = json.dumps(search.left_out)
     dataset.attrs["held_back_by"] = json.dumps(held_back_by(brief, best.visit.share))
     return Design(best.values, best.gap, best.margin, dataset)
