@@ -1,6 +1,6 @@
 """Claim: a study as users write it is answered at default settings, or refused for a reason to be mended.
 
-Designs are drawn over all lattices (``tests/core/user_designs.py``). Each is computed by its own process,
+Designs are drawn over all lattices (``tests/user_designs.py``). Each is computed by its own process,
 which says the accuracy it reached, its processor time and its peak memory; these stand beside the estimates.
 Every design is a line of a CSV file, so a run that was stopped goes on where it ended.
 """
@@ -19,16 +19,16 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
+import psutil
 from record import ROOT, write
 
-sys.path.insert(0, str(ROOT / "tests" / "core"))
-from user_designs import study_of, study_text
-
+sys.path.insert(0, str(ROOT / "tests"))
 from haptonic.bloch.model import best_model
 from haptonic.bloch.reach import MeshLimits, first_rung, started
 from haptonic.bloch.resolution import LADDER
 from haptonic.errors import HaptonicError
 from haptonic.parallel import one_thread
+from user_designs import study_of, study_text
 
 FOLDER = ROOT / "results" / "answered_in_budget"
 NAMES = (
@@ -64,15 +64,15 @@ def decided(seed: int, number: int, memory: float) -> dict[str, Any]:
     }
 
 
-def computed(seed: int, number: int) -> dict[str, Any]:
-    """A design at default settings; what a process of its own prints."""
+def computed(seed: int, number: int, memory: float) -> dict[str, Any]:
+    """A design at default settings with so much memory (bytes); what a process of its own prints."""
     study = study_of(seed, number)
     cell, asked = study.cell, study.bands_settings
     row = {"seed": seed, "number": number, "kind": study_text(seed, number)[0], "asked": asked.accuracy}
     begin = time.process_time()
     try:
         with one_thread():
-            best = best_model(cell, asked)
+            best = best_model(cell, asked, limits=MeshLimits(asked.budget, memory))
     except HaptonicError as error:
         return {**row, "outcome": error.cause.split(":")[0], "seconds": time.process_time() - begin}
     used, worst = best.model.resolution, best.model.worst_error
@@ -102,7 +102,7 @@ def read(path: Path) -> list[dict[str, str]]:
         return list(csv.DictReader(file))
 
 
-def survey(seed: int, count: int) -> None:
+def survey(seed: int, count: int, gigabytes: float) -> None:
     """Compute what is not in the file yet, then write the summary."""
     FOLDER.mkdir(parents=True, exist_ok=True)
     path = FOLDER / "designs.csv"
@@ -111,6 +111,9 @@ def survey(seed: int, count: int) -> None:
         if (seed, number) in done:
             continue
         one = [sys.executable, "-W", "ignore", __file__, "--one", str(number), "--seed", str(seed)]
+        one += ["--memory", f"{gigabytes:g}"]
+        while psutil.virtual_memory().available < 1e9 * gigabytes:  # others need it now
+            time.sleep(5.0)
         answer = subprocess.run(one, capture_output=True, text=True, check=False)
         if answer.returncode:
             row = {"seed": seed, "number": number, "kind": study_text(seed, number)[0], "outcome": "failed"}
@@ -146,13 +149,14 @@ if __name__ == "__main__":
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--count", type=int, default=40)
     parser.add_argument("--one", type=int, help="Compute this design here and print its row.")
-    parser.add_argument("--decide", type=float, metavar="GB", help="Only what is begun with so much memory.")
+    parser.add_argument("--memory", type=float, default=8.0, metavar="GB", help="That meshes may take.")
+    parser.add_argument("--decide", action="store_true", help="Only say what is begun, compute nothing.")
     given = parser.parse_args()
     warnings.simplefilter("ignore")
     if given.one is not None:
-        print(json.dumps(computed(given.seed, given.one)))
-    elif given.decide is not None:
+        print(json.dumps(computed(given.seed, given.one, 1e9 * given.memory)))
+    elif given.decide:
         for number in range(given.count):
-            print(decided(given.seed, number, 1e9 * given.decide))
+            print(decided(given.seed, number, 1e9 * given.memory))
     else:
-        survey(given.seed, given.count)
+        survey(given.seed, given.count, given.memory)

@@ -48,10 +48,10 @@ class BandSettings:
     accuracy: Annotated[float, Quantity("", at_least=1e-6, at_most=COARSEST, typical=(1e-5, 0.05))] = setting(
         2e-3, "Relative, of every frequency up to the last band asked for."
     )
+    mesh: Annotated[MeshSettings, TOP] = setting(MeshSettings(), "For experts; else the accuracy decides.")
     budget: Annotated[float, BUDGET] = setting(
         600.0, "Estimated processor time for the meshes of a cell; a mesh beyond it is not started."
     )
-    mesh: Annotated[MeshSettings, TOP] = setting(MeshSettings(), "For experts; else the accuracy decides.")
 
     @property
     def resolution(self) -> Resolution | None:
