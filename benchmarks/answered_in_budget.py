@@ -107,7 +107,11 @@ def survey(seed: int, count: int, gigabytes: float) -> None:
     FOLDER.mkdir(parents=True, exist_ok=True)
     path = FOLDER / "designs.csv"
     done = {(int(row["seed"]), int(row["number"])) for row in read(path)}
-    for number in range(count):
+
+    def estimated(number: int) -> float:
+        return float(decided(seed, number, 1e9 * gigabytes).get("seconds_estimated", 0.0))
+
+    for number in sorted(range(count), key=estimated):  # a run may be stopped
         if (seed, number) in done:
             continue
         one = [sys.executable, "-W", "ignore", __file__, "--one", str(number), "--seed", str(seed)]

@@ -6,10 +6,11 @@
 from __future__ import annotations
 
 import math
+import warnings
 
 import numpy as np
 
-from haptonic.errors import HaptonicError
+from haptonic.errors import HaptonicError, HaptonicWarning
 from haptonic.study import Study, loads
 
 LATTICES = (
@@ -43,7 +44,7 @@ def study_text(seed: int, number: int) -> tuple[str, str]:
     while True:
         text = _text(rng, kind)
         try:
-            assert loads(text).cell.tiles
+            assert _read(text).cell.tiles
         except HaptonicError:
             continue
         return kind, text
@@ -51,7 +52,14 @@ def study_text(seed: int, number: int) -> tuple[str, str]:
 
 def study_of(seed: int, number: int) -> Study:
     """The drawn study."""
-    return loads(study_text(seed, number)[1])
+    return _read(study_text(seed, number)[1])
+
+
+def _read(text: str) -> Study:
+    """The study, without warnings of unusual sizes: micrometres are meant."""
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", HaptonicWarning)
+        return loads(text)
 
 
 def _text(rng: np.random.Generator, kind: str) -> str:

@@ -12,7 +12,7 @@ from haptonic.bloch.model import BlochModel
 from haptonic.bloch.reach import MeshLimits
 from haptonic.errors import HaptonicError, StudyError
 from haptonic.study import loads
-from user_designs import study_text
+from user_designs import study_of, study_text
 
 
 @pytest.fixture
@@ -36,7 +36,7 @@ def memory(monkeypatch):
 
 
 @given(st.integers(0, 1000), st.sampled_from(["1 s", "20 s", "10 min"]), st.sampled_from([4e8, 2e9, 1e12]))
-@settings(max_examples=12, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture])
+@settings(max_examples=8, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture])
 def test_a_dry_run_ends_as_the_run_does(inside, tmp_path, stopped, memory, number, budget, free):
     """Drawn designs; the command that a lack of time names is accepted by both."""
     memory(free)
@@ -90,7 +90,5 @@ def test_every_command_that_asks_for_bands_takes_a_budget(inside, command):
 
 def test_a_plan_says_what_would_be_refused(memory):
     memory(1e12)
-    with warnings.catch_warnings():
-        warnings.simplefilter("ignore")
-        plan = loads(study_text(5, 1)[1]).plan(budget="1 s")
+    plan = study_of(5, 1).plan(budget="1 s")
     assert any("haptonic bands would be refused: lack of time" in remark for remark in plan.remarks())

@@ -1,7 +1,6 @@
 """What a cell takes is estimated before it is computed: what fits is answered, a refusal says what works."""
 
 import re
-import warnings
 from dataclasses import replace
 
 import numpy as np
@@ -9,7 +8,6 @@ import pytest
 from hypothesis import given, settings, strategies as st
 from strategies import ALUMINIUM
 from truth import KAPPA, plain_plate
-from user_designs import study_text
 
 from haptonic.bloch import bands_dataset, gaps_dataset, model, reach
 from haptonic.bloch.model import BlochModel, best_model, bloch_model, candidate_models
@@ -25,6 +23,7 @@ from haptonic.results.common import accuracy_remarks
 from haptonic.study import loads
 from haptonic.superelement import Tiling, condense_by_parts
 from haptonic.units import to_si
+from user_designs import study_of
 
 PITCH = 6e-3
 TWO_SITES = """
@@ -123,9 +122,7 @@ def test_a_refusal_says_of_which_kind_it_is_and_its_step_is_accepted(
 
 def follow_a_drawn_design(number):
     """Refuse a design as users write them by time and by memory, and ask again as the refusal says."""
-    with warnings.catch_warnings():
-        warnings.simplefilter("ignore")
-        cell = loads(study_text(3, number)[1]).cell
+    cell = study_of(3, number).cell
     lowest = LADDER[0].for_bands(cell, 10)
     seconds, memory = lowest.seconds(cell), lowest.memory(cell)
     for limits in (MeshLimits(0.5 * seconds, 2 * memory), MeshLimits(1e3, 0.97 * memory)):
