@@ -1,7 +1,11 @@
 """What a cell takes is estimated before it is computed: what fits is answered, a refusal says what works."""
 
+import json
 import re
+import subprocess
+import sys
 from dataclasses import replace
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -283,3 +287,21 @@ def test_many_bands_get_depth_rather_than_width(thickness, diameter, height):
     )
     reduced = ReducedCell.of(Tiling.single(whole), 40, np.inf)
     assert BlochModel(cell, resolution, 40, reduced, reduced.pencil).truncation < 4 * model.TRUSTED_TRUNCATION
+
+
+def measured(number):
+    """Estimated and used memory of a drawn design in a process of its own, GB."""
+    script = Path(__file__).parents[2] / "benchmarks" / "answered_in_budget.py"
+    asked = [sys.executable, script, "--one", str(number), "--seed", "1", "--memory", "8"]
+    answer = subprocess.run(asked, capture_output=True, text=True, check=True)
+    row = json.loads(answer.stdout)
+    return row["gigabytes_estimated"], row["gigabytes"]
+
+
+@pytest.mark.parametrize(
+    "number", [17, *(pytest.param(number, marks=pytest.mark.nightly) for number in (0, 2, 3, 8, 9, 10, 19))]
+)
+def test_the_memory_that_is_used_is_near_the_estimate(number):
+    """It was estimated at 0.7 to 3.6 times of it."""
+    estimated, used = measured(number)
+    assert 0.8 * used <= estimated <= 2 * used
