@@ -28,7 +28,7 @@ sys.path.insert(0, str(ROOT / "tests" / "core"))
 from truth import KINDS, STOUT_FROM, Drawn, Truth, drawn, foreseen, truth, wavevectors
 
 from haptonic.bloch.model import REST, bloch_model
-from haptonic.bloch.reach import check_start, started
+from haptonic.bloch.reach import MeshLimits, first_level, started
 from haptonic.bloch.settings import BandSettings
 from haptonic.errors import HaptonicError
 
@@ -87,7 +87,7 @@ def answered(question: Drawn) -> Answer:
     try:
         with threadpool_limits(1):
             asked = BandSettings(question.count, accuracy=question.accuracy)
-            model = bloch_model(question.cell, asked, or_best=True)
+            model = bloch_model(question.cell, asked)
             solutions = [model.solve(kappa) for kappa in wavevectors(question.cell)]
     except HaptonicError as refusal:
         return Answer(time.process_time() - start, refusal=f"{refusal.argument}: {refusal.cause}")
@@ -231,12 +231,16 @@ def row_of(seed: int, number: int, limit: float) -> Row:
     return row
 
 
+def _limits() -> MeshLimits:
+    return MeshLimits.of(BandSettings().budget)
+
+
 def numbers(count: int, stout: int, seed: int) -> list[int]:
     """Of the designs, those first that are foreseen to take least: a run may be stopped."""
 
     def seconds(number: int) -> float:
         question = drawn(seed, number)
-        tried = started(question.cell, question.count, question.accuracy)
+        tried = started(question.cell, question.count, question.accuracy, _limits())
         return float(foreseen(question) + sum(one.seconds(question.cell) for one in tried))
 
     return sorted((*range(count), *range(STOUT_FROM, STOUT_FROM + stout)), key=seconds)
@@ -259,7 +263,7 @@ def references(count: int, stout: int, seed: int) -> None:
 
 def refused_at_once(question: Drawn) -> bool:
     try:
-        check_start(question.cell, question.count, question.accuracy)
+        first_level(question.cell, question.count, question.accuracy, _limits())
     except HaptonicError:
         return True
     return False

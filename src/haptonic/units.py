@@ -47,6 +47,7 @@ EXAMPLES = {
     "kg": "0.01 kg",
     "m/s": "78 mm/s",
 }
+TIMES = {"min": Fraction(60), "h": Fraction(3600)}  # s
 KINDS = {
     "m": "length",
     "Hz": "frequency",
@@ -177,6 +178,13 @@ def format_quantity(value: float, unit: str, *, prefer: str | None = None, digit
     return f"{_plain(rounded.scaleb(-scales[prefer]))} {prefer}".rstrip()
 
 
+def duration(seconds: float) -> str:
+    """Text of a time that people wait for: ``"45 s"``, ``"10 min"``, ``"2.5 h"``; `to_si` reads it."""
+    if seconds < 60:
+        return f"{max(seconds, 1.0):.2g} s"
+    return f"{seconds / 60:.3g} min" if seconds < 6000 else f"{seconds / 3600:.3g} h"
+
+
 def example_of(unit: str) -> str:
     """A quantity in the given SI unit, as an example for a message: ``"7 mm"`` for ``"m"``."""
     return EXAMPLES.get(unit, f"1 {unit}".rstrip())
@@ -235,6 +243,7 @@ def _table(unit: str) -> dict[str, Fraction]:
     """Units read without pint: the SI unit itself and the prefixes that are used for it."""
     prefixes = ["", *PREFIXES_OF.get(unit, "")]
     table = {f"{prefix}{unit}": Fraction(10) ** PREFIXES[prefix] for prefix in prefixes}
+    table |= TIMES if unit == "s" else {}
     return table | {name.replace("µ", "u", 1): factor for name, factor in table.items() if "µ" in name}
 
 

@@ -92,7 +92,7 @@ def test_too_few_points_are_refused():
 
 
 def test_too_few_points_are_refused_before_anything_is_meshed(monkeypatch):
-    monkeypatch.setattr("haptonic.bloch.bands.bloch_model", lambda *_, **__: pytest.fail("computed"))
+    monkeypatch.setattr("haptonic.bloch.bands.best_model", lambda *_, **__: pytest.fail("computed"))
     cell = UnitCell(Lattice.oblique(7e-3, 8e-3, 1.3), 1.5e-3, ALUMINIUM)
     with refusing(GeometryError, "too-few", "bands.points", "at least 17"):
         bands_dataset(cell, BandSettings(points=16))

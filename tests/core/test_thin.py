@@ -6,11 +6,11 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 from hypothesis import given, settings, strategies as st
-from strategies import ALUMINIUM, reference_cell
+from strategies import ALUMINIUM
 
 from haptonic.bloch import reach
 from haptonic.bloch.model import BlochModel, bloch_model
-from haptonic.bloch.reach import LONGEST, check_cost
+from haptonic.bloch.reach import MeshLimits, first_level
 from haptonic.bloch.resolution import LADDER
 from haptonic.bloch.settings import BandSettings
 from haptonic.cell import Pillar, UnitCell
@@ -48,37 +48,25 @@ def test_plain_thin_plates_bend_as_kirchhoff_says(thickness, along, across):
     assert above.min() > -120 * thickness**2 - 1e-3  # shear and rotation, which that theory leaves out
 
 
-@given(st.floats(1e-5, 0.9))
-def test_a_refusal_by_cost_names_what_was_reached(reached):
-    with pytest.raises(ResourceError) as caught:
-        check_cost(thin_cell(0.01, 0.5), LADDER[4], 2e-3, 0.0, reached)
-    allowed = caught.value.allowed.split()[0]
-    assert reached <= float(allowed) * (1 + 1e-12) <= 1.2 * reached
-
-
 @given(st.floats(0.005, 0.3), st.floats(0.05, 0.97), st.floats(0.05, 6.0), st.sampled_from([10, 60]))
 def test_what_a_first_mesh_takes_is_foreseen(thickness, diameter, height, count):
     """It is started within the limit, or refused before it is."""
     cell = thin_cell(thickness, diameter, height)
     tried = LADDER[1].for_bands(cell, count)
-    if tried.seconds(cell) <= LONGEST:
-        assert check_cost(cell, tried, 2e-3) == tried.seconds(cell)
-    else:
+    limits = MeshLimits(60.0, 1e12)
+    assert (limits.lack(cell, tried) is None) == (tried.seconds(cell) <= 60.0)
+    if LADDER[0].for_bands(cell, count).seconds(cell) > 60.0:
         with pytest.raises(ResourceError) as caught:
-            check_cost(cell, tried, 2e-3)
+            first_level(cell, count, 2e-3, limits)
         assert caught.value.parts().keys() == PARTS
+    else:
+        assert first_level(cell, count, 2e-3, limits) <= 2
 
 
 @pytest.fixture(autouse=True)
 def memory_enough(monkeypatch):
     """What is refused here is refused for its time."""
     monkeypatch.setattr(reach.psutil, "virtual_memory", lambda: SimpleNamespace(available=1e12))
-
-
-def test_more_digits_may_take_longer():
-    cell = reference_cell()
-    for accuracy, rung in ((1e-4, 5), (1e-5, 7)):
-        assert check_cost(cell, LADDER[rung], accuracy) > LONGEST / 4
 
 
 @pytest.mark.parametrize("diameter", [0.0, 0.5])

@@ -91,6 +91,8 @@ NOT_NAMED_THERE = {
     "too many bands": (("count = 10", "count = 61"), "bands.count", ["at least 1 and at most 60"]),
     "too few points": (("points = 66", "points = 7"), "bands.points", ["at least 8"]),
     "accuracy zero": (("accuracy = 2e-3", "accuracy = 0"), "bands.accuracy", ["at most 0.1"]),
+    "budget without a unit": (("accuracy = 2e-3", "budget = 10"), "bands.budget", ["at least 1 s"]),
+    "budget of no time": (("accuracy = 2e-3", 'budget = "0.1 s"'), "bands.budget", ["at least 1 s"]),
     "accuracy too coarse": (("accuracy = 2e-3", "accuracy = 0.2"), "bands.accuracy", ["at most 0.1"]),
     "order too low": (("[bands]", "[mesh]\norder = 1\n[bands]"), "mesh.order", ["at least 2 and at most 10"]),
     "too many rings": (("[bands]", "[mesh]\nfoot_rings = 7\n[bands]"), "mesh.foot_rings", ["at most 6"]),

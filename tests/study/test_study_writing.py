@@ -80,6 +80,7 @@ def test_written_study_is_readable(reference_path):
     original = tomllib.loads(reference_path.read_text("utf-8"))
     pillar = original["cell"].pop("pillar")
     assert written["cell"].pop("faces") == "one"
+    assert written["bands"].pop("budget") == "600 s"
     assert written["cell"].pop("pillar") == {"section": "round", "draft": "0 rad", "fillet": "0 m", **pillar}
     for section in ("cell", "bands", "sweep"):
         assert written[section] == original[section]

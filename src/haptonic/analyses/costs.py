@@ -8,8 +8,8 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from haptonic.analyses.needs import fineness
-from haptonic.bloch.reach import started
+from haptonic.analyses.needs import fineness, meshes_of
+from haptonic.errors import HaptonicError
 from haptonic.plate.forecast import Counted
 from haptonic.plate.parts import Plate
 from haptonic.plate.settings import ResponseSettings
@@ -21,12 +21,17 @@ ZONE = 0.2  # s, of the search for gaps
 
 
 def meshes(study: Description, second: float = SECOND) -> Cost:
-    """Of the models of a cell: the first that is tried, and a share of the next."""
-    cell, settings = study.cell, study.bands_settings
-    chosen = settings.resolution
-    tried = [chosen] if chosen else started(cell, settings.count, settings.accuracy)
+    """Of the models of a cell: the first that is tried, and a share of the next; or why there is none.
+
+    The decision is that of the computation, `haptonic.bloch.reach`.
+    """
+    cell = study.cell
+    try:
+        tried = meshes_of(study)
+    except HaptonicError as error:
+        return Cost(0.0, refusal=error)
     seconds = FIRST * tried[0].seconds(cell) + second * sum(one.seconds(cell) for one in tried[1:])
-    return Cost(seconds, max(one.memory(cell) for one in tried))
+    return Cost(seconds, max(one.memory(cell) for one in tried), budget=study.bands_settings.budget)
 
 
 def gaps(study: Description) -> Cost:

@@ -114,7 +114,8 @@ def cost(study: Description, options: DesignOptions) -> Cost:
     """Of a search; more where the carrier is hard to reach."""
     section = study.design_settings
     seen = section.starts + section.climbs * section.steps
-    once = Cost(QUICK_DESIGN * QUICK.seconds(study.cell) * seen) + gaps(study).times(REFINED)
+    refined = replace(gaps(study).times(REFINED), refusal=None)  # the search looks at other cells
+    once = Cost(QUICK_DESIGN * QUICK.seconds(study.cell) * seen) + refined
     return once.times(1 + section.pitches / 2) if options.pareto else once
 
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from datetime import date
 from pathlib import Path
 from typing import Any
@@ -210,7 +210,8 @@ def cost(study: Description, options: ExportOptions) -> Cost:
     if "drawing" in options.kinds:
         total += Cost(DRAWN * part.pillars)
         if study.carrier and study.tolerance_settings.of:
-            total += tolerance.cost(study, NoOptions())
+            # without an answer the drawing has no tolerances
+            total += replace(tolerance.cost(study, NoOptions()), refusal=None)
     return total
 
 

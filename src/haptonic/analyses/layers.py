@@ -24,7 +24,7 @@ from haptonic.bloch.mirrors import (
     condensed_rows,
     mirror_dataset,
 )
-from haptonic.bloch.model import bloch_model
+from haptonic.bloch.model import best_model
 from haptonic.cell import UnitCell
 from haptonic.errors import StudyError
 from haptonic.jobs import Task
@@ -67,7 +67,8 @@ def compute(study: Description, options: NoOptions, runner: Runner) -> Layers:
     incidence = Incidence(layers.angle, layers.count, cell.material.loss_factor)
     gaps = runner.gaps(cell, settings)
     gap = gap_at(gaps, carrier) or widest_gap(gaps)
-    resolution = bloch_model(cell, settings).resolution
+    best = best_model(cell, settings)
+    resolution = best.model.resolution
     chunks = np.array_split(frequencies, -(-len(frequencies) // CHUNK))
     along = layers.direction
     fixed = {"incidence": incidence, "cell": cell, "resolution": resolution, "along": along}
@@ -92,6 +93,7 @@ def compute(study: Description, options: NoOptions, runner: Runner) -> Layers:
         "loss_factor": incidence.loss_factor,
         "gap": [gap.lower, gap.upper] if gap else [],
         "mesh": json.dumps(asdict(rows.plan)),
+        **best.attributes(settings),
     }
     return Layers(gap, stamped(dataset, study.inputs()))
 

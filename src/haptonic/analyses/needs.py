@@ -2,17 +2,21 @@
 
 from __future__ import annotations
 
+import math
+import warnings
+
 from haptonic.analyses.runner import Runner
 from haptonic.bloch import Gap
 from haptonic.bloch.gaps import gap_at
-from haptonic.bloch.reach import check_memory, started
+from haptonic.bloch.reach import MeshLimits, check_memory, check_thickness, started
 from haptonic.bloch.resolution import Resolution
 from haptonic.bloch.rows import rows_need
 from haptonic.cell import Rows
-from haptonic.errors import StudyError
+from haptonic.errors import HaptonicWarning, StudyError
 from haptonic.plate import Fineness, Plate
 from haptonic.plate.reduction import BLOCK, STEPS
 from haptonic.plate.settings import ResponseSettings
+from haptonic.results.common import accuracy_remarks
 from haptonic.study.schema import Description
 
 
@@ -61,14 +65,39 @@ def checked_fineness(study: Description) -> Fineness | None:
     chosen = fineness(study)
     if chosen is not None:
         for cell in study.mounted_plate().layout.cells.values():
-            check_memory(cell, Resolution(chosen.cell, chosen.rings, STEPS, BLOCK))
+            check_memory(cell, Resolution(chosen.cell, chosen.rings, STEPS, BLOCK), MeshLimits.of(math.inf))
     return chosen
+
+
+def meshes_of(study: Description) -> list[Resolution]:
+    """The mesh that a study's cell is computed on first, and the next if it fits as well.
+
+    Raises
+    ------
+    ResourceError : not even the coarsest mesh fits the budget and the memory
+    GeometryError : a plate too thin to be computed
+    """
+    cell, settings = study.cell, study.bands_settings
+    limits, chosen = MeshLimits.of(settings.budget), settings.resolution
+    if chosen is None:
+        return started(cell, settings.count, settings.accuracy, limits)
+    check_thickness(cell)
+    chosen = chosen.for_bands(cell, settings.count)
+    check_memory(cell, chosen, limits)
+    return [chosen]
 
 
 def gap_of_plate(study: Description, plate: Plate, carrier: float, runner: Runner) -> Gap | None:
     """The gap of the plate's lattice that holds the carrier (Hz), if there is one."""
-    cells = list(plate.layout.cells.values())
-    return gap_at(Runner(runner.store).gaps(cells[0], study.bands_settings), carrier) if cells else None
+    cells, settings = list(plate.layout.cells.values()), study.bands_settings
+    if not cells:
+        return None
+    gap = gap_at(Runner(runner.store).gaps(cells[0], settings), carrier)
+    if gap is not None and settings.resolution is None:
+        reached = {"accuracy": settings.accuracy, "largest_error": gap.relative_error}
+        for remark in accuracy_remarks(reached):
+            warnings.warn(f"gap of the plate's lattice: {remark}", HaptonicWarning, stacklevel=2)
+    return gap
 
 
 def has_mirror(study: Description) -> bool:
@@ -84,8 +113,7 @@ def need_rows(study: Description, table: str = "layers") -> tuple[int, float]:
 
     table : of the study that gives their direction
     """
-    settings = study.bands_settings
-    first = settings.resolution or started(study.cell, settings.count, settings.accuracy)[0]
+    first = meshes_of(study)[0]
     along = (study.layers_settings if table == "layers" else study.waveguide_settings).direction
     return rows_need(Rows(study.cell, along, table=table), first)
 

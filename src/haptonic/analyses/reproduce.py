@@ -256,7 +256,9 @@ def cost(study: Description, options: ReproduceOptions) -> Cost:
     total = Cost(PICTURES if has_plate(study) else 0.0)
     for one, chosen in _reported(study):
         if one.cost and one.name != "feel":  # the plate is not computed twice
-            total += one.cost(study, chosen)
+            part = one.cost(study, chosen)
+            # no report is without bands; other parts are left out
+            total += part if one.name == "bands" else replace(part, refusal=None)
     return total
 
 

@@ -12,7 +12,7 @@ from haptonic.analyses.costs import meshes
 from haptonic.analyses.options import NoOptions
 from haptonic.analyses.runner import Runner
 from haptonic.bloch.gaps import gap_at, widest_gap
-from haptonic.bloch.model import bloch_model
+from haptonic.bloch.model import best_model
 from haptonic.bloch.ribbon import RibbonModel, bulk_bands
 from haptonic.bloch.ribbon_datasets import bulk_dataset, field_dataset, ribbon_dataset
 from haptonic.bloch.settings import HIGHEST, LOWEST
@@ -61,7 +61,8 @@ def compute(study: Description, options: NoOptions, runner: Runner) -> RibbonWav
     asked, settings = _needed(study), study.bands_settings
     ribbon, rows = asked.ribbon(study.cell), asked.rows
     crystals = ribbon.crystals
-    models = [bloch_model(cell, settings) for cell in crystals or ribbon.first[:1]]
+    bests = [best_model(cell, settings) for cell in crystals or ribbon.first[:1]]
+    models = [one.model for one in bests]
     resolution = max(
         (one.resolution for one in models), key=lambda one: (one.order, one.foot_rings, one.steps)
     )
@@ -86,6 +87,7 @@ def compute(study: Description, options: NoOptions, runner: Runner) -> RibbonWav
         "loss_factor": ribbon.first[0].material.loss_factor,
         "unknowns": len(model.fine.order),
         "mesh": json.dumps([resolution.order, resolution.foot_rings]),
+        **max(bests, key=lambda one: one.model.worst_error).attributes(settings),
     } | ({"carrier_hz": study.carrier} if study.carrier is not None else {})
     result = RibbonWaves(dataset)
     best = result.best

@@ -62,32 +62,39 @@ def swept(
     slots = max([o.dataset.sizes["gap"] for o in outcomes if o.dataset is not None], default=0)
     names = ("gap_lower", "gap_upper", "gap_lower_error", "gap_upper_error", "gap_below")
     table = {name: np.full((len(cells), slots), np.nan) for name in names}
-    highest = np.full(len(cells), np.nan)
+    highest, reached = np.full(len(cells), np.nan), np.full(len(cells), np.nan)
     for step, outcome in enumerate(outcomes):
         if outcome.dataset is not None:
             for name in names:
                 table[name][step, : outcome.dataset.sizes["gap"]] = outcome.dataset[name]
             highest[step] = float(outcome.dataset["searched_up_to"])
+            reached[step] = outcome.dataset.attrs.get("largest_error", np.nan)
     beams = [_cantilever(cell) for cell in cells]
     dataset = xr.Dataset(
         {
             "value": ("step", np.asarray(sweep.values)),
             **{name: (("step", "gap_slot"), array) for name, array in table.items()},
             "searched_up_to": ("step", highest),
+            "missed_accuracy": ("step", reached),
             "euler_bernoulli": (("step", "resonance"), np.stack([slender for slender, _ in beams])),
             "timoshenko": (("step", "resonance"), np.stack([stocky for _, stocky in beams])),
         }
     )
     for variable in dataset.values():
-        variable.attrs = {"units": "1" if variable.name == "gap_below" else "Hz"}
+        variable.attrs = {"units": "1" if variable.name in ("gap_below", "missed_accuracy") else "Hz"}
     declared(
         dataset,
         **dict.fromkeys(table, "no further gap"),
         searched_up_to="the design could not be computed",
+        missed_accuracy="the accuracy was reached, or the design could not be computed",
         **dict.fromkeys(("euler_bernoulli", "timoshenko"), "no formula for this pillar"),
     )
     dataset["value"].attrs = {"units": sweep.unit or "1", "long_name": sweep.vary}
-    known = {"own_value": sweep.expression.value(study.parameters()), "carrier_hz": study.carrier}
+    known = {
+        "own_value": sweep.expression.value(study.parameters()),
+        "carrier_hz": study.carrier,
+        "accuracy": study.bands_settings.accuracy,
+    }
     dataset.attrs = {"expression": sweep.vary} | {n: value for n, value in known.items() if value is not None}
     failed = {step: o.error.parts() for step, o in enumerate(outcomes) if o.error is not None}
     return Sweep(stamped(dataset, study.inputs()), failed)
@@ -103,8 +110,12 @@ def _cantilever(cell: UnitCell) -> tuple[np.ndarray, np.ndarray]:
 
 
 def cost(study: Description, options: NoOptions) -> Cost:
-    """Of all designs of all rows."""
-    return gaps(study).times(sum(one.steps for one in study.sweep_settings))
+    """Of all designs of all rows; refused where each of them is."""
+    designs = (design for sweep in study.sweep_settings for design in study.designs(sweep))
+    costs = (gaps(one) for one in (study, *designs))
+    refused = next(costs)
+    each = refused if refused.refusal is None else next((one for one in costs if not one.refusal), refused)
+    return each.times(sum(one.steps for one in study.sweep_settings))
 
 
 ANALYSIS = Analysis(

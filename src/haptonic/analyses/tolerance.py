@@ -119,6 +119,8 @@ def compute(study: Description, options: NoOptions, runner: Runner) -> Tolerance
             "chance_to_first_order": straight.of_a_plate(),
         },
     )  # fmt: skip
+    if study.bands_settings.resolution is None:
+        dataset.attrs |= {"accuracy": study.bands_settings.accuracy, "largest_error": gap.relative_error}
     return Tolerance(
         gap=gap,
         plate=chances.of_a_plate(),

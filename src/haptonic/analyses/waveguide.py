@@ -16,7 +16,7 @@ from haptonic.analyses.runner import Runner
 from haptonic.bloch.gaps import need_gap_at
 from haptonic.bloch.layers import plain_plate
 from haptonic.bloch.mirrors import condensed_rows
-from haptonic.bloch.model import bloch_model
+from haptonic.bloch.model import best_model
 from haptonic.bloch.settings import WaveguideSettings
 from haptonic.bloch.strips import closing, strip_of, strips_dataset
 from haptonic.cell import Rows
@@ -77,7 +77,8 @@ def compute(study: Description, options: WaveguideOptions, runner: Runner) -> Gu
     cell, settings, carrier = study.cell, study.bands_settings, need_carrier(study)
     waveguide = chosen_settings(study, options)
     gap = need_gap_at(runner.gaps(cell, settings), carrier)
-    resolution = bloch_model(cell, settings).resolution
+    best = best_model(cell, settings)
+    resolution = best.model.resolution
     lattice = condensed_rows(cell, resolution, waveguide.direction)
     closed_by = None
     if waveguide.ends == "mirror":
@@ -99,7 +100,7 @@ def compute(study: Description, options: WaveguideOptions, runner: Runner) -> Gu
         raise refusal
     dataset = strips_dataset(strips).assign_attrs(
         carrier_hz=carrier, mode=f"{across}x{along}", ends=waveguide.ends,
-        mesh=json.dumps(asdict(lattice.plan)),
+        mesh=json.dumps(asdict(lattice.plan)), **best.attributes(settings),
     )  # fmt: skip
     return Guides(
         carrier=carrier,

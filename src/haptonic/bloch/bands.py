@@ -12,8 +12,9 @@ import numpy as np
 from haptonic.arrays import Array
 from haptonic.bloch.character import NAMES, characters
 from haptonic.bloch.gaps import Gap, complete_gaps, parity_gaps, partial_gaps
-from haptonic.bloch.model import BlochModel, bloch_model, candidate_models
+from haptonic.bloch.model import BlochModel, best_model, candidate_models
 from haptonic.bloch.pencil import Periodic
+from haptonic.bloch.reach import Lack
 from haptonic.bloch.settings import BandSettings
 from haptonic.bloch.symmetry import WAVES
 from haptonic.bloch.tracking import Diagram, diagram
@@ -49,11 +50,12 @@ def bands_dataset(
 
     Raises
     ------
-    ResourceError : no mesh that fits memory and time tells errors below `COARSEST`; where some do and none
-        reaches the accuracy, the best of them answers, and its error is in ``largest_error``
+    ResourceError : not even the coarsest mesh fits the budget and the memory; where some do and none reaches
+        the accuracy, the best of them answers: see `BestModel.attributes`
     """
     path = cell.zone.path(settings.points)  # first: it refuses too few points
-    model = bloch_model(cell, settings, or_best=True)
+    best = best_model(cell, settings)
+    model = best.model
     kappa, name = wavevector_at(cell.zone, modes_at or f"{path.labels[1]}-{path.labels[2]}")
     gaps = complete_gaps(model)
 
@@ -86,10 +88,8 @@ def bands_dataset(
         "path_corners": json.dumps(path.corners),
         "modes_at": name,
         "character_names": json.dumps(NAMES),
-        "accuracy": settings.accuracy,
+        **best.attributes(settings),
     }
-    if settings.resolution is None:  # else the user chose the mesh, whatever it reaches
-        dataset.attrs["largest_error"] = model.worst_error
     return dataset
 
 
@@ -97,14 +97,20 @@ def bands_dataset(
 def gaps_dataset(cell: UnitCell, settings: BandSettings, *, above: int | None = None) -> xr.Dataset:
     """The complete gaps of a cell alone: one design of a sweep.
 
-    Errors as in `bands_dataset`; here the accuracy is asked of the gaps' edges only, and if
+    Errors and attributes as in `bands_dataset`; here the accuracy is asked of the gaps' edges only, and if
     ``above`` names a band, from 1, only of those of the gap above it.
     """
-    for model in candidate_models(cell, settings, gaps_only=True):
-        gaps = complete_gaps(model)
+    model: BlochModel | None = None
+    lack: Lack | None = None
+    for found in candidate_models(cell, settings, gaps_only=True):
+        if isinstance(found, Lack):
+            lack = found
+            break
+        model, gaps = found, complete_gaps(found)
         matter = [gap for gap in gaps if above is None or gap.between[0] == above]
         if settings.resolution or all(gap.relative_error <= settings.accuracy for gap in matter):
             break
+    assert model is not None, "no model, and no error that says why"
     dataset = _gaps_dataset(gaps)
     wavevectors, _ = cell.zone.triangles(2)
     lowest = min(float(model.frequencies(kappa)[-1]) for kappa in wavevectors)
@@ -112,7 +118,13 @@ def gaps_dataset(cell: UnitCell, settings: BandSettings, *, above: int | None = 
     _describe(
         dataset, {"searched_up_to": ("Hz", "lowest value seen of the last band; above it more bands exist")}
     )
-    dataset.attrs["mesh"] = _mesh_attribute(model)
+    dataset.attrs = {"mesh": _mesh_attribute(model), "accuracy": settings.accuracy}
+    if lack is not None:
+        dataset.attrs |= {
+            "largest_error": max(gap.relative_error for gap in matter),
+            "budget_s": settings.budget,
+            **lack.attributes(cell),
+        }
     return dataset
 
 

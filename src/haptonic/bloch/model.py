@@ -7,19 +7,19 @@ from collections.abc import Iterator
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, replace
 from functools import cached_property
+from typing import Any
 
 import numpy as np
 
 from haptonic.arrays import Array, Complex, Fields
 from haptonic.bloch.centred import lattice_pencil, parted
 from haptonic.bloch.pencil import Evaluated, SplitPencil, eigenpairs, hertz
-from haptonic.bloch.reach import check_cost, check_memory, check_start, check_thickness, first_rung
+from haptonic.bloch.reach import Lack, MeshLimits, check_memory, check_thickness, first_level, refusal
 from haptonic.bloch.reduced import ReducedCell
 from haptonic.bloch.representative import Representative
 from haptonic.bloch.resolution import LADDER, Resolution
-from haptonic.bloch.settings import COARSEST, BandSettings
+from haptonic.bloch.settings import BandSettings
 from haptonic.cell import UnitCell
-from haptonic.errors import ResourceError
 from haptonic.parallel import one_thread
 from haptonic.superelement import Tiling, on_each
 
@@ -262,78 +262,100 @@ def _ranked(frequency: Array, error: Array) -> Array:
 
 
 def candidate_models(
-    cell: UnitCell, settings: BandSettings, *, gaps_only: bool = False
-) -> Iterator[BlochModel]:
-    """Models of rising cost, from the first that may be accurate enough; the user takes the first that is.
+    cell: UnitCell, settings: BandSettings, *, gaps_only: bool = False, limits: MeshLimits | None = None
+) -> Iterator[BlochModel | Lack]:
+    """Models of rising cost, from the first that may be accurate enough; last, why there is no further one.
+
+    The user takes the first model that is accurate enough, else the best. Once a first mesh has begun, its
+    interior may grow whatever the budget: without that it has no error to answer with.
 
     Parameters
     ----------
     settings : the resolution that they may hold is the only one to try, whatever the accuracy
     gaps_only : whether nothing else will be asked for
+    limits : by default the budget of the settings and the free memory
 
     Raises
     ------
-    ResourceError : the memory does not suffice, or all rungs of the ladder were refused
-    GeometryError : a plate too thin to be computed
+    ResourceError : not even the coarsest mesh fits
+    GeometryError : a plate too thin to be computed, or a cell whose interior no mesh follows
     """
-    count, accuracy, resolution = settings.count, settings.accuracy, settings.resolution
-    what = {"measured": not gaps_only, "many": not gaps_only}
-    check_thickness(cell)
-    if resolution is None:
-        check_start(cell, count, accuracy)
-    spent, reached, refused, grown, inside = 0.0, math.inf, None, 0, (0, 0)
-    for rung in LADDER[first_rung(cell, accuracy) :] if resolution is None else (resolution,):
-        tried = rung.for_bands(cell, count)
-        plans = tried.plans(cell)
-        if plans == refused:  # without a pillar rings make no difference
-            continue
-        refused = plans
-        # what the mesh before lacked inside this one would lack as well
-        tried = replace(tried, steps=max(tried.steps, inside[0]), block=max(tried.block, inside[1]))
-        while True:
-            if resolution is None:
-                spent += check_cost(cell, tried, accuracy, spent, reached)
-            else:
-                check_memory(cell, tried)
-            model = BlochModel.of(cell, tried, count, **what)
-            trusted = model.truncation <= TRUSTED_TRUNCATION
-            given_up = resolution is not None and grown == MOST_GROWTH
-            if trusted or given_up:
-                yield model
-                reached = min(reached, model.worst_error)
-            # a mesh is judged by what a trusted interior leaves of its error, and left where that is too much
-            enough = trusted and model.truncation <= TRUNCATION_SHARE * accuracy
-            too_coarse = trusted and resolution is None and model.mesh_error > accuracy
-            grown += not enough
-            wanted = tried if enough else tried.grown()
-            inside = wanted.steps, wanted.block
-            if enough or too_coarse or grown > MOST_GROWTH:
+    count, accuracy, chosen = settings.count, settings.accuracy, settings.resolution
+    limits = MeshLimits.of(settings.budget) if limits is None else limits
+    if chosen is None:
+        levels = list(LADDER[first_level(cell, count, accuracy, limits) :])
+    else:
+        check_thickness(cell)
+        check_memory(cell, chosen.for_bands(cell, count), limits)
+        levels, limits = [chosen], replace(limits, seconds=math.inf)
+    mesh, spent, grown, answered = levels.pop(0).for_bands(cell, count), 0.0, 0, False
+    while True:
+        model = BlochModel.of(cell, mesh, count, measured=not gaps_only, many=not gaps_only)
+        spent += mesh.seconds(cell)
+        trusted = model.truncation <= TRUSTED_TRUNCATION
+        if trusted or (chosen is not None and grown == MOST_GROWTH):
+            answered = True
+            yield model
+        # a mesh is judged by what a trusted interior leaves of its error, and left where that is too much
+        enough = trusted and model.truncation <= TRUNCATION_SHARE * accuracy
+        too_coarse = trusted and chosen is None and model.mesh_error > accuracy
+        grown += not enough
+        wanted = mesh if enough else mesh.grown()
+        if enough or too_coarse or grown > MOST_GROWTH:
+            # without a pillar rings make no difference
+            tried = mesh.plans(cell)
+            levels = [one for one in levels if one.for_bands(cell, count).plans(cell) != tried]
+            if not levels:
+                lack = Lack("range", mesh, limits, spent)
                 break
-            tried = wanted
-    raise ResourceError.inaccurate(
-        argument="bands.accuracy",
-        given=f"{accuracy:g}",
-        allowed="what the finest mesh reaches for this cell",
-        cause="its own error estimates stay larger",
-        next_step="ask for less accuracy",
-    )
+            mesh = levels.pop(0).for_bands(cell, count)
+            # what the mesh before lacked inside this one would lack as well
+            mesh = replace(mesh, steps=max(mesh.steps, wanted.steps), block=max(mesh.block, wanted.block))
+        else:
+            mesh = wanted
+        missing = limits.lack(cell, mesh, spent)
+        if missing is not None and (answered or missing.of == "memory" or grown > MOST_GROWTH):
+            lack = missing
+            break
+    if not answered:
+        raise refusal(cell, count, accuracy, lack)
+    yield lack
 
 
-def bloch_model(cell: UnitCell, settings: BandSettings, *, or_best: bool = False) -> BlochModel:
-    """The cheapest model whose error estimates stay within an accuracy all over the zone.
+@dataclass(frozen=True)
+class BestModel:
+    """The model that answers; ``lack`` says why there is none of the accuracy asked for."""
 
-    Parameters and errors as in `candidate_models`. With ``or_best`` the most accurate model that was found
-    answers where none reaches the accuracy, unless even its errors are beyond `COARSEST`.
+    model: BlochModel
+    lack: Lack | None = None
+
+    def attributes(self, settings: BandSettings) -> dict[str, Any]:
+        """What a dataset says of the accuracy: asked for, reached, and what stood in its way."""
+        attributes: dict[str, Any] = {"accuracy": settings.accuracy, "budget_s": settings.budget}
+        if settings.resolution is None:  # else the user chose the mesh, whatever it reaches
+            attributes["largest_error"] = self.model.worst_error
+        if self.lack is not None:
+            attributes |= self.lack.attributes(self.model.cell)
+        return attributes
+
+
+def best_model(cell: UnitCell, settings: BandSettings, *, limits: MeshLimits | None = None) -> BestModel:
+    """The cheapest model whose error estimates stay within an accuracy all over the zone, or else the best.
+
+    Parameters and errors as in `candidate_models`.
     """
     best: BlochModel | None = None
-    try:
-        for model in candidate_models(cell, settings):
-            if settings.resolution or model.worst_error <= settings.accuracy:
-                return model
-            if best is None or model.worst_error < best.worst_error:
-                best = model
-    except ResourceError:
-        if not or_best or best is None or best.worst_error > COARSEST:
-            raise
-    assert best is not None, "a ladder without a rung"
-    return best
+    for found in candidate_models(cell, settings, limits=limits):
+        if isinstance(found, Lack):
+            assert best is not None, "no model, and no error that says why"
+            return BestModel(best, found)
+        if best is None or found.worst_error < best.worst_error:
+            best = found
+        if settings.resolution or best.worst_error <= settings.accuracy:
+            return BestModel(best)
+    raise AssertionError("the last word is why there is no further model")
+
+
+def bloch_model(cell: UnitCell, settings: BandSettings, *, limits: MeshLimits | None = None) -> BlochModel:
+    """The model of `best_model`; its ``worst_error`` is the accuracy that it reaches."""
+    return best_model(cell, settings, limits=limits).model

@@ -1,19 +1,28 @@
-"""Which meshes are tried for an accuracy, and which are refused because of what they would cost."""
+"""Which mesh levels are computed for a cell, within a budget of time and the memory that is free.
+
+One decision serves the computation, its forecast and the text of a refusal: `MeshLimits.lack` says what a
+mesh lacks, `first_level` where the ladder of mesh levels begins.
+"""
 
 from __future__ import annotations
 
 import math
-from dataclasses import replace
+from dataclasses import dataclass, replace
+from typing import Any, Literal
 
-from haptonic.bloch.resolution import LADDER, LEAST_ORDER, LEAST_STEPS, Resolution
+from haptonic.bloch.resolution import LADDER, LEAST_ORDER, Resolution
 from haptonic.cell import UnitCell
-from haptonic.errors import GeometryError, ResourceError
+from haptonic.errors import GeometryError, HaptonicError, ResourceError
 from haptonic.later import psutil
+from haptonic.units import duration
 
 # Rounding of a plate's stiffness grows as the fourth power of pitch over thickness: at 1/400 it spoilt the
 # estimates of a plain plate, and at 1/1000 it moved the lowest band by 0.7 %.
 LEAST_THICKNESS = 0.004  # of the longer pitch
 EXPECTED = (5e-3, 2e-3, 1e-3, 5e-4, 2e-4, 1e-4, 3e-5, 1e-5, 2e-6)  # error each is tried for first
+MOST_MEMORY = 0.9  # of what is free
+LARGEST_BUDGET = 30 * 86400.0  # s
+LOWER = ((3, 0), (2, 1), (2, 0))  # orders and rings below the ladder, which [mesh] can ask for
 
 
 def starting_rung(accuracy: float) -> int:
@@ -39,143 +48,192 @@ def first_rung(cell: UnitCell, accuracy: float) -> int:
     return min(starting_rung(accuracy) + narrow, len(LADDER) - 1)
 
 
-LONGEST = 60.0  # s of one processor, foreseen for all meshes that are tried for an accuracy of `USUAL`
-USUAL = 2e-3  # for finer ones as the root of their ratio: who asks for more digits waits longer
-LITTLE = 0.5  # of the same; see `is_little`
-LATE = 1.5  # times the same for the mesh that follows an answer: who has waited wants no refusal by a hair
-MOST_MEMORY = 0.9  # of what is free
+@dataclass(frozen=True)
+class MeshLimits:
+    """What the meshes of a cell may take.
 
-
-def longest(accuracy: float) -> float:
-    """Processor time that may be foreseen for all meshes tried for an accuracy, s."""
-    return LONGEST * max(1.0, math.sqrt(USUAL / accuracy))
-
-
-def started(cell: UnitCell, count: int, accuracy: float) -> list[Resolution]:
-    """The meshes that have to fit before the first is made.
-
-    The first rung is tried for an accuracy, and does not always reach it: so the one after has to fit as
-    well. A plain plate has no edge, and the first was enough for it.
+    seconds : of one processor, estimated, of all meshes together; the user's budget
+    memory : bytes, of each mesh
     """
-    first = first_rung(cell, accuracy)
-    return [rung.for_bands(cell, count) for rung in LADDER[first : first + (2 if cell.has_pillars else 1)]]
+
+    seconds: float
+    memory: float
+
+    @classmethod
+    def of(cls, budget: float) -> MeshLimits:
+        """A budget (s) and most of the memory that is free now."""
+        return cls(budget, MOST_MEMORY * float(psutil.virtual_memory().available))
+
+    @property
+    def gigabytes(self) -> str:
+        """The memory in words."""
+        return f"{self.memory / 1e9:.2g} GB of the free memory may be used"
+
+    def lack(self, cell: UnitCell, mesh: Resolution, spent: float = 0.0) -> Lack | None:
+        """What a mesh lacks after ``spent`` s for others; None where it fits."""
+        if mesh.memory(cell) > self.memory:
+            return Lack("memory", mesh, self, spent)
+        return Lack("time", mesh, self, spent) if spent + mesh.seconds(cell) > self.seconds else None
 
 
-def most_bands(cell: UnitCell, fewer_than: int, accuracy: float) -> int:
-    """Most bands below a refused number whose first meshes are foreseen to fit; 0 if none are."""
-    for count in range(fewer_than - 1, 0, -1):
-        tried = started(cell, count, accuracy)
-        if _fit(cell, tried, accuracy):
-            return count
-    return 0
+@dataclass(frozen=True)
+class Lack:
+    """Why a mesh is not computed, or for "range" why no mesh is beyond this one.
 
-
-def is_little(seconds: float, accuracy: float) -> bool:
-    """Whether a first mesh is tried though the second may not fit.
-
-    Of 14 drawn cells with such meshes the first was enough for all.
+    spent : s, estimated, of the meshes before it
     """
-    return seconds <= LITTLE * longest(accuracy)
 
+    of: Literal["time", "memory", "range"]
+    mesh: Resolution
+    limits: MeshLimits
+    spent: float = 0.0
 
-def _fit(cell: UnitCell, tried: list[Resolution], accuracy: float) -> bool:
-    """Whether meshes fit the time for an accuracy together, and the memory one by one."""
-    free = float(psutil.virtual_memory().available)
-    return (
-        sum(one.seconds(cell) for one in tried) <= longest(accuracy)
-        and max(one.memory(cell) for one in tried) <= MOST_MEMORY * free
-    )
-
-
-def within_reach(cell: UnitCell, count: int, refused: float) -> float:
-    """The best accuracy above a refused one whose meshes are foreseen to fit time and memory, or infinity.
-
-    A rung told up to four times what it is tried for, so those up to the one after it have to fit, unless it
-    takes little itself; an interior of two blocks may have to grow. It is a forecast: a slender pillar on a
-    plate of 0.1 to 0.15 pitches told 1 to 2 % at order 4, ten times what that is tried for.
-    """
-    for rung in range(len(LADDER) - 1, -1, -1):
-        accuracy = 2 * EXPECTED[rung]
-        if accuracy <= refused:
-            continue
-        first = first_rung(cell, accuracy)
-        tried = [one.for_bands(cell, count) for one in LADDER[first : max(first, rung) + 2]]
-        if tried[-1].steps == LEAST_STEPS:
-            tried.append(tried[-1].grown())
-        alone = first == rung and is_little(tried[0].seconds(cell), accuracy)
-        if _fit(cell, tried[:1] if alone else tried, accuracy):
-            return accuracy
-    return math.inf
-
-
-def check_cost(
-    cell: UnitCell,
-    resolution: Resolution,
-    accuracy: float,
-    spent: float = 0.0,
-    reached: float = math.inf,
-) -> float:
-    """Refuse a mesh that does not fit, or takes longer than anybody waits for; else its processor time, s.
-
-    Parameters
-    ----------
-    spent : s, for the meshes that were tried before; reached : the best accuracy that any answered with
-    """
-    needed, memory = resolution.seconds(cell), resolution.memory(cell)
-    free = float(psutil.virtual_memory().available)
-    too_large = memory > MOST_MEMORY * free
-    if not too_large and spent + needed <= longest(accuracy) * (LATE if reached < math.inf else 1.0):
-        return needed
-    possible = reached if reached < math.inf else within_reach(cell, resolution.bands, accuracy)
-    would = (
-        f"need about {memory / 1e9:.1f} GB, and {free / 1e9:.1f} GB are free"
-        if too_large
-        else f"take about {needed:.0f} s of processor time for this cell"
-        + (f", after {spent:.0f} s for lower ones" if spent else "")
-    )
-    fewer = most_bands(cell, resolution.bands, accuracy)
-    raise ResourceError.too_large(
-        argument="bands.accuracy",
-        given=f"{accuracy:g}",
-        allowed=f"{rounded_up(possible):g} or more for this cell and {resolution.bands} bands"
-        if possible < math.inf
-        else f"at most {fewer} bands for this cell"
-        if fewer
-        else "what meshes reach in a time that anybody waits for: with sizes like these none does",
-        cause=f"elements of order {resolution.order} with {resolution.foot_rings} rings at the foot would "
-        f"{would}",
-        next_step=" or ".join(
-            ["ask for less accuracy"] * (possible < math.inf)
-            + [f"ask for at most {fewer} bands"] * (fewer > 0)
+    def text(self, cell: UnitCell) -> str:
+        """What the mesh needs and what there is."""
+        name = f"a mesh of order {self.mesh.order} with {self.mesh.foot_rings} rings at the foot"
+        if self.of == "memory":
+            return f"{name} needs about {self.mesh.memory(cell) / 1e9:.2g} GB, and {self.limits.gigabytes}"
+        if self.of == "range":
+            return f"{name} is the finest there is"
+        after = f" after {duration(self.spent)} for coarser ones" if self.spent else ""
+        return (
+            f"{name} takes about {duration(self.mesh.seconds(cell))} of processor time{after}, and the "
+            f"budget is {duration(self.limits.seconds)}"
         )
-        or "choose a thicker plate, a wider gap between the pillars, or a stouter pillar",
+
+    def attributes(self, cell: UnitCell) -> dict[str, Any]:
+        """What a dataset says of it: the reason, the words, and the budget (s) that suffices for time."""
+        said = {"stopped_by": self.of, "stopped_why": self.text(cell)}
+        return said | ({"budget_needed_s": self.budget(cell)} if self.of == "time" else {})
+
+    def budget(self, cell: UnitCell) -> float:
+        """Budget in round numbers with which the mesh is started, s."""
+        return _rounded_budget(self.spent + self.mesh.seconds(cell))
+
+
+def first_level(cell: UnitCell, count: int, accuracy: float, limits: MeshLimits) -> int:
+    """Number of the mesh level in the ladder that is computed first.
+
+    It is the level on which the accuracy is tried first, or the highest below it that fits. What has a mesh
+    that fits is answered, with its error.
+
+    Raises
+    ------
+    GeometryError : a plate too thin to be computed
+    ResourceError : not even the lowest level fits
+    """
+    check_thickness(cell)
+    lack = None
+    for level in range(first_rung(cell, accuracy), -1, -1):
+        lack = limits.lack(cell, LADDER[level].for_bands(cell, count))
+        if lack is None:
+            return level
+    assert lack is not None, "a ladder without a level"
+    raise refusal(cell, count, accuracy, lack)
+
+
+def started(cell: UnitCell, count: int, accuracy: float, limits: MeshLimits) -> list[Resolution]:
+    """The mesh that is computed first, and the next if it fits as well; errors as of `first_level`."""
+    level = first_level(cell, count, accuracy, limits)
+    first, *after = (rung.for_bands(cell, count) for rung in LADDER[level : level + 2])
+    return [first, *(mesh for mesh in after if limits.lack(cell, mesh, first.seconds(cell)) is None)]
+
+
+def most_bands(cell: UnitCell, fewer_than: int, limits: MeshLimits) -> int:
+    """Most bands below a refused number whose lowest mesh level fits; 0 if there are none."""
+    fits = (n for n in range(fewer_than - 1, 0, -1) if not limits.lack(cell, LADDER[0].for_bands(cell, n)))
+    return next(fits, 0)
+
+
+def refusal(cell: UnitCell, count: int, accuracy: float, lack: Lack) -> HaptonicError:
+    """The error of a cell that is not answered because its coarsest mesh lacks time or memory.
+
+    Each next step was checked by the decision that refused the cell.
+    """
+    limits, words = lack.limits, lack.text(cell)
+    fewer = most_bands(cell, count, limits)
+    steps = [f"write count = {fewer} in [bands]"] * (fewer > 0)
+    if lack.of == "range":
+        return GeometryError.inaccurate(
+            argument="cell",
+            given=f"a cell of which {count} bands are asked for",
+            allowed="cells whose inner motion some mesh follows",
+            cause=f"range of validity: every mesh leaves too much of the inner motion out, and {words}",
+            next_step="ask for fewer bands with count in [bands]",
+        )
+    if lack.of == "memory":
+        needed = rounded_up(lack.mesh.memory(cell) / MOST_MEMORY / 1e9)
+        steps += lower_meshes(cell, count, accuracy, limits)
+        steps.append(f"free memory until {needed:g} GB are free, or use a machine that has them")
+        return ResourceError.too_large(
+            argument="memory",
+            given=limits.gigabytes,
+            allowed=f"a cell whose meshes fit, or at least {needed:g} GB of free memory for {count} bands",
+            cause=f"lack of memory: {words}",
+            next_step=", or ".join(steps),
+        )
+    budget = lack.budget(cell)
+    if budget > LARGEST_BUDGET:
+        return GeometryError.out_of_range(
+            argument="cell",
+            given=f"a cell whose coarsest mesh takes {duration(budget)}",
+            allowed=f"cells and numbers of bands whose meshes take at most {duration(LARGEST_BUDGET)}",
+            cause=f"range of validity: the sizes of the cell are too far apart for any mesh; {words}",
+            next_step=", or ".join([*steps, "choose a thicker plate or a wider gap between the pillars"]),
+        )
+    text = duration(budget)
+    steps = [f'ask again with --budget "{text}", or write budget = "{text}" in [bands]', *steps]
+    return ResourceError.too_large(
+        argument="bands.budget",
+        given=duration(limits.seconds),
+        allowed=f"at least {text} for this cell and {count} bands",
+        cause=f"lack of time: {words}",
+        next_step=", or ".join(steps),
     )
 
 
-def check_memory(cell: UnitCell, chosen: Resolution) -> None:
+def lower_meshes(cell: UnitCell, count: int, accuracy: float, limits: MeshLimits) -> list[str]:
+    """The finest mesh below the ladder that fits into the memory, as a step that a study can take."""
+    rung = LADDER[starting_rung(accuracy)]
+    for order, rings in LOWER:
+        lower = replace(rung, order=order, foot_rings=rings).for_bands(cell, count)
+        if lower.memory(cell) <= limits.memory:
+            return [f"write order = {order} and foot_rings = {rings} in [mesh]"]
+    return []
+
+
+def check_memory(cell: UnitCell, chosen: Resolution, limits: MeshLimits) -> None:
     """Refuse a mesh that somebody chose and this machine cannot hold; how long it takes is up to them."""
-    free = MOST_MEMORY * psutil.virtual_memory().available
-    needed = chosen.memory(cell)
-    if needed <= free:
+    if chosen.memory(cell) <= limits.memory:
         return
     lower = (replace(chosen, order=order) for order in range(chosen.order - 1, LEAST_ORDER - 1, -1))
-    fits = next((one.order for one in lower if one.memory(cell) <= free), None)
+    fits = next((one.order for one in lower if one.memory(cell) <= limits.memory), None)
+    steps = [f"write order = {fits} in [mesh]"] if fits else []
+    if limits.lack(cell, LADDER[0].for_bands(cell, chosen.bands)) is None:
+        steps.append("leave [mesh] out")
+    needed = rounded_up(chosen.memory(cell) / MOST_MEMORY / 1e9)
     raise ResourceError.too_large(
         argument="mesh",
         given=f"order = {chosen.order}, foot_rings = {chosen.foot_rings}",
-        allowed=f"a mesh of a cell that fits into the {free / 1e9:.1f} GB that are free",
-        cause=f"it may need {needed / 1e9:.1f} GB",
-        next_step=f"write order = {fits}, or leave [mesh] out" if fits else "leave [mesh] out",
+        allowed=f"a mesh that fits: {limits.gigabytes}",
+        cause=f"lack of memory: {Lack('memory', chosen, limits).text(cell)}",
+        next_step=", or ".join(steps)
+        or f"free memory until {needed:g} GB are free, or use a machine that has them",
     )
 
 
-def check_start(cell: UnitCell, count: int, accuracy: float) -> None:
-    """Refuse before anything is condensed what would most likely be refused afterwards; see `started`."""
-    spent = 0.0
-    for rung in started(cell, count, accuracy):
-        spent += check_cost(cell, rung, accuracy, spent)
-        if is_little(spent, accuracy):
-            return
+def check_thickness(cell: UnitCell) -> None:
+    """Refuse a plate that is too thin for its pitch to be computed at all."""
+    longest = max(math.hypot(*cell.lattice.a1), math.hypot(*cell.lattice.a2))
+    if cell.thickness < LEAST_THICKNESS * longest:
+        least = f'"{rounded_up(LEAST_THICKNESS * longest * 1e3, 4):g} mm"'
+        raise GeometryError.out_of_range(
+            argument="cell.thickness",
+            given=f"{cell.thickness * 1e3:.4g} mm",
+            allowed=f"at least {least.strip(chr(34))}, {LEAST_THICKNESS:g} of the pitch",
+            cause="range of validity: on a plate as thin as this rounding spoils every frequency",
+            next_step=f"write thickness = {least} or more in [cell], or choose a smaller pitch",
+        )
 
 
 def rounded_up(value: float, digits: int = 2) -> float:
@@ -184,14 +242,8 @@ def rounded_up(value: float, digits: int = 2) -> float:
     return float(f"{math.ceil(value / unit) * unit:.{digits}g}")
 
 
-def check_thickness(cell: UnitCell) -> None:
-    """Refuse a plate that is too thin for its pitch to be computed at all."""
-    longest = max(math.hypot(*cell.lattice.a1), math.hypot(*cell.lattice.a2))
-    if cell.thickness < LEAST_THICKNESS * longest:
-        raise GeometryError.out_of_range(
-            argument="cell.thickness",
-            given=f"{cell.thickness * 1e3:.4g} mm",
-            allowed=f"at least {LEAST_THICKNESS * longest * 1e3:.4g} mm, {LEAST_THICKNESS:g} of the pitch",
-            cause="on a plate as thin as this rounding spoils every frequency",
-            next_step="choose a thicker plate or a smaller pitch",
-        )
+def _rounded_budget(seconds: float) -> float:
+    """The next budget that people would write and that suffices, s: whole minutes, or hours of two digits."""
+    unit = 60.0 if seconds > 60 else 1.0
+    unit = 3600.0 if seconds > 6000 else unit
+    return rounded_up(seconds * (1 + 1e-9) / unit) * unit

@@ -13,6 +13,7 @@ from haptonic.cell import MeshPlan, Period, Pillar, TileShape
 from haptonic.cell.edges import between_edges, is_unbridged
 from haptonic.cell.pieces import Meshed, pieces_of
 from haptonic.cell.plan import USUAL_BANDS, orders_for_bands
+from haptonic.parallel import threads
 from haptonic.superelement.symmetry import folds_of
 from haptonic.superelement.trace import trace_levels
 
@@ -28,6 +29,9 @@ ON_THIN = {3: 0.3, 4: 0.55}  # the same beside a thin plate: the lower mesh of o
 # tells half of what is left. At 0.07 six of a hundred frequencies needed 1.1 in place of 0.75.
 CROSSING, CROSSED = 0.11, 1.4
 PER_ANSWER, PER_CUBE, TWICE_FOLDED = 4e-7, 1e-8, 1.5  # s, s and a factor, see `seconds`
+# Of the memory: numbers for each unknown that waits, each pair of nodes of an element, each unknown's factor
+# and the square of a pencil's size; bytes of the program at rest. See benchmarks/answered_in_budget.py.
+PER_KEPT, PER_PAIR, PER_FACTOR, PER_PENCIL, RESIDENT = 1.3, 52.0, 52.0, 92.0, 4e8
 LEAST_ORDER = 2  # that a study can ask for
 LEAST_STEPS, WIDEST = 2, 40  # of an interior's blocks: fewest, and the size from which depth counts
 UNRESOLVED = 25.0  # see `Resolution.unresolved`
@@ -167,25 +171,28 @@ class Resolution:
         return np.asarray(error + self.unresolved(cell) * distance * relative)
 
     def memory(self, cell: Period) -> float:
-        """Estimate of the peak memory, bytes, set to be a little above what orders 3 to 6 were seen to take.
+        """Estimate of the peak memory, bytes; `benchmarks/answered_in_budget.py` measures it.
 
-        It counts dense answers to the trace, the sparse factor, element matrices and the condensed ones.
+        The largest piece has its element matrices and its factors while others wait condensed; the rest is
+        for dense matrices of all tiles together.
         """
-        return 2.5e8 + sum(self._memory(piece) for piece in self._meshed(cell))
+        waiting = working = 0.0
+        for piece in self._meshed(cell):
+            plan, classes = piece.plan, 2 ** len(folds_of(piece.tile))
+            of_class = 3 * sum(plan.level_sizes) / classes  # unknowns
+            trace = piece.boundary(plan.upward + 1) / classes
+            waiting += classes * of_class * (trace + 13 + self.steps * self.block)
+            across, along, upward = plan.outward + 1, plan.order + 1, plan.upward + 1
+            pairs = of_class * (across * along + along * upward + across * upward)
+            factors = min(threads(), classes) * of_class ** (4 / 3)
+            working = max(working, PER_PAIR * pairs + PER_FACTOR * factors)
+        return RESIDENT + 8.0 * (PER_KEPT * waiting + working + PER_PENCIL * self._pencil(cell) ** 2)
 
-    def _memory(self, piece: Meshed) -> float:
-        plan = piece.plan
-        nodes, classes = sum(plan.level_sizes), 2 ** len(folds_of(piece.tile))
-        trace = piece.boundary(plan.upward + 1)
-        quarter = 3 * nodes / classes  # of the nodes, where there are two mirrors
-        across, along, upward = plan.outward + 1, plan.order + 1, plan.upward + 1
-        pairs = nodes / classes * 3 * (across * along + along * upward + across * upward)
-        return 17.6 * float(
-            4 * quarter * trace / classes  # static answers of one class, and work space
-            + 3 * quarter * (trace / classes + 13 + self.steps * self.block)  # what is kept for lifting
-            + 60 * quarter ** (4 / 3)  # factors of two threads
-            + 9 * 2 * pairs  # stiffness between pairs of nodes, and work space
-            + 60 * (trace / 2 + 150) ** 2  # pencils
+    def _pencil(self, cell: Period) -> int:
+        """Size of the condensed pencil of all tiles."""
+        directions = 4 * self.steps * self.block
+        return sum(
+            plan.sides * 3 * plan.side * trace_levels(plan) // 2 + directions for plan in self.plans(cell)
         )
 
     def seconds(self, cell: Period) -> float:
@@ -197,15 +204,13 @@ class Resolution:
         1.4 to 1.7 times as long. With many bands it is the condensed pencil, whose modes at two dozen
         wavevectors make the small basis: 6 to 18 ns for the cube of its size, of 600 to 1,600.
         """
-        needed, pencil, directions = 0.0, 0, 4 * self.steps * self.block
+        needed, directions = 0.0, 4 * self.steps * self.block
         for piece in self._meshed(cell):
             answers = piece.boundary(piece.plan.plate_levels) + directions
             # what is folded less has as many answers in all, each of more unknowns
             folded = 4 / 2 ** len(folds_of(piece.tile)) * (TWICE_FOLDED if piece.tile.is_mirrored else 1.0)
             needed += PER_ANSWER * sum(piece.plan.level_sizes) * answers * folded
-        for plan in self.plans(cell):
-            pencil += plan.sides * 3 * plan.side * trace_levels(plan) // 2 + directions
-        return needed + PER_CUBE * pencil**3
+        return needed + PER_CUBE * self._pencil(cell) ** 3
 
 
 def meeting(plans: Sequence[MeshPlan]) -> tuple[MeshPlan, ...]:

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 from pydantic import Field
 
-from haptonic.bloch.reach import starting_rung
+from haptonic.bloch.reach import LARGEST_BUDGET, starting_rung
 from haptonic.bloch.resolution import LADDER, LEAST_ORDER, Resolution
 from haptonic.cell.directed import DirectionSettings
 from haptonic.errors import StudyError
@@ -20,6 +20,7 @@ CARRIER = Quantity("Hz", at_least=1.0, at_most=1e9, typical=(10e3, 1e6))
 LOWEST, HIGHEST = 0.6, 1.4  # of the carrier: ends of a spectrum where none are given
 OF_INCIDENCE = Quantity("rad", above=-0.5 * math.pi, below=0.5 * math.pi, typical=(-1.5, 1.5))
 COARSEST = 0.1  # accuracy: bands that are less exact tell nothing of gaps
+BUDGET = Quantity("s", at_least=1.0, at_most=LARGEST_BUDGET, typical=(10.0, 86400.0))
 
 
 @described("mesh")
@@ -48,6 +49,9 @@ class BandSettings:
         2e-3, "Relative, of every frequency up to the last band asked for."
     )
     mesh: Annotated[MeshSettings, TOP] = setting(MeshSettings(), "For experts; else the accuracy decides.")
+    budget: Annotated[float, BUDGET] = setting(
+        600.0, "Estimated processor time for the meshes of a cell; a mesh beyond it is not started."
+    )
 
     @property
     def resolution(self) -> Resolution | None:

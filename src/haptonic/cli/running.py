@@ -40,7 +40,17 @@ SHARED: dict[str, Any] = {
     ],
     "overwrite": Annotated[bool, typer.Option("--overwrite", help="Replace files of an earlier run.")],
 }
-DRY_RUN = Annotated[bool, typer.Option("--dry-run", help="Only tell time and memory that it will need.")]
+DRY_RUN = Annotated[
+    bool, typer.Option("--dry-run", help="Only tell time and memory that it will need, or why it is refused.")
+]
+BUDGET = Annotated[
+    str | None,
+    typer.Option(
+        "--budget",
+        metavar="TIME",
+        help='Of the processor for the meshes of each cell, such as "10 min"; else [bands] budget.',
+    ),
+]
 WATCH = Annotated[bool, typer.Option("--watch", help="Draw anew whenever the study is saved, until Ctrl-C.")]
 
 
@@ -56,6 +66,8 @@ def command(analysis: Analysis) -> Callable[..., None]:
                for n, kind in SHARED.items()]  # fmt: skip
     if analysis.cost is not None:
         shared.append(inspect.Parameter("dry_run", last, default=False, annotation=DRY_RUN))
+        if analysis.study == "needed":
+            shared.append(inspect.Parameter("budget", last, default=None, annotation=BUDGET))
     if analysis.watches:
         shared.append(inspect.Parameter("watch", last, default=False, annotation=WATCH))
     if analysis.parallel:
@@ -147,13 +159,17 @@ def once(analysis: Analysis, given: dict[str, Any], voice: Voice) -> None:
         check_form(form)
     workers, scheduler = rest.pop("workers", 0), rest.pop("scheduler", None)
     file, dry = rest.pop("study_file", None), rest.pop("dry_run", False)
+    budget = rest.pop("budget", None)
     options = analysis.chosen({name: value for name, value in rest.items() if value is not None})
-    study = None if file is None else load(file)
+    study = None if file is None else load(file).within(budget)
     analysis.check(study, options)
     cost = analysis.cost(study, options) if analysis.cost else None
     if cost and dry:
+        if cost.refusal is not None:
+            raise cost.refusal
         voice.tell(cost.sentence)
-        voice.answer({"processor_s": cost.seconds, "memory_b": cost.memory})
+        limits = {} if cost.budget is None else {"budget_s": cost.budget}
+        voice.answer({"processor_s": cost.seconds, "memory_b": cost.memory, **limits})
         return
     about = path_of(options) if analysis.study != "needed" else file
     assert about is not None, f"{analysis.name} is asked of nothing"

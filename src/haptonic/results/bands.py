@@ -13,7 +13,6 @@ import numpy as np
 from haptonic import plots, vtu
 from haptonic.bloch import Gap, gaps_of
 from haptonic.bloch.bands import mode_names
-from haptonic.bloch.reach import rounded_up
 from haptonic.later import Axes, Figure, pandas as pd, xarray as xr
 from haptonic.plots.text import khz
 from haptonic.results.plain import plain
@@ -69,18 +68,6 @@ class Bands(Result):
         ]
         checked, missed = (int(self.dataset.attrs[f"counts_{name}"]) for name in ("checked", "missed"))
         return [*said, *self._about_carrier(complete), counted(checked, missed)]
-
-    def remarks(self) -> list[str]:
-        asked = self.dataset.attrs["accuracy"]
-        largest = self.dataset.attrs.get("largest_error", asked)
-        if largest <= asked:
-            return []
-        reached = f"{rounded_up(largest):g}"
-        return [
-            f"The accuracy asked for, {asked:g}, is not reached: errors go up to {reached} of a frequency. A "
-            "finer mesh would need more time or memory than it may take. Each number has its own error; "
-            f"accuracy = {reached} asks for no more than this."
-        ]
 
     def _about_carrier(self, complete: Sequence[Gap]) -> list[str]:
         carrier = self.dataset.attrs.get("carrier_hz")

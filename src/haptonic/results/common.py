@@ -9,13 +9,39 @@ from pathlib import Path, PurePosixPath
 from typing import Any
 
 from haptonic import hdf5
+from haptonic.bloch.reach import rounded_up
+from haptonic.bloch.settings import COARSEST
 from haptonic.gate import passed
 from haptonic.later import xarray as xr
 from haptonic.names import variable
 from haptonic.paths import inside
 from haptonic.store import draft_for, fingerprint, refuse_overwrite, write_atomically
+from haptonic.units import duration
 
 Writer = Callable[[Path], object]
+
+
+REASONS = {"time": "lack of time", "memory": "lack of memory", "range": "range of validity"}
+
+
+def accuracy_remarks(attributes: Mapping[str, Any]) -> list[str]:
+    """A warning where an accuracy was not reached: what was, why, and what to do.
+
+    attributes : of a dataset; see `haptonic.bloch.model.BestModel.attributes`
+    """
+    asked, largest = attributes.get("accuracy"), attributes.get("largest_error")
+    if asked is None or largest is None or largest <= asked:
+        return []
+    reached = f"{rounded_up(largest):g}"
+    remark = (
+        f"The accuracy asked for, {asked:g}, is not reached: errors go up to {reached} of a frequency"
+        f"{', which tells little of gaps' if largest > COARSEST else ''}."
+    )
+    if "stopped_by" in attributes:
+        remark += f" The reason is {REASONS[attributes['stopped_by']]}: {attributes['stopped_why']}."
+    if "budget_needed_s" in attributes:
+        remark += f' Ask again with --budget "{duration(attributes["budget_needed_s"])}" for the next mesh.'
+    return [f"{remark} With accuracy = {reached} in [bands] no more than this is asked for."]
 
 
 def write_files(folder: Path, writers: Mapping[Any, Writer], *, overwrite: bool) -> list[Path]:

@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+
+from haptonic.errors import HaptonicError
+from haptonic.units import duration
 
 LONG = 5.0  # s, from which on it is told before the work starts
 BASE = 3e8  # bytes, of the program and its libraries
@@ -13,18 +16,27 @@ class Cost:
     """A forecast, right within about a factor of two on the machine of the benchmarks.
 
     seconds : of one processor; memory : bytes, at the peak
+    refusal : the error that the computation will end with, where that is known; it then takes no time
+    budget : s, for the meshes of each cell; None where there are none
     """
 
     seconds: float
     memory: float = BASE
+    refusal: HaptonicError | None = None
+    budget: float | None = None
 
     def __add__(self, other: Cost) -> Cost:
-        """One after the other."""
-        return Cost(self.seconds + other.seconds, max(self.memory, other.memory))
+        """One after the other; the first refusal ends all."""
+        return Cost(
+            seconds=self.seconds + other.seconds,
+            memory=max(self.memory, other.memory),
+            refusal=self.refusal or other.refusal,
+            budget=self.budget if other.budget is None else other.budget,
+        )
 
     def times(self, count: float) -> Cost:
         """So many, one after the other."""
-        return Cost(self.seconds * count, self.memory)
+        return replace(self, seconds=self.seconds * count)
 
     @property
     def time(self) -> str:
@@ -47,7 +59,10 @@ class Cost:
     @property
     def sentence(self) -> str:
         """A sentence."""
-        return f"About {self.time} of processor time and {self.gigabytes}; less if parts are in the store."
+        fits = "" if self.budget is None else f" The meshes fit the budget of {duration(self.budget)} a cell."
+        return (
+            f"About {self.time} of processor time and {self.gigabytes}; less if parts are in the store.{fits}"
+        )
 
 
 def _round(value: float) -> float:

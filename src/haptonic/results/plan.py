@@ -67,7 +67,12 @@ class StudyPlan(Result):
         return said
 
     def tables(self) -> list[Table]:
-        costs = [(f"haptonic {name}", f"about {one.time}", one.gigabytes) for name, one in self.costs.items()]
+        costs: list[tuple[Cell, ...]] = [
+            (f"haptonic {name}", "refused", None)
+            if one.refusal
+            else (f"haptonic {name}", f"about {one.time}", one.gigabytes)
+            for name, one in self.costs.items()
+        ]
         sizes: list[tuple[Cell, ...]] = [
             (path.removeprefix("cell."), value)
             for path, value in values_of(self.cell).items()
@@ -107,7 +112,12 @@ class StudyPlan(Result):
 
     def remarks(self) -> list[str]:
         free = psutil.virtual_memory().available
-        return [
+        refused = [
+            f"haptonic {name} would be refused: {one.refusal.cause}; next step: {one.refusal.next_step}"
+            for name, one in self.costs.items()
+            if one.refusal
+        ]
+        return refused + [
             f"haptonic {name} may need {one.gigabytes}, and {free / 1e9:.1f} GB are free"
             for name, one in self.costs.items()
             if one.memory > free

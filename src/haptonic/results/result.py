@@ -23,7 +23,7 @@ from haptonic.later import Axes, Figure
 from haptonic.pages import embedded
 from haptonic.paths import target
 from haptonic.progress import Progress, silent
-from haptonic.results.common import Writer, refuse_taken, write_files, write_netcdf
+from haptonic.results.common import Writer, accuracy_remarks, refuse_taken, write_files, write_netcdf
 from haptonic.results.plain import attributes, plain
 from haptonic.results.table import Table
 from haptonic.store import whole_set
@@ -157,8 +157,8 @@ class Result:
         return []
 
     def remarks(self) -> list[str]:
-        """What may be wrong, or was left out; told as warnings."""
-        return []
+        """What may be wrong, or was left out, as warnings; by default an accuracy that was not reached."""
+        return accuracy_remarks(self.dataset.attrs)
 
     def facts(self) -> dict[str, Any]:
         """What machines are told by name: numbers, texts, values, datasets; by default all of the dataset."""

@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 
 from haptonic import plots
+from haptonic.bloch.reach import rounded_up
 from haptonic.gate import declared
 from haptonic.later import Axes, Figure, xarray as xr
 from haptonic.results.common import Writer, write_netcdf
@@ -48,6 +49,19 @@ class Sweep:
                 "between": [int(row["gap_below"][i]), int(row["gap_below"][i]) + 1],
             }
             for i in np.flatnonzero(np.isfinite(row["gap_lower"].values))
+        ]
+
+    def short_of_accuracy(self) -> list[str]:
+        """A warning where edges of some designs are less exact than asked for; each has its error."""
+        missed = self.dataset["missed_accuracy"].values
+        steps = np.flatnonzero(np.isfinite(missed))
+        if not len(steps):
+            return []
+        named = ", ".join(str(step + 1) for step in steps)
+        return [
+            f"The accuracy asked for, {self.dataset.attrs['accuracy']:g}, is not reached by "
+            f"design{'s' * (len(steps) > 1)} {named} of the sweep: errors go up to "
+            f"{rounded_up(float(missed[steps].max())):g} of an edge. A larger --budget may reach it."
         ]
 
     def table(self) -> Table:
@@ -120,11 +134,12 @@ class Sweeps(Result):
         return [one.table() for one in self.rows]
 
     def remarks(self) -> list[str]:
-        return [
+        left = [
             f"design {step + 1} of the sweep was left out: {error['cause']} ({error['argument']})"
             for one in self.rows
             for step, error in one.failed.items()
         ]
+        return [*left, *(remark for one in self.rows for remark in one.short_of_accuracy())]
 
     @figure("sweep_*")
     def _drawn(self) -> dict[str, Callable[[], Figure]]:

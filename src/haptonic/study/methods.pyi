@@ -35,6 +35,7 @@ class Methods:
         workers: int = 0,
         scheduler: str | None = None,
         progress: haptonic.progress.Progress | None = None,
+        budget: float | str | None = None,
     ) -> haptonic.results.plan.StudyPlan:
         """What a study describes, its map and sizes, and what each command will cost, before anything is
         computed."""
@@ -48,6 +49,7 @@ class Methods:
         workers: int = 0,
         scheduler: str | None = None,
         progress: haptonic.progress.Progress | None = None,
+        budget: float | str | None = None,
     ) -> haptonic.results.bands.Bands:
         """Band diagram, gaps and mode shapes of the unit cell."""
 
@@ -62,6 +64,7 @@ class Methods:
         workers: int = 0,
         scheduler: str | None = None,
         progress: haptonic.progress.Progress | None = None,
+        budget: float | str | None = None,
     ) -> haptonic.results.comparison.Comparison:
         """Bands of two studies or results beside each other, or of another program's table over ours."""
 
@@ -72,6 +75,7 @@ class Methods:
         workers: int = 0,
         scheduler: str | None = None,
         progress: haptonic.progress.Progress | None = None,
+        budget: float | str | None = None,
     ) -> haptonic.results.sweeps.Sweeps:
         """Complete gaps along the study's sweeps."""
 
@@ -83,6 +87,7 @@ class Methods:
         workers: int = 0,
         scheduler: str | None = None,
         progress: haptonic.progress.Progress | None = None,
+        budget: float | str | None = None,
     ) -> haptonic.analyses.reproduce.Reproduction:
         """Everything the study describes, and one report that sets it beside reference values."""
 
@@ -93,6 +98,7 @@ class Methods:
         workers: int = 0,
         scheduler: str | None = None,
         progress: haptonic.progress.Progress | None = None,
+        budget: float | str | None = None,
     ) -> haptonic.results.layers.Layers:
         """What rows of cells let through between two plain plates, and how many of them the carrier needs."""
 
@@ -104,6 +110,7 @@ class Methods:
         workers: int = 0,
         scheduler: str | None = None,
         progress: haptonic.progress.Progress | None = None,
+        budget: float | str | None = None,
     ) -> haptonic.results.guides.Guides:
         """Width, length and frequency of a waveguide between two such mirrors."""
 
@@ -114,6 +121,7 @@ class Methods:
         workers: int = 0,
         scheduler: str | None = None,
         progress: haptonic.progress.Progress | None = None,
+        budget: float | str | None = None,
     ) -> haptonic.results.ribbon.RibbonWaves:
         """Waves along columns of cells side by side: projected bands, and what a guide or edge holds."""
 
@@ -125,6 +133,7 @@ class Methods:
         workers: int = 0,
         scheduler: str | None = None,
         progress: haptonic.progress.Progress | None = None,
+        budget: float | str | None = None,
     ) -> haptonic.results.design.Design:
         """The cell whose gap holds the carrier with the widest margin, within the study's [design]."""
 
@@ -135,6 +144,7 @@ class Methods:
         workers: int = 0,
         scheduler: str | None = None,
         progress: haptonic.progress.Progress | None = None,
+        budget: float | str | None = None,
     ) -> haptonic.results.tolerance.Tolerance:
         """The chance that the gap holds the carrier, the size that matters most, and the loosest
         tolerances."""
@@ -152,6 +162,7 @@ class Methods:
         workers: int = 0,
         scheduler: str | None = None,
         progress: haptonic.progress.Progress | None = None,
+        budget: float | str | None = None,
     ) -> haptonic.analyses.export.Workshop:
         """Files for the workshop, of the plate or a piece of lattice; all of them if none is named. The
         drawing has the tolerances found, or says why not."""
@@ -165,6 +176,7 @@ class Methods:
         workers: int = 0,
         scheduler: str | None = None,
         progress: haptonic.progress.Progress | None = None,
+        budget: float | str | None = None,
     ) -> haptonic.results.plate.value.PlateResult:
         """How the finite plate vibrates: response, localisation, energies, impedance, modes."""
 
@@ -178,6 +190,7 @@ class Methods:
         workers: int = 0,
         scheduler: str | None = None,
         progress: haptonic.progress.Progress | None = None,
+        budget: float | str | None = None,
     ) -> haptonic.results.feel.value.Feel:
         """What a finger feels of the plate: a map of friction, reductions, whether they are noticed."""
 
@@ -188,6 +201,7 @@ class Methods:
         workers: int = 0,
         scheduler: str | None = None,
         progress: haptonic.progress.Progress | None = None,
+        budget: float | str | None = None,
     ) -> haptonic.analyses.chirp.Excitation:
         """The drive of a scan as WAV, CSV and HDF5, and the points in the order of the stage."""
 
@@ -216,6 +230,7 @@ class Methods:
         workers: int = 0,
         scheduler: str | None = None,
         progress: haptonic.progress.Progress | None = None,
+        budget: float | str | None = None,
     ) -> haptonic.results.scan.value.ScanResult:
         """Analyse a scan: responses, maps, contrast, the gap in it, waves; and how well a model fits."""
 
@@ -226,6 +241,7 @@ class Methods:
         workers: int = 0,
         scheduler: str | None = None,
         progress: haptonic.progress.Progress | None = None,
+        budget: float | str | None = None,
     ) -> haptonic.results.protocol.TrialPlan:
         """Order of friction trials: list, printed sheet, metronome, and how many participants are needed."""
 
@@ -239,6 +255,7 @@ class Methods:
         workers: int = 0,
         scheduler: str | None = None,
         progress: haptonic.progress.Progress | None = None,
+        budget: float | str | None = None,
     ) -> haptonic.results.friction.FrictionResult:
         """Coefficients of friction from force records, and what they prove."""
 
@@ -251,6 +268,7 @@ class Methods:
         workers: int = 0,
         scheduler: str | None = None,
         progress: haptonic.progress.Progress | None = None,
+        budget: float | str | None = None,
     ) -> haptonic.results.verdict.Verdict:
         """A response that a scan has given, once more against its plate's model: new unknowns, no records."""
 
@@ -267,6 +285,7 @@ class Methods:
         workers: int = 0,
         scheduler: str | None = None,
         progress: haptonic.progress.Progress | None = None,
+        budget: float | str | None = None,
     ) -> haptonic.results.simulated_trials.SimulatedFriction:
         """Made-up strokes of made-up people, as a folder that `haptonic friction` reads; all simulated."""
 
@@ -281,5 +300,6 @@ class Methods:
         workers: int = 0,
         scheduler: str | None = None,
         progress: haptonic.progress.Progress | None = None,
+        budget: float | str | None = None,
     ) -> haptonic.results.scan.simulated.SimulatedScan:
         """What a laser vibrometer would record of the study's plate. Everything is marked as simulated."""

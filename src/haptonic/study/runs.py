@@ -44,6 +44,7 @@ class Study(Description, Methods):
         workers: int = 0,
         scheduler: str | None = None,
         progress: Progress | None = None,
+        budget: float | str | None = None,
         **options: Any,
     ) -> Result:
         """Compute the analysis of this name; the result holds all of the answer.
@@ -53,6 +54,7 @@ class Study(Description, Methods):
         store : where results are kept; the user's own by default
         workers, scheduler : see `haptonic.jobs.run_all`
         progress : called with what is done and what is planned; by default a notebook shows a bar
+        budget : "10 min", or s, of estimated processor time for the meshes of each cell; else the study's own
         options : those of its command; ``unnamed`` ones are refused
 
         Raises
@@ -63,7 +65,7 @@ class Study(Description, Methods):
             raise named(name).by_name_only(unnamed[0])
         with in_notebook(name) if progress is None else nullcontext(progress) as told:
             runner = Runner(Store.default() if store is None else store, workers, scheduler, told)
-            return named(name).run(self, runner, options)
+            return named(name).run(self.within(budget), runner, options)
 
     def __repr__(self) -> str:
         return f"<Study: {sentence_of(self.title, self.cell, self.carrier)}>"

@@ -23,6 +23,7 @@ from haptonic.fields import (
     needed,
     numbers,
     problem,
+    remade,
     setting,
     table,
     unchecked,
@@ -181,6 +182,20 @@ class Description:
         StudyError : the study has no [plate]
         """
         return plate_of(self.finite_plate, self.cell)
+
+    def within(self, budget: float | str | None) -> Self:
+        """The same study with another budget for the meshes of its cells; s, or a text such as "10 min".
+
+        Raises
+        ------
+        StudyError : no time, or one that no budget can be
+        """
+        if budget is None:
+            return self
+        try:
+            return unchecked(self, bands_settings=remade(self.bands_settings, budget=budget))
+        except StudyError as error:
+            raise error.changed(StudyError, argument="--budget") from None
 
     def without_plate(self) -> Self:
         """The same study of the lattice alone."""

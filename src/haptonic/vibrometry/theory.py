@@ -8,7 +8,7 @@ from haptonic.arrays import Array
 from haptonic.bloch import Gap
 from haptonic.bloch.guide import Guide
 from haptonic.bloch.mirrors import condensed_rows
-from haptonic.bloch.model import bloch_model
+from haptonic.bloch.model import best_model
 from haptonic.bloch.plate_waves import PlainPlate
 from haptonic.bloch.rows import CondensedRows, attenuation
 from haptonic.bloch.settings import BandSettings
@@ -51,7 +51,8 @@ def computed_waves(
     """
     cell = layout.cells[mirror.name] if mirror else next(iter(layout.cells.values()))
     widths = sorted({(one.width, one.along) for one in guides if mirror and one.lattice == mirror.name})
-    resolution = bloch_model(cell, settings).resolution
+    best = best_model(cell, settings)
+    resolution = best.model.resolution
 
     def rows(along: Axis) -> CondensedRows:
         direction = along_axis(cell.lattice, 0 if along == "x" else 1)
@@ -99,6 +100,7 @@ def computed_waves(
                 found[:, row, step] = mode.omega / (2 * np.pi), k
     made["guided_frequency"] = ("guide", "step"), found[0], {"units": "Hz", WORD: none_there}
     made["guided_wavenumber"] = ("guide", "step"), found[1], {"units": "rad/m", WORD: none_there}
+    made.attrs |= best.attributes(settings)
     return made.assign_coords(
         width=("guide", [w for w, _ in widths]), along=("guide", [a for _, a in widths])
     )

@@ -11,7 +11,7 @@ from haptonic.bloch import Gap
 from haptonic.design.brief import Brief
 from haptonic.design.parameters import UNITS
 from haptonic.design.search import Visited
-from haptonic.errors import HaptonicError, ResourceError, StudyError
+from haptonic.errors import HaptonicError, StudyError
 from haptonic.units import format_quantity
 
 AT_BOUND = 0.01  # share of a range, or of a limit, from which one counts as reached
@@ -79,28 +79,15 @@ def _closest(carrier: float, best: Gap | None, seen: Sequence[Visited]) -> str:
     return f"the closest gap seen, {lower} to {upper} kHz, misses it by {missed} kHz"
 
 
-def uncomputed(
-    brief: Brief, summit: Visited, failure: HaptonicError, computed: tuple[float, Gap] | None
-) -> ResourceError:
-    """Designs were found, and none of them can be computed as exactly as asked for.
-
-    computed : an accuracy at which the best of them can be, and its gap there
-    """
+def uncomputed(brief: Brief, summit: Visited, failure: HaptonicError) -> HaptonicError:
+    """Designs were seen in the coarse model, and the meshes of none of them fit."""
     values = zip(brief.paths, brief.values(summit.share), strict=True)
     named = ", ".join(f"{path} = {format_quantity(value, UNITS[path])}" for path, value in values)
-    coarse, (lower, upper) = " in the coarse model", in_khz(summit.lower, summit.upper)
-    next_step = failure.next_step
-    if computed is not None:
-        accuracy, gap = computed
-        coarse, (lower, upper) = "", in_khz(gap.lower, gap.upper)
-        next_step = f"ask for accuracy = {accuracy:g} in [bands], at which this design can be computed"
-    return ResourceError.inaccurate(
-        argument=failure.argument,
-        given=failure.given,
-        allowed=failure.allowed,
-        cause=f"{failure.cause}; no design found can be computed as exactly as asked for. The best of them, "
-        f"{named}, has a gap from {lower} to {upper} kHz{coarse}",
-        next_step=next_step,
+    lower, upper = in_khz(summit.lower, summit.upper)
+    return failure.changed(
+        type(failure),
+        cause=f"{failure.cause}; of the designs seen none can be computed. The best of them, {named}, has a "
+        f"gap from {lower} to {upper} kHz in the coarse model",
     )
 
 

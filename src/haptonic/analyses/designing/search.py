@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -15,8 +15,7 @@ from haptonic.analyses.designing.tasks import all_seen, visits_of
 from haptonic.analyses.runner import Runner
 from haptonic.arrays import Array
 from haptonic.bloch import Gap, gaps_of
-from haptonic.bloch.reach import rounded_up
-from haptonic.bloch.settings import COARSEST, BandSettings
+from haptonic.bloch.settings import BandSettings
 from haptonic.design.brief import SLACK, Brief
 from haptonic.design.parameters import UNITS
 from haptonic.design.search import HeightRow, Visited, distinct, spread, starts_of
@@ -32,7 +31,6 @@ MORE_CLIMBS = 3  # times as many climbs as asked for, while none has reached the
 SAME = 0.02  # of the box, between two summits that count as one
 REFINED = 3  # summits computed at the accuracy asked for
 COARSE = 0.03  # of the carrier, by which the coarse model may miss an edge: summits below are not refined
-LEAST_ACCURACY = 5e-2  # which any design is tried at before it is said that it cannot be computed
 
 
 def compute_design(
@@ -52,7 +50,7 @@ def compute_design(
     Raises
     ------
     StudyError : bounds that contradict each other, or a carrier that no allowed design reaches
-    ResourceError : no design that was found can be computed at the accuracy asked for
+    ResourceError : no design that was found has a mesh that fits the budget and the memory
     """
     brief.check()
     search = _Search(brief, settings, runner)
@@ -67,6 +65,8 @@ def compute_design(
     if best is None or best.margin <= 0:
         raise search.refusal(summits)
     dataset = stamped(all_seen(brief, search.history), inputs)
+    if settings.resolution is None:
+        dataset.attrs |= {"accuracy": settings.accuracy, "largest_error": best.gap.relative_error}
     dataset.attrs["left_out"] = json.dumps(search.left_out)
     dataset.attrs["held_back_by"] = json.dumps(held_back_by(brief, best.visit.share))
     return Design(best.values, best.gap, best.margin, dataset)
@@ -160,11 +160,10 @@ class _Search:
                 found += self._at_accuracy(visits[-1])
         return found
 
-    def _at_accuracy(self, visit: Visited, accuracy: float | None = None) -> list[_Refined]:
+    def _at_accuracy(self, visit: Visited) -> list[_Refined]:
         """The complete gap of a design, if it has one and can be computed."""
         values, found = _rounded(self.brief, visit), []
-        settings = self.settings if accuracy is None else replace(self.settings, accuracy=accuracy)
-        task = tasks.gap_task(self.brief.cell.with_numbers(values), settings, visit.band)
+        task = tasks.gap_task(self.brief.cell.with_numbers(values), self.settings, visit.band)
         for data in self._run("refine", tasks.gap_dataset, [task], [visit.share]):
             for gap in gaps_of(data):
                 if gap.complete and gap.between[0] == visit.band:
@@ -175,28 +174,13 @@ class _Search:
         """Why there is no design to give."""
         if self.refused:
             visit, failure = self.refused[0]
-            return uncomputed(self.brief, visit, failure, self._accuracy_for(visit))
+            return uncomputed(self.brief, visit, failure)
         if not summits:
             return self.failures[0]
         if self.best is None:  # a climb cut short tells nothing of what holds it back
             summits = self.ranked([*self.climbed(summits[:1], LAST_STEPS), *summits])
         gap = None if self.best is None else self.best.gap
         return out_of_reach(self.brief, gap, summits, [visit for _, visit in self.history], self.ends)
-
-    def _accuracy_for(self, visit: Visited) -> tuple[float, Gap] | None:
-        """An accuracy that a design can be computed at, and its gap there.
-
-        The coarsest costs little; then that is tried which its mesh has reached.
-        """
-        known, accuracy = None, LEAST_ACCURACY
-        for _ in range(2):
-            found = self._at_accuracy(visit, accuracy)
-            if not found or found[0].gap.relative_error > accuracy:
-                break
-            known = accuracy, found[0].gap
-            reached = rounded_up(found[0].gap.relative_error, 1)
-            accuracy = min(max(reached, 2 * self.settings.accuracy), COARSEST)
-        return known
 
     def _run(
         self,

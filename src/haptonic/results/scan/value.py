@@ -22,7 +22,7 @@ from haptonic.plate import Plate
 from haptonic.plate.layout import Layout
 from haptonic.progress import Progress, silent
 from haptonic.response import FrequencyResponse, write
-from haptonic.results.common import write_netcdf
+from haptonic.results.common import accuracy_remarks, write_netcdf
 from haptonic.results.plain import split
 from haptonic.results.result import Result, figure, file
 from haptonic.results.table import Column, Table
@@ -247,7 +247,7 @@ class ScanResult(Result):
         return said
 
     def remarks(self) -> list[str]:
-        return list(self.undetermined)
+        return [*self.undetermined, *accuracy_remarks({} if self.waves is None else self.waves.attrs)]
 
     def tables(self) -> list[Table]:
         """Velocities, contrasts and decay at the frequencies of the operating shapes; then the verdict."""
