@@ -217,7 +217,7 @@ class _Body:
     def _begun(self, count: int) -> list[int]:
         if self.apart:
             self.block, self.apart = self.block + bool(self.blocks), False
-        return [self.block] * self.count
+        return [self.block] * count
 
     def _regular(self, portion: Sequence[str]) -> list[list[str]] | None:
         """Cells of lines that are all rows, without comments and quotes; else None."""
