@@ -75,8 +75,8 @@ def check(study: None, options: CompareOptions) -> None:
         )
     if kind_of(options.second) == "table":
         # what the table does not say is asked before bands are computed
-        study = options.studies.get(options.first)
-        check_table(options.second, study and OurPath.of_cell(study.cell), options.of_table)
+        ours = options.studies.get(options.first)
+        check_table(options.second, ours and OurPath.of_cell(ours.cell), options.of_table)
 
 
 def compute(study: None, options: CompareOptions, runner: Runner) -> Comparison:

@@ -61,7 +61,7 @@ class OurPath:
             distance,
             np.pi * np.array([corners[label] for label in labels]),
             Lattice(**{names.get(key, key): value for key, value in given.items()}),
-            tuple(tuple(map(tuple, one)) for one in json.loads(data.attrs["point_group"])),
+            tuple(((a, b), (c, d)) for (a, b), (c, d) in json.loads(data.attrs["point_group"])),
         )
 
     @classmethod

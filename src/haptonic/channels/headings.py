@@ -53,7 +53,7 @@ class Heading:
                 return cls(text, " ".join(f"{found['name']} {found['behind']}".split()), unit)
         if is_unit(text):
             return cls(text, text, text if re.search("hz|rad/s", text, re.IGNORECASE) else "")
-        for part in ("/", ",", " in "):
+        for part in (" in ", "/", ","):
             name, _, unit = text.partition(part) if part != " in " else text.rpartition(part)
             if name.strip() and is_unit(unit.strip()) and not unit.strip().isdigit():
                 return cls(text, name.strip(), unit.strip())
@@ -92,13 +92,13 @@ def units_in(cells: Sequence[str]) -> list[str] | None:
     return units if known else None
 
 
-def could_be_names(cells: Sequence[str]) -> bool:
+def could_be_names(cells: Sequence[str], decimal: str = ".") -> bool:
     """False if a cell is a number that numbers no band: names are words, or whole numbers behind a word."""
     filled = [cell.strip() for cell in cells if not is_missing(cell)]
-    numbers = [cell for cell in filled if number_of(cell) is not None]
+    numbers = [cell for cell in filled if number_of(cell, decimal) is not None]
     return (
         bool(filled)
-        and number_of(filled[0]) is None
+        and number_of(filled[0], decimal) is None
         and all(re.fullmatch(r"\d{1,4}", cell) for cell in numbers)
     )
 
@@ -141,7 +141,7 @@ _WAVEVECTOR = re.compile(r"[kqβκ](?:_?[xyz12])?|kappa|beta|wavevector|wavenumb
 def _holds_wavevector(cell: str) -> bool:
     """True if the name of a wavevector and the next one may have been taken for one name."""
     words = cell.split()
-    return len(words) > 1 and bool(_WAVEVECTOR.fullmatch(words[0])) and words[1][:1] not in "[(@"
+    return len(words) > 1 and bool(_WAVEVECTOR.fullmatch(words[0])) and words[1][:1] not in "[(@/" and words[1] != "in"
 
 
 def _cut(line: str, cuts: Sequence[int]) -> list[str] | None:

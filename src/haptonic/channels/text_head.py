@@ -87,7 +87,7 @@ def head_of(path: Path, lines: Sequence[str], dialect: Dialect, skip: int, optio
         k, line = above.pop()
         plain = comment_text(line) if is_comment(line) else line
         names = names_in(line)
-        possible = names is not None and could_be_names(names) and not is_title(plain)
+        possible = names is not None and could_be_names(names, dialect.decimal) and not is_title(plain)
         units = units_in(names) if names else None
         if units and not head.units and above and names_in(above[-1][1]) and not is_title(above[-1][1]):
             head.units = units
