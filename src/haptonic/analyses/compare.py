@@ -76,7 +76,8 @@ def check(study: None, options: CompareOptions) -> None:
     if kind_of(options.second) == "table":
         # what the table does not say is asked before bands are computed
         ours = options.studies.get(options.first)
-        check_table(options.second, ours and OurPath.of_cell(ours.cell), options.of_table)
+        path = None if ours is None else OurPath.of_cell(ours.cell)
+        check_table(options.second, path, options.of_table)
 
 
 def compute(study: None, options: CompareOptions, runner: Runner) -> Comparison:

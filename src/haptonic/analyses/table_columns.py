@@ -83,6 +83,14 @@ def columns_of(table: TextTable, frequency_unit: str | None) -> TableOfBands:
     """
     if len(table.columns) < 2:
         raise _refused(table, "a single column", "columns of the wavevector and of frequencies")
+    if table.unmatched and len(table.columns) > 2:
+        raise _refused(
+            table,
+            table.remarks[0],
+            "names that belong to columns, parted as the numbers are or by two blanks",
+            f"part the names in line {table.unmatched} by two blanks or commas; if it has none, leave it out: "
+            f"--skip-lines={table.unmatched}",
+        )
     if table.short:
         raise _refused(
             table, f"fewer cells in line {table.short[0]} than above it", "as many cells in every row"
@@ -182,12 +190,6 @@ def _frequencies(
         raise _refused(
             table, f"the columns {', '.join(table.names)}", "a column of frequencies, in Hz, kHz or rad/s"
         )
-    if not table.has_names and len(found) > 1 and any("matched" in remark for remark in table.remarks):
-        remark = next(remark for remark in table.remarks if "matched" in remark)
-        raise _refused(
-            table, remark, "names that belong to columns, parted as the numbers are or by two blanks",
-            f"write the names of {table.path.name} with commas or two blanks between them",
-        )  # fmt: skip
     return found
 
 
