@@ -97,6 +97,7 @@ def compute_friction(
         rules=rules,
         trials=read.trials,
         guessed=read.remarks,
+        doubts=read.doubts,
         found=summary(read.trials, driven),
     )
 

@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 from haptonic import hdf5
 from haptonic.channels import Notebook, delimited, hdf5 as stored
 from haptonic.errors import ChannelError, FrictionError, ResourceError, nearest
+from haptonic.friction.signals.clock import clock_of
 from haptonic.friction.signals.record import Label, Record
 from haptonic.gate import declared, passed
 from haptonic.later import pandas as pd, xarray as xr
@@ -27,7 +28,6 @@ RECORD = (*LABEL, "time", "normal", "tangential")
 TRIALS = (*LABEL, "friction")
 WHOLE = ("block", "trial")
 TEXTS = ("participant", "waveguide", "actuation")
-JITTER = 0.1  # of a sampling interval, by which times may be off
 FORMATS = {".csv": "CSV", ".nc": "NetCDF", ".h5": "HDF5", ".hdf5": "HDF5"}
 
 
@@ -58,7 +58,12 @@ def read_records(path: Path) -> Iterator[tuple[Label, Record]]:
         normal, tangential = (
             numbers_of(path, columns, name)[start:stop] for name in ("normal", "tangential")
         )
-        yield label, Record(normal, tangential, rate_of(time, f"{path.name}, {label}"), position)
+        clock = clock_of(time, f"{path.name}, {label}")
+        position = None if position is None else clock.regular(position)
+        yield label, Record(
+            clock.regular(normal), clock.regular(tangential), clock.rate, position,
+            remarks=(clock.remark,) if clock.remark else (),
+        )  # fmt: skip
 
 
 def read_trials(path: Path) -> xr.Dataset:
@@ -184,26 +189,6 @@ def numbers_of(path: Path, columns: dict[str, Column], name: str) -> NDArray[np.
         return np.asarray(columns[name], dtype=float)
     except (TypeError, ValueError):
         raise _bad_table(path, f"text in the column {name}", f"numbers in the column {name}") from None
-
-
-def rate_of(time: NDArray[np.float64], where: str) -> float:
-    """Sampling rate, Hz, of equidistant times in s.
-
-    Raises
-    ------
-    FrictionError : times that do not advance evenly; ``where`` says in what
-    """
-    steps = np.diff(time)
-    typical = float(np.median(steps)) if steps.size else 0.0
-    if not (typical > 0 and (np.abs(steps - typical) < JITTER * typical).all()):
-        raise FrictionError.malformed(
-            argument=where,
-            given="times that do not advance evenly",
-            allowed="equidistant times in s, ascending",
-            cause="rows were lost, sorted or joined",
-            next_step="look at these rows",
-        )
-    return 1 / typical
 
 
 def _bad_table(path: Path, given: str, allowed: str) -> FrictionError:
