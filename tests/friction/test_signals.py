@@ -381,11 +381,10 @@ class TestFiles:
         good.to_csv(path, index=False)
         assert read_trials(path)["participant"].values.tolist() == ["1", "1"]  # a name, though a number
         for bad, shown, code, argument in (
-            (good.assign(friction=[0.2, np.nan]), "trial 2", "malformed", "t.csv"),
             (good.assign(friction=[-0.2, 0.4]), "-0.2", "malformed", "t.csv"),
             (good.assign(friction=[20.0, 40.0]), "friction 20", "malformed", "t.csv"),
             (good.drop(columns="friction"), "actuation", "missing", "column friction"),
-            (good.assign(participant=["1", None]), "''", "malformed", "block 1, trial 2"),
+            (good.assign(participant=None), "''", "malformed", "block 1, trial 1"),
         ):
             bad.to_csv(path, index=False)
             refused(lambda: read_trials(path), shown, code=code, argument=argument)

@@ -47,6 +47,11 @@ class FrictionResult(Result):
     published: Mapping[str, float] = field(default_factory=dict)
     doubts: tuple[str, ...] = ()
 
+    @classmethod
+    def names(cls, options: Any = None) -> list[Any]:
+        """Of all files; a draft of the table of trials writes none of them."""
+        return [] if getattr(options, "draft", False) else super().names(options)
+
     @property
     def dataset(self) -> xr.Dataset:
         """Every trial."""

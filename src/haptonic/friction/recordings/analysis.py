@@ -26,7 +26,7 @@ from haptonic.friction.signals.limits import RangeEnds
 from haptonic.friction.signals.measuring import Columns, channels_of, marked, measure_part, processed
 from haptonic.friction.signals.record import Label, Record
 from haptonic.friction.signals.rules import DECLARED, OMISSIONS, REMEDIES, UNREADABLE, Measured, Rules
-from haptonic.friction.signals.tables import LABEL, read_columns, read_records, read_trials
+from haptonic.friction.signals.tables import LABEL, LEFT_OUT, read_columns, read_records, read_trials
 from haptonic.friction.signals.trials import joined, measured, tabulated
 from haptonic.later import xarray as xr
 from haptonic.parallel import finished
@@ -36,6 +36,7 @@ Portion = list[tuple[str, list[RecordSpan]]]
 
 TRIED = 20  # files that are looked into for channels of the expected names
 PRESSED = 8  # trials of each participant that show how the sensor lay
+NO_FILE = "the table names no file in this folder, or no start and stop in a file of several trials"
 POINTS = 80  # of a curve that is drawn small
 
 
@@ -162,7 +163,9 @@ def _from_file(path: Path, rules: Rules) -> tuple[xr.Dataset, tuple[str, ...]]:
     columns = read_columns(path, LABEL)
     origin = "simulated" if "simulated" in {str(word) for word in columns.get("origin", ())} else "measured"
     if "friction" in columns:
-        return read_trials(path).assign_attrs(origin=origin), ()
+        trials = read_trials(path)
+        doubts = [str(text) for text in [trials.attrs.pop(LEFT_OUT, "")] if text]
+        return trials.assign_attrs(origin=origin), tuple(doubts)
     seen: dict[str, None] = {}
 
     def records() -> Iterator[tuple[Label, Record]]:
@@ -196,6 +199,7 @@ def _from_folder(
     origin = "simulated" if simulated else "measured"
     trials = tabulated({**table.labels, **table.carried}, columns, rules, origin=origin)
     return trials, channel_map.remarks, (
+        *table.doubts,
         *channel_map.doubts, *remarked(remarks, table.labels["participant"]),
     )  # fmt: skip
 
@@ -240,6 +244,9 @@ def _records(
     people : (row of the table,) participants
     """
     for name, spans in portion:
+        if not name:
+            yield from (_Read(span, None, NO_FILE, False) for span in spans)
+            continue
         left = list(spans)
         try:
             file = opened(folder / name)

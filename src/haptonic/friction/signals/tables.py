@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from functools import partial
 from itertools import pairwise
 from pathlib import Path
 from typing import Any
@@ -15,6 +14,7 @@ from haptonic import hdf5
 from haptonic.channels import Notebook, delimited, hdf5 as stored
 from haptonic.errors import ChannelError, FrictionError, ResourceError, nearest
 from haptonic.friction.signals.clock import clock_of
+from haptonic.friction.signals.columns import UNSURE, meanings, plain_word, renamed, whole_number
 from haptonic.friction.signals.record import Label, Record
 from haptonic.gate import declared, passed
 from haptonic.later import pandas as pd, xarray as xr
@@ -27,7 +27,9 @@ LABEL = ("participant", "block", "trial", "waveguide", "actuation")
 RECORD = (*LABEL, "time", "normal", "tangential")
 TRIALS = (*LABEL, "friction")
 WHOLE = ("block", "trial")
-TEXTS = ("participant", "waveguide", "actuation")
+LEFT_OUT = "left_out"  # attribute of a table of trials: rows that say no trial
+FEW = 3  # rows that a sentence names
+TEXTS = ("participant", "waveguide", "actuation", "file")
 FORMATS = {".csv": "CSV", ".nc": "NetCDF", ".h5": "HDF5", ".hdf5": "HDF5"}
 
 
@@ -78,17 +80,21 @@ def read_trials(path: Path) -> xr.Dataset:
     FrictionError : a column is missing, or a cell that means nothing
     """
     columns = read_columns(path, TRIALS)
-    labels = [label_of(columns, row) for row in range(len(columns["trial"]))]
+    labels, rows, refusals = labels_of(columns)
+    columns = {name: column[rows] for name, column in columns.items()}
     table = dict(columns) | {name: np.array([getattr(label, name) for label in labels]) for name in LABEL}
     friction = numbers_of(path, columns, "friction")
     excluded = table.get("excluded", np.full(len(labels), "", dtype=object))
     table["excluded"] = np.array(["" if pd.isna(reason) else str(reason) for reason in excluded])
-    bad = ((friction < 0) | (friction > 10) | ~np.isfinite(friction)) & (table["excluded"] == "")
+    empty = np.isnan(friction) & (table["excluded"] == "")
+    table["excluded"] = np.where(empty, "missing numbers", table["excluded"].astype(object)).astype(str)
+    bad = ((friction < 0) | (friction > 10)) & (table["excluded"] == "")
     if bad.any():
         row = int(np.flatnonzero(bad)[0])
         raise _bad_table(path, f"{labels[row]}: friction {friction[row]:g}", "coefficients from 0 to 10")
     table["friction"] = friction
-    return xr.Dataset({name: ("stroke", values) for name, values in table.items()})
+    attributes = {LEFT_OUT: left_out(path, refusals)} if refusals else {}
+    return xr.Dataset({name: ("stroke", values) for name, values in table.items()}, attrs=attributes)
 
 
 def write_trials(trials: xr.Dataset, path: Path) -> None:
@@ -121,7 +127,7 @@ def read_columns(path: Path, required: Sequence[str]) -> dict[str, Column]:
     if path.suffix not in FORMATS:
         raise _other_format(path, list(FORMATS))
     try:
-        columns = _READERS[path.suffix](path)
+        columns = renamed(_READERS[path.suffix](path), path.name)
     except (OSError, MemoryError, ChannelError) as error:
         raise unread(
             ResourceError,
@@ -140,7 +146,9 @@ def read_columns(path: Path, required: Sequence[str]) -> dict[str, Column]:
                 given=", ".join(columns) or "no columns",
                 allowed=f"the columns {', '.join(required)}",
                 cause="the column has another name, or the table is of another kind",
-                next_step=f'rename "{guess}" to "{name}"' if guess else f'add the column "{name}"',
+                next_step=f'rename "{guess}" to "{name}"'
+                if guess
+                else f'add the column "{name}", or rename one',
             )
     lengths = {len(column) for column in columns.values()}
     if lengths == {0} or len(lengths) != 1:
@@ -154,8 +162,15 @@ def _from_hdf5(path: Path) -> dict[str, Column]:
     return {one.name: np.asarray(one) for one in channels if len(one.shape) == 1 and one.kind != "complex"}
 
 
+def _from_csv(path: Path) -> dict[str, Column]:
+    """Names of people and regions, and of files, stay words, though they look like numbers."""
+    by_meaning = meanings(delimited.heads(path), path.name)
+    words = [by_meaning.get(name, name) for name in TEXTS]
+    return delimited.columns(path, [*words, *(n for n in delimited.heads(path) if plain_word(n) in UNSURE)])
+
+
 _READERS: Mapping[str, Callable[[Path], dict[str, Column]]] = {
-    ".csv": partial(delimited.columns, texts=TEXTS),
+    ".csv": _from_csv,
     **dict.fromkeys((".nc", ".h5", ".hdf5"), _from_hdf5),
 }
 
@@ -169,13 +184,40 @@ def label_of(columns: dict[str, Column], row: int) -> Label:
     """
     cells: dict[str, Any] = {name: columns[name][row] for name in LABEL}
     for name in WHOLE:
-        value = cells[name]
-        if isinstance(value, int | float | np.integer | np.floating) and float(value).is_integer():
-            cells[name] = int(value)
+        cells[name] = whole_number(cells[name])
     for name in set(LABEL) - set(WHOLE):
         cells[name] = "" if pd.isna(cells[name]) else visible(str(cells[name])).strip()
     cells["actuation"] = cells["actuation"].lower()
     return Label(**cells)
+
+
+def labels_of(columns: dict[str, NDArray[Any]]) -> tuple[list[Label], list[int], list[str]]:
+    """Labels of the rows that say what trial they are, the rows, and what is wrong with the others.
+
+    Raises
+    ------
+    FrictionError : no row says it
+    """
+    labels, rows, refusals = list[Label](), list[int](), list[str]()
+    first: FrictionError | None = None
+    for row in range(len(columns["trial"])):
+        try:
+            labels.append(label_of(columns, row))
+        except FrictionError as error:
+            first = first or error
+            refusals.append(f"row {row + 1}: {error.argument.split(' of ')[0]} is {error.given}")
+        else:
+            rows.append(row)
+    if first is not None and not rows:
+        raise first
+    return labels, rows, refusals
+
+
+def left_out(path: Path, refusals: Sequence[str]) -> str:
+    """A sentence about rows of a table that say no trial."""
+    first = "; ".join(refusals[:FEW])
+    more = f"; and {len(refusals) - FEW} more" if len(refusals) > FEW else ""
+    return f"rows of {path.name} were left out: {first}{more}"
 
 
 def numbers_of(path: Path, columns: dict[str, Column], name: str) -> NDArray[np.float64]:
